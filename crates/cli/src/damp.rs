@@ -234,6 +234,11 @@ pub fn exported(name: &str, export: &ExportRecord) -> String {
             export.error_bound.map_or_else(String::new, |b| format!(", restitution within {}", bound(b)));
         line("time step", &format!("{} s{bound}", number(step)));
     }
+    for penetration in &export.penetrations {
+        let solver =
+            if penetration.solver.is_empty() { String::new() } else { format!(" ({})", penetration.solver) };
+        line("penetration", &format!("{} m{}{solver}", number(1e3 * penetration.value), penetration.unit));
+    }
     line("two sides", export.combines);
     if export.measured.is_empty() {
         line("measured", "not measured: read in source or manual, and run in a model of the law");

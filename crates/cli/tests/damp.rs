@@ -312,6 +312,14 @@ fn exports_are_for_the_restitution_not_for_the_law() {
     assert_eq!(exact["exports"], other["exports"]);
     assert_eq!(exact["exports"].as_object().map(serde_json::Map::len), Some(2));
     assert_eq!(exact["diagnostics"], serde_json::json!([]));
+    // At 9.81 m/s² the weight is a tenth of the spring's force: a note of each compliant export.
+    for tool in exact["exports"].as_object().expect("an object").values() {
+        let notes = tool["assumptions"].as_array().expect("an array");
+        assert!(
+            notes.iter().any(|note| note.as_str().is_some_and(|note| note.contains("gravity"))),
+            "{tool}"
+        );
+    }
     assert_eq!(other["diagnostics"][0]["code"], "exports-own-law");
     assert_eq!(json(&format!("{base} --separation gap"))["diagnostics"][0]["code"], "exports-own-law");
 }
@@ -371,6 +379,24 @@ fn the_drift_of_a_body_that_only_turns_is_known() {
          --stiffness 1e5 --restitution 0.5 --speed 0.1 --format json",
     );
     assert_eq!((&wall["effective_mass"], &wall["drift"]["over_penetration"]), (&3.0.into(), &0.0.into()));
+}
+
+/// Curvature of the motion of one hinge: κ = 1/l + r/l² = 3.6/m for l = 0.5 m and r = 0.4 m. Step of half of the accuracy:
+/// 1e-3/(2 (1 + e) κ v).
+#[test]
+fn rigid_contacts_of_a_lever_have_the_step_of_its_curvature() {
+    let report = json(
+        "damp --mass-from models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 1,0,0 --stiffness 1e5 \
+         --restitution 0.5 --speed 0.1 --for all --format json",
+    );
+    for (tool, error) in [("rapier", 1e-6), ("jolt", 1e-4)] {
+        let export = &report["exports"][tool];
+        assert_close(&export["time_step"], 1e-3 / (2.0 * 1.5 * 3.6 * 0.1), 1e-4);
+        let bound = export["error_bound"].as_f64().expect("a bound");
+        assert!((5e-4 + error..5.1e-4 + error).contains(&bound), "{tool}: {bound}");
+    }
+    // The effective mass without the hinge, 1/(1/3 + 0.1²/0.07) = 2.1 kg, is near m̄ = 2.2 kg.
+    assert_eq!(report["exports"]["jolt"]["parameters"]["mNumVelocitySteps"], 50.0);
 }
 
 /// Effective inertia of a joint stop: 1/(e M⁻¹ eᵀ); at the elbow of the two rods M₂₂ − M₁₂²/M₁₁, with the M of

@@ -133,14 +133,28 @@ pub(crate) const DART_FASTEST: f64 = 100.0;
 pub(crate) const DART_CORRECTION: f64 = 1e-3;
 /// What DART's constraint force mixing (DART_CFM, 1e-5) takes from e for each 1 + e, and a tenth for rounding.
 pub(crate) const DART_SOFTENING: f64 = 1.1e-5;
-/// How far, m, a body travels in a recommended step of a rigid contact whose solver turns bodies by maximal coordinates: on
-/// a lever of 0.4 m, where it was measured, 1e-3 of a radian at most.
+/// Greatest travel of a body in a recommended step of a rigid contact, m: at most 1e-3 rad on the measured lever of 0.4 m.
 pub(crate) const RIGID_TRAVEL: f64 = 3e-4;
-/// Up to which travel, m, the error stated there was measured: twice the recommended.
+/// Greatest travel with a measured error, m: twice the recommended travel.
 pub(crate) const RIGID_LONGEST_TRAVEL: f64 = 2.0001 * RIGID_TRAVEL;
-/// How often Jolt is to go through its rows: at 10, its default, a hinged body with a rotor lacks (1 + e)·8e-4; at 50 nothing.
+/// Least number of Jolt's velocity steps: with the default 10 the error of a hinged body with a rotor is (1 + e)·8e-4, with 50 zero.
 pub(crate) const JOLT_TURNS: f64 = 50.0;
-/// The same of closed loops: what a four-bar (m̄ = 68.1 kg, open 2.5 kg) rebounds with changes no more from there on; at 500 it lacks 1e-3.
+/// Error that the velocity steps of a hinged body may leave: half of [`JOLT_ERROR`].
+pub(crate) const JOLT_REST: f64 = JOLT_ERROR / 2.0;
+/// Greatest number of velocity steps: sufficient for m̄ of 1,000 times the effective mass without the hinge; a larger number
+/// needs seconds per impact.
+pub(crate) const JOLT_MOST_TURNS: f64 = 10_000.0;
+/// Relative difference of m̄ and the effective mass without joints that counts as equal: rounding of both.
+pub(crate) const SAME_MASS: f64 = 1e-9;
+/// Curvature of the motion of a mechanism without a model, 1/m: that of a lever of 0.2 m with the centre of mass at the contact.
+pub(crate) const RIGID_CURVATURE: f64 = 10.0;
+/// Least curvature of the motion of a mechanism, 1/m: rounding of second differences; the effect is below 1e-8 at the recommended travel.
+pub(crate) const LEAST_CURVATURE: f64 = 1e-5;
+/// Standard gravity, m/s², rounded.
+pub(crate) const GRAVITY: f64 = 9.81;
+/// Half of a unit in the last place of coordinates from 0.25 to 0.5 m in single precision, m.
+pub(crate) const SINGLE_PLACE: f64 = 1.5e-8;
+/// Jolt's velocity steps of closed loops: a four-bar (m̄ = 68.1 kg, open 2.5 kg) has converged; with 500 the error is 1e-3.
 pub(crate) const JOLT_LOOP_TURNS: f64 = 1000.0;
 /// Error bound of the restitution stated for Jolt: measured 3e-5 at the longest travel.
 pub(crate) const JOLT_ERROR: f64 = 1e-4;

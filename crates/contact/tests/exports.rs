@@ -6,6 +6,8 @@ use percuss_contact::{CompliantContact, ContactLawError, Separation, hunt_crossl
 const MASS: f64 = 2.28125;
 const STIFFNESS: f64 = 1e5;
 const SPEED: f64 = 0.4;
+/// Rounding of a coordinate from 0.25 to 0.5 m in single precision, m.
+const ROUNDING: f64 = 1.5e-8;
 
 fn request(restitution: f64) -> Request {
     let options = Options { own_mass: Some(1.5), other_own_mass: Some(3.0), ..Options::default() };
@@ -122,6 +124,11 @@ fn implicit_engines_bounce_as_asked() {
     for e in RESTITUTIONS {
         let request = request(e);
         for tool in [Tool::ODE, Tool::BULLET, Tool::GAZEBO_CLASSIC, Tool::PHYSX, Tool::DRAKE] {
+            if tool == Tool::PHYSX && e < 0.01 {
+                // The error of single precision is larger than e.
+                assert!(matches!(tool.export(&request), Err(ExportError::Unreachable { .. })), "{e}");
+                continue;
+            }
             let export = tool.export(&request).unwrap();
             let h = export.time_step.unwrap();
             let (k, c) = match tool.name() {
@@ -139,7 +146,10 @@ fn implicit_engines_bounce_as_asked() {
                     let k = number(&export, "compliant_contact_stiffness");
                     let tgs = number(&export, "compliant_contact_damping_tgs");
                     let found = worst(e, shorter, implicit(k, tgs, MASS, shorter, true));
-                    assert!(found <= export.error_bound.unwrap(), "TGS {e}: {found:e}");
+                    assert!(
+                        found <= export.error_bound.unwrap() - ROUNDING / (SPEED * shorter),
+                        "TGS {e}: {found:e}"
+                    );
                     (k, number(&export, "compliant_contact_damping"))
                 }
                 _ => {
@@ -148,7 +158,10 @@ fn implicit_engines_bounce_as_asked() {
                 }
             };
             close(k, STIFFNESS, 1e-9);
-            let bound = export.error_bound.unwrap();
+            // Less what single precision adds in PhysX; Drake's is that of its lagged plants too.
+            let shorter = h / 4.0;
+            let single = if tool == Tool::PHYSX { ROUNDING / (SPEED * shorter) } else { 0.0 };
+            let bound = export.error_bound.unwrap() - single;
             for early in [false, true] {
                 let found = worst(e, h, implicit(k, c, MASS, h, early));
                 assert!(found <= bound && bound <= 1.0001e-3, "{tool} {e}: {found:e}, bound {bound:e}");
@@ -371,12 +384,14 @@ fn dart_multiplies_and_refuses_what_it_lets_die() {
 
 #[test]
 fn jolt_lowers_its_threshold_and_bounds_short_travels_only() {
-    let export = Tool::JOLT.export(&request(0.5)).unwrap();
+    let mut free = request(0.5);
+    free.options.free_mass = Some(MASS);
+    let export = Tool::JOLT.export(&free).unwrap();
     assert_eq!(number(&export, "mRestitution"), 0.5);
     assert_eq!(number(&export, "mMinVelocityForRestitution"), SPEED / 2.0);
     let step = export.time_step.unwrap();
     let stepping = |step| {
-        let mut request = request(0.5);
+        let mut request = free;
         request.options.time_step = Some(step);
         Tool::JOLT.export(&request).unwrap().error_bound
     };
@@ -416,6 +431,10 @@ fn exudyn_bounces_as_asked_with_the_half_period() {
         for accuracy in [1e-2, 1e-3, 1e-4] {
             let mut request = request(e);
             request.options.accuracy = accuracy;
+            if accuracy > e {
+                assert!(matches!(Tool::EXUDYN.export(&request), Err(ExportError::Unreachable { .. })), "{e}");
+                continue;
+            }
             let export = Tool::EXUDYN.export(&request).unwrap();
             let (k, c) = (number(&export, "contactStiffness"), number(&export, "contactDamping"));
             let ratio = c / (2.0 * (k * MASS).sqrt());
@@ -446,11 +465,13 @@ fn exudyn_bounces_as_asked_with_the_half_period() {
 fn newton_bounces_as_asked_with_a_damper_on_approach() {
     for e in RESTITUTIONS {
         for accuracy in [1e-2, 1e-3, 1e-4] {
-            let mut request = request(e);
+            // So fast that single precision is not all of the error.
+            let mut request = request(e).at(40.0);
             request.options.accuracy = accuracy;
             let export = Tool::NEWTON.export(&request).unwrap();
             let (k, c) = (number(&export, "ke"), number(&export, "kd"));
-            let (h, bound) = (export.time_step.unwrap(), export.error_bound.unwrap());
+            let h = export.time_step.unwrap();
+            let bound = export.error_bound.unwrap() - ROUNDING / (40.0 * h);
             let engine =
                 move |x: f64, v: f64| if x > 0.0 { v - h / MASS * (k * x + c * v.max(0.0)) } else { v };
             let found = worst(e, h, engine);
@@ -488,7 +509,8 @@ fn every_snippet_is_well_formed_and_holds_the_numbers_in_full() {
                 }
                 let json = serde_json::to_value(&export).unwrap();
                 assert_eq!(json["tool"], tool.name());
-                let text = json.to_string();
+                // Null for tools of one precision.
+                let text = json.to_string().replace("\"single_precision_error\":null", "");
                 assert!(!text.contains("null") || export.time_step.is_none() || export.error_bound.is_none());
             }
         }

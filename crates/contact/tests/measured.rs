@@ -110,7 +110,13 @@ fn gazebo_gives_e_to_one_side_and_refuses_rebounds_that_die() {
 #[test]
 fn closed_loops_are_refused_or_bounded_as_measured() {
     let with = |tool: Tool, closed_loops: bool| {
-        let options = Options { own_mass: Some(1.5), constrained: true, closed_loops, ..Options::default() };
+        let options = Options {
+            own_mass: Some(1.5),
+            free_mass: Some(2.0),
+            constrained: true,
+            closed_loops,
+            ..Options::default()
+        };
         let contact = CompliantContact::new(2.0, STIFFNESS).unwrap();
         let contact = contact.with_exponent(if tool == Tool::OPENSIM { 1.5 } else { 1.0 }).unwrap();
         tool.export(&Request { options, ..Request::new(contact, 0.5).at(0.4) })

@@ -16,6 +16,11 @@ fn request(restitution: f64, motion: StopMotion) -> Request {
     }
 }
 
+/// Error of single precision in the bound: the rounding of an angle from 0.25 to 0.5 rad over the travel of a step.
+fn single(step: f64) -> f64 {
+    1.5e-8 / (0.1 * step)
+}
+
 fn number(export: &Export, name: &str) -> f64 {
     export.number(name).unwrap_or_else(|| panic!("{}: no {name}", export.tool))
 }
@@ -40,7 +45,8 @@ fn implicit_engines_return_as_asked() {
     for e in RESTITUTIONS {
         for tool in [Tool::ODE, Tool::PHYSX] {
             let export = tool.export(&request(e, StopMotion::Turn)).unwrap();
-            let (h, bound) = (export.time_step.unwrap(), export.error_bound.unwrap());
+            let h = export.time_step.unwrap();
+            let bound = export.error_bound.unwrap() - if tool == Tool::PHYSX { single(h) } else { 0.0 };
             let (k, c) = if tool == Tool::ODE {
                 let (erp, cfm) = (number(&export, "stop_erp"), number(&export, "stop_cfm"));
                 (erp / (h * cfm), (1.0 - erp) / cfm)
@@ -63,10 +69,16 @@ fn implicit_engines_return_as_asked() {
 fn newton_returns_as_asked_though_its_damper_pulls() {
     for e in RESTITUTIONS {
         for accuracy in [1e-2, 1e-3, 1e-4] {
-            let mut request = request(e, StopMotion::Turn);
+            // 40 rad/s: the error of single precision is small.
+            let mut request = request(e, StopMotion::Turn).at(40.0);
             request.options.accuracy = accuracy;
+            if accuracy > e {
+                assert!(matches!(Tool::NEWTON.export(&request), Err(ExportError::Unreachable { .. })), "{e}");
+                continue;
+            }
             let export = Tool::NEWTON.export(&request).unwrap();
-            let (h, bound) = (export.time_step.unwrap(), export.error_bound.unwrap());
+            let h = export.time_step.unwrap();
+            let bound = export.error_bound.unwrap() - single(h) * 0.1 / 40.0;
             let (k, c) = (number(&export, "limit_ke"), number(&export, "limit_kd"));
             let found = worst(e, h, |x, v| v - h / INERTIA * (k * x + c * v));
             assert!(
@@ -88,7 +100,11 @@ fn a_tool_has_a_stop_or_says_why_not_and_what_to_do() {
                         let step = format!("{:?}", export.time_step.unwrap());
                         assert!(snippet.text.contains(&step) && !snippet.text.contains("inf"), "{tool}");
                     }
-                    assert!(export.error_bound.unwrap() <= 1.0001e-3 && !export.assumptions.is_empty());
+                    let rounds = tool == Tool::NEWTON || tool == Tool::PHYSX;
+                    let added = if rounds { single(export.time_step.unwrap()) } else { 0.0 };
+                    assert!(
+                        export.error_bound.unwrap() - added <= 1.0001e-3 && !export.assumptions.is_empty()
+                    );
                 }
                 Err(error) => {
                     assert!(!WRITTEN.contains(&tool), "{tool}: {error}");

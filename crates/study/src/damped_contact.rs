@@ -2,6 +2,7 @@
 //! from the model.
 
 use crate::answer::{Answer, Answered};
+use crate::curvature::motion_curvature;
 use crate::damping::{DampingReport, Drift, about_exports, body_alone, damper, exports};
 use crate::damping_question::DampingQuestion;
 use crate::error::StudyError;
@@ -13,7 +14,7 @@ use crate::penetration::{Ended, Penetration};
 use crate::question::MassQuestion;
 use crate::record::DiagnosticRecord;
 use crate::thresholds::{DIFFERENCE, DRIFTING, SAME_LIMIT};
-use percuss_contact::exports::Options;
+use percuss_contact::exports::{MassDrift, Options};
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, RouteChoice, System};
 use percuss_mechanism::{LinkId, Mechanism, Severity};
 
@@ -65,7 +66,10 @@ pub(crate) fn damping_of(
     };
     let record = damper(damping, mass)?;
     let (drift, ended) = drift(answered, mass, record.max_penetration);
-    let options = options(damping.options, answered, mass);
+    let mut options = options(damping.options, answered, mass);
+    let changes = drift.over_penetration.zip(record.max_penetration.filter(|x| *x > 0.0));
+    options.drift =
+        options.drift.or(changes.map(|(relative, penetration)| MassDrift { relative, penetration }));
     let alone = damping.options.own_mass.or(prepared.system.rigid_body_mass(answered.contact.link));
     let body_alone = alone.filter(|m| *m > 0.0).map(|m| body_alone(damping, m, mass));
     let mut diagnostics = prepared.model.diagnostics.clone();
@@ -185,6 +189,11 @@ fn options(given: Options, answered: &Answered, mass: f64) -> Options {
         let free = question.against_mass.map_or(0.0, |other| 1.0 / other);
         Some((ours + other + free) * mass)
     };
+    // A joint stop has an inertia instead of a mass.
+    let free = || {
+        let free = answered.pose.free_body_mass(&answered.contact).filter(|_| given.stop.is_none())?;
+        Some(question.against_mass.map_or(free, |other| free * other / (free + other)))
+    };
     // Parts that simulators enforce by constraints: mimics, couplings, locks, held contacts and loop closures.
     let follows = |joint: &percuss_mechanism::Joint| joint.mimic().is_some();
     let closed_loops = !mechanism.closures().is_empty();
@@ -200,6 +209,11 @@ fn options(given: Options, answered: &Answered, mass: f64) -> Options {
         constrained: given.constrained || constrained,
         closed_loops: given.closed_loops || closed_loops,
         loops_unknown: false,
+        free_mass: given.free_mass.or_else(free),
+        motion_curvature: given
+            .motion_curvature
+            .or_else(|| motion_curvature(answered).filter(|_| given.stop.is_none())),
+        moving_bodies: given.moving_bodies.or(Some(answered.prepared.system.moving_bodies())),
         ..given
     }
 }

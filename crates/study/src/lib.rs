@@ -12,6 +12,7 @@ mod check;
 mod closure_text;
 mod compare;
 mod csv_records;
+mod curvature;
 mod damped_contact;
 mod damping;
 mod damping_question;

@@ -1,6 +1,6 @@
 //! Simulator parameters in reports.
 
-use percuss_contact::exports::{Export, ExportError, Measurement, Snippet, Tool, Value};
+use percuss_contact::exports::{Export, ExportError, Measurement, Penetration, Snippet, Tool, Value};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -28,8 +28,12 @@ pub struct ExportRecord {
     pub snippets: Vec<Snippet>,
     /// Time step, s; null if the tool chooses the step.
     pub time_step: Option<f64>,
-    /// Error bound of the restitution at this time step.
+    /// Error bound of the restitution at this time step, without gravity.
     pub error_bound: Option<f64>,
+    /// Additional error of a single-precision build, for tools with builds of both precisions.
+    pub single_precision_error: Option<f64>,
+    /// Greatest penetration by the tool's own law, m (rad for a stop that turns); empty without a speed and for rigid contacts.
+    pub penetrations: Vec<Penetration>,
     /// Missing numbers and their purpose.
     pub missing: Vec<&'static str>,
     /// Assumptions for the requested restitution.
@@ -58,6 +62,8 @@ impl ExportRecord {
             snippets: export.snippets.clone(),
             time_step: export.time_step,
             error_bound: export.error_bound,
+            single_precision_error: export.single_precision_error,
+            penetrations: export.penetrations.clone(),
             missing: export.missing.clone(),
             assumptions: export.assumptions.clone(),
             cannot: export.cannot.clone(),
@@ -80,6 +86,8 @@ impl ExportRecord {
             snippets: Vec::new(),
             time_step: None,
             error_bound: None,
+            single_precision_error: None,
+            penetrations: Vec::new(),
             missing: Vec::new(),
             assumptions: Vec::new(),
             cannot: Vec::new(),

@@ -131,6 +131,8 @@ pub(crate) const PENETRATION_MOTION: f64 = 1e-5;
 pub(crate) const LEAST_PENETRATION: f64 = 1e-6;
 /// Relative change of m̄ over the penetration that causes a warning: restitutions are measured to some per cent.
 pub(crate) const DRIFTING: f64 = 0.01;
+/// Step of the second difference of a motion, m: rounding of positions of 1 m gives 2e-6/m, closed loops 1e-2/m.
+pub(crate) const CURVATURE_STEP: f64 = 1e-5;
 
 // Searches for rows out of reach.
 

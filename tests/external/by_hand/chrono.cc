@@ -6,7 +6,7 @@
 //   SOLVER default, or lu, qr: direct ones. FRICTION negative: the material's default. WALL: the fixed body's mass, kg; 0: its default.
 //   SCENE and NUMBERS:
 //     ball MASS RADIUS
-//     pendulum MASS CENTRE INERTIA_ABOUT_HINGE LEVER RADIUS
+//     pendulum MASS CENTRE OFFSET INERTIA_ABOUT_CENTRE LEVER RADIUS
 //     four-bar RADIUS X Y, three bodies: MASS INERTIA X Y VX VY RATE, four hinges: BODY BODY X Y (-1: the ground)
 //   For each GAP (m, at the start) a line: speed of rebound over SPEED, deepest penetration.
 //
@@ -43,7 +43,7 @@ int main(int count, char **words) {
   const std::string model = words[1], solver = words[6], scene = words[9];
   const double first = std::atof(words[2]), second = std::atof(words[3]), h = std::atof(words[4]), v = std::atof(words[5]);
   const double friction = std::atof(words[7]), wall_mass = std::atof(words[8]);
-  const int numbers = scene == "ball" ? 2 : scene == "pendulum" ? 5 : FOUR_BAR;
+  const int numbers = scene == "ball" ? 2 : scene == "pendulum" ? 6 : FOUR_BAR;
   const double *n;
   std::vector<double> given;
   for (int i = 10; i < count; i++) given.push_back(std::atof(words[i]));
@@ -112,13 +112,13 @@ int main(int count, char **words) {
       struck->SetPosDt(ChVector3d(0, 0, -v));
     } else if (scene == "pendulum") {
       // The hinge is at (−lever, 0, 0).
-      const double mass = n[0], centre = n[1], lever = n[3], radius = n[4];
-      struck = body(mass, n[2] - mass * centre * centre, centre - lever, 0, 0);
-      point = ChVector3d(lever - centre, 0, 0);
+      const double centre = n[1], offset = n[2], lever = n[4], radius = n[5];
+      struck = body(n[0], n[3], centre - lever, 0, offset);
+      point = ChVector3d(lever - centre, 0, -offset);
       sphere(struck, radius, point);
       hinge(struck, ground, ChVector3d(-lever, 0, 0), false);
       floor(-radius - gap);
-      struck->SetPosDt(ChVector3d(0, 0, -v / lever * centre));
+      struck->SetPosDt(ChVector3d(v / lever * offset, 0, -v / lever * centre));
       struck->SetAngVelParent(ChVector3d(0, v / lever, 0));
     } else {
       // What is drawn along y is along z, and a turn about z is one about −y.

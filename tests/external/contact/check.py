@@ -1,6 +1,6 @@
 """Checks the restitution of simulators with the parameters of `percuss damp`.
 
-    check.py --percuss PATH     prints tables and `N passed, N failed`
+    check.py --percuss PATH [--levers COUNT]     prints tables and `N passed, N failed`
 
 A ball and pendulums in MuJoCo and Drake, a four-bar and a double wishbone on its bump stop in MuJoCo. Each runs with
 the exported parameters at the recommended time step, and, for comparison, with the contact body's own mass instead
@@ -20,7 +20,7 @@ import mujoco_scenes
 import snippets
 import stop_family
 from impacts import RADIUS, Contact, answer, damp, linear_impact, parameters
-from scenes import Pendulum
+from scenes import BALLS, DOUBLE_PENDULUM, Pendulum, levers
 from tally import Tally
 
 RESTITUTIONS = (0.2, 0.5, 0.8)
@@ -63,6 +63,13 @@ BUMP_STOP = Contact(
 )
 
 
+# Slow for its stiffness, as the other linkages; the rod is oblique to the normal.
+SLIDER_CRANK = Contact(
+    ("--mass-from", "models/slider_crank.urdf", "--link", "rod", "--point", "0.2,-0.15,0", "--normal", "0,1,0")
+    + ("--set", "crank_hinge=1.0"),
+    1e6,
+    2e-3,
+)
 # Joints that run into their limits: scene, model, any link, joint, stiffness (N·m/rad or N/m), speed, position,
 # conditions. The linkages are so slow that their inertia hardly changes.
 STOPS = (
@@ -247,6 +254,37 @@ class Check:
                 self.tally.within("α by MuJoCo's dof_invweight0", where, abs(alpha / their_alpha - 1), ALPHA)
                 self.right("MuJoCo", scene, report, theirs.impact(given, speed)[0])
 
+    def further(self, folder, count):
+        """Runs balls, an oblique double pendulum, a slider-crank and compound levers, one restitution each, within the error bound of
+        the export."""
+        scenes = [(f"double pendulum, e = {e}", DOUBLE_PENDULUM.contact(folder), None, e) for e in (0.3, 0.9)]
+        scenes += [(f"slider-crank, e = {e}", SLIDER_CRANK, None, e) for e in (0.15, 0.6)]
+        scenes += [(f"lever {i}", lever.contact(folder), lever, e) for i, (lever, e) in enumerate(levers(count))]
+        for i, (ball, e) in enumerate(BALLS):
+            report = self.damp(ball.contact(folder), e)
+            self.bound("MuJoCo", f"ball {i}", report, mujoco_scenes.ball(parameters(report, "mujoco"), ball.mass, ball.speed))
+            for mode in drake_scenes.MODES:
+                outcome = drake_scenes.ball(parameters(report, "drake"), mode, ball.mass, ball.speed)
+                self.bound(f"Drake {mode}", f"ball {i}", report, outcome)
+        for scene, contact, lever, e in scenes:
+            if lever:
+                lever.contact(folder)  # writes the model again: all levers have one file name
+            _, path, *flags = contact.flags
+            pairs = [pair for pair in zip(flags[::2], flags[1::2]) if pair[0] != "--own-mass"]
+            theirs = mujoco_scenes.Mechanism(path, answer(self.percuss, "mass", path, *itertools.chain(*pairs)))
+            report = self.damp(contact, e)
+            self.bound("MuJoCo", scene, report, theirs.impact(parameters(report, "mujoco"), contact.speed)[0])
+            for mode in drake_scenes.MODES if lever else ():
+                given = parameters(report, "drake")
+                outcome = drake_scenes.pendulum(given, mode, lever.urdf, lever.lever, lever.rotor, lever.speed)
+                self.bound(f"Drake {mode}", scene, report, outcome)
+
+    def bound(self, tool, scene, report, outcome):
+        stated = report["exports"][tool.split(" ")[0].lower()]["error_bound"]
+        error = outcome.error(report["restitution"])
+        print(f"{tool:20} {scene:24} e = {report['restitution']:.3f}: {error:.1e}, bound {stated:.1e}", flush=True)
+        self.tally.within(f"further scenes within the bound: {tool}", scene, error / stated, 1.0)
+
     def snippets(self):
         contacts = {
             "ball": dataclasses.replace(BALL, flags=(*BALL.flags, "--own-mass", "1.5")),
@@ -274,7 +312,9 @@ def main():
     started = time.monotonic()
     # The exports' `measured` values are compared for any version.
     print("with " + ", ".join(f"{name} {importlib.metadata.version(name)}" for name in ("mujoco", "drake")), flush=True)
-    check = Check(parser.parse_args().percuss)
+    parser.add_argument("--levers", type=int, default=5, help="random compound levers (50 in the long run)")
+    arguments = parser.parse_args()
+    check = Check(arguments.percuss)
     check.snippets()
     list(check.mechanism("four-bar", FOUR_BAR))
     list(check.mechanism("double wishbone", BUMP_STOP))
@@ -285,6 +325,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for rotor in ROTORS:
             check.pendulum(folder, rotor)
+        check.further(folder, arguments.levers)
     check.table()
     return check.tally.report(time.monotonic() - started)
 

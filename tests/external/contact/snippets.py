@@ -57,7 +57,10 @@ def check(report, where, tally, expected=EXPECTED):
                 except Exception as error:  # any exception of an external reader is a failure of the snippet
                     wrong = f"{type(error).__name__}: {error}"
                 tally.check(f"snippets: {tool}, {language}", f"{where}, {snippet['title']}", not wrong, wrong)
-    tally.check("snippets: none is missing", where, seen >= expected, f"{expected - seen}")
+    # Slow impacts move so little in a step that tools of single precision are refused.
+    refused = {tool for tool, export in report["exports"].items() if "single precision" in (export["error"] or "")}
+    missing = {(tool, language) for tool, language in expected - seen if tool not in refused}
+    tally.check("snippets: none is missing", where, not missing, f"{missing}")
     return absents
 
 

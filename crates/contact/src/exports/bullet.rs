@@ -1,6 +1,7 @@
 //! Bullet and PyBullet: contact stiffness and contact damping.
 
 use super::linear::Linear;
+use super::single_precision;
 use super::{Export, ExportError, Facts, Measurement, Request, Tool};
 
 const TOOL: Tool = Tool::of(&FACTS);
@@ -44,8 +45,8 @@ pub(super) const FACTS: Facts = Facts {
 
 /// For each of two bodies contactStiffness = 2k, contactDamping = c'/2.
 ///
-/// Bullet puts the stiffnesses in series and adds the dampings, makes h k/(h k + c') and 1/(h k + c') of them, and so
-/// integrates max(0, k (x − h v⁺) − c' v⁺) by implicit Euler, on the mass of the whole multibody. c' = 2ζ'√(k m̄),
+/// Bullet combines the stiffnesses in series, adds the dampings, computes h k/(h k + c') and 1/(h k + c'), and
+/// integrates max(0, k (x − h v⁺) − c' v⁺) by implicit Euler with the effective mass of the whole multibody. c' = 2ζ'√(k m̄),
 /// ζ' = ζ − ωh/2.
 ///
 /// Measured in PyBullet 3.2.7 at the recommended step, e = 0.2, 0.5, 0.8, the worst of five phases: 1.4e-4, 2.3e-4, 3.0e-4,
@@ -61,6 +62,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.implicit_error_bound(step));
+    export.single_precision_error = single_precision::error(request, step);
+    export.add_penetration("", linear.penetration(request.speed));
     export.set("contactStiffness", stiffness, "N/m");
     export.set("contactDamping", damping, "N·s/m");
     export.set("restitution", 0.0, "");
@@ -101,6 +104,13 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         "Both bodies have these values: a body with default values adds a damping of 0.1 N·s/m and is rigid.",
     );
     export.assume(linear.implicit_words(step));
+    export.assume(match export.single_precision_error {
+        Some(error) => format!(
+            "Double precision (as PyBullet). A build of single precision adds {error:.1e} to the stated error: the rounding of coordinates up to \
+             1 m, 3e-8 m, over the travel in a time step."
+        ),
+        None => "Double precision (as PyBullet): a build of single precision adds to the error; how much depends on the speed.".to_owned(),
+    });
     export.assume(
         "restitution is 0: it would come on top of the spring, as the product of both bodies' values above 0.2 m/s.",
     );

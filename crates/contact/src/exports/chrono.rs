@@ -1,14 +1,14 @@
-//! Project Chrono, smooth contacts (SMC): user coefficients, or a coefficient of restitution that comes out right.
+//! Project Chrono, smooth contacts (SMC): user coefficients, or a corrected coefficient of restitution.
 
 use super::export::single;
 use super::linear::Linear;
 use super::{Export, ExportError, Facts, Measurement, Options, Request, Tool};
-use crate::{Separation, kelvin_voigt};
+use crate::{Damper, Separation, kelvin_voigt};
 
-/// The mass that Chrono gives a body without a mass, in kg; also a fixed one.
+/// Chrono's mass of a body without a given mass, also of a fixed body, kg.
 const DEFAULT_MASS: f64 = 1.0;
 
-/// The radius of curvature of contacts that Chrono's Bullet finds, in m: ChCollisionInfo's default.
+/// Radius of curvature of contacts found by Chrono's Bullet, m: default of ChCollisionInfo.
 const BULLET_RADIUS: f64 = 0.1;
 
 const TOOL: Tool = Tool::of(&FACTS);
@@ -45,10 +45,10 @@ pub(super) const FACTS: Facts = Facts {
 
 /// Hooke (p = 1): kn = k, gn = c/m_eff. Hooke and Hertz (p = 3/2): cr' = e_a(ζ√(m̄/m_eff)).
 ///
-/// Chrono's force is max(0, kn x + m_eff gn ẋ), m_eff = m₁m₂/(m₁+m₂) of the two bodies' own masses, fixed bodies
-/// included, whatever is attached to them by joints. From a material's cr it takes the ratio of the half period, e_a(ζ) =
-/// exp(−πζ/√(1−ζ²)), on that mass, and clamps; so cr itself bounces too high (0.325, 0.550, 0.808 for 0.2, 0.5, 0.8 with
-/// m_eff = m̄). cr' takes both out, and is out of reach where ζ√(m̄/m_eff) ≥ 1.
+/// Chrono's force is max(0, kn x + m_eff gn ẋ), m_eff = m₁m₂/(m₁+m₂) of the own masses of the two bodies, fixed
+/// bodies included, without links on joints. Chrono converts cr by the half period, e_a(ζ) = exp(−πζ/√(1−ζ²)), with m_eff,
+/// and clamps the force: the rebound with cr itself is too high (0.325, 0.550, 0.808 for 0.2, 0.5, 0.8 with m_eff = m̄).
+/// cr' corrects both effects and is unreachable for ζ√(m̄/m_eff) ≥ 1.
 /// The step is [`Linear::explicit_step`]: Chrono's contact forces are explicit.
 ///
 /// Measured in Chrono 10.0.0 (source of 2026-08-18): the worst of five phases for e = 0.2, 0.5, 0.8 is 6.4e-4, 5.1e-4, 4.1e-4 with kn and gn, of a
@@ -89,6 +89,7 @@ fn hooke(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
     single("Chrono's gn, 1/s", damping)?;
     export.time_step = Some(step);
     export.error_bound = Some(linear.error_bound(step));
+    export.add_penetration("", linear.penetration(request.speed));
     export.set("kn", linear.stiffness, "N/m");
     export.set("gn", damping, "1/s");
     export.set("step", step, "s");
@@ -127,6 +128,12 @@ fn hertz(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
     export.set("cr", cr, "");
     export.set("E_eff·sqrt(R_eff)", modulus, "N/m^(3/2)");
     export.set("E_eff", modulus / BULLET_RADIUS.sqrt(), "Pa");
+    if let Some(speed) = request.speed {
+        let ratio = kelvin_voigt::ratio(request.restitution, Separation::ForceVanishes)?;
+        let damper = Damper::kelvin_voigt(request.contact, ratio, Separation::ForceVanishes);
+        let impact = damper.and_then(|damper| damper.impact(request.contact, speed));
+        export.add_penetration("", impact.ok().map(|impact| impact.max_penetration));
+    }
     export.time_step = request.options.time_step;
     let step = request
         .options
@@ -156,7 +163,7 @@ fn hertz(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
     Ok(())
 }
 
-/// cr' with which Chrono's own conversion ends at the restitution asked for.
+/// cr' for which Chrono's conversion gives the required restitution.
 fn corrected(request: &Request, effective: f64) -> Result<f64, ExportError> {
     let ratio = kelvin_voigt::ratio(request.restitution, Separation::ForceVanishes)?;
     let ratio = ratio * (request.contact.mass() / effective).sqrt();

@@ -1,5 +1,6 @@
 //! DART: a coefficient of restitution.
 
+use super::rigid;
 use super::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 
@@ -25,18 +26,17 @@ pub(super) const FACTS: Facts = Facts {
     ],
 };
 
-/// The struck body's `RestitutionCoeff` = e, the other's 1.
+/// `RestitutionCoeff` = e for one body and 1 for the other.
 ///
-/// DART's contact row asks for the speed e₁e₂v, unless that is below 0.1 m/s (DART_BOUNCING_VELOCITY_THRESHOLD) or e₁e₂ below
-/// 1e-3: then the contact does not bounce, and only the overlap is removed at up to 1e-3 m/s (DART_MAX_ERV). Its diagonal is
-/// enlarged by 1e-5 (DART_CFM), which takes (1 + e)·1e-5 from the change of speed, hence from e. The mass is that of the whole
-/// skeleton: the velocities are those of the joints.
+/// DART's contact row requires the speed e₁e₂v. Below 0.1 m/s (DART_BOUNCING_VELOCITY_THRESHOLD) or with e₁e₂ below 1e-3 the
+/// contact does not bounce; the overlap is removed at up to 1e-3 m/s (DART_MAX_ERV). DART_CFM enlarges the diagonal by
+/// 1e-5, which reduces e by (1 + e)·1e-5. The mass is that of the whole skeleton.
 ///
-/// The bound is for trees. The diagonal that is enlarged is the open tree's: a loop held by a BallJointConstraint takes
-/// (1 + e)·1e-5·m̄/m̄ₒ from e, m̄ₒ the mass with the loop open. Of the four-bar's coupler (m̄ = 68.1, m̄ₒ = 2.49 kg, 0.3 m/s) that
-/// is 4.1e-4 and 4.9e-4 for e = 0.5 and 0.8, and so it was measured in 6.20.0 at 1e-6 s; what the motion of the loop in a step
-/// adds makes it 1.2e-3 and 1.0e-3 at 1e-3 s, 0.02 and 0.04 at 1e-2 s. Closed by a RevoluteJointConstraint, whose rows are
-/// redundant there, it flies apart.
+/// The bound is for trees. The enlarged diagonal is that of the open tree: a loop closed by a BallJointConstraint loses
+/// (1 + e)·1e-5·m̄/m̄ₒ of e, m̄ₒ the mass of the open loop. For the four-bar (m̄ = 68.1, m̄ₒ = 2.49 kg, 0.3 m/s) this loss is
+/// 4.1e-4 and 4.9e-4 for e = 0.5 and 0.8, equal to measurements in 6.20.0 at 1e-6 s; the motion of the loop within a step
+/// increases the error to 1.2e-3 and 1.0e-3 at 1e-3 s, 0.02 and 0.04 at 1e-2 s. With a RevoluteJointConstraint, which has
+/// redundant rows, the four-bar flies apart.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     if let Some(speed) = request.speed {
@@ -52,7 +52,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         }
     }
     let mut export = Export::new(TOOL);
-    export.time_step = request.options.time_step;
+    export.time_step = rigid::time_step(request);
     export.set("RestitutionCoeff", e, "");
     export.set("RestitutionCoeff_other", 1.0, "");
     export.set("FrictionCoeff", 0.0, "");
@@ -63,17 +63,21 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
          node.getDynamicsAspect().setRestitutionCoeff(restitution)\n        \
          node.getDynamicsAspect().setFrictionCoeff(0.0)\n"
     );
-    if let Some(step) = request.options.time_step {
+    if let Some(step) = export.time_step {
         export.set("TimeStep", step, "s");
         text += &format!("\n\ndef set_step(world):\n    world.setTimeStep({step:?})\n");
     }
     export.write("dartpy", "python", text);
     match request.speed {
         Some(speed) if e == 0.0 => export.error_bound = Some(limits::DART_CORRECTION / speed),
-        Some(_) => export.error_bound = Some((1.0 + e) * limits::DART_SOFTENING),
+        Some(_) => {
+            let travel = rigid::travel_error(request, export.time_step);
+            export.error_bound = travel.map(|travel| (1.0 + e) * limits::DART_SOFTENING + travel);
+        }
         None => export.missing.push("approach speed, m/s: a rebound slower than 0.1 m/s is none"),
     }
     export.assume("One side has the restitution, the other 1: DART multiplies the two. The default is 0.");
+    rigid::assume_travel(&mut export, request);
     export.assume("The joints have no damping, springs or friction of their own, as by default.");
     export.cannot.push("stiffness, penetration, duration, peak force: the contact is rigid");
     Ok(export)

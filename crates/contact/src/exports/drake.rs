@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use super::linear::Linear;
 use super::{Export, ExportError, Facts, Measurement, Request, Tool};
-use crate::hunt_crossley;
+use crate::{Damper, hunt_crossley};
 
 const TOOL: Tool = Tool::of(&FACTS);
 
@@ -57,8 +57,8 @@ pub(super) const FACTS: Facts = Facts {
 /// lagged 1e-6, 1.2e-4, 6.2e-4, 8.9e-4, 9.7e-4, 9.9e-4; SAP 5.9e-4, 5.1e-4, 4.2e-4, 3.6e-4, 2.9e-4, 1e-5. Pendulums with rotor
 /// inertia the same. With the struck body's own 1.5 kg for m̄ = 6.19 kg SAP shows 0.395, 0.693, 0.894 for 0.2, 0.5, 0.8;
 /// continuous and lagged plants need no m̄ for the restitution.
-/// With steps left to error control (greatest step 10/ω) the same integrator is off by 1.6e-2 at accuracy 1e-3 and 1.4e-4 at
-/// 1e-5; runge_kutta5 can step over the contact; implicit_euler is off by 2e-2 at 1e-5.
+/// With a greatest step of 10/ω the error of this integrator is 1.6e-2 at accuracy 1e-3 and 1.4e-4 at 1e-5; runge_kutta5
+/// can step over the contact; the error of implicit_euler is 2e-2 at 1e-5.
 /// Lagged and similar lose 0.001, 0.04, 0.48, 1.10, 1.45 ωh for e = 0.1, 0.2, 0.5, 0.8, 0.95: below (π/2)e ωh.
 /// SAP's step: [`Linear::implicit_error_bound`].
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
@@ -75,13 +75,20 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         ),
     }
     let relaxation = discrete(&mut export, &linear, request.options.time_step)?;
+    if relaxation.is_some() {
+        export.add_penetration("SAP", linear.penetration(request.speed));
+    }
+    if let Some((d, speed)) = dissipation.zip(request.speed) {
+        let impact = Damper::hunt_crossley(d).and_then(|damper| damper.impact(request.contact, speed));
+        export.add_penetration("continuous, lagged", impact.ok().map(|impact| impact.max_penetration));
+    }
     continuous(&mut export, request, &linear);
     snippets(&mut export, stiffness, dissipation, relaxation);
     words(&mut export, request, number);
     Ok(export)
 }
 
-/// Sets the discrete plants' parameters; gives the relaxation time of each geometry, if SAP can have e at all.
+/// Sets the parameters of discrete plants. Returns the relaxation time of each geometry; `None` if SAP cannot reach e.
 fn discrete(export: &mut Export, linear: &Linear, wanted: Option<f64>) -> Result<Option<f64>, ExportError> {
     let lagged = wanted.unwrap_or_else(|| linear.lagged_step());
     export.set("time_step_lagged", lagged, "s");
@@ -98,8 +105,12 @@ fn discrete(export: &mut Export, linear: &Linear, wanted: Option<f64>) -> Result
     export.set("relaxation_time", relaxation, "s");
     export.set("time_step_sap", step, "s");
     export.time_step = Some(step);
-    export.error_bound = Some(linear.implicit_error_bound(step));
+    let (sap, own) = (linear.implicit_error_bound(step), linear.lagged_error(lagged));
+    export.error_bound = Some(sap.max(own));
     export.assume(linear.implicit_words(step));
+    export.assume(format!(
+        "The stated error is the greater of SAP's at {step:?} s, {sap:.1e}, and of that of lagged and similar at {lagged:?} s, {own:.1e}."
+    ));
     export.assume(format!(
         "A discrete plant with the lagged or similar approximation (lagged is Drake's default) loses up to \
          (π/2)·e·ωh of the restitution, {:.1e} at {lagged:?} s, and cannot be corrected by another dissipation.",
@@ -109,7 +120,7 @@ fn discrete(export: &mut Export, linear: &Linear, wanted: Option<f64>) -> Result
 }
 
 impl Linear {
-    /// What Hunt–Crossley loses by implicit Euler: (π/2) e ωh bounds it.
+    /// Error bound of Hunt–Crossley with implicit Euler: (π/2) e ωh.
     fn lagged_error(&self, time_step: f64) -> f64 {
         PI / 2.0 * self.restitution * self.frequency * time_step
     }

@@ -1,42 +1,56 @@
-//! The answer for one tool.
+//! Export of a contact to one tool.
 
 use serde::Serialize;
 
-use super::{ExportError, Tool};
+use super::{ExportError, Request, Tool};
 use crate::ContactLawError;
 
-/// A contact in the numbers of a tool.
+/// Parameters of one tool for a contact.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Export {
     /// The tool.
     pub tool: Tool,
-    /// The tool's parameters, under the tool's names.
+    /// Parameters with the names of the tool.
     pub parameters: Vec<Parameter>,
-    /// Text for the tool's files, the first being the one to take by default.
+    /// Text for files of the tool; the first snippet is the default.
     pub snippets: Vec<Snippet>,
-    /// The tool's time step in s: the one of the request, or the longest that holds the accuracy. None where the
-    /// tool chooses its steps itself.
+    /// Time step, s: that of the request, or the longest step for the accuracy. `None` if the tool chooses its steps.
     pub time_step: Option<f64>,
-    /// How far the restitution can be off at this time step, wherever within a step the contact begins. None where
-    /// that is not known.
+    /// Error bound of the restitution at this time step, for every start of the contact within a step. `None` if unknown.
     pub error_bound: Option<f64>,
-    /// Numbers that are missing for the whole answer, and what they are for.
+    /// Addition to the error bound in a build of single precision, for tools that have builds of both precisions.
+    pub single_precision_error: Option<f64>,
+    /// Greatest penetration by the tool's own law; empty without a speed and for rigid contacts.
+    pub penetrations: Vec<Penetration>,
+    /// Missing numbers and their purpose.
     pub missing: Vec<&'static str>,
-    /// What has to hold for the contact to have the required restitution.
+    /// Assumptions for the required restitution.
     pub assumptions: Vec<String>,
-    /// What the tool cannot do.
+    /// Limitations of the tool.
     pub cannot: Vec<&'static str>,
+}
+
+/// Greatest penetration of an impact.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Penetration {
+    /// Solver or mode of the tool, empty if there is only one.
+    pub solver: &'static str,
+    /// Value in `unit`.
+    pub value: f64,
+    /// m; rad for a stop that turns.
+    pub unit: &'static str,
 }
 
 /// A parameter of a tool.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Parameter {
-    /// As the tool calls it.
+    /// Name in the tool.
     pub name: &'static str,
-    /// What to set it to.
+    /// Value.
     pub value: Value,
-    /// Its unit, empty for what has none.
+    /// Unit; empty for a number without a unit.
     pub unit: &'static str,
 }
 
@@ -46,25 +60,25 @@ pub struct Parameter {
 pub enum Value {
     /// One number.
     Number(f64),
-    /// Several, in the tool's order.
+    /// Several numbers in the order of the tool.
     Numbers(Vec<f64>),
     /// A word.
     Word(&'static str),
 }
 
-/// Text for a tool's file.
+/// Text for a file of the tool.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Snippet {
-    /// What it is.
+    /// Title.
     pub title: &'static str,
-    /// "xml", "python", "cpp", "rust", "matlab", "adams".
+    /// Language: "xml", "python", "cpp", "rust", "matlab", "javascript", "adams".
     pub language: &'static str,
-    /// Well-formed, all numbers in full.
+    /// Well-formed text with all digits of the numbers.
     pub text: String,
 }
 
 impl Export {
-    /// An answer with nothing in it yet.
+    /// Empty export.
     pub(super) fn new(tool: Tool) -> Self {
         Self {
             tool,
@@ -72,18 +86,20 @@ impl Export {
             snippets: Vec::new(),
             time_step: None,
             error_bound: None,
+            single_precision_error: None,
+            penetrations: Vec::new(),
             missing: Vec::new(),
             assumptions: Vec::new(),
             cannot: Vec::new(),
         }
     }
 
-    /// The value of the parameter of this name.
+    /// Value of a parameter.
     pub fn parameter(&self, name: &str) -> Option<&Value> {
         self.parameters.iter().find(|p| p.name == name).map(|p| &p.value)
     }
 
-    /// The single number that the parameter of this name is.
+    /// Value of a parameter that is a single number.
     pub fn number(&self, name: &str) -> Option<f64> {
         match self.parameter(name)? {
             Value::Number(number) => Some(*number),
@@ -95,6 +111,15 @@ impl Export {
         self.parameters.push(Parameter { name, value: value.into(), unit });
     }
 
+    /// Adds a penetration if the value is known and finite.
+    pub(super) fn add_penetration(&mut self, solver: &'static str, value: Option<f64>) {
+        self.penetrations.extend(value.filter(|value| value.is_finite()).map(|value| Penetration {
+            solver,
+            value,
+            unit: "m",
+        }));
+    }
+
     pub(super) fn assume(&mut self, text: impl Into<String>) {
         self.assumptions.push(text.into());
     }
@@ -103,7 +128,7 @@ impl Export {
         self.snippets.push(Snippet { title, language, text });
     }
 
-    /// Itself, if all its numbers are finite.
+    /// Error: a parameter is not finite.
     pub(super) fn finite(self) -> Result<Self, ExportError> {
         let numbers = |value: &Value| match value {
             Value::Number(number) => number.is_finite(),
@@ -115,9 +140,23 @@ impl Export {
         }
         Ok(self)
     }
+
+    /// Error: the error bound is larger than the restitution, which is then unknown altogether.
+    pub(super) fn bounded(self, request: &Request) -> Result<Self, ExportError> {
+        let e = request.restitution;
+        if e > 0.0 && self.error_bound.is_some_and(|bound| bound > e) {
+            return Err(ExportError::Unreachable {
+                tool: self.tool,
+                restitution: e,
+                why: "the error bound at these conditions is larger than the restitution",
+                remedy: "require a smaller error (accuracy) or a shorter time step, a faster impact, or choose a tool of double precision",
+            });
+        }
+        Ok(self)
+    }
 }
 
-/// A number for a tool that stores it in single precision. Error: it is too large or too small for that.
+/// Checks a number that the tool stores in single precision. Error: the number is out of that range.
 pub(super) fn single(what: &'static str, value: f64) -> Result<(), ExportError> {
     let stored = value as f32;
     if stored.is_normal() || value == 0.0 {

@@ -1,5 +1,6 @@
 //! New Gazebo (gz-sim) with its default physics, the dartsim plugin of gz-physics: rigid restitution.
 
+use super::rigid;
 use super::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::error::positive;
 use crate::limits;
@@ -31,8 +32,8 @@ pub(super) const FACTS: Facts = Facts {
 ///
 /// DART sets the speed after the step to e v where e v is above 0.1 m/s ([`limits::DART_SLOWEST_REBOUND`]) and to no more than
 /// 100 m/s ([`limits::DART_FASTEST_REBOUND`]); its constraint force mixing, 1e-5 of the contact's inverse mass, takes
-/// (1 + e)·1e-5 off. Neither m̄ nor the step changes that: measured at 1e-4, 1e-3 and 1e-2 s. With e on both sides the rebound is e², and
-/// 0.2 of 0.3 m/s is none.
+/// (1 + e)·1e-5 off. Measured at 1e-4, 1e-3 and 1e-2 s, for several m̄. With e on both sides the restitution is e²; at 0.3 m/s
+/// e = 0.2 does not rebound.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     let mut export = Export::new(TOOL);
@@ -40,27 +41,29 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         Some(speed) => rebounds(e, speed)?,
         None => export.missing.push("approach speed, m/s: rebounds slower than 0.1 m/s are none"),
     }
-    export.time_step = request.options.time_step;
-    export.error_bound = request.speed.map(|_| (1.0 + e) * limits::DART_BOUNCE_ERROR);
+    export.time_step = rigid::time_step(request);
+    let travel = request.speed.and_then(|_| rigid::travel_error(request, export.time_step));
+    export.error_bound = travel.map(|travel| (1.0 + e) * limits::DART_BOUNCE_ERROR + travel);
     export.set("restitution_coefficient", e, "");
     export.set("other_restitution_coefficient", 1.0, "");
     export.set("mu", 0.0, "");
-    if let Some(step) = request.options.time_step {
+    if let Some(step) = export.time_step {
         export.set("max_step_size", step, "s");
     }
-    export.write("world", "xml", document(e, request.options.time_step));
+    export.write("world", "xml", document(e, export.time_step));
     export.assume("One collision of the pair has the one surface, the other the other; their shapes are placeholders for yours.");
     export.assume("The physics engine is gz-physics' dartsim, the default of gz-sim.");
     export.assume(
-        "The restitution holds at any step. The bodies overlap by up to the way of one step, and nothing of a spring is left: \
+        "The restitution of a free body holds at any step. The bodies overlap by up to the travel of one step, and nothing of a spring is left: \
          m̄ has no effect.",
     );
+    rigid::assume_travel(&mut export, request);
     export.cannot.push("stiffness, penetration, duration, peak force: gz-physics does not read kp and kd");
     export.cannot.push("bullet-featherstone: its restitution was not measured");
     Ok(export)
 }
 
-/// Whether DART lets it rebound.
+/// Error: DART suppresses this rebound.
 fn rebounds(e: f64, speed: f64) -> Result<(), ExportError> {
     let speed = positive("approach speed, m/s", speed)?;
     let unreachable = |why, remedy| ExportError::Unreachable { tool: TOOL, restitution: e, why, remedy };
@@ -79,7 +82,7 @@ fn rebounds(e: f64, speed: f64) -> Result<(), ExportError> {
     Ok(())
 }
 
-/// An SDF with the physics and the two collisions.
+/// SDF with the physics and the two collisions.
 fn document(e: f64, step: Option<f64>) -> String {
     let physics = step.map_or_else(String::new, |step| {
         format!(

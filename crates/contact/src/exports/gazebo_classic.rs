@@ -41,6 +41,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.implicit_error_bound(step));
+    export.add_penetration("", linear.penetration(request.speed));
     export.set("kp", kp, "N/m");
     export.set("kd", kd, "N·s/m");
     export.set("max_vel", fastest, "m/s");

@@ -1,4 +1,4 @@
-//! The IMPACT force of Adams, without dimensions: its restitution, and the damping that gives one.
+//! Dimensionless IMPACT force of Adams: restitution of a damping, and damping of a restitution.
 
 use crate::ContactLawError;
 use crate::error::{not_negative, positive, representable, unit_interval};
@@ -18,7 +18,7 @@ pub struct ImpactFunction {
 }
 
 impl ImpactFunction {
-    /// `exponent` p from 1 to 10; `ramp` D, from 1e-4 to 1e4. Errors: either is out of its range.
+    /// `exponent`: p, 1 to 10. `ramp`: D, 1e-4 to 1e4. Error: a number is out of range.
     pub fn new(exponent: f64, ramp: f64) -> Result<Self, ContactLawError> {
         if !crate::CompliantContact::EXPONENTS.contains(&exponent) {
             let (what, valid) = ("exponent of the spring", "a number from 1 to 10");
@@ -32,7 +32,7 @@ impl ImpactFunction {
         Ok(Self { exponent, ramp })
     }
 
-    /// x₀, in m. Errors: it is beyond a float, or an argument is not above 0.
+    /// x₀, m. Errors: an argument is not above 0; overflow.
     pub fn undamped_penetration(
         exponent: f64,
         mass: f64,
@@ -40,12 +40,12 @@ impl ImpactFunction {
         speed: f64,
     ) -> Result<f64, ContactLawError> {
         let speed = positive("approach speed, m/s", speed)?;
-        // As a sum of logarithms: the terms may be large where the root is not.
+        // Sum of logarithms: single terms can overflow.
         let sum = ((exponent + 1.0) / 2.0).ln() + mass.ln() + 2.0 * speed.ln() - stiffness.ln();
         representable("undamped penetration, m", (sum / (exponent + 1.0)).exp())
     }
 
-    /// The restitution of the damping ĉ. Errors: ĉ is negative or not finite; the contact does not end.
+    /// Restitution of the damping ĉ. Errors: ĉ is negative or not finite; the contact does not end.
     pub fn restitution(&self, damping: f64) -> Result<f64, ContactLawError> {
         let damping = not_negative("IMPACT's dimensionless damping", damping)?;
         if damping == 0.0 {
@@ -55,8 +55,7 @@ impl ImpactFunction {
         let mut step = limits::FIRST_STEP * self.ramp.min(1.0);
         for _ in 0..limits::MOST_STEPS {
             let (next, error) = self.dormand_prince(damping, state, step);
-            let grow = (0.9 * (limits::STEP_TOLERANCE / error.max(limits::LEAST_STEP_ERROR)).powf(0.2))
-                .clamp(0.2, 4.0);
+            let grow = next_step(error);
             if error > limits::STEP_TOLERANCE {
                 step *= grow;
                 continue;
@@ -78,7 +77,26 @@ impl ImpactFunction {
         Err(endless(f64::NAN))
     }
 
-    /// The first y below the given one, on the way out at a constant speed u, where the force is above zero again.
+    /// Ratio of the greatest penetration to the undamped penetration. Errors: the damping is negative or not finite; the
+    /// motion does not reverse.
+    pub fn penetration(&self, damping: f64) -> Result<f64, ContactLawError> {
+        let damping = not_negative("IMPACT's dimensionless damping", damping)?;
+        let mut state = [0.0, 1.0];
+        let mut step = limits::FIRST_STEP * self.ramp.min(1.0);
+        for _ in 0..limits::MOST_STEPS {
+            let (next, error) = self.dormand_prince(damping, state, step);
+            if error <= limits::STEP_TOLERANCE {
+                if next[1] <= 0.0 {
+                    return Ok(self.end_of_step(damping, state, step, |s| s[1] <= 0.0)[0]);
+                }
+                state = next;
+            }
+            step *= next_step(error);
+        }
+        Err(endless(f64::NAN))
+    }
+
+    /// First y below the given y, during separation at constant speed u, with a force above zero.
     fn positive_again(&self, damping: f64, y: f64, u: f64) -> Option<f64> {
         let presses = |y: f64| self.force(damping, [y, u]) > 0.0;
         let mut above = y;
@@ -93,8 +111,8 @@ impl ImpactFunction {
         None
     }
 
-    /// The damping ĉ of the restitution e, 0 for e = 1. Errors: e is not from 0 to 1, or so small that the mass
-    /// nearly comes to rest in the contact (e = 0 included).
+    /// Damping ĉ of the restitution e; 0 for e = 1. Errors: e is out of 0 to 1, or so small that the mass nearly comes to
+    /// rest in the contact (including e = 0).
     pub fn damping(&self, restitution: f64) -> Result<f64, ContactLawError> {
         let e = unit_interval("restitution", restitution)?;
         if e == 1.0 {
@@ -103,13 +121,13 @@ impl ImpactFunction {
         if e < limits::LEAST_RESTITUTION {
             return Err(endless(e));
         }
-        // The loss is in proportion to the damping as both vanish, where the integration could not distinguish it from 0.
+        // For small damping the loss is proportional to the damping; integration cannot distinguish the loss from 0.
         if 1.0 - e < limits::LEAST_LOSS {
             return Ok(self.damping(1.0 - limits::LEAST_LOSS)? * ((1.0 - e) / limits::LEAST_LOSS));
         }
         let miss =
             |damping: f64| -> Result<f64, ContactLawError> { Ok(self.restitution(damping)?.ln() - e.ln()) };
-        // A bracket is sought from 1 − e on, by factors.
+        // Search for a bracket from 1 − e by factors.
         let mut low = 1.0 - e;
         let mut at_low = miss(low)?;
         while at_low < 0.0 {
@@ -128,7 +146,7 @@ impl ImpactFunction {
         falsi(low, at_low, high, at_high, miss)
     }
 
-    /// yᵖ + ĉ S(y/D) y′, which may be below zero; continued smoothly to y < 0.
+    /// yᵖ + ĉ S(y/D) y′ without the clamp; continued smoothly to y < 0.
     fn force(&self, damping: f64, [y, u]: [f64; 2]) -> f64 {
         let part = (y / self.ramp).min(1.0);
         y.abs().powf(self.exponent).copysign(y) + damping * part * part * (3.0 - 2.0 * part) * u
@@ -138,7 +156,7 @@ impl ImpactFunction {
         [state[1], -(self.exponent + 1.0) / 2.0 * self.force(damping, state)]
     }
 
-    /// The state a step on, and the estimated error of it.
+    /// State after a step, and its estimated error.
     fn dormand_prince(&self, damping: f64, state: [f64; 2], step: f64) -> ([f64; 2], f64) {
         const A: [&[f64]; 6] = [
             &[1.0 / 5.0],
@@ -171,7 +189,7 @@ impl ImpactFunction {
         (reached, part(0).abs().max(part(1).abs()))
     }
 
-    /// The state within a step from which on something holds.
+    /// First state within a step for which the condition is true.
     fn end_of_step(
         &self,
         damping: f64,
@@ -184,7 +202,12 @@ impl ImpactFunction {
     }
 }
 
-/// The two neighbours between which something begins to hold that does not hold at `low` and does at `high`.
+/// Ratio of the next step to a step with this error.
+fn next_step(error: f64) -> f64 {
+    (0.9 * (limits::STEP_TOLERANCE / error.max(limits::LEAST_STEP_ERROR)).powf(0.2)).clamp(0.2, 4.0)
+}
+
+/// Neighbouring numbers between which the condition changes: false at `low`, true at `high`.
 fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64) {
     for _ in 0..limits::MOST_ITERATIONS {
         let middle = (low + high) / 2.0;
@@ -193,7 +216,7 @@ fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64
     (low, high)
 }
 
-/// The zero of a falling function between two ends, by the Illinois variant of regula falsi in the logarithm.
+/// Zero of a decreasing function in an interval, by the Illinois variant of regula falsi in the logarithm.
 fn falsi(
     low: f64,
     at_low: f64,

@@ -1,24 +1,27 @@
-//! The contact in the numbers of a simulator: which parameters give it the required restitution.
+//! Simulator parameters for a contact with a required restitution.
 //!
-//! A [`Request`] is a contact, a restitution and what some tools need in addition; [`Tool::export`] answers with an
-//! [`Export`]: the tool's parameters, snippets for its files, the time step that holds the accuracy, what was assumed,
-//! and what the tool cannot do. Every tool here clamps a force that would pull, so linear springs and dampers get the
-//! ratio ζ of a contact that ends when the force vanishes; the half-period formula of textbooks would give too much restitution.
+//! A [`Request`] is a contact, a restitution and options of some tools; [`Tool::export`] returns an [`Export`]: the
+//! tool's parameters, snippets for its files, the time step for the accuracy, assumptions and limitations. Most tools
+//! clamp a force that would pull, so linear springs and dampers get the ratio ζ of a contact that ends when the force
+//! vanishes; the half-period formula of textbooks would give too much restitution. [`Penetration`] follows from the
+//! law of each tool.
 //!
-//! [`Options::stop`] asks for the stop of a joint in place of a contact between bodies.
+//! [`Options::stop`] selects the stop of a joint instead of a contact between bodies.
 //!
-//! One file per tool. Nothing here reads a simulator's files or runs one.
+//! One file per tool. This module neither reads files of simulators nor runs simulators.
 
 mod adams;
 mod bullet;
 mod chrono;
 mod dart;
 mod drake;
+mod drift;
 mod error;
 mod export;
 mod exudyn;
 mod gazebo;
 mod gazebo_classic;
+mod gravity;
 mod impact_function;
 mod jolt;
 mod linear;
@@ -30,19 +33,21 @@ mod opensim;
 mod physx;
 mod rapier;
 mod request;
+mod rigid;
 mod simscape;
+mod single_precision;
 mod stops;
 mod tool;
 
 pub use error::ExportError;
-pub use export::{Export, Parameter, Snippet, Value};
+pub use export::{Export, Parameter, Penetration, Snippet, Value};
 pub use impact_function::ImpactFunction;
-pub use request::{Options, Request, StopMotion};
+pub use request::{MassDrift, Options, Request, StopMotion};
 pub use tool::{Facts, Measurement, Tool};
 
 use crate::error::nearest;
 
-/// One line a tool: the constant and its module, which has its `FACTS` and its `export`.
+/// One line per tool: the constant and the module with `FACTS` and `export`.
 macro_rules! tools {
     ($($constant:ident: $module:ident,)*) => {
         impl Tool {
@@ -50,11 +55,11 @@ macro_rules! tools {
                 #[doc = concat!("The tool of [`name`](Tool::name) ", stringify!($module), ".")]
                 pub const $constant: Self = Self::of(&$module::FACTS);
             )*
-            /// All of them.
+            /// All tools.
             pub const ALL: [Self; [$(stringify!($module)),*].len()] = [$(Self::$constant),*];
         }
 
-        /// In the order of [`Tool::ALL`].
+        /// Export functions in the order of [`Tool::ALL`].
         const EXPORTS: [fn(&Request) -> Result<Export, ExportError>; Tool::ALL.len()] = [$($module::export),*];
     };
 }
@@ -79,7 +84,7 @@ tools! {
 }
 
 impl Tool {
-    /// The tool of this name or alias, in either case.
+    /// Tool with this name or alias; upper and lower case are equal.
     pub fn from_name(name: &str) -> Result<Self, ExportError> {
         let wanted = name.trim().to_lowercase().replace([' ', '_'], "-");
         let found =
@@ -95,18 +100,23 @@ impl Tool {
         })
     }
 
-    /// The parameters with which the tool gives the contact the required restitution.
+    /// Parameters of the tool for the required restitution.
     ///
-    /// A tool for which one number is missing still gives the others, and lists it in [`Export::missing`]. Errors: a
-    /// number of the request is out of its range; the tool cannot have this restitution, this exponent or this time
-    /// step; a number it cannot do without is missing; a parameter does not fit in a 64-bit float.
+    /// If an optional number is missing, the other parameters are exported and the number is listed in
+    /// [`Export::missing`]. Errors: a number of the request is out of range; the tool does not support the restitution,
+    /// the exponent or the time step; a required number is missing; a parameter does not fit in a 64-bit float; the
+    /// error bound is larger than the restitution.
     pub fn export(self, request: &Request) -> Result<Export, ExportError> {
         request.check()?;
         if let Some(motion) = request.options.stop {
-            return stops::export(self, request, motion)?.finite();
+            let mut export = loops::apply(self, request, stops::export(self, request, motion)?)?;
+            export.penetrations.iter_mut().for_each(|p| p.unit = motion.units().coordinate);
+            return drift::apply(request, export).finite()?.bounded(request);
         }
         let (_, export) =
             Self::ALL.into_iter().zip(EXPORTS).find(|(tool, _)| *tool == self).expect("a tool is one of all");
-        loops::apply(self, request, export(request)?)?.finite()
+        let mut export = loops::apply(self, request, export(request)?)?;
+        gravity::assume(request, &mut export);
+        drift::apply(request, export).finite()?.bounded(request)
     }
 }

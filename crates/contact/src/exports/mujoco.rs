@@ -1,4 +1,4 @@
-//! MuJoCo: `solref` and `solimp` of a geom, in the direct format and in the standard one.
+//! MuJoCo: `solref` and `solimp` of a geom, in the direct and in the standard format.
 
 use super::linear::Linear;
 use super::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
@@ -46,16 +46,15 @@ pub(super) const FACTS: Facts = Facts {
 /// The direct `solref` = (−ω² f, −2ζω f) at a constant impedance d, f = d + (1−d)α.
 ///
 /// MuJoCo's normal row is f_n = max(0, (a_ref − a)/(A + R)), A = 1/m̄, R = (1−d)/d Â, and a_ref = −(b v + κ r) with
-/// κ = −solref₀/d², b = −solref₁/d; Â is its estimate of A, α = Â m̄. Solved, the contact has the stiffness m̄ κd²/f and
-/// the damping m̄ bd/f, so that f takes the estimate's error out again. The standard format gives the same with
-/// timeconst 1/(ζωf) and dampratio ζ√f.
+/// κ = −solref₀/d², b = −solref₁/d; Â is MuJoCo's estimate of A, α = Â m̄. The resulting contact has the stiffness m̄ κd²/f and
+/// the damping m̄ bd/f: f removes the error of the estimate. Equivalent standard format: timeconst 1/(ζωf), dampratio ζ√f.
 ///
 /// Measured in MuJoCo 4.0.0 at the recommended step ([`Linear::explicit_step`]) and accuracy 1e-3, the worst of 25 phases
 /// for e = 0.05, 0.2, 0.5, 0.8, 0.95, 0.99: 8.9e-4, 7.8e-4, 6.4e-4, 5.3e-4, 5.1e-4, 7.0e-4, ball and pendulum with armature
 /// alike, Euler and implicitfast alike; RK4 3.3e-4 … 3.9e-4. A four-bar (m̄ = 68.1 kg, α = 7.2) and a double wishbone on its
 /// bump stop (392.8 kg, α = 0.35), loops closed, e = 0.2, 0.5, 0.8: at most 6.5e-4. With the default equality settings
-/// the four-bar shows 0.084, 0.444, 0.789. With a wrong m̄ the restitution stays and the penetration does not: 0.27 of what
-/// it should be with the coupler's own 4.8 kg.
+/// the four-bar shows 0.084, 0.444, 0.789. With a wrong m̄ the restitution is correct and the penetration wrong: a factor of 0.27
+/// with the mass of the coupler, 4.8 kg.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let (solref, scale) = direct_format(&linear, request);
@@ -65,6 +64,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.error_bound(step));
+    export.add_penetration("", linear.penetration(request.speed));
     export.set("solref", solref, "1/s², 1/s");
     export.set("solimp", solimp, "-, -, m");
     export.set("timestep", step, "s");
@@ -85,17 +85,17 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     Ok(export)
 }
 
-/// The direct `solref`, and the f in it.
+/// Direct `solref` and its factor f.
 fn direct_format(linear: &Linear, request: &Request) -> ([f64; 2], f64) {
     let alpha = request.options.diagonal_ratio.unwrap_or(1.0);
     let scale = limits::MUJOCO_IMPEDANCE + (1.0 - limits::MUJOCO_IMPEDANCE) * alpha;
     let (zeta, omega) = (linear.ratio, linear.frequency);
-    // 0 − x: without damping a zero, not a negative one.
+    // 0 − x avoids a negative zero without damping.
     ([0.0 - omega * omega * scale, 0.0 - 2.0 * zeta * omega * scale], scale)
 }
 
-/// A joint's stop: `solreflimit` and `solimplimit`, whose row is the contact's with the joint's own inertia in place of m̄,
-/// and with Â = `dof_invweight0`.
+/// Stop of a joint: `solreflimit` and `solimplimit`. The row is that of a contact with the inertia at the joint as m̄ and
+/// Â = `dof_invweight0`.
 pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let (solref, _) = direct_format(&linear, request);
@@ -104,6 +104,7 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.error_bound(step));
+    export.add_penetration("", linear.penetration(request.speed));
     export.set("solreflimit", solref, "1/s², 1/s");
     export.set("solimplimit", [d, d, 1.0], if motion == StopMotion::Turn { "-, -, rad" } else { "-, -, m" });
     export.set("timestep", step, "s");
@@ -137,13 +138,13 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     Ok(export)
 }
 
-/// (timeconst, dampratio); none without damping, where the time constant is infinite.
+/// timeconst and dampratio; `None` without damping (infinite time constant).
 fn standard_format(linear: &Linear, scale: f64) -> Option<[f64; 2]> {
     let timeconst = 1.0 / (linear.ratio * linear.frequency * scale);
     timeconst.is_normal().then(|| [timeconst, linear.ratio * scale.sqrt()])
 }
 
-/// For loops: as stiff as the time step allows.
+/// Equality constraints of loops: the greatest stiffness that the time step permits.
 fn equality_default(step: f64) -> String {
     let d = limits::MUJOCO_IMPEDANCE;
     format!("\n    <equality solref=\"{:?} 1.0\" solimp=\"{d:?} {d:?} 1.0\"/>", 2.0 * step)

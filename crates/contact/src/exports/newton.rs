@@ -2,6 +2,7 @@
 
 use super::export::single;
 use super::linear::{Linear, Pulling};
+use super::single_precision;
 use super::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
 use crate::{Separation, kelvin_voigt};
@@ -32,12 +33,12 @@ pub(super) const FACTS: Facts = Facts {
         Measurement {
             engine: "Newton 1.8.0",
             solver: "XPBD",
-            scenes: "ball of 2 kg; pendulums of m̄ = 1.5 and 3.75 kg",
+            scenes: "ball of 2 kg",
             worst: [Some(4e-5), Some(4e-5), Some(4e-5)],
             by_hand: Some("2026-11-22"),
         },
     ],
-    caution: "single precision: have the contact near the origin; SemiImplicit for free bodies only; XPBD with enable_restitution=True; Featherstone leaves closed loops open without a word",
+    caution: "single precision: have the contact near the origin; SemiImplicit and XPBD for free bodies only, XPBD with enable_restitution=True; Featherstone leaves closed loops open without a word",
     sources: &[
         "Newton 1.8.0, newton/_src/solvers/semi_implicit/kernels_contact.py: _eval_body_contact",
         "Newton 1.8.0, newton/_src/solvers/xpbd/restitution_kernels.py: build_restitution_manifolds",
@@ -49,15 +50,15 @@ pub(super) const FACTS: Facts = Facts {
 
 /// For both shapes ke = k, kd = 2ζ√(k m̄) with the ζ of e², restitution = e.
 ///
-/// The force of SemiImplicit and Featherstone is k x + c max(0, ẋ) while x > 0: on the way in a spring and damper, which
-/// reaches the depth x_m = (v/ω)√e_b(ζ) of the clamped contact, e_b its restitution; on the way out a spring alone, which
-/// gives the speed ω x_m. So e = √e_b(ζ). The mean of two equal sides is the value itself.
+/// The force of SemiImplicit and Featherstone is k x + c max(0, ẋ) while x > 0: during approach a spring and
+/// damper with the depth x_m = (v/ω)√e_b(ζ) of the clamped contact of restitution e_b; during separation a spring alone,
+/// with the speed ω x_m. Hence e = √e_b(ζ). Newton takes the mean of the two sides.
 ///
-/// Semi-implicit Euler: the damper comes up to one step late, as in [`Linear::error_bound`] with this ζ.
+/// Semi-implicit Euler: the damper force is up to one step late, as in [`Linear::error_bound`] with this ζ.
 ///
-/// XPBD sets the speed of separation to e v, whatever the mass and the step. With joints it takes the speed from differences of
-/// positions in single precision: a pendulum was off by 3e-5 at 1e-3 s, but by 6e-4 at 2e-6 s. So it has a step of its own.
-/// SemiImplicit's joints are springs: a pendulum there showed 0.38 for 0.5.
+/// XPBD sets the speed of separation of a free body to e v for every mass and step. XPBD has no armature, and a body on a
+/// hinge rebounded with 0.29, 0.25, 0.17 for 0.2, 0.5, 0.8: the step of XPBD is exported for free bodies only. The joints
+/// of SemiImplicit are springs: a pendulum rebounded with 0.38 for 0.5.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut linear = Linear::of(request, TOOL)?;
     let e = linear.restitution;
@@ -77,13 +78,14 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.error_bound(step));
+    export.add_penetration("SemiImplicit, Featherstone", linear.penetration(request.speed));
     export.set("ke", linear.stiffness, "N/m");
     export.set("kd", damping, "N·s/m");
     export.set("kf", 0.0, "N·s/m");
     export.set("mu", 0.0, "");
     export.set("restitution", e, "");
     export.set("dt", step, "s");
-    if let Some(speed) = request.speed {
+    if let Some(speed) = request.speed.filter(|_| request.jointed() != Some(true)) {
         export.set("dt_xpbd", limits::RIGID_TRAVEL / speed, "s");
     }
     export.write(
@@ -103,23 +105,23 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     );
     export.assume("The shapes of both sides have these values: the mean counts.");
     export.assume("Contacts are found anew at every step (model.collide), and no friction acts.");
-    export.assume("Mechanisms in Featherstone, whose joints are exact, or in XPBD, which has no armature.");
+    export.assume("Mechanisms in Featherstone, whose joints are exact.");
     export.assume(
-        "XPBD: the stiffness and the damping count for nothing; restitution does, with enable_restitution=True. Its step is dt_xpbd: at \
-         much shorter ones, with joints, single precision shows.",
+        "XPBD, for free bodies: the stiffness and the damping count for nothing; restitution does, with enable_restitution=True. Its step is \
+         dt_xpbd.",
     );
-    export.assume(
-        "Single precision: a contact at a coordinate of 1 m along the normal is known to 6e-8 m, and the error bound is for \
-         penetrations 1e4 times that; move the contact to the origin.",
+    single_precision::add(&mut export, TOOL, request, step, "m")?;
+    export.cannot.push(
+        "mechanisms in SemiImplicit: its joints are springs; mechanisms in XPBD: it has no armature, and bodies on a joint rebounded with \
+         0.29, 0.25, 0.17 for 0.2, 0.5, 0.8; XPBD: stiffness, penetration, duration, peak force",
     );
-    export.cannot.push("mechanisms in SemiImplicit: its joints are springs; XPBD: stiffness, penetration, duration, peak force");
     Ok(export)
 }
 
-/// A joint's stop: `limit_ke` = k, `limit_kd` = 2ζ√(k m̄) with the ζ of a contact that ends where the gap closes.
+/// Stop of a joint: `limit_ke` = k, `limit_kd` = 2ζ√(k m̄) with the ζ of a contact that ends at the closed gap.
 ///
-/// Featherstone adds limit_ke (limit − q) − limit_kd q̇ as long as q is past the limit, unlike at contacts on the way out too, and does
-/// not clamp it: e = exp(−πζ/√(1−ζ²)). It takes the force at the beginning of the step.
+/// Featherstone adds limit_ke (limit − q) − limit_kd q̇ while q is past the limit, also during separation (unlike at
+/// contacts) and without a clamp: e = exp(−πζ/√(1−ζ²)). The force is that of the beginning of the step.
 ///
 /// Measured in Newton 1.8.0, hinges with and without a rotor and an elbow whose shoulder is free: within 6.6e-4, 3.7e-4, 3.4e-4. With the link's
 /// own inertia the elbow (0.107 for 0.0668 kg·m²) shows 0.118, 0.411, 0.754.
@@ -138,6 +140,7 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(pulling.error_bound(step));
+    export.add_penetration("", linear.penetration(request.speed));
     export.set("limit_ke", linear.stiffness, units.stiffness);
     export.set("limit_kd", damping, units.damping);
     export.set("dt", step, "s");
@@ -155,11 +158,11 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     );
     export.assume("Featherstone: its joints are exact, and it has rotor inertias (armature). No drive and no damping of the joint.");
     export.assume("Both ends of the range have these values: Newton has but one pair for them.");
-    export.assume(format!(
-        "Single precision: a joint at 1 {0} is known to 6e-8 {0}, and the error bound is for penetrations 1e4 times that; measure the \
-         joint from its stop.",
-        units.coordinate
-    ));
+    single_precision::add(&mut export, TOOL, request, step, units.coordinate)?;
+    export.assume("The joint is measured from its stop, where its coordinate is known best.");
+    if request.options.closed_loops {
+        export.assume("Stops in closed loops were off by 0.02 to 0.26: Featherstone leaves the joint that closes a loop out.");
+    }
     export.cannot.push(
         "stops in XPBD: it holds limits rigidly, without restitution, and does not read limit_ke and limit_kd; SemiImplicit: its joints are springs",
     );

@@ -37,7 +37,7 @@ pub(super) const FACTS: Facts = Facts {
 
 /// ERP = h k/(h k + c'), CFM = 1/(h k + c').
 ///
-/// ODE's contact row, multiplied out with these, is max(0, k (x − h v⁺) − c' v⁺): implicit Euler of the linear spring
+/// With these values the contact row of ODE is max(0, k (x − h v⁺) − c' v⁺): implicit Euler of the linear spring
 /// and damper, with v⁺ the speed of separation after the step. c' = 2ζ'√(k m̄), ζ' = ζ − ωh/2.
 ///
 /// Measured in ODE 0.16.2, e = 0.2, 0.5, 0.8, the worst of five phases, Step and QuickStep (20 iterations) alike: 4.9e-4, 4.0e-4,
@@ -51,6 +51,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.implicit_error_bound(step));
+    export.add_penetration("", linear.penetration(request.speed));
     export.set("soft_erp", erp, "");
     export.set("soft_cfm", cfm, "m/(N·s)");
     export.set("time_step", step, "s");
@@ -83,13 +84,13 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     Ok(export)
 }
 
-/// A joint's stop: `dParamStopERP` and `dParamStopCFM`, whose row is the contact's with the joint's rate in place of the closing
+/// Stop of a joint: `dParamStopERP` and `dParamStopCFM`. The row is that of a contact with the joint rate as closing
 /// speed.
 ///
-/// ODE takes a limit that the joint is past at the beginning of a step, and lets its force push back only. `dParamBounce` asks for a
-/// return at that part of the speed as long as the joint moves into the limit, through the same CFM: 0.5 beside these ERP and CFM makes
-/// 0.174, 0.486, 0.798 of 0.2, 0.5, 0.8. Alone, with a CFM of 0, it is the restitution of a rigid stop, whatever the inertia: 0.5 gave
-/// 0.499997 on a hinge.
+/// ODE applies a limit that the joint has passed at the beginning of a step, with a force that pushes back only.
+/// `dParamBounce` adds a return speed through the same CFM: with 0.5 and these ERP and CFM the restitution is 0.174,
+/// 0.486, 0.798 for 0.2, 0.5, 0.8. With a CFM of 0 `dParamBounce` is the restitution of a rigid stop: 0.5 gave 0.499997
+/// on a hinge.
 ///
 /// Measured in ODE 0.16.2, Step and QuickStep alike: a hinge with and without a rotor, upper and lower end, an elbow whose shoulder is
 /// free, the crank of a four-bar (0.473 kg·m²), the slider of a slider-crank (2.77 kg): within 5.0e-4, 4.1e-4, 3.5e-4. With the link's own
@@ -102,6 +103,7 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.implicit_error_bound(step));
+    export.add_penetration("", linear.penetration(request.speed));
     export.set("stop_erp", erp, "");
     export.set("stop_cfm", cfm, motion.units().softness);
     export.set("bounce", 0.0, "");
@@ -142,7 +144,7 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     Ok(export)
 }
 
-/// (ERP, CFM) of a stiffness, a damping and a time step.
+/// ERP and CFM of a stiffness, a damping and a time step.
 pub(super) fn erp_and_cfm(stiffness: f64, damping: f64, step: f64) -> (f64, f64) {
     let sum = step * stiffness + damping;
     (step * stiffness / sum, 1.0 / sum)

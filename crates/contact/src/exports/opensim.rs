@@ -2,8 +2,8 @@
 
 use super::impact_function::ImpactFunction;
 use super::{Export, ExportError, Facts, Measurement, Request, Tool};
-use crate::hunt_crossley;
 use crate::limits;
+use crate::{Damper, hunt_crossley};
 
 const TOOL: Tool = Tool::of(&FACTS);
 
@@ -12,7 +12,7 @@ pub(super) const FACTS: Facts = Facts {
     title: "OpenSim (HuntCrossleyForce)",
     aliases: &["simbody"],
     law: "Hunt–Crossley on Hertz's spring, k x^(3/2) (1 + 3/2 c ẋ), never pulling",
-    combines: "moduli in series, dissipations by the share of the deformation; frictions by their harmonic mean",
+    combines: "stiffness^(2/3) in series, dissipations by the share of the deformation; frictions by their harmonic mean",
     measured: &[Measurement {
         engine: "OpenSim 4.6",
         solver: "",
@@ -33,7 +33,7 @@ pub(super) const FACTS: Facts = Facts {
 /// c = (c₁E₂ + c₂E₁)/(E₁+E₂); OpenSim takes the stiffness E₁^(3/2) as its parameter. Two equal surfaces: E = E₁/2, so that
 /// k = 4/3·√R·stiffness/2^(3/2). Hunt and Crossley's dissipation number is 3/2 c v = a(e), whatever the exponent and the mass.
 ///
-/// The integrator's greatest step is 0.1 x₀/v, x₀ the penetration without damping, and shorter for a better accuracy.
+/// Greatest step of the integrator: 0.1 x₀/v, x₀ the penetration without damping; shorter for a smaller error.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let contact = request.contact;
     if contact.exponent() != 1.5 {
@@ -61,6 +61,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let finer = (request.options.accuracy / limits::DEFAULT_ACCURACY).min(1.0);
     let largest = limits::LONGEST_STEP * finer.sqrt() * depth / speed;
     let accuracy = limits::OPENSIM_ACCURACY * finer;
+    let impact = Damper::hunt_crossley(number / speed).and_then(|damper| damper.impact(contact, speed));
+    export.add_penetration("", impact.ok().map(|impact| impact.max_penetration));
     export.set("dissipation", dissipation, "s/m");
     export.set("integrator_accuracy", accuracy, "");
     export.set("maximum_step_size", largest, "s");

@@ -2,6 +2,7 @@
 
 use super::export::single;
 use super::linear::{Linear, Pulling};
+use super::single_precision;
 use super::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
 
@@ -29,7 +30,7 @@ pub(super) const FACTS: Facts = Facts {
             by_hand: Some("2026-11-22"),
         },
     ],
-    caution: "PGS and TGS (Isaac Lab's default) need different dampings, and TGS no velocity iterations; never the acceleration mode; closed loops are off by more, and no error is stated for them",
+    caution: "PGS and TGS (Isaac Lab's default) need different dampings, and TGS no velocity iterations; never the acceleration mode; single precision: the stated error grows as the travel in a step shrinks; none is stated for closed loops",
     sources: &[
         "PhysX 5, physx/include/PxMaterial.h",
         "PhysX 5, physx/source/lowleveldynamics/src/DyContactPrepShared.h: computeCompliantContactCoefficients",
@@ -42,15 +43,17 @@ pub(super) const FACTS: Facts = Facts {
 /// Force mode: stiffness k, damping c' = 2ζ'√(k m̄).
 ///
 /// PhysX's compliant contact is a = h(c + h k), impulse scale 1/(1 + a/m̄): implicit Euler of the linear spring and damper. PGS
-/// takes the scene's step, so ζ' = ζ − ωh/2. TGS divides it among its N position iterations: ζ' = ζ − ωh/(2N). Its velocity
-/// iterations act on the contact once more: with 16 position iterations and 1 velocity iteration, and PGS's damping, e = 0.2,
-/// 0.5, 0.8 are off by 1.4e-2, 1.8e-2, 4.9e-3, with 4 and 1 by 4.9e-2, 6.8e-2, 3.7e-2; with 0 and TGS's damping by 7e-4.
-/// A negative restitution of the material is its stiffness.
+/// uses the step of the scene: ζ' = ζ − ωh/2. TGS divides the step among N position iterations: ζ' = ζ − ωh/(2N).
+/// Velocity iterations apply the contact again: errors for e = 0.2, 0.5, 0.8 with the damping of PGS and 16 position
+/// iterations and 1 velocity iteration 1.4e-2, 1.8e-2, 4.9e-3, with 4 and 1 4.9e-2, 6.8e-2, 3.7e-2; with 0 velocity
+/// iterations and the damping of TGS 7e-4.
+/// A negative restitution of the material is a stiffness.
 ///
-/// A four-bar of revolute joints between rigid bodies is off by 0.017 with PGS and 0.11 with TGS at 20 mm/s (single precision), and has no bound.
+/// Closed loops have no bound: the error of a four-bar of revolute joints is 0.017 with PGS and 0.11 with TGS at 20 mm/s
+/// (single precision).
 ///
-/// The acceleration mode multiplies both by the response of the struck body free of its joints: 0.305 and 0.616
-/// came of 0.2 and 0.5 on a pendulum whose point has 1.667 kg without the joint. It is not exported.
+/// The acceleration mode is not exported: PhysX multiplies stiffness and damping by the effective mass of the body
+/// without joints (a pendulum with 1.667 kg without the joint: 0.305 and 0.616 for 0.2 and 0.5).
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
@@ -69,6 +72,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.implicit_error_bound(step));
+    export.add_penetration("", linear.penetration(request.speed));
     export.set("compliant_contact_stiffness", stiffness, "N/m");
     export.set("compliant_contact_damping", damping, "N·s/m");
     export.set("compliant_contact_damping_tgs", tgs, "N·s/m");
@@ -123,10 +127,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
          position iterations needs another damping. Friction 0."
     ));
     export.assume(linear.implicit_words(step));
-    export.assume(
-        "PhysX computes in single precision: the contact is within 0.5 m of the origin along the normal, where positions \
-         are known to 3e-8 m.",
-    );
+    // TGS moves the bodies in each position iteration.
+    single_precision::add(&mut export, TOOL, request, step / turns, "m")?;
     export.cannot.push(
         "the acceleration mode of a body with joints: PhysX multiplies by the free body's mass there, not by m̄",
     );
@@ -135,9 +137,10 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
 
 /// A soft limit of a joint between rigid bodies: `PxSpring`'s stiffness k and damping c', which pull.
 ///
-/// PhysX makes a row of a soft limit only where the joint is past it: implicit Euler of k x + c' ẋ, in SI units (force mode, and not the
-/// acceleration mode of a drive). Unlike a compliant contact it pulls (run: with the damper of a contact that does not, 0.0905, 0.436,
-/// 0.791 come of 0.2, 0.5, 0.8, and these are exp(−πζ/√(1−ζ²))), so that ζ is that of a contact that ends where the gap closes, ζ' = ζ − ωh/2.
+/// PhysX has a row for a soft limit only if the joint is past the limit: implicit Euler of k x + c' ẋ in SI units (force
+/// mode, not the acceleration mode of a drive). Unlike a compliant contact the limit pulls, so ζ is that of a contact
+/// that ends at the closed gap, ζ' = ζ − ωh/2. Measured with the damper of a contact that does not pull: 0.0905, 0.436,
+/// 0.791 for 0.2, 0.5, 0.8, equal to exp(−πζ/√(1−ζ²)).
 ///
 /// Measured in ovphysx 0.7.0 with PGS, a hinge: within 1.6e-4, 2.2e-4, 4.2e-4. TGS, and mechanisms of several bodies, were not measured.
 pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
@@ -159,7 +162,10 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     };
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
-    export.error_bound = Some(pulling.error_bound(step));
+    export.add_penetration("", linear.penetration(request.speed));
+    // Measured errors: shoulder of an open chain 2.2e-2, closed loops 0.01 to 2.2.
+    let single_body = request.options.moving_bodies.is_none_or(|bodies| bodies == 1);
+    export.error_bound = (single_body && !request.options.constrained).then(|| pulling.error_bound(step));
     export.set("limit_stiffness", stiffness, units.stiffness);
     export.set("limit_damping", damping, units.damping);
     export.set("dt", step, "s");
@@ -177,8 +183,15 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     );
     export.assume(linear.implicit_words(step));
     export.assume("Joints between rigid bodies, with PGS. Both ends of the range have these values.");
+    single_precision::add(&mut export, TOOL, request, step, units.coordinate)?;
+    if export.error_bound.is_none() && request.speed.is_some() {
+        export.assume(
+            "No error is stated for mechanisms of several bodies: the shoulder of an open chain was off by 2.2e-2, stops in closed loops by \
+             0.01 to 2.2. Choose mujoco or ode.",
+        );
+    }
     export.assume(
-        "PhysX computes in single precision, and the angle of a revolute joint from an arc cosine: with the joint frames turned so that the stop is \
+        "The angle of a revolute joint is found from an arc cosine: with the joint frames turned so that the stop is \
          between 0.3 and 3 rad, it is known to 4e-7 rad; near 0 it is not.",
     );
     export.cannot.push(

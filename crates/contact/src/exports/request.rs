@@ -1,64 +1,84 @@
-//! What is asked of a tool.
+//! Request for an export, and its options.
 
 use super::ExportError;
-use crate::error::{positive, unit_interval};
+use crate::error::{not_negative, positive, unit_interval};
 use crate::limits;
 use crate::{CompliantContact, ContactLawError};
 
-/// A contact, and the required restitution.
+/// Contact and required restitution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Request {
-    /// The effective mass and the spring.
+    /// Effective mass and spring.
     pub contact: CompliantContact,
-    /// The coefficient of restitution e, from 0 to 1.
+    /// Coefficient of restitution e, 0 to 1.
     pub restitution: f64,
-    /// The approach speed in m/s, above 0, for the tools whose numbers depend on it.
+    /// Approach speed, m/s, above 0; required by tools with parameters that depend on the speed.
     pub speed: Option<f64>,
-    /// What only some tools need.
+    /// Options of some tools.
     pub options: Options,
 }
 
-/// What only some tools need.
+/// Options of some tools.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// How far the measured restitution may be from the one asked for: above 0, at most 0.1.
+    /// Permitted error of the restitution: above 0, at most 0.1.
     pub accuracy: f64,
-    /// The tool's time step in s, where it is given; else the one that holds the accuracy.
+    /// Time step, s; `None` for the step that the accuracy requires.
     pub time_step: Option<f64>,
-    /// The struck body's own mass in kg, without the links attached by joints: Chrono divides by it.
+    /// Mass of the contact body, kg, without links on joints: Chrono divides by it.
     pub own_mass: Option<f64>,
-    /// The same of the other body, in kg. Chrono gives a fixed body without a mass 1 kg.
+    /// Mass of the other body, kg. Chrono gives a fixed body without a mass 1 kg.
     pub other_own_mass: Option<f64>,
-    /// MuJoCo's Â m̄, how much its estimate of the contact's inverse mass is off: Â is the sum of `body_invweight0[0]`
-    /// of the two bodies.
+    /// Â m̄, ratio of MuJoCo's estimate of the inverse mass to the inverse effective mass: Â is the sum of
+    /// `body_invweight0[0]` of the two bodies.
     pub diagonal_ratio: Option<f64>,
-    /// The stop of a joint, and not a contact between bodies. Of a joint that turns, the contact's mass is an inertia in
-    /// kg·m², its stiffness in N·m/rad, and the speed in rad/s.
+    /// Stop of a joint instead of a contact between bodies. For a revolute joint the mass is an inertia in kg·m², the
+    /// stiffness is in N·m/rad and the speed in rad/s.
     pub stop: Option<StopMotion>,
-    /// The mechanism has what simulators hold by constraints: closed loops, mimics, locks, held points.
+    /// True if simulators enforce parts of the mechanism by constraints: closed loops, mimics, locks, held points.
     pub constrained: bool,
-    /// Of these, closed loops.
+    /// True if the mechanism has closed loops.
     pub closed_loops: bool,
-    /// It is not known whether loops are closed: a mass is given and no mechanism. MuJoCo's parameters for equality constraints are
-    /// exported too; without loops they have no effect.
+    /// True if a mass is given without a mechanism, so that closed loops are possible. MuJoCo's parameters of equality
+    /// constraints are exported too; without loops they have no effect.
     pub loops_unknown: bool,
+    /// Effective mass at the contact of the two bodies without joints, kg. Its ratio to m̄ determines the convergence of
+    /// iterative solvers; it is equal to m̄ if no joint takes part in the impact.
+    pub free_mass: Option<f64>,
+    /// Curvature of the motion of the impact, 1/m: acceleration of the contact point plus the largest acceleration of a
+    /// centre of mass, at constant joint rates and a closing speed of 1 m/s. For one hinge 1/l + r/l², l the distance from
+    /// the hinge to the contact, r that to the centre of mass. `None` stands for 10/m.
+    pub motion_curvature: Option<f64>,
+    /// Number of moving rigid bodies of the mechanism.
+    pub moving_bodies: Option<usize>,
+    /// Change of m̄ during the impact.
+    pub drift: Option<MassDrift>,
 }
 
-/// How a joint moves into its stop.
+/// Change of the effective mass during an impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MassDrift {
+    /// m̄ at the penetration over m̄ at the first touch, less 1.
+    pub relative: f64,
+    /// Penetration, m; rad for the stop of a revolute joint.
+    pub penetration: f64,
+}
+
+/// Motion of a joint into its stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum StopMotion {
-    /// It turns.
+    /// Rotation.
     Turn,
-    /// It slides.
+    /// Translation.
     Slide,
 }
 
-/// The units of a stop's numbers.
+/// Units of the parameters of a stop.
 pub(super) struct StopUnits {
     pub(super) stiffness: &'static str,
     pub(super) damping: &'static str,
-    /// Of the reciprocal of stiffness times time.
+    /// Unit of 1/(stiffness · time).
     pub(super) softness: &'static str,
     pub(super) coordinate: &'static str,
 }
@@ -80,7 +100,7 @@ impl StopMotion {
 }
 
 impl Options {
-    /// The own mass of the struck body, as [`ExportError::Missing`] names it.
+    /// Text of [`ExportError::Missing`] for the own mass.
     pub const OWN_MASS: &str = "the struck body's own mass, kg";
 }
 
@@ -96,22 +116,32 @@ impl Default for Options {
             constrained: false,
             closed_loops: false,
             loops_unknown: false,
+            free_mass: None,
+            motion_curvature: None,
+            moving_bodies: None,
+            drift: None,
         }
     }
 }
 
 impl Request {
-    /// A request with the default options and no speed.
+    /// Request with default options and without a speed.
     pub fn new(contact: CompliantContact, restitution: f64) -> Self {
         Self { contact, restitution, speed: None, options: Options::default() }
     }
 
-    /// The same at an approach speed in m/s.
+    /// Request with an approach speed, m/s.
     pub fn at(self, speed: f64) -> Self {
         Self { speed: Some(speed), ..self }
     }
 
-    /// Whether every number is in its range.
+    /// True if joints take part in the impact: m̄ differs from the effective mass without joints. `None` if unknown.
+    pub(super) fn jointed(&self) -> Option<bool> {
+        let free = self.options.free_mass?;
+        Some((self.contact.mass() / free - 1.0).abs() > limits::SAME_MASS)
+    }
+
+    /// Checks the range of every number.
     pub(super) fn check(&self) -> Result<(), ExportError> {
         unit_interval("restitution", self.restitution)?;
         let accuracy = self.options.accuracy;
@@ -125,10 +155,13 @@ impl Request {
             ("struck body's own mass, kg", self.options.own_mass),
             ("other body's own mass, kg", self.options.other_own_mass),
             ("MuJoCo's diagonal ratio", self.options.diagonal_ratio),
+            ("effective mass of the bodies without joints, kg", self.options.free_mass),
         ];
         for (what, value) in optional {
             value.map(|value| positive(what, value)).transpose()?;
         }
+        let curvature = self.options.motion_curvature;
+        curvature.map(|value| not_negative("curvature of the motion, 1/m", value)).transpose()?;
         Ok(())
     }
 }

@@ -6,6 +6,7 @@
     ball(parameters, solver, ball, speed)             an Outcome, or
     pendulum(parameters, solver, pendulum, speed)     raises Refused where the tool cannot have the scene
     four_bar(parameters, solver, four_bar, speed)     only where the tool closes loops
+    linkage(parameters, solver, linkage, speed)       an open chain of two bodies; only where the module has it
     stop(parameters, solver, stop, speed)             only where percuss writes the stops of joints for the tool
     EXPONENT        of the contact's spring, where it is not 1; optional
     BY_HAND         true where the check does not fail for want of the program; optional

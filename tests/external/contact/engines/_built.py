@@ -46,8 +46,13 @@ def outcome(program, arguments, travel):
     return Outcome.of(lambda _: [float(word) for word in next(lines).split()])
 
 
+def linkage(linkage, speed):
+    """As the programs take it: the numbers of bodies and of hinges, then as four_bar."""
+    return [len(linkage.bodies), len(linkage.hinges), *four_bar(linkage, speed)]
+
+
 def four_bar(four_bar, speed):
-    """As the programs take it: the sphere's radius and place; of each body mass, inertia, centre, velocity and rate; of each hinge its
+    """As Chrono's program takes it: the sphere's radius and place; of each body mass, inertia, centre, velocity and rate; of each hinge its
     two bodies (-1: the ground) and place."""
     numbers, names = [four_bar.radius, *four_bar.point], [*four_bar.bodies]
     for name, (velocity, rate) in velocities(four_bar, speed).items():

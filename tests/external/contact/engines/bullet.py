@@ -85,12 +85,12 @@ def ball(parameters, solver, ball, speed):
 
 def pendulum(parameters, solver, pendulum, speed):
     p = pendulum
-    about_centre = p.effective_mass * p.lever**2 - p.mass * p.centre**2
+    about_centre = p.turning_inertia
     urdf = f"""<robot name="pendulum">
   <link name="world">{HIDDEN}</link>
   <link name="rod">
     <inertial>
-      <origin xyz="{p.centre} 0 0"/>
+      <origin xyz="{p.centre} 0 {p.offset}"/>
       <mass value="{p.mass}"/>
       <inertia ixx="{about_centre!r}" iyy="{about_centre!r}" izz="{about_centre!r}" ixy="0" ixz="0" iyz="0"/>
     </inertial>

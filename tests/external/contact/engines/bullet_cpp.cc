@@ -3,8 +3,9 @@
 //   bullet_cpp STIFFNESS DAMPING TIME_STEP SPEED SCENE NUMBERS.. GAP..
 //   SCENE and NUMBERS:
 //     ball MASS RADIUS
-//     pendulum MASS CENTRE INERTIA_ABOUT_HINGE LEVER RADIUS
-//     four-bar RADIUS X Y, three bodies: MASS INERTIA X Y VX VY RATE, four hinges: BODY BODY X Y (-1: the ground)
+//     pendulum MASS CENTRE OFFSET INERTIA_ABOUT_CENTRE LEVER RADIUS
+//     linkage BODIES HINGES RADIUS X Y, of each body MASS INERTIA X Y VX VY RATE (the second is struck), of each hinge BODY BODY X Y (-1:
+//       the ground)
 //   For each GAP (m, at the start) a line: speed of rebound over SPEED, deepest penetration.
 #include <algorithm>
 #include <btBulletDynamicsCommon.h>
@@ -15,7 +16,7 @@
 #include <string>
 #include <vector>
 
-enum { BODIES = 3, HINGES = 4, STRUCK = 1, FOUR_BAR = 3 + 7 * BODIES + 4 * HINGES };
+enum { STRUCK = 1 };
 // Steps that are waited for the end of an impact.
 const int LONGEST = 200000;
 
@@ -28,7 +29,10 @@ int main(int count, char **words) {
   std::vector<double> given;
   for (int i = 6; i < count; i++) given.push_back(std::atof(words[i]));
   const double *n = given.data();
-  for (std::size_t at = scene == "ball" ? 2 : scene == "pendulum" ? 5 : FOUR_BAR; at < given.size(); at++) {
+  const bool linkage = scene == "linkage";
+  const int bodies_of = linkage ? (int)n[0] : 0, hinges_of = linkage ? (int)n[1] : 0;
+  const std::size_t numbers = scene == "ball" ? 2 : scene == "pendulum" ? 6 : 5 + 7 * bodies_of + 4 * hinges_of;
+  for (std::size_t at = numbers; at < given.size(); at++) {
     const double gap = given[at];
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher(&configuration);
@@ -62,10 +66,10 @@ int main(int count, char **words) {
       hinges.push_back(std::move(made));
     };
 
-    const bool turns = scene == "pendulum", linkage = scene == "four-bar";
-    const double radius = linkage ? n[0] : turns ? n[4] : n[1];
+    const bool turns = scene == "pendulum";
+    const double radius = linkage ? n[2] : turns ? n[5] : n[1];
     const btVector3 normal = linkage ? btVector3(0, 1, 0) : btVector3(0, 0, 1);
-    const double contact = linkage ? n[2] : 0.0;
+    const double contact = linkage ? n[4] : 0.0;
     btStaticPlaneShape plane(normal, contact - radius - gap);
     body(0, 0, btVector3(0, 0, 0), &plane);
     btSphereShape sphere(radius);
@@ -77,24 +81,24 @@ int main(int count, char **words) {
       struck = body(n[0], 0.4 * n[0] * n[1] * n[1], point, &shape);
       struck->setLinearVelocity(btVector3(0, 0, -v));
     } else if (turns) {
-      const double mass = n[0], centre = n[1], lever = n[3];
-      point = btVector3(lever - centre, 0, 0);
+      const double centre = n[1], offset = n[2], lever = n[4];
+      point = btVector3(lever - centre, 0, -offset);
       shape.addChildShape(btTransform(btQuaternion::getIdentity(), point), &sphere);
-      struck = body(mass, n[2] - mass * centre * centre, btVector3(centre, 0, 0), &shape);
+      struck = body(n[0], n[3], btVector3(centre, 0, offset), &shape);
       hinge(struck, nullptr, btVector3(0, 0, 0), btVector3(0, 1, 0));
-      struck->setLinearVelocity(btVector3(0, 0, -v / lever * centre));
+      struck->setLinearVelocity(btVector3(v / lever * offset, 0, -v / lever * centre));
       struck->setAngularVelocity(btVector3(0, v / lever, 0));
     } else {
-      const double *b = n + 3, *j = b + 7 * BODIES;
-      point = btVector3(n[1], n[2], 0) - btVector3(b[7 * STRUCK + 2], b[7 * STRUCK + 3], 0);
+      const double *b = n + 5, *j = b + 7 * bodies_of;
+      point = btVector3(n[3], n[4], 0) - btVector3(b[7 * STRUCK + 2], b[7 * STRUCK + 3], 0);
       shape.addChildShape(btTransform(btQuaternion::getIdentity(), point), &sphere);
-      btRigidBody *made[BODIES];
-      for (int i = 0; i < BODIES; i++, b += 7) {
+      std::vector<btRigidBody *> made(bodies_of);
+      for (int i = 0; i < bodies_of; i++, b += 7) {
         made[i] = body(b[0], b[1], btVector3(b[2], b[3], 0), i == STRUCK ? &shape : &nothing);
         made[i]->setLinearVelocity(btVector3(b[4], b[5], 0));
         made[i]->setAngularVelocity(btVector3(0, 0, b[6]));
       }
-      for (int i = 0; i < HINGES; i++, j += 4)
+      for (int i = 0; i < hinges_of; i++, j += 4)
         hinge(made[(int)j[0]], j[1] < 0 ? nullptr : made[(int)j[1]], btVector3(j[2], j[3], 0), btVector3(0, 0, 1));
       struck = made[STRUCK];
     }

@@ -42,8 +42,7 @@ def ball(parameters, solver, ball, speed, contact=contact):
 
 def pendulum(parameters, solver, pendulum, speed, contact=contact):
     p = pendulum
-    inertia = p.effective_mass * p.lever**2
-    return run(contact(parameters), solver, speed, "pendulum", p.mass, p.centre, inertia, p.lever, p.radius)
+    return run(contact(parameters), solver, speed, "pendulum", p.mass, p.centre, p.offset, p.turning_inertia, p.lever, p.radius)
 
 
 def four_bar(parameters, solver, four_bar, speed, contact=contact):

@@ -42,10 +42,54 @@ def pendulum(parameters, solver, pendulum, speed):
         joint.setAxis([0, -1, 0])
         about = pendulum.inertia * np.eye(3)
         about[1, 1] += pendulum.rotor
-        body.setInertia(dartpy.dynamics.Inertia(pendulum.mass, [pendulum.centre, 0, 0], about))
+        body.setInertia(dartpy.dynamics.Inertia(pendulum.mass, [pendulum.centre, 0, pendulum.offset], about))
         return body, [pendulum.lever, 0, 0]
 
     return impacts(build, parameters, pendulum.lever, pendulum.radius, speed)
+
+
+def linkage(parameters, solver, linkage, speed):
+    """Trees in the x-y plane; what is drawn along y is along z, and a turn about z is one about −y. Only hinges in the order of the bodies."""
+
+    def run(where):
+        step, phase = where
+        world = dartpy.simulation.World()
+        world.setGravity([0, 0, 0])
+        world.setTimeStep(step)
+        skeleton = dartpy.dynamics.Skeleton("struck")
+        above, origin, made, rates, before = None, (0.0, 0.0), {}, [], 0.0
+        for name, _, at in linkage.hinges:
+            joint, body = skeleton.createRevoluteJointAndBodyNodePair(above) if above else skeleton.createRevoluteJointAndBodyNodePair()
+            joint.setAxis([0, -1, 0])
+            pose = dartpy.math.Isometry3()
+            pose.set_translation([at[0] - origin[0], 0, at[1] - origin[1]])
+            joint.setTransformFromParentBodyNode(pose)
+            mass, inertia, centre, _ = linkage.bodies[name]
+            body.setInertia(dartpy.dynamics.Inertia(mass, [centre[0] - at[0], 0, centre[1] - at[1]], inertia * np.eye(3)))
+            rate = linkage.velocities(speed)[name][1]
+            rates.append(rate - before)
+            above, origin, before, made[name] = body, at, rate, at
+        x, z = (p - o for p, o in zip(linkage.point, made[linkage.struck]))
+        dress(body, dartpy.dynamics.SphereShape(linkage.radius), [x, 0, z], parameters["RestitutionCoeff"], parameters)
+        gap = (1 + phase) * step * speed
+        stop = dartpy.dynamics.Skeleton("stop")
+        _, ground = stop.createWeldJointAndBodyNodePair()
+        place = [linkage.point[0], 0, linkage.point[1] - linkage.radius - gap - 0.5]
+        dress(ground, dartpy.dynamics.BoxShape([2, 2, 1]), place, parameters["RestitutionCoeff_other"], parameters)
+        for each in (stop, skeleton):
+            world.addSkeleton(each)
+        skeleton.setVelocities(rates)
+        rebound = -speed
+        for _ in range(LONGEST):
+            world.step()
+            rebound = body.getLinearVelocity([x, 0, z])[2]
+            # Just after the impact: the speed changes as the linkage moves on.
+            if rebound > 0:
+                break
+        return rebound / speed, 0.0
+
+    steps = (parameters["TimeStep"],) if "TimeStep" in parameters else TIME_STEPS
+    return Outcome.of(run, [(step, phase) for step in steps for phase in PHASES])
 
 
 def impacts(build, parameters, lever, radius, speed):

@@ -58,7 +58,8 @@ def pendulum(parameters, solver, pendulum, speed):
             inertia = RigidBodyInertia(pendulum.mass, np.diag([about, about + pendulum.rotor, about]))
         rate = -speed / pendulum.lever
         turn = [[math.cos(angle), 0, -math.sin(angle)], [0, 1, 0], [math.sin(angle), 0, math.cos(angle)]]
-        centre = [pendulum.centre * math.cos(angle), 0, pendulum.centre * math.sin(angle)]
+        x, z = pendulum.centre, pendulum.offset
+        centre = [x * math.cos(angle) - z * math.sin(angle), 0, x * math.sin(angle) + z * math.cos(angle)]
         body = system.CreateRigidBody(
             inertia=inertia,
             referencePosition=centre,
@@ -68,7 +69,7 @@ def pendulum(parameters, solver, pendulum, speed):
             gravity=[0, 0, 0],
         )
         system.CreateRevoluteJoint(bodyNumbers=[ground, body], position=[0, 0, 0], axis=[0, 1, 0], useGlobalFrame=True, show=False)
-        return body, [pendulum.lever - pendulum.centre, 0, 0]
+        return body, [pendulum.lever - pendulum.centre, 0, -pendulum.offset]
 
     return impacts(build, parameters, pendulum.effective_mass, pendulum.radius, speed)
 
@@ -98,6 +99,9 @@ def four_bar(parameters, solver, four_bar, speed):
         return bodies[four_bar.struck], [four_bar.point[0] - centre[0], 0, four_bar.point[1] - centre[1]]
 
     return impacts(build, parameters, four_bar.effective_mass, four_bar.radius, speed)
+
+
+linkage = four_bar
 
 
 def impacts(build, parameters, mass, radius, speed):

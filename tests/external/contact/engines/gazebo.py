@@ -53,11 +53,11 @@ def world(struck, below, p):
 </world></sdf>"""
 
 
-def link(mass, centre, inertia, at, radius, p):
+def link(mass, centre, offset, inertia, at, radius, p):
     i = f"<ixx>{inertia!r}</ixx><iyy>{inertia!r}</iyy><izz>{inertia!r}</izz>"
     return f"""
     <link name="link">
-      <inertial><pose>{centre!r} 0 0 0 0 0</pose><mass>{mass!r}</mass><inertia>{i}</inertia></inertial>
+      <inertial><pose>{centre!r} 0 {offset!r} 0 0 0</pose><mass>{mass!r}</mass><inertia>{i}</inertia></inertial>
       <collision name="c">
         <pose>{at!r} 0 0 0 0 0</pose>
         <geometry><sphere><radius>{radius!r}</radius></sphere></geometry>
@@ -84,14 +84,13 @@ def impacts(struck, radius, parameters, speed, lever):
 
 
 def ball(parameters, solver, ball, speed):
-    struck = link(ball.mass, 0.0, 0.4 * ball.mass * ball.radius**2, 0.0, ball.radius, parameters)
+    struck = link(ball.mass, 0.0, 0.0, 0.4 * ball.mass * ball.radius**2, 0.0, ball.radius, parameters)
     return impacts(struck, ball.radius, parameters, speed, 0.0)
 
 
 def pendulum(parameters, solver, pendulum, speed):
     p = pendulum
-    about_centre = p.effective_mass * p.lever**2 - p.mass * p.centre**2
-    struck = link(p.mass, p.centre, about_centre, p.lever, p.radius, parameters)
+    struck = link(p.mass, p.centre, p.offset, p.turning_inertia, p.lever, p.radius, parameters)
     struck += """
     <joint name="hinge" type="revolute"><parent>world</parent><child>link</child><axis><xyz>0 -1 0</xyz></axis></joint>"""
     return impacts(struck, p.radius, parameters, speed, p.lever)

@@ -41,7 +41,7 @@ def surface(p):
       </surface>"""
 
 
-def impacts(parameters, speed, lever, mass, centre, inertia, radius):
+def impacts(parameters, speed, lever, mass, centre, offset, inertia, radius):
     """All phases side by side in one world."""
     p, i = parameters, f"<ixx>{inertia!r}</ixx><iyy>{inertia!r}</iyy><izz>{inertia!r}</izz>"
     h = p["max_step_size"]
@@ -55,7 +55,7 @@ def impacts(parameters, speed, lever, mass, centre, inertia, radius):
   </link></model>
   <model name="struck{n}"><pose>{9 * n} 0 0 0 0 0</pose>
     <link name="link">
-      <inertial><pose>{centre!r} 0 0 0 0 0</pose><mass>{mass!r}</mass><inertia>{i}</inertia></inertial>
+      <inertial><pose>{centre!r} 0 {offset!r} 0 0 0</pose><mass>{mass!r}</mass><inertia>{i}</inertia></inertial>
       <collision name="c"><pose>{lever!r} 0 0 0 0 0</pose>
         <geometry><sphere><radius>{radius!r}</radius></sphere></geometry>{surface(p)}
       </collision>
@@ -76,13 +76,12 @@ def impacts(parameters, speed, lever, mass, centre, inertia, radius):
 
 
 def ball(parameters, solver, ball, speed):
-    return impacts(parameters, speed, 0.0, ball.mass, 0.0, 0.4 * ball.mass * ball.radius**2, ball.radius)
+    return impacts(parameters, speed, 0.0, ball.mass, 0.0, 0.0, 0.4 * ball.mass * ball.radius**2, ball.radius)
 
 
 def pendulum(parameters, solver, pendulum, speed):
     p = pendulum
-    about_centre = p.effective_mass * p.lever**2 - p.mass * p.centre**2
-    return impacts(parameters, speed, p.lever, p.mass, p.centre, about_centre, p.radius)
+    return impacts(parameters, speed, p.lever, p.mass, p.centre, p.offset, p.turning_inertia, p.radius)
 
 
 def read(text, parameters):

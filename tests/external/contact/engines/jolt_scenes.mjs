@@ -1,7 +1,7 @@
 // Impacts in Jolt, by its build for JavaScript: one JSON request on the standard input, one answer on the standard output.
 //
 //   {"package": folder of jolt-physics, "parameters": {…}, "other": restitution of the wall or null, "step": s, "phases": […],
-//    "speed": m/s, "ball": {mass, radius} or "pendulum": {mass, centre, inertia, lever, radius, rotor} or
+//    "speed": m/s, "ball": {mass, radius} or "pendulum": {mass, centre, offset, inertia, lever, radius, rotor} or
 //    "four_bar": {radius, point, struck, bodies: [{mass, inertia, centre, velocity, rate}, …], hinges: [[body, body or null, x, y], …]}}
 //
 // Answer: {"version", "impacts": [[e, penetration], …]}. The parameters are the struck body's and, unless "other" says otherwise,
@@ -77,17 +77,17 @@ function ball({ mass, radius }, phase) {
 }
 
 /// Built at angle 0 and turned a little about the hinge, so that the hinge is where it is with no error.
-function pendulum({ mass, centre, inertia, lever, radius, rotor }, phase) {
+function pendulum({ mass, centre, offset, inertia, lever, radius, rotor }, phase) {
   const { jolt, system } = world();
   const stop = wall(system, -radius);
   const angle = ((FLIGHT + phase) * step * speed) / lever;
   // The sphere at the lever, seen from the centre of mass that the body has its origin in.
-  const beside = new Jolt.Vec3(lever - centre, 0, 0);
+  const beside = new Jolt.Vec3(lever - centre, 0, -offset);
   const sphere = new Jolt.RotatedTranslatedShapeSettings(beside, upright(), new Jolt.SphereShapeSettings(radius));
-  const back = new Jolt.Vec3(centre - lever, 0, 0);
+  const back = new Jolt.Vec3(centre - lever, 0, offset);
   const shape = new Jolt.OffsetCenterOfMassShapeSettings(back, sphere).Create().Get();
   const about = [inertia, inertia + rotor, inertia];
-  const body = moving(system, shape, new Jolt.RVec3(centre, 0, 0), mass, about);
+  const body = moving(system, shape, new Jolt.RVec3(centre, 0, offset), mass, about);
   const hinge = new Jolt.HingeConstraintSettings();
   hinge.mSpace = Jolt.EConstraintSpace_WorldSpace;
   for (const side of [1, 2]) {
@@ -98,11 +98,12 @@ function pendulum({ mass, centre, inertia, lever, radius, rotor }, phase) {
   system.AddConstraint(hinge.Create(stop, body));
   const bodies = system.GetBodyInterface();
   const turned = new Jolt.Quat(0, -Math.sin(angle / 2), 0, Math.cos(angle / 2));
-  const place = new Jolt.RVec3(centre * Math.cos(angle), 0, centre * Math.sin(angle));
+  const [x, z] = [centre * Math.cos(angle) - offset * Math.sin(angle), centre * Math.sin(angle) + offset * Math.cos(angle)];
+  const place = new Jolt.RVec3(x, 0, z);
   bodies.SetPositionAndRotation(body.GetID(), place, turned, Jolt.EActivation_Activate);
   const rate = -speed / lever;
   bodies.SetAngularVelocity(body.GetID(), new Jolt.Vec3(0, -rate, 0));
-  const along = new Jolt.Vec3(-rate * centre * Math.sin(angle), 0, rate * centre * Math.cos(angle));
+  const along = new Jolt.Vec3(-rate * z, 0, rate * x);
   bodies.SetLinearVelocity(body.GetID(), along);
   const height = () => 2 * lever * Math.asin(-body.GetRotation().GetY());
   return watch(jolt, () => -body.GetAngularVelocity().GetY() * lever, () => -height());

@@ -39,7 +39,7 @@ def pendulum(parameters, solver, pendulum, speed):
     i = pendulum.inertia
     body = (
         f'<joint type="hinge" axis="0 -1 0" armature="{pendulum.rotor!r}"/>'
-        f'<inertial pos="{pendulum.centre!r} 0 0" mass="{pendulum.mass!r}" diaginertia="{i!r} {i!r} {i!r}"/>'
+        f'<inertial pos="{pendulum.centre!r} 0 {pendulum.offset!r}" mass="{pendulum.mass!r}" diaginertia="{i!r} {i!r} {i!r}"/>'
         f'<geom type="sphere" size="{pendulum.radius!r}" pos="{pendulum.lever!r} 0 0" mass="0"/>'
     )
     return impacts(body, parameters, pendulum.lever, pendulum.radius, pendulum.effective_mass, speed)

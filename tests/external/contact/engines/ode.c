@@ -3,8 +3,9 @@
    ode SOLVER ITERATIONS SOFT_ERP SOFT_CFM TIME_STEP SPEED SCENE NUMBERS.. GAP..
    SOLVER step, or quick with that many iterations. SCENE and NUMBERS:
      ball MASS RADIUS
-     pendulum MASS CENTRE INERTIA_ABOUT_HINGE LEVER RADIUS
-     four-bar RADIUS X Y, three bodies: MASS INERTIA X Y VX VY RATE, four hinges: BODY BODY X Y (-1: the ground)
+     pendulum MASS CENTRE OFFSET INERTIA_ABOUT_CENTRE LEVER RADIUS
+     linkage BODIES HINGES RADIUS X Y, of each body MASS INERTIA X Y VX VY RATE (the second is struck), of each hinge BODY BODY X Y (-1: the
+       ground)
    For each GAP (m, at the start) a line: speed of rebound over SPEED, deepest penetration. */
 #include <math.h>
 #include <ode/ode.h>
@@ -12,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BODIES = 3, HINGES = 4, STRUCK = 1, MOST = 3 + 7 * BODIES + 4 * HINGES };
+enum { STRUCK = 1, BODIES = 8, MOST = 128 };
 
 static dWorldID world;
 static dSpaceID space;
@@ -62,7 +63,9 @@ int main(int count, char **words) {
   erp = atof(words[3]), cfm = atof(words[4]);
   double h = atof(words[5]), v = atof(words[6]);
   const char *scene = words[7];
-  int first = 8 + (!strcmp(scene, "ball") ? 2 : !strcmp(scene, "pendulum") ? 5 : MOST);
+  int linkage = !strcmp(scene, "linkage"), bodies = linkage ? atoi(words[8]) : 0, hinges = linkage ? atoi(words[9]) : 0;
+  int first = 8 + (!strcmp(scene, "ball") ? 2 : !strcmp(scene, "pendulum") ? 6 : 5 + 7 * bodies + 4 * hinges);
+  if (bodies > BODIES || first - 8 > MOST) return 2;
   dInitODE();
   for (int at = first; at < count; at++) {
     double gap = atof(words[at]), n[MOST] = {0};
@@ -80,27 +83,27 @@ int main(int count, char **words) {
       dBodySetLinearVel(struck, 0, 0, -v);
       point[0] = point[1] = point[2] = 0, up[2] = 1;
     } else if (!strcmp(scene, "pendulum")) {
-      double about_centre = n[2] - n[0] * n[1] * n[1], lever = n[3], radius = n[4];
-      struck = body(n[0], about_centre, n[1], 0, 0);
+      double lever = n[4], radius = n[5];
+      struck = body(n[0], n[3], n[1], 0, n[2]);
       sphere(struck, radius, lever, 0, 0);
       hinge(struck, 0, 0, 0, 0, 0, -1, 0);
       dCreatePlane(space, 0, 0, 1, -radius - gap);
       dBodySetAngularVel(struck, 0, v / lever, 0);
-      dBodySetLinearVel(struck, 0, 0, -v / lever * n[1]);
-      point[0] = lever - n[1], point[1] = point[2] = 0, up[2] = 1, own_joints = 1;
+      dBodySetLinearVel(struck, v / lever * n[2], 0, -v / lever * n[1]);
+      point[0] = lever - n[1], point[1] = 0, point[2] = -n[2], up[2] = 1, own_joints = 1;
     } else {
-      double *b = n + 3, *j = b + 7 * BODIES;
+      double *l = n + 2, *b = l + 3, *j = b + 7 * bodies;
       dBodyID made[BODIES];
-      for (int i = 0; i < BODIES; i++, b += 7) {
+      for (int i = 0; i < bodies; i++, b += 7) {
         made[i] = body(b[0], b[1], b[2], b[3], 0);
         dBodySetLinearVel(made[i], b[4], b[5], 0), dBodySetAngularVel(made[i], 0, 0, b[6]);
       }
-      for (int i = 0; i < HINGES; i++, j += 4) hinge(made[(int)j[0]], j[1] < 0 ? 0 : made[(int)j[1]], j[2], j[3], 0, 0, 0, 1);
+      for (int i = 0; i < hinges; i++, j += 4) hinge(made[(int)j[0]], j[1] < 0 ? 0 : made[(int)j[1]], j[2], j[3], 0, 0, 0, 1);
       struck = made[STRUCK];
-      sphere(struck, n[0], n[1], n[2], 0);
-      dCreatePlane(space, 0, 1, 0, n[2] - n[0] - gap);
+      sphere(struck, l[0], l[1], l[2], 0);
+      dCreatePlane(space, 0, 1, 0, l[2] - l[0] - gap);
       const dReal *centre = dBodyGetPosition(struck);
-      point[0] = n[1] - centre[0], point[1] = n[2] - centre[1], point[2] = 0, up[1] = 1, own_joints = 2;
+      point[0] = l[1] - centre[0], point[1] = l[2] - centre[1], point[2] = 0, up[1] = 1, own_joints = dBodyGetNumJoints(struck);
     }
     double speed = 0;
     int touched = 0;

@@ -27,13 +27,15 @@ def ball(parameters, solver, ball, speed):
 
 
 def pendulum(parameters, solver, pendulum, speed):
-    inertia = pendulum.effective_mass * pendulum.lever**2
     p = pendulum
-    return run(parameters, solver, speed, "pendulum", p.mass, p.centre, inertia, p.lever, p.radius)
+    return run(parameters, solver, speed, "pendulum", p.mass, p.centre, p.offset, p.turning_inertia, p.lever, p.radius)
 
 
 def four_bar(parameters, solver, four_bar, speed):
-    return run(parameters, solver, speed, "four-bar", *_built.four_bar(four_bar, speed))
+    return run(parameters, solver, speed, "linkage", *_built.linkage(four_bar, speed))
+
+
+linkage = four_bar
 
 
 def stop(parameters, solver, stop, speed):

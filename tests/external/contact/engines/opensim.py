@@ -48,7 +48,7 @@ def pendulum(parameters, solver, pendulum, speed):
     def build(model):
         about = pendulum.inertia
         inertia = opensim.Inertia(about, about, about + pendulum.rotor, 0, 0, 0)
-        body = opensim.Body("struck", pendulum.mass, opensim.Vec3(pendulum.centre, 0, 0), inertia)
+        body = opensim.Body("struck", pendulum.mass, opensim.Vec3(pendulum.centre, pendulum.offset, 0), inertia)
         joint = opensim.PinJoint("joint", model.getGround(), opensim.Vec3(0), opensim.Vec3(0), body, opensim.Vec3(0), opensim.Vec3(0))
         return body, joint, opensim.Vec3(pendulum.lever, 0, 0)
 

@@ -76,7 +76,7 @@ BODY = """    def Xform "Body$NUMBER" (prepend apiSchemas = ["PhysicsRigidBodyAP
         quatd xformOp:orient = ($W, 0, $TURN, 0)
         uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:orient"]
         float physics:mass = $MASS
-        point3f physics:centerOfMass = ($CENTRE, 0, 0)
+        point3f physics:centerOfMass = ($CENTRE, 0, $OFFSET)
         float3 physics:diagonalInertia = ($IX, $IY, $IZ)
         quatf physics:principalAxes = (1, 0, 0, 0)
         vector3f physics:velocity = ($VX, $VY, $VZ)
@@ -177,7 +177,7 @@ def ball(parameters, solver, ball, speed):
     def body(height):
         about = 0.4 * ball.mass * ball.radius**2
         return {
-            "X": 0, "Z": ball.radius + height, "W": 1, "TURN": 0, "MASS": ball.mass, "CENTRE": 0,
+            "X": 0, "Z": ball.radius + height, "W": 1, "TURN": 0, "MASS": ball.mass, "CENTRE": 0, "OFFSET": 0,
             "IX": about, "IY": about, "IZ": about, "VX": 0, "VZ": -speed, "SPIN": 0, "RADIUS": ball.radius, "LEVER": 0,
         }
 
@@ -192,8 +192,9 @@ def pendulum(parameters, solver, pendulum, speed):
         rate = -speed / pendulum.lever
         return {
             "X": 0, "Z": 0, "W": math.cos(angle / 2), "TURN": -math.sin(angle / 2), "MASS": pendulum.mass,
-            "CENTRE": pendulum.centre, "IX": about, "IY": about + pendulum.rotor, "IZ": about,
-            "VX": -rate * pendulum.centre * math.sin(angle), "VZ": rate * pendulum.centre * math.cos(angle),
+            "CENTRE": pendulum.centre, "OFFSET": pendulum.offset, "IX": about, "IY": about + pendulum.rotor, "IZ": about,
+            "VX": -rate * (pendulum.centre * math.sin(angle) + pendulum.offset * math.cos(angle)),
+            "VZ": rate * (pendulum.centre * math.cos(angle) - pendulum.offset * math.sin(angle)),
             "SPIN": math.degrees(-rate), "RADIUS": pendulum.radius, "LEVER": pendulum.lever,
         }
 
@@ -204,9 +205,12 @@ def pendulum(parameters, solver, pendulum, speed):
 
 
 def four_bar(parameters, solver, four_bar, speed):
-    """Rigid bodies on hinges. The origin is the struck body's centre of mass, where its place is known best. Not as slow as elsewhere: at
-    2 mm/s the travel of a step is that of its places' rounding, and −0.1 to 0.7 come of 0.5."""
-    speed *= FASTER
+    """Faster than elsewhere: at 2 mm/s the travel of a step is that of its places' rounding, and −0.1 to 0.7 come of 0.5."""
+    return linkage(parameters, solver, four_bar, FASTER * speed)
+
+
+def linkage(parameters, solver, four_bar, speed):
+    """Rigid bodies on hinges. The origin is the struck body's centre of mass, where its place is known best."""
     step, stiffness = parameters["dt"], parameters["compliant_contact_stiffness"]
     kind, damping = solver
     turns = ITERATIONS
@@ -258,7 +262,7 @@ def stop(parameters, solver, stop, speed):
         at = angle + stop.end * (FLIGHT + phase) * step * speed
         lower, upper = (-180.0, math.degrees(at)) if stop.end > 0 else (math.degrees(at), 180.0)
         document += fill(BODY, {
-            "NUMBER": number, "X": 0, "Y": 0, "Z": number * APART, "W": 1, "TURN": 0, "MASS": body.mass, "CENTRE": arm,
+            "NUMBER": number, "X": 0, "Y": 0, "Z": number * APART, "W": 1, "TURN": 0, "MASS": body.mass, "CENTRE": arm, "OFFSET": 0,
             "IX": body.inertia, "IY": body.inertia, "IZ": body.inertia + rotor, "VX": 0, "VY": rate * arm, "VZ": 0, "SPIN": 0,
             "TURNING": math.degrees(rate), "RADIUS": 0.01, "LEVER": 0, "POSITION_TURNS": ITERATIONS[0], "VELOCITY_TURNS": ITERATIONS[1],
         })

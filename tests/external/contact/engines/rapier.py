@@ -42,13 +42,13 @@ def impacts(parameters, speed, **what):
 
 def ball(parameters, solver, ball, speed):
     inertia = 0.4 * ball.mass * ball.radius**2
-    body = {"mass": ball.mass, "radius": ball.radius, "inertia": inertia, "centre": 0.0, "lever": 0.0, "rotor": 0.0}
+    body = {"mass": ball.mass, "radius": ball.radius, "inertia": inertia, "centre": 0.0, "offset": 0.0, "lever": 0.0, "rotor": 0.0}
     return impacts(parameters, speed, joint=None, **body)
 
 
 def pendulum(parameters, solver, pendulum, speed):
     p = pendulum
-    body = {"mass": p.mass, "radius": p.radius, "inertia": p.inertia, "centre": p.centre, "lever": p.lever, "rotor": p.rotor}
+    body = {"mass": p.mass, "radius": p.radius, "inertia": p.inertia, "centre": p.centre, "offset": p.offset, "lever": p.lever, "rotor": p.rotor}
     return impacts(parameters, speed, joint=solver, **body)
 
 

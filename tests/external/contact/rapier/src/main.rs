@@ -40,14 +40,18 @@ fn impact(request: &Value, gap: f64) -> [f64; 2] {
     world.insert(floor, surface(ColliderBuilder::cuboid(9.0, 9.0, 1.0)));
 
     let inertia = number("inertia") + if multibody { 0.0 } else { number("rotor") };
-    let centre = Vector::new(number("centre"), 0.0, 0.0);
+    let centre = Vector::new(number("centre"), 0.0, number("offset"));
     let rate = if joint.is_some() { speed / lever } else { 0.0 };
     let mass = MassProperties::new(centre, number("mass"), Vector::new(inertia, inertia, inertia));
-    let velocity = if joint.is_some() { -rate * number("centre") } else { -speed };
+    let velocity = if joint.is_some() {
+        Vector::new(rate * number("offset"), 0.0, -rate * number("centre"))
+    } else {
+        Vector::new(0.0, 0.0, -speed)
+    };
     let body = RigidBodyBuilder::dynamic()
         .additional_mass_properties(mass)
         .can_sleep(false)
-        .linvel(Vector::new(0.0, 0.0, velocity))
+        .linvel(velocity)
         .angvel(Vector::new(0.0, rate, 0.0));
     let sphere = ColliderBuilder::ball(radius).translation(Vector::new(lever, 0.0, 0.0));
     let (struck, _) = world.insert(body, surface(sphere));
