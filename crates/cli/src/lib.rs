@@ -4,43 +4,13 @@
 //! result; 2: invalid input or usage.
 
 mod args;
-mod check;
-mod compare;
-mod csv;
-mod damp;
-mod diagnostics;
-mod ellipsoid;
-mod escape;
-mod explanation;
-mod failure;
-mod html;
-mod import;
-mod import_picture;
-mod import_text;
-mod init;
-mod limits;
-mod map;
-mod map_files;
-mod mass;
-mod output;
-mod own_files;
-mod parquet_rows;
-mod picture;
-mod report;
-mod report_page;
-mod run;
-mod safe_speed;
-mod sweep;
-mod sweep_figure;
-mod sweep_rows;
-mod table_style;
-mod template;
-mod text;
-mod wrap;
-mod xlsx_rows;
+mod commands;
+mod files;
+mod pictures;
+mod terminal;
 
 /// Surface of a map, for other user interfaces.
-pub use map_files::skin as map_skin;
+pub use pictures::map_files::skin as map_skin;
 
 use args::{Cli, Command, asked_of, short_help};
 use clap::FromArgMatches;

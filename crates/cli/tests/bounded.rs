@@ -6,12 +6,10 @@
 
 #![cfg(unix)]
 
-mod support;
-
+use crate::support::{Outcome, Scratch, root};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::process::Command;
-use support::{Outcome, Scratch, root};
 
 /// Address space, kB.
 const MEMORY: usize = 1_500_000;

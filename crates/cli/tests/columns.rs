@@ -3,9 +3,7 @@
 //! can be copied. Exceptions are sheets, models, and tables as CSV and JSON, which are files for programs, and the
 //! snippets of `--for`, which follow the syntax of the simulator.
 
-mod support;
-
-use support::{Outcome, Scratch, percuss, root};
+use crate::support::{Outcome, Scratch, percuss, root};
 use unicode_width::UnicodeWidthStr;
 
 const COLUMNS: usize = 80;

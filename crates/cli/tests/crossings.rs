@@ -1,10 +1,8 @@
 //! Change points: the limits of m̄ along the branches, compared with closed forms, and the other findings about the
 //! loops there.
 
-mod support;
-
+use crate::support::{Scratch, json, percuss, root};
 use serde_json::Value;
-use support::{Scratch, json, percuss, root};
 
 /// Link of a parallelogram: mass, centre of mass on the x axis, moment of inertia.
 fn link(name: &str, mass: f64, x: f64, inertia: f64) -> String {

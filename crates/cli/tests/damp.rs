@@ -1,10 +1,8 @@
 //! `percuss damp`: the damper for a given restitution, compared with closed forms; additional results of a model;
 //! refusals.
 
-mod support;
-
+use crate::support::{Scratch, Sweep, json, percuss, root};
 use serde_json::Value;
-use support::{Scratch, Sweep, json, percuss, root};
 
 const STOP: &str = "--link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis";
 const WISHBONE: &str = "models/double_wishbone.urdf";

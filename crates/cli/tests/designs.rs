@@ -1,9 +1,7 @@
 //! Comparisons of designs; safe speeds for other limits, in other directions, along a path.
 
-mod support;
-
+use crate::support::{Scratch, Sweep, json, percuss, refused, root};
 use serde_json::Value;
-use support::{Scratch, Sweep, json, percuss, refused, root};
 
 const STOP: &str = "--link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis";
 const SHEETS: &str = "models/suspensions/double-wishbone.toml models/suspensions/double-wishbone-rods.toml";

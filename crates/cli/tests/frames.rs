@@ -1,9 +1,7 @@
 //! Contact points given in another frame than that of the contact link: pose of the conversion, and effect in a
 //! sweep.
 
-mod support;
-
-use support::{Scratch, Sweep, json, percuss, percuss_with_stdin, root};
+use crate::support::{Scratch, Sweep, json, percuss, percuss_with_stdin, root};
 
 const FOUR_BAR: &str = "models/four_bar.urdf --link coupler --normal 0,1,0";
 const WISHBONE: &str = "models/double_wishbone.urdf --link bump_stop_pad --along-line bump_stop:0,0,0 --turning-normal --against chassis";

@@ -1,9 +1,7 @@
 //! Names, paths and lines of files that contain terminal commands or imitate lines of the output.
 
-mod support;
-
+use crate::support::{Outcome, Scratch, command};
 use std::process::Stdio;
-use support::{Outcome, Scratch, command};
 
 /// A new line that imitates a result; the C1 control sequence introducer; reversed text; zero-width characters.
 const HOSTILE: [&str; 4] =

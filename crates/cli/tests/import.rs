@@ -1,8 +1,6 @@
 //! `percuss import`: usable models from all templates, flags, refusals. The hardpoints are invented round values.
 
-mod support;
-
-use support::{Outcome, Scratch, json, percuss, percuss_with_stdin, root};
+use crate::support::{Outcome, Scratch, json, percuss, percuss_with_stdin, root};
 
 const SPINDLE: &str = r#""Spindle": {"Mass": 2, "COM": [0, 0.9, -0.02], "Inertia": [0.02, 0.03, 0.025]}, "Axle": {"Inertia": 0.01}"#;
 const UPRIGHT: &str = r#""Upright": {"Mass": 3, "COM": [0.01, 0.8, 0], "Inertia": [0.05, 0.04, 0.03]}"#;

@@ -1,9 +1,8 @@
 //! `percuss init` for every model of the repository: the study runs unchanged, and with all its suggestions.
 
-mod support;
-
+use crate::support;
+use crate::support::{Scratch, command, percuss, root};
 use std::fs;
-use support::{Scratch, command, percuss, root};
 
 /// Files of a folder with the given ending.
 fn shipped(folder: &str, ending: &str) -> Vec<String> {

@@ -1,8 +1,6 @@
 //! The rules for numbers at every flag and file that takes them: each rule breaks each entry point once.
 
-mod support;
-
-use support::{Scratch, percuss};
+use crate::support::{Scratch, percuss};
 
 /// A command with `@` where the number or the vector stands, and how many numbers are expected there.
 struct Entry {

@@ -1,8 +1,6 @@
 //! Contacts of closed linkages on the command line: driving joints, assembly modes, holds, estimates.
 
-mod support;
-
-use support::{Scratch, json, percuss, root};
+use crate::support::{Scratch, json, percuss, root};
 
 const COUPLER: &str = "mass models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
 const ROCKER: &str = "mass models/four_bar.urdf --link rocker --point -0.25,0.6,0 --normal 12,5,0";

@@ -1,10 +1,8 @@
 //! Corpus of `tests/malformed` on the command line: exit code 2, a message with its position, bounded time and
 //! memory.
 
-mod support;
-
+use crate::support::{Outcome, command, percuss, percuss_with_stdin, root};
 use std::time::{Duration, Instant};
-use support::{Outcome, command, percuss, percuss_with_stdin, root};
 
 /// Less than a second on an idle machine; the limit detects a hang.
 const PATIENCE: Duration = Duration::from_secs(20);

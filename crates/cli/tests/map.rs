@@ -1,11 +1,9 @@
 //! `percuss map` compared with `percuss mass` and with a closed form; contents of its files.
 
-mod support;
-
+use crate::support::{json, percuss, root};
 use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;
-use support::{json, percuss, root};
 
 const ARM: &str = "models/shaped_arm.urdf";
 const POSE: &str = "--set shoulder=-40deg --set elbow=70deg";

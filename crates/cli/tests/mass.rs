@@ -1,8 +1,6 @@
 //! `percuss mass` and `percuss check`: output that scripts rely on, and messages for mistakes.
 
-mod support;
-
-use support::{command, json, percuss, percuss_with_stdin, root};
+use crate::support::{command, json, percuss, percuss_with_stdin, root};
 
 const PENDULUM: &str = "mass models/point_mass_pendulum.urdf --link rod --point 0,0,-0.8 --normal 1,0,0";
 const ARM: &str = "mass models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1";

@@ -1,9 +1,8 @@
 //! Models of the repository: every command in a model's head gives the value stated in its comments, and every study
 //! runs.
 
-mod support;
-
-use support::{Scratch, Sweep, json, percuss, root};
+use crate::support;
+use crate::support::{Scratch, Sweep, json, percuss, root};
 
 /// Names of the files in `models` with this ending, sorted.
 fn shipped(ending: &str) -> Vec<String> {

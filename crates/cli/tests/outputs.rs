@@ -1,13 +1,12 @@
 //! Written files: after any end of a run, a file is old or new, never partial. Inputs and foreign files are unchanged.
 
-mod support;
-
+use crate::support;
+use crate::support::{Scratch, command, percuss};
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use std::fs;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
-use support::{Scratch, command, percuss};
 
 const SWEEP: &str = "sweep models/point_mass_pendulum.urdf --link rod --point 0,0,-0.8 --normal 1,0,0";
 const RANGES: [&str; 2] = ["hinge=0:30deg:400", "hinge=0:60deg:300"];

@@ -1,11 +1,10 @@
 //! A user's suspension from an empty folder to a report, with the messages for mistakes on the way.
 
-mod support;
-
+use crate::support;
+use crate::support::{Outcome, Scratch, Sweep, command};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use support::{Outcome, Scratch, Sweep, command};
 
 /// Runs the command in a folder, with the given arguments.
 fn run(folder: &Scratch, words: &[&str]) -> Outcome {

@@ -1,8 +1,6 @@
 //! Pages agree with the commands: every line under a `$ percuss …` occurs in the output, in the same order.
 
-mod support;
-
-use support::{assert_page_shows_what_is_printed, root};
+use crate::support::{assert_page_shows_what_is_printed, root};
 
 #[test]
 fn the_pages_show_what_is_printed() {

@@ -1,10 +1,8 @@
 //! The same question for other poses and designs: travels and pose files, changed masses and hardpoints,
 //! sensitivities of a result, motion ratios.
 
-mod support;
-
+use crate::support::{Scratch, Sweep, json, percuss, refused, root};
 use serde_json::Value;
-use support::{Scratch, Sweep, json, percuss, refused, root};
 
 /// Sheets of one corner, and the contact at the bump stop.
 const CORNERS: [&str; 6] =

@@ -1,11 +1,10 @@
 //! Report of a study: one self-contained page with the numbers of the result.
 
-mod support;
-
+use crate::support;
+use crate::support::{Scratch, percuss, root};
 use base64::Engine;
 use sha2::{Digest, Sha256};
 use std::fs;
-use support::{Scratch, percuss, root};
 
 /// Decoded pictures of a page.
 fn pictures(page: &str) -> Vec<String> {

@@ -1,8 +1,6 @@
 //! `percuss run`: a study acts like the flags; mistakes in a study are reported with their position.
 
-mod support;
-
-use support::{Scratch, Sweep, percuss, percuss_with_stdin, root};
+use crate::support::{Scratch, Sweep, percuss, percuss_with_stdin, root};
 
 /// Study of a model of the repository, with an absolute path.
 fn study(model: &str, contact: &str, more: &str) -> String {

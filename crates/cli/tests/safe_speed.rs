@@ -1,8 +1,6 @@
 //! `percuss safe-speed`: the transient contact in closed form, and refusals.
 
-mod support;
-
-use support::{Scratch, json, percuss, root};
+use crate::support::{Scratch, json, percuss, root};
 
 const ARM: &str =
     "safe-speed models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 1,0,0 --set elbow=70deg";

@@ -1,10 +1,8 @@
 //! Models of up to 60,000 links, on Unix within 1.5 GB of address space: a result, without an abort.
 
-mod support;
-
+use crate::support::Outcome;
 use std::fmt::Write;
 use std::process::Command;
-use support::Outcome;
 
 const LINK: &str = r#"<inertial><origin xyz="0.5 0 0"/><mass value="1"/><inertia ixx="0.01" iyy="0.09" izz="0.09" ixy="0" ixz="0" iyz="0"/></inertial>"#;
 

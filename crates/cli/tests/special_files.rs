@@ -2,13 +2,11 @@
 
 #![cfg(unix)]
 
-mod support;
-
+use crate::support::{Outcome, Scratch, command, percuss, root};
 use std::fs;
 use std::os::unix::fs::symlink;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
-use support::{Outcome, Scratch, command, percuss, root};
 
 const CONTACT: &str = "--link rod --point 0,0,-0.8 --normal 1,0,0";
 const MODEL: &str = "models/point_mass_pendulum.urdf";

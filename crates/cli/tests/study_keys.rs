@@ -1,11 +1,10 @@
 //! Keys of a study: every misspelt key is refused with the correct key and the line; the page about studies lists all
 //! keys.
 
-mod support;
-
+use crate::support;
+use crate::support::{Scratch, command, percuss, root};
 use serde_json::Value;
 use std::collections::BTreeSet;
-use support::{Scratch, command, percuss, root};
 
 /// Keys of a table of the schema as pairs of table path (dotted) and key, including the tables below.
 fn keys(schema: &Value, path: &str, found: &mut Vec<(String, String)>) {

@@ -1,8 +1,7 @@
 //! `percuss sweep`: columns, varied joints, unreachable rows, output files.
 
-mod support;
-
-use support::{Scratch, Sweep, json, percuss};
+use crate::support;
+use crate::support::{Scratch, Sweep, json, percuss};
 
 const COUPLER: &str = "sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
 const STOP: &str = "sweep models/double_wishbone.urdf --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --turning-normal \

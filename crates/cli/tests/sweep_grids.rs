@@ -1,8 +1,6 @@
 //! Grids, position files and random positions: every row equals the result of `percuss mass`.
 
-mod support;
-
-use support::{Scratch, Sweep, json, percuss, percuss_with_stdin};
+use crate::support::{Scratch, Sweep, json, percuss, percuss_with_stdin};
 
 const ARM: &str = "models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1 --normal-frame world";
 const COUPLER: &str = "models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";

@@ -1,8 +1,7 @@
 //! Position files: columns, units, errors with their positions.
 
-mod support;
-
-use support::{Scratch, Sweep, json, percuss, percuss_with_stdin};
+use crate::support;
+use crate::support::{Scratch, Sweep, json, percuss, percuss_with_stdin};
 
 const PLANAR: &str = "models/planar_2r.urdf";
 const COUPLER: &str = "sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";

@@ -1,7 +1,6 @@
 //! Sweeps from and to Parquet: the same rows as with CSV for files of all kinds, and refusals.
 
-mod support;
-
+use crate::support::{Scratch, Sweep, percuss, percuss_with_stdin, root};
 use parquet::basic::{Compression, Encoding, LogicalType, Repetition, TimeUnit, Type as Physical};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DoubleType, FloatType, Int32Type, Int64Type};
 use parquet::file::properties::{WriterProperties, WriterPropertiesBuilder, WriterVersion};
@@ -16,7 +15,6 @@ use rand::{Rng, SeedableRng};
 use std::cell::Cell;
 use std::fs::File;
 use std::sync::Arc;
-use support::{Scratch, Sweep, percuss, percuss_with_stdin, root};
 
 const COUPLER: &str = "sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
 const STOP: &str = "sweep models/double_wishbone.urdf --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 \

@@ -1,13 +1,11 @@
 //! Rows of a sweep: written during the computation, in bounded memory and work. Messages about the flags of a sweep.
 
-mod support;
-
+use crate::support::{Scratch, Sweep, command, percuss, percuss_with_stdin, root};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::{Fault, GivenPosition, Names, StudyError, StudyFile, Vary, sweep_report};
 use std::io::{BufRead, BufReader};
 use std::process::Stdio;
-use support::{Scratch, Sweep, command, percuss, percuss_with_stdin, root};
 
 const COUPLER: &str = "sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
 

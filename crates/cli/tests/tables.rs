@@ -1,9 +1,8 @@
 //! Tables and figures for further use: units, rounding, decimal commas, workbooks, PDF.
 
-mod support;
-
+use crate::support;
+use crate::support::{Scratch, Sweep, percuss};
 use std::io::Read;
-use support::{Scratch, Sweep, percuss};
 
 const LINE: &str = "sweep models/double_wishbone.urdf --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 \
      --against chassis --vary travel:wheel_centre:0,0,0:0,0,1=-50mm:50mm:21";

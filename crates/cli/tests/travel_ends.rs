@@ -1,12 +1,10 @@
 //! Travels beyond the dead centre of the joint that drives them first: four-bars whose rocker pin moves on where the crank
 //! or the coupler turns back, against the closed form.
 
-mod support;
-
+use crate::support::{Outcome, Scratch, command};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use serde_json::Value;
 use std::fs;
-use support::{Outcome, Scratch, command};
 
 /// Steps of the scan from the drawn pose to the requested one.
 const STEPS: i32 = 2000;

@@ -1,11 +1,9 @@
 //! Paths, files and shells on Windows. packaging/windows.sh tests the behaviour that needs a console.
 #![cfg(windows)]
 
-mod support;
-
+use crate::support::{Outcome, Scratch, command, percuss, root};
 use std::fs::{self, OpenOptions};
 use std::os::windows::fs::OpenOptionsExt;
-use support::{Outcome, Scratch, command, percuss, root};
 
 const PENDULUM: &str = "--link rod --point 0,0,-0.8 --normal 1,0,0";
 

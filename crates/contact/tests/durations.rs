@@ -2,10 +2,8 @@
 
 #![allow(clippy::excessive_precision, reason = "figures stand as the other program gave them")]
 
-mod support;
-
+use crate::support::apart;
 use percuss_contact::{CompliantContact, Damper, Separation};
-use support::apart;
 
 /// p, ζ, the time of the greatest penetration and the duration where the force vanishes, in units of X/v, from the
 /// trajectory's integral in 40 digits.

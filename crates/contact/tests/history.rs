@@ -1,9 +1,7 @@
 //! The history of an impact: its ends, its turn, its loop.
 
-mod support;
-
+use crate::support::apart;
 use percuss_contact::{CompliantContact, Damper, Law, Sample, Separation};
-use support::apart;
 
 /// Every kind of trajectory: both laws, both ends, three exponents, light and heavy damping.
 fn cases() -> Vec<(Damper, CompliantContact, f64)> {

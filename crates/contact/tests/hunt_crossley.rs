@@ -2,10 +2,8 @@
 
 #![allow(clippy::excessive_precision, reason = "figures stand as the other program gave them")]
 
-mod support;
-
+use crate::support::apart;
 use percuss_contact::{CompliantContact, Damper, Law, Separation, hunt_crossley};
-use support::apart;
 
 /// a, e and 1 − e from the implicit relation in 60 digits; from a = 100 on e is 1/a to more digits than a float has.
 const REFERENCE: [(f64, f64, f64); 17] = [

@@ -1,10 +1,8 @@
 //! The closed forms against the integrated equation of motion.
 
-mod support;
-
+use crate::support::apart;
+use crate::support::integrated::{IntegratedImpact, Measured};
 use percuss_contact::{CompliantContact, Damper, Impact, Law, Separation};
-use support::apart;
-use support::integrated::{IntegratedImpact, Measured};
 
 /// From nearly dead to nearly elastic, finer than the tenths.
 const RESTITUTIONS: [f64; 11] = [0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.65, 0.8, 0.95, 0.99];

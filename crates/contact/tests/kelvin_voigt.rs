@@ -2,10 +2,8 @@
 
 #![allow(clippy::excessive_precision, reason = "figures stand as the other program gave them")]
 
-mod support;
-
+use crate::support::apart;
 use percuss_contact::{CompliantContact, Damper, Law, Separation, kelvin_voigt};
-use support::apart;
 
 const BOTH: [Separation; 2] = Separation::ALL;
 

@@ -1,11 +1,9 @@
 //! The laws as a set: names, both ways through a damper, and how far the approximations miss.
 
-mod support;
-
+use crate::support::apart;
+use crate::support::integrated::IntegratedImpact;
 use percuss_contact::{CompliantContact, ContactLawError, Damper, Law, Separation};
 use std::collections::BTreeSet;
-use support::apart;
-use support::integrated::IntegratedImpact;
 
 /// The restitution that each approximation gives where e is asked for, e = 0.1, 0.2, …, 0.9, 0.95; and the largest
 /// error among them. Four decimals, from the formulas and the exact relation by another program.

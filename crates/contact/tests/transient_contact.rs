@@ -1,11 +1,9 @@
 //! The speed at which a robot may touch a person, against the undamped impact and against figures.
 
-mod support;
-
+use crate::support::apart;
 use percuss_contact::{
     BodyRegion, CompliantContact, Damper, Separation, TransientContact, standard_robot_mass,
 };
-use support::apart;
 
 /// The standard's force is the peak force of an undamped linear contact of the two masses.
 #[test]

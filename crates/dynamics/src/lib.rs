@@ -9,82 +9,49 @@
 //! All poses are computed in the frame of the root link, also for a floating base. A mechanism ten kilometres from
 //! the world's origin therefore loses no precision. This crate reads no files and contains no contact laws.
 
-mod advance;
-mod aligned;
-mod answered;
-mod assembling;
-mod assembly;
+mod analysis;
 mod batch;
-mod careful;
-mod closing;
-mod closing_speed;
-mod conditions;
-mod configuration;
-mod contact;
-mod contact_map;
-mod displacement;
-mod driven_path;
-mod error_budget;
-mod forward_dynamics;
-mod idle;
-mod in_lanes;
-pub mod input;
-mod joint_motion;
+mod dense;
+mod error;
+mod kernels;
 mod kinematics;
-mod limits;
 mod linear;
-mod linkage;
-mod matrices;
+mod loops;
 mod mobility;
 mod model;
-mod operational_inertia;
-mod outcome;
-mod own_axes;
-mod point_velocity;
-mod pose;
-mod posing;
+mod motion;
 mod recursion;
-mod remarks;
-mod response;
-mod rigid_body;
-mod rigid_loops;
-mod routes;
-mod rows;
-mod singular;
-mod stationary;
-mod system;
-mod tangent;
 mod tolerances;
-mod travel;
-mod travel_search;
-mod union;
-mod velocities;
-mod workspace;
 
-pub use assembling::{AssemblyError, LoopState};
-pub use assembly::{Assembly, DrawnGap};
-pub use batch::{Batch, BatchAnswer, BatchError, BatchPositions};
-pub use conditions::{Base, ConditionOfJoint, Conditions, ConditionsError};
-pub use configuration::{Configuration, ConfigurationError};
-pub use contact::{Contact, ContactError, ContactPart, Direction, Frame, LocatedContact};
-pub use contact_map::{ContactColumns, ContactMap, ContactStatus, MapAnswers, MapError, PrincipalMass};
-pub use driven_path::{DrivenPath, PathAnswer};
-pub use error_budget::ErrorBudget;
-pub use forward_dynamics::{Accelerations, PointForce};
-pub use limits::BranchLimits;
-pub use matrices::{
+pub use analysis::assembly::{Assembly, DrawnGap};
+pub use analysis::pose::{Pose, PoseRank};
+pub use analysis::response::{ContactResponse, Contributions};
+pub use analysis::rigid_loops::{DepartingAxis, RigidLoops};
+pub use analysis::system::System;
+pub use batch::contact_map::{
+    ContactColumns, ContactMap, ContactStatus, MapAnswers, MapError, PrincipalMass,
+};
+pub use batch::driven_path::{DrivenPath, PathAnswer};
+pub use batch::rows::{Batch, BatchAnswer, BatchError, BatchPositions};
+pub use batch::workspace::{ScalarWorkspace, Workspace};
+pub use dense::matrices::{
     ConstraintRank, LayoutError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView,
     effective_mass,
 };
+pub use error::budget::ErrorBudget;
+pub use kinematics::contact::{Contact, ContactError, ContactPart, Direction, Frame, LocatedContact};
+pub use kinematics::outcome::{
+    CarefulReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError,
+};
+pub use kinematics::remarks::RemarkFlags;
+pub use loops::assembling::{AssemblyError, LoopState};
 pub use mobility::Singularity;
-pub use operational_inertia::InverseOperationalInertia;
-pub use outcome::{CarefulReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError};
-pub use point_velocity::PointVelocity;
-pub use pose::{Pose, PoseRank};
-pub use remarks::RemarkFlags;
-pub use response::{ContactResponse, Contributions};
-pub use rigid_loops::{DepartingAxis, RigidLoops};
-pub use system::System;
-pub use travel::{Travel, TravelError};
-pub use velocities::VelocityError;
-pub use workspace::{ScalarWorkspace, Workspace};
+pub use model::conditions::{Base, ConditionOfJoint, Conditions, ConditionsError};
+pub use model::configuration::{Configuration, ConfigurationError};
+pub use model::input;
+pub use model::velocities::VelocityError;
+pub use motion::forward_dynamics::{Accelerations, PointForce};
+pub use motion::limits::BranchLimits;
+pub use motion::operational_inertia::InverseOperationalInertia;
+pub use motion::point_velocity::PointVelocity;
+pub use motion::travel::{Travel, TravelError};

@@ -29,39 +29,15 @@
 //!
 //! This crate contains no dynamics.
 
-mod armature;
-mod closure;
-mod consistency;
-mod diagnostic;
-mod dialect;
-mod gazebo_joint;
-mod geometry;
-mod joint;
-mod limits;
-mod link;
-mod load;
-mod loops;
-mod mesh;
-mod nodes;
-mod numbers;
-mod origin;
-mod prescan;
-mod references;
-mod report;
-mod shape;
-mod source;
-mod standard;
-mod surface;
-mod survey;
 pub mod suspension;
-mod texts;
-mod transmission;
-mod write;
 
-pub use diagnostic::{Diagnostic, LoadError};
-pub use load::{KNOWN_WARNING, LoadOptions, Loaded, load};
-pub use mesh::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles, read_mesh};
-pub use shape::{Purpose, Shape, Solid};
-pub use source::{DEFAULT_MAX_SIZE, Source};
-pub use surface::{Facet, Orientation, Surface, SurfaceError};
-pub use write::{Comments, write_urdf, write_urdf_with};
+mod meshes;
+mod reading;
+mod urdf;
+pub use meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles, read_mesh};
+pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
+pub use reading::diagnostic::{Diagnostic, LoadError};
+pub use reading::source::{DEFAULT_MAX_SIZE, Source};
+pub use urdf::elements::shape::{Purpose, Shape, Solid};
+pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded, load};
+pub use urdf::write::{Comments, write_urdf, write_urdf_with};

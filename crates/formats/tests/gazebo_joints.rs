@@ -1,11 +1,9 @@
 //! SDF joints in `<gazebo>`: complete joints are read as loops; others are refused, with the element and the line.
 
-mod support;
-
+use crate::support::{changed, codes, told};
 use percuss_formats::{LoadError, Loaded};
 use percuss_mechanism::{ClosureKind, Severity};
 use percuss_spatial::Vector3;
-use support::{changed, codes, told};
 
 /// Pendulum at a height of 1 m, turned by 0.1 rad, with a `<gazebo>`.
 fn with(gazebo: &str) -> Result<Loaded, LoadError> {

@@ -1,13 +1,11 @@
 //! Valid files give the expected numbers, and every kind of element gets the treatment of the table.
 
-mod support;
-
+use crate::support::{PENDULUM, changed, codes, load_text, told};
 use approx::assert_relative_eq;
 use percuss_formats::{LoadOptions, Source, load};
 use percuss_mechanism::{Accept, Geometry, JointKind, Limits, Mechanism, Severity};
 use percuss_spatial::{Matrix3, Vector3, rotation_about, rotation_from_rpy};
 use std::f64::consts::FRAC_PI_2;
-use support::{PENDULUM, changed, codes, load_text, told};
 
 // A few roundings of numbers of order one.
 const TOL: f64 = 1e-15 * 8.0;

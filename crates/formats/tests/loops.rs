@@ -1,12 +1,10 @@
 //! Loops, couplings and second parents give the expected closures in every notation.
 
-mod support;
-
+use crate::support::{changed, codes, load_text, told};
 use approx::assert_relative_eq;
 use percuss_formats::{LoadError, Loaded};
 use percuss_mechanism::{Closure, ClosureKind, Severity};
 use percuss_spatial::{Vector3, rotation_about, rotation_from_rpy};
-use support::{changed, codes, load_text, told};
 
 // A few roundings of numbers of order one.
 const TOL: f64 = 1e-15 * 8.0;

@@ -1,16 +1,15 @@
 //! Malformed files: the files of `tests/malformed` with one defect each, and large files generated here.
 //!
-//! `UPDATE_EXPECTED=1 cargo test -p percuss-formats --test malformed` writes the expected messages anew; check the
+//! `UPDATE_EXPECTED=1 cargo test -p percuss-formats malformed` writes the expected messages anew; check the
 //! difference.
 
-mod support;
-
+use crate::support;
+use crate::support::{PENDULUM, codes, load_text};
 use percuss_formats::{LoadError, LoadOptions, Source, load};
 use percuss_mechanism::Severity;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use support::{PENDULUM, codes, load_text};
 
 fn corpus() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/malformed")

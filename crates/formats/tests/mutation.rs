@@ -1,15 +1,14 @@
 //! Valid files with random mutations from fixed seeds: loading ends quickly with a mechanism or with errors, without
 //! a panic.
 
-mod support;
-
+use crate::support;
+use crate::support::PENDULUM;
 use percuss_formats::{LoadOptions, Source, load, write_urdf};
 use percuss_mechanism::{Accept, Severity};
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use std::ops::Range;
 use std::time::{Duration, Instant};
-use support::PENDULUM;
 
 const CASES: usize = 4_000;
 

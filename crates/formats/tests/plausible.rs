@@ -1,12 +1,10 @@
 //! Inertias that are impossible for the size of the link are found; inertias of real models are accepted.
 
-mod support;
-
+use crate::support::{load_text, told};
 use percuss_formats::{LoadOptions, Source, load};
 use percuss_mechanism::{Accept, Severity};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::path::Path;
-use support::{load_text, told};
 
 const CODE: &str = "implausible-inertia";
 

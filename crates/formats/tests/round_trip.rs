@@ -1,7 +1,6 @@
 //! Written mechanisms are read back unchanged.
 
-mod support;
-
+use crate::support::load_text;
 use approx::assert_relative_eq;
 use percuss_formats::{Comments, write_urdf, write_urdf_with};
 use percuss_mechanism::{
@@ -9,7 +8,6 @@ use percuss_mechanism::{
     LinkDescription, Mechanism, MechanismBuilder,
 };
 use percuss_spatial::{Matrix3, Transform, Vector3, rotation_from_rpy};
-use support::load_text;
 
 fn body(i: usize) -> LinkDescription {
     let x = 1.0 + i as f64 / 3.0;

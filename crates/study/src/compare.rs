@@ -1,16 +1,16 @@
 //! Comparison of one question over several designs: the result of each design and the difference from the
 //! first.
 
-use crate::error::StudyError;
-use crate::field::Names;
-use crate::mass::mass;
-use crate::mass_report::Status;
-use crate::model::{Input, Model};
-use crate::question::MassQuestion;
-use crate::record::DiagnosticRecord;
-use crate::row_source::RowSource;
-use crate::sweep::sweep_report;
-use crate::varied_values::VariedColumn;
+use crate::evaluation::status::Status;
+use crate::mass::answer_mass::mass;
+use crate::model::loading::{Input, Model};
+use crate::model::record::DiagnosticRecord;
+use crate::question::error::StudyError;
+use crate::question::field::Names;
+use crate::question::mass_question::MassQuestion;
+use crate::question::row_source::RowSource;
+use crate::question::varied_values::VariedColumn;
+use crate::sweep::sweep_rows::sweep_report;
 use percuss_mechanism::Severity;
 use serde::Serialize;
 

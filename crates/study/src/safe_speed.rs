@@ -1,14 +1,14 @@
 //! Safe speed of a robot that may hit a person, with the effective mass instead of the standard's M/2 + m_L.
 
-use crate::answer::{Answer, Answered, Prepared};
-use crate::error::StudyError;
-use crate::field::Field;
-use crate::model::{Input, Model};
-use crate::positions::Positions;
-use crate::question::{MassQuestion, Normal};
-use crate::record::DiagnosticRecord;
-use crate::row_source::RowSource;
-use crate::sweep::Sweep;
+use crate::evaluation::answer::{Answer, Answered, Prepared};
+use crate::model::loading::{Input, Model};
+use crate::model::record::DiagnosticRecord;
+use crate::pose::positions::Positions;
+use crate::question::error::StudyError;
+use crate::question::field::Field;
+use crate::question::mass_question::{MassQuestion, Normal};
+use crate::question::row_source::RowSource;
+use crate::sweep::sweep_rows::Sweep;
 use percuss_contact::{BodyRegion, ContactLawError, SafeSpeed, TransientContact, standard_robot_mass};
 use percuss_dynamics::{Base, EffectiveMass, Frame};
 use percuss_mechanism::{

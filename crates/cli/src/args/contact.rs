@@ -2,7 +2,7 @@
 
 use super::headings::{BESIDE, CONDITIONS, CONTACT, POSE};
 use super::words::{armature, estimate, hold, kilograms, line, normal, point, position, ratio_at, travel};
-use crate::failure::Failure;
+use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_dynamics::{Base, Frame};
 use percuss_formats::DEFAULT_MAX_SIZE;

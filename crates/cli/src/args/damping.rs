@@ -8,7 +8,7 @@ use super::words::{
     pressure, ratio, speed, stiffness, time, tools,
 };
 use super::writing::WritingArgs;
-use crate::failure::Failure;
+use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_study::contact::Separation;
 use percuss_study::contact::exports::Options;

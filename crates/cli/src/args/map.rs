@@ -3,7 +3,7 @@
 use super::headings::{OUTPUT, READING};
 use super::words::{edge, package};
 use super::{ContactArgs, MassFormat, ModelArgs, TableArgs, WritingArgs};
-use crate::failure::Failure;
+use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_formats::DEFAULT_MAX_MESH_SIZE;
 use percuss_study::{MapLinks, MapQuestion, MapShapes};

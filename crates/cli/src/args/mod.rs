@@ -27,7 +27,7 @@ pub use short_help::{asked_of, short_help};
 pub use table::{FigureArgs, TableArgs};
 pub use writing::WritingArgs;
 
-use crate::failure::Failure;
+use crate::terminal::failure::Failure;
 use clap::builder::Resettable;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use headings::{ANSWER, BESIDE, OUTPUT};

@@ -2,7 +2,7 @@
 
 use super::headings::{CHANGES, READING};
 use super::words::{link_com, link_mass, moved_point};
-use crate::failure::Failure;
+use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
 use percuss_mechanism::Accept;

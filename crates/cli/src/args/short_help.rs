@@ -1,7 +1,7 @@
 //! What `-h` shows: one screen. The flags of a usual question are explained, the others named beside what they belong to;
 //! `--help` explains all.
 
-use crate::wrap::{hanging, lines, width};
+use crate::terminal::wrap::{hanging, lines, width};
 use clap::{Arg, Command};
 
 /// Where explanations begin.
@@ -246,7 +246,7 @@ pub fn asked_of<'c>(definition: &'c Command, arguments: &[std::ffi::OsString]) -
 mod tests {
     use super::*;
     use crate::args::Cli;
-    use crate::wrap::WIDTH;
+    use crate::terminal::wrap::WIDTH;
 
     #[test]
     fn every_command_fits_one_screen_and_names_every_flag() {

@@ -1,7 +1,7 @@
 //! How tables and figures are written.
 
 use super::headings::OUTPUT;
-use crate::table_style::TableStyle;
+use crate::files::table_style::TableStyle;
 use clap::{Args, ValueEnum};
 use percuss_study as study;
 

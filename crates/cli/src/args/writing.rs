@@ -14,6 +14,6 @@ pub struct WritingArgs {
 impl WritingArgs {
     /// Makes it so.
     pub fn apply(&self) {
-        crate::output::force(self.force);
+        crate::files::output::force(self.force);
     }
 }

@@ -1,10 +1,10 @@
 //! Division of a group's coordinates into driving and dependent ones.
 
 use super::rank::{decide, singular_values};
+use crate::kinematics::rows::GroupRows;
 use crate::linear::jacobian::Jacobian;
 use crate::linear::sparse::{SparseRows, eliminate_by_class};
 use crate::model::{Group, Model};
-use crate::rows::GroupRows;
 use crate::tolerances::{DENSE_LIMIT, INDEPENDENT_COLUMNS};
 use faer::Mat;
 use nalgebra::DMatrix;

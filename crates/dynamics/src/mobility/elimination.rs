@@ -1,11 +1,11 @@
 //! Pivot rows and dependent coordinates of a group, by complete pivoting, and the resulting rates.
 
 use super::rank::{Rank, decide, singular_values};
-use crate::kinematics::Kinematics;
+use crate::kinematics::frames::Kinematics;
+use crate::kinematics::rows::GroupRows;
 use crate::linear::dense;
 use crate::linear::sparse::{self, SparseRows};
 use crate::model::{Group, Model};
-use crate::rows::GroupRows;
 use crate::tolerances::{DENSE_LIMIT, RANK_MARGIN, SINGULAR_VALUES_LIMIT, SURE_PIVOT};
 use percuss_spatial::Scalar;
 

@@ -1,7 +1,7 @@
 //! Constraints (loops, couplings, held contacts) that contain redundant rows of A.
 
+use crate::model::union::Partition;
 use crate::tolerances::FAINT_COEFFICIENT;
-use crate::union::Partition;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use nalgebra::DMatrix;

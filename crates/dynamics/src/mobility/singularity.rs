@@ -4,10 +4,10 @@ use super::drivers::Drivers;
 use super::elimination::rank_of_rows;
 use super::rank::Rank;
 use super::{decide, singular_values};
+use crate::kinematics::rows::GroupRows;
 use crate::linear::dense::determinant_sign;
 use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
-use crate::rows::GroupRows;
 use crate::tolerances::{DEAD_CENTRE, MODE_LIMIT, NEAR_CHANGE_POINT, SINGULAR_VALUES_LIMIT};
 use std::borrow::Cow;
 

@@ -1,6 +1,6 @@
 //! Bodies, link frames and coordinates.
 
-use crate::joint_motion::JointMotion;
+use crate::model::joint_motion::JointMotion;
 use percuss_mechanism::JointId;
 use percuss_spatial::{SpatialInertia, Transform};
 use std::ops::Range;

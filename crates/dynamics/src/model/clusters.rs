@@ -2,7 +2,7 @@
 
 use super::Model;
 use super::cluster::{Cluster, ClusterGroup, ClusterVelocity};
-use crate::union::Partition;
+use crate::model::union::Partition;
 use std::collections::BTreeMap;
 
 impl Model {

@@ -2,9 +2,9 @@
 
 use super::Model;
 use super::body::{Body, Coordinate, Follows, LinkFrame, MimicPosition};
-use crate::conditions::{Base, Conditions, ConditionsError};
-use crate::joint_motion::JointMotion;
-use crate::tangent;
+use crate::model::conditions::{Base, Conditions, ConditionsError};
+use crate::model::joint_motion::JointMotion;
+use crate::model::tangent;
 use percuss_mechanism::{LinkId, Mechanism};
 use percuss_spatial::Transform;
 use std::sync::Arc;

@@ -3,7 +3,7 @@
 use super::Model;
 use super::compile::ZeroFrames;
 use super::group::{Constraint, ConstraintRows, Group, Term};
-use crate::union::Partition;
+use crate::model::union::Partition;
 use nalgebra::Vector3;
 use percuss_mechanism::JointId;
 

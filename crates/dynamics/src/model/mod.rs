@@ -4,17 +4,24 @@ mod body;
 mod cluster;
 mod clusters;
 mod compile;
+pub(crate) mod conditions;
+pub(crate) mod configuration;
 mod constraint;
 mod constraints;
 mod group;
 mod groups;
+pub mod input;
+pub(crate) mod joint_motion;
+pub(crate) mod tangent;
+pub(crate) mod union;
+pub(crate) mod velocities;
 
 pub(crate) use body::{Body, Coordinate, Follows, LinkFrame};
 pub(crate) use cluster::{Cluster, ClusterGroup};
 pub(crate) use constraint::{CompiledClosure, CompiledCoupling};
 pub(crate) use group::{Constraint, ConstraintRows, Group, Term};
 
-use crate::conditions::{Base, CompiledHold};
+use crate::model::conditions::{Base, CompiledHold};
 use percuss_mechanism::{JointId, LinkId, Mechanism};
 use std::ops::Range;
 use std::sync::Arc;

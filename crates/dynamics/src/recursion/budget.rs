@@ -1,8 +1,8 @@
 //! Work and memory of the clusters' matrices, computed before any matrix is formed.
 
+use crate::kinematics::outcome::RouteError;
 use crate::mobility::GroupMobility;
 use crate::model::{Cluster, ClusterGroup, Model};
-use crate::outcome::RouteError;
 use crate::tolerances::{CLUSTER_BYTES, CLUSTER_WORK, LARGE_CLUSTER};
 use percuss_spatial::Scalar;
 

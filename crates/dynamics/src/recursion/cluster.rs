@@ -3,7 +3,7 @@
 use super::Recursion;
 use super::elimination::{ClusterElimination, Motion};
 use super::pivoting::Pivoting;
-use crate::kinematics::Kinematics;
+use crate::kinematics::frames::Kinematics;
 use crate::mobility::{GroupMobility, Rates};
 use crate::model::{Cluster, Model};
 use crate::tolerances::LARGE_CLUSTER;

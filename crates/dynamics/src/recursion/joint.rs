@@ -4,7 +4,7 @@
 use super::Recursion;
 use super::elimination::{JointElimination, Motion};
 use super::pivoting::Pivoting;
-use crate::kinematics::Kinematics;
+use crate::kinematics::frames::Kinematics;
 use crate::model::Model;
 use nalgebra::Vector3;
 use percuss_spatial::{Scalar, Twist};

@@ -1,7 +1,7 @@
 //! Distance of the pivots followed by duals and lanes from the zero threshold, without a branch on a value.
 
 use super::Recursion;
-use crate::kinematics::Kinematics;
+use crate::kinematics::frames::Kinematics;
 use crate::mobility::GroupMobility;
 use crate::model::Model;
 use crate::tolerances::PIVOT;

@@ -16,6 +16,7 @@
 //! from DESIGN).
 
 mod budget;
+pub(crate) mod closing_speed;
 mod cluster;
 mod elimination;
 mod joint;
@@ -25,7 +26,7 @@ mod pivoting;
 pub(crate) use elimination::{ClusterElimination, JointElimination, Motion};
 pub(crate) use pivoting::{Deciding, Decisions, Following, FreeMotion, Pivoting};
 
-use crate::kinematics::Kinematics;
+use crate::kinematics::frames::Kinematics;
 use crate::mobility::GroupMobility;
 use crate::model::Model;
 use nalgebra::Vector3;

@@ -3,7 +3,7 @@
 use super::drawing::{Drawing, rounded};
 use super::findings::{Findings, Spot};
 use crate::Comments;
-use crate::limits::OFF_ITS_LINK;
+use crate::reading::limits::OFF_ITS_LINK;
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder,
 };

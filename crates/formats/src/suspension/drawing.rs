@@ -1,7 +1,7 @@
 //! Drawing of a corner: lengths for comparison with the design, lines of the picture, and implausible points.
 
 use super::findings::{Findings, Spot};
-use crate::limits::{ASTRAY, LEAST_ASTRAY, LONGEST_ARM, WRONG_SIDE};
+use crate::reading::limits::{ASTRAY, LEAST_ASTRAY, LONGEST_ARM, WRONG_SIDE};
 use percuss_spatial::Vector3;
 
 /// Length of a link: from the hinge axis to the outer point for a hinged arm, from end to end for a rod.

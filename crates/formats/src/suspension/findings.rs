@@ -2,7 +2,7 @@
 
 use super::text::line_and_column;
 use crate::Diagnostic;
-use crate::limits::MOST_FINDINGS;
+use crate::reading::limits::MOST_FINDINGS;
 use percuss_mechanism::Severity;
 
 /// Position in a file: key path and first byte.

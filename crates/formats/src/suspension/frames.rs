@@ -3,7 +3,7 @@
 //! A frame is a rotation matrix R, whose columns are the axes of the frame in vehicle coordinates; I = R I′ Rᵀ. All
 //! frames are right-handed. The result is `None` if the points do not determine the frame.
 
-use crate::limits::PARALLEL;
+use crate::reading::limits::PARALLEL;
 use percuss_spatial::{Matrix3, Vector3};
 
 /// Normalises a vector; `None` if it is zero or not finite.

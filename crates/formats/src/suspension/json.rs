@@ -1,6 +1,6 @@
 //! Parser for one level of JSON at a time. Values remain slices of the text, so their positions are known.
 
-use crate::limits::MOST_KEYS;
+use crate::reading::limits::MOST_KEYS;
 use serde::de::{Deserialize, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 use std::fmt;

@@ -29,8 +29,8 @@ mod text;
 mod understood;
 mod units;
 
-use crate::limits::LONGEST_NAME;
-use crate::report::{Place, Report, cut, quoted};
+use crate::reading::limits::LONGEST_NAME;
+use crate::reading::report::{Place, Report, cut, quoted};
 use crate::{Comments, Diagnostic, LoadError, Source};
 use corner::{About, CHASSIS, Corner, RACK};
 pub use drawing::{Line, WheelCircle};

@@ -5,7 +5,7 @@ use super::findings::{Findings, Spot};
 use super::frames;
 use super::reader::{Reader, Section};
 use super::units::VehicleAxes;
-use crate::limits::OBLIQUE_PINS;
+use crate::reading::limits::OBLIQUE_PINS;
 use percuss_mechanism::{ClosureKind, JointKind};
 use percuss_spatial::{Matrix3, Vector3};
 

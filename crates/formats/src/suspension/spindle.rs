@@ -6,7 +6,7 @@ use super::findings::{Findings, Spot};
 use super::parts::{Inertias, body, close, spanned};
 use super::reader::{Reader, Section};
 use super::{ImportOptions, Wheel, frames};
-use crate::limits::MOMENT_SLACK;
+use crate::reading::limits::MOMENT_SLACK;
 use percuss_mechanism::{JointKind, Problem};
 use percuss_spatial::{Matrix3, Vector3, rotation_about};
 

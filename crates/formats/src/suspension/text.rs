@@ -1,6 +1,6 @@
 //! JSON with comments, as in Chrono's files, and bounds on the text before the parser runs.
 
-use crate::limits::DEEPEST_JSON;
+use crate::reading::limits::DEEPEST_JSON;
 
 /// Defect of the text, and its byte offset.
 pub(super) struct TextError {

@@ -1,8 +1,8 @@
 //! Effective masses of real cars, compared with independently computed values (the first also with MuJoCo).
 
-use crate::mechanics::{place, respond};
-use crate::models::{hmmwv, sedan};
-use crate::{imported, on};
+use super::mechanics::{place, respond};
+use super::models::{hmmwv, sedan};
+use super::{imported, on};
 use nalgebra::Vector3;
 use percuss_formats::suspension::Side;
 use percuss_mechanism::Mechanism;
@@ -38,7 +38,7 @@ fn the_axle_counts_when_the_spin_is_locked() {
 #[test]
 fn a_wishbone_of_rods_is_the_wishbone_without_its_arms() {
     // The linkage is the same: with massless arms, both models have the same effective mass.
-    let weightless = crate::models::changed(
+    let weightless = super::models::changed(
         &hmmwv(),
         &[
             ("Upper Control Arm/Mass", "0"),
@@ -47,8 +47,8 @@ fn a_wishbone_of_rods_is_the_wishbone_without_its_arms() {
             ("Lower Control Arm/Moments of Inertia", "[0, 0, 0]"),
         ],
     );
-    let reduced = crate::models::changed(
-        &crate::models::double_wishbone_reduced(),
+    let reduced = super::models::changed(
+        &super::models::double_wishbone_reduced(),
         &hmmwv()
             .into_iter()
             .filter(|(key, _)| {

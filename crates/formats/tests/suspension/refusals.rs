@@ -1,7 +1,7 @@
 //! Errors and warnings of suspension files, with their messages.
 
-use crate::models::{all, changed, double_wishbone, file, macpherson_strut, multi_link, three_link_irs};
-use crate::{WHEEL, import_text, on};
+use super::models::{all, changed, double_wishbone, file, macpherson_strut, multi_link, three_link_irs};
+use super::{WHEEL, import_text, on};
 use percuss_formats::suspension::{ImportOptions, Imported, Rack, Side, import};
 use percuss_formats::{Diagnostic, LoadError, Source};
 use percuss_mechanism::Severity;

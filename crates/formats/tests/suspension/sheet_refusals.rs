@@ -1,6 +1,6 @@
 //! Errors of sheets and tables, with their positions.
 
-use crate::sheets::{Car, at_seat, sheet};
+use super::sheets::{Car, at_seat, sheet};
 use percuss_formats::suspension::{ImportOptions, LengthUnit, VehicleAxes, import};
 use percuss_formats::{Diagnostic, Source};
 use percuss_mechanism::Severity;

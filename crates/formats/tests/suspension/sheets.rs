@@ -1,7 +1,7 @@
 //! Sheets: every template unchanged, one car in all notations, closed forms.
 
-use crate::mechanics::{place, residuals, respond};
-use crate::on;
+use super::mechanics::{place, residuals, respond};
+use super::on;
 use nalgebra::{Matrix3, Vector3};
 use percuss_formats::suspension::{
     ImportOptions, Imported, LengthUnit, Side, TemplateOptions, VehicleAxes, import, template_keys,

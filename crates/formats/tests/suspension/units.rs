@@ -1,8 +1,8 @@
 //! Units and axes of Chrono's files, and implausible points.
 
-use crate::mechanics::{place, respond};
-use crate::models::{all, changed, file, hmmwv};
-use crate::{import_text, imported, on};
+use super::mechanics::{place, respond};
+use super::models::{all, changed, file, hmmwv};
+use super::{import_text, imported, on};
 use percuss_formats::suspension::{ImportOptions, LengthUnit, Side, VehicleAxes};
 use percuss_formats::{LoadOptions, Source, load, write_urdf_with};
 use percuss_mechanism::Severity;

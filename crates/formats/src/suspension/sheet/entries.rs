@@ -2,8 +2,8 @@
 
 use super::super::findings::{Findings, Spot};
 use super::super::units::{Frame, LengthUnit};
-use crate::limits::MOST_SHEET_KEYS;
-use crate::report::{quoted, shortened};
+use crate::reading::limits::MOST_SHEET_KEYS;
+use crate::reading::report::{quoted, shortened};
 use percuss_mechanism::near_names;
 use percuss_spatial::Vector3;
 

@@ -6,7 +6,7 @@ use super::super::findings::Findings;
 use super::super::options::ImportOptions;
 use super::entries::Entries;
 use super::table;
-use crate::report::quoted;
+use crate::reading::report::quoted;
 use crate::{DEFAULT_MAX_SIZE, Source};
 use std::fs;
 use std::path::Path;

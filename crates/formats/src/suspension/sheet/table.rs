@@ -9,8 +9,10 @@ use super::super::findings::{Findings, Spot};
 use super::super::units::LengthUnit;
 use super::entries::{Cell, Entries, number};
 use super::workbook;
-use crate::limits::{LARGEST_WORKBOOK, LARGEST_WORKSHEET, MOST_SHEET_KEYS, MOST_TABLE_TEXT, WIDEST_TABLE};
-use crate::report::{cut, quoted, shortened};
+use crate::reading::limits::{
+    LARGEST_WORKBOOK, LARGEST_WORKSHEET, MOST_SHEET_KEYS, MOST_TABLE_TEXT, WIDEST_TABLE,
+};
+use crate::reading::report::{cut, quoted, shortened};
 use calamine::{DataRef, Reader, Xlsx};
 use std::io::Cursor;
 

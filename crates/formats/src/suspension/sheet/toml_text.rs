@@ -2,8 +2,8 @@
 
 use super::super::findings::{Findings, Spot};
 use super::entries::{Cell, Entries};
-use crate::limits::{LARGEST_SHEET, LONGEST_NAME};
-use crate::report::shortened;
+use crate::reading::limits::{LARGEST_SHEET, LONGEST_NAME};
+use crate::reading::report::shortened;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 

@@ -1,7 +1,7 @@
 //! Limits of an XLSX workbook, checked before the library reads the workbook. The library allocates memory for the counts
 //! stated in a workbook, and copies a cell format for every cell style that refers to the format.
 
-use crate::limits::{
+use crate::reading::limits::{
     LARGEST_CELL_FORMATS, LARGEST_UNPACKED_WORKBOOK, MOST_CELL_FORMATS, MOST_WORKBOOK_PARTS,
 };
 use std::io::{Cursor, Read};

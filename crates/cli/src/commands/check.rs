@@ -1,0 +1,116 @@
+//! Command `percuss check`.
+
+use crate::args::{CheckArgs, CheckFormat};
+use crate::terminal::escape::line;
+use crate::terminal::failure::Failure;
+use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::text::{Table, number};
+use crate::terminal::wrap::hanging;
+use percuss_study::{CheckReport, check};
+use std::fmt::Write;
+
+/// Runs the command.
+pub fn run(args: &CheckArgs) -> Result<(), Failure> {
+    let model = args.model.load()?;
+    let report = check(&model)?;
+    write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
+    match args.format {
+        CheckFormat::Json => write_json(&report),
+        CheckFormat::Text => write_out(&text(&report)),
+    }
+}
+
+/// Properties of a model, one line each.
+pub fn facts(report: &CheckReport) -> [(&'static str, String); 8] {
+    let movable = report.pose.len();
+    [
+        ("mechanism", report.name.clone()),
+        ("root link", report.root.clone()),
+        ("links", format!("{} ({} kg in all)", report.links.len(), number(report.total_mass))),
+        ("joints", format!("{} ({movable} can move)", report.joints.len())),
+        ("loops", report.closures.len().to_string()),
+        ("degrees of freedom", freedom(report)),
+        ("redundant constraints", redundancy(report)),
+        ("diagnostics", summary(report)),
+    ]
+}
+
+/// Tables of links, joints and loops.
+pub struct Tables {
+    pub links: Table<3>,
+    pub joints: Table<6>,
+    pub loops: Table<4>,
+}
+
+/// Builds the tables.
+pub fn tables(report: &CheckReport) -> Tables {
+    let mut links = Table::new(["link", "mass", "centre of mass"]);
+    for link in &report.links {
+        let mass = if link.has_inertial { format!("{} kg", number(link.mass)) } else { "massless".into() };
+        let com = link.com.map_or_else(String::new, |c| crate::terminal::text::triple(&c) + " m");
+        links.row([link.name.clone(), mass, com]);
+    }
+    let mut joints = Table::new(["joint", "kind", "parent → child", "axis", "limits", "notes"]);
+    for joint in &report.joints {
+        let mut notes: Vec<String> = joint.mimics.iter().map(|m| format!("mimics {m}")).collect();
+        if joint.armature.iter().any(|a| *a > 0.0) {
+            let values: Vec<String> = joint.armature.iter().map(|a| number(*a)).collect();
+            notes.push(format!("armature {}", values.join(", ")));
+        }
+        joints.row([
+            joint.name.clone(),
+            joint.kind.to_owned(),
+            format!("{} → {}", joint.parent, joint.child),
+            joint.axis.map_or_else(String::new, |a| crate::terminal::text::triple(&a)),
+            joint.limits.map_or_else(String::new, |[l, u]| format!("{} … {}", number(l), number(u))),
+            notes.join("; "),
+        ]);
+    }
+    let mut loops = Table::new(["loop", "kind", "predecessor → successor", "rows"]);
+    for closure in &report.closures {
+        let kind =
+            closure.ratio.map_or(closure.kind.to_owned(), |r| format!("{} {}", closure.kind, number(r)));
+        let ends = format!("{} → {}", closure.predecessor, closure.successor);
+        loops.row([closure.name.clone(), kind, ends, closure.rows.to_string()]);
+    }
+    Tables { links, joints, loops }
+}
+
+fn text(report: &CheckReport) -> String {
+    let mut out = String::new();
+    for (name, value) in facts(report) {
+        out += &(hanging(&format!("{name:<22} {}", line(&value)), 23) + "\n");
+    }
+    let Tables { links, joints, loops } = tables(report);
+    let _ = write!(out, "\n{links}\n{joints}");
+    if !report.closures.is_empty() {
+        let _ = write!(out, "\n{loops}");
+    }
+    out
+}
+
+fn redundancy(report: &CheckReport) -> String {
+    let loops: Vec<String> = report.redundant_loops.iter().map(|names| names.join("+")).collect();
+    let place = if loops.is_empty() { String::new() } else { format!(" (in {})", loops.join("; ")) };
+    format!("{}{place}", report.redundant_constraints)
+}
+
+fn freedom(report: &CheckReport) -> String {
+    let generic = report.generic_degrees_of_freedom;
+    let here = report.degrees_of_freedom;
+    let place = if here == generic { String::new() } else { format!(" ({here} at this singular pose)") };
+    let drivers = if report.drivers.is_empty() {
+        String::new()
+    } else {
+        format!("; loops driven by {}", report.drivers.join(", "))
+    };
+    format!("{generic} with the root fixed{place}{drivers}")
+}
+
+fn summary(report: &CheckReport) -> String {
+    let count = |severity| report.diagnostics.iter().filter(|d| d.severity == severity).count();
+    match (count("warning"), count("note")) {
+        (0, 0) => "none".into(),
+        (warnings, notes) => format!("{warnings} warning(s), {notes} note(s)"),
+    }
+}

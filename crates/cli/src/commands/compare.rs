@@ -1,0 +1,292 @@
+//! Command `percuss compare`, and the variants of a study.
+
+use crate::args::{CompareArgs, ContactArgs, MassFormat};
+use crate::files::csv::{self, Cell};
+use crate::files::output::{is_input, write_file};
+use crate::files::table_style::{ColumnUnit, TableStyle};
+use crate::files::xlsx_rows;
+use crate::terminal::failure::Failure;
+use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::text::{Table, number};
+use crate::terminal::wrap::message;
+use percuss_render::{Figure, Panel, Series, Style};
+use percuss_study::{
+    CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Names, RowSource, StudyFigure,
+    StudyFile, compare,
+};
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// Runs the command.
+pub fn run(args: &CompareArgs) -> Result<(), Failure> {
+    args.writing.apply();
+    let studies: Vec<bool> =
+        args.designs.iter().map(|path| StudyFile::is_study(path, args.reading.max_size)).collect();
+    let designs = if studies.iter().all(|is_study| *is_study) {
+        of_studies(args)?
+    } else if let Some(study) = studies.iter().position(|is_study| *is_study) {
+        return Err(Failure::bad_input(format!(
+            "{} is a study and has its own contact, the others are models or sheets; give studies alone, or none",
+            args.designs[study]
+        )));
+    } else {
+        of_models(args)?
+    };
+    let names = if studies[0] { Names::Keys } else { Names::Flags };
+    let written = Written {
+        output: args.output.as_deref(),
+        table: args.table.style(),
+        figure: &args.figure.figure(),
+        format: args.format,
+        strict: args.reading.strict,
+    };
+    show(&designs, names, &written)
+}
+
+fn of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
+    if args.contact.as_ref().is_some_and(|contact| contact.link.is_some()) || !args.vary.is_empty() {
+        return Err(Failure::bad_input(
+            "--link, --point, --vary and the like are for models and sheets; a study has its own contact and range",
+        ));
+    }
+    let changes = args.reading.changes();
+    if !changes.is_empty() {
+        return Err(Failure::bad_input(
+            "--link-mass, --link-com and --move would change every design alike; a study has [[variant]] for that",
+        ));
+    }
+    let mut designs = Vec::new();
+    for (path, name) in args.designs.iter().zip(names_of(&args.designs)) {
+        let of_study = StudyFile::load(path, args.reading.max_size)?.designs(&name);
+        if of_study.is_empty() {
+            return Err(Failure::bad_input(format!(
+                "{path}: the study has no [contact], and designs are compared at one"
+            )));
+        }
+        designs.extend(of_study);
+    }
+    Ok(designs)
+}
+
+fn of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
+    let question = ContactArgs::needed(args.contact.as_ref())?.question()?;
+    let rows = (!args.vary.is_empty()).then(|| RowSource::Grid(args.vary.clone()));
+    let design = |(path, name): (&String, String)| {
+        let (question, rows) = (question.clone(), rows.clone());
+        Ok(Design { name, model: args.reading.load(path)?, question, rows })
+    };
+    args.designs.iter().zip(names_of(&args.designs)).map(design).collect()
+}
+
+/// Name of a study; used for its model among the variants.
+pub fn study_name(path: &str) -> String {
+    Path::new(path).file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into())
+}
+
+/// File names without folder and extension; the full paths if two names coincide.
+fn names_of(paths: &[String]) -> Vec<String> {
+    let stem = |path: &String| {
+        Path::new(path).file_stem().map_or_else(|| path.clone(), |stem| stem.to_string_lossy().into_owned())
+    };
+    let stems: Vec<String> = paths.iter().map(stem).collect();
+    let alone = |name: &String| stems.iter().filter(|other| *other == name).count() == 1;
+    stems
+        .iter()
+        .zip(paths)
+        .map(|(name, path)| if alone(name) { name.clone() } else { path.clone() })
+        .collect()
+}
+
+/// Output options of a comparison.
+#[derive(Clone, Copy)]
+pub struct Written<'a> {
+    pub output: Option<&'a str>,
+    pub table: TableStyle,
+    pub figure: &'a StudyFigure,
+    pub format: MassFormat,
+    pub strict: bool,
+}
+
+/// Compares designs and writes the result.
+pub fn show(designs: &[Design], names: Names, written: &Written) -> Result<(), Failure> {
+    let Written { output, table: style, format, strict, figure: asked } = *written;
+    let report = compare(designs).map_err(|error| failure(&error, names))?;
+    write_diagnostics(&report.diagnostics, strict)?;
+    if let Some(path) = output {
+        let bytes = file(&report, path, style, asked)?;
+        designs.iter().flat_map(|design| &design.model.inputs).for_each(|input| is_input(&input.path));
+        write_file(path, &bytes)?;
+    }
+    match format {
+        MassFormat::Json => write_json(&report)?,
+        MassFormat::Csv => write_out(&table(&report, style))?,
+        MassFormat::Text => write_out(&text(&report))?,
+    }
+    if report.designs.iter().all(|design| design.status.is_none()) {
+        return Err(Failure::NoAnswer("no design has an answer".into()));
+    }
+    Ok(())
+}
+
+pub fn failure(error: &CompareError, names: Names) -> Failure {
+    match error {
+        CompareError::Question { source, .. } if source.is_no_answer() => {
+            Failure::NoAnswer(error.message(names))
+        }
+        _ => Failure::bad_input(error.message(names)),
+    }
+}
+
+fn answer(design: &DesignRecord) -> String {
+    match (design.effective_mass, design.status) {
+        (Some(mass), _) => number(mass),
+        (None, Some(status)) => status.name().to_owned(),
+        (None, None) => "no answer".to_owned(),
+    }
+}
+
+fn percent(x: f64) -> String {
+    // A value that rounds to zero has no sign.
+    if x.abs() < 0.005 { "0.00 %".to_owned() } else { format!("{x:+.2} %") }
+}
+
+/// Table of designs, one row each.
+pub fn designs(report: &ComparisonReport) -> Table<5> {
+    let mut table = Table::new(["design", "kg", "difference", "over the range", "most of it"]);
+    for (i, design) in report.designs.iter().enumerate() {
+        let difference = match design.difference_percent {
+            Some(x) => percent(x),
+            None if i == 0 => "–".into(),
+            None => String::new(),
+        };
+        let range = design.difference_range_percent;
+        let range = range.map_or_else(String::new, |[a, b]| format!("{} to {}", percent(a), percent(b)));
+        let most = design.most.iter().map(|(link, share)| format!("{link} {:.1} %", 100.0 * share));
+        let most: Vec<String> = most.collect();
+        table.row([design.name.clone(), answer(design), difference, range, most.join(", ")]);
+    }
+    table
+}
+
+fn text(report: &ComparisonReport) -> String {
+    let mut out = format!("effective mass of {} designs\n\n{}", report.designs.len(), designs(report));
+    for design in &report.designs {
+        if let Some(error) = &design.error {
+            let _ = writeln!(out, "\n{}", message(&format!("{}: {error}", design.name)));
+        }
+    }
+    out
+}
+
+/// Column names and rows of the table: over the ranges if any, otherwise over the designs.
+fn cells(report: &ComparisonReport, style: TableStyle) -> (Vec<String>, Vec<Vec<Cell>>) {
+    let rounded = |x: Option<f64>, error| Cell::of(x.map(|x| style.number(x, error)));
+    if report.varied.is_empty() {
+        let mass = style.named("effective_mass", "kg");
+        let names = ["design", "status", &mass, "difference_percent"].map(str::to_owned).to_vec();
+        let row = |design: &DesignRecord| {
+            let status = design.status.map_or("no answer", |status| status.name());
+            vec![
+                Cell::Text(design.name.clone().into()),
+                Cell::Text(status.into()),
+                rounded(design.effective_mass, design.effective_mass_error),
+                rounded(design.difference_percent, None),
+            ]
+        };
+        return (names, report.designs.iter().map(row).collect());
+    }
+    let mut header = vec!["row".to_owned()];
+    let units: Vec<ColumnUnit> = report.varied.iter().map(|column| style.unit(column.unit)).collect();
+    header.extend(report.varied.iter().zip(&units).map(|(column, unit)| match &column.joint {
+        _ if !style.names_units => column.name.clone(),
+        Some(_) => csv::with_unit(&column.name, unit),
+        None => format!("travel_{}", unit.name),
+    }));
+    header.extend(report.designs.iter().map(|design| style.named(&design.name, "kg")));
+    header.extend(report.designs.iter().skip(1).map(|design| format!("{} difference_percent", design.name)));
+    let row = |row: &ComparisonRow| {
+        let mut cells = vec![Cell::Number(row.row as f64)];
+        let varied = row.varied.iter().zip(&units);
+        cells.extend(varied.map(|(value, unit)| rounded(Some(value * unit.factor), None)));
+        cells.extend(row.effective_mass.iter().map(|mass| rounded(*mass, None)));
+        cells.extend(row.difference_percent.iter().skip(1).map(|x| rounded(*x, None)));
+        cells
+    };
+    (header, report.rows.iter().map(row).collect())
+}
+
+fn table(report: &ComparisonReport, style: TableStyle) -> String {
+    let (header, rows) = cells(report, style);
+    let line = |row: &Vec<Cell>| {
+        let cells: Vec<String> = row.iter().map(|cell| csv::cell_in(cell, style)).collect();
+        csv::line_in(&cells, style)
+    };
+    csv::line_in(&header, style) + &rows.iter().map(line).collect::<String>()
+}
+
+fn file(
+    report: &ComparisonReport,
+    path: &str,
+    style: TableStyle,
+    asked: &StudyFigure,
+) -> Result<Vec<u8>, Failure> {
+    let ending = Path::new(path).extension().and_then(|ending| ending.to_str()).unwrap_or("");
+    match ending.to_ascii_lowercase().as_str() {
+        "csv" => Ok(table(report, style).into_bytes()),
+        "xlsx" => {
+            let (columns, rows) = cells(report, style);
+            xlsx_rows::book(path, "comparison", &columns, rows)
+        }
+        "json" => {
+            let text = serde_json::to_string_pretty(report);
+            let text = text.map_err(|e| Failure::NoAnswer(format!("the result has no JSON form: {e}")))?;
+            Ok((text + "\n").into_bytes())
+        }
+        "svg" => Ok(figure(report, asked)?.to_svg().into_bytes()),
+        "png" => figure(report, asked)?.to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string())),
+        "pdf" => figure(report, asked)?.to_pdf().map_err(|e| Failure::NoAnswer(e.to_string())),
+        _ => Err(Failure::bad_input(format!(
+            "--output {path}: its name must end in .csv, .xlsx, .json, .svg, .png or .pdf"
+        ))),
+    }
+}
+
+/// Figure of m̄ of all designs over the range, with the differences from the first design below.
+pub fn figure(report: &ComparisonReport, asked: &StudyFigure) -> Result<Figure, Failure> {
+    let [varied] = &report.varied[..] else {
+        return Err(Failure::bad_input(
+            "--output: a figure shows designs over one range; give --vary once (a study: [sweep] with one range), or a file \
+             that ends in .csv, .xlsx or .json",
+        ));
+    };
+    let (scale, unit) = if varied.unit == "m" { (1e3, "mm") } else { (180.0 / std::f64::consts::PI, "deg") };
+    let series = |i: usize, values: &dyn Fn(usize) -> Option<f64>| Series {
+        name: report.designs[i].name.clone(),
+        style: if i == 0 { Style::Line } else { Style::Dashed },
+        points: report
+            .rows
+            .iter()
+            .enumerate()
+            .map(|(row, r)| (scale * r.varied.first().copied().unwrap_or_default(), values(row)))
+            .collect(),
+    };
+    let all = 0..report.designs.len();
+    let masses = all.clone().map(|i| series(i, &|row| report.rows[row].effective_mass[i])).collect();
+    let differences = all.skip(1).map(|i| series(i, &|row| report.rows[row].difference_percent[i])).collect();
+    let first = report.designs.first().map_or("", |design| &design.name);
+    Ok(Figure {
+        title: asked.title.clone().unwrap_or_else(|| "Effective mass of designs".into()),
+        x_limits: asked.x_limits,
+        subtitle: report.designs.iter().map(|d| d.name.clone()).collect::<Vec<_>>().join(", "),
+        x_label: format!("{} ({unit})", varied.name),
+        panels: vec![
+            Panel { y_label: "m̄ (kg)".into(), series: masses, y_limits: asked.y_limits },
+            Panel {
+                y_label: format!("difference from {first} (%)"),
+                series: differences,
+                ..Panel::default()
+            },
+        ],
+        ..Figure::default()
+    })
+}

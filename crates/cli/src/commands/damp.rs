@@ -1,0 +1,371 @@
+//! `percuss damp`, and the damper beside an effective mass.
+
+use crate::args::{CheckFormat, ContactArgs, DampArgs};
+use crate::files::output::{is_input, write_file};
+use crate::terminal::escape;
+use crate::terminal::failure::Failure;
+use crate::terminal::limits;
+use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::text::{Table, bound, number};
+use crate::terminal::wrap::{fact, hanging};
+use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
+use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
+use percuss_study::contact::{Law, Sample};
+use percuss_study::{
+    DampingQuestion, DampingReport, ExportRecord, MassQuestion, StudyDamping, StudyFile, damp, damp_contact,
+    damp_stop, impact_history,
+};
+use std::fmt::Write;
+use std::path::Path;
+
+/// Runs the command.
+pub fn run(args: &DampArgs) -> Result<(), Failure> {
+    if args.list_laws {
+        return write_out(&laws());
+    }
+    if args.list_tools {
+        return write_out(&tools());
+    }
+    args.writing.apply();
+    let Some(mut question) = args.damping.question()? else {
+        return Err(Failure::bad_input(
+            "--restitution E and --stiffness N/m are required: the restitution you measured, and the contact's spring",
+        ));
+    };
+    if args.format == CheckFormat::Json && question.tools.is_empty() {
+        question.tools = Tool::ALL.to_vec();
+    }
+    if args.limit.is_none() {
+        args.damping.check_units(&question, false)?;
+    }
+    let report = match (args.mass, &args.mass_from, &args.contact) {
+        (Some(mass), None, None) => damp(&question, mass)?,
+        (None, Some(path), contact) => match &args.limit {
+            Some(stop) => {
+                let model = args.reading.load(path)?;
+                args.damping.check_units(&question, stop.motion(&model)? == StopMotion::Turn)?;
+                let conditions = contact.as_ref().map(ContactArgs::conditions).transpose()?;
+                let conditions = conditions.unwrap_or_else(MassQuestion::anywhere);
+                damp_stop(&model, stop, conditions, &question)?
+            }
+            None => {
+                let contact = ContactArgs::needed(contact.as_ref())?;
+                damp_contact(&args.reading.load(path)?, &contact.question()?, &question)?
+            }
+        },
+        (Some(_), ..) => {
+            return Err(Failure::bad_input(
+                "--link, --point and the like belong to --mass-from MODEL, not to --mass",
+            ));
+        }
+        _ => {
+            return Err(Failure::bad_input(
+                "either --mass KG or --mass-from MODEL with a contact is required",
+            ));
+        }
+    };
+    write_diagnostics(&report.diagnostics, args.reading.strict)?;
+    args.mass_from.iter().for_each(|path| is_input(path));
+    if let Some(path) = &args.output {
+        draw(&report, &question, path)?;
+    }
+    print(&report, args.format)
+}
+
+/// Options of a study: the damper of a joint's stop or of the contact.
+pub fn of_study(study: &StudyFile, damping: &StudyDamping) -> Result<DampingReport, Failure> {
+    let StudyDamping { question, stop, .. } = damping;
+    Ok(match (stop, &study.question) {
+        (Some((stop, conditions)), _) => damp_stop(&study.model, stop, conditions.clone(), question)?,
+        (None, Some(contact)) => damp_contact(&study.model, contact, question)?,
+        (None, None) => return Err(Failure::bad_input("damping: a contact or a joint's stop is required")),
+    })
+}
+
+/// Writes a report.
+pub fn print(report: &DampingReport, format: CheckFormat) -> Result<(), Failure> {
+    match format {
+        CheckFormat::Json => write_json(report),
+        CheckFormat::Text => {
+            let (name, value) = headline(report);
+            let mut out = fact(name, &value);
+            out += &damper(report);
+            out += &exports(report);
+            write_out(&out)
+        }
+    }
+}
+
+/// Mass, or inertia for a rotational stop, of the damper.
+pub fn headline(report: &DampingReport) -> (&'static str, String) {
+    let units = Units::of(report);
+    (units.name, format!("{} {}", number(report.effective_mass), units.mass))
+}
+
+/// Units of the numbers of a report.
+struct Units {
+    name: &'static str,
+    mass: &'static str,
+    /// Units of a length or an angle: SI, the unit of displayed penetrations, and the factor between them.
+    length: &'static str,
+    shown: (&'static str, f64),
+    force: &'static str,
+}
+
+impl Units {
+    fn of(report: &DampingReport) -> Self {
+        if report.stop.as_ref().is_some_and(|stop| stop.motion == StopMotion::Turn) {
+            let shown = ("mrad", 1e3);
+            return Self { name: "effective inertia", mass: "kg·m²", length: "rad", shown, force: "N·m" };
+        }
+        Self { name: "effective mass", mass: "kg", length: "m", shown: ("mm", 1e3), force: "N" }
+    }
+}
+
+/// Damper, impact, and validity over the travel.
+pub fn damper(report: &DampingReport) -> String {
+    facts(report).iter().map(|(name, value)| fact(name, &escape::line(value))).collect()
+}
+
+/// Text for simulators.
+pub fn exports(report: &DampingReport) -> String {
+    report.exports.iter().map(|(name, export)| exported(name, export)).collect()
+}
+
+pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
+    let damper = &report.damper;
+    let Units { length, shown: (shown, factor), force, .. } = Units::of(report);
+    let e = damper.restitution;
+    let mut facts = Vec::new();
+    let law = match damper.separation {
+        Some("gap") => format!("{}, ending when the gap closes (the damper pulls at the end)", damper.law),
+        Some(_) => format!("{}, ending when the force vanishes", damper.law),
+        None => damper.law.to_owned(),
+    };
+    let law = damper.law_alias.map_or(law.clone(), |alias| format!("{law} (asked for as {alias})"));
+    facts.push(("law", law));
+    facts.push(("stiffness", stiffness(report)));
+    match (damper.damping_ratio, damper.damping) {
+        (Some(ratio), Some(c)) => {
+            let power = power(0.5 * (damper.exponent + 1.0));
+            let value = format!("{} {force}·s/{length}{power}   (ratio {})", number(c), number(ratio));
+            facts.push(("damping", value));
+            if let Some(d) = damper.dissipation {
+                facts.push((
+                    "or Hunt–Crossley",
+                    format!("{} s/{length} at this speed, instead of the damping", number(d)),
+                ));
+            }
+        }
+        _ => facts
+            .push(("dissipation", format!("{} s/{length}", number(damper.dissipation.unwrap_or_default())))),
+    }
+    let achieved = damper.achieved_restitution;
+    let off = if damper.law_is_exact {
+        "exactly".to_owned()
+    } else {
+        format!("{:+.4} off: this law is an approximation", achieved - e)
+    };
+    facts.push(("restitution", format!("{} ({} asked for, {off})", number(achieved), number(e))));
+    let metric = |value: Option<f64>, scale: f64, unit: &str| {
+        value.map(|v| scale * v).filter(|v| v.is_finite()).map(|v| format!("{} {unit}", number(v)))
+    };
+    let mut add = |name, text: Option<String>| {
+        if let Some(text) = text {
+            facts.push((name, text));
+        }
+    };
+    add("approach speed", metric(damper.speed, 1.0, &format!("{length}/s")));
+    add("rebound speed", metric(damper.rebound_speed, 1.0, &format!("{length}/s")));
+    add("contact lasts", metric(damper.contact_duration, 1e3, "ms"));
+    add("penetration", metric(damper.max_penetration, factor, shown));
+    let when = damper.time_of_peak_force.unwrap_or_default();
+    add(
+        "peak force",
+        damper.peak_force.map(|f| format!("{} {force}, at {} ms", number(f), number(1e3 * when))),
+    );
+    add("energy lost", metric(damper.energy_lost, 1.0, "J"));
+    if let Some(drift) = report.drift {
+        // A value that rounds to zero is shown without a sign.
+        let percent = |p: f64| format!("{:+.3} %", if p.abs() < limits::DRIFT_ROUNDING { 0.0 } else { p });
+        let slope = drift.per_metre.map(|s| percent(0.1 * s) + &format!(" per {shown} of penetration"));
+        let over = drift.over_penetration.map(|o| percent(100.0 * o) + " over the penetration");
+        let ends = drift
+            .ends_at
+            .map(|depth| format!("unknown: the motion ends after {} {shown}", number(factor * depth)));
+        let text: Vec<String> = [over, ends, slope].into_iter().flatten().collect();
+        facts.push(("mass drifts by", if text.is_empty() { "unknown".into() } else { text.join(", ") }));
+    }
+    if let Some(alone) = report.body_alone {
+        let wrong = alone.restitution.map_or_else(String::new, |e| {
+            format!("; a damper made for that would rebound with {}", number(e))
+        });
+        facts.push(("struck body alone", format!("{} kg{wrong}", number(alone.mass))));
+    }
+    facts
+}
+
+fn stiffness(report: &DampingReport) -> String {
+    let (damper, Units { length, force, .. }) = (&report.damper, Units::of(report));
+    format!("{} {force}/{length}{}", number(damper.stiffness), power(damper.exponent))
+}
+
+/// Exponent of a unit, if any.
+fn power(exponent: f64) -> String {
+    if exponent == 1.0 { String::new() } else { format!("^{}", number(exponent)) }
+}
+
+pub fn exported(name: &str, export: &ExportRecord) -> String {
+    let mut out = format!("\n{} ({name})\n", export.title);
+    if let Some(error) = &export.error {
+        return out + &hanging(&format!("  cannot: {error}"), 4) + "\n";
+    }
+    let mut line = |what: &str, text: &str| {
+        out += &fact(&format!("  {what}"), &escape::line(text));
+    };
+    line("integrates", export.law);
+    for (name, value) in &export.parameters {
+        let unit = export.units.get(name).copied().unwrap_or_default();
+        let value = serde_json::to_string(value).unwrap_or_default();
+        line(name, format!("{value} {unit}").trim_end());
+    }
+    if let Some(step) = export.time_step {
+        let bound =
+            export.error_bound.map_or_else(String::new, |b| format!(", restitution within {}", bound(b)));
+        line("time step", &format!("{} s{bound}", number(step)));
+    }
+    for penetration in &export.penetrations {
+        let solver =
+            if penetration.solver.is_empty() { String::new() } else { format!(" ({})", penetration.solver) };
+        line("penetration", &format!("{} m{}{solver}", number(1e3 * penetration.value), penetration.unit));
+    }
+    line("two sides", export.combines);
+    if export.measured.is_empty() {
+        line("measured", "not measured: read in source or manual, and run in a model of the law");
+    }
+    for measured in export.measured {
+        line("measured", &measurement(measured));
+    }
+    line("watch for", export.caution);
+    for missing in &export.missing {
+        line("missing", missing);
+    }
+    for assumption in &export.assumptions {
+        line("assumes", assumption);
+    }
+    for cannot in &export.cannot {
+        line("cannot", cannot);
+    }
+    for snippet in &export.snippets {
+        let _ = writeln!(out, "  {}:", snippet.title);
+        for text in snippet.text.lines() {
+            let _ = writeln!(out, "    {text}");
+        }
+    }
+    if !export.sources.is_empty() {
+        out += &(hanging(&format!("  sources: {}", export.sources.join("; ")), 4) + "\n");
+    }
+    out
+}
+
+/// Solver and worst error of a measured restitution, in words.
+fn measurement(measured: &Measurement) -> String {
+    let solver = if measured.solver.is_empty() { String::new() } else { format!(", {}", measured.solver) };
+    let worst = measured.worst.map(|worst| worst.map_or_else(|| "refused".into(), |w| format!("{w:.1e}")));
+    let [low, middle, high] = worst;
+    let by_hand = measured.by_hand.map_or_else(String::new, |day| format!(", by hand on {day}"));
+    let (engine, scenes) = (measured.engine, measured.scenes);
+    format!("{engine}{solver}: {scenes}; off by {low}, {middle}, {high} for e = 0.2, 0.5, 0.8{by_hand}")
+}
+
+fn laws() -> String {
+    let mut out = String::new();
+    for law in Law::ALL {
+        let kind = if law.is_exact() { "exact" } else { "approximation" };
+        let speed = if law.needs_speed() { ", needs --speed" } else { "" };
+        let _ = writeln!(out, "{}  ({kind}{speed})", law.name());
+        for text in [law.title(), law.formula(), law.source()] {
+            out += &(hanging(&format!("    {text}"), 6) + "\n");
+        }
+        for alias in Law::ALIASES.iter().filter(|alias| alias.law == law) {
+            out += &(hanging(&format!("    also {}: {}", alias.name, alias.note), 6) + "\n");
+        }
+    }
+    out
+}
+
+fn tools() -> String {
+    let mut table = Table::new(["name", "simulator", "also"]);
+    for tool in Tool::ALL {
+        table.row([tool.name().into(), tool.title().into(), tool.aliases().join(", ")]);
+    }
+    table.to_string()
+}
+
+/// Writes the force history of the impact as a plot or as numbers.
+pub fn draw(report: &DampingReport, question: &DampingQuestion, path: &str) -> Result<(), Failure> {
+    report.inputs.iter().for_each(|input| is_input(&input.path));
+    let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
+    let samples = || {
+        impact_history(question, report.effective_mass, limits::HISTORY_SAMPLES)
+            .map_err(percuss_study::StudyError::from)
+    };
+    let bytes = match ending.as_str() {
+        "svg" => sheet(report, &samples()?).to_svg().into_bytes(),
+        "png" => sheet(report, &samples()?).to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string()))?,
+        "pdf" => sheet(report, &samples()?).to_pdf().map_err(|e| Failure::NoAnswer(e.to_string()))?,
+        "csv" => csv(&samples()?).into_bytes(),
+        _ => {
+            return Err(Failure::bad_input(format!(
+                "--output {path}: its name must end in .svg, .png, .pdf or .csv"
+            )));
+        }
+    };
+    write_file(path, &bytes)
+}
+
+fn csv(samples: &[Sample]) -> String {
+    let mut out = "time,penetration,rate,force\n".to_owned();
+    for s in samples {
+        let _ = writeln!(out, "{},{},{},{}", s.time, s.penetration, s.rate, s.force);
+    }
+    out
+}
+
+/// Force over time, and over penetration; the loop encloses the dissipated energy.
+pub fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
+    let damper = &report.damper;
+    let units = Units::of(report);
+    let (shown, factor) = units.shown;
+    let panel = |x: &dyn Fn(&Sample) -> f64| Panel {
+        y_label: format!("force ({})", units.force),
+        series: vec![Series {
+            name: damper.law.into(),
+            style: Style::Line,
+            points: samples.iter().map(|s| (x(s), Some(s.force))).collect(),
+        }],
+        ..Panel::default()
+    };
+    let deepest = damper.time_of_max_penetration.map(|t| Mark { x: 1e3 * t, label: "deepest".into() });
+    let over_time = Figure {
+        title: format!(
+            "Impact of {} {} at {} {}/s: restitution {}",
+            number(report.effective_mass),
+            units.mass,
+            number(damper.speed.unwrap_or_default()),
+            units.length,
+            number(damper.achieved_restitution)
+        ),
+        subtitle: format!("{}, stiffness {}", damper.law, stiffness(report)),
+        x_label: "time (ms)".into(),
+        panels: vec![panel(&|s| 1e3 * s.time)],
+        marks: deepest.into_iter().collect(),
+        ..Figure::default()
+    };
+    let over_penetration = Figure {
+        x_label: format!("penetration ({shown})"),
+        panels: vec![panel(&|s| factor * s.penetration)],
+        ..Figure::default()
+    };
+    Sheet { figures: vec![over_time, over_penetration] }
+}

@@ -1,0 +1,76 @@
+//! `percuss import`.
+
+use crate::args::{AxesArg, ImportArgs, SideArg, UnitArg};
+use crate::files::output::{is_input, may_be_written, write_file};
+use crate::files::own_files::sealed;
+use crate::terminal::failure::Failure;
+use crate::terminal::import_text::understood;
+use crate::terminal::report::{write_as_is, write_diagnostics, write_out};
+use crate::{import_picture, picture};
+use percuss_formats::suspension::{ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import};
+use percuss_formats::{Source, write_urdf_with};
+use percuss_study::DiagnosticRecord;
+
+/// Runs the command.
+pub fn run(args: &ImportArgs) -> Result<(), Failure> {
+    args.writing.apply();
+    is_input(&args.hardpoints);
+    if args.output != "-" {
+        may_be_written(&args.output)?;
+    }
+    let source = Source::read(&args.hardpoints, args.max_size)?;
+    let imported = import(&source, &options(args))?;
+    imported.inputs.iter().for_each(|path| is_input(path));
+    let diagnostics: Vec<DiagnosticRecord> = imported.diagnostics.into_iter().map(Into::into).collect();
+    write_diagnostics(&diagnostics, args.strict)?;
+    let text = sealed(write_urdf_with(&imported.mechanism, &imported.comments));
+    if let Some(path) = &args.picture {
+        let drawing = import_picture::picture(&imported.understood, &args.hardpoints);
+        write_file(path, &picture::bytes(&drawing, "--picture", path)?)?;
+    }
+    if args.output == "-" {
+        return write_as_is(text.as_bytes());
+    }
+    write_file(&args.output, text.as_bytes())?;
+    write_out(&understood(&imported.understood, &args.output))
+}
+
+fn options(args: &ImportArgs) -> ImportOptions {
+    ImportOptions {
+        unit: args.unit.map(unit),
+        axes: args.axes.map(axes),
+        template: args.template.clone(),
+        moves: args.moves.clone(),
+        side: args.side.map(|side| match side {
+            SideArg::Left => Side::Left,
+            SideArg::Right => Side::Right,
+            SideArg::Both => Side::Both,
+        }),
+        wheel: args.wheel_mass.map(|mass| Wheel {
+            mass,
+            inertia: args.wheel_inertia.unwrap_or_default(),
+            radius: args.wheel_radius,
+        }),
+        rack: args.rack_mass.map(|mass| Rack::Sliding { mass }),
+        allow_outside: args.allow_outside,
+        ..ImportOptions::default()
+    }
+}
+
+/// Unit of length for a flag value.
+pub fn unit(unit: UnitArg) -> LengthUnit {
+    match unit {
+        UnitArg::M => LengthUnit::Metre,
+        UnitArg::Cm => LengthUnit::Centimetre,
+        UnitArg::Mm => LengthUnit::Millimetre,
+        UnitArg::In => LengthUnit::Inch,
+    }
+}
+
+/// Vehicle axes for a flag value.
+pub fn axes(axes: AxesArg) -> VehicleAxes {
+    match axes {
+        AxesArg::Iso => VehicleAxes::Iso,
+        AxesArg::Adams => VehicleAxes::Adams,
+    }
+}

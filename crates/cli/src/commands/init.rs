@@ -1,0 +1,57 @@
+//! Commands `percuss init` and `percuss schema`: initial studies, and the schema of studies.
+
+use crate::args::InitArgs;
+use crate::files::output::{is_input, write_file};
+use crate::terminal::failure::Failure;
+use crate::terminal::report::{write_as_is, write_diagnostics, write_out};
+use crate::terminal::text::word;
+use percuss_study::{starting_study, study_schema};
+use std::path::Path;
+
+/// Writes a study of a model.
+pub fn run(args: &InitArgs) -> Result<(), Failure> {
+    args.writing.apply();
+    if args.model.model == "-" {
+        return Err(Failure::bad_input("MODEL -: a study names its model; give the model's file"));
+    }
+    if !args.model.reading.changes().is_empty() {
+        return Err(Failure::bad_input(
+            "--link-mass, --link-com and --move: write them into the study, as model.link_mass, model.link_com and model.move",
+        ));
+    }
+    let model = args.model.load()?;
+    model.inputs.iter().for_each(|input| is_input(&input.path));
+    write_diagnostics(&model.diagnostics, args.model.reading.strict)?;
+    let path = match &args.output {
+        Some(output) => from_folder_of(output, &args.model.model),
+        None => args.model.model.clone(),
+    };
+    let study = starting_study(&model, &path)?;
+    match &args.output {
+        None => write_as_is(study.as_bytes()),
+        Some(output) => {
+            write_file(output, study.as_bytes())?;
+            write_out(&format!("{:<20} {output}; run it with: percuss run {}\n", "written", word(output)))
+        }
+    }
+}
+
+/// Prints the JSON schema of studies.
+pub fn schema() -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(study_schema());
+    let text = text.map_err(|error| Failure::NoAnswer(format!("the schema has no JSON form: {error}")))?;
+    write_as_is((text + "\n").as_bytes())
+}
+
+/// Path of the model as written in the study: relative to the folder of the study if both exist and are on one drive.
+fn from_folder_of(study: &str, model: &str) -> String {
+    let folder = Path::new(study).parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = dunce::canonicalize(folder.unwrap_or(Path::new(".")));
+    let relative = match (folder, dunce::canonicalize(model)) {
+        (Ok(folder), Ok(model)) => pathdiff::diff_paths(model, folder),
+        _ => None,
+    };
+    let path = relative.map_or_else(|| model.to_owned(), |path| path.to_string_lossy().into_owned());
+    // Slashes make the study portable. Windows accepts slashes too, except in a path that begins with \\?\.
+    if cfg!(windows) && !path.starts_with(r"\\?\") { path.replace('\\', "/") } else { path }
+}

@@ -1,0 +1,238 @@
+//! Command `percuss map`.
+
+use crate::args::{MapArgs, MassFormat};
+use crate::commands::sweep::use_threads;
+use crate::files::output::{Output, is_input, may_be_written};
+use crate::files::table_style::TableStyle;
+use crate::pictures::map_files::{self, MapFormat};
+use crate::terminal::escape::line;
+use crate::terminal::failure::Failure;
+use crate::terminal::report::{note, write_diagnostics, write_json, write_out};
+use crate::terminal::text::{Table, bound, number, short, triple};
+use crate::terminal::wrap::{fact, hanging};
+use percuss_study::{
+    DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, Model, PointMapReport, StudyMapQuestion, map,
+    map_point,
+};
+use std::fmt::Write;
+
+/// Runs the command.
+pub fn run(args: &MapArgs) -> Result<(), Failure> {
+    args.check()?;
+    let (formats, strict) = (formats(&args.output)?, args.model.reading.strict);
+    use_threads(args.threads);
+    args.writing.apply();
+    let model = args.model.load()?;
+    let question = match args.directions {
+        Some(count) => StudyMapQuestion::Directions(args.contact.conditions()?, count),
+        None => StudyMapQuestion::Surfaces(args.question()?),
+    };
+    show(&model, &question, &Written { formats, table: args.table.style(), format: args.format, strict })
+}
+
+/// Output options of a map.
+pub struct Written {
+    pub formats: Vec<(String, MapFormat)>,
+    pub table: TableStyle,
+    pub format: MassFormat,
+    pub strict: bool,
+}
+
+/// Output files with their formats, determined by the file extensions.
+pub fn formats(outputs: &[String]) -> Result<Vec<(String, MapFormat)>, Failure> {
+    outputs.iter().map(|path| Ok((path.clone(), MapFormat::of(path)?))).collect()
+}
+
+/// Computes a map and writes it.
+pub fn show(model: &Model, question: &StudyMapQuestion, written: &Written) -> Result<(), Failure> {
+    model.inputs.iter().for_each(|input| is_input(&input.path));
+    // The check precedes the computation.
+    written.formats.iter().try_for_each(|(path, _)| may_be_written(path))?;
+    match question {
+        StudyMapQuestion::Surfaces(question) => surfaces(&map(model, question)?, written),
+        StudyMapQuestion::Directions(question, count) => {
+            directions(&map_point(model, question, *count)?, written)
+        }
+    }
+}
+
+fn directions(report: &PointMapReport, written: &Written) -> Result<(), Failure> {
+    write_diagnostics(&report.diagnostics, written.strict)?;
+    for (path, format) in &written.formats {
+        let mut out = Output::open(Some(path))?;
+        map_files::write_point(report, *format, written.table, &mut out)
+            .map_err(|error| error.failure(path, &out))?;
+        out.finish()?;
+    }
+    match written.format {
+        MassFormat::Text => write_out(&point_text(report)),
+        MassFormat::Json => write_json(report),
+        MassFormat::Csv => {
+            let mut bytes = Vec::new();
+            map_files::point_csv(report, written.table, &mut bytes)?;
+            write_out(&String::from_utf8_lossy(&bytes))
+        }
+    }
+}
+
+fn surfaces(answer: &MapAnswer, written: &Written) -> Result<(), Failure> {
+    // The mesh files are known only after the computation.
+    answer.report.inputs.iter().for_each(|input| is_input(&input.path));
+    write_diagnostics(&answer.report.diagnostics, written.strict)?;
+    for left in &answer.report.left_out {
+        note(&format!("left out: {}", left.reason));
+    }
+    for (path, format) in &written.formats {
+        let mut out = Output::open(Some(path))?;
+        map_files::write(answer, *format, written.table, &mut out)
+            .map_err(|error| error.failure(path, &out))?;
+        out.finish()?;
+    }
+    match written.format {
+        MassFormat::Text => write_out(&text(answer)),
+        MassFormat::Json => write_json(&answer.report),
+        MassFormat::Csv => {
+            let mut out = Output::open(None)?;
+            map_files::csv(answer, written.table, &mut out).map_err(|error| out.failure(error))?;
+            out.finish()
+        }
+    }
+}
+
+/// Table of links, one row each.
+pub fn links(report: &MapReport) -> Table<8> {
+    let mut table = Table::new([
+        "link",
+        "contacts",
+        "smallest kg",
+        "largest kg",
+        "mean kg",
+        "other",
+        "smallest at (m)",
+        "largest at (m)",
+    ]);
+    for link in &report.links {
+        let mass = |e: &Option<Extreme>| e.as_ref().map_or_else(|| "–".into(), |e| short(e.effective_mass));
+        let place = |e: &Option<Extreme>| e.as_ref().map_or_else(String::new, |e| rounded(&e.point_link));
+        table.row([
+            link.link.clone(),
+            link.contacts.to_string(),
+            mass(&link.smallest),
+            mass(&link.largest),
+            link.area_mean.map_or_else(|| "–".into(), short),
+            others(link),
+            place(&link.smallest),
+            place(&link.largest),
+        ]);
+    }
+    table
+}
+
+/// Explanation of the table of links.
+pub const OF_LINKS: &str = "One contact in each facet, along its outward normal; places in the link's frame.\n\
+                            The mean is 1 over the mean of 1/m over the area.\n";
+
+fn text(answer: &MapAnswer) -> String {
+    let report = &answer.report;
+    let mut out = links(report).to_string();
+    out += "\n";
+    out += OF_LINKS;
+    out += &windings(report);
+    let against = report.against.clone().unwrap_or_else(|| match report.conditions.against_mass {
+        Some(mass) => format!("a free body of {} kg", number(mass)),
+        None => "the ground".into(),
+    });
+    out.push('\n');
+    out += &fact("against", &line(&against));
+    out += &fact("base", report.conditions.base);
+    let worst = report.links.iter().filter_map(|l| l.worst_relative_error).reduce(f64::max);
+    if let Some(worst) = worst {
+        out += &fact("relative errors", &format!("below {}", bound(worst)));
+    }
+    out + "\nNot included: friction, compliance of the links, several impacts at once.\n\
+           See docs/LIMITS.md and docs/MAPS.md.\n"
+}
+
+/// Number of contacts without a finite mass, by status.
+fn others(link: &LinkMap) -> String {
+    let counts =
+        [(link.immovable, "immovable"), (link.massless, "massless"), (link.unanswered, "without an answer")];
+    let some = counts.into_iter().filter(|(count, _)| *count > 0);
+    some.map(|(count, what)| format!("{count} {what}")).collect::<Vec<_>>().join(", ")
+}
+
+/// Changes made to the orientation of meshes.
+fn windings(report: &MapReport) -> String {
+    let mut out = String::new();
+    for link in &report.links {
+        let Some(o) = link.orientation.as_ref().filter(|o| o.turned + o.open + o.conflicting > 0) else {
+            continue;
+        };
+        let mut done = Vec::new();
+        if o.turned > 0 {
+            done.push(format!("{} triangles were turned over", o.turned));
+        }
+        if o.open > 0 {
+            done.push(format!(
+                "{} of {} pieces are open, turned away from the mesh's centre",
+                o.open, o.pieces
+            ));
+        }
+        if o.conflicting > 0 {
+            done.push(format!("{} pieces cannot be turned alike", o.conflicting));
+        }
+        let text =
+            format!("{}: {}; the sign of a normal does not change the mass.", link.link, done.join("; "));
+        out += &(hanging(&text, 2) + "\n");
+    }
+    out
+}
+
+/// Rounds to 0.1 mm.
+fn rounded(p: &[f64; 3]) -> String {
+    triple(&p.map(|x| (x * 1e4).round() / 1e4))
+}
+
+pub fn point_text(report: &PointMapReport) -> String {
+    let mut out = String::new();
+    let place = format!("{} at {} m, in its own frame", report.link, triple(&report.point_link));
+    out += &fact("point", &place);
+    out += &fact("in the world", &format!("{} m", triple(&report.point_world)));
+    out += "\nprincipal effective masses (the belted ellipsoid)\n";
+    let mut table = Table::new(["  mass", "direction (link)", "direction (world)"]);
+    for p in &report.principal {
+        table.row([
+            format!("  {}", mass(p)),
+            triple(&p.direction_link.map(tidy)),
+            triple(&p.direction_world.map(tidy)),
+        ]);
+    }
+    out += &table.to_string();
+    if report.principal.is_empty() {
+        out += "  none: a direction has no answer\n";
+    }
+    let finite = report.directions.iter().filter_map(|d| Some((d.effective_mass?, d)));
+    let (mut least, mut most) = (None::<(f64, &DirectionMass)>, None::<(f64, &DirectionMass)>);
+    for (m, d) in finite {
+        least = least.filter(|(l, _)| *l <= m).or(Some((m, d)));
+        most = most.filter(|(l, _)| *l >= m).or(Some((m, d)));
+    }
+    let _ = writeln!(out, "\n{:<20} {} evenly over the sphere", "directions", report.directions.len());
+    for (name, found) in [("smallest of them", least), ("largest of them", most)] {
+        if let Some((m, d)) = found {
+            let along = triple(&d.direction_link.map(tidy));
+            out += &fact(name, &format!("{} kg along {along} (link)", number(m)));
+        }
+    }
+    out + "\n1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹.\n\
+           See docs/MAPS.md.\n"
+}
+
+fn mass(d: &DirectionMass) -> String {
+    d.effective_mass.map_or_else(|| d.status.to_owned(), |m| format!("{} kg", number(m)))
+}
+
+/// Rounds a component of a unit vector to nine decimals.
+fn tidy(x: f64) -> f64 {
+    (x * 1e9).round() / 1e9
+}

@@ -1,0 +1,345 @@
+//! Command `percuss mass`.
+
+use crate::args::{MassArgs, MassFormat, ToleranceArg};
+use crate::files::csv;
+use crate::terminal::escape::line;
+use crate::terminal::explanation::{explanation, motion_ratio};
+use crate::terminal::failure::Failure;
+use crate::terminal::limits;
+use crate::terminal::report::{note, write_diagnostics, write_json, write_out};
+use crate::terminal::text::{bar, bound, number, triple};
+use crate::terminal::wrap::{self, fact};
+use percuss_study::{
+    DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, Status, StudyMass, Tolerance,
+    explain, mass, mass_with_damper, tolerate,
+};
+use std::fmt::Write;
+
+/// Runs the command.
+pub fn run(args: &MassArgs) -> Result<(), Failure> {
+    let model = args.model.load()?;
+    let (of_expected, of_parts) = tolerances(args)?;
+    let expected = args.expect.map(|mass| Expected { mass, tolerance: of_expected });
+    let damping = args.damping.question()?;
+    if let Some(question) = &damping {
+        args.damping.check_units(question, false)?;
+    }
+    show(
+        &model,
+        &args.contact.question()?,
+        damping.as_ref(),
+        args.format,
+        &Asked { expected, explain: args.explain, tolerance: of_parts, sampling: args.sampling() },
+        args.model.reading.strict,
+    )
+}
+
+/// Additional requests of a mass question: expected value, sensitivities, tolerances.
+#[derive(Clone, Copy, Default)]
+pub struct Asked {
+    expected: Option<Expected>,
+    explain: bool,
+    tolerance: Option<Tolerance>,
+    sampling: Option<Sampling>,
+}
+
+impl Asked {
+    /// Requests of a study.
+    pub fn of_study(study: &StudyMass) -> Self {
+        let tolerance = study.expect_tolerance.unwrap_or(limits::DEFAULT_TOLERANCE);
+        let expected = study.expect.map(|mass| Expected { mass, tolerance });
+        Self { expected, explain: study.explain, tolerance: study.tolerance, sampling: study.sampling }
+    }
+
+    /// Adds the sensitivities and the effects of tolerances to the report.
+    pub fn add_to(
+        &self,
+        report: &mut MassReport,
+        model: &Model,
+        question: &MassQuestion,
+    ) -> Result<(), Failure> {
+        if self.explain {
+            report.explanation = explain(model, question)?;
+        }
+        if let Some(tolerance) = self.tolerance {
+            report.tolerance = tolerate(model, question, tolerance, self.sampling)?;
+        }
+        Ok(())
+    }
+
+    /// Compares the result with the expected value; a mismatch gives exit code 1.
+    pub fn is_met(&self, report: &MassReport) -> Result<(), Failure> {
+        self.expected.map_or(Ok(()), |e| compare(report, e.mass, e.tolerance))
+    }
+}
+
+/// Tolerance of --expect, and tolerances of the model's parts.
+fn tolerances(args: &MassArgs) -> Result<(f64, Option<Tolerance>), Failure> {
+    let (mut of_expected, mut of_parts) = (None, None);
+    for given in &args.tolerance {
+        let twice = match given {
+            ToleranceArg::OfExpected(relative) => of_expected.replace(*relative).is_some(),
+            ToleranceArg::OfParts(parts) => of_parts.replace(*parts).is_some(),
+        };
+        if twice {
+            return Err(Failure::bad_input(
+                "--tolerance: given twice for the same; write mass=2%,point=0.5mm as one",
+            ));
+        }
+    }
+    if of_expected.is_some() && args.expect.is_none() {
+        return Err(Failure::bad_input(
+            "--tolerance: a plain number is that of --expect, which is missing; tolerances of the model's parts are written \
+             mass=2%,point=0.5mm",
+        ));
+    }
+    if args.samples.is_some() && of_parts.is_none() {
+        return Err(Failure::bad_input(
+            "--samples: there is nothing to sample; give --tolerance mass=2%,point=0.5mm",
+        ));
+    }
+    Ok((of_expected.unwrap_or(limits::DEFAULT_TOLERANCE), of_parts))
+}
+
+/// Expected value, with its relative tolerance.
+#[derive(Clone, Copy)]
+pub struct Expected {
+    mass: f64,
+    tolerance: f64,
+}
+
+/// Computes a result and writes it.
+pub fn show(
+    model: &Model,
+    question: &MassQuestion,
+    damping: Option<&DampingQuestion>,
+    format: MassFormat,
+    asked: &Asked,
+    strict: bool,
+) -> Result<(), Failure> {
+    let mut report = match damping {
+        Some(damping) => mass_with_damper(model, question, damping)?,
+        None => mass(model, question)?,
+    };
+    asked.add_to(&mut report, model, question)?;
+    write_diagnostics(&report.diagnostics, strict)?;
+    let unanswered = asked.explain && report.explanation.is_none()
+        || asked.tolerance.is_some() && report.tolerance.is_none();
+    if unanswered {
+        note(
+            "--explain and --tolerance: there is nothing to differentiate where no single finite mass is the answer",
+        );
+    }
+    let expected = asked.expected;
+    match format {
+        MassFormat::Json => write_json(&report)?,
+        MassFormat::Csv if report.damper.is_some() => {
+            note("the damper has no columns in CSV; use --format text or json");
+            write_out(&csv::of_mass(&report, &report.assumptions.set))?;
+        }
+        MassFormat::Csv => write_out(&csv::of_mass(&report, &report.assumptions.set))?,
+        MassFormat::Text => write_out(&text(&report, expected.map(|e| e.mass)))?,
+    }
+    asked.is_met(&report)
+}
+
+/// Compares the result with an expected value; a mismatch gives exit code 1.
+fn compare(report: &MassReport, expected: f64, tolerance: f64) -> Result<(), Failure> {
+    match report.effective_mass {
+        Some(m) if (m / expected - 1.0).abs() <= tolerance => Ok(()),
+        Some(m) => Err(Failure::NoAnswer(format!(
+            "the effective mass {m} kg differs from the expected {expected} kg by {:.1e} of it; {tolerance:e} is allowed",
+            (m / expected - 1.0).abs()
+        ))),
+        None => Err(Failure::NoAnswer(format!(
+            "{expected} kg was expected; the contact is {}",
+            report.status.name()
+        ))),
+    }
+}
+
+fn text(report: &MassReport, expected: Option<f64>) -> String {
+    let mut out = String::new();
+    out += &fact("effective mass", &headline(report));
+    if let (Some(expected), Some(m)) = (expected, report.effective_mass) {
+        let off = (m / expected - 1.0).abs();
+        out += &fact("expected", &format!("{} kg   (relative difference {off:.1e})", number(expected)));
+    }
+    out.push('\n');
+    for (name, value) in facts(report) {
+        out += &fact(name, &line(&value));
+    }
+    if let Some(estimate) = &report.estimate {
+        out += &estimated(estimate);
+    }
+    if let Some(damper) = &report.damper {
+        out.push('\n');
+        out += &crate::commands::damp::damper(damper);
+    }
+    if report.effective_mass.is_some() {
+        out += &shares(report);
+    }
+    out += &report.explanation.as_ref().map_or_else(String::new, explanation);
+    out += &report.tolerance.as_ref().map_or_else(String::new, crate::terminal::explanation::tolerances);
+    out += "\nNot included: friction, compliance of the links, several impacts at once.\n\
+            Gravity, springs, dampers and speed do not enter: a finite force does no work\n\
+            in an instantaneous impact. See docs/LIMITS.md.\n";
+    if let Some(damper) = &report.damper {
+        out += &crate::commands::damp::exports(damper);
+    }
+    out
+}
+
+pub fn headline(report: &MassReport) -> String {
+    match (report.status, report.effective_mass) {
+        (Status::Immovable, _) => "immovable: no motion of the mechanism closes this gap".into(),
+        (Status::Massless, _) => "massless (0 kg): a motion without mass closes this gap".into(),
+        (Status::Finite, m) => format!("{} kg", number(m.unwrap_or_default())),
+    }
+}
+
+/// Classical estimate, its error, and the contributions that it leaves out.
+fn estimated(record: &EstimateRecord) -> String {
+    let links = line(&record.links.join(", ")).into_owned();
+    let first = line(&record.links[0]);
+    let (Some(ratio), Some(estimate)) = (record.motion_ratio, record.estimate) else {
+        let none = format!("none: the speed of point A on {first} is undetermined");
+        return format!("\n{}", fact("estimate", &none));
+    };
+    let off = record.error_percent.map_or_else(String::new, |p| {
+        // A value that rounds to zero is shown without a sign.
+        let p = if p.abs() < limits::ESTIMATE_ROUNDING { 0.0 } else { p };
+        format!("   ({p:+.2} %)")
+    });
+    let mut out = format!("\n{}", fact("estimate m_K/l²", &format!("{} kg{off}", number(estimate))));
+    let lever = record.lever.map_or_else(|| "–".to_owned(), number);
+    let takes =
+        format!("{} kg of {links}, at {} m of {first}", number(record.mass), triple(&record.point_link));
+    out += &fact("  takes", &takes);
+    out += &fact("  motion ratio", &format!("{} (A over contact), {lever} (contact over A)", number(ratio)));
+    if let Some(share) = record.share_left_out {
+        let percent = 100.0 * share;
+        out += &fact(
+            "  leaves out",
+            &format!("{percent:.2} % of the effective mass, contributed by other links"),
+        );
+    }
+    out
+}
+
+/// Conditions of the result.
+pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
+    let contact = &report.contact;
+    let against = match (report.conditions.against_mass, contact.against.as_deref()) {
+        (Some(mass), _) => format!("a free body of {} kg", number(mass)),
+        (None, Some(link)) => link.to_owned(),
+        (None, None) => "the ground".to_owned(),
+    };
+    let list = |names: &[String]| {
+        let position = |name: &String| match report.pose.get(name) {
+            Some([value]) => format!("{name} = {}", number(*value)),
+            Some(values) => {
+                format!("{name} = {}", values.iter().map(|v| number(*v)).collect::<Vec<_>>().join(","))
+            }
+            None => name.clone(),
+        };
+        let mut text = names.iter().take(limits::JOINTS_SHOWN).map(position).collect::<Vec<_>>().join("  ");
+        if names.len() > limits::JOINTS_SHOWN {
+            let _ = write!(text, "  and {} more", names.len() - limits::JOINTS_SHOWN);
+        }
+        if text.is_empty() { "none".into() } else { text }
+    };
+    let assumed = &report.assumptions;
+    let mut facts = vec![
+        ("struck", format!("{} at {} m, in its own frame", contact.link, triple(&contact.point_link))),
+        ("normal", format!("{}, out of {}", triple(&contact.normal_link), contact.link)),
+        (
+            "in the world",
+            format!("point {} m, normal {}", triple(&contact.point_world), triple(&contact.normal_world)),
+        ),
+        ("against", against),
+        ("base", assumed.base.clone()),
+        ("free joints", list(&assumed.free)),
+    ];
+    if !assumed.mimics.is_empty() {
+        facts.push(("following joints", list(&assumed.mimics)));
+    }
+    if !assumed.locked.is_empty() {
+        facts.push(("locked joints", list(&assumed.locked)));
+    }
+    for hold in &report.conditions.hold {
+        let along =
+            hold.normal.map_or_else(|| "in all directions".to_owned(), |n| format!("along {}", triple(&n)));
+        facts.push(("held", format!("{} at {} m, {along}", hold.link, triple(&hold.point))));
+    }
+    if !assumed.drivers.is_empty() {
+        facts.push(("loops driven by", list(&assumed.drivers)));
+        let modes: Vec<&str> =
+            report.assembly_modes.iter().map(|m| ["−", "singular", "+"][(m + 1) as usize]).collect();
+        facts.push(("assembly mode", modes.join(" ")));
+    }
+    facts.push(("degrees of freedom", freedom(report)));
+    if report.redundant_constraints > 0 {
+        let loops: Vec<String> = report.redundant_loops.iter().map(|names| names.join("+")).collect();
+        let place = if loops.is_empty() { String::new() } else { format!(" (in {})", loops.join("; ")) };
+        facts.push(("redundant rows", format!("{}{place}", report.redundant_constraints)));
+    }
+    if let Some(residual) = report.closure_residual {
+        let gap = report.rank_gap.map_or_else(String::new, |g| format!(", rank gap {g:.1e}"));
+        facts.push(("loops closed to", format!("{residual:.1e} m{gap}")));
+    }
+    if !report.branch_limits.is_empty() {
+        let limit =
+            |m: &Option<f64>| m.map_or_else(|| "immovable".to_owned(), |m| format!("{} kg", number(m)));
+        facts.push((
+            "along the branches",
+            report.branch_limits.iter().map(limit).collect::<Vec<_>>().join(", "),
+        ));
+    }
+    facts.extend(report.motion_ratios.iter().map(|ratio| ("motion ratio", motion_ratio(ratio))));
+    let condition = report.condition.map_or_else(String::new, |c| format!(", condition {c:.1e}"));
+    facts.push(("computed by", format!("{} route{condition}{}", report.route, uncertainty(report))));
+    facts
+}
+
+fn freedom(report: &MassReport) -> String {
+    if report.degrees_of_freedom == report.generic_degrees_of_freedom {
+        report.degrees_of_freedom.to_string()
+    } else {
+        format!("{} here, {} at a generic pose", report.degrees_of_freedom, report.generic_degrees_of_freedom)
+    }
+}
+
+fn uncertainty(report: &MassReport) -> String {
+    match (report.effective_mass_error, report.effective_mass) {
+        (Some(error), Some(m)) => {
+            format!(", relative error below {}", bound((error / m).max(f64::EPSILON)))
+        }
+        _ => String::new(),
+    }
+}
+
+/// Contribution of each link, largest first; negligible ones are counted.
+fn shares(report: &MassReport) -> String {
+    let links = report.bodies.iter().filter_map(|b| Some((b.link.clone(), b.share?)));
+    let rotors = report.rotors.iter().filter_map(|r| Some((format!("rotor of {}", r.joint), r.share?)));
+    let other = report.other_mass_share.map(|share| ("the other body".to_owned(), share));
+    let all = links.chain(rotors).chain(other);
+    let mut all: Vec<(String, f64)> = all.map(|(name, share)| (line(&name).into_owned(), share)).collect();
+    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let (shown, rest): (Vec<_>, Vec<_>) =
+        all.into_iter().partition(|(_, share)| share.abs() >= limits::LEAST_CONTRIBUTION);
+    let width = shown.iter().map(|(name, _)| wrap::width(name)).max().unwrap_or(0).max(20);
+    let mut out = "\ncontribution of each link (share of the kinetic energy)\n".to_owned();
+    // Long names shorten the bars.
+    let bars = limits::BAR_WIDTH.min(wrap::WIDTH.saturating_sub(width + 13));
+    for (name, share) in &shown {
+        let pad = " ".repeat(width - wrap::width(name));
+        let row = format!("  {name}{pad} {:>6.2} %  {}", share * 100.0, bar(*share, bars));
+        let _ = writeln!(out, "{}", row.trim_end());
+    }
+    if !rest.is_empty() {
+        let _ = writeln!(out, "  and {} of less than {} %", rest.len(), 100.0 * limits::LEAST_CONTRIBUTION);
+    }
+    out
+}

@@ -1,0 +1,14 @@
+//! One module per subcommand.
+
+pub(crate) mod check;
+pub(crate) mod compare;
+pub(crate) mod damp;
+pub(crate) mod import;
+pub(crate) mod init;
+pub(crate) mod map;
+pub(crate) mod mass;
+pub(crate) mod report_page;
+pub(crate) mod run;
+pub(crate) mod safe_speed;
+pub(crate) mod sweep;
+pub(crate) mod template;

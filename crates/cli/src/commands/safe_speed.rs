@@ -1,0 +1,150 @@
+//! Command `percuss safe-speed`.
+
+use crate::args::{CheckFormat, ContactArgs, SafeSpeedArgs};
+use crate::terminal::escape::line;
+use crate::terminal::failure::Failure;
+use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::text::{Table, number, triple};
+use crate::terminal::wrap;
+use percuss_study::contact::BodyRegion;
+use percuss_study::{
+    Limit, PositionFile, RowSource, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, StatedLimits,
+    StudySafeSpeed,
+};
+
+/// Runs the command.
+pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
+    if args.list_regions {
+        return write_out(&regions());
+    }
+    let Some(path) = &args.model else {
+        return Err(Failure::bad_input(
+            "a model and --region, the region of the body that the robot hits, are required",
+        ));
+    };
+    let limit = limit(args)?;
+    let model = args.reading.load(path)?;
+    let asked = SafeSpeedQuestion { region: args.region.clone(), limit, load: args.load };
+    let contact = if args.direction.is_empty() && !args.worst_direction {
+        ContactArgs::needed(args.contact.as_ref())?.question()?
+    } else {
+        let contact =
+            args.contact.as_ref().filter(|contact| contact.link.is_some() && contact.point.is_some());
+        let contact = contact.ok_or_else(|| {
+            Failure::bad_input("--direction: --link LINK and --point X,Y,Z are required beside it")
+        })?;
+        contact.conditions()?
+    };
+    let rows = args.input.as_ref().map(|path| {
+        let (ignore, max_size) = (args.ignore.clone(), args.reading.max_size);
+        RowSource::File(PositionFile { path: path.clone(), ignore, max_size })
+    });
+    let (directions, worst_direction) = (args.direction.clone(), args.worst_direction);
+    let study = StudySafeSpeed { contact, asked, directions, worst_direction, rows };
+    show(&study.reports(&model)?, args.format, args.reading.strict)
+}
+
+/// Report with the lowest speed.
+pub fn slowest(reports: &[SafeSpeedReport]) -> &SafeSpeedReport {
+    let mut slowest = &reports[0];
+    for report in &reports[1..] {
+        if report.reflected.speed < slowest.reflected.speed {
+            slowest = report;
+        }
+    }
+    slowest
+}
+
+/// Writes the slowest report in full and the others as a table.
+pub fn show(reports: &[SafeSpeedReport], format: CheckFormat, strict: bool) -> Result<(), Failure> {
+    let slowest = slowest(reports);
+    write_diagnostics(&slowest.diagnostics, strict)?;
+    match format {
+        CheckFormat::Json if reports.len() > 1 => write_json(&reports),
+        CheckFormat::Json => write_json(slowest),
+        CheckFormat::Text => write_out(&(text(slowest) + &directions(reports) + CLOSING)),
+    }
+}
+
+fn limit(args: &SafeSpeedArgs) -> Result<Limit, Failure> {
+    let SafeSpeedArgs { force, pressure, area, energy, momentum, .. } = *args;
+    // The argument parser already refuses several limits.
+    StatedLimits { force, pressure, area, energy, momentum }.one().map_err(|_| {
+        Failure::bad_input(
+            "one limit is required: either --force N or --pressure N/cm² with --area cm² of the region, --energy J, or \
+             --momentum N·s, from the edition of the standard that applies to you",
+        )
+    })
+}
+
+pub const CLOSING: &str = "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of\n\
+     ISO/TS 15066:2016, whose content went into ISO 10218-2:2025; both are known here\n\
+     from public secondary sources, neither was opened. The standard's M/2 + m_L\n\
+     knows neither pose nor direction. Check regions and limits against the\n\
+     purchased standard.\n";
+
+/// Table of all directions; empty for a single direction.
+pub fn directions(reports: &[SafeSpeedReport]) -> String {
+    if reports.len() < 2 {
+        return String::new();
+    }
+    let mut table = Table::new(["direction", "by the standard m/s", "m/s", "kg"]);
+    for report in reports {
+        let mass = report.reflected.robot_mass.map_or_else(|| "immovable".to_owned(), number);
+        let (by_standard, speed) = (number(report.standard.speed), number(report.reflected.speed));
+        table.row([triple(&report.normal_world), by_standard, speed, mass]);
+    }
+    format!("\n{table}")
+}
+
+fn text(report: &SafeSpeedReport) -> String {
+    let mut out = String::new();
+    for (name, value) in facts(report) {
+        out += &wrap::fact(name, &line(&value));
+    }
+    out
+}
+
+/// Values and conditions of a speed limit.
+pub fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
+    let mut facts = Vec::new();
+    let mut fact = |name, value: String| facts.push((name, value));
+    let speed = |record: &SpeedRecord, mass: &str| {
+        let robot = record.robot_mass.map_or("no bounded mass".to_owned(), |m| format!("{} kg", number(m)));
+        let reduced = record.reduced_mass.filter(|_| report.region.is_some());
+        let both = reduced.map_or_else(String::new, |m| format!(", two-body mass {} kg", number(m)));
+        format!("{} m/s   with {robot} ({mass}){both}", number(record.speed))
+    };
+    let load = if report.load > 0.0 { " and the load" } else { "" };
+    match report.region {
+        Some(_) => fact("by the standard", speed(&report.standard, "M/2 + m_L")),
+        None => fact("with all that moves", speed(&report.standard, "M + m_L, all at the contact's speed")),
+    }
+    fact("greatest speed", speed(&report.reflected, &format!("effective mass at the contact{load}")));
+    if let Some(along) = &report.along {
+        fact("slowest of the rows", speed(&along.slowest, &format!("row {} of {}", along.row, along.rows)));
+    }
+    match (&report.region, report.region_mass, report.region_stiffness) {
+        (Some(region), Some(mass), Some(stiffness)) => {
+            fact("struck", format!("{region}: {} kg on {} N/m", number(mass), number(stiffness)));
+        }
+        _ => fact("struck", "what does not give way".to_owned()),
+    }
+    fact("direction", format!("{} in the world", triple(&report.normal_world)));
+    if let Some(note) = &report.region_note {
+        fact("", note.clone());
+    }
+    let force = report.force.map_or_else(String::new, |force| format!("force {} N, ", number(force)));
+    fact("at that", format!("{force}energy {} J, limited by {}", number(report.energy), report.limited_by));
+    fact("robot", format!("{} kg that move, load {} kg", number(report.moving_mass), number(report.load)));
+    facts
+}
+
+fn regions() -> String {
+    let mut table = Table::new(["name", "region", "kg", "N/m", "note"]);
+    for r in BodyRegion::all() {
+        let note = r.note.clone().unwrap_or_default();
+        table.row([r.name.clone(), r.title.clone(), number(r.mass), number(r.stiffness), note]);
+    }
+    format!("{table}\nInformative, from public secondary sources: check against the purchased\nstandard.\n")
+}

@@ -1,0 +1,153 @@
+//! Command `percuss sweep`, and the output of all sweeps.
+
+use crate::args::SweepArgs;
+use crate::files::output::{Output, is_input, may_be_written, write_file};
+use crate::files::parquet_rows;
+use crate::files::sweep_rows;
+use crate::files::table_style::TableStyle;
+use crate::files::xlsx_rows;
+use crate::pictures::sweep_figure::drawn;
+use crate::terminal::failure::Failure;
+use crate::terminal::report::{warn, write_diagnostics};
+use indicatif::{ProgressBar, ProgressStyle};
+use percuss_study::{MassQuestion, Model, RowSource, StudyFigure, Sweep, SweepEnd};
+use std::path::Path;
+
+/// Runs the command.
+pub fn run(args: &SweepArgs) -> Result<(), Failure> {
+    use_threads(args.threads);
+    args.writing.apply();
+    let model = args.model.load()?;
+    go_through(
+        &model,
+        &args.contact.question()?,
+        &args.source()?,
+        &Written {
+            output: args.output.as_deref(),
+            table: args.table.style(),
+            figure: &args.figure.figure(),
+            strict: args.model.reading.strict,
+        },
+    )
+}
+
+/// Sets the number of threads, including the calling thread; the default is the number of processors.
+pub fn use_threads(count: Option<u16>) {
+    let count = count.map_or(0, usize::from);
+    // Only the first call creates threads. If no thread can be created, the calling thread does all work.
+    let _ = rayon::ThreadPoolBuilder::new().num_threads(count).use_current_thread().build_global();
+}
+
+/// Output options of a sweep.
+pub struct Written<'a> {
+    pub output: Option<&'a str>,
+    pub table: TableStyle,
+    pub figure: &'a StudyFigure,
+    pub strict: bool,
+}
+
+/// Runs a sweep, with a progress bar, and writes each row when it is computed.
+pub fn go_through(
+    model: &Model,
+    question: &MassQuestion,
+    source: &RowSource,
+    written: &Written,
+) -> Result<(), Failure> {
+    let Written { output, strict, .. } = *written;
+    let format = Format::of(output)?;
+    model.inputs.iter().for_each(|input| is_input(&input.path));
+    if let RowSource::File(file) = source {
+        is_input(&file.path);
+    }
+    // The check precedes the computation.
+    output.map_or(Ok(()), may_be_written)?;
+    let sweep = Sweep::new(model, question, source)?;
+    write_diagnostics(&model.diagnostics, strict)?;
+    // The bar is hidden if stderr is not a terminal.
+    let bar = match sweep.count() {
+        Some(count) => ProgressBar::new(count as u64).with_style(
+            ProgressStyle::with_template("{bar:40} {pos}/{len} rows, {eta} left")
+                .unwrap_or_else(|_| ProgressStyle::default_bar()),
+        ),
+        None => ProgressBar::no_length().with_style(
+            ProgressStyle::with_template("{pos} rows").unwrap_or_else(|_| ProgressStyle::default_bar()),
+        ),
+    };
+    let end = write(sweep, model, format, written, question, &bar);
+    bar.finish_and_clear();
+    let end = end?;
+    write_diagnostics(&end.diagnostics, strict)?;
+    summary(&end)
+}
+
+fn write(
+    sweep: Sweep,
+    model: &Model,
+    format: Format,
+    written: &Written,
+    question: &MassQuestion,
+    bar: &ProgressBar,
+) -> Result<SweepEnd, Failure> {
+    let (output, path) = (written.output, written.output.unwrap_or_default());
+    let (figure, end) = match format {
+        Format::Csv => return sweep_rows::csv(sweep, model, written.table, Output::open(output)?, bar),
+        Format::Xlsx => return xlsx_rows::write(sweep, model, written.table, path, bar),
+        Format::Json => return sweep_rows::json(sweep, model, Output::open(output)?, bar),
+        Format::JsonLines => return sweep_rows::json_lines(sweep, Output::open(output)?, bar),
+        Format::Parquet => return parquet_rows::write(sweep, model, path, bar),
+        Format::Svg | Format::Png | Format::Pdf => drawn(sweep, question, written.figure, bar)?,
+    };
+    let bytes = match format {
+        Format::Png => figure.to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string()))?,
+        Format::Pdf => figure.to_pdf().map_err(|e| Failure::NoAnswer(e.to_string()))?,
+        _ => figure.to_svg().into_bytes(),
+    };
+    // A picture always has an output file, because the file name determines the format.
+    write_file(path, &bytes)?;
+    Ok(end)
+}
+
+/// Output format of a sweep.
+#[derive(Clone, Copy)]
+enum Format {
+    Csv,
+    Json,
+    JsonLines,
+    Parquet,
+    Xlsx,
+    Svg,
+    Png,
+    Pdf,
+}
+
+impl Format {
+    /// Determines the format from the file extension; CSV on stdout.
+    fn of(output: Option<&str>) -> Result<Self, Failure> {
+        let Some(path) = output else { return Ok(Format::Csv) };
+        let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("");
+        match ending.to_ascii_lowercase().as_str() {
+            "csv" => Ok(Format::Csv),
+            "json" => Ok(Format::Json),
+            "jsonl" => Ok(Format::JsonLines),
+            "parquet" => Ok(Format::Parquet),
+            "svg" => Ok(Format::Svg),
+            "png" => Ok(Format::Png),
+            "pdf" => Ok(Format::Pdf),
+            "xlsx" => Ok(Format::Xlsx),
+            _ => Err(Failure::bad_input(format!(
+                "--output {path}: its name must end in .csv, .xlsx, .json, .jsonl, .parquet, .svg, .png or .pdf"
+            ))),
+        }
+    }
+}
+
+/// Reports the number of rows without a result; exit code 1 if no row has a result.
+fn summary(end: &SweepEnd) -> Result<(), Failure> {
+    let Some(first) = &end.first_error else { return Ok(()) };
+    let message = format!("{} of {} rows have no answer; the first: {first}", end.unanswered, end.rows);
+    if end.unanswered == end.rows {
+        return Err(Failure::NoAnswer(message));
+    }
+    warn(&message);
+    Ok(())
+}

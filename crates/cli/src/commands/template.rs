@@ -1,0 +1,39 @@
+//! Command `percuss template`.
+
+use crate::args::TemplateArgs;
+use crate::commands::import::{axes, unit};
+use crate::files::output::{force, write_file};
+use crate::terminal::failure::Failure;
+use crate::terminal::report::write_out;
+use crate::terminal::wrap::hanging;
+use percuss_formats::suspension::{TemplateOptions, template_names, template_sheet};
+use percuss_mechanism::near_names;
+use std::path::Path;
+
+/// Runs the command.
+pub fn run(args: &TemplateArgs) -> Result<(), Failure> {
+    let Some(name) = &args.name else {
+        let row = |(name, title)| hanging(&format!("{name:<24} {title}"), 25) + "\n";
+        let rows = template_names().into_iter().map(row);
+        return write_out(&rows.collect::<String>());
+    };
+    let options = TemplateOptions { unit: unit(args.unit), axes: axes(args.axes) };
+    let Some(sheet) = template_sheet(name, &options) else {
+        let names = template_names();
+        let near = near_names(name, names.iter().map(|(name, _)| *name));
+        let near = near.first().map_or_else(String::new, |n| format!("; did you mean {n}?"));
+        let known: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
+        return Err(Failure::bad_input(format!(
+            "no template is named \"{}\"{near} There are: {}",
+            name.escape_debug(),
+            known.join(", ")
+        )));
+    };
+    let Some(path) = &args.output else { return write_out(&sheet) };
+    // A template does not overwrite an existing file unless forced.
+    if Path::new(path).is_file() && !args.force {
+        return Err(Failure::bad_input(format!("{path} is there already; --force replaces it")));
+    }
+    force(args.force);
+    write_file(path, sheet.as_bytes())
+}

@@ -1,0 +1,123 @@
+//! Picture of a sweep: effective mass with the estimate, and the motion ratio below.
+
+use crate::terminal::failure::Failure;
+use crate::terminal::text::short;
+use indicatif::ProgressBar;
+use percuss_render::{Figure, Mark, Panel, Series, Style};
+use percuss_study::{Continuation, MassQuestion, StudyFigure, Sweep, SweepEnd, VariedColumn};
+use std::ops::ControlFlow;
+
+/// Points of a curve: the varied number in the unit of the axis, and the value if any.
+type Curve = Vec<(f64, Option<f64>)>;
+
+/// Largest number of marks at singular poses; more would merge into a line.
+const MARKS: usize = 10_000;
+
+/// Largest number of curves in one picture; more cannot be distinguished.
+const SERIES: usize = 7;
+
+/// Scale factor from SI, and unit of the axis for a varied number.
+fn shown_in(column: &VariedColumn) -> (f64, &'static str) {
+    match column.unit {
+        "m" => (1e3, "mm"),
+        "rad" => (180.0 / std::f64::consts::PI, "deg"),
+        _ => (1.0, ""),
+    }
+}
+
+/// Legend of the estimate.
+fn estimate_name(question: &MassQuestion) -> String {
+    let links = question.estimate.as_ref().map_or_else(String::new, |estimate| estimate.links.join(" + "));
+    format!("estimate: mass of {links} × (motion ratio)²")
+}
+
+/// Runs a sweep and keeps only the data of the picture.
+pub fn drawn(
+    sweep: Sweep,
+    question: &MassQuestion,
+    asked: &StudyFigure,
+    bar: &ProgressBar,
+) -> Result<(Figure, SweepEnd), Failure> {
+    let heading = sweep.heading().clone();
+    let (outer, varied) = match &heading.varied[..] {
+        [varied] => (None, varied),
+        [outer, varied] if heading.continuation != Continuation::Path && heading.seed.is_none() => {
+            (Some(outer), varied)
+        }
+        _ => {
+            return Err(Failure::bad_input(
+                "--output: a picture shows what one range gives, or a curve for each value of a first one; name a file that \
+                 ends in .csv, .xlsx, .parquet, .json or .jsonl",
+            ));
+        }
+    };
+    let (scale, unit) = shown_in(varied);
+    let (mut estimates, mut ratios) = (Curve::new(), Curve::new());
+    // One curve per value of the outer range.
+    let mut masses: Vec<(f64, Curve)> = Vec::new();
+    let mut marks = Vec::new();
+    let end = sweep.run(&mut |row| {
+        bar.inc(1);
+        let values = row.varied.values();
+        let x = scale * values.last().copied().unwrap_or_default();
+        let of = if outer.is_some() { values[0] } else { 0.0 };
+        if masses.last().is_none_or(|(last, _)| *last != of) {
+            masses.push((of, Curve::new()));
+        }
+        if masses.len() > SERIES {
+            return ControlFlow::Break(());
+        }
+        if let Some((_, curve)) = masses.last_mut() {
+            curve.push((x, row.effective_mass));
+        }
+        estimates.push((x, row.estimate));
+        ratios.push((x, row.motion_ratio));
+        if row.singular_pose == Some(true) && marks.len() < MARKS {
+            marks.push(Mark { x, label: "singular".into() });
+        }
+        ControlFlow::Continue(())
+    })?;
+    let series = |name: &str, style, points| Series { name: name.into(), style, points };
+    let is_drawn = |curve: &Curve| curve.iter().any(|(_, value)| value.is_some());
+    if masses.len() > SERIES {
+        return Err(Failure::bad_input(format!(
+            "--output: the first range has more than {SERIES} values, each of which is a curve; take fewer, or name a file \
+             that ends in .csv, .xlsx, .parquet, .json or .jsonl"
+        )));
+    }
+    let mut first: Vec<Series> = masses
+        .into_iter()
+        .map(|(value, curve)| match outer {
+            None => series("effective mass", Style::Line, curve),
+            Some(outer) => {
+                let (scale, unit) = shown_in(outer);
+                let name = format!("{} = {} {unit}", outer.name, short(scale * value));
+                series(name.trim_end(), Style::Line, curve)
+            }
+        })
+        .collect();
+    // With several curves, the estimate would be a single line running back and forth.
+    let alone = outer.is_none();
+    if alone && is_drawn(&estimates) {
+        first.push(series(&estimate_name(question), Style::Dashed, estimates));
+    }
+    let mut panels = vec![Panel { y_label: "m̄ (kg)".into(), series: first, y_limits: asked.y_limits }];
+    if alone && is_drawn(&ratios) {
+        let of = if question.estimate.is_some() { "A over contact" } else { "travel over contact" };
+        let ratio = series(of, Style::Line, ratios);
+        panels.push(Panel {
+            y_label: format!("motion ratio, {of}"),
+            series: vec![ratio],
+            ..Panel::default()
+        });
+    }
+    let figure = Figure {
+        title: asked.title.clone().unwrap_or_else(|| format!("Effective mass at {}", heading.link)),
+        x_limits: asked.x_limits,
+        subtitle: heading.inputs.first().map_or_else(String::new, |input| input.path.clone()),
+        x_label: if unit.is_empty() { varied.name.clone() } else { format!("{} ({unit})", varied.name) },
+        panels,
+        marks,
+    };
+    Ok((figure, end))
+}

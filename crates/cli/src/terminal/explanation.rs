@@ -1,0 +1,111 @@
+//! Sensitivities of an effective mass, and effects of tolerances, as text.
+
+use crate::terminal::escape::line;
+use crate::terminal::text::{Table, number, short, triple};
+use crate::terminal::wrap::fact;
+use percuss_study::{Explanation, MotionRatioRecord, ToleranceReport};
+use std::fmt::Write;
+
+/// Rates with respect to masses, rotors and hardpoints, and the changes that lower m̄ most.
+pub fn explanation(explained: &Explanation) -> String {
+    let mut out = String::from("\nwhat it depends on (first order; the opposite change does the opposite)\n");
+    let list = |name: &str, items: Vec<String>| {
+        let names = std::iter::once(name).chain(std::iter::repeat(""));
+        names.zip(items).map(|(name, item)| fact(name, &line(&item))).collect::<String>()
+    };
+    let masses = explained.most_per_kilogram.iter();
+    let masses: Vec<String> =
+        masses.map(|c| format!("1 kg less of {}: {} kg less", c.link, short(c.lowers_by))).collect();
+    if !masses.is_empty() {
+        out += &list("most per kilogram", masses);
+    }
+    let moves = explained.most_per_millimetre.iter().map(|c| {
+        let direction = c.direction.map(|x| (x * 1e4).round() / 1e4);
+        format!("{} 1 mm along {}: {} kg less", c.point, triple(&direction), short(c.lowers_by))
+    });
+    let moves: Vec<String> = moves.collect();
+    if !moves.is_empty() {
+        out += &list("most per millimetre", moves);
+    }
+    let mut table = Table::new(["link", "kg", "share %", "per kg", "per mm of its centre of mass (x, y, z)"]);
+    for link in &explained.links {
+        let com = link.per_metre_of_com.map_or_else(|| "–".to_owned(), |rates| per_millimetre(&rates));
+        let share = format!("{:.2}", 100.0 * link.share);
+        table.row([link.link.clone(), short(link.mass), share, short(link.per_kilogram), com]);
+    }
+    let _ = write!(out, "\n{table}");
+    if !explained.rotors.is_empty() {
+        let mut table = Table::new(["joint", "per kg·m² (kg) of armature"]);
+        for rotor in &explained.rotors {
+            let rates: Vec<String> = rotor.per_armature.iter().map(|rate| short(*rate)).collect();
+            table.row([rotor.joint.clone(), rates.join(", ")]);
+        }
+        let _ = write!(out, "\n{table}");
+    }
+    if !explained.points.is_empty() {
+        let mut table = Table::new(["hardpoint", "kg per mm along x, y, z of the sheet"]);
+        for point in &explained.points {
+            let rates = point.per_metre.map_or_else(|| "no answer beside".to_owned(), |r| per_millimetre(&r));
+            table.row([point.point.clone(), rates]);
+        }
+        let _ = write!(out, "\n{table}");
+    }
+    out
+}
+
+/// Converts rates per metre to rates per millimetre.
+fn per_millimetre(rates: &[f64; 3]) -> String {
+    triple(&rates.map(|rate| format!("{:.3e}", rate * 1e-3).parse().unwrap_or(rate * 1e-3)))
+}
+
+/// Effects of the tolerances.
+pub fn tolerances(report: &ToleranceReport) -> String {
+    let given = &report.tolerance;
+    let mut words = Vec::new();
+    for (name, part, of) in
+        [("mass", given.mass, &report.parts.mass), ("armature", given.armature, &report.parts.armature)]
+    {
+        if part > 0.0 {
+            words.push(format!("{name} {} %: {} kg", short(100.0 * part), short(*of)));
+        }
+    }
+    for (name, part, of) in
+        [("com", given.com, &report.parts.com), ("point", given.point, &report.parts.point)]
+    {
+        if part > 0.0 {
+            words.push(format!("{name} {} mm: {} kg", short(1e3 * part), short(*of)));
+        }
+    }
+    let percent = |kg: f64| format!("{} kg ({} %)", short(kg), short(100.0 * kg / report.effective_mass));
+    let mut out = String::from("\nwith the tolerances given\n");
+    let _ = writeln!(out, "  root sum square    ± {}", percent(report.root_sum_square));
+    let _ = writeln!(out, "  all at the limit   ± {}", percent(report.worst_case));
+    out += &fact("  of which", &words.join("; "));
+    if let Some(samples) = &report.samples {
+        let text = format!(
+            "{} ± {} kg (mean, standard deviation), 95 % within {} to {} kg, seed {}",
+            number(samples.mean),
+            short(samples.standard_deviation),
+            number(samples.percentile_2_5),
+            number(samples.percentile_97_5),
+            samples.seed
+        );
+        out += &fact(&format!("  {} samples", samples.count), &text);
+        if samples.unanswered > 0 {
+            out += &fact("", &format!("{} more had no answer", samples.unanswered));
+        }
+    }
+    out
+}
+
+/// Motion ratio with both of its definitions.
+pub fn motion_ratio(ratio: &MotionRatioRecord) -> String {
+    let inverse = ratio.contact_per_wheel.map_or_else(|| "–".to_owned(), number);
+    let whole = if ratio.one_travel { "" } else { "; of this impact's motion, others have another" };
+    format!(
+        "{} along {}: {} (wheel per contact), {inverse} (contact per wheel){whole}",
+        ratio.link,
+        triple(&ratio.direction),
+        number(ratio.wheel_per_contact)
+    )
+}

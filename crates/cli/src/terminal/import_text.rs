@@ -1,0 +1,58 @@
+//! Summary of an import, as text.
+
+use crate::terminal::escape::line;
+use crate::terminal::wrap;
+use percuss_formats::suspension::{Side, Understood};
+use std::fmt::Write;
+
+/// Summary as one table: contents of the file, lengths, masses.
+pub fn understood(of: &Understood, output: &str) -> String {
+    let mut out = String::new();
+    let mut fact = |name: &str, value: String| {
+        out += &wrap::fact(name, &line(&value));
+    };
+    let side = match of.side {
+        Side::Left => "the left side",
+        Side::Right => "the right side",
+        Side::Both => "both sides",
+    };
+    fact("suspension", format!("{}, template {}", of.name, of.template));
+    fact("built", format!("{side}, written to {output}"));
+    fact("read in", format!("{}, axes {}: {}", of.unit.name(), of.axes.name(), of.axes.words()));
+    if let Some(track) = of.track {
+        fact("track", millimetres(track));
+    }
+    for wheel in &of.wheels {
+        let [x, y, z] = wheel.centre.map(|x| format!("{:.1}", 1e3 * x + 0.0));
+        fact("wheel centre", format!("({x}, {y}, {z}) mm, x forward, y left, z up"));
+    }
+    if let Some(Some(radius)) = of.wheel.map(|wheel| wheel.radius) {
+        fact("wheel radius", millimetres(radius));
+    }
+    out.push('\n');
+    // Length and mass of a link are in one row.
+    let _ = writeln!(out, "{:<28} {:>12} {:>10}", "link", "length, mm", "mass, kg");
+    for (name, mass) in &of.masses {
+        let name = line(name);
+        let plain = name.trim_end_matches("_left").trim_end_matches("_right");
+        let length = of.lengths.iter().find(|(known, _)| known == plain);
+        let length = length.map_or_else(|| "–".to_owned(), |(_, length)| format!("{:.2}", 1e3 * length));
+        let _ = writeln!(out, "{name:<28} {length:>12} {mass:>10.3}");
+    }
+    let is_massless = |name: &str| {
+        !of.masses.iter().any(|(known, _)| known == name || known.strip_suffix("_left") == Some(name))
+    };
+    for (name, length) in of.lengths.iter().filter(|(name, _)| is_massless(name)) {
+        let name = line(name);
+        let _ = writeln!(out, "{name:<28} {:>12.2} {:>10}", 1e3 * length, "massless");
+    }
+    let _ = writeln!(out, "{:<28} {:>12} {:>10.3}", "all", "", of.total_mass);
+    out.push_str(
+        "\nThe length of an arm is from its hinge's line to its outer point, of a rod from\nend to end.\n",
+    );
+    out
+}
+
+fn millimetres(metres: f64) -> String {
+    format!("{:.1} mm", 1e3 * metres)
+}

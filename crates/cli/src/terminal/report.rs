@@ -1,0 +1,83 @@
+//! Output that both commands share: results to stdout, diagnostics to stderr.
+
+use crate::terminal::diagnostics::lines;
+use crate::terminal::escape::{self, Terminal};
+use crate::terminal::failure::Failure;
+use crate::terminal::wrap;
+use percuss_formats::KNOWN_WARNING;
+use percuss_study::DiagnosticRecord;
+use std::io::{self, IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// True if notes are shown, false if notes are only counted; set once, from the command line.
+static NOTES_SHOWN: AtomicBool = AtomicBool::new(false);
+
+/// Selects the output of notes: every note, or the number of notes.
+pub fn show_notes(shown: bool) {
+    NOTES_SHOWN.store(shown, Ordering::Relaxed);
+}
+
+/// Writes a result to stdout.
+pub fn write_out(text: &str) -> Result<(), Failure> {
+    let mut stdout = io::stdout().lock();
+    stdout.write_all(escape::lines(text).as_bytes())?;
+    stdout.flush()?;
+    Ok(())
+}
+
+/// Writes a result for another program to stdout, with unchanged names; on a terminal, with escapes for control characters and
+/// marks of direction.
+pub fn write_as_is(bytes: &[u8]) -> Result<(), Failure> {
+    let mut stdout = io::stdout().lock();
+    if stdout.is_terminal() {
+        Terminal::new(&mut stdout).write_all(bytes)?;
+    } else {
+        stdout.write_all(bytes)?;
+    }
+    stdout.flush()?;
+    Ok(())
+}
+
+/// Writes a result to stdout as indented JSON.
+pub fn write_json(result: &impl serde::Serialize) -> Result<(), Failure> {
+    match serde_json::to_string_pretty(result) {
+        Ok(text) => write_as_is((escape::json(&text) + "\n").as_bytes()),
+        Err(error) => Err(Failure::NoAnswer(format!("the result has no JSON form: {error}"))),
+    }
+}
+
+/// Writes a note about the command itself to stderr. A closed stderr changes nothing.
+pub fn note(message: &str) {
+    remark("note", message);
+}
+
+/// Writes a warning about the command to stderr. A closed stderr changes nothing.
+pub fn warn(message: &str) {
+    remark("warning", message);
+}
+
+fn remark(severity: &str, message: &str) {
+    let _ =
+        writeln!(io::stderr().lock(), "{}", wrap::message(&format!("{severity}: {}", escape::line(message))));
+}
+
+/// Writes diagnostics to stderr.
+///
+/// # Errors
+/// Under `strict`, any warning: the diagnostics are then in the error.
+pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Result<(), Failure> {
+    let mut lines = lines(diagnostics, NOTES_SHOWN.load(Ordering::Relaxed));
+    // A warning that the model file marks as known becomes a note; under --strict this note counts as a warning.
+    let is_warning =
+        |d: &&DiagnosticRecord| d.severity == "warning" || d.severity == "note" && d.code == KNOWN_WARNING;
+    let warnings = diagnostics.iter().filter(is_warning).count();
+    if strict && warnings > 0 {
+        lines.push(format!("error: {warnings} warning(s), and --strict makes them errors"));
+        return Err(Failure::BadInput(lines));
+    }
+    let mut stderr = io::stderr().lock();
+    for line in lines {
+        let _ = writeln!(stderr, "{}", wrap::message(&escape::line(&line)));
+    }
+    Ok(())
+}

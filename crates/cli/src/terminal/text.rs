@@ -1,0 +1,227 @@
+//! Numbers, tables and bars in text output.
+
+use crate::terminal::escape::line;
+use crate::terminal::limits;
+use crate::terminal::wrap::{WIDTH, hanging, width};
+use std::fmt;
+
+/// Formats nine significant digits without trailing zeros; scientific notation for very small and very large numbers.
+pub fn number(x: f64) -> String {
+    if x == 0.0 {
+        return "0".into();
+    }
+    let magnitude = x.abs().log10().floor();
+    if !(-4.0..9.0).contains(&magnitude) {
+        let text = format!("{x:.8e}");
+        let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{exponent}", trimmed(digits));
+    }
+    // The shortest representation is used if it has at most nine digits, because it is faster to compute.
+    let shortest = x.to_string();
+    if shortest.trim_start_matches(['-', '0', '.']).bytes().filter(u8::is_ascii_digit).count() <= 9 {
+        return shortest;
+    }
+    let decimals = (8.0 - magnitude).max(0.0) as usize;
+    trimmed(&format!("{x:.decimals$}"))
+}
+
+/// Formats five significant digits.
+pub fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.4e}").parse().unwrap_or(x);
+    number(rounded)
+}
+
+/// Formats one digit, rounded up: for upper bounds.
+pub fn bound(x: f64) -> String {
+    let nearest = format!("{x:.0e}");
+    let above = || {
+        let (digit, exponent) = nearest.split_once('e')?;
+        let above: f64 = format!("{}e{exponent}", digit.parse::<u8>().ok()? + 1).parse().ok()?;
+        Some(format!("{above:.0e}"))
+    };
+    match nearest.parse::<f64>() {
+        Ok(shown) if shown < x => above().unwrap_or(nearest),
+        _ => nearest,
+    }
+}
+
+fn trimmed(digits: &str) -> String {
+    if digits.contains('.') {
+        digits.trim_end_matches('0').trim_end_matches('.').into()
+    } else {
+        digits.into()
+    }
+}
+
+/// Formats `(x, y, z)`; a component that is rounding noise relative to the largest is shown as 0.
+pub fn triple(v: &[f64; 3]) -> String {
+    let largest = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let shown =
+        v.map(|x| if x.abs() < limits::COMPONENT_ROUNDING * largest { "0".into() } else { number(x) });
+    format!("({}, {}, {})", shown[0], shown[1], shown[2])
+}
+
+/// Bar of `width` cells for a share between 0 and 1.
+pub fn bar(share: f64, width: usize) -> String {
+    let eighths = (share.clamp(0.0, 1.0) * width as f64 * 8.0).round() as usize;
+    let mut text = "█".repeat(eighths / 8);
+    if let Some(part) = (eighths % 8).checked_sub(1) {
+        text.push(['▏', '▎', '▍', '▌', '▋', '▊', '▉'][part]);
+    }
+    text
+}
+
+/// Table with columns as wide as their contents. If a line is too wide, the last column is wrapped between words; if
+/// even this is too narrow, columns continue in further lines of the row.
+pub struct Table<const N: usize> {
+    rows: Vec<[String; N]>,
+}
+
+impl<const N: usize> Table<N> {
+    /// Creates a table with its header.
+    pub fn new(header: [&str; N]) -> Self {
+        Self { rows: vec![header.map(str::to_owned)] }
+    }
+
+    /// Adds a row.
+    pub fn row(&mut self, cells: [String; N]) {
+        self.rows.push(cells.map(|cell| line(&cell).into_owned()));
+    }
+
+    /// Rows, starting with the header.
+    pub fn rows(&self) -> &[[String; N]] {
+        &self.rows
+    }
+
+    /// Ranges of columns for each line of a row.
+    fn bands(&self, widths: &[usize; N]) -> Vec<std::ops::Range<usize>> {
+        let words = self.rows.iter().flat_map(|row| row[N - 1].split(' ').map(width));
+        let last = words.max().unwrap_or(0).max(limits::LEAST_COLUMN);
+        let (mut bands, mut start, mut used) = (Vec::new(), 0, 0);
+        for i in 0..N {
+            let needed = if i + 1 == N { widths[i].min(last) } else { widths[i] };
+            if i > start && used + needed > WIDTH {
+                bands.push(start..i);
+                (start, used) = (i, limits::BAND_INDENT);
+            }
+            used += needed + 2;
+        }
+        bands.push(start..N);
+        bands
+    }
+}
+
+impl<const N: usize> fmt::Display for Table<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut widths = [0; N];
+        for row in &self.rows {
+            for (widest, cell) in widths.iter_mut().zip(row) {
+                *widest = (*widest).max(width(cell));
+            }
+        }
+        let bands = self.bands(&widths);
+        for row in &self.rows {
+            for band in &bands {
+                let mut text = " ".repeat(if band.start == 0 { 0 } else { limits::BAND_INDENT });
+                let (mut column, mut last) = (0, 0);
+                for i in band.clone() {
+                    (column, last) = (width(&text), i);
+                    text += &row[i];
+                    text.extend(std::iter::repeat_n(' ', widths[i] + 2 - width(&row[i])));
+                }
+                let text = text.trim_end();
+                // A continued line is omitted if empty.
+                if band.start == 0 || !text.is_empty() {
+                    writeln!(f, "{}", if last + 1 == N { hanging(text, column) } else { text.to_owned() })?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Quotes a word for the shell of this system, if necessary.
+pub fn word(text: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "._-/".contains(c);
+    if text.chars().all(is_plain) {
+        return text.to_owned();
+    }
+    // cmd.exe and PowerShell both accept double quotes, which are not permitted in file names on Windows.
+    if cfg!(windows) { format!("\"{text}\"") } else { format!("'{}'", text.replace('\'', "'\\''")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bound_is_never_less_than_what_it_bounds() {
+        let cases =
+            [(1e-13, "1e-13"), (1.4e-13, "2e-13"), (1.6e-13, "2e-13"), (9.4e-14, "1e-13"), (0.0, "0e0")];
+        for (x, shown) in cases {
+            assert_eq!(bound(x), shown);
+        }
+        for k in -3000..3000 {
+            let x = (0.1 * f64::from(k)).exp();
+            let shown: f64 = bound(x).parse().expect("a number");
+            assert!(x <= shown && shown <= 2.0 * x, "{x} by {shown}");
+        }
+        assert_eq!(bound(f64::NAN), "NaN");
+        assert_eq!(bound(f64::INFINITY), "inf");
+    }
+
+    #[test]
+    fn numbers_are_short_and_keep_nine_digits() {
+        let cases = [
+            (0.75, "0.75"),
+            (207.342164123, "207.342164"),
+            (3.3333333333e-7, "3.33333333e-7"),
+            (1.0, "1"),
+            (-0.5, "-0.5"),
+            (1e12, "1e12"),
+            (123456789.4, "123456789"),
+            (0.0, "0"),
+            (-0.00123456789, "-0.00123456789"),
+            (0.001234567891, "0.00123456789"),
+            (999999999.9, "1000000000"),
+        ];
+        for (x, text) in cases {
+            assert_eq!(number(x), text);
+        }
+    }
+
+    #[test]
+    fn tables_are_no_wider_than_a_terminal() {
+        let mut table = Table::new(["link", "mass", "notes"]);
+        table.row(["arm".into(), "1 kg".into(), "a word ".repeat(30).trim().into()]);
+        let text = table.to_string();
+        assert!(text.lines().all(|line| width(line) <= WIDTH), "{text}");
+        // The notes stay in their column.
+        assert!(
+            text.lines()
+                .skip(2)
+                .all(|line| line.starts_with("            a") || line.starts_with("            w")),
+            "{text}"
+        );
+        let long = |letter: char| String::from(letter).repeat(30);
+        let mut table = Table::new(["joint", "from", "to"]);
+        table.row([long('a'), long('b'), long('c')]);
+        table.row([long('d'), String::new(), String::new()]);
+        let expected = [
+            format!("{:<30}  from", "joint"),
+            "    to".to_owned(),
+            format!("{}  {}", long('a'), long('b')),
+            format!("    {}", long('c')),
+            long('d'),
+        ];
+        assert_eq!(table.to_string().lines().collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn bars_grow() {
+        assert_eq!(bar(0.0, 4), "");
+        assert_eq!(bar(0.5, 4), "██");
+        assert_eq!(bar(1.0, 4), "████");
+        assert_eq!(bar(0.03, 4), "▏");
+    }
+}

@@ -1,0 +1,36 @@
+//! The command, run as a program.
+
+mod bounded;
+mod columns;
+mod crossings;
+mod damp;
+mod designs;
+mod frames;
+mod hostile_names;
+mod import;
+mod init;
+mod input_rules;
+mod loops;
+mod malformed;
+mod map;
+mod mass;
+mod models;
+mod outputs;
+mod own_suspension;
+mod pages;
+mod questions;
+mod report;
+mod run;
+mod safe_speed;
+mod sizes;
+mod special_files;
+mod study_keys;
+mod support;
+mod sweep;
+mod sweep_grids;
+mod sweep_input;
+mod sweep_parquet;
+mod sweep_rows;
+mod tables;
+mod travel_ends;
+mod windows;

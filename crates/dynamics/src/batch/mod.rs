@@ -1,0 +1,7 @@
+//! Many configurations or contacts: workspaces, batches, paths of drivers, contact maps.
+
+pub(crate) mod contact_map;
+pub(crate) mod driven_path;
+pub(crate) mod pool;
+pub(crate) mod rows;
+pub(crate) mod workspace;

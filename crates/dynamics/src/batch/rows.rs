@@ -1,0 +1,465 @@
+//! m̄ of one contact at many configurations, with SIMD lanes and threads.
+//!
+//! Two kinds of mechanisms have a SIMD kernel: trees without mimics (on the ground or floating), and linkages of few
+//! degrees of freedom. A lane with an uncertain result (massless, immovable, close to either, or with too much
+//! rounding) is computed again by [`Workspace`]. For all other mechanisms, [`Workspace`] computes every
+//! configuration. Every result equals that of [`Batch::effective_mass`] at the same configuration, bit for bit.
+
+use crate::analysis::assembly::Assembly;
+use crate::batch::pool::Idle;
+use crate::batch::workspace::Workspace;
+use crate::kernels::aligned::Aligned;
+use crate::kernels::estimate::{Answered, Answers, Columns};
+use crate::kernels::lanes::InLanes;
+use crate::kinematics::contact::Contact;
+use crate::kinematics::outcome::{EffectiveMass, ResponseError};
+use crate::kinematics::remarks::RemarkFlags;
+use crate::model::velocities::{VelocityError, check_positions};
+use percuss_spatial::lanes::Instructions;
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+/// Number of configurations per task of a thread.
+const PORTION: usize = 512;
+/// Number of configurations per call of the SIMD kernel: a multiple of the lane count of every instruction set.
+const BLOCK: usize = 64;
+
+/// Positions of many configurations. Each configuration holds the positions of all joints one after another, in joint
+/// order.
+#[derive(Clone, Copy, Debug)]
+pub enum BatchPositions<'a> {
+    /// Configuration `c` begins at index `c · stride`.
+    Rows {
+        /// The positions.
+        values: &'a [f64],
+        /// Distance between consecutive configurations.
+        stride: usize,
+    },
+    /// Position `q` of configuration `c` has index `q · stride + c`. The fastest layout.
+    Columns {
+        /// The positions.
+        values: &'a [f64],
+        /// Distance between consecutive positions.
+        stride: usize,
+    },
+}
+
+/// Result for one configuration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BatchAnswer {
+    /// m̄; `None` if there is no result. `remarks` contains the reason, and [`Workspace::effective_mass`] at the
+    /// configuration returns the error.
+    pub mass: Option<EffectiveMass>,
+    /// Rounding error, kg; `None` if not computed. For a massless contact: upper limit of m̄, if the contact is
+    /// massless only within rounding ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
+    pub error: Option<f64>,
+    /// Findings about the result, or the reason for a missing result. Joint limits are not checked.
+    pub remarks: RemarkFlags,
+}
+
+impl BatchAnswer {
+    /// Initial value: no result yet.
+    pub const NONE: Self = Self { mass: None, error: None, remarks: RemarkFlags::NONE };
+
+    /// True if the contact is massless only within rounding. Masses lost in sums with larger masses may be present.
+    pub fn is_massless_to_rounding(&self) -> bool {
+        self.mass == Some(EffectiveMass::Massless) && self.error.is_some()
+    }
+}
+
+/// Error of a batch run.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BatchError {
+    /// Too few numbers for the configurations.
+    #[error(
+        "{got} numbers are given; {configurations} configurations of {positions} positions, {stride} apart, need {needed}"
+    )]
+    Short {
+        /// Number of given values.
+        got: usize,
+        /// Number of required values.
+        needed: usize,
+        /// Number of configurations.
+        configurations: usize,
+        /// Number of positions per configuration.
+        positions: usize,
+        /// The stride.
+        stride: usize,
+    },
+    /// The stride is too small; configurations would overlap.
+    #[error("the stride is {stride}; expected at least {least}")]
+    Stride {
+        /// The given stride.
+        stride: usize,
+        /// The smallest valid stride.
+        least: usize,
+    },
+    /// The output columns have different lengths.
+    #[error("there is room for {masses} masses and {errors} errors; expected as many of both")]
+    Columns {
+        /// Length of the column of masses.
+        masses: usize,
+        /// Length of the column of errors.
+        errors: usize,
+    },
+    /// The caller stopped the run.
+    #[error("stopped after {done} configurations")]
+    Stopped {
+        /// Number of finished configurations.
+        done: usize,
+    },
+}
+
+/// One contact, ready for many configurations.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    assembly: Arc<Assembly>,
+    contact: Contact,
+    instructions: Instructions,
+    worker: Worker,
+    idle: Idle<Worker>,
+}
+
+/// Workspace of one thread.
+#[derive(Clone, Debug)]
+struct Worker {
+    in_lanes: Option<InLanes>,
+    /// Indices of the positions that the SIMD kernel reads.
+    read: Vec<usize>,
+    /// Positions of a block by columns, [`BLOCK`] apart.
+    columns: Aligned,
+    /// Positions of one configuration.
+    row: Vec<f64>,
+    workspace: Workspace,
+    /// Findings that hold at every configuration.
+    remarks: RemarkFlags,
+}
+
+impl Assembly {
+    /// Prepares m̄ of one contact at many configurations of this assembly. For normals given in the world, the root
+    /// link is at the world's origin; [`Workspace::batch`] uses another base pose.
+    ///
+    /// # Errors
+    /// [`ResponseError`]: an invalid contact.
+    pub fn batch(self: &Arc<Self>, contact: &Contact) -> Result<Batch, ResponseError> {
+        self.workspace().batch(contact)
+    }
+}
+
+impl Workspace {
+    /// Prepares m̄ of one contact at many configurations, with the assembly and the base pose of this workspace.
+    ///
+    /// # Errors
+    /// [`ResponseError`]: an invalid contact.
+    pub fn batch(&self, contact: &Contact) -> Result<Batch, ResponseError> {
+        let assembly = Arc::clone(self.assembly());
+        let model = assembly.model();
+        model.check_contact(contact)?;
+        let (contact, remarks) = self.prepare(contact);
+        let contact = &contact;
+        let mut workspace = self.clone();
+        let in_lanes =
+            workspace.take_lanes().and_then(|mut lanes| lanes.aim(model, contact).then_some(lanes));
+        let worker = Worker {
+            read: in_lanes.iter().flat_map(InLanes::read).collect(),
+            columns: Aligned::zeros(if in_lanes.is_some() { model.positions.max(1) * BLOCK } else { 0 }),
+            row: vec![0.0; model.positions],
+            workspace,
+            in_lanes,
+            remarks,
+        };
+        let instructions = Instructions::best();
+        Ok(Batch {
+            assembly: Arc::clone(&assembly),
+            contact: *contact,
+            instructions,
+            worker,
+            idle: Idle::default(),
+        })
+    }
+}
+
+impl Batch {
+    /// Instruction set of the SIMD kernel.
+    pub fn instructions(&self) -> Instructions {
+        self.instructions
+    }
+
+    /// Selects another instruction set; the baseline if this processor does not support `set`.
+    pub fn with_instructions(mut self, set: Instructions) -> Self {
+        self.instructions = if set.is_available() { set } else { Instructions::Baseline };
+        if let Some(lanes) = &mut self.worker.in_lanes {
+            lanes.set_instructions(self.instructions);
+        }
+        self.idle = Idle::default();
+        self
+    }
+
+    /// True if the mechanism has a SIMD kernel; otherwise each configuration is computed separately.
+    pub fn has_lanes(&self) -> bool {
+        self.worker.in_lanes.is_some()
+    }
+
+    /// m̄ at one configuration: the positions of all joints one after another. Bitwise equal to the result of
+    /// [`run`](Self::run). Allocates nothing if the result is not in doubt.
+    ///
+    /// # Errors
+    /// [`VelocityError::Positions`]: a wrong number of positions.
+    pub fn effective_mass(&mut self, positions: &[f64]) -> Result<BatchAnswer, VelocityError> {
+        check_positions(positions.len(), self.assembly.model().positions)?;
+        if let Some(clear) = self.worker.in_lanes.as_mut().and_then(|lanes| lanes.one(positions)) {
+            let mass = Some(EffectiveMass::Finite(clear.mass));
+            return Ok(BatchAnswer { mass, error: Some(clear.error), remarks: self.worker.remarks });
+        }
+        Ok(by_itself(&mut self.worker.workspace, &self.contact, positions, self.worker.remarks))
+    }
+
+    /// Computes m̄ at `answers.len()` configurations on all threads of rayon's pool. The results do not depend on the
+    /// order of the work.
+    ///
+    /// # Errors
+    /// [`BatchError`]: too few numbers, a stride that is too small.
+    pub fn run(&self, positions: BatchPositions<'_>, answers: &mut [BatchAnswer]) -> Result<(), BatchError> {
+        self.run_watched(positions, answers, |_| ControlFlow::Continue(()))
+    }
+
+    /// Like [`run`](Self::run), on the calling thread only. Allocates nothing after the first call, if no result is
+    /// in doubt.
+    ///
+    /// # Errors
+    /// As for [`run`](Self::run).
+    pub fn run_here(
+        &self,
+        positions: BatchPositions<'_>,
+        answers: &mut [BatchAnswer],
+    ) -> Result<(), BatchError> {
+        self.check(positions, answers.len())?;
+        self.idle.with(&self.worker, |worker| worker.portion(&self.contact, positions, 0, answers));
+        Ok(())
+    }
+
+    /// Like [`run_here`](Self::run_here), with results in columns. `masses` receives m̄, kg (NaN unless finite).
+    /// `errors` receives the rounding error, kg (NaN if not computed). The length of the columns is the number of
+    /// configurations. Configurations with an uncertain lane are computed separately; `other` is called with the
+    /// index and the result of each of them. All results that are not finite are among these.
+    ///
+    /// # Errors
+    /// As for [`run`](Self::run); `errors` and `masses` differ in length.
+    pub fn run_columns(
+        &self,
+        positions: BatchPositions<'_>,
+        masses: &mut [f64],
+        errors: &mut [f64],
+        other: impl FnMut(usize, BatchAnswer),
+    ) -> Result<(), BatchError> {
+        if errors.len() != masses.len() {
+            return Err(BatchError::Columns { masses: masses.len(), errors: errors.len() });
+        }
+        self.check(positions, masses.len())?;
+        let mut columns = AnswerColumns { masses, errors, other };
+        self.idle.with(&self.worker, |worker| worker.portion(&self.contact, positions, 0, &mut columns));
+        Ok(())
+    }
+
+    /// Like [`run`](Self::run), with progress reports. `watch` receives the number of finished configurations from
+    /// time to time, from any thread, and may stop the run.
+    ///
+    /// # Errors
+    /// As for [`run`](Self::run); [`BatchError::Stopped`]: stopped by `watch`. `answers` contains the results up to
+    /// that point.
+    pub fn run_watched(
+        &self,
+        positions: BatchPositions<'_>,
+        answers: &mut [BatchAnswer],
+        watch: impl Fn(usize) -> ControlFlow<()> + Sync,
+    ) -> Result<(), BatchError> {
+        self.check(positions, answers.len())?;
+        let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
+        answers.par_chunks_mut(PORTION).enumerate().for_each(|(number, portion)| {
+            if stopped.load(Ordering::Relaxed) {
+                return;
+            }
+            let first = number * PORTION;
+            self.idle.with(&self.worker, |worker| worker.portion(&self.contact, positions, first, portion));
+            let done = done.fetch_add(portion.len(), Ordering::Relaxed) + portion.len();
+            if watch(done).is_break() {
+                stopped.store(true, Ordering::Relaxed);
+            }
+        });
+        let done = done.into_inner();
+        if done < answers.len() { Err(BatchError::Stopped { done }) } else { Ok(()) }
+    }
+
+    /// Checks the stride and the number of positions.
+    fn check(&self, positions: BatchPositions<'_>, configurations: usize) -> Result<(), BatchError> {
+        let count = self.assembly.model().positions;
+        let (got, stride, least, outer, inner) = match positions {
+            BatchPositions::Rows { values, stride } => (values.len(), stride, count, configurations, count),
+            BatchPositions::Columns { values, stride } => {
+                (values.len(), stride, configurations, count, configurations)
+            }
+        };
+        if stride < least {
+            return Err(BatchError::Stride { stride, least });
+        }
+        let needed = outer.checked_sub(1).and_then(|o| o.checked_mul(stride)?.checked_add(inner));
+        match needed {
+            None if outer == 0 => Ok(()),
+            Some(needed) if needed <= got || inner == 0 => Ok(()),
+            _ => {
+                let needed = needed.unwrap_or(usize::MAX);
+                Err(BatchError::Short { got, needed, configurations, positions: count, stride })
+            }
+        }
+    }
+}
+
+/// Destination of the results.
+trait Places {
+    /// Number of results.
+    fn count(&self) -> usize;
+
+    /// Stores the lane results from index `first` on, certain or not.
+    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags);
+
+    /// Stores the result of a configuration computed separately.
+    fn put_one(&mut self, at: usize, answer: BatchAnswer);
+}
+
+impl Places for [BatchAnswer] {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    #[inline]
+    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags) {
+        for ((answer, mass), error) in self[first..].iter_mut().zip(masses).zip(errors) {
+            *answer = BatchAnswer { mass: Some(EffectiveMass::Finite(*mass)), error: Some(*error), remarks };
+        }
+    }
+
+    fn put_one(&mut self, at: usize, answer: BatchAnswer) {
+        self[at] = answer;
+    }
+}
+
+/// Results in columns; `other` receives results that need a separate computation.
+struct AnswerColumns<'a, F> {
+    masses: &'a mut [f64],
+    errors: &'a mut [f64],
+    other: F,
+}
+
+impl<F: FnMut(usize, BatchAnswer)> Places for AnswerColumns<'_, F> {
+    fn count(&self) -> usize {
+        self.masses.len()
+    }
+
+    #[inline]
+    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64], _: RemarkFlags) {
+        self.masses[first..][..masses.len()].copy_from_slice(masses);
+        self.errors[first..][..errors.len()].copy_from_slice(errors);
+    }
+
+    fn put_one(&mut self, at: usize, answer: BatchAnswer) {
+        let finite = |mass| if let EffectiveMass::Finite(m) = mass { m } else { f64::NAN };
+        self.masses[at] = answer.mass.map_or(f64::NAN, finite);
+        self.errors[at] = answer.error.unwrap_or(f64::NAN);
+        (self.other)(at, answer);
+    }
+}
+
+impl Worker {
+    /// Computes `places.count()` configurations, starting at configuration `first`.
+    fn portion(
+        &mut self,
+        contact: &Contact,
+        positions: BatchPositions<'_>,
+        first: usize,
+        places: &mut (impl Places + ?Sized),
+    ) {
+        let Worker { in_lanes, read, columns, row, workspace, remarks } = self;
+        let count = places.count();
+        for block in (0..count).step_by(BLOCK) {
+            let (start, here) = (first + block, BLOCK.min(count - block));
+            let [mut masses, mut errors] = [[f64::NAN; BLOCK]; 2];
+            if let Some(lanes) = in_lanes {
+                let width = lanes.width();
+                let mut ask = |columns, first, from: usize, count: usize| {
+                    let (masses, errors) = (&mut masses[from..][..count], &mut errors[from..][..count]);
+                    lanes.lanes(columns, first, Answers { masses, errors });
+                };
+                let mut done = 0;
+                if let BatchPositions::Columns { values, stride } = positions {
+                    done = here - here % width;
+                    ask(Columns { values, stride }, start, 0, done);
+                }
+                if done < here {
+                    let left = here - done;
+                    let padded = left.next_multiple_of(width);
+                    // Unused lanes repeat the last configuration.
+                    for lane in 0..padded {
+                        positions.put(start + done + lane.min(left - 1), read, &mut columns[lane..]);
+                    }
+                    ask(Columns { values: columns, stride: BLOCK }, 0, done, padded);
+                }
+            }
+            let (masses, errors) = (&masses[..here], &errors[..here]);
+            places.put(block, masses, errors, *remarks);
+            let clear = |lane: usize| Answered { mass: masses[lane], error: errors[lane] }.is_clear();
+            if (0..here).fold(true, |all, lane| all & clear(lane)) {
+                continue;
+            }
+            for lane in (0..here).filter(|lane| !clear(*lane)) {
+                row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
+                places.put_one(block + lane, by_itself(workspace, contact, row, *remarks));
+            }
+        }
+    }
+}
+
+impl BatchPositions<'_> {
+    /// Position `q` of a configuration.
+    #[inline]
+    fn at(&self, configuration: usize, q: usize) -> f64 {
+        match self {
+            BatchPositions::Rows { values, stride } => values[configuration * stride + q],
+            BatchPositions::Columns { values, stride } => values[q * stride + configuration],
+        }
+    }
+
+    /// Writes the positions with indices `read` of a configuration to `to`, [`BLOCK`] apart.
+    fn put(&self, configuration: usize, read: &[usize], to: &mut [f64]) {
+        match self {
+            BatchPositions::Rows { values, stride } => {
+                let row = &values[configuration * stride..];
+                read.iter().for_each(|&q| to[q * BLOCK] = row[q]);
+            }
+            BatchPositions::Columns { .. } => {
+                read.iter().for_each(|&q| to[q * BLOCK] = self.at(configuration, q));
+            }
+        }
+    }
+}
+
+/// Computes one configuration by the workspace.
+fn by_itself(
+    workspace: &mut Workspace,
+    contact: &Contact,
+    positions: &[f64],
+    remarks: RemarkFlags,
+) -> BatchAnswer {
+    if workspace.set_positions(positions).is_err() {
+        return BatchAnswer { remarks: RemarkFlags::NO_ANSWER, ..BatchAnswer::NONE };
+    }
+    match workspace.by_recursion_with(contact, remarks) {
+        Ok(mass) => {
+            let error = if mass == EffectiveMass::Massless { workspace.massless_to() } else { None };
+            BatchAnswer { mass: Some(mass), error, remarks: workspace.remarks() }
+        }
+        Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },
+    }
+}

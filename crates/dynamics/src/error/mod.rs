@@ -1,0 +1,4 @@
+//! Error budget of m̄.
+
+pub(crate) mod budget;
+pub(crate) mod stationary;

@@ -1,0 +1,10 @@
+//! Motion at a pose: velocities, travels, limits, inertia and accelerations.
+
+pub(crate) mod advance;
+pub(crate) mod forward_dynamics;
+pub(crate) mod limits;
+pub(crate) mod operational_inertia;
+pub(crate) mod point_velocity;
+pub(crate) mod rigid_body;
+pub(crate) mod travel;
+pub(crate) mod travel_search;

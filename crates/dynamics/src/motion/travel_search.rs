@@ -1,0 +1,440 @@
+//! Search for the place at which a point has a requested displacement: Newton's method along one driver, within the
+//! range of monotonic displacement.
+//!
+//! Limits of a travel are bracketed like solutions: the limit of the driver, beyond which no pose exists, and the
+//! reversal of the point.
+
+use crate::loops::assembling::AssemblyError;
+use crate::tolerances::{
+    ENCLOSED_STEPS, FIRST_STEP, LONGEST_STEP, MET, MET_TO_ROUNDING, POLISHED, STATIONARY, TRAVEL_STEPS,
+};
+
+/// A pose along the motion of a driver.
+#[derive(Clone, Debug)]
+pub(crate) struct Place<P> {
+    pub pose: P,
+    /// Position of the driver, rad or m.
+    pub driver: f64,
+    /// Displacement of the point, m.
+    pub gone: f64,
+    /// Rate of the displacement; `None` if not determined.
+    pub rate: Option<f64>,
+}
+
+/// Reason for a missing pose at a driver position.
+#[derive(Clone, Debug)]
+pub(crate) enum Stop {
+    /// No pose exists there; `end` is the limit of the driver, if found.
+    NoPose { error: AssemblyError, end: Option<f64> },
+    /// The input is invalid.
+    Fault(AssemblyError),
+}
+
+/// Reason for not reaching a displacement.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Missed {
+    /// The driver reached its limit, or the point reversed. `nearest`: displacement nearest to the requested one, m.
+    Unreachable { nearest: f64 },
+    /// The step limit was reached. `reached`: displacement of the point, m.
+    TooFar { reached: f64 },
+    /// No step was possible, or a pose is invalid.
+    Assembly(AssemblyError),
+}
+
+/// Reference lengths for displacements and steps.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scale {
+    /// Size of the mechanism, m.
+    pub size: f64,
+    /// Unit of the driver: 1 rad, or the size.
+    pub unit: f64,
+}
+
+/// Far end of the bracket around the solution.
+enum Far<P> {
+    /// A place beyond the requested displacement.
+    Over(Place<P>),
+    /// A place after the reversal of the point.
+    Turned(Place<P>),
+    /// The limit of the driver, short of the displacement. The point may have reversed before the limit.
+    End(Place<P>),
+    /// A driver position without a pose, or the limit of the driver, at which a pose may exist.
+    Barred { driver: f64, is_end: bool },
+}
+
+impl<P> Far<P> {
+    /// Position of the driver at this end.
+    fn driver(&self) -> f64 {
+        match self {
+            Far::Over(place) | Far::Turned(place) | Far::End(place) => place.driver,
+            Far::Barred { driver, .. } => *driver,
+        }
+    }
+}
+
+/// Place at a driver position, or the reason for its absence.
+type Visited<P> = Result<Place<P>, Stop>;
+
+/// Search for one displacement.
+pub(crate) struct Search<'a, P> {
+    pub scale: Scale,
+    /// Requested displacement, m.
+    pub requested: f64,
+    /// Returns the place at a driver position, followed from another pose.
+    pub visit: &'a mut (dyn FnMut(&P, f64) -> Visited<P> + 'a),
+}
+
+impl<P> Search<'_, P> {
+    /// Remaining displacement to the requested one, m.
+    fn miss(&self, place: &Place<P>) -> f64 {
+        self.requested - place.gone
+    }
+
+    /// True if the requested displacement is reached.
+    fn is_met(&self, place: &Place<P>) -> bool {
+        self.miss(place).abs() <= MET * self.scale.size
+    }
+
+    /// The rate, if its sign is determined.
+    fn rate(&self, place: &Place<P>) -> Option<f64> {
+        let Scale { size, unit } = self.scale;
+        place.rate.filter(|rate| rate.is_finite() && (rate * unit).abs() > STATIONARY * size)
+    }
+
+    /// Searches the requested displacement, starting at a known place.
+    pub fn go(mut self, start: Place<P>) -> Result<Place<P>, Missed> {
+        if self.is_met(&start) {
+            return Ok(start);
+        }
+        let start = if self.rate(&start).is_some() { start } else { self.leave(&start)? };
+        if self.is_met(&start) {
+            return Ok(start);
+        }
+        let Some(rate) = self.rate(&start) else {
+            return Err(Missed::Unreachable { nearest: start.gone });
+        };
+        // Direction of the driver towards the requested displacement.
+        let ahead = self.miss(&start).signum() * rate.signum();
+        let found = self.march(start, ahead)?;
+        Ok(self.polished(found))
+    }
+
+    /// One more Newton step, if the remaining error is above rounding.
+    fn polished(&mut self, found: Place<P>) -> Place<P> {
+        let miss = self.miss(&found);
+        let Some(rate) = self.rate(&found).filter(|_| miss.abs() > POLISHED * self.scale.size) else {
+            return found;
+        };
+        match (self.visit)(&found.pose, found.driver + miss / rate) {
+            Ok(place)
+                if self.miss(&place).abs() < miss.abs()
+                    && self.rate(&place).is_some_and(|other| other * rate > 0.0) =>
+            {
+                place
+            }
+            _ => found,
+        }
+    }
+
+    /// A step away from a place with an undetermined rate.
+    fn leave(&mut self, start: &Place<P>) -> Result<Place<P>, Missed> {
+        let step = FIRST_STEP * self.scale.unit;
+        let mut first = None;
+        for step in [step, -step] {
+            match (self.visit)(&start.pose, start.driver + step) {
+                Ok(place) => return Ok(place),
+                Err(Stop::Fault(error)) => return Err(Missed::Assembly(error)),
+                Err(Stop::NoPose { error, .. }) => {
+                    first.get_or_insert(error);
+                }
+            }
+        }
+        Err(first.map_or(Missed::Unreachable { nearest: start.gone }, Missed::Assembly))
+    }
+
+    /// Newton steps of limited length, until the displacement is reached or bracketed.
+    fn march(&mut self, mut near: Place<P>, ahead: f64) -> Result<Place<P>, Missed> {
+        let longest = LONGEST_STEP * self.scale.unit;
+        for _ in 0..TRAVEL_STEPS {
+            let step = match self.rate(&near) {
+                Some(rate) => (self.miss(&near) / rate).abs().min(longest),
+                None => FIRST_STEP * self.scale.unit,
+            };
+            match self.next(&near, near.driver + ahead * step, ahead)? {
+                Next::Met(place) => return Ok(place),
+                Next::Nearer(place) => near = place,
+                Next::Enclosed(far) => return self.enclosed(near, far, ahead),
+            }
+        }
+        Err(Missed::TooFar { reached: near.gone })
+    }
+
+    /// Classifies a driver position as seen from a place short of the displacement.
+    fn next(&mut self, near: &Place<P>, driver: f64, ahead: f64) -> Result<Next<P>, Missed> {
+        let place = match (self.visit)(&near.pose, driver) {
+            Ok(place) => place,
+            Err(Stop::Fault(error)) => return Err(Missed::Assembly(error)),
+            Err(Stop::NoPose { end, .. }) => {
+                let between = |end: &f64| ahead * (end - near.driver) > 0.0 && ahead * (driver - end) > 0.0;
+                return Ok(Next::Enclosed(match end.filter(between) {
+                    Some(end) => Far::Barred { driver: end, is_end: true },
+                    None => Far::Barred { driver, is_end: false },
+                }));
+            }
+        };
+        let (miss, left) = (self.miss(near), self.miss(&place));
+        let over = left * miss < 0.0;
+        let turned = match (self.rate(&place), place.rate) {
+            (Some(rate), _) => rate * ahead * miss < 0.0,
+            // At the reversal itself. A place before the reversal has a rate that leads back.
+            (None, Some(_)) => true,
+            (None, None) => (place.gone - near.gone) * miss < 0.0,
+        };
+        // A place beyond the reversal is a different pose, even if close.
+        Ok(match (turned, self.is_met(&place)) {
+            (false, true) => Next::Met(place),
+            _ if over => Next::Enclosed(Far::Over(place)),
+            (true, _) => Next::Enclosed(Far::Turned(place)),
+            (false, false) => Next::Nearer(place),
+        })
+    }
+
+    /// Narrows the bracket between a place short of the displacement and its far end.
+    fn enclosed(&mut self, mut near: Place<P>, mut far: Far<P>, ahead: f64) -> Result<Place<P>, Missed> {
+        let mut last = f64::INFINITY;
+        for _ in 0..ENCLOSED_STEPS {
+            let gap = (far.driver() - near.driver).abs();
+            let rounding = 2.0 * f64::EPSILON * near.driver.abs().max(f64::EPSILON * self.scale.unit);
+            if gap <= rounding || self.is_turn(&near, &far, gap) {
+                break;
+            }
+            if let Far::Barred { driver, is_end: true } = far {
+                match self.end(&near, driver)? {
+                    Ok(place) => return Ok(place),
+                    Err(end) => far = end,
+                }
+                continue;
+            }
+            let (from, step) = self.step(&near, &far, gap, last, ahead);
+            last = step.abs();
+            match self.next(&near, from + ahead * step, ahead)? {
+                Next::Met(place) => return Ok(place),
+                Next::Nearer(place) => near = place,
+                Next::Enclosed(enclosed) => far = enclosed,
+            }
+        }
+        self.ended(near, far)
+    }
+
+    /// Visits the exact limit of the driver. Its rate there may have either sign.
+    fn end(&mut self, near: &Place<P>, driver: f64) -> Result<Result<Place<P>, Far<P>>, Missed> {
+        match (self.visit)(&near.pose, driver) {
+            Ok(place) if self.is_met(&place) => Ok(Ok(place)),
+            Ok(mut place) => {
+                place.rate = None;
+                let over = self.miss(&place) * self.miss(near) < 0.0;
+                Ok(Err(if over { Far::Over(place) } else { Far::End(place) }))
+            }
+            Err(Stop::NoPose { .. }) => Ok(Err(Far::Barred { driver, is_end: false })),
+            Err(Stop::Fault(error)) => Err(Missed::Assembly(error)),
+        }
+    }
+
+    /// Start and length of the next step inside the bracket: a Newton step from one end, the estimated zero of the
+    /// rate, or bisection.
+    fn step(&self, near: &Place<P>, far: &Far<P>, gap: f64, last: f64, ahead: f64) -> (f64, f64) {
+        let tangent = |place: &Place<P>| {
+            let step = ahead * self.miss(place) / self.rate(place)?;
+            // Accept only steps that converge at least as fast as bisection.
+            (step.abs() < gap && step.abs() <= 0.5 * last).then_some((place.driver, step))
+        };
+        let forwards = || tangent(near).filter(|(_, step)| *step > 0.0);
+        let guess = match far {
+            Far::Over(place) if self.miss(place).abs() < self.miss(near).abs() => {
+                tangent(place).filter(|(_, step)| *step < 0.0).or_else(forwards)
+            }
+            Far::Over(_) | Far::End(_) | Far::Barred { .. } => forwards(),
+            Far::Turned(place) => forwards().or_else(|| {
+                let (here, there) = (self.rate(near)?, self.rate(place)?);
+                let step = gap * here / (here - there);
+                (step > 0.0 && step < gap && step <= 0.5 * last).then_some((near.driver, step))
+            }),
+        };
+        guess.unwrap_or((near.driver, 0.5 * gap))
+    }
+
+    /// True if the point reverses between two places so close to one of them that the displacement cannot improve in
+    /// between. To first order, the rate at that place falls to zero over its part of the bracket.
+    fn is_turn(&self, near: &Place<P>, far: &Far<P>, gap: f64) -> bool {
+        let Far::Turned(place) = far else { return false };
+        let (Some(here), Some(there)) = (near.rate, place.rate) else { return false };
+        let (here, there) = (here.abs(), there.abs());
+        let gain = |rate: f64| rate * gap * rate / (here + there);
+        let met = MET * self.scale.size;
+        // If a place beyond the reversal is close enough, so is a place before the reversal.
+        gain(here) <= met || gain(there) <= met && self.miss(place).abs() > MET_TO_ROUNDING * self.scale.size
+    }
+
+    /// Result for a bracket reduced to rounding.
+    fn ended(&self, near: Place<P>, far: Far<P>) -> Result<Place<P>, Missed> {
+        let is_close = |place: &Place<P>| self.miss(place).abs() <= MET_TO_ROUNDING * self.scale.size;
+        let best = match far {
+            Far::Over(place) if self.miss(&place).abs() < self.miss(&near).abs() => place,
+            Far::Turned(place) | Far::End(place)
+                if !is_close(&near) && (place.gone - near.gone) * self.miss(&near) > 0.0 =>
+            {
+                place
+            }
+            _ => near,
+        };
+        if is_close(&best) {
+            return Ok(best);
+        }
+        Err(Missed::Unreachable { nearest: best.gone })
+    }
+}
+
+/// Classification of a driver position.
+enum Next<P> {
+    Met(Place<P>),
+    /// Short of the displacement, and closer.
+    Nearer(Place<P>),
+    Enclosed(Far<P>),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    const SCALE: Scale = Scale { size: 1.0, unit: 1.0 };
+
+    /// A point that moves along a given function, between two limits of its driver.
+    struct Motion {
+        of: fn(f64) -> (f64, f64),
+        ends: [f64; 2],
+        says_ends: bool,
+    }
+
+    impl Motion {
+        fn place(&self, driver: f64) -> Place<()> {
+            let (gone, rate) = (self.of)(driver);
+            Place { pose: (), driver, gone, rate: rate.is_finite().then_some(rate) }
+        }
+
+        /// The result, and the number of places visited.
+        fn go(&self, start: f64, requested: f64) -> (Result<Place<()>, Missed>, usize) {
+            let mut visits = 0;
+            let mut visit = |_: &(), driver: f64| {
+                visits += 1;
+                let [low, high] = self.ends;
+                if (low..=high).contains(&driver) {
+                    return Ok(self.place(driver));
+                }
+                let end = if driver > high { high } else { low };
+                Err(Stop::NoPose { error: AssemblyError::ForeignPose, end: self.says_ends.then_some(end) })
+            };
+            let found = Search { scale: SCALE, requested, visit: &mut visit }.go(self.place(start));
+            (found, visits)
+        }
+    }
+
+    const FREE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+    const CRANK: Motion = Motion { of: |t| (t.sin(), t.cos()), ends: FREE, says_ends: true };
+
+    #[test]
+    fn displacements_between_the_turns_are_met() {
+        for k in -99..=99 {
+            let requested = f64::from(k) / 100.0;
+            let (found, visits) = CRANK.go(0.3, requested);
+            let place = found.expect("in reach");
+            assert!(
+                (place.gone - requested).abs() <= MET && (place.driver - requested.asin()).abs() < 1e-10,
+                "{requested}"
+            );
+            assert!(visits <= 20, "{requested}: {visits}");
+        }
+        // Close to the solution, two visits are enough.
+        let (found, visits) = CRANK.go(0.3, 0.3f64.sin() + 1e-4);
+        assert!(found.is_ok() && visits <= 2, "{visits}");
+    }
+
+    /// The reversal is approached from the side of the start, with a rate that leads back to the start.
+    #[test]
+    fn the_turn_is_met_before_it() {
+        for start in [0.3, 1.5, FRAC_PI_2 - 1e-5] {
+            let (found, visits) = CRANK.go(start, 1.0);
+            let place = found.expect("in reach");
+            assert!(place.driver < FRAC_PI_2 && place.rate.expect("a rate") > STATIONARY, "{place:?}");
+            assert!(visits <= 60, "{visits}");
+            let (back, _) = CRANK.go(place.driver, 0.9);
+            assert!((back.expect("in reach").driver - 0.9f64.asin()).abs() < 1e-11);
+        }
+    }
+
+    #[test]
+    fn beyond_the_turns_the_nearest_is_told() {
+        for (start, requested, nearest) in [(0.3, 1.2, 1.0), (0.3, -1e12, -1.0), (2.0, 1.0 + 1e-6, 1.0)] {
+            let (found, visits) = CRANK.go(start, requested);
+            let Err(Missed::Unreachable { nearest: got }) = found else { panic!("{found:?}") };
+            assert!((got - nearest).abs() < 1e-11 && visits <= 40, "{requested}: {got} {visits}");
+        }
+        // From the reversal itself to one side.
+        let (found, _) = CRANK.go(FRAC_PI_2, 0.5);
+        assert!((found.expect("in reach").driver - PI * 5.0 / 6.0).abs() < 1e-11);
+        let Err(Missed::Unreachable { nearest }) = CRANK.go(FRAC_PI_2, 1.5).0 else { panic!() };
+        assert!((nearest - 1.0).abs() < 1e-11);
+    }
+
+    /// At the limit of its range, the driver has a singular rate: the displacement is a square root of the remaining
+    /// distance.
+    #[test]
+    fn ends_of_the_driver_are_displacements_too() {
+        let of = |t: f64| (-(1.0 - t).max(0.0).sqrt(), 0.5 / (1.0 - t).max(0.0).sqrt());
+        for says_ends in [true, false] {
+            let motion = Motion { of, ends: [-9.0, 1.0], says_ends };
+            for (requested, within) in [(-0.5, 1e-12), (-1e-3, 1e-12), (-1e-7, 1e-9), (0.0, 1e-9)] {
+                let place = motion.go(0.0, requested).0.expect("in reach");
+                assert!((place.gone - requested).abs() <= within, "{requested}: {}", place.gone);
+            }
+            let Err(Missed::Unreachable { nearest }) = motion.go(0.0, 0.1).0 else { panic!() };
+            assert!(nearest.abs() < 2e-8, "{nearest}");
+        }
+    }
+
+    /// The point may reverse before the limit of the driver, although the displacement at the limit exceeds that at
+    /// the start.
+    #[test]
+    fn a_turn_before_the_end_is_found() {
+        // 1 − x², x = ½ − √(1 − t): the point reverses at t = ¾.
+        let of = |t: f64| {
+            let root = (1.0 - t).max(0.0).sqrt();
+            (1.0 - (0.5 - root).powi(2), -(0.5 - root) / root)
+        };
+        for says_ends in [true, false] {
+            let motion = Motion { of, ends: [-9.0, 1.0], says_ends };
+            for requested in [0.5, 0.74, 0.9, 0.999, 1.0] {
+                let place = motion.go(0.0, requested).0.expect("in reach");
+                assert!(
+                    (place.gone - requested).abs() <= MET && place.driver < 0.75,
+                    "{requested}: {place:?}"
+                );
+            }
+            let Err(Missed::Unreachable { nearest }) = motion.go(0.0, 1.1).0 else { panic!() };
+            assert!((nearest - 1.0).abs() < 1e-11, "{nearest}");
+        }
+    }
+
+    #[test]
+    fn a_long_travel_has_a_budget() {
+        let line = Motion { of: |t| (t, 1.0), ends: FREE, says_ends: true };
+        let (found, visits) = line.go(0.0, 1e12);
+        assert!(
+            matches!(found, Err(Missed::TooFar { reached }) if (reached - 12.0).abs() < 1e-9),
+            "{found:?}"
+        );
+        assert_eq!(visits, TRAVEL_STEPS);
+        let rests = Motion { of: |_| (0.0, 0.0), ends: FREE, says_ends: true };
+        assert_eq!(rests.go(0.0, 1.0).0.err(), Some(Missed::Unreachable { nearest: 0.0 }));
+    }
+}

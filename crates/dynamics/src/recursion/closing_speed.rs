@@ -1,0 +1,202 @@
+//! Relative closing speed: |j restricted to ker A| relative to the size of its terms. Decides if any admissible
+//! motion closes the gap. The result depends on lengths, not on masses.
+
+use crate::kinematics::contact::ContactRow;
+use crate::linear::dense::dot;
+use crate::mobility::GroupMobility;
+use crate::model::{Cluster, Follows, Model};
+use crate::recursion::Recursion;
+use crate::tolerances::{IMMOVABLE, RATE_ROUNDINGS};
+
+/// |j on ker A| / |size of the terms of j|, over coordinates scaled by the contact's length.
+///
+/// ker A is the product of the kernels of the clusters, so the squared projections of j on these kernels are summed.
+pub(crate) fn relative_closing_speed<const K: usize>(
+    room: &mut ClosingRoom,
+    model: &Model,
+    groups: &[GroupMobility],
+    recursion: &Recursion<f64, K>,
+    row: &ContactRow,
+) -> f64 {
+    let (mut along, mut size) = (0.0, 0.0);
+    let mut last = None;
+    for entry in &row.entries {
+        let length = if entry.turns { row.length } else { 1.0 };
+        size += (entry.size / length).powi(2);
+        let number = model.cluster_of[entry.body];
+        match recursion.place[number] {
+            None => along += (entry.value / length).powi(2),
+            Some(place) => {
+                if last != Some(number) && !seen(model, row, number, entry.velocity) {
+                    let of = (&recursion.clusters[place].g[..], recursion.clusters[place].d);
+                    along += projected(room, model, groups, &model.clusters[number], of, row);
+                }
+                last = Some(number);
+            }
+        }
+    }
+    if size > 0.0 { (along / size).sqrt() } else { 0.0 }
+}
+
+/// Threshold below which a relative closing speed may be only rounding, or only the misfit of loops moved by the
+/// contact. The threshold is the largest rank threshold of these loops. A slower closing speed may still be real: the
+/// exact mechanism may have the same speed.
+pub(crate) fn closing_floor(model: &Model, groups: &[GroupMobility], row: &ContactRow) -> f64 {
+    let mut floor = IMMOVABLE;
+    for entry in &row.entries {
+        for own in &model.clusters[model.cluster_of[entry.body]].groups {
+            let higher = groups[own.group].floor > floor;
+            let moves = |f: &Follows| model.groups[own.group].column(f.index).is_some();
+            if higher && model.follows[entry.velocity].as_ref().is_some_and(moves) {
+                floor = groups[own.group].floor;
+            }
+        }
+    }
+    floor
+}
+
+/// True if an earlier entry of the row lies in the same cluster.
+fn seen(model: &Model, row: &ContactRow, number: usize, velocity: usize) -> bool {
+    let before = row.entries.iter().take_while(|e| e.velocity != velocity);
+    before.into_iter().any(|e| model.cluster_of[e.body] == number)
+}
+
+/// Buffers for the projections; refilled in place.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ClosingRoom {
+    j: Vec<f64>,
+    /// Orthonormal vectors, one after another.
+    basis: Vec<f64>,
+    part: Vec<f64>,
+    place: Vec<usize>,
+}
+
+/// Squared norm of the projection of j on the kernel within a cluster, without rounding. `of`: G of the cluster and
+/// the number of its independent coordinates.
+fn projected(
+    room: &mut ClosingRoom,
+    model: &Model,
+    groups: &[GroupMobility],
+    cluster: &Cluster,
+    of: (&[f64], usize),
+    row: &ContactRow,
+) -> f64 {
+    let scale = |c: usize| if model.coordinates[cluster.coordinates[c]].turns { row.length } else { 1.0 };
+    room.j.clear();
+    room.j.resize(cluster.coordinates.len(), 0.0);
+    for entry in &row.entries {
+        if let Ok(at) = cluster.velocities.binary_search_by_key(&entry.velocity, |v| v.index) {
+            let v = &cluster.velocities[at];
+            room.j[v.coordinate] += entry.value * v.multiplier / scale(v.coordinate);
+        }
+    }
+    let rank: usize = cluster.groups.iter().map(|own| groups[own.group].pivots.rows.len()).sum();
+    if rank < of.1 {
+        off_rows(room, model, groups, cluster, &scale)
+    } else {
+        on_kernel(room, groups, cluster, of, &scale)
+    }
+}
+
+/// Projection on the columns of G, orthonormalised one after another.
+fn on_kernel(
+    room: &mut ClosingRoom,
+    groups: &[GroupMobility],
+    cluster: &Cluster,
+    (g, d): (&[f64], usize),
+    scale: &dyn Fn(usize) -> f64,
+) -> f64 {
+    let n = room.j.len();
+    let largest = room.j.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
+    let growth = growth_of(groups, cluster);
+    let mut sum = 0.0;
+    room.basis.clear();
+    for y in 0..d {
+        let start = room.basis.len();
+        room.basis.extend((0..n).map(|c| g[c * d + y] * scale(c)));
+        let (known, column) = room.basis.split_at_mut(start);
+        let norm = dot(column, column).sqrt();
+        orthogonalise(known, column);
+        let left = dot(column, column).sqrt();
+        if left <= 1e-14 * norm || left == 0.0 {
+            room.basis.truncate(start);
+            continue;
+        }
+        column.iter_mut().for_each(|c| *c /= left);
+        let value = dot(&room.j, column);
+        let terms = room.j.iter().zip(column.iter()).map(|(a, b)| (a * b).abs()).fold(0.0, f64::max);
+        // Values within the rounding of cancelling terms, or of G, count as zero.
+        let rounding = RATE_ROUNDINGS * f64::EPSILON * (terms + growth * largest * norm / left);
+        if value.abs() > rounding {
+            sum += value * value;
+        }
+    }
+    sum
+}
+
+/// Subtracts the components along orthonormal vectors (one after another in `known`) from a vector. Two passes are
+/// sufficient.
+fn orthogonalise(known: &[f64], vector: &mut [f64]) {
+    for _ in 0..2 {
+        for other in known.chunks_exact(vector.len().max(1)) {
+            let along = dot(other, vector);
+            vector.iter_mut().zip(other).for_each(|(v, o)| *v -= along * o);
+        }
+    }
+}
+
+/// Projection of j on the complement of the independent rows, for clusters with fewer rows than independent
+/// coordinates.
+fn off_rows(
+    room: &mut ClosingRoom,
+    model: &Model,
+    groups: &[GroupMobility],
+    cluster: &Cluster,
+    scale: &dyn Fn(usize) -> f64,
+) -> f64 {
+    for own in &cluster.groups {
+        if own.coordinates.iter().all(|&c| room.j[c] == 0.0) {
+            continue;
+        }
+        let (group, known) = (&model.groups[own.group], &groups[own.group]);
+        let (n, count) = (own.coordinates.len(), known.pivots.rows.len());
+        let ClosingRoom { j, basis, part, place } = room;
+        place.clear();
+        place.resize(group.rows, usize::MAX);
+        known.pivots.rows.iter().enumerate().for_each(|(i, r)| place[*r] = i);
+        basis.clear();
+        basis.resize(count * n, 0.0);
+        known.rows.for_each(group, |r, c, a| {
+            if place[r] != usize::MAX {
+                basis[place[r] * n + c] += a / scale(own.coordinates[c]);
+            }
+        });
+        for i in 0..count {
+            let (before, row) = basis.split_at_mut(i * n);
+            let row = &mut row[..n];
+            orthogonalise(before, row);
+            let norm = dot(row, row).sqrt();
+            row.iter_mut().for_each(|r| *r /= norm);
+        }
+        part.clear();
+        part.extend(own.coordinates.iter().map(|&c| j[c]));
+        let before = dot(part, part).sqrt();
+        orthogonalise(basis, part);
+        let rounding =
+            RATE_ROUNDINGS * f64::EPSILON * before * (count as f64 + 1.0) / known.rank.least.max(1e-6);
+        let nothing = dot(part, part).sqrt() <= rounding;
+        for (&c, value) in own.coordinates.iter().zip(part.iter()) {
+            j[c] = if nothing { 0.0 } else { *value };
+        }
+    }
+    dot(&room.j, &room.j)
+}
+
+/// Largest entry of |K⁻¹||A| over the groups of a cluster.
+fn growth_of(groups: &[GroupMobility], cluster: &Cluster) -> f64 {
+    let of_group = |known: &GroupMobility| match known.pivots.rows.is_empty() {
+        true => 0.0,
+        false => known.sizes.iter().fold(known.size(0, 0), |most, s| most.max(*s)),
+    };
+    cluster.groups.iter().map(|own| of_group(&groups[own.group])).fold(0.0, f64::max).min(1e6)
+}

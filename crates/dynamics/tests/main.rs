@@ -1,0 +1,4 @@
+//! Poses and workspaces.
+
+mod four_bar;
+mod inputs;

@@ -1,0 +1,380 @@
+//! Reader of COLLADA 1.4 and 1.5: `triangles`, `polylist` and `polygons` of the visual scene, with node transforms and the unit
+//! of length.
+
+use super::triangles::{Triangles, bounded};
+use crate::reading::limits::{DEEPEST_NODES, MOST_MESH_NUMBERS, MOST_SCENE_NODES};
+use crate::reading::prescan;
+use crate::reading::report::{Report, quoted};
+use nalgebra::{Matrix4, Rotation3, Unit, Vector3, Vector4};
+use roxmltree::{Document, Node, ParsingOptions};
+use std::collections::HashMap;
+use std::rc::Rc;
+
+pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
+    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    let text = std::str::from_utf8(bytes).map_err(|_| "no UTF-8 text".to_owned())?;
+    let mut report = Report::default();
+    if !prescan::check(text, &mut report) {
+        let first = report.finish("", text).into_iter().next();
+        return Err(first.map_or_else(|| "too complex".to_owned(), |d| d.message));
+    }
+    let parsing = ParsingOptions {
+        allow_dtd: true,
+        nodes_limit: crate::reading::limits::MOST_NODES,
+        entity_resolver: None,
+    };
+    let document = Document::parse_with_options(text, parsing).map_err(|e| format!("no XML: {e}"))?;
+    let root = document.root_element();
+    if root.tag_name().name() != "COLLADA" {
+        return Err(format!("its root is <{}>; <COLLADA> is expected", root.tag_name().name()));
+    }
+    let ids = root.descendants().filter_map(|node| Some((node.attribute("id")?, node))).collect();
+    let mut scene = Scene {
+        ids,
+        meshes: HashMap::new(),
+        positions: HashMap::new(),
+        parts: HashMap::new(),
+        numbers: 0,
+        visited: 0,
+        triangles: Triangles::new(),
+    };
+    let unit = elements(root, "asset").flat_map(|asset| elements(asset, "unit")).next();
+    let metre = match unit.and_then(|unit| unit.attribute("meter")) {
+        Some(text) => text.trim().parse::<f64>().ok().filter(|m| m.is_finite() && *m > 0.0),
+        None => Some(1.0),
+    };
+    let metre = metre.ok_or("the unit's metres are no number above 0")?;
+    let start = Matrix4::new_scaling(metre);
+    let named = elements(root, "scene").flat_map(|s| elements(s, "instance_visual_scene")).next();
+    let visual = named
+        .and_then(|n| scene.target(n))
+        .or_else(|| elements(root, "library_visual_scenes").flat_map(|l| elements(l, "visual_scene")).next());
+    match visual {
+        Some(visual) => {
+            for node in elements(visual, "node") {
+                scene.node(node, &start, 0)?;
+            }
+        }
+        None => {
+            for geometry in elements(root, "library_geometries").flat_map(|l| elements(l, "geometry")) {
+                scene.geometry(geometry, &start)?;
+            }
+        }
+    }
+    Ok(scene.triangles)
+}
+
+fn elements<'a, 'i: 'a>(node: Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
+    node.children().filter(move |c| c.is_element() && c.tag_name().name() == name)
+}
+
+fn numbers(node: Node<'_, '_>) -> Result<Vec<f64>, String> {
+    let read = |word: &str| word.parse::<f64>().ok().filter(|value| value.is_finite());
+    list(node, read, "finite number")
+}
+
+fn indices(node: Node<'_, '_>) -> Result<Vec<u32>, String> {
+    list(node, |word| word.parse().ok(), "index")
+}
+
+/// Numbers of an element, limited to `MOST_MESH_NUMBERS`.
+fn list<T>(node: Node<'_, '_>, read: impl Fn(&str) -> Option<T>, kind: &str) -> Result<Vec<T>, String> {
+    let mut list = Vec::new();
+    for word in node.text().unwrap_or("").split_ascii_whitespace() {
+        if list.len() == MOST_MESH_NUMBERS {
+            return Err(too_many_numbers());
+        }
+        list.push(read(word).ok_or_else(|| no_number(node, word, kind))?);
+    }
+    Ok(list)
+}
+
+fn no_number(node: Node<'_, '_>, word: &str, kind: &str) -> String {
+    format!("<{}> has {}, which is no {kind}", node.tag_name().name(), quoted(word))
+}
+
+/// Scene with caches by the offset of an element: an element is read once, even with many references.
+struct Scene<'a, 'i> {
+    ids: HashMap<&'a str, Node<'a, 'i>>,
+    /// Triangles of geometries.
+    meshes: HashMap<usize, Triangles>,
+    /// Positions of `source` and `vertices` elements.
+    positions: HashMap<usize, Rc<Vec<[f64; 3]>>>,
+    /// Nodes of the scene.
+    parts: HashMap<usize, Rc<ScenePart<'a, 'i>>>,
+    /// Numbers read so far.
+    numbers: usize,
+    /// Nodes and instances of geometries visited so far.
+    visited: usize,
+    triangles: Triangles,
+}
+
+/// Node of the scene: transform, child nodes and instances.
+struct ScenePart<'a, 'i> {
+    transform: Matrix4<f64>,
+    below: Vec<Below<'a, 'i>>,
+}
+
+enum Below<'a, 'i> {
+    Node(Node<'a, 'i>),
+    Geometry(Node<'a, 'i>),
+}
+
+impl<'a, 'i: 'a> Scene<'a, 'i> {
+    fn target(&self, node: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
+        self.reference(node.attribute("url").or_else(|| node.attribute("source"))?)
+    }
+
+    fn reference(&self, url: &str) -> Option<Node<'a, 'i>> {
+        self.ids.get(url.strip_prefix('#')?).copied()
+    }
+
+    /// Visits a node and its children; `above`: transform of the parent node.
+    fn node(&mut self, node: Node<'a, 'i>, above: &Matrix4<f64>, depth: usize) -> Result<(), String> {
+        self.visit()?;
+        if depth > DEEPEST_NODES {
+            return Err(format!(
+                "its nodes are nested too deep; at most {DEEPEST_NODES} within one another are read"
+            ));
+        }
+        let part = self.part(node)?;
+        let transform = above * part.transform;
+        for below in &part.below {
+            match *below {
+                Below::Node(node) => self.node(node, &transform, depth + 1)?,
+                Below::Geometry(geometry) => {
+                    self.visit()?;
+                    self.geometry(geometry, &transform)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn visit(&mut self) -> Result<(), String> {
+        self.visited += 1;
+        if self.visited > MOST_SCENE_NODES {
+            return Err(format!("its nodes and instances are too many; at most {MOST_SCENE_NODES} are read"));
+        }
+        Ok(())
+    }
+
+    /// Transform and content of a node.
+    fn part(&mut self, node: Node<'a, 'i>) -> Result<Rc<ScenePart<'a, 'i>>, String> {
+        let key = node.range().start;
+        if let Some(part) = self.parts.get(&key) {
+            return Ok(part.clone());
+        }
+        let mut part = ScenePart { transform: Matrix4::identity(), below: Vec::new() };
+        for child in node.children().filter(Node::is_element) {
+            match child.tag_name().name() {
+                "node" => part.below.push(Below::Node(child)),
+                "instance_node" => {
+                    part.below.push(Below::Node(self.target(child).ok_or_else(|| missing(child))?));
+                }
+                "instance_geometry" => {
+                    part.below.push(Below::Geometry(self.target(child).ok_or_else(|| missing(child))?));
+                }
+                "instance_controller" => {
+                    return Err("it has a skin (instance_controller), which is not read; export it without"
+                        .to_owned());
+                }
+                _ => {
+                    if let Some(step) = transform(child)? {
+                        part.transform *= step;
+                    }
+                }
+            }
+        }
+        let part = Rc::new(part);
+        self.parts.insert(key, part.clone());
+        Ok(part)
+    }
+
+    fn geometry(&mut self, geometry: Node<'a, 'i>, place: &Matrix4<f64>) -> Result<(), String> {
+        let key = geometry.range().start;
+        if !self.meshes.contains_key(&key) {
+            let mut own = Triangles::new();
+            for mesh in elements(geometry, "mesh") {
+                self.mesh(mesh, &mut own)?;
+            }
+            self.meshes.insert(key, own);
+        }
+        let own = &self.meshes[&key];
+        bounded(self.triangles.len() + own.len())?;
+        let move_to = |p: &[f64; 3]| {
+            let q = place * Vector4::new(p[0], p[1], p[2], 1.0);
+            [q.x, q.y, q.z]
+        };
+        self.triangles.extend(own.iter().map(|corners| corners.each_ref().map(move_to)));
+        Ok(())
+    }
+
+    fn mesh(&mut self, mesh: Node<'a, 'i>, out: &mut Triangles) -> Result<(), String> {
+        for primitive in mesh.children().filter(Node::is_element) {
+            let kind = primitive.tag_name().name();
+            match kind {
+                "triangles" | "polylist" | "polygons" => {}
+                "tristrips" | "trifans" => {
+                    return Err(format!("it has <{kind}>, which is not read; export triangles"));
+                }
+                // Sources, vertices, lines and extensions.
+                _ => continue,
+            }
+            let mut positions = None;
+            let mut stride = 0;
+            for input in elements(primitive, "input") {
+                let offset = match input.attribute("offset").map(str::parse::<usize>) {
+                    Some(Ok(offset)) if offset < 64 => offset,
+                    None => 0,
+                    Some(_) => return Err("an <input> has an offset that is none".to_owned()),
+                };
+                stride = stride.max(offset + 1);
+                if input.attribute("semantic") == Some("VERTEX") {
+                    let vertices = self.target(input).ok_or_else(|| missing(input))?;
+                    positions = Some((offset, self.positions_of(vertices)?));
+                }
+            }
+            let Some((offset, positions)) = positions else {
+                return Err(format!("<{kind}> has no vertices"));
+            };
+            let counts = match elements(primitive, "vcount").next() {
+                Some(vcount) => {
+                    let counts = indices(vcount)?;
+                    self.count(counts.len())?;
+                    Some(counts)
+                }
+                None => None,
+            };
+            for p in elements(primitive, "p") {
+                let all = indices(p)?;
+                self.count(all.len())?;
+                let corners: Vec<u32> = all.chunks_exact(stride).map(|chunk| chunk[offset]).collect();
+                drop(all);
+                let mut rest = &corners[..];
+                let mut counts = counts.iter().flatten().copied();
+                while !rest.is_empty() {
+                    let count = match kind {
+                        "triangles" => 3,
+                        "polylist" => {
+                            counts.next().ok_or("<vcount> counts fewer corners than there are")? as usize
+                        }
+                        _ => rest.len(),
+                    };
+                    if count > rest.len() {
+                        return Err("a polygon has more corners than there are".to_owned());
+                    }
+                    let (polygon, after) = rest.split_at(count);
+                    // Only a list of counts contains empty polygons, and the list is finite, so the loop ends.
+                    rest = after;
+                    fan(polygon, &positions, out)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Positions of a `vertices` element.
+    fn positions_of(&mut self, vertices: Node<'a, 'i>) -> Result<Rc<Vec<[f64; 3]>>, String> {
+        let key = vertices.range().start;
+        if let Some(positions) = self.positions.get(&key) {
+            return Ok(positions.clone());
+        }
+        let of = elements(vertices, "input").find(|i| i.attribute("semantic") == Some("POSITION"));
+        let source = of.and_then(|i| self.target(i)).ok_or("its vertices have no positions")?;
+        let positions = self.positions(source)?;
+        self.positions.insert(key, positions.clone());
+        Ok(positions)
+    }
+
+    /// Positions of a `source` element.
+    fn positions(&mut self, source: Node<'a, 'i>) -> Result<Rc<Vec<[f64; 3]>>, String> {
+        let key = source.range().start;
+        if let Some(positions) = self.positions.get(&key) {
+            return Ok(positions.clone());
+        }
+        let array = elements(source, "float_array").next().ok_or("a <source> has no <float_array>")?;
+        let accessor = elements(source, "technique_common").flat_map(|t| elements(t, "accessor")).next();
+        let number = |name: &str, otherwise: usize| match accessor.and_then(|a| a.attribute(name)) {
+            None => Ok(otherwise),
+            Some(text) => {
+                text.trim().parse::<usize>().map_err(|_| format!("an <accessor> has {name}=\"{text}\""))
+            }
+        };
+        let (stride, first) = (number("stride", 3)?, number("offset", 0)?);
+        if stride < 3 {
+            return Err(format!("positions of {stride} numbers; 3 are expected"));
+        }
+        let mut positions = Vec::new();
+        let mut position = [0.0; 3];
+        for (i, word) in array.text().unwrap_or("").split_ascii_whitespace().enumerate() {
+            let value = word.parse::<f64>().ok().filter(|value| value.is_finite());
+            let value = value.ok_or_else(|| no_number(array, word, "finite number"))?;
+            let Some(i) = i.checked_sub(first) else { continue };
+            if let Some(axis) = position.get_mut(i % stride) {
+                *axis = value;
+            }
+            if i % stride == stride - 1 {
+                positions.push(position);
+            }
+            self.count(1)?;
+        }
+        let positions = Rc::new(positions);
+        self.positions.insert(key, positions.clone());
+        Ok(positions)
+    }
+
+    /// Adds to the count of read numbers, and checks the limit.
+    fn count(&mut self, numbers: usize) -> Result<(), String> {
+        self.numbers += numbers;
+        if self.numbers > MOST_MESH_NUMBERS { Err(too_many_numbers()) } else { Ok(()) }
+    }
+}
+
+fn too_many_numbers() -> String {
+    format!("more than {MOST_MESH_NUMBERS} numbers; simplify the mesh")
+}
+
+fn fan(polygon: &[u32], positions: &[[f64; 3]], out: &mut Triangles) -> Result<(), String> {
+    let at = |i: u32| {
+        positions
+            .get(i as usize)
+            .copied()
+            .ok_or_else(|| format!("a face names vertex {i} of {}", positions.len()))
+    };
+    for k in 2..polygon.len() {
+        out.push([at(polygon[0])?, at(polygon[k - 1])?, at(polygon[k])?]);
+        bounded(out.len())?;
+    }
+    Ok(())
+}
+
+fn missing(node: Node<'_, '_>) -> String {
+    let url = node.attribute("url").or_else(|| node.attribute("source")).unwrap_or("");
+    format!("<{}> refers to {url:?}, which there is not", node.tag_name().name())
+}
+
+/// Transform of an element of a node; `None` for other elements.
+fn transform(node: Node<'_, '_>) -> Result<Option<Matrix4<f64>>, String> {
+    let name = node.tag_name().name();
+    let count = match name {
+        "matrix" => 16,
+        "rotate" => 4,
+        "translate" | "scale" => 3,
+        "lookat" | "skew" => return Err(format!("a node has <{name}>, which is not read")),
+        _ => return Ok(None),
+    };
+    let v = numbers(node)?;
+    if v.len() != count {
+        return Err(format!("<{name}> has {} numbers; {count} are expected", v.len()));
+    }
+    Ok(Some(match name {
+        "matrix" => Matrix4::from_row_slice(&v),
+        "translate" => Matrix4::new_translation(&Vector3::new(v[0], v[1], v[2])),
+        "scale" => Matrix4::new_nonuniform_scaling(&Vector3::new(v[0], v[1], v[2])),
+        _ => match Unit::try_new(Vector3::new(v[0], v[1], v[2]), 1e-12) {
+            Some(axis) => Rotation3::from_axis_angle(&axis, v[3].to_radians()).to_homogeneous(),
+            None => Matrix4::identity(),
+        },
+    }))
+}

@@ -1,0 +1,4 @@
+//! Mesh files and surfaces of shapes.
+
+pub(crate) mod files;
+pub(crate) mod surface;

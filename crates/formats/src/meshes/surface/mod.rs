@@ -1,0 +1,231 @@
+//! Surface of a link: facets with a point, an outward normal and an area, in the link frame.
+
+mod facet;
+mod grid;
+mod orient;
+
+pub use facet::Facet;
+pub use orient::Orientation;
+
+use crate::meshes::files::{MeshError, MeshFolders, read_mesh};
+use crate::reading::limits::ROUND_FACETS;
+use crate::urdf::elements::shape::{Shape, Solid};
+use grid::Patch;
+use nalgebra::Vector3;
+use percuss_spatial::Transform;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::path::PathBuf;
+
+/// Reason for refusing to divide a surface.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SurfaceError {
+    /// More facets are needed than the caller allows.
+    #[error("{needed} facets are needed; at most {most} are made: take longer edges")]
+    TooMany {
+        /// Number of facets needed.
+        needed: usize,
+        /// Largest number allowed.
+        most: usize,
+    },
+}
+
+/// Shapes of a link, with the triangles of all meshes oriented outward.
+#[derive(Clone, Debug, Default)]
+pub struct Surface {
+    parts: Vec<Part>,
+    orientation: Orientation,
+    files: Vec<PathBuf>,
+}
+
+#[derive(Clone, Debug)]
+enum Part {
+    Round(Solid, Transform<f64>),
+    Mesh(Vec<[Vector3<f64>; 3]>),
+}
+
+impl Surface {
+    /// Reads the meshes of `shapes`, each of at most `max_size` bytes.
+    ///
+    /// # Errors
+    /// [`MeshError`] of the first unreadable mesh.
+    pub fn read<'a>(
+        shapes: impl IntoIterator<Item = &'a Shape>,
+        folders: &MeshFolders,
+        max_size: u64,
+    ) -> Result<Self, MeshError> {
+        let mut surface = Self::default();
+        for shape in shapes {
+            let Solid::Mesh { file, scale } = &shape.solid else {
+                surface.parts.push(Part::Round(shape.solid.clone(), shape.frame));
+                continue;
+            };
+            let path = folders.find(file)?;
+            let triangles = read_mesh(&path, max_size)?;
+            surface.files.push(path);
+            let placed = |p: [f64; 3]| {
+                shape.frame.point(&Vector3::new(p[0] * scale[0], p[1] * scale[1], p[2] * scale[2]))
+            };
+            let mut triangles: Vec<[Vector3<f64>; 3]> =
+                triangles.into_iter().map(|corners| corners.map(placed)).collect();
+            surface.orientation.add(&orient::turn_outward(&mut triangles));
+            surface.parts.push(Part::Mesh(triangles));
+        }
+        Ok(surface)
+    }
+
+    /// Files of the meshes.
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
+    }
+
+    /// Report about the orientation of the meshes.
+    pub fn orientation(&self) -> &Orientation {
+        &self.orientation
+    }
+
+    /// Centre and radius (m) of a sphere around the surface, not the smallest one; `None` for an empty surface.
+    pub fn bounds(&self) -> Option<(Vector3<f64>, f64)> {
+        let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
+        let mut include = |p: &Vector3<f64>| {
+            low = low.inf(p);
+            high = high.sup(p);
+        };
+        for part in &self.parts {
+            match part {
+                Part::Round(solid, frame) => {
+                    let half = half_size(solid);
+                    for corner in 0..8_usize {
+                        let side =
+                            |axis: usize| if corner >> axis & 1 == 0 { -half[axis] } else { half[axis] };
+                        include(&frame.point(&Vector3::new(side(0), side(1), side(2))));
+                    }
+                }
+                Part::Mesh(triangles) => triangles.iter().flatten().for_each(&mut include),
+            }
+        }
+        (low.x <= high.x).then(|| (0.5 * (low + high), 0.5 * (high - low).norm()))
+    }
+
+    /// Divides the surface into facets with edges of about `edge` (m) at most. Triangles of a mesh are divided but
+    /// never merged.
+    ///
+    /// # Errors
+    /// [`SurfaceError::TooMany`] if more than `most` facets are needed.
+    pub fn facets(&self, edge: f64, most: usize) -> Result<Vec<Facet>, SurfaceError> {
+        let needed = self.parts.iter().map(|part| count(part, edge)).fold(0, usize::saturating_add);
+        if needed > most {
+            return Err(SurfaceError::TooMany { needed, most });
+        }
+        let mut facets = Vec::with_capacity(needed);
+        for part in &self.parts {
+            match part {
+                Part::Round(solid, frame) => {
+                    let first = facets.len();
+                    patches(solid, edge).iter().for_each(|patch| patch.divide(&mut facets));
+                    for facet in &mut facets[first..] {
+                        facet.corners = facet.corners.map(|p| frame.point(&p));
+                        facet.point = frame.point(&facet.point);
+                        facet.normal = frame.vector(&facet.normal);
+                    }
+                }
+                Part::Mesh(triangles) => triangles.iter().for_each(|t| divide(t, edge, &mut facets)),
+            }
+        }
+        Ok(facets)
+    }
+}
+
+fn half_size(solid: &Solid) -> [f64; 3] {
+    match solid {
+        Solid::Box { size } => size.map(|s| 0.5 * s),
+        Solid::Sphere { radius } => [*radius; 3],
+        Solid::Cylinder { radius, length } => [*radius, *radius, 0.5 * length],
+        Solid::Capsule { radius, length } => [*radius, *radius, 0.5 * length + radius],
+        Solid::Mesh { .. } => [0.0; 3],
+    }
+}
+
+fn count(part: &Part, edge: f64) -> usize {
+    match part {
+        Part::Round(solid, _) => patches(solid, edge).iter().map(Patch::count).fold(0, usize::saturating_add),
+        Part::Mesh(triangles) => {
+            let of = |t: &[Vector3<f64>; 3]| parts_of(t, edge).saturating_mul(parts_of(t, edge));
+            triangles.iter().map(of).fold(0, usize::saturating_add)
+        }
+    }
+}
+
+/// Number of parts for an edge of the given length.
+fn parts_along(length: f64, edge: f64) -> usize {
+    let parts = (length / edge).ceil();
+    // NaN gives one part. A very large number is refused later, by the number of facets.
+    if parts >= 1.0 { parts as usize } else { 1 }
+}
+
+fn parts_of(t: &[Vector3<f64>; 3], edge: f64) -> usize {
+    let longest = (t[1] - t[0]).norm().max((t[2] - t[1]).norm()).max((t[0] - t[2]).norm());
+    parts_along(longest, edge)
+}
+
+/// Divides a triangle into n² congruent triangles.
+fn divide(t: &[Vector3<f64>; 3], edge: f64, out: &mut Vec<Facet>) {
+    let n = parts_of(t, edge);
+    let at = |i: usize, k: usize| {
+        if n == 1 {
+            // Uses the exact corner, without the rounding of a sum.
+            return t[if i == 1 { 1 } else { 2 * k }];
+        }
+        t[0] + (t[1] - t[0]) * (i as f64 / n as f64) + (t[2] - t[0]) * (k as f64 / n as f64)
+    };
+    for i in 0..n {
+        for k in 0..n - i {
+            flat([at(i, k), at(i + 1, k), at(i, k + 1)], out);
+            if i + k + 1 < n {
+                flat([at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)], out);
+            }
+        }
+    }
+}
+
+fn flat(corners: [Vector3<f64>; 3], out: &mut Vec<Facet>) {
+    let [a, b, c] = corners;
+    let cross = (b - a).cross(&(c - a));
+    let length = cross.norm();
+    // A degenerate triangle has no normal.
+    if length > 0.0 && length.is_finite() {
+        out.push(Facet { corners, point: (a + b + c) / 3.0, normal: cross / length, area: 0.5 * length });
+    }
+}
+
+/// Patches that form the surface of a solid.
+fn patches(solid: &Solid, edge: f64) -> Vec<Patch> {
+    let around =
+        |radius: f64| parts_along(TAU * radius, edge).clamp(*ROUND_FACETS.start(), *ROUND_FACETS.end());
+    let straight = |length: f64| parts_along(length, edge);
+    match *solid {
+        Solid::Box { size } => Patch::of_box(size, size.map(straight)),
+        Solid::Sphere { radius } => {
+            let n = around(radius);
+            vec![Patch::ball(radius, 0.0, (-FRAC_PI_2, PI), (n, n.div_ceil(2)))]
+        }
+        Solid::Cylinder { radius, length } => {
+            let (n, rings) = (around(radius), straight(radius));
+            vec![
+                Patch::side(radius, length, (n, straight(length))),
+                Patch::disc(radius, 0.5 * length, 1.0, (n, rings)),
+                Patch::disc(radius, -0.5 * length, -1.0, (n, rings)),
+            ]
+        }
+        Solid::Capsule { radius, length } => {
+            let n = around(radius);
+            let half = (n, n.div_ceil(4));
+            vec![
+                Patch::side(radius, length, (n, straight(length))),
+                Patch::ball(radius, 0.5 * length, (0.0, FRAC_PI_2), half),
+                Patch::ball(radius, -0.5 * length, (-FRAC_PI_2, FRAC_PI_2), half),
+            ]
+        }
+        Solid::Mesh { .. } => Vec::new(),
+    }
+}

@@ -1,0 +1,113 @@
+//! Input of a model's bytes, and check for text.
+
+use crate::LoadError;
+use crate::reading::report::{Place, Report};
+use std::fs::File;
+use std::io::{self, Read};
+
+/// Default size limit of a model file: 32 MiB.
+pub const DEFAULT_MAX_SIZE: u64 = 32 << 20;
+
+/// Bytes of a model and their origin.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// File name as the user gave it; `<stdin>` for `-`.
+    pub name: String,
+    /// Contents.
+    pub bytes: Vec<u8>,
+}
+
+impl Source {
+    /// Reads a file, or the standard input for `-`. Reads at most `max_size` + 1 bytes.
+    ///
+    /// # Errors
+    /// [`LoadError`] if the file does not exist, cannot be read, is a directory, or is too large.
+    pub fn read(path: &str, max_size: u64) -> Result<Source, LoadError> {
+        let name = if path == "-" { "<stdin>" } else { path };
+        let bytes = if path == "-" {
+            read_bounded(io::stdin().lock(), max_size)
+        } else {
+            open(path).and_then(|file| read_bounded(file, max_size))
+        };
+        let refuse = |code, message: String| Err(LoadError::of_file(name, code, message));
+        match bytes {
+            Ok(bytes) if bytes.len() as u64 > max_size => {
+                refuse("too-large-file", format!("larger than the limit of {max_size} bytes"))
+            }
+            Ok(bytes) => Ok(Source { name: name.to_owned(), bytes }),
+            Err(error) => match error.kind() {
+                io::ErrorKind::NotFound => refuse("no-such-file", "no such file".to_owned()),
+                io::ErrorKind::IsADirectory => {
+                    refuse("directory", "this is a directory; name the URDF file in it".to_owned())
+                }
+                io::ErrorKind::PermissionDenied => {
+                    refuse("unreadable", "it may not be read: permission denied".to_owned())
+                }
+                // Other kinds of errors of the operating system.
+                _ => refuse("unreadable", format!("cannot be read: {error}")),
+            },
+        }
+    }
+
+    /// Creates a source from text.
+    pub fn from_text(name: impl Into<String>, text: impl Into<String>) -> Source {
+        Source { name: name.into(), bytes: text.into().into_bytes() }
+    }
+
+    /// Returns the bytes as text, without a byte order mark.
+    pub(crate) fn text(&self, report: &mut Report) -> Option<&str> {
+        let bytes = self.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&self.bytes);
+        let utf16 =
+            [&b"\xFF\xFE"[..], b"\xFE\xFF", b"<\0", b"\0<"].iter().any(|mark| bytes.starts_with(mark));
+        if utf16 {
+            report.error("utf-16", Place::File, || {
+                "the file is in UTF-16; UTF-8 is expected: run \"iconv -f UTF-16 -t UTF-8 FILE\" and load the result"
+                    .to_owned()
+            });
+            return None;
+        }
+        if bytes.contains(&0) {
+            report.error("binary", Place::File, || {
+                "this is not a text file (it has zero bytes); a URDF is XML text in UTF-8".to_owned()
+            });
+            return None;
+        }
+        let text = match std::str::from_utf8(bytes) {
+            Ok(text) => text,
+            Err(error) => {
+                let good = &bytes[..error.valid_up_to()];
+                let line = 1 + good.iter().filter(|b| **b == b'\n').count();
+                report.error("not-utf-8", Place::File, || {
+                    format!(
+                        "not UTF-8 text (byte 0x{:02x} in line {line}): either no text at all, or in another \
+                         encoding; \"iconv -f ISO-8859-1 -t UTF-8 FILE\" converts the commonest",
+                        bytes[error.valid_up_to()]
+                    )
+                });
+                return None;
+            }
+        };
+        if text.trim_ascii().is_empty() {
+            report.error("empty-file", Place::File, || {
+                "the file is empty; a URDF has a <robot> element".to_owned()
+            });
+            return None;
+        }
+        Some(text)
+    }
+}
+
+fn open(path: &str) -> io::Result<File> {
+    let file = File::open(path);
+    // Opening a directory fails on Windows; on other systems only reading fails.
+    if std::fs::metadata(path).is_ok_and(|found| found.is_dir()) {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    file
+}
+
+fn read_bounded(reader: impl Read, max_size: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    reader.take(max_size.saturating_add(1)).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}

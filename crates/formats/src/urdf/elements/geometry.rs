@@ -1,0 +1,114 @@
+//! Extent of the declared shape of a link. No result depends on the extent, so no finding here is an error.
+
+use crate::reading::limits::LARGEST_SHAPE;
+use crate::reading::report::{Place, Report, quoted, shortened};
+use crate::urdf::elements::numbers::parse;
+use crate::urdf::elements::origin::{ZERO_QUATERNION, of_quaternion};
+use crate::urdf::elements::survey::{child, children, is_substitution};
+use percuss_mechanism::Geometry;
+use roxmltree::Node;
+
+/// Sphere about the link's origin that encloses every `<visual>` and `<collision>`; not the smallest one.
+pub(crate) fn reach<'a, 'i: 'a>(link: Node<'a, 'i>, report: &mut Report) -> Geometry {
+    let mut reach = Geometry::None;
+    for holder in children(link, "visual").chain(children(link, "collision")) {
+        let Some(geometry) = child(holder, "geometry") else { continue };
+        for shape in geometry.children().filter(Node::is_element) {
+            reach = wider(reach, of_shape(holder, shape, report));
+        }
+    }
+    reach
+}
+
+fn wider(a: Geometry, b: Geometry) -> Geometry {
+    match (a, b) {
+        (Geometry::Mesh, _) | (_, Geometry::Mesh) => Geometry::Mesh,
+        (Geometry::None, other) | (other, Geometry::None) => other,
+        (Geometry::Within(a), Geometry::Within(b)) => Geometry::Within(a.max(b)),
+    }
+}
+
+fn of_shape<'a, 'i: 'a>(holder: Node<'a, 'i>, shape: Node<'a, 'i>, report: &mut Report) -> Geometry {
+    let radius = match shape.tag_name().name() {
+        "mesh" => {
+            let is_valid = is_scale_valid(shape, report) && centre(holder, report).is_some();
+            return if is_valid { Geometry::Mesh } else { Geometry::None };
+        }
+        "box" => numbers::<3>(shape, "size", report).map(|[x, y, z]| x.hypot(y).hypot(z) / 2.0),
+        "sphere" => numbers::<1>(shape, "radius", report).map(|[r]| r),
+        "cylinder" => round(shape, report).map(|(r, length)| r.hypot(length / 2.0)),
+        "capsule" => round(shape, report).map(|(r, length)| r + length / 2.0),
+        name => {
+            report.fold(
+                percuss_mechanism::Severity::Warning,
+                "unknown-shape",
+                shortened(name),
+                Place::Element(shape),
+                || format!("unknown shape <{}> is ignored", shortened(name)),
+            );
+            None
+        }
+    };
+    match (radius, centre(holder, report)) {
+        (Some(radius), Some([x, y, z])) => Geometry::Within(x.hypot(y).hypot(z) + radius.abs()),
+        (Some(_) | None, _) => Geometry::None,
+    }
+}
+
+/// Position of a shape in the link frame; `None` if the `<origin>` is invalid.
+fn centre<'a, 'i: 'a>(holder: Node<'a, 'i>, report: &mut Report) -> Option<[f64; 3]> {
+    let Some(origin) = child(holder, "origin") else { return Some([0.0; 3]) };
+    if origin.has_attribute("quat_xyzw") {
+        let quaternion = numbers::<4>(origin, "quat_xyzw", report)?;
+        if of_quaternion(quaternion).is_none() {
+            report.warning("bad-shape", Place::Attribute(origin, "quat_xyzw"), || {
+                format!("quat_xyzw: {ZERO_QUATERNION}; the shape is ignored")
+            });
+            return None;
+        }
+    } else if origin.has_attribute("rpy") {
+        numbers::<3>(origin, "rpy", report)?;
+    }
+    if origin.has_attribute("xyz") { numbers(origin, "xyz", report) } else { Some([0.0; 3]) }
+}
+
+/// True if a mesh has no scale, one factor, or three.
+fn is_scale_valid(shape: Node<'_, '_>, report: &mut Report) -> bool {
+    match shape.attribute("scale").map(parse::<1>) {
+        None | Some(Ok(_)) => true,
+        Some(Err(_)) => numbers::<3>(shape, "scale", report).is_some(),
+    }
+}
+
+fn round(shape: Node<'_, '_>, report: &mut Report) -> Option<(f64, f64)> {
+    let [radius] = numbers::<1>(shape, "radius", report)?;
+    let [length] = numbers::<1>(shape, "length", report)?;
+    Some((radius, length))
+}
+
+fn numbers<const N: usize>(
+    node: Node<'_, '_>,
+    attribute: &'static str,
+    report: &mut Report,
+) -> Option<[f64; N]> {
+    let Some(text) = node.attribute(attribute) else {
+        report.warning("bad-shape", Place::Element(node), || {
+            format!("no attribute \"{attribute}\"; the shape is ignored")
+        });
+        return None;
+    };
+    let place = Place::Attribute(node, attribute);
+    if is_substitution(text) {
+        report.xacro(place, &format!("{attribute}={}", quoted(text)));
+        return None;
+    }
+    let defect = match parse::<N>(text) {
+        Ok(values) if values.iter().all(|v| v.abs() <= LARGEST_SHAPE) => return Some(values),
+        Ok(_) => format!("more than {LARGEST_SHAPE:e} m is no shape"),
+        Err(defect) => defect,
+    };
+    report.warning("bad-shape", place, || {
+        format!("{attribute}={}: {defect}; the shape is ignored", quoted(text))
+    });
+    None
+}

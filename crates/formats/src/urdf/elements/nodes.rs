@@ -1,0 +1,107 @@
+//! XML elements of the mechanism, and positions of the builder's findings among them.
+
+use crate::reading::limits::MOST_BODIES;
+use crate::reading::report::{Place, Report};
+use crate::urdf::elements::closure;
+use crate::urdf::elements::gazebo_joint::holds_root;
+use crate::urdf::elements::survey::{child, children, is_gazebo_joint};
+use percuss_mechanism::{Problem, Subject};
+use roxmltree::Node;
+use std::collections::HashSet;
+
+/// Elements of links, joints, loops and couplings, in the order of the file.
+pub(crate) struct Nodes<'a, 'i> {
+    pub links: Vec<Node<'a, 'i>>,
+    pub joints: Vec<Node<'a, 'i>>,
+    pub closures: Vec<Node<'a, 'i>>,
+    pub couplings: Vec<Node<'a, 'i>>,
+}
+
+impl<'a, 'i: 'a> Nodes<'a, 'i> {
+    pub fn of(robot: Node<'a, 'i>, report: &mut Report) -> Self {
+        let names: HashSet<&str> =
+            children(robot, "link").filter_map(|link| link.attribute("name")).collect();
+        let link = |joint: Node<'a, 'i>| child(joint, "child").and_then(|child| child.attribute("link"));
+        let below: HashSet<&str> = children(robot, "joint").filter_map(link).collect();
+        let is_root = |link: &str| names.contains(link) && !below.contains(link) && !names.contains("world");
+        Self {
+            links: children(robot, "link").collect(),
+            joints: children(robot, "joint").collect(),
+            closures: robot
+                .children()
+                .filter(Node::is_element)
+                .flat_map(|node| {
+                    let own = closure::is_loop(node).then_some(node);
+                    own.into_iter().chain(node.children().filter(|n| is_gazebo_joint(*n)))
+                })
+                .filter(|node| !is_gazebo_joint(*node) || !holds_root(*node, is_root, report))
+                .collect(),
+            couplings: children(robot, "coupling").collect(),
+        }
+    }
+
+    /// True if the number of elements of each kind is within the limit; otherwise reports an error.
+    pub fn are_bounded(&self, robot: Node<'a, 'i>, report: &mut Report) -> bool {
+        let counts = [
+            ("links", self.links.len()),
+            ("joints", self.joints.len()),
+            ("loops", self.closures.len()),
+            ("couplings", self.couplings.len()),
+        ];
+        let excess = counts.into_iter().find(|(_, count)| *count > MOST_BODIES);
+        if let Some((what, count)) = excess {
+            report.error("too-complex", Place::Element(robot), || {
+                format!("{count} {what}; at most {MOST_BODIES} are read")
+            });
+        }
+        excess.is_none()
+    }
+
+    /// Position in the file of a finding of the builder.
+    pub fn place(&self, robot: Node<'a, 'i>, subject: &Subject, problem: &Problem) -> Place<'a, 'i> {
+        let node = match subject {
+            Subject::Mechanism => Some(robot),
+            Subject::Link { index, .. } => self.links.get(*index).copied(),
+            Subject::Joint { index, .. } => self.joints.get(*index).copied(),
+            Subject::Closure { index, .. } => self.closures.get(*index).copied(),
+            Subject::Coupling { index, .. } => self.couplings.get(*index).copied(),
+        };
+        let node = node.unwrap_or(robot);
+        let within: &[&'static str] = match problem {
+            Problem::NotFinite { quantity, .. } | Problem::TooLarge { quantity, .. } => match *quantity {
+                "centre of mass" => &["inertial", "origin"],
+                "mass" => &["inertial", "mass"],
+                "inertia" => &["inertial", "inertia"],
+                "origin" | "rotation" => &["origin"],
+                "axis" => &["axis"],
+                "limit" => &["limit"],
+                "mimic" => &["mimic"],
+                "armature" => &["dynamics"],
+                "distance" => &["distance"],
+                "ratio" => &["ratio"],
+                // Other names of quantities have no element of their own.
+                _ => &[],
+            },
+            Problem::NegativeMass { .. } => &["inertial", "mass"],
+            Problem::IndefiniteInertia { .. }
+            | Problem::TriangleInequality { .. }
+            | Problem::WideInertia { .. }
+            | Problem::DenseInertia { .. } => &["inertial", "inertia"],
+            Problem::InertiaWithoutMass { .. } => &["inertial", "mass"],
+            Problem::ZeroAxis | Problem::AxisNotUnit { .. } => &["axis"],
+            Problem::LimitsReversed { .. } => &["limit"],
+            Problem::NegativeArmature { .. } | Problem::ArmatureCount { .. } => &["dynamics"],
+            Problem::MimicKind { .. } | Problem::MimicCycle { .. } | Problem::DanglingMimic { .. } => {
+                &["mimic"]
+            }
+            Problem::SecondParent { .. } | Problem::NoClosure { .. } | Problem::JoinsItself { .. } => {
+                &["child"]
+            }
+            Problem::BadDistance { .. } => &["distance"],
+            Problem::ClosesOnItself { .. } => std::slice::from_ref(&closure::ends(node)[1]),
+            // Other problems have no element of their own; the position is the link or joint.
+            _ => &[],
+        };
+        Place::Element(within.iter().try_fold(node, |node, name| child(node, name)).unwrap_or(node))
+    }
+}

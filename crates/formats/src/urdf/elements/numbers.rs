@@ -1,0 +1,121 @@
+//! Strict parser of numbers in attributes: the right count, finite, and no other text.
+
+use crate::reading::report::{Place, Report, quoted};
+use crate::urdf::elements::survey::is_substitution;
+use roxmltree::Node;
+
+/// Parses exactly N finite numbers separated by white space. The error text names the defect.
+pub(crate) fn parse<const N: usize>(text: &str) -> Result<[f64; N], String> {
+    let expected = || if N == 1 { "1 finite number".to_owned() } else { format!("{N} finite numbers") };
+    let mut values = [0.0; N];
+    let mut count = 0;
+    for word in text.split_ascii_whitespace() {
+        let value = word.parse::<f64>().map_err(|_| {
+            let remedy = if word.contains(',') { " (spaces, not commas, go between numbers)" } else { "" };
+            format!("{} is not a number{remedy}; {} expected", quoted(word), expected_count(N))
+        })?;
+        if !value.is_finite() {
+            return Err(format!("{} is not finite; {} expected", quoted(word), expected_count(N)));
+        }
+        if let Some(slot) = values.get_mut(count) {
+            *slot = value;
+        }
+        count += 1;
+    }
+    if count == N {
+        Ok(values)
+    } else if count == 0 {
+        Err(format!("it is empty; {} expected", expected_count(N)))
+    } else {
+        Err(format!("got {count}, expected {}", expected()))
+    }
+}
+
+fn expected_count(count: usize) -> String {
+    if count == 1 { "1 finite number is".to_owned() } else { format!("{count} finite numbers are") }
+}
+
+/// Text of the attribute, checked to hold N valid numbers; `default` if absent or invalid (an error).
+pub(crate) fn optional<'a, const N: usize>(
+    node: Node<'a, '_>,
+    attribute: &'static str,
+    default: &'a str,
+    report: &mut Report,
+) -> &'a str {
+    let Some(text) = node.attribute(attribute) else { return default };
+    match parse::<N>(text) {
+        Ok(_) => text,
+        Err(defect) => {
+            bad(node, attribute, text, &defect, report);
+            default
+        }
+    }
+}
+
+/// As [`optional`], but an absent attribute is an error.
+pub(crate) fn required<'a, const N: usize>(
+    node: Node<'a, '_>,
+    attribute: &'static str,
+    default: &'a str,
+    report: &mut Report,
+) -> &'a str {
+    if node.attribute(attribute).is_none() {
+        missing(node, attribute, report);
+    }
+    optional::<N>(node, attribute, default, report)
+}
+
+/// Reads one number from a mandatory attribute.
+pub(crate) fn number(node: Node<'_, '_>, attribute: &'static str, report: &mut Report) -> Option<f64> {
+    let Some(text) = node.attribute(attribute) else {
+        missing(node, attribute, report);
+        return None;
+    };
+    match parse::<1>(text) {
+        Ok([value]) => Some(value),
+        Err(defect) => {
+            bad(node, attribute, text, &defect, report);
+            None
+        }
+    }
+}
+
+/// Reports an invalid number.
+pub(crate) fn bad(
+    node: Node<'_, '_>,
+    attribute: &'static str,
+    text: &str,
+    defect: &str,
+    report: &mut Report,
+) {
+    let place = Place::Attribute(node, attribute);
+    if is_substitution(text) {
+        report.xacro(place, &format!("{attribute}={}", quoted(text)));
+    } else {
+        report.error("bad-number", place, || format!("{attribute}={}: {defect}", quoted(text)));
+    }
+}
+
+/// Reports an absent mandatory attribute.
+pub(crate) fn missing(node: Node<'_, '_>, attribute: &'static str, report: &mut Report) {
+    report.error("missing-attribute", Place::Element(node), || {
+        format!("<{}> has no attribute \"{attribute}\"", node.tag_name().name())
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parse;
+
+    #[test]
+    fn only_the_right_count_of_finite_numbers_passes() {
+        assert_eq!(parse::<3>(" 1\t-2.5e-3 +.5\n"), Ok([1.0, -2.5e-3, 0.5]));
+        for text in
+            ["", "  ", "1 2", "1 2 3 4", "0 x 0 1", "1,2,3", "1 2 nan", "1 2 inf", "1 2 1e400", "1 2 0x3"]
+        {
+            assert!(parse::<3>(text).is_err(), "{text}");
+        }
+        // A no-break space does not separate numbers.
+        assert!(parse::<2>("1\u{a0}2").is_err());
+    }
+}

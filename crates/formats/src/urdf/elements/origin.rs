@@ -1,0 +1,84 @@
+//! `<origin>`: a translation, and a rotation in one of two notations.
+
+use crate::reading::limits::QUATERNION_NORM_SLACK;
+use crate::reading::report::{Place, Report};
+use crate::urdf::elements::numbers::{bad, optional, parse};
+use crate::urdf::elements::survey::child;
+use percuss_spatial::{Matrix3, Transform, rotation_from_quaternion, rotation_from_rpy};
+use roxmltree::Node;
+
+/// Checked `<origin>`.
+#[derive(Clone, Copy)]
+pub(crate) struct Origin<'a> {
+    /// Three valid numbers, m.
+    pub xyz: &'a str,
+    /// Three valid numbers, rad.
+    pub rpy: &'a str,
+    /// Rotation matrix of `quat_xyzw`, in files of any version; `quat_xyzw` takes precedence over `rpy`. The
+    /// quaternion is not converted to angles, whose error is milliradians near ±90° pitch.
+    pub quaternion: Option<Matrix3<f64>>,
+}
+
+impl Origin<'_> {
+    pub const IDENTITY: Origin<'static> = Origin { xyz: ZERO, rpy: ZERO, quaternion: None };
+
+    pub fn transform(&self) -> Transform<f64> {
+        // The texts are already checked.
+        let rotation = || rotation_from_rpy(parse(self.rpy).unwrap_or_default());
+        let translation = parse::<3>(self.xyz).unwrap_or_default();
+        Transform::new(self.quaternion.unwrap_or_else(rotation), translation.into())
+    }
+}
+
+const ZERO: &str = "0 0 0";
+
+/// Checks the `<origin>` of `parent`; identity if absent.
+pub(crate) fn check<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut Report) -> Origin<'a> {
+    child(parent, "origin").map_or(Origin::IDENTITY, |node| of(node, report))
+}
+
+/// Checks the attributes of an `<origin>`, or of another element with the same attributes.
+pub(crate) fn of<'a>(node: Node<'a, '_>, report: &mut Report) -> Origin<'a> {
+    let quaternion = node.attribute("quat_xyzw").and_then(|text| rotation(node, text, report));
+    if node.attribute("quat_xyzw").is_some() && node.attribute("rpy").is_some() {
+        report.warning("two-rotations", Place::Attribute(node, "quat_xyzw"), || {
+            "both rpy and quat_xyzw are given; quat_xyzw is taken".to_owned()
+        });
+    }
+    Origin {
+        xyz: optional::<3>(node, "xyz", ZERO, report),
+        rpy: optional::<3>(node, "rpy", ZERO, report),
+        quaternion,
+    }
+}
+
+fn rotation(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<Matrix3<f64>> {
+    let [x, y, z, w] = match parse::<4>(text) {
+        Ok(values) => values,
+        Err(defect) => {
+            bad(node, "quat_xyzw", text, &defect, report);
+            return None;
+        }
+    };
+    let Some((rotation, length)) = of_quaternion([x, y, z, w]) else {
+        bad(node, "quat_xyzw", text, ZERO_QUATERNION, report);
+        return None;
+    };
+    if (length - 1.0).abs() > QUATERNION_NORM_SLACK {
+        report.warning("quaternion-not-unit", Place::Attribute(node, "quat_xyzw"), || {
+            format!("the quaternion has norm {length}, not 1; it was normalised")
+        });
+    }
+    Some(rotation)
+}
+
+pub(crate) const ZERO_QUATERNION: &str = "it is zero; a unit quaternion x y z w is expected";
+
+/// Rotation matrix and norm of a quaternion x, y, z, w of any norm; `None` if the quaternion is zero.
+pub(crate) fn of_quaternion([x, y, z, w]: [f64; 4]) -> Option<(Matrix3<f64>, f64)> {
+    // Scaling first avoids overflow and underflow of the squares.
+    let scale = [x, y, z, w].iter().fold(0.0f64, |a, b| a.max(b.abs()));
+    let q = [w / scale, x / scale, y / scale, z / scale];
+    let norm = q.iter().map(|c| c * c).sum::<f64>().sqrt();
+    (scale >= f64::MIN_POSITIVE).then(|| (rotation_from_quaternion(q.map(|c| c / norm)), norm * scale))
+}

@@ -1,0 +1,132 @@
+//! Shapes of links: `<visual>` and `<collision>`. The mechanics do not depend on them, so no finding here is an
+//! error.
+
+use crate::reading::limits::LARGEST_SHAPE;
+use crate::urdf::elements::numbers::parse;
+use crate::urdf::elements::origin::of_quaternion;
+use crate::urdf::elements::survey::{child, children};
+use nalgebra::Vector3;
+use percuss_spatial::{Transform, rotation_from_rpy};
+use roxmltree::Node;
+
+/// Purpose of a declared shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Purpose {
+    /// `<collision>`.
+    Collision,
+    /// `<visual>`.
+    Visual,
+}
+
+impl Purpose {
+    /// Name of the XML element.
+    pub fn name(self) -> &'static str {
+        match self {
+            Purpose::Collision => "collision",
+            Purpose::Visual => "visual",
+        }
+    }
+}
+
+/// Solid in its own frame.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Solid {
+    /// Box centred at the origin; edge lengths in m.
+    Box {
+        /// Edge lengths along x, y and z.
+        size: [f64; 3],
+    },
+    /// Sphere centred at the origin, m.
+    Sphere {
+        /// Radius.
+        radius: f64,
+    },
+    /// Cylinder about the z axis, centred at the origin, m.
+    Cylinder {
+        /// Radius.
+        radius: f64,
+        /// Length from end to end.
+        length: f64,
+    },
+    /// Cylinder about the z axis with hemispherical ends, centred at the origin, m.
+    Capsule {
+        /// Radius.
+        radius: f64,
+        /// Length of the cylinder without the hemispheres.
+        length: f64,
+    },
+    /// Triangle mesh.
+    Mesh {
+        /// File name in the URDF.
+        file: String,
+        /// Scale factors of x, y and z.
+        scale: [f64; 3],
+    },
+}
+
+/// Shape of a link.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// Declared purpose.
+    pub purpose: Purpose,
+    /// Solid in its own frame.
+    pub solid: Solid,
+    /// Pose of the solid's frame in the link frame.
+    pub frame: Transform<f64>,
+}
+
+/// Shapes of a link: collision shapes first, then visual shapes, each in the order of the file. Shapes with invalid
+/// numbers are left out; `geometry.rs` warns about them.
+pub(crate) fn shapes<'a, 'i: 'a>(link: Node<'a, 'i>) -> Vec<Shape> {
+    let mut found = Vec::new();
+    for (name, purpose) in [("collision", Purpose::Collision), ("visual", Purpose::Visual)] {
+        for holder in children(link, name) {
+            let Some(geometry) = child(holder, "geometry") else { continue };
+            let Some(frame) = frame(holder) else { continue };
+            let solids = geometry.children().filter(Node::is_element).filter_map(solid);
+            found.extend(solids.map(|solid| Shape { purpose, solid, frame }));
+        }
+    }
+    found
+}
+
+fn numbers<const N: usize>(node: Node<'_, '_>, attribute: &str) -> Option<[f64; N]> {
+    let values = parse::<N>(node.attribute(attribute)?).ok()?;
+    values.iter().all(|v| v.abs() <= LARGEST_SHAPE).then_some(values)
+}
+
+/// Numbers of an attribute; `otherwise` if the attribute is absent, `None` if it is invalid.
+fn numbers_or<const N: usize>(node: Node<'_, '_>, attribute: &str, otherwise: [f64; N]) -> Option<[f64; N]> {
+    node.attribute(attribute).map_or(Some(otherwise), |_| numbers(node, attribute))
+}
+
+fn solid(shape: Node<'_, '_>) -> Option<Solid> {
+    let round = || Some((numbers::<1>(shape, "radius")?[0].abs(), numbers::<1>(shape, "length")?[0].abs()));
+    Some(match shape.tag_name().name() {
+        "box" => Solid::Box { size: numbers(shape, "size")?.map(f64::abs) },
+        "sphere" => Solid::Sphere { radius: numbers::<1>(shape, "radius")?[0].abs() },
+        "cylinder" => round().map(|(radius, length)| Solid::Cylinder { radius, length })?,
+        "capsule" => round().map(|(radius, length)| Solid::Capsule { radius, length })?,
+        "mesh" => Solid::Mesh {
+            file: shape.attribute("filename")?.trim().to_owned(),
+            scale: match shape.attribute("scale").map(parse::<1>) {
+                // A single factor for all axes is in use.
+                Some(Ok([all])) => [all; 3],
+                _ => numbers_or(shape, "scale", [1.0; 3])?,
+            },
+        },
+        _ => return None,
+    })
+}
+
+/// Pose of a shape from `<origin xyz rpy quat_xyzw>`.
+fn frame<'a, 'i: 'a>(holder: Node<'a, 'i>) -> Option<Transform<f64>> {
+    let Some(origin) = child(holder, "origin") else { return Some(Transform::identity()) };
+    let place = Vector3::from(numbers_or(origin, "xyz", [0.0; 3])?);
+    let rotation = if origin.has_attribute("quat_xyzw") {
+        of_quaternion(numbers(origin, "quat_xyzw")?)?.0
+    } else {
+        rotation_from_rpy(numbers_or(origin, "rpy", [0.0; 3])?)
+    };
+    Some(Transform::new(rotation, place))
+}

@@ -1,0 +1,220 @@
+//! Comparison of the file with the table of the dialect.
+
+use crate::reading::report::{Place, Report, shortened};
+use crate::urdf::elements::dialect::{Element, GAZEBO_JOINT, Use};
+use percuss_mechanism::{Severity, near_names};
+use roxmltree::Node;
+
+/// Namespaces of xacro macros.
+const XACRO: [&str; 4] = [
+    "http://www.ros.org/wiki/xacro",
+    "http://ros.org/wiki/xacro",
+    "http://wiki.ros.org/xacro",
+    "http://www.ros.org/xacro",
+];
+
+/// Language of an element's tag.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Tongue {
+    /// URDF: no namespace, or the namespace of the root element.
+    Urdf,
+    /// Extensions of Drake.
+    Drake,
+    /// Any other language.
+    Foreign,
+}
+
+/// Language of an element's tag, from its namespace.
+pub(crate) fn tongue(node: Node<'_, '_>) -> Tongue {
+    match node.tag_name().namespace() {
+        None => Tongue::Urdf,
+        Some(uri)
+            if node
+                .ancestors()
+                .filter(Node::is_element)
+                .last()
+                .is_some_and(|root| root.tag_name().namespace() == Some(uri)) =>
+        {
+            Tongue::Urdf
+        }
+        Some(uri) if uri.contains("drake") => Tongue::Drake,
+        Some(_) => Tongue::Foreign,
+    }
+}
+
+/// True if the element has the name `name` of the table.
+pub(crate) fn is_named(node: Node<'_, '_>, name: &str) -> bool {
+    let tag = node.tag_name().name();
+    match name.strip_prefix("drake:") {
+        Some(name) => tag == name && tongue(node) == Tongue::Drake,
+        None => tag == name && tongue(node) == Tongue::Urdf,
+    }
+}
+
+/// Child elements of the given name.
+pub(crate) fn children<'a, 'i: 'a>(
+    node: Node<'a, 'i>,
+    name: &'static str,
+) -> impl Iterator<Item = Node<'a, 'i>> {
+    node.children().filter(move |c| c.is_element() && is_named(*c, name))
+}
+
+/// First child element of the given name.
+pub(crate) fn child<'a, 'i: 'a>(node: Node<'a, 'i>, name: &'static str) -> Option<Node<'a, 'i>> {
+    children(node, name).next()
+}
+
+/// True if the value contains an unexpanded xacro substitution.
+pub(crate) fn is_substitution(value: &str) -> bool {
+    value.contains("${") || value.contains("$(")
+}
+
+/// Reports the first unexpanded xacro element of the file.
+pub(crate) fn macros(root: Node<'_, '_>, report: &mut Report) {
+    let is_macro = |n: &Node<'_, '_>| n.tag_name().namespace().is_some_and(|uri| XACRO.contains(&uri));
+    if let Some(node) = root.descendants().filter(Node::is_element).find(is_macro) {
+        report.xacro(Place::Element(node), &format!("<xacro:{}>", shortened(node.tag_name().name())));
+    }
+}
+
+/// Reports elements and attributes that the table does not read. The depth of recursion is the depth of the table.
+pub(crate) fn survey(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
+    attributes(node, spec, report);
+    let mut seen = 0u64;
+    for child in node.children() {
+        if child.is_text() {
+            stray_text(node, child, report);
+        }
+        if !child.is_element() {
+            continue;
+        }
+        let Some(index) = spec.children.iter().position(|s| is_named(child, s.name)) else {
+            if tongue(child) == Tongue::Urdf {
+                unknown_element(child, spec, report);
+            }
+            continue;
+        };
+        let found = &spec.children[index];
+        if found.single && seen & (1 << index) != 0 {
+            report.error("duplicate-element", Place::Element(child), || {
+                format!(
+                    "a second <{}>; only one is allowed, and which of them counts is not said",
+                    found.name
+                )
+            });
+        }
+        seen |= 1 << index;
+        element(child, found, report);
+    }
+}
+
+fn element(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
+    let place = Place::Element(node);
+    match spec.usage {
+        Use::Read => survey(node, spec, report),
+        Use::Silent if spec.name == "gazebo" => simulator_joints(node, report),
+        Use::Silent if spec.name == "mujoco" => equalities(node, report),
+        Use::Silent => {}
+        Use::Noted(why) => {
+            report.fold(Severity::Note, "ignored", spec.name.to_owned(), place, || why.to_owned());
+        }
+        Use::Warned(why) => {
+            report.fold(Severity::Warning, "ignored", spec.name.to_owned(), place, || why.to_owned());
+        }
+        Use::Refused(code, why) => report.error(code, place, || why.to_owned()),
+    }
+}
+
+fn attributes(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
+    for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
+        let name = attribute.name();
+        let place = Place::Attribute(node, name);
+        let usage = spec.attributes.iter().find(|(known, _)| *known == name).map(|(_, usage)| usage);
+        match usage {
+            Some(Use::Read) if is_substitution(attribute.value()) => {
+                report.xacro(place, &format!("{name}=\"{}\"", shortened(attribute.value())));
+            }
+            Some(Use::Read | Use::Silent) => {}
+            Some(Use::Noted(why)) => report.note("ignored", place, || (*why).to_owned()),
+            Some(Use::Warned(why)) => report.warning("ignored", place, || (*why).to_owned()),
+            Some(Use::Refused(code, why)) => report.error(code, place, || (*why).to_owned()),
+            None => {
+                let shown = shortened(name);
+                let kind = format!("{} {shown}", spec.name);
+                report.fold(Severity::Warning, "unknown-attribute", kind, place, || {
+                    let near = near_names(name, spec.attributes.iter().map(|(known, _)| *known));
+                    let guess = near.first().map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
+                    format!("unknown attribute \"{shown}\" is ignored{guess}")
+                });
+            }
+        }
+    }
+}
+
+fn unknown_element(node: Node<'_, '_>, parent: &'static Element, report: &mut Report) {
+    let name = node.tag_name().name();
+    let shown = shortened(name);
+    let kind = format!("{} {shown}", parent.name);
+    report.fold(Severity::Warning, "unknown-element", kind, Place::Element(node), || {
+        let known = parent.children.iter().map(|s| s.name).filter(|n| !n.starts_with("drake:"));
+        let guess =
+            near_names(name, known).first().map(|n| format!("; did you mean <{n}>?")).unwrap_or_default();
+        format!("unknown element <{shown}> is ignored{guess}")
+    });
+}
+
+/// Warns about text between elements. URDF gives values in attributes; `<mass>5</mass>` belongs to other formats.
+fn stray_text(parent: Node<'_, '_>, text: Node<'_, '_>, report: &mut Report) {
+    let words = text.text().unwrap_or_default().trim_ascii();
+    if !words.is_empty() {
+        let kind = parent.tag_name().name().to_owned();
+        report.fold(Severity::Warning, "stray-text", kind, Place::Element(parent), || {
+            format!("the text \"{}\" is ignored; URDF gives values in attributes", shortened(words))
+        });
+    }
+}
+
+/// Checks the joints in simulator settings. Other settings have no effect here, but a joint closes a loop.
+fn simulator_joints(gazebo: Node<'_, '_>, report: &mut Report) {
+    for joint in children(gazebo, "joint") {
+        if is_gazebo_joint(joint) {
+            survey(joint, &GAZEBO_JOINT, report);
+        } else {
+            refuse_gazebo_joint(joint, report, || {
+                "it belongs in a <gazebo> of <robot> that has no attribute \"reference\"".to_owned()
+            });
+        }
+    }
+}
+
+/// True for a `<joint>` in a `<gazebo>` of the whole robot. Only such joints are read.
+pub(crate) fn is_gazebo_joint(node: Node<'_, '_>) -> bool {
+    let of_robot = |gazebo: Node<'_, '_>| {
+        is_named(gazebo, "gazebo")
+            && !gazebo.has_attribute("reference")
+            && gazebo.parent().is_some_and(|robot| robot.parent().is_some_and(|root| root.is_root()))
+    };
+    is_named(node, "joint") && node.parent().is_some_and(of_robot)
+}
+
+/// Reports an unreadable joint as an error: without the joint, the mechanism would be a different one.
+pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, why: impl FnOnce() -> String) {
+    report.error("gazebo-joint", Place::Element(node), || {
+        format!(
+            "this joint inside <gazebo> closes a loop and is not read: {}. Correct it, or write the loop as a <loop> and \
+             remove it here",
+            why()
+        )
+    });
+}
+
+/// Refuses MuJoCo's equality constraints, which close loops and couple joints. Other settings have no effect here.
+fn equalities(mujoco: Node<'_, '_>, report: &mut Report) {
+    for equality in children(mujoco, "equality") {
+        report.error("loop-unsupported", Place::Element(equality), || {
+            "MuJoCo's equality constraints are not read, and the answer without them would be wrong: write a <loop> \
+             (for connect: spherical, for weld: fixed), or a <coupling> or <mimic> (for joint)"
+                .to_owned()
+        });
+    }
+}

@@ -1,0 +1,207 @@
+//! Construction of a mechanism from a source in URDF.
+
+use crate::reading::report::{Place, Report, cut, shortened};
+use crate::urdf::elements::dialect::ROBOT;
+use crate::urdf::elements::nodes::Nodes;
+use crate::urdf::elements::shape::{Shape, shapes};
+use crate::urdf::elements::survey::{macros, survey};
+use crate::urdf::texts::Texts;
+use crate::{Diagnostic, LoadError, Source, consistency, limits, prescan, standard};
+use percuss_mechanism::{Accept, Built, Mechanism, MechanismBuilder, Severity, Subject};
+use roxmltree::{Document, Node, ParsingOptions};
+use std::collections::HashSet;
+
+/// Options of the reader.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct LoadOptions {
+    /// Findings that the user accepts.
+    pub accept: Accept,
+}
+
+/// Mechanism with the findings in its file.
+#[derive(Debug)]
+pub struct Loaded {
+    /// Mechanism of the file.
+    pub mechanism: Mechanism,
+    /// Shapes of every link, in link order.
+    pub shapes: Vec<Vec<Shape>>,
+    /// Warnings and notes, in the order of the file.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads a URDF, closed loops and couplings included.
+///
+/// Units of URDF: m, kg, kg·m², rad. Inertias in a rotated frame are transformed to the link's axes, I = R I′ Rᵀ. Meshes,
+/// packages and external entities are not opened.
+///
+/// # Errors
+/// [`LoadError`] with all findings if a finding is an error (at most 50 findings of each severity; further findings are only
+/// counted).
+pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError> {
+    let mut report = Report::default();
+    let Some(text) = source.text(&mut report) else {
+        return Err(LoadError { diagnostics: report.finish(&source.name, "") });
+    };
+    let mechanism = read(text, options, &mut report);
+    let failed = report.has_errors();
+    let diagnostics = report.finish(&source.name, text);
+    match mechanism {
+        Some((mechanism, shapes)) if !failed => Ok(Loaded { mechanism, shapes, diagnostics }),
+        Some(_) | None => Err(LoadError { diagnostics }),
+    }
+}
+
+fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mechanism, Vec<Vec<Shape>>)> {
+    if !prescan::check(text, report) {
+        return None;
+    }
+    let parsing = ParsingOptions { allow_dtd: true, nodes_limit: limits::MOST_NODES, entity_resolver: None };
+    let document = match Document::parse_with_options(text, parsing) {
+        Ok(document) => document,
+        Err(error) => {
+            ill_formed(text, &error, report);
+            return None;
+        }
+    };
+    let robot = document.root_element();
+    if !is_robot(robot, report) {
+        return None;
+    }
+    macros(robot, report);
+    survey(robot, &ROBOT, report);
+    header(robot, report);
+    if report.is_xacro() {
+        return None;
+    }
+    let nodes = Nodes::of(robot, report);
+    if !nodes.are_bounded(robot, report) {
+        return None;
+    }
+    let mut texts = Texts::read(&nodes, report);
+    consistency::check(robot, &nodes, &mut texts, report);
+    if report.has_errors() {
+        return None;
+    }
+    let name = robot.attribute("name").unwrap_or_default();
+    let name =
+        if name.len() > limits::LONGEST_NAME { cut(name, limits::LONGEST_NAME) } else { name.to_owned() };
+    let builder = MechanismBuilder::new(name).accept(options.accept);
+    let builder = texts.links.iter().map(standard::link).fold(builder, MechanismBuilder::link);
+    let builder = texts.joints.iter().map(standard::joint).fold(builder, MechanismBuilder::joint);
+    let builder = texts.closures.into_iter().fold(builder, MechanismBuilder::closure);
+    let builder = texts.couplings.into_iter().fold(builder, MechanismBuilder::coupling);
+    let (mechanism, findings) = match builder.build() {
+        Ok(Built { mechanism, mut findings }) => {
+            findings.extend(mechanism.implausible_inertias(options.accept));
+            (Some(mechanism), findings)
+        }
+        Err(error) => (None, error.findings),
+    };
+    let known = known_warnings(&document);
+    for (subject, problem) in findings {
+        let said = matches!(&subject, Subject::Link { name, .. } if known.contains(&(problem.code(), name)));
+        let severity = match problem.severity() {
+            Severity::Warning if said => Severity::Note,
+            severity => severity,
+        };
+        report.add(severity, problem.code(), nodes.place(robot, &subject, &problem), || problem.to_string());
+    }
+    let shapes = nodes.links.iter().map(|link| shapes(*link)).collect();
+    mechanism.map(|mechanism| (mechanism, shapes))
+}
+
+/// Code of the warning that an imported model may mark as known. The importer reports this warning with its position in the
+/// suspension file.
+pub const KNOWN_WARNING: &str = "triangle-inequality";
+
+/// Code and link name of the warnings that the importer reported: `<?percuss-known CODE NAME?>` above the robot.
+fn known_warnings<'a>(document: &'a Document<'_>) -> HashSet<(&'a str, &'a str)> {
+    let instructions = document.root().children().filter_map(|node| node.pi());
+    let known = instructions.filter(|pi| pi.target == "percuss-known").filter_map(|pi| pi.value);
+    let known = known.filter_map(|value| value.trim().split_once(' '));
+    // A file may not silence other warnings.
+    known.filter(|(code, _)| *code == KNOWN_WARNING).collect()
+}
+
+/// Reports text that is not well-formed XML.
+fn ill_formed(text: &str, error: &roxmltree::Error, report: &mut Report) {
+    use roxmltree::Error;
+    let at = error.pos();
+    let place = match error {
+        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => Place::Offset(text.len()),
+        _ => Place::Offset(offset_of(text, at.row, at.col)),
+    };
+    let remedy = match error {
+        Error::UnknownNamespace(prefix, _) if prefix == "xacro" => {
+            report.xacro(place, "the prefix \"xacro:\"");
+            return;
+        }
+        Error::NodesLimitReached => {
+            report.error("too-complex", Place::File, || {
+                format!("more than {} elements, comments and stretches of text", limits::MOST_NODES)
+            });
+            return;
+        }
+        Error::UnknownNamespace(prefix, _) => {
+            format!(": declare the prefix in the root element, xmlns:{}=\"...\"", shortened(prefix))
+        }
+        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => {
+            ": the file ends too early; was it cut off?".to_owned()
+        }
+        Error::EntityReferenceLoop(_) => ": entities that grow without bound are refused".to_owned(),
+        // `roxmltree::Error` has further variants; for these the parser's message is enough.
+        _ => String::new(),
+    };
+    // The parser's message repeats the position.
+    let message = error.to_string().replace(&format!(" at {}:{}", at.row, at.col), "");
+    report.error("not-xml", place, || {
+        format!("not well-formed XML: {}{remedy}", cut(&message, limits::LONGEST_PARSER_MESSAGE))
+    });
+}
+
+/// Byte offset of a line and column (in characters), both from 1.
+fn offset_of(text: &str, row: u32, column: u32) -> usize {
+    let start: usize = text.split_inclusive('\n').take(row.saturating_sub(1) as usize).map(str::len).sum();
+    let line = &text[start..];
+    let within = line.char_indices().nth(column.saturating_sub(1) as usize).map_or(line.len(), |(i, _)| i);
+    start + within
+}
+
+/// True if the root element is that of a URDF; otherwise reports the probable kind of the file.
+fn is_robot(root: Node<'_, '_>, report: &mut Report) -> bool {
+    let name = root.tag_name().name();
+    let what = match name {
+        "robot" => return true,
+        "sdf" | "gazebo" => {
+            "this is an SDF file (Gazebo's), which is not read; `sdf2urdf` of sdformat_tools converts what URDF can hold"
+        }
+        "mujoco" => {
+            "this is an MJCF file (MuJoCo's), which is not read; `mjcf-urdf-simple-converter` (PyPI) converts trees with their inertias"
+        }
+        "COLLADA" => "this is a COLLADA mesh; the URDF names it, load that",
+        "html" | "HTML" => "this is a web page; a download may have gone wrong",
+        "mujocoinclude" => {
+            "this is a part of an MJCF file (MuJoCo's), which is not read; `mjcf-urdf-simple-converter` (PyPI) converts the whole"
+        }
+        "launch" => "this is a ROS launch file; load the URDF it names",
+        _ => "a URDF's root is <robot>",
+    };
+    report.error("wrong-root", Place::Element(root), || {
+        format!("the root element is <{}>: {what}", shortened(name))
+    });
+    false
+}
+
+/// Checks the attributes of `<robot>`.
+fn header(robot: Node<'_, '_>, report: &mut Report) {
+    if robot.attribute("name").is_none() {
+        report.note("unnamed-robot", Place::Element(robot), || "<robot> has no name".to_owned());
+    }
+    if let Some(version) = robot.attribute("version")
+        && !["1.0", "1.1", "1.2"].contains(&version.trim_ascii())
+    {
+        report.add(Severity::Warning, "unknown-version", Place::Attribute(robot, "version"), || {
+            format!("URDF version \"{}\" is not known; it is read as 1.2", shortened(version))
+        });
+    }
+}

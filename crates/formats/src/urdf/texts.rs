@@ -1,0 +1,42 @@
+//! Contents of all elements of the mechanism, each checked by itself.
+
+use crate::reading::report::Report;
+use crate::urdf::elements::gazebo_joint::{DrawnFrames, Reader};
+use crate::urdf::elements::joint::JointText;
+use crate::urdf::elements::link::LinkText;
+use crate::urdf::elements::nodes::Nodes;
+use crate::urdf::elements::survey::is_gazebo_joint;
+use crate::urdf::references::index;
+use crate::{closure, joint, link};
+use percuss_mechanism::{ClosureDescription, CouplingDescription};
+use roxmltree::Node;
+
+/// Contents of the file, in the order of [`Nodes`]. If the report has no error, all numbers are valid.
+/// [`consistency::check`](crate::urdf::consistency::check) checks the references by name.
+pub(crate) struct Texts<'a> {
+    pub links: Vec<LinkText<'a>>,
+    pub joints: Vec<JointText<'a>>,
+    pub closures: Vec<ClosureDescription>,
+    pub couplings: Vec<CouplingDescription>,
+}
+
+impl<'a> Texts<'a> {
+    /// Reads all elements.
+    pub fn read<'i: 'a>(nodes: &Nodes<'a, 'i>, report: &mut Report) -> Self {
+        let links: Vec<LinkText<'a>> = nodes.links.iter().map(|n| link::check(*n, report)).collect();
+        let joints: Vec<JointText<'a>> = nodes.joints.iter().map(|n| joint::check(*n, report)).collect();
+        let has_gazebo_joints = nodes.closures.iter().any(|n| is_gazebo_joint(*n));
+        let drawn = DrawnFrames::new(if has_gazebo_joints { &joints } else { &[] });
+        let index = index(links.iter().map(|l| l.name));
+        let reader = Reader { drawn: &drawn, links: &index };
+        let closure = |node: &Node<'a, 'i>| {
+            if is_gazebo_joint(*node) { reader.check(*node, report) } else { closure::check(*node, report) }
+        };
+        Texts {
+            closures: nodes.closures.iter().map(closure).collect(),
+            links,
+            joints,
+            couplings: nodes.couplings.iter().map(|n| closure::check_coupling(*n, report)).collect(),
+        }
+    }
+}

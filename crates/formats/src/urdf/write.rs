@@ -1,0 +1,213 @@
+//! Writer of mechanisms as URDF+.
+
+use crate::reading::limits::DECIMAL_NUMBERS;
+use percuss_mechanism::{Closure, ClosureKind, Coupling, Joint, JointKind, Link, LoopFrame, Mechanism};
+use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
+use std::collections::HashMap;
+use std::fmt::Write;
+
+/// Comments of a written file. Each is a single line; characters that XML forbids in comments are replaced.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Comments {
+    /// Lines at the top of the file.
+    pub heading: Vec<String>,
+    /// Comment above a link, by link name.
+    pub links: HashMap<String, String>,
+    /// Comment above a joint, by joint name.
+    pub joints: HashMap<String, String>,
+    /// Comment above a closure or a coupling, by name.
+    pub closures: HashMap<String, String>,
+    /// Warnings given when the mechanism was made: code and link name. Each is written as
+    /// `<?percuss-known CODE NAME?>`; [`load`](crate::urdf::load) then gives a note in place of the warning.
+    pub known: Vec<(&'static str, String)>,
+}
+
+/// Writes URDF+: links with inertias; joints with limits, mimics, armatures and recommended roles; loops and
+/// couplings. The result is plain URDF if the mechanism has no loops and couplings.
+///
+/// Numbers are the shortest decimals that read back as the same bits. Rotations are converted to roll, pitch and yaw
+/// and are accurate to a few roundings; all other numbers are reproduced exactly. Shapes and meshes are not written.
+/// Characters of a name that XML forbids become U+FFFD. A chain of mimics is written as mimics of the last master,
+/// and a joint to a second parent as a loop. `effort` and `velocity` are written as 0: a mechanism has no such data,
+/// but readers require them.
+pub fn write_urdf(mechanism: &Mechanism) -> String {
+    write_urdf_with(mechanism, &Comments::default())
+}
+
+/// As [`write_urdf`], with comments. Comments for unknown names are left out.
+pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
+    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    // Some parsers accept processing instructions only before the first comment. A name that does not fit into an
+    // instruction gets its warning again at loading.
+    let holds =
+        |name: &str| !name.contains("?>") && !name.chars().any(char::is_control) && name.trim() == name;
+    for (code, name) in comments.known.iter().filter(|(_, name)| holds(name)) {
+        put(&mut out, format_args!("<?percuss-known {code} {name}?>\n"));
+    }
+    for line in &comments.heading {
+        put(&mut out, format_args!("<!-- {} -->\n", comment(line)));
+    }
+    put(&mut out, format_args!("<robot name=\"{}\">\n", escaped(mechanism.name())));
+    for link in mechanism.links() {
+        put_comment(&mut out, &comments.links, link.name());
+        write_link(&mut out, link);
+    }
+    for joint in mechanism.joints() {
+        put_comment(&mut out, &comments.joints, joint.name());
+        write_joint(&mut out, mechanism, joint);
+    }
+    for closure in mechanism.closures() {
+        put_comment(&mut out, &comments.closures, closure.name());
+        write_closure(&mut out, mechanism, closure);
+    }
+    for coupling in mechanism.couplings() {
+        put_comment(&mut out, &comments.closures, coupling.name());
+        write_coupling(&mut out, mechanism, coupling);
+    }
+    out.push_str("</robot>\n");
+    out
+}
+
+fn put_comment(out: &mut String, comments: &HashMap<String, String>, name: &str) {
+    if let Some(text) = comments.get(name) {
+        put(out, format_args!("  <!-- {} -->\n", comment(text)));
+    }
+}
+
+fn put(out: &mut String, text: std::fmt::Arguments<'_>) {
+    // Writing to a string cannot fail.
+    let _ = out.write_fmt(text);
+}
+
+fn write_link(out: &mut String, link: &Link) {
+    let name = escaped(link.name());
+    let Some(inertial) = link.inertial() else {
+        put(out, format_args!("  <link name=\"{name}\"/>\n"));
+        return;
+    };
+    put(out, format_args!("  <link name=\"{name}\">\n    <inertial>\n"));
+    put(out, format_args!("      <origin xyz=\"{}\"/>\n", triple(&inertial.com)));
+    put(out, format_args!("      <mass value=\"{}\"/>\n", number(inertial.mass)));
+    let entries = [("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz", 1, 2), ("izz", 2, 2)];
+    out.push_str("      <inertia");
+    for (name, row, column) in entries {
+        put(out, format_args!(" {name}=\"{}\"", number(inertial.about_com[(row, column)])));
+    }
+    out.push_str("/>\n    </inertial>\n  </link>\n");
+}
+
+fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
+    let (name, kind) = (escaped(joint.name()), joint.kind());
+    let link_name = |id| escaped(mechanism.link(id).name());
+    let advice = joint.independent().map(|i| format!(" independent=\"{i}\"")).unwrap_or_default();
+    put(out, format_args!("  <joint name=\"{name}\" type=\"{}\"{advice}>\n", kind.name()));
+    put(out, format_args!("    {}\n", origin(joint.origin())));
+    put(out, format_args!("    <parent link=\"{}\"/>\n", link_name(joint.parent())));
+    put(out, format_args!("    <child link=\"{}\"/>\n", link_name(joint.child())));
+    if kind.has_axis() {
+        put(out, format_args!("    <axis xyz=\"{}\"/>\n", triple(joint.axis())));
+    }
+    if let Some(limits) = joint.limits() {
+        let (lower, upper) = (number(limits.lower), number(limits.upper));
+        put(
+            out,
+            format_args!("    <limit lower=\"{lower}\" upper=\"{upper}\" effort=\"0\" velocity=\"0\"/>\n"),
+        );
+    } else if let JointKind::Revolute | JointKind::Prismatic = kind {
+        out.push_str("    <limit effort=\"0\" velocity=\"0\"/>\n");
+    }
+    if joint.armature().iter().any(|a| *a != 0.0) {
+        let values: Vec<String> = joint.armature().iter().map(|a| number(*a)).collect();
+        put(out, format_args!("    <dynamics armature=\"{}\"/>\n", values.join(" ")));
+    }
+    if let Some(mimic) = joint.mimic() {
+        let master = escaped(mechanism.joint(mimic.master).name());
+        let (multiplier, offset) = (number(mimic.multiplier), number(mimic.offset));
+        put(
+            out,
+            format_args!("    <mimic joint=\"{master}\" multiplier=\"{multiplier}\" offset=\"{offset}\"/>\n"),
+        );
+    }
+    out.push_str("  </joint>\n");
+}
+
+fn write_closure(out: &mut String, mechanism: &Mechanism, closure: &Closure) {
+    let (name, kind) = (escaped(closure.name()), closure.kind());
+    put(out, format_args!("  <loop name=\"{name}\" type=\"{}\">\n", kind.name()));
+    for (tag, end) in [("predecessor", closure.predecessor()), ("successor", closure.successor())] {
+        let LoopFrame { link, frame } = end;
+        let link = link.map_or("world".to_owned(), |id| escaped(mechanism.link(id).name()));
+        put(out, format_args!("    <{tag} link=\"{link}\">{}</{tag}>\n", origin(frame)));
+    }
+    if kind.has_axis() {
+        put(out, format_args!("    <axis xyz=\"{}\"/>\n", triple(closure.axis())));
+    }
+    if kind == ClosureKind::Universal {
+        put(out, format_args!("    <axis2 xyz=\"{}\"/>\n", triple(closure.axis2())));
+    }
+    if let Some(distance) = closure.distance() {
+        put(out, format_args!("    <distance value=\"{}\"/>\n", number(distance)));
+    }
+    out.push_str("  </loop>\n");
+}
+
+fn write_coupling(out: &mut String, mechanism: &Mechanism, coupling: &Coupling) {
+    put(out, format_args!("  <coupling name=\"{}\">\n", escaped(coupling.name())));
+    for (tag, link) in [("predecessor", coupling.predecessor()), ("successor", coupling.successor())] {
+        put(out, format_args!("    <{tag} link=\"{}\"/>\n", escaped(mechanism.link(link).name())));
+    }
+    put(out, format_args!("    <ratio value=\"{}\"/>\n  </coupling>\n", number(coupling.ratio())));
+}
+
+fn origin(frame: &Transform<f64>) -> String {
+    let xyz = triple(&frame.translation);
+    if frame.rotation == Matrix3::identity() {
+        return format!("<origin xyz=\"{xyz}\"/>");
+    }
+    // Adding 0 turns −0 into 0.
+    let rpy = triple(&Vector3::from(rpy_from_rotation(&frame.rotation).map(|angle| angle + 0.0)));
+    format!("<origin xyz=\"{xyz}\" rpy=\"{rpy}\"/>")
+}
+
+fn triple(v: &Vector3<f64>) -> String {
+    format!("{} {} {}", number(v.x), number(v.y), number(v.z))
+}
+
+/// Shortest decimal that reads back as the same bits; in exponent notation for very small and very large numbers.
+fn number(x: f64) -> String {
+    let size = x.abs();
+    if x == 0.0 || DECIMAL_NUMBERS.contains(&size) { format!("{x}") } else { format!("{x:e}") }
+}
+
+/// Escapes text for an attribute in double quotes. Characters forbidden in XML 1.0 become U+FFFD.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\t' => out.push_str("&#9;"),
+            '\n' => out.push_str("&#10;"),
+            '\r' => out.push_str("&#13;"),
+            '\u{0}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => out.push('\u{fffd}'),
+            other => out.push(other),
+        }
+    }
+    out
+}
+
+/// Converts text for an XML comment: on one line and without `--`.
+fn comment(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.trim().chars() {
+        match c {
+            '-' if out.ends_with('-') => out.push_str(" -"),
+            '\u{fffe}' | '\u{ffff}' => out.push('\u{fffd}'),
+            c if c.is_control() => out.push(' '),
+            other => out.push(other),
+        }
+    }
+    out
+}

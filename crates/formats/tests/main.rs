@@ -1,0 +1,12 @@
+//! Readers and writers.
+
+mod gazebo_joints;
+mod loading;
+mod loops;
+mod malformed;
+mod mutation;
+mod plausible;
+mod round_trip;
+mod support;
+mod surfaces;
+mod suspension;

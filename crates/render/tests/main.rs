@@ -1,0 +1,6 @@
+//! Pictures.
+
+mod degenerate;
+mod drawings;
+mod pictures;
+mod skins;

@@ -1,0 +1,138 @@
+//! Design variants: a model with changes applied.
+
+use crate::model::changes::Changes;
+use crate::model::loading::Model;
+use crate::question::error::{Fault, StudyError};
+use crate::question::field::Field;
+use percuss_formats::LoadError;
+use percuss_mechanism::{BuildError, Inertial, LinkDescription, Mechanism, Problem, Severity, Subject};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Error of a design variant.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum DesignError {
+    /// Unreadable file.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    /// Invalid change.
+    #[error(transparent)]
+    Change(#[from] StudyError),
+}
+
+impl Model {
+    /// Model with `changes` applied after earlier changes.
+    ///
+    /// # Errors
+    /// [`DesignError`]: unknown links or points, invalid masses, moved points of a model without a sheet,
+    /// errors of the importer for the moved points.
+    pub fn changed(&self, changes: &Changes) -> Result<Model, DesignError> {
+        let all = self.origin.changes.and(changes);
+        let (mut model, to_do) = match (&changes.moves[..], self.origin.sheet.as_deref()) {
+            ([], _) => (self.clone(), changes),
+            (_, Some((sheet, _))) => {
+                let model = Model::of_sheet(sheet, &all.moves, self.inputs.clone())?;
+                let model = model.with_closures_of(self)?;
+                (model, &all)
+            }
+            (_, None) => {
+                let path = self.inputs.first().map_or_else(String::new, |input| input.path.clone());
+                return Err(StudyError::input(Field::Move, Fault::NoSheet { path }).into());
+            }
+        };
+        if !(to_do.link_mass.is_empty() && to_do.link_com.is_empty()) {
+            model.mechanism = Arc::new(reweighed(&model.mechanism, to_do)?);
+        }
+        model.origin.closures.clone_from(&self.origin.closures);
+        model.origin.changes = all;
+        Ok(model)
+    }
+
+    /// Model with the loops that a study added to `other`.
+    pub(crate) fn with_closures_of(mut self, other: &Model) -> Result<Model, StudyError> {
+        if !other.origin.closures.is_empty() {
+            let closures = other.origin.closures.iter().cloned();
+            let builder = closures.fold(self.mechanism.to_builder(), |b, closure| b.closure(closure));
+            self.mechanism = Arc::new(builder.build().map_err(no_mechanism(Field::Model))?.mechanism);
+            self.origin.closures.clone_from(&other.origin.closures);
+        }
+        Ok(self)
+    }
+
+    /// Names of the hardpoints of the sheet; empty for a URDF.
+    pub fn hardpoints(&self) -> &[String] {
+        self.origin.sheet.as_deref().map_or(&[], |(_, points)| points)
+    }
+}
+
+fn no_mechanism(field: Field) -> impl Fn(BuildError) -> StudyError {
+    move |error| {
+        let of_link = |(subject, _): &&(Subject, Problem)| matches!(subject, Subject::Link { .. });
+        let message = error
+            .findings
+            .iter()
+            .filter(|(_, problem)| problem.severity() == Severity::Error)
+            .find(of_link)
+            .map_or_else(|| error.to_string(), |(subject, problem)| format!("{subject}: {problem}"));
+        StudyError::input(field, Fault::NoMechanism { message })
+    }
+}
+
+/// Mechanism with changed masses and centres of mass.
+fn reweighed(mechanism: &Mechanism, changes: &Changes) -> Result<Mechanism, StudyError> {
+    let mut inertials = BTreeMap::new();
+    for (name, mass) in &changes.link_mass {
+        let link = find(mechanism, Field::LinkMass, name)?;
+        if !(mass.is_finite() && *mass >= 0.0) {
+            return Err(StudyError::input(
+                Field::LinkMass,
+                Fault::LinkMass { link: name.clone(), mass: *mass },
+            ));
+        }
+        inertials.insert(name.clone(), with_mass(link, *mass));
+    }
+    for (name, com) in &changes.link_com {
+        let link = find(mechanism, Field::LinkCom, name)?;
+        let inertial = inertials.get(name).copied().or(link);
+        let Some(inertial) = inertial.filter(|inertial| inertial.mass > 0.0) else {
+            return Err(StudyError::input(Field::LinkCom, Fault::NoMassToMove { link: name.clone() }));
+        };
+        if let Some(value) = com.iter().find(|x| !x.is_finite()) {
+            return Err(StudyError::input(
+                Field::LinkCom,
+                Fault::LinkCom { link: name.clone(), value: *value },
+            ));
+        }
+        inertials.insert(name.clone(), Inertial { com: (*com).into(), ..inertial });
+    }
+    let mut builder = mechanism.to_builder();
+    builder = builder.map_links(|mut link: LinkDescription| {
+        if let Some(inertial) = inertials.get(&link.name) {
+            link.inertial = Some(*inertial);
+        }
+        link
+    });
+    let built = builder.build().map_err(no_mechanism(Field::LinkMass))?;
+    Ok(built.mechanism)
+}
+
+fn find(mechanism: &Mechanism, field: Field, name: &str) -> Result<Option<Inertial>, StudyError> {
+    let link = mechanism.find_link(name).map_err(|error| StudyError::input(field, error))?;
+    Ok(mechanism.link(link).inertial().copied())
+}
+
+/// Inertia with the same shape and another density; for a link without mass, a point mass at the origin of the
+/// link frame.
+fn with_mass(inertial: Option<Inertial>, mass: f64) -> Inertial {
+    match inertial.filter(|inertial| inertial.mass > 0.0) {
+        Some(inertial) => {
+            let factor = mass / inertial.mass;
+            Inertial { mass, about_com: inertial.about_com * factor, ..inertial }
+        }
+        None => {
+            let own = inertial.unwrap_or_else(|| Inertial::point(0.0, [0.0; 3]));
+            Inertial { mass, ..own }
+        }
+    }
+}

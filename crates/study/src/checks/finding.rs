@@ -1,0 +1,127 @@
+//! Finding about a result: severity, code, subject and message, and the count of equal findings over rows.
+
+use crate::model::record::DiagnosticRecord;
+use percuss_mechanism::{JointId, LinkId, Severity};
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+
+/// Subject of a finding. Findings with the same code and subject are counted as one, even if the numbers in the
+/// messages differ.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Subject {
+    /// Result as a whole.
+    Answer,
+    /// Link.
+    Link(LinkId),
+    /// Joint.
+    Joint(JointId),
+    /// Loop or coupling, by name.
+    Closure(String),
+    /// Held contact, by number in the question.
+    Hold(usize),
+}
+
+/// Finding for the reader of a result.
+#[derive(Clone, Debug)]
+pub(crate) struct Finding {
+    severity: Severity,
+    code: &'static str,
+    subject: Subject,
+    message: String,
+}
+
+impl Finding {
+    pub fn code(&self) -> &'static str {
+        self.code
+    }
+
+    pub fn warning(code: &'static str, subject: Subject, message: impl Into<String>) -> Self {
+        Self { severity: Severity::Warning, code, subject, message: message.into() }
+    }
+
+    pub fn note(code: &'static str, subject: Subject, message: impl Into<String>) -> Self {
+        Self { severity: Severity::Note, code, subject, message: message.into() }
+    }
+}
+
+impl From<Finding> for DiagnosticRecord {
+    fn from(finding: Finding) -> Self {
+        Self::about_answer(finding.severity, finding.code, finding.message)
+    }
+}
+
+/// Findings over the rows of a sweep, one entry per code and subject, with the first row and the number of
+/// rows.
+#[derive(Debug, Default)]
+pub(crate) struct Tally {
+    kinds: BTreeMap<(&'static str, Subject), Counted>,
+}
+
+#[derive(Debug)]
+struct Counted {
+    /// First occurrence.
+    finding: Finding,
+    first_row: usize,
+    rows: usize,
+}
+
+impl Tally {
+    /// Adds the findings of a row.
+    pub fn add(&mut self, row: usize, findings: impl IntoIterator<Item = Finding>) {
+        for finding in findings {
+            let kind = (finding.code, finding.subject.clone());
+            self.kinds.entry(kind).or_insert(Counted { finding, first_row: row, rows: 0 }).rows += 1;
+        }
+    }
+
+    /// Adds findings that hold for each of `rows` rows.
+    pub fn add_alike(&mut self, first_row: usize, rows: usize, findings: &[Finding]) {
+        for finding in findings {
+            let kind = (finding.code, finding.subject.clone());
+            let counted = || Counted { finding: finding.clone(), first_row, rows: 0 };
+            self.kinds.entry(kind).or_insert_with(counted).rows += rows;
+        }
+    }
+
+    /// Adds the findings of later rows.
+    pub fn append(&mut self, later: Self) {
+        for (kind, counted) in later.kinds {
+            match self.kinds.entry(kind) {
+                Entry::Vacant(entry) => drop(entry.insert(counted)),
+                Entry::Occupied(mut entry) => entry.get_mut().rows += counted.rows,
+            }
+        }
+    }
+
+    /// All findings of `rows` rows as records. A finding that does not occur in all rows gets the first row and
+    /// the number of further rows appended.
+    pub fn into_records(self, rows: usize) -> impl Iterator<Item = DiagnosticRecord> {
+        self.kinds.into_values().map(move |counted| {
+            let mut record = DiagnosticRecord::from(counted.finding);
+            if counted.rows < rows {
+                record.message += &match counted.rows {
+                    1 => format!(" (row {})", counted.first_row),
+                    more => format!(" (row {}, and {} more)", counted.first_row, more - 1),
+                };
+            }
+            record
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Findings with equal code and subject are counted as one; the message text is ignored.
+    #[test]
+    fn a_message_is_not_read() {
+        let mut tally = Tally::default();
+        let rod = || Subject::Closure("rod".into());
+        tally.add(0, [Finding::note("n", rod(), "\"a\" 1")]);
+        tally.add(1, [Finding::note("n", rod(), "\"b\" 2"), Finding::note("n", Subject::Hold(0), "\"a\" 1")]);
+        tally.add(2, [Finding::note("n", rod(), "\"c\" 3")]);
+        let messages: Vec<String> = tally.into_records(3).map(|record| record.message).collect();
+        assert_eq!(messages, ["\"a\" 1", "\"a\" 1 (row 1)"]);
+    }
+}

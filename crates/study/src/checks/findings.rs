@@ -1,0 +1,361 @@
+//! Findings about the pose, the assembly and the contact response.
+
+use crate::checks::far_point;
+use crate::checks::finding::{Finding, Subject};
+use crate::question::field::{Field, Names};
+use crate::thresholds::{FAR_FROM_GUESS, UNCERTAIN};
+use crate::units::position::GivenPosition;
+use crate::units::quantity::{Dimension, position_dimension};
+use percuss_dynamics::{
+    Assembly, BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose, Remark,
+    RigidLoops, Singularity, System,
+};
+use percuss_mechanism::{JointId, JointKind, Limits, Mechanism};
+
+fn remainder(x: f64, period: f64) -> f64 {
+    x - period * (x / period).round()
+}
+
+/// Findings about joint limits and loop closure.
+pub(crate) fn about_pose(system: &System, pose: &Pose, names: Names) -> Vec<Finding> {
+    let mechanism = system.mechanism();
+    let mut found: Vec<Finding> = pose
+        .outside_limits()
+        .map(|(joint, value, limits)| outside_limits(mechanism, joint, value, limits))
+        .collect();
+    if pose.loops().is_some() {
+        about_loops(system, pose, names, &mut found);
+        about_rank(pose.assembly(), &mut found);
+        found.extend(pose.assembly().rigid_loops().iter().map(|rigid| about_rigid(mechanism, rigid)));
+    }
+    found
+}
+
+/// Finding for a joint outside its limits.
+pub(crate) fn outside_limits(mechanism: &Mechanism, joint: JointId, value: f64, limits: Limits) -> Finding {
+    let message = format!(
+        "joint \"{}\" stands at {value}, outside its limits {} to {}",
+        mechanism.joint(joint).name(),
+        limits.lower,
+        limits.upper
+    );
+    Finding::warning("outside-limits", Subject::Joint(joint), message)
+}
+
+/// Findings about closure of the loops and about the driving joints.
+fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Finding>) {
+    let mechanism = system.mechanism();
+    let Some(loops) = pose.loops() else { return };
+    let set = Field::Set.hint(names);
+    for name in system.reversed_axes() {
+        let message = format!(
+            "the axis of loop \"{name}\" points opposite ways in its two frames with all joints at 0; the successor's was \
+             taken reversed"
+        );
+        found.push(Finding::note("reversed-axis", Subject::Closure(name.to_string()), message));
+    }
+    if loops.inexactness > 0.0 {
+        let part = loops.inexactness / mechanism.characteristic_length();
+        let message = format!(
+            "the file's loops are inexact: they fit to {:.2e} m only ({part:.1e} of the size), closed in least squares; \
+             are its angles rounded (1.5708)?",
+            loops.inexactness
+        );
+        found.push(Finding::warning("inexact-loops", Subject::Answer, message));
+    }
+    for (joint, value) in &loops.off_zero {
+        let message = format!(
+            "joint \"{}\" drives and was not set; 0 is out of reach, so it stands at {value:.9}; set it{set}",
+            mechanism.joint(*joint).name()
+        );
+        found.push(Finding::warning("driver-off-zero", Subject::Joint(*joint), message));
+    }
+    for (joint, far) in &loops.off_target {
+        let message = format!(
+            "joint \"{}\" was set{set} to more numbers than its loops leave degrees of freedom: it stands as near as they \
+             let it, {far:.6} off (rad or m)",
+            mechanism.joint(*joint).name()
+        );
+        found.push(Finding::warning("off-target", Subject::Joint(*joint), message));
+    }
+    if let Some(starts) = loops.starts_tried {
+        let message = format!(
+            "the pose is on another assembly mode than the first closed pose: its branch ends before these positions, and \
+             they were found from {starts} other start(s)"
+        );
+        found.push(Finding::warning("other-assembly", Subject::Answer, message));
+    }
+    for gap in pose.assembly().drawn_gaps() {
+        found.push(about_gap(mechanism, &gap));
+    }
+    if !loops.declared && !loops.drivers.is_empty() {
+        let drivers: Vec<String> =
+            loops.drivers.iter().map(|j| format!("\"{}\"", mechanism.joint(*j).name())).collect();
+        let message = format!(
+            "the loops are driven by {}: chosen by rank and by what looks driven, none is declared",
+            listed(&drivers)
+        );
+        found.push(Finding::note("drivers-chosen", Subject::Answer, message));
+    }
+}
+
+/// Finding for a loop that is open as drawn: the gap, and the joint that moved most to close the loop.
+fn about_gap(mechanism: &Mechanism, gap: &DrawnGap) -> Finding {
+    let closed = gap.moved.map_or_else(String::new, |(joint, by)| {
+        let joint = mechanism.joint(joint);
+        let by = match joint.kind() {
+            JointKind::Prismatic | JointKind::Planar | JointKind::Floating => format!("{:+.3} mm", 1e3 * by),
+            JointKind::Fixed | JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => {
+                format!("{:+.3}°", by.to_degrees())
+            }
+        };
+        format!("; closed by {} {by}", joint.name())
+    });
+    let message =
+        format!("loop \"{}\" is {} open as drawn{closed}", gap.constraint, length_in_words(gap.gap));
+    let subject = Subject::Closure(gap.constraint.clone());
+    if gap.is_wide {
+        let part = 100.0 * gap.gap / gap.size;
+        let message = format!("{message}: {part:.1} % of its size; is a point mistyped?");
+        Finding::warning("drawn-open", subject, message)
+    } else {
+        Finding::note("drawn-open", subject, message)
+    }
+}
+
+/// Length in mm; in m if below 1 µm or from 1 m.
+fn length_in_words(length: f64) -> String {
+    if (1e-6..1.0).contains(&length) { format!("{:.4} mm", 1e3 * length) } else { format!("{length:.3e} m") }
+}
+
+/// Findings about the rank decision of the constraint rows.
+fn about_rank(assembly: &Assembly, found: &mut Vec<Finding>) {
+    if !assembly.rank_is_clear() {
+        let gap = assembly.rank_gap().unwrap_or_default();
+        let message =
+            format!("the rank of the constraints is unclear (gap {gap:.1e}): mobility may be another");
+        found.push(Finding::warning("unclear-rank", Subject::Answer, message));
+    }
+    let least = assembly.least_singular_value();
+    if assembly.is_weakly_constrained() {
+        let message = format!(
+            "the mechanism is weakly constrained: the least singular value of the loops' rows that counts is {least:.1e} \
+             of the largest; if the file's figures are rounded by as much, there is a degree of freedom more than the {} \
+             counted",
+            assembly.degrees_of_freedom()
+        );
+        found.push(Finding::warning("weakly-constrained", Subject::Answer, message));
+    }
+}
+
+/// Finding for loops that leave no motion, with the joint axis to correct.
+fn about_rigid(mechanism: &Mechanism, rigid: &RigidLoops) -> Finding {
+    let joint = |id: JointId| format!("\"{}\"", mechanism.joint(id).name());
+    let loops: Vec<String> = rigid.loops.iter().map(|name| format!("\"{name}\"")).collect();
+    let joints: Vec<String> = rigid.joints.iter().copied().map(joint).collect();
+    let mut message = format!(
+        "the loops {} are rigid: their joints {} have no motion, with nothing locked or held",
+        listed(&loops),
+        listed(&joints)
+    );
+    let mut subject = Subject::Closure(rigid.loops.first().cloned().unwrap_or_default());
+    for axis in &rigid.departing {
+        let whose =
+            axis.joint.map_or_else(|| "the loop itself".to_owned(), |id| format!("joint {}", joint(id)));
+        let wanted = if axis.slides { "normal to" } else { "along" };
+        let [x, y, z] = axis.direction.map(|c| if c.abs() < 5e-5 { 0.0 } else { c }).into();
+        message += &format!(
+            "; in loop \"{}\" the axis of {whose} departs by {:.4}° from what the others share: it should lie {wanted} \
+             ({x:.4}, {y:.4}, {z:.4}) in the root link's axes; correct its <axis>, or the rpy of the frames it is given in",
+            axis.closure,
+            axis.angle.to_degrees()
+        );
+        if let Some(id) = axis.joint {
+            subject = Subject::Joint(id);
+        }
+    }
+    if rigid.departing.is_empty() {
+        message += "; where the linkage is meant to move, check its lengths, the directions of its axes, and whether a loop \
+                    should leave more motions (spherical instead of revolute)";
+    }
+    Finding::warning("rigid-loops", subject, message)
+}
+
+/// First six names and the number of further names.
+fn listed(names: &[String]) -> String {
+    let more = names.len().saturating_sub(6);
+    let some = names.iter().take(6).cloned().collect::<Vec<_>>().join(", ");
+    if more > 0 { format!("{some} and {more} more") } else { some }
+}
+
+/// Findings about unused guesses, and about guesses far from the assembly found.
+pub(crate) fn about_guesses(
+    system: &System,
+    pose: &Pose,
+    wanted: &Configuration,
+    asked: &[(String, GivenPosition)],
+    names: Names,
+) -> Vec<Finding> {
+    let (set, given) = (Field::Set.named(names), Field::Guess.hint(names));
+    let drives = |joint| pose.loops().is_some_and(|loops| loops.drivers.contains(&joint));
+    let mut found = Vec::new();
+    for (joint, guess) in wanted.guesses() {
+        let name = system.mechanism().joint(joint).name();
+        // A complete configuration holds a guess for every joint; only explicit guesses are reported.
+        if !asked.iter().any(|(guessed, _)| guessed == name) {
+            continue;
+        }
+        let mut add = |code, message| found.push(Finding::warning(code, Subject::Joint(joint), message));
+        if !system.is_bound(joint) {
+            let message = format!(
+                "the guess{given} for joint \"{name}\" is not used: it is in no loop; {set} moves it"
+            );
+            add("unused-guess", message);
+        } else if drives(joint) {
+            let message = format!(
+                "the guess{given} for joint \"{name}\" is not used: it drives its loops; {set} moves it"
+            );
+            add("unused-guess", message);
+        } else if let (&[at], &[guess]) = (pose.joint(joint), guess) {
+            let size = system.mechanism().characteristic_length();
+            let kind = system.mechanism().joint(joint).kind();
+            let off = if position_dimension(kind, 0) == Dimension::Angle {
+                remainder(at - guess, std::f64::consts::TAU).abs()
+            } else {
+                (at - guess).abs() / size
+            };
+            if off > FAR_FROM_GUESS {
+                let message = format!(
+                    "joint \"{name}\" was guessed at {guess}{given} and stands at {at:.9}: no nearer way to close its \
+                     loops was found"
+                );
+                add("far-from-guess", message);
+            }
+        }
+    }
+    found
+}
+
+/// Findings about the contact point and remarks of the contact response.
+pub(crate) fn about_response(
+    system: &System,
+    contact: &Contact,
+    response: &ContactResponse,
+    names: Names,
+) -> Vec<Finding> {
+    let mut found: Vec<Finding> =
+        far_point::doubt(system.mechanism(), contact.link, &contact.point, names).into_iter().collect();
+    let finite = matches!(response.effective_mass, EffectiveMass::Finite(_));
+    // The status of a massless result already reports massless motions.
+    let reported = |r: &&Remark| finite || !matches!(r, Remark::MasslessMotions { .. });
+    found.extend(response.remarks.iter().filter(reported).filter_map(remark));
+    if let (EffectiveMass::Finite(_), None) = (response.effective_mass, response.effective_mass_error()) {
+        let message = "what the effective mass may be off by is not known: beside this pose the contact is not finite; do not \
+                       trust its digits";
+        found.push(Finding::warning("unknown-error", Subject::Answer, message));
+    }
+    if let (EffectiveMass::Finite(m), Some(error)) =
+        (response.effective_mass, response.effective_mass_error())
+        && error > UNCERTAIN * m
+    {
+        let message = format!(
+            "the effective mass has a relative error of up to {:.1e}: the pose is close to a singular one, or the mass \
+             matrix is; do not trust its digits beyond that",
+            error / m
+        );
+        found.push(Finding::warning("uncertain-mass", Subject::Answer, message));
+    }
+    found
+}
+
+/// Finding for a singular pose: branches cross, or the constraints have lower rank than at neighbouring poses.
+pub(crate) fn about_branches(
+    pose: &Pose,
+    response: &ContactResponse,
+    limits: &BranchLimits,
+) -> Option<Finding> {
+    if !response.singular_pose {
+        return None;
+    }
+    let (here, generic) = (response.degrees_of_freedom, pose.assembly().degrees_of_freedom());
+    let loops = pose.loops().is_some_and(|l| l.singularities.contains(&Singularity::ChangePoint));
+    let kind = if loops { "singular pose (change point)" } else { "singular pose" };
+    let mut message = format!("{kind}: {here} degrees of freedom here, {generic} at a generic pose; ");
+    message += match (limits.limits.is_empty(), limits.continuous, limits.complete) {
+        (true, ..) if !loops => {
+            "what is held or locked constrains less here than beside it, and the value is a lower bound"
+        }
+        (true, _, false) => {
+            "its branches were not followed, since there are too many or its loops are too large, and the value is a lower \
+             bound"
+        }
+        (true, ..) => {
+            "no branch was found to lead away from it, and the value is a lower bound that a finite motion need not attain"
+        }
+        (false, true, _) => {
+            "a continuum of branches meets here, the limit depends on the direction of approach, and the value is a lower \
+             bound: see the least and the greatest of the limits that were found"
+        }
+        (false, false, true) => {
+            "branches cross, and the value is a lower bound that none of them need attain: see the limits along the branches"
+        }
+        (false, false, false) => {
+            "many branches cross, and the value is a lower bound that none of them need attain: see the limits along those that \
+             were found; there may be more"
+        }
+    };
+    Some(Finding::warning("singular-pose", Subject::Answer, message))
+}
+
+/// Finding for a remark on the response. Remarks about the pose give `None`; [`about_pose`] reports them.
+fn remark(remark: &Remark) -> Option<Finding> {
+    let warning = |code, message: String| Finding::warning(code, Subject::Answer, message);
+    let note = |code, message: String| Finding::note(code, Subject::Answer, message);
+    Some(match remark {
+        Remark::NearlyImmovable { closing_speed, uncertainty } => warning(
+            "nearly-immovable",
+            format!(
+                "the gap hardly closes (closing speed {closing_speed:.1e} of its terms): the relative uncertainty of the \
+                 effective mass is {uncertainty:.1e}"
+            ),
+        ),
+        Remark::MasslessMotions { directions } => note(
+            "massless-motions",
+            format!("{directions} motion(s) of the mechanism move no mass; they do not affect the answer"),
+        ),
+        Remark::MasslessToRounding { up_to } => warning(
+            "massless-to-rounding",
+            format!(
+                "massless to rounding only: the masses involved differ by so many decades that an effective mass of up to \
+                 {up_to:.1e} kg would not show"
+            ),
+        ),
+        Remark::UndeterminedMotion => note(
+            "undetermined-motion",
+            "a motion without mass leaves some velocities of the contact response undetermined; the mass and the \
+             contributions are not affected"
+                .into(),
+        ),
+        Remark::IndefiniteMassMatrix => warning(
+            "indefinite-mass-matrix",
+            "the mass matrix has negative directions: the value is stationary, not a minimum".into(),
+        ),
+        Remark::UnclearRank { gap } => warning(
+            "unclear-rank-here",
+            format!(
+                "the rank of the constraints is unclear at this pose (gap {gap:.1e}): it is close to a change point, \
+                 where mobility is another"
+            ),
+        ),
+        Remark::OtherAssembly { .. }
+        | Remark::DrawnOpen { .. }
+        | Remark::InexactLoops { .. }
+        | Remark::DriverOffZero { .. }
+        | Remark::OffTarget { .. }
+        | Remark::OutsideLimits { .. }
+        | Remark::WeaklyConstrained { .. }
+        | Remark::UnclearMobility { .. }
+        // The world of a question is the frame of its root link.
+        | Remark::BaseNotGiven => return None,
+    })
+}

@@ -1,0 +1,77 @@
+//! Check of held contacts for tension: a held contact can push but not pull.
+
+use crate::checks::finding::{Finding, Subject};
+use crate::question::error::StudyError;
+use crate::question::field::{Field, Names};
+use crate::thresholds::LEAVES;
+use nalgebra::Vector3;
+use percuss_dynamics::{
+    Contact, ContactResponse, EffectiveMass, PointVelocity, Pose, ResponseError, RouteChoice, System,
+};
+use percuss_mechanism::LinkId;
+
+/// Contact held along a normal, and the mechanism without this contact.
+#[derive(Debug)]
+pub(crate) struct HeldContact {
+    /// Number of the held contact in the question.
+    pub number: usize,
+    pub link: LinkId,
+    /// Point, m, link's frame.
+    pub point: Vector3<f64>,
+    /// Normal, unit vector, world axes, out of the link.
+    pub normal: Vector3<f64>,
+    pub without: System,
+}
+
+impl HeldContact {
+    /// Warning if the impact at a pose lifts the point off, so that the held contact would have to pull.
+    /// `other`: mass of a free body on the other side, kg.
+    pub fn find(
+        &self,
+        pose: &Pose,
+        contact: &Contact,
+        other: Option<f64>,
+        names: Names,
+    ) -> Result<Option<Finding>, StudyError> {
+        let free = self.without.pose_like(pose)?;
+        let response = free.respond(contact, RouteChoice::Auto)?;
+        let velocity = free.point_velocity_over_ground(&response, self.link, &self.point);
+        // The impact changes the velocities by −v*: the point moves into the held surface if −v*·n > 0, and
+        // lifts off if v*·n > 0.
+        let lifts = match velocity {
+            Some(PointVelocity::Known(v)) => pose.base().vector(&v).dot(&self.normal) > LEAVES,
+            Some(PointVelocity::Undetermined) | None => false,
+        };
+        let name = self.without.mechanism().link(self.link).name();
+        let subject = Subject::Hold(self.number);
+        let hold = Field::Hold.hint(names);
+        if lifts {
+            let message = format!(
+                "the held contact of link \"{name}\"{hold} would have to pull: the impact lifts it off; without it {}",
+                described(response, other)?
+            );
+            return Ok(Some(Finding::warning("hold-pulls", subject, message)));
+        }
+        let finite = matches!(response.effective_mass, EffectiveMass::Finite(_));
+        Ok((!finite || velocity == Some(PointVelocity::Undetermined)).then(|| {
+            let message = format!(
+                "without the held contact of link \"{name}\"{hold} the contact response is not determined: whether it \
+                 pulls cannot be decided"
+            );
+            Finding::note("hold-undetermined", subject, message)
+        }))
+    }
+}
+
+/// Effective mass, as text.
+fn described(response: ContactResponse, other: Option<f64>) -> Result<String, StudyError> {
+    let with_other = match other {
+        Some(other) => response.against_mass(other).map_err(ResponseError::from)?.effective_mass,
+        None => response.effective_mass,
+    };
+    Ok(match with_other {
+        EffectiveMass::Finite(m) => format!("the effective mass is {m} kg"),
+        EffectiveMass::Immovable => "the contact is immovable".into(),
+        EffectiveMass::Massless => "the contact is massless".into(),
+    })
+}

@@ -1,0 +1,42 @@
+//! Curvature of the motion of an impact.
+
+use crate::evaluation::answer::Answered;
+use crate::thresholds::CURVATURE_STEP;
+use nalgebra::Vector3;
+use percuss_dynamics::Pose;
+
+/// Acceleration of the contact point plus the largest acceleration of a centre of mass, at constant joint rates and a
+/// closing speed of 1 m/s, 1/m.
+///
+/// For one hinge: 1/l + r/l², l the distance from the hinge to the contact, r that to the centre of mass. The
+/// accelerations are second differences along the motion of the impact v*. `None` if the mechanism cannot follow v*.
+pub(crate) fn motion_curvature(answered: &Answered) -> Option<f64> {
+    let (pose, response) = (&answered.pose, answered.answer.of_mechanism());
+    let (start, ahead) =
+        (points(pose, answered), points(&pose.advanced_along(response, CURVATURE_STEP)?, answered));
+    let behind = points(&pose.advanced_along(response, -CURVATURE_STEP)?, answered);
+    let mut accelerations = start.iter().zip(&ahead).zip(&behind).map(|((start, ahead), behind)| {
+        (ahead + behind - 2.0 * start).norm() / (CURVATURE_STEP * CURVATURE_STEP)
+    });
+    let contact = accelerations.next()?;
+    let curvature = contact + accelerations.fold(0.0, f64::max);
+    curvature.is_finite().then_some(curvature)
+}
+
+/// Position of the contact point relative to that of the other link, and positions of the centres of mass of all links
+/// with mass.
+fn points(pose: &Pose, answered: &Answered) -> Vec<Vector3<f64>> {
+    let mechanism = &answered.prepared.model.mechanism;
+    let mut contact = pose.link(answered.contact.link).point(&answered.contact.point);
+    if let Some(against) = answered.contact.against {
+        let touched = answered.pose.link(answered.contact.link).point(&answered.contact.point);
+        contact -= pose.link(against).point(&answered.pose.link(against).inverse_point(&touched));
+    }
+    let massive =
+        mechanism.links().iter().zip(mechanism.link_ids()).filter(|(link, _)| link.inertia().mass > 0.0);
+    let centres = massive.map(|(link, id)| {
+        let inertia = link.inertia();
+        pose.link(id).point(&(inertia.first_moment / inertia.mass))
+    });
+    std::iter::once(contact).chain(centres).collect()
+}

@@ -1,0 +1,251 @@
+//! Damper of a contact of a model: effective mass, drift over the penetration, and simulator options derived
+//! from the model.
+
+use crate::damper::curvature::motion_curvature;
+use crate::damper::damping::{DampingReport, Drift, about_exports, body_alone, damper, exports};
+use crate::damper::joint_stop::JointStop;
+use crate::damper::penetration::{Ended, Penetration};
+use crate::evaluation::answer::{Answer, Answered};
+use crate::evaluation::status::Status;
+use crate::model::loading::Model;
+use crate::model::record::DiagnosticRecord;
+use crate::question::damping_question::DampingQuestion;
+use crate::question::error::StudyError;
+use crate::question::field::Names;
+use crate::question::mass_question::MassQuestion;
+use crate::thresholds::{DIFFERENCE, DRIFTING, SAME_LIMIT};
+use percuss_contact::exports::{MassDrift, Options};
+use percuss_dynamics::{Conditions, Contact, EffectiveMass, RouteChoice, System};
+use percuss_mechanism::{LinkId, Mechanism, Severity};
+
+/// Damper of a contact of a model.
+///
+/// # Errors
+/// [`StudyError`], as for `mass` and `damp`; a contact without a finite mass, or with different masses on
+/// different branches.
+pub fn damp_contact(
+    model: &Model,
+    question: &MassQuestion,
+    damping: &DampingQuestion,
+) -> Result<DampingReport, StudyError> {
+    damping_of(&Answered::new(model, question)?, damping)
+}
+
+/// Damper of a joint stop. `conditions` supplies the pose and the held parts; its contact is ignored.
+///
+/// # Errors
+/// [`StudyError`], as for [`damp_contact`]; a joint without a stop.
+pub fn damp_stop(
+    model: &Model,
+    stop: &JointStop,
+    conditions: MassQuestion,
+    damping: &DampingQuestion,
+) -> Result<DampingReport, StudyError> {
+    let (question, record) = stop.question(model, conditions)?;
+    let mut damping = damping.clone();
+    damping.options.stop = Some(record.motion);
+    let mut report = damp_contact(model, &question, &damping)?;
+    report.stop = Some(record);
+    // The mass of the child link alone has no meaning for a joint stop.
+    report.body_alone = None;
+    // The contact point is chosen by percuss, 1 m from the axis.
+    report.diagnostics.retain(|found| found.code != "far-point");
+    Ok(report)
+}
+
+/// Damper of an evaluated contact.
+pub(crate) fn damping_of(
+    answered: &Answered,
+    damping: &DampingQuestion,
+) -> Result<DampingReport, StudyError> {
+    let Answered { prepared, answer, .. } = answered;
+    let effective_mass = one_mass(answer, prepared.other_mass())?;
+    let EffectiveMass::Finite(mass) = effective_mass else {
+        let (status, _) = Status::of(effective_mass);
+        return Err(StudyError::NoDamper { status: status.name() });
+    };
+    let record = damper(damping, mass)?;
+    let (drift, ended) = drift(answered, mass, record.max_penetration);
+    let mut options = options(damping.options, answered, mass);
+    let changes = drift.over_penetration.zip(record.max_penetration.filter(|x| *x > 0.0));
+    options.drift =
+        options.drift.or(changes.map(|(relative, penetration)| MassDrift { relative, penetration }));
+    let alone = damping.options.own_mass.or(prepared.system.rigid_body_mass(answered.contact.link));
+    let body_alone = alone.filter(|m| *m > 0.0).map(|m| body_alone(damping, m, mass));
+    let mut diagnostics = prepared.model.diagnostics.clone();
+    diagnostics.extend(answer.findings.iter().cloned().map(DiagnosticRecord::from));
+    diagnostics.extend(about_exports(damping));
+    diagnostics.extend(about_drift(&drift, ended, record.max_penetration, prepared.question.names));
+    Ok(DampingReport {
+        schema: "percuss.damp/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: prepared.inputs(),
+        effective_mass: mass,
+        stop: None,
+        damper: record,
+        drift: Some(drift),
+        body_alone,
+        exports: exports(damping, mass, options)?,
+        diagnostics,
+    })
+}
+
+/// Effective mass that holds for every branch. At a singular pose m̄ is a lower bound that no branch attains;
+/// the result is then the limit along the branches, if all limits are equal within `SAME_LIMIT`. `other`: mass
+/// of a free body on the other side, kg.
+fn one_mass(answer: &Answer, other: Option<f64>) -> Result<EffectiveMass, StudyError> {
+    if !answer.response.singular_pose {
+        return Ok(answer.response.effective_mass);
+    }
+    let limits = || answer.limits.limits.iter().map(|limit| limit.against_mass(other));
+    let same = |a: EffectiveMass, b: EffectiveMass| match (a, b) {
+        (EffectiveMass::Finite(a), EffectiveMass::Finite(b)) => (a / b - 1.0).abs() <= SAME_LIMIT,
+        _ => a == b,
+    };
+    match limits().next() {
+        Some(first) if answer.all_branches().is_some() && limits().all(|limit| same(limit, first)) => {
+            Ok(first)
+        }
+        _ => Err(StudyError::NoDamperOfAll {
+            limits: limits().collect(),
+            complete: answer.limits.complete && !answer.limits.continuous,
+        }),
+    }
+}
+
+/// Change of m̄ along the motion of the contact response up to `depth` (m or rad), and the reason if the motion
+/// ends before this depth.
+fn drift(answered: &Answered, mass: f64, depth: Option<f64>) -> (Drift, Option<Ended>) {
+    let Answered { prepared, pose, contact, answer } = answered;
+    let (system, response) = (&prepared.system, &answer.response);
+    if response.singular_pose {
+        // At a singular pose v* is tangent to no branch.
+        return (Drift { per_metre: None, over_penetration: None, ends_at: None }, None);
+    }
+    if !response.gives_way() {
+        // Only the mass of the other body counts; it does not change.
+        let none = depth.map(|_| 0.0);
+        return (Drift { per_metre: Some(0.0), over_penetration: none, ends_at: None }, None);
+    }
+    let at = |distance: f64| {
+        let pushed = pose.advanced_along(response, distance)?;
+        match prepared.effective_mass(&pushed, contact).ok()? {
+            EffectiveMass::Finite(m) => Some(m),
+            EffectiveMass::Immovable | EffectiveMass::Massless => None,
+        }
+    };
+    let step = DIFFERENCE * system.mechanism().characteristic_length();
+    let per_metre = at(step).zip(at(-step)).map(|(more, less)| (more - less) / (2.0 * step * mass));
+    let there = depth.map(|depth| Penetration { prepared, contact }.mass_at(pose, depth));
+    let (over_penetration, ended) = match there {
+        None => (None, None),
+        Some(Ok(there)) => (Some(there / mass - 1.0), None),
+        Some(Err(ended)) => (None, Some(ended)),
+    };
+    let ends_at = ended.as_ref().map(|ended| ended.depth);
+    (Drift { per_metre, over_penetration, ends_at }, ended)
+}
+
+/// Warning if m̄ changes strongly over the penetration, or if the penetration is not reachable.
+fn about_drift(
+    drift: &Drift,
+    ended: Option<Ended>,
+    depth: Option<f64>,
+    names: Names,
+) -> Option<DiagnosticRecord> {
+    if let Some((Ended { depth: reached, error }, depth)) = ended.zip(depth) {
+        let why = match error {
+            Some(error) => error.message(names),
+            None => "the gap closes no further on this branch (a dead centre, or loops that do not close)"
+                .to_owned(),
+        };
+        let message = format!(
+            "the greatest penetration, {depth:.4e} m or rad, is unreachable: the motion of the impact ends after {reached:.4e}: \
+             {why}. The effective mass is that at the touch; a stiffer contact or a slower impact penetrates less"
+        );
+        return Some(DiagnosticRecord::about_answer(Severity::Warning, "penetration-unreachable", message));
+    }
+    let over = drift.over_penetration.filter(|over| over.abs() > DRIFTING)?;
+    let message = format!(
+        "the effective mass changes by {:+.1} % over the penetration: one number is no better than that here; a \
+         stiffer contact or a slower impact changes it less",
+        100.0 * over
+    );
+    Some(DiagnosticRecord::about_answer(Severity::Warning, "mass-drifts", message))
+}
+
+/// Completes the simulator options with values of the model.
+fn options(given: Options, answered: &Answered, mass: f64) -> Options {
+    let question = answered.prepared.question;
+    let mechanism: &Mechanism = &answered.prepared.model.mechanism;
+    let own = |link: LinkId| answered.prepared.system.rigid_body_mass(link).filter(|m| *m > 0.0);
+    let Contact { link, against, .. } = answered.contact;
+    let ratio = || {
+        if given.stop.is_some() {
+            return Some(mass / open_inertia(mechanism, question, &answered.contact)?);
+        }
+        let ours = open_inverse_mass(mechanism, question, link)?;
+        let other = against.map_or(Some(0.0), |other| open_inverse_mass(mechanism, question, other))?;
+        let free = question.against_mass.map_or(0.0, |other| 1.0 / other);
+        Some((ours + other + free) * mass)
+    };
+    // A joint stop has an inertia instead of a mass.
+    let free = || {
+        let free = answered.pose.free_body_mass(&answered.contact).filter(|_| given.stop.is_none())?;
+        Some(question.against_mass.map_or(free, |other| free * other / (free + other)))
+    };
+    // Parts that simulators enforce by constraints: mimics, couplings, locks, held contacts and loop closures.
+    let follows = |joint: &percuss_mechanism::Joint| joint.mimic().is_some();
+    let closed_loops = !mechanism.closures().is_empty();
+    let constrained = closed_loops
+        || !mechanism.couplings().is_empty()
+        || mechanism.joints().iter().any(follows)
+        || !question.lock.is_empty()
+        || !question.hold.is_empty();
+    Options {
+        own_mass: given.own_mass.or_else(|| own(link)),
+        other_own_mass: given.other_own_mass.or(question.against_mass).or_else(|| against.and_then(own)),
+        diagonal_ratio: given.diagonal_ratio.or_else(ratio),
+        constrained: given.constrained || constrained,
+        closed_loops: given.closed_loops || closed_loops,
+        loops_unknown: false,
+        free_mass: given.free_mass.or_else(free),
+        motion_curvature: given
+            .motion_curvature
+            .or_else(|| motion_curvature(answered).filter(|_| given.stop.is_none())),
+        moving_bodies: given.moving_bodies.or(Some(answered.prepared.system.moving_bodies())),
+        ..given
+    }
+}
+
+/// Inertia at a joint stop of the spanning tree without loops, all joints at zero: 1 over MuJoCo's
+/// `dof_invweight0`.
+fn open_inertia(mechanism: &Mechanism, question: &MassQuestion, contact: &Contact) -> Option<f64> {
+    let system = open_system(mechanism, question)?;
+    let pose = system.pose(&system.configuration()).ok()?;
+    let link = |id: LinkId| system.mechanism().find_link(mechanism.link(id).name()).ok();
+    let contact = Contact { link: link(contact.link)?, against: Some(link(contact.against?)?), ..*contact };
+    match pose.respond(&contact, RouteChoice::Auto).ok()?.effective_mass {
+        EffectiveMass::Finite(inertia) => Some(inertia),
+        EffectiveMass::Immovable | EffectiveMass::Massless => None,
+    }
+}
+
+/// MuJoCo's `body_invweight0`: mean inverse mass of a link on the spanning tree without loops, all joints at
+/// zero.
+fn open_inverse_mass(mechanism: &Mechanism, question: &MassQuestion, link: LinkId) -> Option<f64> {
+    let system = open_system(mechanism, question)?;
+    let link = system.mechanism().find_link(mechanism.link(link).name()).ok()?;
+    let pose = system.pose(&system.configuration()).ok()?;
+    pose.mean_inverse_mass(link).ok()
+}
+
+/// Spanning tree of the mechanism without its constraints.
+fn open_system(mechanism: &Mechanism, question: &MassQuestion) -> Option<System> {
+    let tree = mechanism.to_open_tree().build().ok()?.mechanism;
+    let mut conditions = Conditions::new().base(question.base);
+    for (joint, values) in &question.armature {
+        conditions = conditions.armature(joint.clone(), values.clone());
+    }
+    System::new(tree, &conditions).ok()
+}

@@ -1,0 +1,254 @@
+//! Damper design from a coefficient of restitution: damper of the contact, impact at a given speed, and
+//! simulator parameters.
+
+use crate::damper::joint_stop::StopRecord;
+use crate::damper::simulators::ExportRecord;
+use crate::model::loading::Input;
+use crate::model::record::DiagnosticRecord;
+use crate::question::damping_question::DampingQuestion;
+use crate::question::error::StudyError;
+use percuss_contact::exports::{Options, Request};
+use percuss_contact::{CompliantContact, ContactLawError, Damper, Law, Sample, Separation};
+use percuss_mechanism::Severity;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Damper of a contact and the resulting impact. All keys are always present; a value is null if not
+/// applicable.
+#[derive(Clone, Debug, Serialize)]
+pub struct DamperRecord {
+    /// Requested coefficient of restitution.
+    pub restitution: f64,
+    /// Stiffness k, N/m^p.
+    pub stiffness: f64,
+    /// Exponent p.
+    pub exponent: f64,
+    /// Approach speed, m/s.
+    pub speed: Option<f64>,
+    /// Damper law.
+    pub law: &'static str,
+    /// Alias by which the law was requested.
+    pub law_alias: Option<&'static str>,
+    /// True if the law gives the requested restitution exactly.
+    pub law_is_exact: bool,
+    /// Condition for the end of the contact: `force` or `gap`; null for laws with a force that vanishes with
+    /// the gap.
+    pub separation: Option<&'static str>,
+    /// Damping ratio ζ; null for laws of the Hunt–Crossley family.
+    pub damping_ratio: Option<f64>,
+    /// Damping coefficient c, N·s/m^((p+1)/2), which is N·s/m for a linear spring; null for laws of the
+    /// Hunt–Crossley family.
+    pub damping: Option<f64>,
+    /// Dissipation d of the force k xᵖ (1 + d ẋ), s/m. For the Kelvin–Voigt law, the value of the exact
+    /// Hunt–Crossley law, null without a speed.
+    pub dissipation: Option<f64>,
+    /// Restitution that the damper achieves.
+    pub achieved_restitution: f64,
+    /// Time from first touch to separation, s; null if the duration depends on a speed that is not given, or is
+    /// infinite.
+    pub contact_duration: Option<f64>,
+    /// Maximum penetration, m; null without a speed, as are all following values.
+    pub max_penetration: Option<f64>,
+    /// Time of maximum penetration, s.
+    pub time_of_max_penetration: Option<f64>,
+    /// Peak force, N.
+    pub peak_force: Option<f64>,
+    /// Time of peak force, s.
+    pub time_of_peak_force: Option<f64>,
+    /// Energy lost, J.
+    pub energy_lost: Option<f64>,
+    /// Rebound speed, m/s.
+    pub rebound_speed: Option<f64>,
+}
+
+/// Change of m̄ over the penetration. A large change means that one constant mass is a poor approximation.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Drift {
+    /// Relative rate (dm̄/dδ)/m̄ along the direction of impact, 1/m.
+    pub per_metre: Option<f64>,
+    /// m̄ at maximum penetration over m̄ at first touch, minus 1; null without a speed, and if the maximum
+    /// penetration is not reachable.
+    pub over_penetration: Option<f64>,
+    /// Penetration at which the motion of impact ends before the maximum penetration, m; null if the motion
+    /// does not end early.
+    pub ends_at: Option<f64>,
+}
+
+/// Mass of the contact body taken alone, a common substitute for m̄.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct BodyAlone {
+    /// Mass, kg.
+    pub mass: f64,
+    /// Restitution on the real contact of a damper designed for this mass; null for laws of the Hunt–Crossley
+    /// family, whose dissipation does not depend on the mass.
+    pub restitution: Option<f64>,
+}
+
+/// Report of `percuss damp`, as JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct DampingReport {
+    /// `percuss.damp/1`.
+    pub schema: &'static str,
+    /// Version of percuss.
+    pub percuss: &'static str,
+    /// Input files; empty if the mass is given directly.
+    pub inputs: Vec<Input>,
+    /// m̄, kg.
+    pub effective_mass: f64,
+    /// Joint stop; its `motion` determines the units of the report. Null for a contact between bodies.
+    pub stop: Option<StopRecord>,
+    /// Damper and impact.
+    #[serde(flatten)]
+    pub damper: DamperRecord,
+    /// Change of m̄ over the penetration; null if the mass is given directly.
+    pub drift: Option<Drift>,
+    /// Mass of the contact body alone and the resulting restitution; null if neither the model nor the options
+    /// give this mass.
+    pub body_alone: Option<BodyAlone>,
+    /// Parameters and code snippets by simulator.
+    pub exports: BTreeMap<&'static str, ExportRecord>,
+    /// Findings about the file and the result.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Compliant contact of a question for a given mass, kg.
+pub(crate) fn contact(question: &DampingQuestion, mass: f64) -> Result<CompliantContact, ContactLawError> {
+    CompliantContact::new(mass, question.stiffness)?.with_exponent(question.exponent)
+}
+
+/// Damper of a question for a contact.
+fn damper_of(question: &DampingQuestion, contact: CompliantContact) -> Result<Damper, ContactLawError> {
+    question.law.damper(contact, question.restitution, question.speed, question.separation)
+}
+
+/// Damper that gives a mass the requested restitution, and the impact at the given speed.
+///
+/// # Errors
+/// [`ContactLawError`]: numbers out of range, a restitution out of the range of the law, a missing speed that
+/// the law needs.
+pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, ContactLawError> {
+    let contact = contact(question, mass)?;
+    let damper = damper_of(question, contact)?;
+    // The restitution of Kelvin–Voigt does not depend on the speed, nor does the duration of the linear law.
+    let impact = damper.impact(contact, question.speed.unwrap_or(1.0))?;
+    let at_speed = question.speed.map(|_| impact);
+    let exact_dissipation = || {
+        let speed = question.speed?;
+        match Law::HuntCrossley.damper(contact, question.restitution, Some(speed), question.separation) {
+            Ok(Damper::HuntCrossley { dissipation }) => Some(dissipation),
+            _ => None,
+        }
+    };
+    let (damping_ratio, damping, dissipation, separation) = match damper {
+        Damper::KelvinVoigt { ratio, coefficient, separation } => {
+            (Some(ratio), Some(coefficient), exact_dissipation(), Some(separation.name()))
+        }
+        Damper::HuntCrossley { dissipation } => (None, None, Some(dissipation), None),
+    };
+    Ok(DamperRecord {
+        restitution: question.restitution,
+        stiffness: question.stiffness,
+        exponent: question.exponent,
+        speed: question.speed,
+        law: question.law.name(),
+        law_alias: question.alias,
+        law_is_exact: question.law.is_exact(),
+        separation,
+        damping_ratio,
+        damping,
+        dissipation,
+        achieved_restitution: impact.restitution,
+        contact_duration: if question.exponent == 1.0 || at_speed.is_some() { impact.duration } else { None },
+        max_penetration: at_speed.map(|b| b.max_penetration),
+        time_of_max_penetration: at_speed.map(|b| b.time_of_max_penetration),
+        peak_force: at_speed.map(|b| b.peak_force),
+        time_of_peak_force: at_speed.map(|b| b.time_of_peak_force),
+        energy_lost: at_speed.map(|b| b.energy_lost),
+        rebound_speed: at_speed.map(|b| b.rebound_speed),
+    })
+}
+
+/// History of the impact at `samples` times: time, penetration, penetration rate and force.
+///
+/// # Errors
+/// [`ContactLawError`], as for [`damper`]; no speed.
+pub fn impact_history(
+    question: &DampingQuestion,
+    mass: f64,
+    samples: usize,
+) -> Result<Vec<Sample>, ContactLawError> {
+    let contact = contact(question, mass)?;
+    let speed = question.speed.ok_or(ContactLawError::SpeedNeeded { law: "the history of an impact" })?;
+    damper_of(question, contact)?.history(contact, speed, samples)
+}
+
+/// Parameters of all requested simulators. A simulator that does not support the contact gets an error record;
+/// if only one simulator is requested, the result is an error.
+pub(crate) fn exports(
+    question: &DampingQuestion,
+    mass: f64,
+    options: Options,
+) -> Result<BTreeMap<&'static str, ExportRecord>, StudyError> {
+    let request = Request {
+        options,
+        speed: question.speed,
+        ..Request::new(contact(question, mass)?, question.restitution)
+    };
+    let mut exports = BTreeMap::new();
+    for tool in &question.tools {
+        let record = match tool.export(&request) {
+            Ok(export) => ExportRecord::of(&export),
+            Err(error) if question.tools.len() == 1 => return Err(StudyError::Export(Box::new(error))),
+            Err(error) => ExportRecord::refused(*tool, &error),
+        };
+        exports.insert(tool.name(), record);
+    }
+    Ok(exports)
+}
+
+/// Note that the simulators integrate another law than the requested one; `None` if both laws are equal or no
+/// simulator is requested.
+pub(crate) fn about_exports(question: &DampingQuestion) -> Option<DiagnosticRecord> {
+    let same = question.law == Law::KelvinVoigt && question.separation == Separation::ForceVanishes;
+    (!same && !question.tools.is_empty()).then(|| {
+        let message = format!(
+            "the simulators' parameters are for the laws that they integrate, and for the restitution {}; the law and \
+             the separation that were asked for are those of the damper above",
+            question.restitution
+        );
+        DiagnosticRecord::about_answer(Severity::Note, "exports-own-law", message)
+    })
+}
+
+/// Restitution on the real contact (`mass`, kg) of a damper designed for the mass of the body alone (`alone`,
+/// kg).
+pub(crate) fn body_alone(question: &DampingQuestion, alone: f64, mass: f64) -> BodyAlone {
+    let restitution = || {
+        let made = damper_of(question, contact(question, alone).ok()?).ok()?;
+        let Damper::KelvinVoigt { coefficient, separation, .. } = made else { return None };
+        let real = contact(question, mass).ok()?;
+        let damper = Damper::kelvin_voigt_from_coefficient(real, coefficient, separation).ok()?;
+        damper.restitution(real, question.speed.unwrap_or(1.0)).ok()
+    };
+    BodyAlone { mass: alone, restitution: restitution() }
+}
+
+/// Damper of a given mass, kg.
+///
+/// # Errors
+/// [`StudyError`]: as for [`damper`]; a contact that the only requested simulator does not support.
+pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, StudyError> {
+    let body_alone = question.options.own_mass.map(|alone| body_alone(question, alone, mass));
+    Ok(DampingReport {
+        schema: "percuss.damp/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: Vec::new(),
+        effective_mass: mass,
+        stop: None,
+        damper: damper(question, mass)?,
+        drift: None,
+        body_alone,
+        exports: exports(question, mass, question.options)?,
+        diagnostics: about_exports(question).into_iter().collect(),
+    })
+}

@@ -1,0 +1,144 @@
+//! Stop of a joint, as a contact between the two links of the joint.
+
+use crate::model::loading::Model;
+use crate::question::error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::question::mass_question::{MassQuestion, Normal};
+use crate::units::position::GivenPosition;
+use nalgebra::Vector3;
+use percuss_contact::exports::StopMotion;
+use percuss_dynamics::Frame;
+use percuss_mechanism::{Joint, JointKind};
+use serde::Serialize;
+
+/// End of the range of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum StopEnd {
+    /// Lower limit.
+    Lower,
+    /// Upper limit.
+    Upper,
+}
+
+/// Stop of a joint with one degree of freedom.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointStop {
+    /// The joint.
+    pub joint: String,
+    /// End of the range. The joint is set to this limit unless the question sets the joint. `None`: stop at the
+    /// position in the pose, against motion in the positive direction.
+    pub end: Option<StopEnd>,
+}
+
+/// Stop of a joint, in reports.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StopRecord {
+    /// The joint.
+    pub joint: String,
+    /// Motion of the joint. `turn`: the mass is an inertia in kg·m², the stiffness is in N·m/rad, the speed in
+    /// rad/s, and so on. `slide`: kg, N/m, m/s.
+    pub motion: StopMotion,
+}
+
+impl JointStop {
+    /// Reads `JOINT`, `JOINT:lower` or `JOINT:upper`.
+    ///
+    /// # Errors
+    /// Message with the expected form.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let (joint, end) = match text.rsplit_once(':') {
+            Some((joint, "lower")) => (joint, Some(StopEnd::Lower)),
+            Some((joint, "upper")) => (joint, Some(StopEnd::Upper)),
+            _ => (text, None),
+        };
+        match joint {
+            "" => Err("expected JOINT, JOINT:lower or JOINT:upper, such as elbow:upper".into()),
+            _ => Ok(JointStop { joint: joint.to_owned(), end }),
+        }
+    }
+
+    /// Motion of the joint into the stop.
+    ///
+    /// # Errors
+    /// [`StudyError`]: unknown joint; a joint without exactly one degree of freedom.
+    pub fn motion(&self, model: &Model) -> Result<StopMotion, StudyError> {
+        self.find(model).map(|(_, motion)| motion)
+    }
+
+    fn find<'a>(&self, model: &'a Model) -> Result<(&'a Joint, StopMotion), StudyError> {
+        let mechanism = &model.mechanism;
+        let id = mechanism.find_joint(&self.joint).map_err(|error| StudyError::input(Field::Limit, error))?;
+        let joint = mechanism.joint(id);
+        let motion = motion_of(joint).ok_or_else(|| {
+            StudyError::input(Field::Limit, Fault::NoStop { joint: self.joint.clone(), kind: joint.kind() })
+        })?;
+        Ok((joint, motion))
+    }
+
+    /// Contact question of the stop. The contact is a point of the child link against the parent link. For a
+    /// rotation the point lies 1 m from the axis and the normal along the motion; for a translation any point
+    /// serves, with the normal along the axis. The closing speed then equals the joint rate q̇, so m̄ in kg
+    /// equals 1/(e_j M_c⁻¹ e_jᵀ), the inertia (kg·m²) or mass (kg) at the joint including the loops. All other
+    /// fields of the question come from `conditions`.
+    ///
+    /// # Errors
+    /// [`StudyError`]: unknown joint; a joint without exactly one degree of freedom; an end without a limit.
+    pub fn question(
+        &self,
+        model: &Model,
+        conditions: MassQuestion,
+    ) -> Result<(MassQuestion, StopRecord), StudyError> {
+        let mechanism = &model.mechanism;
+        let refuse = |fault: Fault| StudyError::input(Field::Limit, fault);
+        let (joint, motion) = self.find(model)?;
+        let axis = joint.axis();
+        let (point, mut normal) = match motion {
+            StopMotion::Turn => {
+                let beside = beside(axis);
+                (beside, axis.cross(&beside))
+            }
+            StopMotion::Slide => (Vector3::zeros(), *axis),
+        };
+        if self.end == Some(StopEnd::Lower) {
+            normal = -normal;
+        }
+        let link = |id| mechanism.link(id).name().to_owned();
+        let mut question = MassQuestion {
+            link: link(joint.child()),
+            point: point.into(),
+            normal: Normal::Along(normal.into()),
+            frame: Frame::Link,
+            normal_frame: Frame::Link,
+            against: Some(link(joint.parent())),
+            against_mass: None,
+            ..conditions
+        };
+        if let Some(end) = self.end.filter(|_| !question.set.iter().any(|(name, _)| *name == self.joint)) {
+            let limits =
+                joint.limits().ok_or_else(|| refuse(Fault::NoLimit { joint: self.joint.clone() }))?;
+            let at = if end == StopEnd::Lower { limits.lower } else { limits.upper };
+            let position = GivenPosition::from_numbers(&[at]);
+            let wrong = |source| refuse(Fault::Position { joint: self.joint.clone(), source });
+            question.set.push((self.joint.clone(), position.map_err(wrong)?));
+        }
+        Ok((question, StopRecord { joint: self.joint.clone(), motion }))
+    }
+}
+
+/// Motion of a joint into a stop; `None` unless the joint has exactly one position.
+fn motion_of(joint: &Joint) -> Option<StopMotion> {
+    match joint.kind() {
+        JointKind::Revolute | JointKind::Continuous => Some(StopMotion::Turn),
+        JointKind::Prismatic => Some(StopMotion::Slide),
+        JointKind::Fixed | JointKind::Planar | JointKind::Spherical | JointKind::Floating => None,
+    }
+}
+
+/// Unit vector normal to `axis`.
+fn beside(axis: &Vector3<f64>) -> Vector3<f64> {
+    let least = axis.iamin();
+    let mut other = Vector3::zeros();
+    other[least] = 1.0;
+    axis.cross(&other).normalize()
+}

@@ -1,0 +1,8 @@
+//! Damping of a contact or joint stop for a coefficient of restitution.
+
+pub(crate) mod curvature;
+pub(crate) mod damped_contact;
+pub(crate) mod damping;
+pub(crate) mod joint_stop;
+pub(crate) mod penetration;
+pub(crate) mod simulators;

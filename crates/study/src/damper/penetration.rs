@@ -1,0 +1,97 @@
+//! m̄ at the maximum penetration of an impact. The mechanism follows the motion of impact v* from first touch
+//! to this depth.
+//!
+//! ```text
+//! dq/dδ = v*(q),  A v* = 0,  j v* = 1,  from δ = 0 at first touch
+//! ```
+//!
+//! Source: midpoint rule; error estimate from one whole step and two half steps (Hairer, Nørsett and Wanner
+//! 1993, §II.4). The loops are closed after each step.
+
+use crate::evaluation::answer::Prepared;
+use crate::question::error::StudyError;
+use crate::thresholds::{
+    FIRST_PENETRATION, LEAST_PENETRATION, PENETRATION_GROWTH, PENETRATION_MASS, PENETRATION_MOTION,
+};
+use percuss_dynamics::{Contact, ContactResponse, EffectiveMass, Pose};
+
+/// Reason for an unreachable depth.
+#[derive(Debug)]
+pub(crate) struct Ended {
+    /// Depth reached, m.
+    pub depth: f64,
+    /// Error of the question at this depth; `None` if the motion itself ends.
+    pub error: Option<StudyError>,
+}
+
+/// Motion of impact from first touch on.
+pub(crate) struct Penetration<'a> {
+    pub prepared: &'a Prepared<'a>,
+    pub contact: &'a Contact,
+}
+
+/// Pose during the penetration and the contact response at the pose.
+struct Point {
+    pose: Pose,
+    response: ContactResponse,
+    mass: f64,
+}
+
+impl Penetration<'_> {
+    /// m̄ at a depth (m), kg.
+    ///
+    /// # Errors
+    /// [`Ended`]: the gap cannot close to this depth on the branch, or the contact has no finite mass there.
+    pub fn mass_at(&self, pose: &Pose, depth: f64) -> Result<f64, Ended> {
+        let mut done = 0.0;
+        let mut step = depth * FIRST_PENETRATION;
+        let mut at = self.point(pose.clone()).map_err(|error| Ended { depth: done, error })?;
+        let mut error = None;
+        while done < depth {
+            step = f64::min(step, depth - done);
+            match self.checked_step(&at, step) {
+                Ok(next) => {
+                    at = next;
+                    // Exact end at `depth`, without rounding.
+                    done = if step < depth - done { done + step } else { depth };
+                    step *= PENETRATION_GROWTH;
+                    error = None;
+                }
+                Err(why) => {
+                    error = why.or(error);
+                    step /= 2.0;
+                    if step < LEAST_PENETRATION * depth {
+                        return Err(Ended { depth: done, error });
+                    }
+                }
+            }
+        }
+        Ok(at.mass)
+    }
+
+    /// Point after a step, if one whole step and two half steps agree; `Err(None)` otherwise.
+    fn checked_step(&self, at: &Point, step: f64) -> Result<Point, Option<StudyError>> {
+        let whole = self.step(at, step)?;
+        let half = self.step(at, step / 2.0)?;
+        let twice = self.step(&half, step / 2.0)?;
+        let place = |point: &Point| point.pose.link(self.contact.link).point(&self.contact.point);
+        let apart = (place(&whole) - place(&twice)).norm();
+        let agree = (whole.mass / twice.mass - 1.0).abs() <= PENETRATION_MASS
+            && apart <= PENETRATION_MOTION * step.abs();
+        if agree { Ok(twice) } else { Err(None) }
+    }
+
+    /// Point after one step of the midpoint rule.
+    fn step(&self, at: &Point, step: f64) -> Result<Point, Option<StudyError>> {
+        let middle = self.point(at.pose.advanced_along(&at.response, step / 2.0).ok_or(None)?)?;
+        self.point(at.pose.advanced_along(&middle.response, step).ok_or(None)?)
+    }
+
+    fn point(&self, pose: Pose) -> Result<Point, Option<StudyError>> {
+        let response = self.prepared.response(&pose, self.contact).map_err(Some)?;
+        match response.effective_mass {
+            EffectiveMass::Finite(mass) if response.gives_way() => Ok(Point { pose, response, mass }),
+            _ => Err(None),
+        }
+    }
+}

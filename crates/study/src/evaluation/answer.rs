@@ -1,0 +1,373 @@
+//! Evaluation of a question, shared by all commands. [`Prepared`] resolves names, checks units and compiles the
+//! conditions once; the contact is then evaluated at any number of poses.
+
+use crate::checks::finding::{Finding, Subject};
+use crate::checks::findings::{about_branches, about_guesses, about_pose, about_response};
+use crate::checks::holds::HeldContact;
+use crate::evaluation::estimate::{Estimate, EstimateRecord};
+use crate::model::loading::{Input, Model};
+use crate::pose::travels;
+use crate::question::error::{Fault, StudyError};
+use crate::question::field::{Field, Names};
+use crate::question::mass_question::{MassQuestion, Normal};
+use crate::question::pose_file::{GivenPose, GivenPoseError};
+use crate::thresholds::LEAST_OTHER_MASS;
+use crate::units::position::GivenPosition;
+use nalgebra::Vector3;
+use percuss_dynamics::{
+    Base, BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactResponse, Direction,
+    EffectiveMass, Frame, Pose, ResponseError, RouteChoice, System,
+};
+use percuss_mechanism::{JointId, LinkId, Mechanism, UnknownName};
+use std::sync::Arc;
+
+/// Question with resolved names, numbers in SI units and compiled conditions.
+#[derive(Debug)]
+pub(crate) struct Prepared<'a> {
+    pub model: &'a Model,
+    pub question: &'a MassQuestion,
+    pub system: System,
+    /// Positions requested by `--set` and `--guess`.
+    pub configuration: Configuration,
+    link: LinkId,
+    against: Option<LinkId>,
+    normal: Direction,
+    estimate: Option<Estimate>,
+    held: Vec<HeldContact>,
+}
+
+/// Result of a contact at one pose.
+#[derive(Debug)]
+pub(crate) struct Answer {
+    /// Contact response, including a free body on the other side.
+    pub response: ContactResponse,
+    /// Response of the mechanism alone; set only if there is a free body on the other side.
+    alone: Option<ContactResponse>,
+    /// Limits of m̄ of the mechanism alone along the branches of a singular pose; empty at a regular pose.
+    pub limits: BranchLimits,
+    /// Classical estimate, if requested.
+    pub estimate: Option<EstimateRecord>,
+    /// Findings to report.
+    pub findings: Vec<Finding>,
+}
+
+impl Answer {
+    /// The contact response of the mechanism alone, without a free body on the other side.
+    pub fn of_mechanism(&self) -> &ContactResponse {
+        self.alone.as_ref().unwrap_or(&self.response)
+    }
+
+    /// Limits of m̄ along the branches, if all branches are known and their number is finite. The limits then
+    /// bound every mass that a motion from the pose can have.
+    pub fn all_branches(&self) -> Option<&[EffectiveMass]> {
+        let limits = &self.limits;
+        (limits.complete && !limits.continuous && !limits.limits.is_empty()).then_some(&limits.limits)
+    }
+}
+
+impl<'a> Prepared<'a> {
+    /// Resolves a question.
+    pub fn new(model: &'a Model, question: &'a MassQuestion) -> Result<Self, StudyError> {
+        let mechanism = &model.mechanism;
+        let find = |field: Field, name: &str| {
+            mechanism.find_link(name).map_err(|error| StudyError::input(field, error))
+        };
+        let link = find(Field::Link, &question.link)?;
+        let against = match &question.against {
+            Some(name) => {
+                other_side(mechanism, name).map_err(|error| StudyError::input(Field::Against, error))?
+            }
+            None => None,
+        };
+        let normal = match &question.normal {
+            Normal::Along(normal) => Direction::Along(Vector3::from(*normal), question.normal_frame),
+            Normal::Toward(name, point) => {
+                Direction::Toward(find(Field::AlongLine, name)?, Vector3::from(*point))
+            }
+            Normal::TurningToward(name, point) => {
+                Direction::TurningToward(find(Field::AlongLine, name)?, Vector3::from(*point))
+            }
+        };
+        if let Some(mass) = question.against_mass.filter(|m| !(m.is_finite() && *m > LEAST_OTHER_MASS)) {
+            return Err(StudyError::input(Field::AgainstMass, Fault::OtherMass { mass }));
+        }
+        let compile = |skipped| compile(mechanism, question, skipped);
+        let system = compile(None)?;
+        let estimate = question.estimate.as_ref().map(|e| Estimate::new(mechanism, e)).transpose()?;
+        let mut held = Vec::new();
+        for (number, hold) in question.hold.iter().enumerate() {
+            if let Some(normal) = hold.normal {
+                held.push(HeldContact {
+                    number,
+                    link: find(Field::Hold, &hold.link)?,
+                    point: hold.point.into(),
+                    normal: Vector3::from(normal).normalize(),
+                    without: compile(Some(number))?,
+                });
+            }
+        }
+        let configuration = configuration(mechanism, question)?;
+        Ok(Self { model, question, system, configuration, link, against, normal, estimate, held })
+    }
+
+    /// Link on the other side; `None` for the ground.
+    pub fn against(&self) -> Option<LinkId> {
+        self.against
+    }
+
+    /// Mass of a free body on the other side, kg.
+    pub fn other_mass(&self) -> Option<f64> {
+        self.question.against_mass
+    }
+
+    /// True if the question asks only for m̄ of the mechanism alone: no estimate, no held contact, no free
+    /// body.
+    pub fn is_plain(&self) -> bool {
+        self.estimate.is_none() && self.question.hold.is_empty() && self.other_mass().is_none()
+    }
+
+    /// True if the contact point is given in the frame of the contact link; the conversion then needs no pose.
+    pub fn point_is_in_link(&self) -> bool {
+        self.question.frame == Frame::Link
+    }
+
+    /// Contact at a pose. A point given in another frame is converted to the frame of the contact link at this
+    /// pose and is fixed to the link from then on.
+    pub fn contact_at(&self, pose: &Pose) -> Contact {
+        let given = Vector3::from(self.question.point);
+        let point = pose.point_in_link(self.link, self.against, self.question.frame, given);
+        Contact { link: self.link, against: self.against, point, normal: self.normal }
+    }
+
+    /// Contact, if the point is given in the frame of the contact link.
+    pub fn contact_in_link(&self) -> Option<Contact> {
+        let point = Vector3::from(self.question.point);
+        self.point_is_in_link().then_some(Contact {
+            link: self.link,
+            against: self.against,
+            point,
+            normal: self.normal,
+        })
+    }
+
+    /// Finding that reports the converted coordinates of a point given in another frame; `place` names the pose
+    /// of the conversion.
+    pub fn about_point(&self, contact: &Contact, place: &str) -> Option<Finding> {
+        let frame = match self.question.frame {
+            Frame::Link => return None,
+            Frame::World => "world",
+            Frame::Against => "against",
+        };
+        let given = match self.question.names {
+            Names::Fields => frame.to_owned(),
+            Names::Flags => format!("--frame {frame}"),
+            Names::Keys => format!("contact.frame = \"{frame}\""),
+        };
+        let [x, y, z]: [f64; 3] = contact.point.into();
+        let link = self.system.mechanism().link(contact.link).name();
+        let message = format!(
+            "the contact point given in another frame ({given}) is {x},{y},{z} m in the frame of link \"{link}\", converted \
+             {place}; it moves with the link"
+        );
+        Some(Finding::note("point-converted", Subject::Link(contact.link), message))
+    }
+
+    /// Findings about unused or distant guesses, and about a pose file that belongs to another model.
+    pub fn about_guesses(&self, pose: &Pose) -> Vec<Finding> {
+        let question = self.question;
+        let mut found =
+            about_guesses(&self.system, pose, &self.configuration, &question.guess, question.names);
+        let other = question.pose.as_ref().and_then(|file| file.about_model(self.model, question.names));
+        found.extend(other.map(|message| Finding::warning("pose-of-another-file", Subject::Answer, message)));
+        found
+    }
+
+    /// Input files: model, study and pose.
+    pub fn inputs(&self) -> Vec<Input> {
+        let pose = self.question.pose.iter().map(|file| &file.input);
+        self.model.inputs.iter().chain(pose).cloned().collect()
+    }
+
+    /// Pose requested by the question.
+    pub fn pose(&self) -> Result<Pose, StudyError> {
+        posing::pose(&self.system, &self.configuration, self.question)
+    }
+
+    /// Contact response, branch limits, estimate and findings at a pose.
+    pub fn answer(&self, pose: &Pose, contact: &Contact) -> Result<Answer, StudyError> {
+        let (system, names) = (&self.system, self.question.names);
+        let response = pose.respond(contact, RouteChoice::Auto)?;
+        let mut findings = about_pose(system, pose, names);
+        findings.extend(about_response(system, contact, &response, names));
+        let limits =
+            if response.singular_pose { pose.branch_limits(contact) } else { BranchLimits::default() };
+        findings.extend(about_branches(pose, &response, &limits));
+        for held in &self.held {
+            findings.extend(held.find(pose, contact, self.other_mass(), names)?);
+        }
+        let estimate = self.estimate.as_ref().map(|e| e.beside(pose, &response));
+        let Some(other) = self.other_mass() else {
+            return Ok(Answer { response, alone: None, limits, estimate, findings });
+        };
+        if response.effective_mass == EffectiveMass::Immovable {
+            let message = format!(
+                "the mechanism itself is immovable at this contact: only the other body's mass counts{}",
+                Field::AgainstMass.hint(names)
+            );
+            findings.push(Finding::note("immovable-mechanism", Subject::Answer, message));
+        }
+        let with_other = response.clone().against_mass(other).map_err(ResponseError::from)?;
+        Ok(Answer { response: with_other, alone: Some(response), limits, estimate, findings })
+    }
+
+    /// Contact response at a pose, including a free body on the other side, without findings or limits.
+    pub fn response(&self, pose: &Pose, contact: &Contact) -> Result<ContactResponse, StudyError> {
+        let response = pose.respond(contact, RouteChoice::Auto)?;
+        Ok(match self.other_mass() {
+            Some(other) => response.against_mass(other).map_err(ResponseError::from)?,
+            None => response,
+        })
+    }
+
+    /// Effective mass at a pose, including a free body on the other side, without findings or limits.
+    pub fn effective_mass(&self, pose: &Pose, contact: &Contact) -> Result<EffectiveMass, StudyError> {
+        Ok(self.response(pose, contact)?.effective_mass)
+    }
+}
+
+/// Result of a question at its own pose.
+#[derive(Debug)]
+pub(crate) struct Answered<'a> {
+    pub prepared: Prepared<'a>,
+    pub pose: Pose,
+    pub contact: Contact,
+    pub answer: Answer,
+}
+
+impl<'a> Answered<'a> {
+    /// Evaluates a question at its own pose.
+    pub fn new(model: &'a Model, question: &'a MassQuestion) -> Result<Self, StudyError> {
+        let prepared = Prepared::new(model, question)?;
+        let pose = prepared.pose()?;
+        let contact = prepared.contact_at(&pose);
+        let mut answer = prepared.answer(&pose, &contact)?;
+        answer.findings.extend(prepared.about_point(&contact, "at the pose of the answer"));
+        answer.findings.extend(prepared.about_guesses(&pose));
+        Ok(Self { prepared, pose, contact, answer })
+    }
+}
+
+/// Compiles the mechanism with the conditions of the question, except the held contact number `skipped`.
+pub(crate) fn compile(
+    mechanism: &Arc<Mechanism>,
+    question: &MassQuestion,
+    skipped: Option<usize>,
+) -> Result<System, StudyError> {
+    let joint = |field: Field, name: &str| -> Result<JointId, StudyError> {
+        mechanism.find_joint(name).map_err(|error| StudyError::input(field, error))
+    };
+    let mut conditions = Conditions::new().base(question.base);
+    for name in &question.lock {
+        joint(Field::Lock, name)?;
+        conditions = conditions.lock(name);
+    }
+    for (name, values) in &question.armature {
+        joint(Field::Armature, name)?;
+        conditions = conditions.armature(name, values.clone());
+    }
+    for (_, hold) in question.hold.iter().enumerate().filter(|(i, _)| Some(*i) != skipped) {
+        mechanism.find_link(&hold.link).map_err(|error| StudyError::input(Field::Hold, error))?;
+        conditions = conditions.hold(&hold.link, hold.point, hold.normal.map(Vector3::from));
+    }
+    let system = System::new(Arc::clone(mechanism), &conditions)
+        .map_err(|error| StudyError::input(Field::of_condition(&error), error))?;
+    let root = mechanism.root();
+    if question.base == Base::Floating && system.rigid_body_mass(root).is_some_and(|mass| mass <= 0.0) {
+        let link = mechanism.link(root).name().to_owned();
+        return Err(StudyError::input(Field::Base, Fault::MasslessBase { link }));
+    }
+    Ok(system)
+}
+
+/// Requested positions: pose file first, then `--set` and `--guess`.
+pub(crate) fn configuration(
+    mechanism: &Arc<Mechanism>,
+    question: &MassQuestion,
+) -> Result<Configuration, StudyError> {
+    let values = |field: Field, joint: &String, given: &GivenPosition| {
+        let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(field, error))?;
+        let wrong = |source| StudyError::input(field, Fault::Position { joint: joint.clone(), source });
+        given.of_joint(mechanism.joint(id).kind()).map_err(wrong)
+    };
+    let mut configuration = match &question.pose {
+        None => Configuration::zero(mechanism),
+        Some(file) => {
+            let refuse = |error: GivenPoseError| StudyError::input(Field::Pose, error);
+            file.check(mechanism).map_err(refuse)?;
+            from_file(mechanism, question, file, values)?
+        }
+    };
+    for (joint, given) in &question.set {
+        let values = values(Field::Set, joint, given)?;
+        configuration.set(joint, &values).map_err(|error| StudyError::input(Field::Set, error))?;
+    }
+    let whole = question.pose.as_ref().is_some_and(|file| file.is_whole(mechanism));
+    for (joint, given) in question.guess.iter().filter(|_| !whole) {
+        let values = values(Field::Guess, joint, given)?;
+        configuration.guess(joint, &values).map_err(|error| StudyError::input(Field::Guess, error))?;
+    }
+    Ok(configuration)
+}
+
+/// Positions from a pose file. A file with all joints gives the full configuration, in which `--set` and
+/// `--guess` replace single joints. A file with some joints sets these joints.
+fn from_file(
+    mechanism: &Arc<Mechanism>,
+    question: &MassQuestion,
+    file: &GivenPose,
+    values: impl Fn(Field, &String, &GivenPosition) -> Result<Vec<f64>, StudyError>,
+) -> Result<Configuration, StudyError> {
+    let refuse = |error: ConfigurationError| StudyError::input(Field::Pose, error);
+    if !file.is_whole(mechanism) {
+        let mut configuration = Configuration::zero(mechanism);
+        let is_set = |joint: &String| question.set.iter().any(|(set, _)| set == joint);
+        for (joint, given) in file.positions.iter().filter(|(joint, _)| !is_set(joint)) {
+            configuration.set(joint, &values(Field::Pose, joint, given)?).map_err(refuse)?;
+        }
+        return Ok(configuration);
+    }
+    for joint in file.positions.keys() {
+        mechanism.find_joint(joint).map_err(|error| StudyError::input(Field::Pose, error))?;
+    }
+    let mut positions = Vec::new();
+    for joint in mechanism.joints() {
+        let name = joint.name().to_owned();
+        let over = |given: &[(String, GivenPosition)]| {
+            given.iter().find(|(of, _)| *of == name).map(|(_, position)| position.clone())
+        };
+        let given = [(Field::Guess, over(&question.guess)), (Field::Set, over(&question.set))];
+        let given = given.into_iter().chain([(Field::Pose, file.positions.get(&name).cloned())]);
+        let given = given.into_iter().find_map(|(field, position)| Some((field, position?)));
+        match given {
+            Some((field, position)) if joint.mimic().is_none() && joint.kind().positions() > 0 => {
+                let position = values(field, &name, &position)?;
+                // `set` rejects a wrong number of values and names the joint.
+                Configuration::zero(mechanism)
+                    .set(&name, &position)
+                    .map_err(|error| StudyError::input(field, error))?;
+                positions.extend(position);
+            }
+            _ => positions.extend(std::iter::repeat_n(0.0, joint.kind().positions())),
+        }
+    }
+    Configuration::from_positions(mechanism, &positions).map_err(refuse)
+}
+
+/// Link with this name. Without such a link, `world` is the ground (`None`).
+fn other_side(mechanism: &Mechanism, name: &str) -> Result<Option<LinkId>, UnknownName> {
+    match mechanism.find_link(name) {
+        Ok(link) => Ok(Some(link)),
+        Err(_) if name == "world" => Ok(None),
+        Err(unknown) => Err(unknown),
+    }
+}

@@ -1,0 +1,36 @@
+//! Kind of a result: finite, immovable, massless.
+
+use percuss_dynamics::EffectiveMass;
+use serde::Serialize;
+
+/// Kind of result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    /// m̄ is finite.
+    Finite,
+    /// No admissible motion closes the gap.
+    Immovable,
+    /// A motion without kinetic energy closes the gap.
+    Massless,
+}
+
+impl Status {
+    /// Kind of an effective mass, and m̄ (kg) if finite.
+    pub(crate) fn of(mass: EffectiveMass) -> (Self, Option<f64>) {
+        match mass {
+            EffectiveMass::Finite(m) => (Status::Finite, Some(m)),
+            EffectiveMass::Immovable => (Status::Immovable, None),
+            EffectiveMass::Massless => (Status::Massless, None),
+        }
+    }
+
+    /// Name in JSON and CSV.
+    pub fn name(self) -> &'static str {
+        match self {
+            Status::Finite => "finite",
+            Status::Immovable => "immovable",
+            Status::Massless => "massless",
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! Maps of m̄ over surfaces and directions.
+
+pub(crate) mod map_report;
+pub(crate) mod point_map;
+pub(crate) mod surface_map;

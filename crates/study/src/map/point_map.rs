@@ -1,0 +1,152 @@
+//! m̄ over directions at one point: the belted ellipsoid.
+
+use crate::checks::findings::about_pose;
+use crate::evaluation::answer::Prepared;
+use crate::mass::mass_report::ConditionsRecord;
+use crate::model::loading::{Input, Model};
+use crate::model::record::DiagnosticRecord;
+use crate::pose::positions::{PoseLayout, Positions};
+use crate::question::error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::question::mass_question::{MassQuestion, Normal};
+use crate::thresholds::DIRECTIONS;
+use nalgebra::Vector3;
+use percuss_dynamics::EffectiveMass;
+use percuss_spatial::Transform;
+use serde::Serialize;
+
+/// m̄ along a direction.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DirectionMass {
+    /// Unit vector, link's axes.
+    pub direction_link: [f64; 3],
+    /// Unit vector, world axes.
+    pub direction_world: [f64; 3],
+    /// `finite`, `immovable`, `massless` or `no answer`.
+    pub status: &'static str,
+    /// m̄, kg; null unless finite.
+    pub effective_mass: Option<f64>,
+    /// Error bound of m̄, kg; null if unknown.
+    pub effective_mass_error: Option<f64>,
+}
+
+/// Report of `percuss map --point`, as JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct PointMapReport {
+    /// `percuss.map-point/1`.
+    pub schema: &'static str,
+    /// Version of percuss.
+    pub percuss: &'static str,
+    /// Input files.
+    pub inputs: Vec<Input>,
+    /// The link.
+    pub link: String,
+    /// Point, link's frame, m.
+    pub point_link: [f64; 3],
+    /// Point, world frame, m.
+    pub point_world: [f64; 3],
+    /// The three directions with stationary m̄, from the lightest to the heaviest; empty if any of them has no
+    /// result.
+    pub principal: Vec<DirectionMass>,
+    /// Directions distributed evenly over the sphere.
+    pub directions: Vec<DirectionMass>,
+    /// Other link; null for the ground.
+    pub against: Option<String>,
+    /// Conditions of the question.
+    pub conditions: ConditionsRecord,
+    /// True if the pose is singular; every m̄ is then a lower bound.
+    pub singular_pose: bool,
+    /// Joint positions.
+    pub pose: Positions,
+    /// Warnings and notes.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Evaluates `directions` directions and the principal directions at the point of a question. The normal of the
+/// question is ignored.
+///
+/// # Errors
+/// [`StudyError`]: unknown names, an unreachable pose, a number of directions out of range.
+pub fn map_point(
+    model: &Model,
+    question: &MassQuestion,
+    directions: usize,
+) -> Result<PointMapReport, StudyError> {
+    if !DIRECTIONS.contains(&directions) {
+        return Err(StudyError::input(Field::Directions, Fault::Directions { count: directions }));
+    }
+    let question = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question.clone() };
+    let prepared = Prepared::new(model, &question)?;
+    let pose = prepared.pose()?;
+    let contact = prepared.contact_at(&pose);
+    let map = pose
+        .contact_map(contact.link, contact.against, contact.point, 0.0)
+        .map_err(|error| StudyError::input(Field::Point, error))?;
+    let x_wl = pose.link(contact.link);
+    let other = prepared.other_mass();
+    let of_direction = |i: usize| {
+        let direction = spread(i, directions);
+        let answer = map.effective_mass(&contact.point, &direction);
+        record(&x_wl, &direction, answer.mass, answer.error, other)
+    };
+    let principal = map.principal_masses(&contact.point);
+    let principal = principal.iter().flatten();
+    let mut diagnostics: Vec<DiagnosticRecord> = model.diagnostics.clone();
+    let mut found = about_pose(&prepared.system, &pose, question.names);
+    found.extend(prepared.about_point(&contact, "at the pose of the answer"));
+    found.extend(prepared.about_guesses(&pose));
+    diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
+    Ok(PointMapReport {
+        schema: "percuss.map-point/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: prepared.inputs(),
+        link: question.link.clone(),
+        point_link: contact.point.into(),
+        point_world: x_wl.point(&contact.point).into(),
+        principal: principal.map(|p| record(&x_wl, &p.direction, Some(p.mass), p.error, other)).collect(),
+        directions: (0..directions).map(of_direction).collect(),
+        against: question.against.clone(),
+        conditions: ConditionsRecord::of(&question),
+        singular_pose: pose.rank().singular,
+        pose: Positions::of(&PoseLayout::new(&model.mechanism), &pose),
+        diagnostics,
+    })
+}
+
+/// Result along one direction, including a free body on the other side: dm̄ = (m̄/m̄₁)² dm̄₁.
+fn record(
+    x_wl: &Transform<f64>,
+    direction: &Vector3<f64>,
+    mass: Option<EffectiveMass>,
+    error: Option<f64>,
+    other: Option<f64>,
+) -> DirectionMass {
+    let together = mass.map(|mass| mass.against_mass(other));
+    let (status, effective_mass) = match together {
+        Some(EffectiveMass::Finite(m)) => ("finite", Some(m)),
+        Some(EffectiveMass::Immovable) => ("immovable", None),
+        Some(EffectiveMass::Massless) => ("massless", None),
+        None => ("no answer", None),
+    };
+    let factor = match (mass, effective_mass) {
+        (Some(EffectiveMass::Finite(own)), Some(m)) => (m / own).powi(2),
+        _ => 0.0,
+    };
+    DirectionMass {
+        direction_link: (*direction).into(),
+        direction_world: x_wl.vector(direction).into(),
+        status,
+        effective_mass,
+        effective_mass_error: effective_mass.and(error).map(|e| e * factor),
+    }
+}
+
+/// Direction `i` of `count`: a spiral on the sphere with equal distances between turns and between points
+/// (Swinbank and Purser 2006; cited from memory).
+fn spread(i: usize, count: usize) -> Vector3<f64> {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let z = 1.0 - (2.0 * i as f64 + 1.0) / count as f64;
+    let turn = std::f64::consts::TAU * (i as f64 * GOLDEN).fract();
+    let radius = (1.0 - z * z).sqrt();
+    Vector3::new(radius * turn.cos(), radius * turn.sin(), z)
+}

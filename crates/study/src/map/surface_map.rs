@@ -1,0 +1,261 @@
+//! m̄ over the surfaces of links at one pose.
+
+use crate::checks::findings::about_pose;
+use crate::evaluation::answer::Prepared;
+use crate::map::map_report::{
+    Extreme, LeftOut, LinkMap, MapAnswer, MapReport, OrientationRecord, SkinFacets,
+};
+use crate::mass::mass_report::ConditionsRecord;
+use crate::model::loading::{Input, Model};
+use crate::model::record::DiagnosticRecord;
+use crate::pose::positions::{PoseLayout, Positions};
+use crate::question::error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::question::map_question::{MapLinks, MapQuestion, MapShapes};
+use crate::question::mass_question::{MassQuestion, Normal};
+use crate::thresholds::{EDGES_ACROSS, FACETS, LEAST_EDGE};
+use percuss_dynamics::{ContactColumns, ContactMap, ContactStatus, MapAnswers, Pose};
+use percuss_formats::{Facet, MeshFolders, Purpose, Shape, Surface};
+use percuss_mechanism::{LinkId, Severity};
+use rayon::prelude::*;
+use std::cell::RefCell;
+use std::path::Path;
+
+/// Number of contacts per work item of a thread.
+const PORTION: usize = 1 << 14;
+
+/// Reason for a link without a map.
+enum NoMap {
+    /// Fault of the link; the link can be omitted.
+    Link(Fault),
+    /// Error of the question.
+    Question(StudyError),
+}
+
+/// Evaluates a contact at every facet of the surfaces of links, along the outward normal.
+///
+/// # Errors
+/// [`StudyError`]: unknown names, an unreachable pose; for named links, a missing or unreadable shape. With
+/// [`MapLinks::All`] such links are listed in `left_out`; a map without any link is an error.
+pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyError> {
+    let mechanism = &model.mechanism;
+    if let Some(edge) = question.edge.filter(|e| !(e.is_finite() && *e >= LEAST_EDGE)) {
+        return Err(StudyError::input(Field::Edge, Fault::Edge { edge }));
+    }
+    let find =
+        |name: &String| mechanism.find_link(name).map_err(|error| StudyError::input(Field::Link, error));
+    let links: Vec<LinkId> = match &question.links {
+        MapLinks::Named(names) => names.iter().map(find).collect::<Result<_, _>>()?,
+        MapLinks::All => mechanism.link_ids().collect(),
+    };
+    let conditions = on_a_link(model, &question.conditions);
+    let prepared = Prepared::new(model, &conditions)?;
+    let pose = prepared.pose()?;
+    let mut found = about_pose(&prepared.system, &pose, conditions.names);
+    found.extend(prepared.about_guesses(&pose));
+    let mut diagnostics: Vec<DiagnosticRecord> = model.diagnostics.clone();
+    diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
+    let path = model.inputs.first().map_or("", |input| &input.path);
+    let folders = MeshFolders::of_model(Path::new(path), question.packages.clone());
+    let meshes = RefCell::new(Vec::new());
+    let asked = Asked { model, question, folders, meshes: &meshes, prepared: &prepared, pose: &pose };
+    let (mut maps, mut skins, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
+    let mut room = FACETS;
+    for link in links {
+        let name = mechanism.link(link).name();
+        match asked.of_link(link, room) {
+            Ok((map, skin)) => {
+                room -= skin.facets.len();
+                maps.push(map);
+                skins.push(skin);
+            }
+            Err(NoMap::Link(fault)) if question.links == MapLinks::All => {
+                left_out.push(LeftOut { link: name.to_owned(), reason: fault.to_string() });
+            }
+            Err(NoMap::Link(fault)) => return Err(StudyError::input(Field::Link, fault)),
+            Err(NoMap::Question(error)) => return Err(error),
+        }
+    }
+    if maps.is_empty() {
+        let reasons: Vec<String> = left_out.iter().take(3).map(|l| l.reason.clone()).collect();
+        return Err(StudyError::input(Field::Link, Fault::NothingToMap { reasons: reasons.join("; ") }));
+    }
+    let rank = pose.rank();
+    if rank.singular {
+        let message = "branches cross at this pose: every effective mass is a lower bound here, and the limits along the \
+                       branches may be far above; move off the pose, or ask percuss mass for the limits";
+        diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "singular-pose", message.into()));
+    }
+    let report = MapReport {
+        schema: "percuss.map/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: prepared.inputs().into_iter().chain(meshes.take()).collect(),
+        links: maps,
+        left_out,
+        edge: question.edge,
+        against: prepared.against().map(|id| mechanism.link(id).name().to_owned()),
+        conditions: ConditionsRecord::of(&conditions),
+        singular_pose: rank.singular,
+        degrees_of_freedom: pose.degrees_of_freedom(),
+        pose: Positions::of(&PoseLayout::new(mechanism), &pose),
+        diagnostics,
+    };
+    Ok(MapAnswer { report, skins })
+}
+
+/// Question with a valid contact, required by `Prepared`; the contact itself is not evaluated.
+fn on_a_link(model: &Model, conditions: &MassQuestion) -> MassQuestion {
+    let against = conditions.against.as_deref();
+    let link = model.mechanism.links().iter().map(|l| l.name()).find(|name| Some(*name) != against);
+    MassQuestion {
+        link: link.unwrap_or_default().to_owned(),
+        normal: Normal::Along([1.0, 0.0, 0.0]),
+        ..conditions.clone()
+    }
+}
+
+fn chosen(shapes: &[Shape], which: MapShapes) -> (Purpose, Vec<&Shape>) {
+    let of = |purpose| shapes.iter().filter(|s| s.purpose == purpose).collect::<Vec<_>>();
+    match which {
+        MapShapes::Visual => (Purpose::Visual, of(Purpose::Visual)),
+        MapShapes::Collision => (Purpose::Collision, of(Purpose::Collision)),
+        MapShapes::Auto => match of(Purpose::Collision) {
+            none if none.is_empty() => (Purpose::Visual, of(Purpose::Visual)),
+            some => (Purpose::Collision, some),
+        },
+    }
+}
+
+/// Question at the pose of the map.
+struct Asked<'a> {
+    model: &'a Model,
+    question: &'a MapQuestion,
+    folders: MeshFolders,
+    /// Mesh files read so far.
+    meshes: &'a RefCell<Vec<Input>>,
+    prepared: &'a Prepared<'a>,
+    pose: &'a Pose,
+}
+
+impl Asked<'_> {
+    fn of_link(&self, link: LinkId, room: usize) -> Result<(LinkMap, SkinFacets), NoMap> {
+        let (question, prepared) = (self.question, self.prepared);
+        let name = self.model.mechanism.link(link).name();
+        let no_shape = || NoMap::Link(Fault::NoShape { link: name.to_owned() });
+        if prepared.against() == Some(link) {
+            return Err(NoMap::Link(Fault::OtherSide { link: name.to_owned() }));
+        }
+        let shapes = self.model.shapes.get(link.index()).ok_or_else(no_shape)?;
+        let (purpose, shapes) = chosen(shapes, question.shapes);
+        let surface = Surface::read(shapes, &self.folders, question.max_mesh_size)
+            .map_err(|source| NoMap::Link(Fault::Mesh { link: name.to_owned(), source }))?;
+        for file in surface.files() {
+            let mut meshes = self.meshes.borrow_mut();
+            let input = Input::of_file(file).filter(|input| !meshes.contains(input));
+            meshes.extend(input);
+        }
+        let (centre, radius) = surface.bounds().ok_or_else(no_shape)?;
+        let edge = question.edge.unwrap_or(2.0 * radius / EDGES_ACROSS).max(f64::MIN_POSITIVE);
+        let too_many = |source| {
+            let fault = Fault::Facets { link: name.to_owned(), source };
+            NoMap::Question(StudyError::input(Field::Edge, fault))
+        };
+        let facets = surface.facets(edge, room).map_err(too_many)?;
+        if facets.is_empty() {
+            return Err(no_shape());
+        }
+        let map = self
+            .pose
+            .contact_map(link, prepared.against(), centre, radius)
+            .map_err(|error| NoMap::Question(StudyError::input(Field::Link, error)))?;
+        let mut skin = self.answered(link, facets, &map);
+        if let Some(other) = prepared.other_mass() {
+            against_mass(&mut skin, other);
+        }
+        let has_mesh = surface.orientation().pieces > 0;
+        let orientation = has_mesh.then(|| OrientationRecord::from(surface.orientation()));
+        Ok((summary(&skin, purpose, orientation), skin))
+    }
+
+    /// Evaluates all facets in parallel.
+    fn answered(&self, link: LinkId, facets: Vec<Facet>, map: &ContactMap<'_>) -> SkinFacets {
+        let count = facets.len();
+        let points: [Vec<f64>; 3] =
+            std::array::from_fn(|k| facets.iter().map(|facet| facet.point[k]).collect());
+        let normals: [Vec<f64>; 3] =
+            std::array::from_fn(|k| facets.iter().map(|facet| facet.normal[k]).collect());
+        let mut masses = vec![f64::NAN; count];
+        let mut errors = vec![f64::NAN; count];
+        let mut statuses = vec![ContactStatus::Unanswered; count];
+        let portions = masses.par_chunks_mut(PORTION).zip(errors.par_chunks_mut(PORTION));
+        let portions = portions.zip(statuses.par_chunks_mut(PORTION)).enumerate();
+        portions.for_each(|(i, ((masses, errors), statuses))| {
+            let part = i * PORTION..i * PORTION + masses.len();
+            let [points, normals] =
+                [&points, &normals].map(|c| c.each_ref().map(|column| &column[part.clone()]));
+            let mut answers = MapAnswers { masses, errors, statuses };
+            // The call cannot fail: all columns have the same length.
+            let _ = map.fill_answers(ContactColumns { points, normals }, &mut answers);
+        });
+        let name = self.model.mechanism.link(link).name();
+        SkinFacets { link: name.to_owned(), frame: self.pose.link(link), facets, masses, errors, statuses }
+    }
+}
+
+/// Adds a free body on the other side: 1/m̄ = 1/m̄₁ + 1/m₂.
+fn against_mass(skin: &mut SkinFacets, other: f64) {
+    for ((mass, error), status) in skin.masses.iter_mut().zip(&mut skin.errors).zip(&mut skin.statuses) {
+        match *status {
+            ContactStatus::Finite => {
+                let together = *mass / (1.0 + *mass / other);
+                // dm̄/m̄ = (m̄/m̄₁) dm̄₁/m̄₁, plus the rounding of this formula.
+                *error = *error * together / *mass + 4.0 * f64::EPSILON;
+                *mass = together;
+            }
+            ContactStatus::Immovable => {
+                (*status, *mass, *error) = (ContactStatus::Finite, other, 4.0 * f64::EPSILON);
+            }
+            ContactStatus::Massless | ContactStatus::Unanswered => {}
+        }
+    }
+}
+
+fn summary(skin: &SkinFacets, purpose: Purpose, orientation: Option<OrientationRecord>) -> LinkMap {
+    let count = |status| skin.statuses.iter().filter(|s| **s == status).count();
+    let finite = || (0..skin.facets.len()).filter_map(|i| Some((i, skin.mass(i)?)));
+    let smallest = finite().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| extreme(skin, i));
+    let largest = finite().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| extreme(skin, i));
+    // The mean of 1/m̄ exists on any surface; m̄ itself is unbounded near immovable contacts.
+    let inverse: f64 = finite().map(|(i, m)| skin.facets[i].area / m).sum();
+    let answered = |i: &usize| matches!(skin.statuses[*i], ContactStatus::Finite | ContactStatus::Immovable);
+    let area: f64 = (0..skin.facets.len()).filter(answered).map(|i| skin.facets[i].area).sum();
+    let has_mean = inverse > 0.0 && count(ContactStatus::Massless) == 0;
+    let errors = finite().map(|(i, _)| skin.errors[i]).filter(|e| e.is_finite());
+    LinkMap {
+        link: skin.link.clone(),
+        shapes: purpose.name(),
+        contacts: skin.facets.len(),
+        finite: count(ContactStatus::Finite),
+        immovable: count(ContactStatus::Immovable),
+        massless: count(ContactStatus::Massless),
+        unanswered: count(ContactStatus::Unanswered),
+        area: skin.facets.iter().map(|f| f.area).sum(),
+        smallest,
+        largest,
+        area_mean: has_mean.then(|| area / inverse),
+        worst_relative_error: errors.reduce(f64::max),
+        orientation,
+    }
+}
+
+fn extreme(skin: &SkinFacets, i: usize) -> Extreme {
+    let record = skin.record(i);
+    Extreme {
+        effective_mass: skin.masses[i],
+        effective_mass_error: record.effective_mass_error,
+        point_link: record.point_link,
+        normal_link: record.normal_link,
+        point_world: record.point_world,
+        normal_world: skin.frame.vector(&skin.facets[i].normal).into(),
+    }
+}

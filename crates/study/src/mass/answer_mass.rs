@@ -1,0 +1,73 @@
+//! Effective mass at one contact of a model, optionally with the damper for a restitution.
+
+use crate::damper::damped_contact::damping_of;
+use crate::evaluation::answer::Answered;
+use crate::mass::drawing::{DrawnMechanism, drawn};
+use crate::mass::mass_report::MassReport;
+use crate::mass::motion_ratio::motion_ratios;
+use crate::model::loading::Model;
+use crate::model::record::DiagnosticRecord;
+use crate::question::damping_question::DampingQuestion;
+use crate::question::error::StudyError;
+use crate::question::mass_question::MassQuestion;
+use percuss_mechanism::Severity;
+
+/// Evaluates one contact of a model.
+///
+/// # Errors
+/// [`StudyError`]: unknown names, unreachable positions, an invalid contact.
+pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyError> {
+    report_of(&Answered::new(model, question)?)
+}
+
+fn report_of(answered: &Answered) -> Result<MassReport, StudyError> {
+    let motion_ratios = motion_ratios(answered, &answered.prepared.question.ratio_at)?;
+    Ok(MassReport { motion_ratios, ..MassReport::of(answered) })
+}
+
+/// Evaluates one contact of a model and the damper for a restitution. The report has no damper, and a warning,
+/// if m̄ is not finite or depends on the branch.
+///
+/// # Errors
+/// [`StudyError`], as for [`mass()`]; a restitution or a stiffness out of range.
+pub fn mass_with_damper(
+    model: &Model,
+    question: &MassQuestion,
+    damping: &DampingQuestion,
+) -> Result<MassReport, StudyError> {
+    with_damper(&Answered::new(model, question)?, damping)
+}
+
+/// Same as [`mass_with_damper`] (or [`mass()`] without `damping`), with the drawing of the mechanism at the
+/// pose.
+///
+/// # Errors
+/// As for [`mass_with_damper`].
+pub fn mass_drawn(
+    model: &Model,
+    question: &MassQuestion,
+    damping: Option<&DampingQuestion>,
+) -> Result<(MassReport, DrawnMechanism), StudyError> {
+    let answered = Answered::new(model, question)?;
+    let report = match damping {
+        Some(damping) => with_damper(&answered, damping)?,
+        None => report_of(&answered)?,
+    };
+    Ok((report, drawn(&answered)))
+}
+
+fn with_damper(answered: &Answered, damping: &DampingQuestion) -> Result<MassReport, StudyError> {
+    let mut report = report_of(answered)?;
+    match damping_of(answered, damping) {
+        Ok(mut damper) => {
+            report.diagnostics = std::mem::take(&mut damper.diagnostics);
+            report.damper = Some(damper);
+        }
+        Err(error @ (StudyError::NoDamper { .. } | StudyError::NoDamperOfAll { .. })) => {
+            let note = DiagnosticRecord::about_answer(Severity::Warning, "no-damper", error.to_string());
+            report.diagnostics.push(note);
+        }
+        Err(error) => return Err(error),
+    }
+    Ok(report)
+}

@@ -1,0 +1,206 @@
+//! Drawing of a mechanism at the pose of a result: position, share of m̄ and velocity of each link.
+
+use crate::evaluation::answer::{Answered, compile, configuration};
+use crate::model::loading::{Input, Model};
+use crate::model::record::DiagnosticRecord;
+use crate::pose::travels;
+use crate::question::error::StudyError;
+use crate::question::mass_question::MassQuestion;
+use crate::thresholds::FACETS;
+use percuss_dynamics::{ContactResponse, PointVelocity, Pose};
+use percuss_formats::suspension::WheelCircle;
+use percuss_formats::{DEFAULT_MAX_MESH_SIZE, MeshFolders, Purpose, Shape, Surface};
+use percuss_mechanism::{LinkId, Mechanism, Severity};
+use percuss_spatial::Vector3;
+use std::path::Path;
+
+/// Drawing of a link; coordinates in the world frame, m.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnLink {
+    /// Name of the link.
+    pub name: String,
+    /// Share of the effective mass; `None` unless the mass is finite.
+    pub share: Option<f64>,
+    /// Lines from the mean of the link's characteristic points to each of the points: joints, loop frames,
+    /// centre of mass, and contact point if the link is in contact. Two points give one line.
+    pub lines: Vec<[[f64; 3]; 2]>,
+    /// Centre of mass; `None` without mass.
+    pub com: Option<[f64; 3]>,
+    /// Triangles of the shapes, world frame, m; empty if the model has no shape or the shape is unreadable.
+    pub facets: Vec<[[f64; 3]; 3]>,
+    /// Velocity v* of the centre of mass relative to the ground, m/s per unit closing speed; `None` if not
+    /// determined.
+    pub velocity: Option<[f64; 3]>,
+}
+
+/// Drawing of a mechanism at the pose of a result, and findings about the shapes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DrawnMechanism {
+    /// Links with lines or triangles.
+    pub links: Vec<DrawnLink>,
+    /// Wheels of an imported suspension, world frame, m.
+    pub wheels: Vec<WheelCircle>,
+    /// Mesh files.
+    pub meshes: Vec<Input>,
+    /// Shapes that are not drawn, with the reason.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Largest extent of a shape of the root link, as a multiple of the characteristic length. A larger shape is
+/// taken for the surroundings (a floor, a hall) and is not drawn.
+const FAR_SHAPE: f64 = 5.0;
+
+/// Reader of the shapes of links, with the number of triangles left (`room`).
+struct Shapes<'a> {
+    model: &'a Model,
+    folders: MeshFolders,
+    room: usize,
+    drawn: DrawnMechanism,
+}
+
+impl Shapes<'_> {
+    /// Triangles of a link in the world frame, from `<visual>`, otherwise from `<collision>`.
+    fn of(&mut self, link: LinkId, pose: &Pose) -> Vec<[[f64; 3]; 3]> {
+        let all = self.model.shapes.get(link.index()).map_or(&[][..], Vec::as_slice);
+        let of = |purpose| all.iter().filter(move |shape: &&Shape| shape.purpose == purpose);
+        let any_visual = of(Purpose::Visual).next().is_some();
+        let shapes = of(if any_visual { Purpose::Visual } else { Purpose::Collision });
+        let surface = match Surface::read(shapes, &self.folders, DEFAULT_MAX_MESH_SIZE) {
+            Ok(surface) => surface,
+            Err(error) => {
+                self.left_out(link, error.to_string());
+                return Vec::new();
+            }
+        };
+        // A floor would shrink the mechanism to a small part of the drawing.
+        let far = FAR_SHAPE * self.model.mechanism.characteristic_length();
+        let reach = surface.bounds().map_or(0.0, |(centre, radius)| centre.norm() + radius);
+        if link == self.model.mechanism.root() && reach > far {
+            self.left_out(link, format!("it reaches {reach:.3} m, far beyond the mechanism"));
+            return Vec::new();
+        }
+        for file in surface.files() {
+            let input = Input::of_file(file);
+            self.drawn.meshes.extend(input.filter(|input| !self.drawn.meshes.contains(input)));
+        }
+        // Infinite edge length: as few triangles as possible.
+        match surface.facets(f64::INFINITY, self.room) {
+            Ok(facets) => {
+                self.room -= facets.len();
+                let frame = pose.link(link);
+                facets.iter().map(|facet| facet.corners.map(|corner| frame.point(&corner).into())).collect()
+            }
+            Err(error) => {
+                self.left_out(link, error.to_string());
+                Vec::new()
+            }
+        }
+    }
+
+    fn left_out(&mut self, link: LinkId, why: String) {
+        let link = self.model.mechanism.link(link).name();
+        let message = format!("link \"{link}\" is drawn without its shape: {why}");
+        let note = DiagnosticRecord::about_answer(Severity::Note, "shape-not-drawn", message);
+        self.drawn.diagnostics.push(note);
+    }
+}
+
+/// Drawing of an evaluated question: every link with lines or triangles.
+pub(crate) fn drawn(answered: &Answered) -> DrawnMechanism {
+    let Answered { prepared, pose, answer, .. } = answered;
+    mechanism_at(prepared.model, pose, Some(&answer.response))
+}
+
+/// Drawing of the mechanism at the pose of a question; the contact is ignored.
+///
+/// # Errors
+/// [`StudyError`]: unknown names, loops that do not close, a travel that is not reachable.
+pub fn drawn_at(model: &Model, question: &MassQuestion) -> Result<DrawnMechanism, StudyError> {
+    let system = compile(&model.mechanism, question, None)?;
+    let pose = posing::pose(&system, &configuration(&model.mechanism, question)?, question)?;
+    Ok(mechanism_at(model, &pose, None))
+}
+
+fn mechanism_at(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> DrawnMechanism {
+    let mechanism = &model.mechanism;
+    let shares = response.and_then(|response| response.contributions.as_ref());
+    let mut places: Vec<Vec<Vector3<f64>>> = vec![Vec::new(); mechanism.links().len()];
+    for joint in mechanism.joints() {
+        // The joint frame coincides with the child's frame.
+        let at = pose.link(joint.child()).point(&Vector3::zeros());
+        places[joint.child().index()].push(at);
+        let before = pose.link(joint.parent()).point(&joint.origin().point(&Vector3::zeros()));
+        places[joint.parent().index()].push(before);
+    }
+    for closure in mechanism.closures() {
+        for end in [closure.predecessor(), closure.successor()] {
+            let Some(link) = end.link else { continue };
+            let at = pose.link(link).point(&end.frame.point(&Vector3::zeros()));
+            places[link.index()].push(at);
+        }
+    }
+    if let Some(contact) = response.map(|response| &response.contact) {
+        places[contact.link.index()].push(contact.point_world);
+        if let Some(against) = contact.against {
+            places[against.index()].push(contact.point_world);
+        }
+    }
+    let of_link = |id: LinkId| {
+        let link = mechanism.link(id);
+        let inertial = link.inertial().filter(|inertial| inertial.mass > 0.0);
+        let com = inertial.map(|inertial| pose.link(id).point(&inertial.com));
+        let mut ends = places[id.index()].clone();
+        ends.extend(com);
+        let middle = ends.iter().sum::<Vector3<f64>>() / ends.len().max(1) as f64;
+        let mut lines: Vec<[[f64; 3]; 2]> = match ends[..] {
+            [a, b] => vec![[a.into(), b.into()]],
+            _ => ends.iter().map(|end| [middle.into(), (*end).into()]).collect(),
+        };
+        lines.retain(|[a, b]| a != b);
+        let velocity = response.zip(inertial).and_then(|(response, inertial)| {
+            match pose.point_velocity_over_ground(response, id, &inertial.com)? {
+                PointVelocity::Known(v) => Some(pose.base().vector(&v).into()),
+                PointVelocity::Undetermined => None,
+            }
+        });
+        DrawnLink {
+            name: link.name().to_owned(),
+            share: shares.and_then(|s| s.links.get(id.index()).copied()),
+            lines,
+            facets: Vec::new(),
+            com: com.map(Into::into),
+            velocity,
+        }
+    };
+    // A fixed root link is the ground.
+    let is_drawn = |id: &LinkId| *id != mechanism.root() || shares.is_some_and(|s| s.links[id.index()] > 0.0);
+    let path = model.inputs.first().map_or("", |input| &input.path);
+    let folders = MeshFolders::of_model(Path::new(path), Vec::new());
+    let mut shapes = Shapes { model, folders, room: FACETS, drawn: DrawnMechanism::default() };
+    shapes.drawn.wheels = mechanism.link_ids().filter_map(|id| wheel(mechanism, pose, id)).collect();
+    for id in mechanism.link_ids() {
+        let facets = shapes.of(id, pose);
+        let mut link = of_link(id);
+        if !is_drawn(&id) {
+            link.lines.clear();
+        }
+        if !(link.lines.is_empty() && facets.is_empty()) {
+            shapes.drawn.links.push(DrawnLink { facets, ..link });
+        }
+    }
+    shapes.drawn
+}
+
+/// Circle of a wheel, if the link has the name that the suspension importer gives to wheels. The circle lies
+/// about the bearing axis and passes through the lowest point at the design position.
+fn wheel(mechanism: &Mechanism, pose: &Pose, link: LinkId) -> Option<WheelCircle> {
+    let side = mechanism.link(link).name().strip_prefix("wheel_centre")?;
+    let patch = mechanism.find_link(&format!("contact_patch{side}")).ok()?;
+    let bearing = mechanism.joint(mechanism.find_joint(&format!("spin{side}")).ok()?);
+    let at = |link: LinkId| pose.link(link).point(&Vector3::zeros());
+    let axis = pose.link(bearing.child()).vector(bearing.axis());
+    let spoke = at(patch) - at(link);
+    let radius = (spoke - axis * axis.dot(&spoke)).norm();
+    let is_one = radius > 0.0 && radius.is_finite();
+    is_one.then(|| WheelCircle { centre: at(link).into(), axis: axis.into(), radius: Some(radius) })
+}

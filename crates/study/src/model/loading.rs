@@ -1,0 +1,135 @@
+//! Loaded model: mechanism, findings, and the source files with their hashes.
+
+use crate::model::changes::Changes;
+use crate::model::record::DiagnosticRecord;
+use crate::model::sheet::Sheet;
+use percuss_formats::suspension::Imported;
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Shape, Source, load};
+use percuss_mechanism::{ClosureDescription, Mechanism};
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Source file of a result.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Input {
+    /// Path as given by the user.
+    pub path: String,
+    /// SHA-256 of the bytes, in hexadecimal.
+    pub sha256: String,
+}
+
+impl Input {
+    /// Input of a source in memory.
+    pub fn of(source: &Source) -> Self {
+        Self { path: source.name.clone(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
+    }
+
+    /// Input of a file; `None` if the file is unreadable.
+    pub(crate) fn of_file(path: &Path) -> Option<Self> {
+        let mut digest = Sha256::new();
+        std::io::copy(&mut std::fs::File::open(path).ok()?, &mut digest).ok()?;
+        Some(Self { path: path.to_string_lossy().into_owned(), sha256: hexadecimal(&digest.finalize()) })
+    }
+}
+
+/// Error message for a study in the place of a model.
+const A_STUDY: &str = "this is a study, which names a model of its own: percuss run and percuss compare take it; give the model or \
+                       the suspension's sheet here";
+
+/// Bytes in hexadecimal.
+pub(crate) fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Mechanism read from a file.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// The mechanism.
+    pub mechanism: Arc<Mechanism>,
+    /// Source files: the model file, and the study file if the study adds parts.
+    pub inputs: Vec<Input>,
+    /// The shapes of every link, in link order.
+    pub shapes: Arc<Vec<Vec<Shape>>>,
+    /// Warnings and notes found while reading.
+    pub diagnostics: Vec<DiagnosticRecord>,
+    /// Origin of the model, for building design variants.
+    pub origin: Origin,
+}
+
+/// Origin of a model, for building design variants.
+#[derive(Clone, Debug, Default)]
+pub struct Origin {
+    /// Sheet of the suspension before any moves, and the names of its hardpoints; `None` for a URDF.
+    pub(crate) sheet: Option<Arc<(Sheet, Vec<String>)>>,
+    /// Changes applied.
+    pub(crate) changes: Changes,
+    /// Loops added by a study.
+    pub(crate) closures: Vec<ClosureDescription>,
+}
+
+impl Model {
+    /// Reads a URDF file, or a suspension's sheet, table or JSON as in `percuss import`. The file extension
+    /// selects the format; `-` is a URDF on the standard input. `max_size`: largest file size, bytes.
+    ///
+    /// # Errors
+    /// [`LoadError`] with all findings; errors have their file positions.
+    pub fn load(path: &str, max_size: u64, options: &LoadOptions) -> Result<Self, LoadError> {
+        Self::of(&Source::read(path, max_size)?, options)
+    }
+
+    /// Reads a URDF or a suspension's sheet from memory.
+    ///
+    /// # Errors
+    /// [`LoadError`], as for [`load`](Self::load).
+    pub fn of(source: &Source, options: &LoadOptions) -> Result<Self, LoadError> {
+        let input = Input::of(source);
+        if let Some(sheet) = Sheet::of(source, options.accept) {
+            if sheet.is_study() {
+                return Err(LoadError::of_file(&source.name, "study", A_STUDY));
+            }
+            let (mut model, tables) = Self::imported(&sheet, &[], vec![input])?;
+            for table in tables.iter().filter(|table| **table != source.name) {
+                // The importer has read the same file before.
+                model.inputs.push(Input::of(&Source::read(table, DEFAULT_MAX_SIZE)?));
+            }
+            return Ok(model);
+        }
+        let loaded = load(source, options)?;
+        Ok(Self {
+            mechanism: Arc::new(loaded.mechanism),
+            inputs: vec![input],
+            shapes: Arc::new(loaded.shapes),
+            diagnostics: loaded.diagnostics.into_iter().map(Into::into).collect(),
+            origin: Origin::default(),
+        })
+    }
+
+    /// Model of a sheet with moved hardpoints, without shapes.
+    pub(crate) fn of_sheet(
+        sheet: &Sheet,
+        moves: &[(String, [f64; 3])],
+        inputs: Vec<Input>,
+    ) -> Result<Self, LoadError> {
+        Self::imported(sheet, moves, inputs).map(|(model, _)| model)
+    }
+
+    /// Model of a sheet with moved hardpoints, and the names of all files read.
+    fn imported(
+        sheet: &Sheet,
+        moves: &[(String, [f64; 3])],
+        inputs: Vec<Input>,
+    ) -> Result<(Self, Vec<String>), LoadError> {
+        let Imported { mechanism, understood, diagnostics, inputs: files, .. } = sheet.import(moves)?;
+        let sheet = Some(Arc::new((sheet.clone(), understood.points)));
+        let model = Self {
+            shapes: Arc::new(vec![Vec::new(); mechanism.links().len()]),
+            mechanism: Arc::new(mechanism),
+            inputs,
+            diagnostics: diagnostics.into_iter().map(Into::into).collect(),
+            origin: Origin { sheet, ..Origin::default() },
+        };
+        Ok((model, files))
+    }
+}

@@ -1,0 +1,212 @@
+//! Travel of a point as the varied quantity of a sweep: the driving joint, and the consequence of an
+//! unreachable row.
+
+use crate::pose::driver::Driver;
+use crate::pose::unreachable_range::{Extent, Missed};
+use crate::question::error::{Fault, StudyError};
+use crate::question::field::{Field, Names, about_assembly};
+use crate::thresholds::{LEAST_ADVANCE, OTHER_DRIVERS, SHORT_OF_END, TRAVEL_STAGES, UNMOVED};
+use nalgebra::Vector3;
+use percuss_dynamics::{Configuration, ContactResponse, PointVelocity, Pose, System, TravelError};
+use percuss_mechanism::{JointId, JointKind, LinkId};
+
+/// Travel of a point from its starting pose.
+#[derive(Debug)]
+pub(crate) struct Travel {
+    travel: percuss_dynamics::Travel,
+    /// Starting pose.
+    pub start: Pose,
+    /// Field of the question that defines the travel.
+    field: Field,
+    /// Set joints; these cannot drive the travel.
+    set: Vec<JointId>,
+}
+
+/// Stage of a travel: pose, driving joint, and requested configuration of the other joints.
+struct Stage {
+    joint: JointId,
+    base: Configuration,
+    pose: Pose,
+}
+
+/// Joints that drive the loops of a pose, in increasing order.
+fn drivers(pose: &Pose) -> Vec<JointId> {
+    let mut all = pose.loops().map_or_else(Vec::new, |loops| loops.drivers.to_vec());
+    all.sort_unstable();
+    all
+}
+
+impl Travel {
+    /// Travel of a point, and the driver: among joints that are not set, the joint with the largest
+    /// displacement of the point relative to the resulting motion of all joints.
+    pub fn new(
+        system: &System,
+        base: &Configuration,
+        field: Field,
+        link: LinkId,
+        point: Vector3<f64>,
+        direction: Vector3<f64>,
+        is_set: &dyn Fn(JointId) -> bool,
+    ) -> Result<(Self, Driver), StudyError> {
+        let refuse = |error: TravelError| match error {
+            TravelError::Assembly(error) => StudyError::Assembly(error),
+            other => StudyError::input(field, Fault::Travel(other)),
+        };
+        let start = system.pose(base)?;
+        let travel = percuss_dynamics::Travel::new(&start, link, point, direction).map_err(refuse)?;
+        let joint = travel.driver(&start, is_set).map_err(refuse)?;
+        let set = system.mechanism().joint_ids().filter(|joint| is_set(*joint)).collect();
+        Ok((Self { travel, start, field, set }, Driver { joint, base: base.clone() }))
+    }
+
+    /// Pose with the requested displacement of the point (m), on the branch of the last pose.
+    pub fn reach(
+        &self,
+        driver: &Driver,
+        last: &Pose,
+        requested: f64,
+        names: Names,
+    ) -> Result<Result<Pose, Missed>, StudyError> {
+        let error = match self.travel.pose(last, &driver.base, driver.joint, requested) {
+            Ok(pose) => return Ok(Ok(pose)),
+            Err(error) => error,
+        };
+        let ended = match &error {
+            TravelError::Unreachable { .. } => true,
+            TravelError::Assembly(error) => !error.is_bad_input(),
+            _ => false,
+        };
+        if let Some(pose) = ended.then(|| self.by_another(driver, last, requested)).flatten() {
+            return Ok(Ok(pose));
+        }
+        let extent = match &error {
+            TravelError::Unreachable { nearest, .. } => Extent::Probably(*nearest),
+            TravelError::TooFar { reached, .. } => Extent::TooFar(*reached),
+            TravelError::Assembly(error) if !error.is_bad_input() => {
+                Extent::Probably(self.travel.displacement(last))
+            }
+            TravelError::Assembly(error) => return Err(error.clone().into()),
+            _ => return Err(StudyError::input(self.field, Fault::Travel(error))),
+        };
+        let why = match &error {
+            TravelError::Assembly(error) => about_assembly(error, names),
+            other => other.to_string(),
+        };
+        Ok(Err(Missed { why, extent }))
+    }
+
+    /// Pose reached with other driving joints, past the dead centres of the driver; all other drivers stay the
+    /// same.
+    ///
+    /// Let s be the displacement of the point. Every candidate joint has its own rate ds/dq. The joint with the
+    /// smallest rate turns farthest and reaches its dead centre last. A joint that reaches a dead centre
+    /// earlier drives the point close to this dead centre, and then the next joint takes over.
+    fn by_another(&self, driver: &Driver, last: &Pose, requested: f64) -> Option<Pose> {
+        let mut stage = Stage { joint: driver.joint, base: driver.base.clone(), pose: last.clone() };
+        let least = LEAST_ADVANCE * last.mechanism().characteristic_length();
+        for _ in 0..TRAVEL_STAGES {
+            let here = self.travel.displacement(&stage.pose);
+            stage.pose = self.travel.pose(&stage.pose, &stage.base, stage.joint, here).ok()?;
+            let mut furthest: Option<(f64, Stage)> = None;
+            for (joint, base) in self.others(&stage)? {
+                let end = match self.driven_by(&stage, joint, &base, requested) {
+                    Ok(pose) => return Some(pose),
+                    Err(end) => end,
+                };
+                if furthest
+                    .as_ref()
+                    .is_none_or(|(best, _)| (requested - end).abs() < (requested - best).abs())
+                {
+                    furthest = Some((end, Stage { joint, base, pose: stage.pose.clone() }));
+                }
+            }
+            let (end, next) = furthest?;
+            let advance = SHORT_OF_END * (end - here);
+            if advance * (requested - here).signum() < least {
+                return None;
+            }
+            let pose = self.driven_by(&stage, next.joint, &next.base, here + advance).ok()?;
+            stage = Stage { pose, ..next };
+        }
+        None
+    }
+
+    /// Candidate drivers of a stage with the requested configuration of the other joints; the stage's own joint
+    /// is last. `None` if the stage's joint drives no loop.
+    fn others(&self, stage: &Stage) -> Option<Vec<(JointId, Configuration)>> {
+        let mechanism = stage.pose.mechanism();
+        let size = mechanism.characteristic_length();
+        let driven = drivers(&stage.pose);
+        if !driven.contains(&stage.joint) {
+            return None;
+        }
+        let rate = |joint: JointId| {
+            let unit = if mechanism.joint(joint).kind() == JointKind::Prismatic { size } else { 1.0 };
+            let rate = (self.travel.rate(&stage.pose, joint)? * unit).abs();
+            let is_free = !driven.contains(&joint) && !self.set.contains(&joint);
+            (is_free && rate > UNMOVED * size).then_some((joint, rate))
+        };
+        let mut rates: Vec<(JointId, f64)> = mechanism.joint_ids().filter_map(rate).collect();
+        rates.sort_by(|a, b| a.1.total_cmp(&b.1));
+        // The other drivers keep their positions.
+        let mut base = stage.base.clone();
+        for held in driven.iter().filter(|joint| **joint != stage.joint) {
+            base.set(mechanism.joint(*held).name(), stage.pose.joint(*held)).ok()?;
+        }
+        let mut others: Vec<_> =
+            rates.into_iter().take(OTHER_DRIVERS).map(|(joint, _)| (joint, base.clone())).collect();
+        others.push((stage.joint, stage.base.clone()));
+        Some(others)
+    }
+
+    /// Pose with the requested displacement, driven by `joint` instead of the stage's joint; otherwise the
+    /// displacement reached.
+    fn driven_by(
+        &self,
+        stage: &Stage,
+        joint: JointId,
+        base: &Configuration,
+        requested: f64,
+    ) -> Result<Pose, f64> {
+        let pose = match self.travel.pose(&stage.pose, base, joint, requested) {
+            Ok(pose) => pose,
+            Err(TravelError::Unreachable { nearest, .. }) => return Err(nearest),
+            // Other errors do not show the end of a branch.
+            Err(_) => return Err(self.travel.displacement(&stage.pose)),
+        };
+        let mut expected: Vec<JointId> = drivers(&stage.pose)
+            .into_iter()
+            .map(|own| if own == stage.joint { joint } else { own })
+            .collect();
+        expected.sort_unstable();
+        if drivers(&pose) == expected { Ok(pose) } else { Err(self.travel.displacement(&stage.pose)) }
+    }
+
+    /// Driver of the travel at a pose, other than `others`.
+    pub fn driver_at(&self, pose: &Pose, others: &[JointId]) -> Option<JointId> {
+        self.travel.driver(pose, &|joint| others.contains(&joint)).ok()
+    }
+
+    /// Joints that cannot drive the travel.
+    pub fn set(&self) -> &[JointId] {
+        &self.set
+    }
+
+    /// Rate of the displacement per joint rate, m/rad or m/m; `None` if not determined.
+    pub fn rate(&self, pose: &Pose, driver: JointId) -> Option<f64> {
+        self.travel.rate(pose, driver)
+    }
+
+    /// Displacement of the point at a pose, m.
+    pub fn displacement(&self, pose: &Pose) -> f64 {
+        self.travel.displacement(pose)
+    }
+
+    /// Speed of the point along its direction per unit closing speed of the contact.
+    pub fn motion_ratio(&self, pose: &Pose, response: &ContactResponse) -> Option<f64> {
+        match pose.point_velocity(response, self.travel.link(), self.travel.point())? {
+            PointVelocity::Known(v) => Some(pose.base().vector(&v).dot(self.travel.direction()).abs()),
+            PointVelocity::Undetermined => None,
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! Input of a damper design.
+
+use crate::question::error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::units::measure::{Measure, Measured};
+use percuss_contact::exports::{Options, Tool};
+use percuss_contact::{ContactLawError, Law, Separation};
+
+/// Requested restitution and the other data of a damper, except the mass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DampingQuestion {
+    /// Coefficient of restitution e, from 0 to 1.
+    pub restitution: f64,
+    /// Stiffness k, N/m^p.
+    pub stiffness: f64,
+    /// Exponent p of the spring force k xᵖ.
+    pub exponent: f64,
+    /// Approach speed, m/s.
+    pub speed: Option<f64>,
+    /// The law of the damper.
+    pub law: Law,
+    /// Alias by which the law was requested.
+    pub alias: Option<&'static str>,
+    /// Condition for the end of a Kelvin–Voigt contact.
+    pub separation: Separation,
+    /// Simulators to write parameters for.
+    pub tools: Vec<Tool>,
+    /// Options of single simulators; missing values are completed from the model.
+    pub options: Options,
+}
+
+impl DampingQuestion {
+    /// Question for a linear spring without a speed: Kelvin–Voigt law with separation at zero force, no
+    /// simulators.
+    pub fn new(restitution: f64, stiffness: f64) -> Self {
+        Self {
+            restitution,
+            stiffness,
+            exponent: 1.0,
+            speed: None,
+            law: Law::KelvinVoigt,
+            alias: None,
+            separation: Separation::ForceVanishes,
+            tools: Vec::new(),
+            options: Options::default(),
+        }
+    }
+
+    /// Selects a law by name. An alias can fix the exponent or the separation as well; given values must not
+    /// contradict the alias.
+    ///
+    /// # Errors
+    /// [`ContactLawError`]: unknown law, or a contradiction.
+    pub fn choose(
+        &mut self,
+        name: &str,
+        exponent: Option<f64>,
+        separation: Option<Separation>,
+    ) -> Result<(), ContactLawError> {
+        self.law = Law::from_name(name)?;
+        let alias = Law::alias(name);
+        let (fixed_exponent, fixed_end) = alias.map_or((None, None), |a| (a.exponent, a.separation));
+        let contradicts = |what, fixed: String, got: String| ContactLawError::Contradicts {
+            name: alias.map_or("", |a| a.name),
+            what,
+            fixed,
+            got,
+        };
+        if let (Some(fixed), Some(got)) = (fixed_exponent, exponent)
+            && fixed != got
+        {
+            return Err(contradicts("exponent", fixed.to_string(), got.to_string()));
+        }
+        if let (Some(fixed), Some(got)) = (fixed_end, separation)
+            && fixed != got
+        {
+            return Err(contradicts("separation", fixed.name().into(), got.name().into()));
+        }
+        self.alias = alias.map(|a| a.name);
+        self.exponent = fixed_exponent.or(exponent).unwrap_or(self.exponent);
+        self.separation = fixed_end.or(separation).unwrap_or(self.separation);
+        Ok(())
+    }
+}
+
+/// Checks the units of stiffness and speed: units of rotation for a joint that turns, units of translation
+/// otherwise, and units of a linear spring only with exponent 1.
+///
+/// # Errors
+/// [`StudyError`] with the field and the expected unit.
+pub fn check_units(
+    question: &DampingQuestion,
+    stiffness: Measured,
+    speed: Option<Measured>,
+    turns: bool,
+) -> Result<(), StudyError> {
+    let exponent = question.exponent;
+    if stiffness.unit.is_some() && exponent != 1.0 {
+        return Err(StudyError::input(Field::Stiffness, Fault::UnitOfLinearSpring { exponent }));
+    }
+    let stiffness_unit =
+        if turns { (Measure::TurnStiffness, "N·m/rad") } else { (Measure::Stiffness, "N/m") };
+    let speed_unit = if turns { (Measure::TurnSpeed, "rad/s") } else { (Measure::Speed, "m/s") };
+    let given = [(Field::Stiffness, Some(stiffness), stiffness_unit), (Field::Speed, speed, speed_unit)];
+    for (field, given, (measure, expected)) in given {
+        if given.and_then(|given| given.unit).is_some_and(|unit| unit != measure) {
+            return Err(StudyError::input(field, Fault::UnitOfMotion { turns, expected }));
+        }
+    }
+    Ok(())
+}

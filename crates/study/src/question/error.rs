@@ -1,0 +1,553 @@
+//! Errors of a question: the cause and the flag or key at fault.
+
+use crate::question::field::{Field, Names, about_assembly, about_contact};
+use crate::question::pose_file::GivenPoseError;
+use crate::question::table_error::TableError;
+use crate::thresholds::{
+    DIRECTIONS, GRID_ROWS, LARGEST_COORDINATE, LEAST_EDGE, LEAST_OTHER_MASS, ROWS, SAMPLES,
+    SHORTEST_DIRECTION,
+};
+use crate::units::quantity::QuantityError;
+use percuss_contact::ContactLawError;
+use percuss_contact::exports::ExportError;
+use percuss_dynamics::{
+    AssemblyError, ConditionsError, ConfigurationError, ContactError, EffectiveMass, ResponseError,
+    RouteError, TravelError,
+};
+use percuss_formats::{MeshError, SurfaceError};
+use percuss_mechanism::{JointKind, UnknownName};
+
+/// Fault of one part of a question.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Fault {
+    /// Unknown name.
+    #[error(transparent)]
+    UnknownName(#[from] UnknownName),
+    /// Invalid position.
+    #[error(transparent)]
+    Configuration(#[from] ConfigurationError),
+    /// Invalid lock, held contact or armature.
+    #[error(transparent)]
+    Conditions(#[from] ConditionsError),
+    /// Floating root link without mass.
+    #[error("{}", massless_base(link, Names::Fields))]
+    MasslessBase {
+        /// Root link.
+        link: String,
+    },
+    /// Invalid contact.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// Number in the wrong unit.
+    #[error("joint \"{joint}\": {source}")]
+    Position {
+        /// Joint.
+        joint: String,
+        /// Cause.
+        source: QuantityError,
+    },
+    /// Invalid mass of the other body.
+    #[error(
+        "the other body's mass is {mass:e} kg; expected a finite number above 0 ({LEAST_OTHER_MASS:e} at least)"
+    )]
+    OtherMass {
+        /// Given mass, kg.
+        mass: f64,
+    },
+    /// Link listed twice in the estimate.
+    #[error("the estimate names link \"{link}\" twice; its mass counts once")]
+    EstimateTwice {
+        /// Link.
+        link: String,
+    },
+    /// Point of the estimate that is not finite or is too large.
+    #[error(
+        "the estimate's point has a component {value:e}; expected a finite number of at most {LARGEST_COORDINATE:e}"
+    )]
+    EstimatePoint {
+        /// Component, m.
+        value: f64,
+    },
+    /// Direction of the estimate without length.
+    #[error("the estimate's direction has length {length:e}; expected at least {SHORTEST_DIRECTION:e}")]
+    EstimateDirection {
+        /// Length of the direction.
+        length: f64,
+    },
+    /// Joint stop of a joint without exactly one position.
+    #[error("joint \"{joint}\" is {}; expected a joint that turns or slides: only these have a stop", kind.name())]
+    NoStop {
+        /// Joint.
+        joint: String,
+        /// Kind of the joint.
+        kind: JointKind,
+    },
+    /// Joint without limits.
+    #[error("joint \"{joint}\" has no <limit>; leave the end away and set where it is stopped")]
+    NoLimit {
+        /// Joint.
+        joint: String,
+    },
+    /// Range in the wrong unit.
+    #[error(transparent)]
+    Range(QuantityError),
+    /// Number of rows out of range.
+    #[error("{count} rows; {} to {} are possible", ROWS.start(), ROWS.end())]
+    Rows {
+        /// Given number of rows.
+        count: usize,
+    },
+    /// Varied joint with more or fewer than one position.
+    #[error("\"{joint}\": a {} joint has no single position to vary", kind.name())]
+    NoSinglePosition {
+        /// Joint.
+        joint: String,
+        /// Kind of the joint.
+        kind: JointKind,
+    },
+    /// Varied joint that mimics another joint.
+    #[error("\"{joint}\": it mimics \"{master}\"; vary that")]
+    VariedMimic {
+        /// Joint.
+        joint: String,
+        /// Master joint.
+        master: String,
+    },
+    /// Varied joint that is set as well.
+    #[error("{}", varied_is_set(joint, Names::Fields))]
+    VariedIsSet {
+        /// Joint.
+        joint: String,
+    },
+    /// Joint with two ranges.
+    #[error("\"{joint}\" is varied twice; give it one range")]
+    VariedTwice {
+        /// Joint.
+        joint: String,
+    },
+    /// Travel that is not the last range, that is, not the fastest.
+    #[error(
+        "\"{name}\" is not the last of the ranges; a travel starts where the joints stand, so it is varied fastest: give it \
+         last, and once"
+    )]
+    TravelNotLast {
+        /// Name of the travel's column.
+        name: String,
+    },
+    /// Too many combinations of a grid.
+    #[error("the ranges have {count} combinations; {} are possible at most", GRID_ROWS)]
+    Combinations {
+        /// Number of combinations.
+        count: u128,
+    },
+    /// Number of random rows out of range.
+    #[error("{count} random rows; 1 to {GRID_ROWS} are possible")]
+    RandomRows {
+        /// Given number of rows.
+        count: usize,
+    },
+    /// No free joint to sample: all joints are set or dependent.
+    #[error("no joint is left to sample: all that can move are set, or follow from others")]
+    NothingToSample,
+    /// Joint without limits to sample between.
+    #[error("{}", no_limits(joint, *kind, Names::Fields))]
+    NothingToSampleBetween {
+        /// Joint.
+        joint: String,
+        /// Kind of the joint.
+        kind: JointKind,
+    },
+    /// Link without a surface.
+    #[error("link \"{link}\" has no shape that can be used: no <collision> and no <visual> with a geometry")]
+    NoShape {
+        /// Link.
+        link: String,
+    },
+    /// Mapped link that is the other side of the contact.
+    #[error("link \"{link}\" is the other side")]
+    OtherSide {
+        /// Link.
+        link: String,
+    },
+    /// Unreadable mesh.
+    #[error("link \"{link}\": {source}")]
+    Mesh {
+        /// Link.
+        link: String,
+        /// Cause.
+        source: MeshError,
+    },
+    /// Map without any link.
+    #[error("no link has a surface that can be mapped: {reasons}")]
+    NothingToMap {
+        /// Reasons for the first links.
+        reasons: String,
+    },
+    /// Longest edge out of range.
+    #[error("the longest edge is {edge} m; expected a number of at least {LEAST_EDGE:e} m")]
+    Edge {
+        /// Given edge, m.
+        edge: f64,
+    },
+    /// Too many facets.
+    #[error("link \"{link}\": {source}")]
+    Facets {
+        /// Link.
+        link: String,
+        /// Cause.
+        source: SurfaceError,
+    },
+    /// Number of directions out of range.
+    #[error("{count} directions; {} to {} are possible", DIRECTIONS.start(), DIRECTIONS.end())]
+    Directions {
+        /// Given number of directions.
+        count: usize,
+    },
+    /// Fault of a file of positions.
+    #[error(transparent)]
+    Table(#[from] Box<TableError>),
+    /// Invalid travel, or a travel without a driving joint.
+    #[error(transparent)]
+    Travel(#[from] TravelError),
+    /// Fault of a pose file.
+    #[error(transparent)]
+    PoseFile(#[from] GivenPoseError),
+    /// Invalid mass of a link.
+    #[error("link \"{link}\": {mass:e} kg; expected a finite mass of 0 or more")]
+    LinkMass {
+        /// Link.
+        link: String,
+        /// Given mass, kg.
+        mass: f64,
+    },
+    /// Centre of mass for a link without mass.
+    #[error("link \"{link}\" has no mass, so that no centre of mass can be set; give it a mass first")]
+    NoMassToMove {
+        /// Link.
+        link: String,
+    },
+    /// Centre of mass that is not finite.
+    #[error("link \"{link}\": the centre of mass has a component {value:e}; expected finite numbers")]
+    LinkCom {
+        /// Link.
+        link: String,
+        /// Component, m.
+        value: f64,
+    },
+    /// Changes that give no valid mechanism.
+    #[error("with what was changed there is no mechanism: {message}")]
+    NoMechanism {
+        /// Message of the builder.
+        message: String,
+    },
+    /// Moved hardpoint of a model without hardpoints.
+    #[error(
+        "{path} is a URDF, which has no hardpoints; give the suspension's sheet (.toml, .csv, .xlsx) in its place, or move \
+         the joints' <origin> in the file"
+    )]
+    NoSheet {
+        /// File of the model.
+        path: String,
+    },
+    /// Direction of a motion ratio without length.
+    #[error("the direction has no length; expected a vector such as 0,0,1")]
+    NoRatioDirection,
+    /// Number of samples out of range.
+    #[error("{count} samples; {} to {} are possible", SAMPLES.start(), SAMPLES.end())]
+    Samples {
+        /// Given number of samples.
+        count: usize,
+    },
+    /// Travel of the pose together with rows that exclude a travel: a varied travel, a file, random positions
+    /// or a second travel.
+    #[error(
+        "a travel of the pose goes with ranges of joints, once; it does not go with a varied travel, a file of positions, \
+         random positions, or another travel"
+    )]
+    TravelOfRows,
+    /// Unit of a linear spring for a nonlinear spring.
+    #[error(
+        "its unit is that of a linear spring; with the exponent {exponent} a plain number in N/m^{exponent} is expected \
+         (1 N/mm^{exponent} is {:e} N/m^{exponent})",
+        1e3_f64.powf(*exponent)
+    )]
+    UnitOfLinearSpring {
+        /// Exponent of the spring.
+        exponent: f64,
+    },
+    /// Unit of rotation for a translation, or the reverse.
+    #[error(
+        "its unit is not that of {}; expected {expected}",
+        if *turns { "a joint that turns" } else { "what does not turn" }
+    )]
+    UnitOfMotion {
+        /// True for a rotation.
+        turns: bool,
+        /// Expected unit.
+        expected: &'static str,
+    },
+    /// Varied joint that depends on other joints.
+    #[error(transparent)]
+    Dependent(Box<AssemblyError>),
+    /// Point in a frame that requires a reference pose, and the reference pose is unreachable.
+    #[error("{}", no_reference_pose(source, Names::Fields))]
+    NoReferencePose {
+        /// Cause.
+        source: AssemblyError,
+    },
+}
+
+impl Fault {
+    /// Message with the names of `names`: flags, study keys or fields.
+    fn message(&self, names: Names) -> String {
+        match self {
+            Fault::VariedIsSet { joint } => varied_is_set(joint, names),
+            Fault::NoReferencePose { source } => no_reference_pose(source, names),
+            Fault::Table(error) => error.message(names),
+            Fault::NothingToSampleBetween { joint, kind } => no_limits(joint, *kind, names),
+            Fault::Dependent(error) => about_assembly(error, names),
+            Fault::Contact(error) => about_contact(error, names),
+            Fault::MasslessBase { link } => massless_base(link, names),
+            Fault::Travel(TravelError::Assembly(error)) => about_assembly(error, names),
+            other => other.to_string(),
+        }
+    }
+}
+
+fn massless_base(link: &str, names: Names) -> String {
+    let given = match names {
+        Names::Fields => String::new(),
+        Names::Flags => format!(" (--link-mass {link}=KG)"),
+        Names::Keys => format!(" (model.link_mass: {link} = KG)"),
+    };
+    format!(
+        "the root link \"{link}\" has no mass; a body that floats needs one: give it its mass{given}, or leave the base fixed"
+    )
+}
+
+fn varied_is_set(joint: &str, names: Names) -> String {
+    format!("\"{joint}\": it is set already{}; give it one or the other", Field::Set.hint(names))
+}
+
+fn no_limits(joint: &str, kind: JointKind, names: Names) -> String {
+    let (set, vary) = (Field::Set.hint(names), Field::Vary.hint(names));
+    let what = match kind {
+        JointKind::Planar | JointKind::Floating => "has no limits",
+        JointKind::Fixed
+        | JointKind::Revolute
+        | JointKind::Continuous
+        | JointKind::Prismatic
+        | JointKind::Spherical => "has no <limit>",
+    };
+    let remedy = if kind.positions() == 1 {
+        format!("give it a <limit>, set it{set}, or vary ranges instead of random positions{vary}")
+    } else {
+        format!("set it{set}")
+    };
+    format!("joint \"{joint}\" is {} and {what} to sample between; {remedy}", kind.name())
+}
+
+fn no_reference_pose(source: &AssemblyError, names: Names) -> String {
+    let how = match names {
+        Names::Fields => "",
+        Names::Flags => " (--frame link)",
+        Names::Keys => " (contact.frame = \"link\")",
+    };
+    let why = about_assembly(source, names);
+    format!(
+        "a point in this frame is converted to the struck link where the varied joint stands at 0, and that pose cannot \
+         be reached ({why}); give the point in the frame of the struck link{how}"
+    )
+}
+
+/// Error of a question. [`message`](Self::message) uses the names of flags or study keys, depending on the
+/// source of the question.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum StudyError {
+    /// Invalid part of a question.
+    #[error("{}: {fault}", field.named(Names::Fields))]
+    Input {
+        /// Part of the question.
+        field: Field,
+        /// Fault.
+        fault: Box<Fault>,
+    },
+    /// Loops that do not close, or do not close at the requested positions.
+    #[error(transparent)]
+    Assembly(#[from] AssemblyError),
+    /// Travel that ends before the requested displacement.
+    #[error("{}: {why}", Field::Travel.named(Names::Fields))]
+    TravelNotReached {
+        /// Reason, and the reachable displacement.
+        why: String,
+    },
+    /// Invalid mass matrix.
+    #[error(transparent)]
+    Route(#[from] RouteError),
+    /// Other error of the dynamics.
+    #[error(transparent)]
+    Response(ResponseError),
+    /// Restitution, stiffness or speed out of range, or a restitution out of the range of the law.
+    #[error(transparent)]
+    Damping(#[from] ContactLawError),
+    /// Simulator that does not support the contact.
+    #[error(transparent)]
+    Export(Box<ExportError>),
+    /// Safe speed of a question with another side (link or free body); the other side must be the person.
+    #[error("{}", person_is_the_other(Names::Fields))]
+    PersonIsTheOther,
+    /// Force or pressure limit without a body region.
+    #[error("{}", no_region(Names::Fields))]
+    NoRegion,
+    /// Safe speed of a contact without mass.
+    #[error("{}", no_mass(Names::Fields))]
+    NoMass,
+    /// Safe speed of a contact with an unknown error of m̄.
+    #[error(
+        "what the effective mass may be off by is not known: beside this pose the contact is not finite; no speed can be \
+         called safe there"
+    )]
+    MassUnknown,
+    /// Safe speed at a singular pose without a known upper bound of m̄.
+    #[error(
+        "the pose is singular and no greatest mass of the robot is known there: {}; the effective mass is a lower bound, which \
+         allows too high a speed; ask for poses beside it",
+        of_branches(limits, *complete)
+    )]
+    NoGreatestMass {
+        /// Limits of m̄ along the branches found.
+        limits: Vec<EffectiveMass>,
+        /// True if there is no sign of further branches.
+        complete: bool,
+    },
+    /// Damper at a singular pose with different masses on different branches.
+    #[error(
+        "the pose is singular: no damper gives the contact a restitution on every branch: {}; ask for a pose a little beside it, \
+         on the branch that is meant, or for the damper of its mass",
+        of_branches(limits, *complete)
+    )]
+    NoDamperOfAll {
+        /// Limits of m̄ along the branches found, including the other body.
+        limits: Vec<EffectiveMass>,
+        /// True if there is no sign of further branches.
+        complete: bool,
+    },
+    /// Damper of a contact without a finite mass.
+    #[error("the contact is {status}: no damper gives it a restitution")]
+    NoDamper {
+        /// `immovable` or `massless`.
+        status: &'static str,
+    },
+}
+
+impl StudyError {
+    /// Error about one part of the question.
+    pub(crate) fn input(field: Field, fault: impl Into<Fault>) -> Self {
+        StudyError::Input { field, fault: Box::new(fault.into()) }
+    }
+
+    /// Invalid part of the question, if the error concerns one part.
+    pub fn field(&self) -> Option<Field> {
+        match self {
+            StudyError::Input { field, .. } => Some(*field),
+            _ => None,
+        }
+    }
+
+    /// Replaces an error about a dependent joint by a fault of the `Vary` field if the joint is varied, not
+    /// set.
+    pub(crate) fn of_varied(self, is_varied: impl Fn(&str) -> bool) -> Self {
+        match self {
+            StudyError::Assembly(error @ AssemblyError::Dependent { .. }) => match &error {
+                AssemblyError::Dependent { joint, .. } if is_varied(joint) => {
+                    StudyError::input(Field::Vary, Fault::Dependent(Box::new(error)))
+                }
+                _ => StudyError::Assembly(error),
+            },
+            other => other,
+        }
+    }
+
+    /// True if the question is valid but has no result (exit code 1, not 2).
+    pub fn is_no_answer(&self) -> bool {
+        match self {
+            StudyError::NoDamper { .. }
+            | StudyError::NoDamperOfAll { .. }
+            | StudyError::NoGreatestMass { .. }
+            | StudyError::MassUnknown
+            | StudyError::NoMass
+            | StudyError::TravelNotReached { .. }
+            | StudyError::Route(_) => true,
+            StudyError::Assembly(error) => !error.is_bad_input(),
+            _ => false,
+        }
+    }
+
+    /// Message with the names of `names`: flags, study keys or fields.
+    pub fn message(&self, names: Names) -> String {
+        match self {
+            StudyError::Input { field, fault } => format!("{}: {}", field.named(names), fault.message(names)),
+            StudyError::Assembly(error @ AssemblyError::Dependent { .. }) if names != Names::Fields => {
+                format!("{}: {}", Field::Set.named(names), about_assembly(error, names))
+            }
+            StudyError::Assembly(error) => about_assembly(error, names),
+            StudyError::TravelNotReached { why } => format!("{}: {why}", Field::Travel.named(names)),
+            StudyError::PersonIsTheOther => person_is_the_other(names),
+            StudyError::NoMass => no_mass(names),
+            StudyError::NoRegion => no_region(names),
+            other => other.to_string(),
+        }
+    }
+}
+
+fn person_is_the_other(names: Names) -> String {
+    let [against, mass] = [Field::Against, Field::AgainstMass].map(|field| field.named(names));
+    format!("the other side is the person: leave {against} and {mass} out")
+}
+
+fn no_region(names: Names) -> String {
+    let region = match names {
+        Names::Flags => "--region",
+        Names::Fields | Names::Keys => "region",
+    };
+    format!(
+        "a force or a pressure belongs to a region of the body: give {region}; without one, an energy or a momentum"
+    )
+}
+
+fn no_mass(names: Names) -> String {
+    let load = match names {
+        Names::Flags => "--load",
+        Names::Fields | Names::Keys => "load",
+    };
+    format!(
+        "the contact is massless: no speed is too high for it; the load, if there is one, is given by {load}"
+    )
+}
+
+/// Limits of m̄ along the branches, as text.
+fn of_branches(limits: &[EffectiveMass], complete: bool) -> String {
+    let limit = |limit: &EffectiveMass| match limit {
+        EffectiveMass::Finite(m) => format!("{m} kg"),
+        EffectiveMass::Immovable => "immovable".into(),
+        EffectiveMass::Massless => "massless".into(),
+    };
+    if limits.is_empty() {
+        return "no branch with a mass was found".into();
+    }
+    let all = limits.iter().map(limit).collect::<Vec<_>>().join(", ");
+    let more = if complete { "" } else { ", and there may be more" };
+    format!("along its branches it is {all}{more}")
+}
+
+impl From<ResponseError> for StudyError {
+    fn from(error: ResponseError) -> Self {
+        match error {
+            ResponseError::Contact(error) => StudyError::input(Field::of_contact(&error), error),
+            ResponseError::Route(error) => StudyError::Route(error),
+            other => StudyError::Response(other),
+        }
+    }
+}

@@ -1,0 +1,266 @@
+//! Joint positions from a file: the JSON of a result, or an object of joints and positions.
+
+use crate::model::loading::{Input, Model, hexadecimal};
+use crate::question::field::Names;
+use crate::shown::cut;
+use crate::units::position::GivenPosition;
+use crate::units::value;
+use percuss_formats::Source;
+use percuss_mechanism::{Joint, Mechanism};
+use serde::de::{Error, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+
+/// Positions of joints from a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenPose {
+    /// Pose file.
+    pub input: Input,
+    /// Position by joint name.
+    pub(crate) positions: BTreeMap<String, GivenPosition>,
+    /// Model of the result in the file; `None` for an object of joints and positions.
+    of_model: Option<Input>,
+}
+
+/// Error of an invalid pose file.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GivenPoseError {
+    /// Unreadable file.
+    #[error("{message}")]
+    Unreadable {
+        /// Name of the file and reason.
+        message: String,
+    },
+    /// Text that is not valid JSON.
+    #[error("{path}:{line}: not JSON ({message}); expected what --format json wrote, or {EXAMPLE}")]
+    NotJson {
+        /// Path of the file.
+        path: String,
+        /// Line of the error, from 1.
+        line: usize,
+        /// Message of the parser.
+        message: String,
+    },
+    /// JSON without joint positions.
+    #[error("{path}: {got}; expected what percuss mass --format json wrote, or {EXAMPLE}")]
+    NoPositions {
+        /// Path of the file.
+        path: String,
+        /// Content of the file.
+        got: String,
+    },
+    /// Invalid position.
+    #[error("{path}: {message}")]
+    Position {
+        /// Path of the file.
+        path: String,
+        /// Joint and reason.
+        message: String,
+    },
+    /// Result for another model: the file names a joint that is missing in this model.
+    #[error(
+        "{path}: it is the pose of another model ({of}): joint \"{joint}\" is not in this one, which has {known}; expected a \
+         pose of this model"
+    )]
+    OtherJoint {
+        /// Path of the file.
+        path: String,
+        /// Model file of the result.
+        of: String,
+        /// Name of the joint.
+        joint: String,
+        /// First movable joints of this model.
+        known: String,
+    },
+    /// Result for another model: the file has no position for a joint of this model.
+    #[error(
+        "{path}: it is the pose of another model ({of}): it has no joint \"{joint}\"; expected a pose of this model"
+    )]
+    MissingJoint {
+        /// Path of the file.
+        path: String,
+        /// Model file of the result.
+        of: String,
+        /// Name of the joint.
+        joint: String,
+    },
+}
+
+/// Example of joints and positions for error messages.
+const EXAMPLE: &str = "joints and positions such as {\"elbow\": 0.5, \"wrist\": \"30deg\"}";
+/// Largest number of joints listed in an error.
+const NAMED: usize = 6;
+
+/// Content of a report in JSON that is read as a pose.
+#[derive(Deserialize)]
+struct Answer {
+    #[serde(deserialize_with = "study_value::positions")]
+    pose: BTreeMap<String, GivenPosition>,
+    #[serde(default)]
+    inputs: Vec<InputText>,
+}
+
+#[derive(Deserialize)]
+struct InputText {
+    path: String,
+    sha256: String,
+}
+
+#[derive(Deserialize)]
+struct Joints(#[serde(deserialize_with = "study_value::positions")] BTreeMap<String, GivenPosition>);
+
+/// Check that no JSON object repeats a key. The parser would keep the last value of a repeated key without a message.
+struct UniqueKeys;
+
+impl<'de> Deserialize<'de> for UniqueKeys {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        from.deserialize_any(Self)
+    }
+}
+
+impl<'de> Visitor<'de> for UniqueKeys {
+    type Value = Self;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("JSON")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self, A::Error> {
+        let mut keys = BTreeSet::new();
+        while let Some(key) = map.next_key::<String>()? {
+            let UniqueKeys = map.next_value()?;
+            if let Some(key) = keys.replace(key) {
+                return Err(A::Error::custom(format!("the key \"{}\" is given twice", cut(&key))));
+            }
+        }
+        Ok(self)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self, A::Error> {
+        while let Some(UniqueKeys) = list.next_element()? {}
+        Ok(self)
+    }
+
+    fn visit_unit<E>(self) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_bool<E>(self, _: bool) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_i64<E>(self, _: i64) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_u64<E>(self, _: u64) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_f64<E>(self, _: f64) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_str<E>(self, _: &str) -> Result<Self, E> {
+        Ok(self)
+    }
+}
+
+impl GivenPose {
+    /// Reads a file of at most `max_size` bytes: the `pose` of a JSON result, or an object with a position (a number, a
+    /// list, text with units) for each joint. `-` is the standard input.
+    ///
+    /// # Errors
+    /// [`GivenPoseError`]: unreadable file, invalid JSON, no positions, or an invalid position.
+    pub fn read(path: &str, max_size: u64) -> Result<Self, GivenPoseError> {
+        let source = Source::read(path, max_size)
+            .map_err(|error| GivenPoseError::Unreadable { message: error.to_string() })?;
+        let path = source.name.clone();
+        let bytes = source.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&source.bytes);
+        let not_json = |error: serde_json::Error| GivenPoseError::NotJson {
+            path: path.clone(),
+            line: error.line(),
+            message: error.to_string(),
+        };
+        let value: Value = serde_json::from_slice(bytes).map_err(not_json)?;
+        let UniqueKeys = serde_json::from_slice(bytes).map_err(not_json)?;
+        let none = |got: &str| GivenPoseError::NoPositions { path: path.clone(), got: got.to_owned() };
+        let wrong = |error: serde_json::Error| GivenPoseError::Position {
+            path: path.clone(),
+            message: error.to_string(),
+        };
+        let Value::Object(object) = &value else {
+            return Err(none("no JSON object"));
+        };
+        let (positions, of_model) = match object.get("pose") {
+            Some(Value::Object(_)) => {
+                let Answer { pose, inputs } = Answer::deserialize(&value).map_err(wrong)?;
+                let model = inputs.into_iter().next();
+                (pose, Some(model.map_or_else(unknown, |i| Input { path: i.path, sha256: i.sha256 })))
+            }
+            _ if object.contains_key("rows") => {
+                return Err(none("it is a sweep, of many poses"));
+            }
+            _ if object.contains_key("schema") => return Err(none("it has no \"pose\"")),
+            _ => (Joints::deserialize(&value).map_err(wrong)?.0, None),
+        };
+        if positions.is_empty() {
+            return Err(none("it names no joint"));
+        }
+        let sha256 = hexadecimal(&Sha256::digest(&source.bytes));
+        Ok(Self { input: Input { path, sha256 }, positions, of_model })
+    }
+
+    /// True if every movable joint that is no mimic has a position.
+    pub(crate) fn is_whole(&self, mechanism: &Mechanism) -> bool {
+        self.missing(mechanism).is_none()
+    }
+
+    fn missing<'m>(&self, mechanism: &'m Mechanism) -> Option<&'m Joint> {
+        let free = |joint: &&Joint| joint.kind().dofs() > 0 && joint.mimic().is_none();
+        mechanism.joints().iter().filter(free).find(|joint| !self.positions.contains_key(joint.name()))
+    }
+
+    /// Refuses a result for another model. An object of joints and positions is not checked here.
+    pub(crate) fn check(&self, mechanism: &Mechanism) -> Result<(), GivenPoseError> {
+        let Some(model) = &self.of_model else { return Ok(()) };
+        let (path, of) = (self.input.path.clone(), model.path.clone());
+        if let Some(other) = self.positions.keys().find(|name| mechanism.find_joint(name).is_err()) {
+            let movable = mechanism.joints().iter().filter(|joint| joint.kind().dofs() > 0);
+            let mut known: Vec<String> =
+                movable.clone().take(NAMED).map(|joint| format!("\"{}\"", joint.name())).collect();
+            if movable.count() > NAMED {
+                known.push("others".to_owned());
+            }
+            let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
+            return Err(GivenPoseError::OtherJoint { path, of, joint: other.clone(), known });
+        }
+        match self.missing(mechanism) {
+            Some(joint) => Err(GivenPoseError::MissingJoint { path, of, joint: joint.name().to_owned() }),
+            None => Ok(()),
+        }
+    }
+
+    /// Remark on a pose file that was computed from a different version of the model file.
+    pub(crate) fn about_model(&self, model: &Model, names: Names) -> Option<String> {
+        let of = self.of_model.as_ref()?;
+        let own = model.inputs.first()?;
+        if of.sha256 == own.sha256 {
+            return None;
+        }
+        let given = crate::question::field::Field::Pose.hint(names);
+        Some(format!(
+            "the pose{given} in {} was found for {}, not for {} as it is now: the joints have the same names, the loops were \
+             closed again",
+            self.input.path, of.path, own.path
+        ))
+    }
+}
+
+fn unknown() -> Input {
+    Input { path: "not named".to_owned(), sha256: String::new() }
+}

@@ -1,0 +1,50 @@
+//! Source of the rows of a sweep.
+
+use crate::question::vary::Vary;
+
+/// Source of the rows of a sweep.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum RowSource {
+    /// Every combination of the values of some ranges; the first range varies slowest.
+    Grid(Vec<Vary>),
+    /// Rows of a file, in order along one path.
+    File(PositionFile),
+    /// Random positions within the limits of the joints; they depend only on the seed and the row number.
+    Random {
+        /// Number of rows.
+        count: usize,
+        /// Seed of the random numbers.
+        seed: u64,
+    },
+}
+
+/// File of positions: a header with the names of joints, then a row for each configuration. A joint with several numbers has
+/// the columns `JOINT[0]`, `JOINT[1]`, …; a unit other than SI follows the name, such as `[deg]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PositionFile {
+    /// Path of the file, `-` for the standard input.
+    pub path: String,
+    /// Names of ignored columns.
+    pub ignore: Vec<String>,
+    /// Largest number of bytes read from the standard input, a pipe or a device.
+    pub max_size: u64,
+}
+
+impl From<Vary> for RowSource {
+    fn from(vary: Vary) -> Self {
+        RowSource::Grid(vec![vary])
+    }
+}
+
+impl From<&Vary> for RowSource {
+    fn from(vary: &Vary) -> Self {
+        vary.clone().into()
+    }
+}
+
+impl From<&RowSource> for RowSource {
+    fn from(source: &RowSource) -> Self {
+        source.clone()
+    }
+}

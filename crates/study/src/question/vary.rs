@@ -1,0 +1,149 @@
+//! Ranges of a sweep: the varied quantity and its values.
+
+use crate::thresholds::ROWS;
+use crate::units::quantity::{Dimension, Quantity, QuantityError, parse_triple};
+
+/// Varied quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Varied {
+    /// Driving joint with one position.
+    Joint(String),
+    /// Displacement of a point (m, link's frame) of a link along a direction (world axes), relative to the pose
+    /// of the set joints.
+    Travel {
+        /// The link.
+        link: String,
+        /// The point.
+        point: [f64; 3],
+        /// Direction, of any length.
+        direction: [f64; 3],
+    },
+}
+
+/// Range of evenly spaced values, including both ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vary {
+    /// Varied quantity.
+    pub what: Varied,
+    /// First value; the dimension of the unit is checked once the joint is known.
+    pub from: Quantity,
+    /// Last value.
+    pub to: Quantity,
+    /// Number of values, 1 to 1,000,000.
+    pub count: usize,
+}
+
+/// Error in the text of a range.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum VaryError {
+    /// Missing parts.
+    #[error(
+        "wanted JOINT=FROM:TO:COUNT, such as hinge=-30deg:30deg:61, or travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT"
+    )]
+    Form,
+    /// COUNT is not a whole number.
+    #[error("COUNT is \"{text}\"; expected a whole number")]
+    NoCount {
+        /// Given text.
+        text: String,
+    },
+    /// COUNT out of range.
+    #[error("COUNT is {count}; {} to {} rows are possible", ROWS.start(), ROWS.end())]
+    Count {
+        /// Given number.
+        count: usize,
+    },
+    /// Invalid end of the range, point or direction.
+    #[error(transparent)]
+    Number(#[from] QuantityError),
+}
+
+impl Vary {
+    /// Reads `JOINT=FROM:TO:COUNT` or `travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT`.
+    ///
+    /// # Errors
+    /// [`VaryError`] with the cause and the expected form.
+    pub fn parse(text: &str) -> Result<Self, VaryError> {
+        let (what, range) = text.rsplit_once('=').ok_or(VaryError::Form)?;
+        let parts: Vec<&str> = range.split(':').collect();
+        let [from, to, count] = parts[..] else { return Err(VaryError::Form) };
+        let count: usize = count.trim().parse().map_err(|_| VaryError::NoCount { text: count.to_owned() })?;
+        if !ROWS.contains(&count) {
+            return Err(VaryError::Count { count });
+        }
+        let (first, last) = (Quantity::parse(from)?, Quantity::parse(to)?);
+        let what = match what.strip_prefix("travel:") {
+            None if what.is_empty() => return Err(VaryError::Form),
+            None => Varied::Joint(what.to_owned()),
+            Some(rest) => {
+                let (link, point, direction) = split(rest).ok_or(VaryError::Form)?;
+                first.of(Dimension::Length, from)?;
+                last.of(Dimension::Length, to)?;
+                Varied::Travel {
+                    link: link.to_owned(),
+                    point: parse_triple(point, Dimension::Length)?,
+                    direction: parse_triple(direction, Dimension::Plain)?,
+                }
+            }
+        };
+        Ok(Self { what, from: first, to: last, count })
+    }
+
+    /// Name of the column.
+    pub fn name(&self) -> String {
+        match &self.what {
+            Varied::Joint(joint) => joint.clone(),
+            Varied::Travel { link, .. } => format!("travel:{link}"),
+        }
+    }
+
+    /// Values in SI units, if the units of both ends have the given dimension.
+    ///
+    /// # Errors
+    /// [`QuantityError::WrongUnit`].
+    pub(crate) fn values(&self, dimension: Dimension) -> Result<Values, QuantityError> {
+        let value = |end: Quantity| end.of(dimension, &end.to_string());
+        Ok(Values { from: value(self.from)?, to: value(self.to)?, count: self.count })
+    }
+}
+
+/// Parts of `LINK:X,Y,Z:DX,DY,DZ`. The text is split from the right, because link names may contain colons.
+pub(crate) fn split(text: &str) -> Option<(&str, &str, &str)> {
+    let mut parts = text.rsplitn(3, ':');
+    let (direction, point, link) = (parts.next()?, parts.next()?, parts.next()?);
+    (!link.is_empty()).then_some((link, point, direction))
+}
+
+/// Evenly spaced values.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Values {
+    from: f64,
+    to: f64,
+    /// Number of values.
+    pub count: usize,
+}
+
+impl Values {
+    /// Value of row `row`, from 0.
+    pub fn of_row(&self, row: usize) -> f64 {
+        let steps = self.count.saturating_sub(1).max(1) as f64;
+        let value = self.from + (self.to - self.from) * (row as f64 / steps);
+        let largest = self.from.abs().max(self.to.abs());
+        // Values are rounded only if both ends are decimals; 5 degrees in radians is not.
+        let is_decimal = |end: f64| rounded(end, largest) == end;
+        // Adding 0.0 turns −0 into 0.
+        0.0 + if is_decimal(self.from) && is_decimal(self.to) { rounded(value, largest) } else { value }
+    }
+}
+
+/// Value rounded to fifteen digits of `largest`: 0.05, not 0.050000000000000044.
+fn rounded(value: f64, largest: f64) -> f64 {
+    let decimals = 14.0 - largest.log10().floor();
+    // Powers of ten above 10²² are not exact.
+    if !(0.0..=22.0).contains(&decimals) {
+        return value;
+    }
+    let scale = 10_f64.powi(decimals as i32);
+    (value * scale).round() / scale
+}

@@ -1,0 +1,454 @@
+//! Study file: a model with queries in TOML, equivalent to flags of the commands.
+
+use crate::checks::design::DesignError;
+use crate::compare::Design;
+use crate::damper::joint_stop::JointStop;
+use crate::model::loading::{Input, Model, Origin};
+use crate::model::record::DiagnosticRecord;
+use crate::model::sheet::is_study;
+use crate::question::damping_question::{DampingQuestion, check_units};
+use crate::question::error::StudyError;
+use crate::question::field::Names;
+use crate::question::mass_question::MassQuestion;
+use crate::question::refusal::Refusal;
+use crate::question::row_source::RowSource;
+use crate::shown::cut;
+use crate::study_file::closure::ClosureText;
+use crate::study_file::keys::{StudyKeys, UnknownKey};
+use crate::study_file::map::StudyMap;
+use crate::study_file::mass::StudyMass;
+use crate::study_file::safe_speed::StudySafeSpeed;
+use crate::study_file::sweep::{StudyFigure, StudyTable};
+use crate::study_file::text::{ModelText, StudyText};
+use crate::study_file::variant::{OtherModels, Variant, changes};
+use crate::thresholds::{
+    LARGEST_STUDY, LARGEST_VARIANTS, LONGEST_LINE_SHOWN, MOST_VARIANT_LINKS, MOST_VARIANTS,
+};
+use percuss_contact::exports::StopMotion;
+use percuss_formats::{LoadError, LoadOptions, Source};
+use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind, Severity, Subject};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Content of a study file.
+#[derive(Clone, Debug)]
+pub struct StudyFile {
+    /// Model with the changes and closures of the study.
+    pub model: Model,
+    /// Contact and conditions; `None` if the study has no contact with a normal.
+    pub question: Option<MassQuestion>,
+    /// Pose and conditions, also without a contact.
+    pub conditions: MassQuestion,
+    /// Requests about the contact besides the effective mass.
+    pub mass: StudyMass,
+    /// Design variants.
+    pub variants: Vec<Variant>,
+    /// Damper for a restitution, if requested.
+    pub damping: Option<StudyDamping>,
+    /// Sweep, if requested.
+    pub sweep: Option<StudySweep>,
+    /// Map of surfaces or directions, if requested.
+    pub map: Option<StudyMap>,
+    /// Safe speed, if requested.
+    pub safe_speed: Option<StudySafeSpeed>,
+    /// Folder of the study; paths in the study are relative to this folder.
+    pub folder: PathBuf,
+    /// Keys with their positions.
+    pub keys: StudyKeys,
+}
+
+/// Damper requested by a study.
+#[derive(Clone, Debug)]
+pub struct StudyDamping {
+    /// Restitution, stiffness and law.
+    pub question: DampingQuestion,
+    /// In place of the contact: joint stop and conditions.
+    pub stop: Option<(JointStop, MassQuestion)>,
+    /// Output file of the force over time.
+    pub output: Option<String>,
+}
+
+/// Sweep of a study.
+#[derive(Clone, Debug)]
+pub struct StudySweep {
+    /// Source of the rows.
+    pub rows: RowSource,
+    /// Output file; `None`: stdout.
+    pub output: Option<String>,
+    /// Format of the table.
+    pub table: StudyTable,
+    /// Format of the figure.
+    pub figure: StudyFigure,
+}
+
+/// Error of an invalid study file.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum StudyFileError {
+    /// Unreadable study or model file.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    /// File that is not UTF-8 text.
+    #[error("{path}: error: not UTF-8 text; a study is a TOML file")]
+    NotText {
+        /// Path of the study.
+        path: String,
+    },
+    /// Invalid TOML, or a value of the wrong type. The following lines show the position in the file.
+    #[error("{path}:{line}: error: {message}")]
+    Toml {
+        /// Path of the study.
+        path: String,
+        /// Line of the error, from 1.
+        line: usize,
+        /// Reason, and the lines of the file.
+        message: String,
+    },
+    /// Unknown keys.
+    #[error("{}", lines_of(path, keys, *more))]
+    Keys {
+        /// Path of the study.
+        path: String,
+        /// First unknown keys, in the order of the file.
+        keys: Vec<UnknownKey>,
+        /// Number of further unknown keys.
+        more: usize,
+    },
+    /// Invalid value.
+    #[error("{path}{}: error: {key}: {why}", at_line(*line))]
+    Value {
+        /// Path of the study.
+        path: String,
+        /// Line of the key, from 1; `None` if the key is not in the file.
+        line: Option<usize>,
+        /// Key of the value.
+        key: &'static str,
+        /// Reason.
+        why: String,
+    },
+    /// Invalid mechanism after the addition of the study's closures.
+    #[error("{path}: error: {source}")]
+    Build {
+        /// Path of the study.
+        path: String,
+        /// Error of the mechanism builder.
+        source: BuildError,
+    },
+}
+
+fn at_line(line: Option<usize>) -> String {
+    line.map_or_else(String::new, |line| format!(":{line}"))
+}
+
+/// Message with one line per unknown key. Keys are escaped, so that a line break in a key does not start a line.
+fn lines_of(path: &str, keys: &[UnknownKey], more: usize) -> String {
+    let line = |k: &UnknownKey| format!("{path}:{}: error: unknown key {:?}; {}", k.line, k.key, k.hint);
+    let more = (more > 0).then(|| format!("{path}: error: {more} more unknown keys"));
+    keys.iter().map(line).chain(more).collect::<Vec<_>>().join("\n")
+}
+
+/// Error of the TOML parser or of a value, with the line and the key.
+fn not_read(path: &str, keys: &StudyKeys, text: &str, error: &toml::de::Error) -> StudyFileError {
+    let span = error.span().unwrap_or_default();
+    let key = keys.key_at(&span).map_or_else(String::new, |key| format!("{key}: "));
+    // `keys` is empty if the text is not valid TOML, so lines are counted in the text.
+    let line = 1 + text.bytes().take(span.start).filter(|byte| *byte == b'\n').count();
+    let shown = error.to_string();
+    // Lines of the file, from the parser's message "TOML parse error at …".
+    let is_shown = |line: &&str| line.contains('|') && line.len() <= LONGEST_LINE_SHOWN;
+    let lines: Vec<&str> = shown.trim_end().lines().skip(1).filter(is_shown).collect();
+    let why = error.message().trim().replace('\n', "; ");
+    let message = format!("{key}{}\n{}", cut(&why), lines.join("\n"));
+    StudyFileError::Toml { path: path.to_owned(), line, message: message.trim_end().to_owned() }
+}
+
+impl StudyFile {
+    /// Reads a study and its model (path relative to the folder of the study). At most `max_size` bytes each.
+    ///
+    /// # Errors
+    /// [`StudyFileError`]: unreadable files, unknown keys, invalid values, or an invalid mechanism.
+    pub fn load(path: &str, max_size: u64) -> Result<Self, StudyFileError> {
+        let source = Source::read(path, max_size.min(LARGEST_STUDY))?;
+        let path = source.name.clone();
+        let text = String::from_utf8(source.bytes.clone())
+            .map_err(|_| StudyFileError::NotText { path: path.clone() })?;
+        let (keys, unknown) = StudyKeys::of(&text).map_err(|error| {
+            let StudyFileError::Toml { path, line, message } =
+                not_read(&path, &StudyKeys::default(), &text, &error)
+            else {
+                unreachable!("it is one");
+            };
+            StudyFileError::Toml { path, line, message: format!("not TOML: {message}") }
+        })?;
+        if !unknown.first.is_empty() {
+            return Err(StudyFileError::Keys { path, keys: unknown.first, more: unknown.more });
+        }
+        let study: StudyText =
+            toml::from_str(&text).map_err(|error| not_read(&path, &keys, &text, &error))?;
+        Reading { path: &path, keys: &keys, max_size }.study(&study, &source)
+    }
+
+    /// True if a file is a study: TOML with a table `model`.
+    pub fn is_study(path: &str, max_size: u64) -> bool {
+        // A pipe can be read only once; the model reader reads its content.
+        std::fs::metadata(path).is_ok_and(|found| found.is_file())
+            && Source::read(path, max_size).is_ok_and(|source| is_study(&source))
+    }
+
+    /// Designs of the study: first the model of the study as `name`, then the variants. Empty without a contact.
+    pub fn designs(&self, name: &str) -> Vec<Design> {
+        let Some(question) = &self.question else { return Vec::new() };
+        let rows = self.sweep.as_ref().map(|sweep| &sweep.rows);
+        let design = |name: String, model: &Model, question: &MassQuestion| Design {
+            name,
+            model: model.clone(),
+            question: question.clone(),
+            rows: rows.cloned(),
+        };
+        let own = design(name.to_owned(), &self.model, question);
+        let variants = self.variants.iter().map(|v| design(v.name.clone(), &v.model, &v.question));
+        [own].into_iter().chain(variants).collect()
+    }
+}
+
+/// Context for reading a study.
+struct Reading<'a> {
+    path: &'a str,
+    keys: &'a StudyKeys,
+    max_size: u64,
+}
+
+impl Reading<'_> {
+    fn refused(&self, refusal: Refusal) -> StudyFileError {
+        self.value(refusal.key, refusal.key, refusal.why)
+    }
+
+    /// Error of an invalid value; `place`: path of the key that gives the line.
+    fn value(&self, key: &'static str, place: &str, why: String) -> StudyFileError {
+        StudyFileError::Value { path: self.path.to_owned(), line: self.keys.line_of(place), key, why }
+    }
+
+    /// Error of an invalid query, with the key of the invalid field.
+    fn input(&self, error: &StudyError) -> StudyFileError {
+        let key = error.field().map_or("model", |field| field.key());
+        let why = error.message(Names::Keys);
+        let why = why.strip_prefix(&format!("{key}: ")).unwrap_or(&why).to_owned();
+        self.value(key, key, why)
+    }
+
+    /// Error of an invalid design; `variant`: index and name of the variant, `None` for the model of the study.
+    fn design(&self, variant: Option<(usize, &str)>, error: DesignError) -> StudyFileError {
+        let (key, place, of) = match variant {
+            None => ("model", "model".to_owned(), String::new()),
+            Some((i, name)) => ("variant", format!("variant[{i}]"), format!("\"{name}\": ")),
+        };
+        let why = match error {
+            DesignError::Load(error) => error.to_string(),
+            DesignError::Change(error) => error.message(Names::Keys).replace("model.", ""),
+        };
+        self.value(key, &place, format!("{of}{why}"))
+    }
+
+    fn study(&self, study: &StudyText, source: &Source) -> Result<StudyFile, StudyFileError> {
+        let max_size = self.max_size;
+        let folder = Path::new(self.path).parent().unwrap_or(Path::new(""));
+        let refused = |refusal| self.refused(refusal);
+        let mut accept = Accept::default();
+        for word in &study.model.accept {
+            match word.as_str() {
+                "indefinite-inertia" => accept.indefinite_inertia = true,
+                "implausible-inertia" => accept.implausible_inertia = true,
+                _ => {
+                    let why =
+                        format!("\"{word}\"; known are \"indefinite-inertia\" and \"implausible-inertia\"");
+                    return Err(self.value("model.accept", "model.accept", why));
+                }
+            }
+        }
+        let options = LoadOptions { accept };
+        let model = self.model(study, source, folder, &options)?;
+        let question = study.question(folder, max_size).map_err(refused)?;
+        let variants = self.variants(study, &model, &question, folder, &options)?;
+        let place = |path: &String| folder.join(path).to_string_lossy().into_owned();
+        let sweep = match &study.sweep {
+            None => None,
+            Some(text) => Some(StudySweep {
+                rows: text.source(folder, max_size).map_err(refused)?,
+                output: text.output.as_ref().map(place),
+                table: text.table().map_err(refused)?,
+                figure: text.figure(),
+            }),
+        };
+        let damping = self.damping(study, &model, &question, folder)?;
+        let map = study.map.as_ref().map(|map| map.map(&question, folder)).transpose().map_err(refused)?;
+        let safe_speed = match &study.safe_speed {
+            None => None,
+            Some(text) => {
+                let missing = study.contact.missing();
+                if let Some(part) = missing.filter(|part| !(text.has_directions() && part.contains("normal")))
+                {
+                    return Err(self.value("contact", "contact", format!("{part} is missing")));
+                }
+                Some(text.safe_speed(&question, folder, max_size).map_err(refused)?)
+            }
+        };
+        // A study without a contact needs another query.
+        let stops = damping.as_ref().is_some_and(|damping: &StudyDamping| damping.stop.is_some());
+        let of_contact = study.mass.is_some()
+            || !variants.is_empty()
+            || sweep.is_some()
+            || (damping.is_some() && !stops)
+            || (map.is_none() && safe_speed.is_none() && !stops);
+        let asks = match study.contact.missing() {
+            None => !stops,
+            Some(part) if of_contact => {
+                let why = match (study.contact.is_empty(), part) {
+                    (false, "normal or along_line") => "give either normal or along_line".to_owned(),
+                    (false, part) => format!("{part} is missing"),
+                    (true, _) => "it is missing; expected link, point, and normal or along_line (or a study of [map] or \
+                                  damping.limit alone)"
+                        .to_owned(),
+                };
+                return Err(self.value("contact", "contact", why));
+            }
+            Some(_) => false,
+        };
+        if stops && (!study.contact.is_empty() || of_contact) {
+            let why = "a joint's stop takes the place of a contact: leave [contact] with [sweep], [mass] and [[variant]] out";
+            return Err(self.value("damping.limit", "damping.limit", why.to_owned()));
+        }
+        let mass = study.mass.as_ref().map(|mass| mass.asked()).transpose().map_err(refused)?;
+        Ok(StudyFile {
+            model,
+            question: asks.then(|| question.clone()),
+            conditions: question,
+            mass: mass.unwrap_or_default(),
+            variants,
+            damping,
+            sweep,
+            map,
+            safe_speed,
+            folder: folder.to_owned(),
+            keys: self.keys.clone(),
+        })
+    }
+
+    /// Variants of the study, limited in number and memory.
+    fn variants(
+        &self,
+        study: &StudyText,
+        model: &Model,
+        question: &MassQuestion,
+        folder: &Path,
+        options: &LoadOptions,
+    ) -> Result<Vec<Variant>, StudyFileError> {
+        if study.variant.is_empty() {
+            return Ok(Vec::new());
+        }
+        let refuse = |i: usize, key, why| Err(self.value(key, &format!("variant[{i}].name"), why));
+        // Each variant holds a copy of the query and of the changes. The length of their text approximates their memory.
+        let copied = format!("{question:?}{:?}", model.origin.changes).len();
+        let most = MOST_VARIANTS.min(LARGEST_VARIANTS / copied.max(1));
+        if study.variant.len() > most {
+            let why = format!(
+                "{} variants; at most {most} are read (of questions as long as this one): divide the study",
+                study.variant.len()
+            );
+            return refuse(most, "variant", why);
+        }
+        let mut loaded = OtherModels::new(self.max_size, options);
+        let (mut names, mut links, mut variants) = (BTreeSet::new(), 0, Vec::new());
+        for (i, text) in study.variant.iter().enumerate() {
+            if !names.insert(&text.name) {
+                return refuse(i, "variant.name", format!("\"{}\" is given twice", cut(&text.name)));
+            }
+            let variant = text
+                .variant(model, question, folder, &mut loaded)
+                .map_err(|error| self.design(Some((i, &text.name)), error))?;
+            if !Arc::ptr_eq(&variant.model.mechanism, &model.mechanism) {
+                links += variant.model.mechanism.links().len();
+            }
+            if links > MOST_VARIANT_LINKS {
+                let why = format!(
+                    "\"{}\": the models of the variants up to this one have {links} links together; at most \
+                     {MOST_VARIANT_LINKS} are read: divide the study",
+                    cut(&text.name)
+                );
+                return refuse(i, "variant", why);
+            }
+            variants.push(variant);
+        }
+        Ok(variants)
+    }
+
+    /// Model with the changes and closures of the study.
+    fn model(
+        &self,
+        study: &StudyText,
+        source: &Source,
+        folder: &Path,
+        options: &LoadOptions,
+    ) -> Result<Model, StudyFileError> {
+        let model_path = folder.join(&study.model.path);
+        let mut model = Model::load(&model_path.to_string_lossy(), self.max_size, options)?;
+        model.inputs.push(Input::of(source));
+        let ModelText { link_mass, link_com, moves, .. } = &study.model;
+        model =
+            model.changed(&changes(link_mass, link_com, moves)).map_err(|error| self.design(None, error))?;
+        if study.closure.is_empty() {
+            return Ok(model);
+        }
+        let closures = study.closure.iter().map(ClosureText::describe);
+        let closures = closures.collect::<Result<Vec<_>, _>>().map_err(|refusal| self.refused(refusal))?;
+        with_closures(model, self.path, closures)
+            .map_err(|source| StudyFileError::Build { path: self.path.to_owned(), source })
+    }
+
+    fn damping(
+        &self,
+        study: &StudyText,
+        model: &Model,
+        conditions: &MassQuestion,
+        folder: &Path,
+    ) -> Result<Option<StudyDamping>, StudyFileError> {
+        let Some(text) = &study.damping else { return Ok(None) };
+        let question = text.question().map_err(|refusal| self.refused(refusal))?;
+        let stop = text.stop().map_err(|refusal| self.refused(refusal))?;
+        let motion = stop.as_ref().map(|stop| stop.motion(model)).transpose();
+        let turns = motion.map_err(|error| self.input(&error))? == Some(StopMotion::Turn);
+        check_units(&question, text.stiffness, text.speed, turns).map_err(|error| self.input(&error))?;
+        Ok(Some(StudyDamping {
+            question,
+            stop: stop.map(|stop| (stop, conditions.clone())),
+            output: text.output.as_ref().map(|output| folder.join(output).to_string_lossy().into_owned()),
+        }))
+    }
+}
+
+/// Model with additional closures, and with the findings about them.
+fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) -> Result<Model, BuildError> {
+    let of_file = model.mechanism.closures().len();
+    let mut diagnostics = model.diagnostics;
+    for closure in closures.iter().filter(|c| c.kind == ClosureKind::Distance && c.distance.is_none()) {
+        let message =
+            format!("loop \"{}\" has no distance: the distance with all joints at 0 is taken", closure.name);
+        let record = DiagnosticRecord::about_answer(Severity::Note, "default-distance", message);
+        diagnostics.push(DiagnosticRecord { path: Some(path.to_owned()), ..record });
+    }
+    // The findings about unbound joints concern the model file alone; the added closures may bind these joints.
+    diagnostics.retain(|d| d.code != "unbound-joint");
+    let added = closures.clone();
+    let builder = closures.into_iter().fold(model.mechanism.to_builder(), |b, closure| b.closure(closure));
+    let built = builder.build()?;
+    // Other findings of the builder were reported, with positions, when the model file was read.
+    for (subject, problem) in built.findings {
+        if matches!(subject, Subject::Closure { index, .. } if index >= of_file) {
+            let message = format!("{subject}: {problem}");
+            let record = DiagnosticRecord::about_answer(problem.severity(), problem.code(), message);
+            diagnostics.push(DiagnosticRecord { path: Some(path.to_owned()), ..record });
+        }
+    }
+    let origin = Origin { closures: added, ..model.origin };
+    Ok(Model { mechanism: Arc::new(built.mechanism), diagnostics, origin, ..model })
+}

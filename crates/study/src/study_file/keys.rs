@@ -1,0 +1,238 @@
+//! Positions of the keys of a study file, and its unknown keys, each with the nearest known key.
+
+use crate::shown::cut;
+use crate::study_file::schema::{alternatives, properties, study_keys, study_schema};
+use serde_json::{Map, Value};
+use std::ops::Range;
+use toml::de::{DeTable, DeValue};
+
+/// Largest number of suggestions for an unknown key.
+const SUGGESTIONS: usize = 2;
+/// Largest number of reported unknown keys; further keys are only counted.
+const REPORTED: usize = 50;
+/// Longest key, bytes, that is compared with the known keys, which are shorter. The cost is the product of the lengths.
+const LONGEST_COMPARED: usize = 64;
+
+/// Keys of a study file with their positions.
+#[derive(Clone, Debug, Default)]
+pub struct StudyKeys {
+    /// Keys and list elements; a container precedes its content.
+    places: Vec<Place>,
+    /// Offsets of the line starts, bytes.
+    lines: Vec<usize>,
+}
+
+/// Key or list element. Paths are computed from the containers, so that memory is linear in the size of the file.
+#[derive(Clone, Debug)]
+struct Place {
+    /// Index of the containing table or list; `None` at the top level.
+    above: Option<usize>,
+    step: Step,
+    /// Byte range of the key or element.
+    at: Range<usize>,
+    /// Byte range of the value.
+    value: Range<usize>,
+}
+
+/// Last part of a path: key, or index in a list.
+#[derive(Clone, Debug)]
+enum Step {
+    Key(Box<str>),
+    Item(usize),
+}
+
+/// Unknown key of a study file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownKey {
+    /// Path of the key.
+    pub key: String,
+    /// Line of the key, from 1.
+    pub line: usize,
+    /// Suggested key, or the possible keys.
+    pub hint: String,
+}
+
+/// Unknown keys: the first `REPORTED` keys in the order of the file, and the number of further keys.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct UnknownKeys {
+    pub first: Vec<UnknownKey>,
+    pub more: usize,
+}
+
+/// Index of each unknown key in `places`, with the known keys of its table.
+type Unknown = Vec<(usize, &'static Map<String, Value>)>;
+
+impl StudyKeys {
+    /// Positions of all keys, and the unknown keys.
+    ///
+    /// # Errors
+    /// Text that is not valid TOML.
+    pub(crate) fn of(text: &str) -> Result<(Self, UnknownKeys), toml::de::Error> {
+        let document = DeTable::parse(text)?;
+        let begins = |(at, byte): (usize, u8)| (byte == b'\n').then_some(at + 1);
+        let lines = [0].into_iter().chain(text.bytes().enumerate().filter_map(begins)).collect();
+        let mut keys = Self { places: Vec::new(), lines };
+        let mut unknown = Unknown::new();
+        keys.walk(document.get_ref(), Some(study_schema()), None, &mut unknown);
+        unknown.sort_by_key(|(place, _)| keys.places[*place].at.start);
+        let first = unknown.iter().take(REPORTED).map(|(place, known)| keys.unknown(*place, known)).collect();
+        let more = unknown.len().saturating_sub(REPORTED);
+        Ok((keys, UnknownKeys { first, more }))
+    }
+
+    /// Line of a byte offset, from 1.
+    pub(crate) fn line_at(&self, byte: usize) -> usize {
+        self.lines.partition_point(|begin| *begin <= byte)
+    }
+
+    /// Line of a key, from 1. For a missing key, the line of its table; `None` if the table is missing too.
+    pub fn line_of(&self, key: &str) -> Option<usize> {
+        let mut key = key;
+        loop {
+            if let Some(place) = (0..self.places.len()).find(|place| self.is_path_of(*place, key)) {
+                return Some(self.line_at(self.places[place].at.start));
+            }
+            key = key.rsplit_once('.')?.0;
+        }
+    }
+
+    /// Path of the innermost key or list element with a value that contains a byte range. A long path is cut.
+    pub(crate) fn key_at(&self, bytes: &Range<usize>) -> Option<String> {
+        let holds = |place: &usize| {
+            let value = &self.places[*place].value;
+            value.start <= bytes.start && bytes.end <= value.end
+        };
+        let innermost =
+            (0..self.places.len()).filter(holds).min_by_key(|place| self.places[*place].value.len());
+        innermost.map(|place| self.path(place, true))
+    }
+
+    /// Path of a key or list element, such as `variant[1].name`; without `items`, `variant.name`. A long path is cut.
+    fn path(&self, place: usize, items: bool) -> String {
+        let mut steps = Vec::new();
+        let mut next = Some(place);
+        while let Some(at) = next {
+            steps.push(&self.places[at].step);
+            next = self.places[at].above;
+        }
+        let mut path = String::new();
+        for step in steps.into_iter().rev() {
+            match step {
+                Step::Key(name) if path.is_empty() => path.push_str(&cut(name)),
+                Step::Key(name) => path.extend([".", &cut(name)]),
+                Step::Item(number) if items => path.push_str(&format!("[{number}]")),
+                Step::Item(_) => {}
+            }
+        }
+        cut(&path).into_owned()
+    }
+
+    /// True if `key` is the full path of the key or list element at index `place`.
+    fn is_path_of(&self, place: usize, key: &str) -> bool {
+        let (mut place, mut rest) = (place, key);
+        loop {
+            let Place { above, step, .. } = &self.places[place];
+            let before = match step {
+                Step::Key(name) => rest.strip_suffix(&**name),
+                Step::Item(number) if rest.ends_with(']') => rest.strip_suffix(&*format!("[{number}]")),
+                Step::Item(_) => None,
+            };
+            rest = match (before, above, step) {
+                (Some(before), None, _) => return before.is_empty(),
+                (Some(before), Some(_), Step::Item(_)) => before,
+                (Some(before), Some(_), Step::Key(_)) => match before.strip_suffix('.') {
+                    Some(before) => before,
+                    None => return false,
+                },
+                (None, ..) => return false,
+            };
+            place = above.unwrap_or(place);
+        }
+    }
+
+    /// Record of an unknown key for the report; `known`: the known keys of its table.
+    fn unknown(&self, place: usize, known: &Map<String, Value>) -> UnknownKey {
+        let Place { above, step, at, .. } = &self.places[place];
+        let Step::Key(name) = step else { unreachable!("elements of lists have no name") };
+        let table = above.map_or_else(String::new, |above| self.path(above, false));
+        let possible: Vec<&str> = known.keys().map(String::as_str).collect();
+        let hint = hint(name, &table, &possible);
+        UnknownKey { key: self.path(place, false), line: self.line_at(at.start), hint }
+    }
+
+    fn add(&mut self, above: Option<usize>, step: Step, at: Range<usize>, value: Range<usize>) -> usize {
+        self.places.push(Place { above, step, at, value });
+        self.places.len() - 1
+    }
+
+    /// Records the keys of a table. If `schema` is `None` or lists no keys, any key is valid.
+    fn walk(
+        &mut self,
+        table: &DeTable,
+        schema: Option<&'static Value>,
+        above: Option<usize>,
+        unknown: &mut Unknown,
+    ) {
+        let all = schema.map(alternatives).unwrap_or_default();
+        let known = all.iter().find_map(|one| properties(one));
+        for (key, value) in table {
+            let name: &str = key.get_ref();
+            let place = self.add(above, Step::Key(name.into()), key.span(), value.span());
+            let of_key = match known {
+                Some(known) => match known.get(name) {
+                    Some(of_key) => Some(of_key),
+                    None => {
+                        unknown.push((place, known));
+                        continue;
+                    }
+                },
+                None => None,
+            };
+            match value.get_ref() {
+                DeValue::Table(table) => self.walk(table, of_key, Some(place), unknown),
+                DeValue::Array(list) => {
+                    let items = of_key.map(alternatives).unwrap_or_default();
+                    let items = items.into_iter().find_map(|one| one.get("items"));
+                    for (i, one) in list.iter().enumerate() {
+                        let place = self.add(Some(place), Step::Item(i), one.span(), one.span());
+                        if let DeValue::Table(table) = one.get_ref() {
+                            self.walk(table, items, Some(place), unknown);
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+/// Suggestion for an unknown key of a table, or the list of the keys of the table.
+fn hint(name: &str, table: &str, possible: &[&str]) -> String {
+    let whole = |key: &str| if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
+    let near = if name.len() > LONGEST_COMPARED { Vec::new() } else { nearest(name, possible) };
+    if !near.is_empty() {
+        let near: Vec<String> = near.into_iter().map(|key| format!("\"{}\"", whole(key))).collect();
+        return format!("did you mean {}?", near.join(" or "));
+    }
+    let all = study_keys();
+    let elsewhere = |key: &&String| key.rsplit('.').next() == Some(name);
+    let elsewhere: Vec<String> =
+        all.iter().filter(elsewhere).take(SUGGESTIONS).map(|k| format!("\"{k}\"")).collect();
+    if !elsewhere.is_empty() {
+        return format!("there is {}", elsewhere.join(" and "));
+    }
+    let place = if table.is_empty() { "a study".to_owned() } else { format!("[{table}]") };
+    format!("the keys of {place} are {}", possible.join(", "))
+}
+
+/// Known names with the smallest edit distance from a name; empty if the distance exceeds 1 + (length of the name)/4.
+fn nearest<'k>(name: &str, possible: &[&'k str]) -> Vec<&'k str> {
+    let plain = name.replace('-', "_").to_lowercase();
+    let distance = |key: &str| strsim::osa_distance(&plain, key).min(strsim::osa_distance(name, key));
+    let most = 1 + name.chars().count() / 4;
+    let all = possible.iter().map(|key| (distance(key), *key)).filter(|(distance, _)| *distance <= most);
+    let mut near: Vec<(usize, &str)> = all.collect();
+    near.sort();
+    let least = near.first().map_or(0, |(distance, _)| *distance);
+    near.into_iter().take_while(|(d, _)| *d == least).take(SUGGESTIONS).map(|(_, key)| key).collect()
+}

@@ -1,0 +1,118 @@
+//! JSON schema of a study file, generated from the types that read the file, and the keys of the schema.
+
+use crate::study_file::text::StudyText;
+use schemars::generate::SchemaSettings;
+use serde_json::{Map, Value};
+use std::sync::LazyLock;
+
+/// Generated once.
+static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
+    let settings = SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true);
+    let mut schema = settings.into_generator().into_root_schema_for::<StudyText>().to_value();
+    without_null(&mut schema);
+    schema
+});
+
+/// JSON schema (draft 2020-12) of a study file: all keys with descriptions. Keys outside of the schema are
+/// errors.
+pub fn study_schema() -> &'static Value {
+    &SCHEMA
+}
+
+/// Keys of a study file with the names of their tables: `contact.along_line.link`. Entries of a table of names,
+/// such as the links of `model.link_mass`, are not keys.
+pub fn study_keys() -> Vec<String> {
+    fn collect(schema: &Value, path: &str, found: &mut Vec<String>) {
+        for known in alternatives(schema).into_iter().filter_map(properties) {
+            for (key, of_key) in known {
+                let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
+                collect(of_key, &path, found);
+                found.push(path);
+            }
+        }
+        for items in alternatives(schema).into_iter().filter_map(|one| one.get("items")) {
+            collect(items, path, found);
+        }
+    }
+    let mut found = Vec::new();
+    collect(study_schema(), "", &mut found);
+    found.sort();
+    found
+}
+
+/// Schema and its alternatives.
+pub(crate) fn alternatives(schema: &Value) -> Vec<&Value> {
+    let of = |word: &str| schema.get(word).and_then(Value::as_array).into_iter().flatten();
+    [schema].into_iter().chain(of("anyOf")).chain(of("oneOf")).collect()
+}
+
+/// Keys of a table; `None` for other types and for a table of names.
+pub(crate) fn properties(schema: &Value) -> Option<&Map<String, Value>> {
+    schema.get("properties").and_then(Value::as_object)
+}
+
+/// Removes null, which TOML lacks: an optional key is simply absent.
+fn without_null(schema: &mut Value) {
+    let is_null = |value: &Value| value.get("type").is_some_and(|t| t == "null") || value == "null";
+    match schema {
+        Value::Object(map) => {
+            for word in ["anyOf", "type"] {
+                let Some(Value::Array(list)) = map.get_mut(word) else { continue };
+                list.retain(|one| !is_null(one));
+                if let [one] = &list[..] {
+                    let one = one.clone();
+                    map.remove(word);
+                    match one {
+                        Value::Object(inner) => inner.into_iter().for_each(|(key, value)| {
+                            map.entry(key).or_insert(value);
+                        }),
+                        other => drop(map.insert(word.to_owned(), other)),
+                    }
+                }
+            }
+            map.retain(|key, value| !(key == "default" && value.is_null()));
+            map.values_mut().for_each(without_null);
+        }
+        Value::Array(list) => list.iter_mut().for_each(without_null),
+        _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_checked_in_schema_is_fresh() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/study.schema.json");
+        let fresh = serde_json::to_string_pretty(study_schema()).unwrap() + "\n";
+        let kept = std::fs::read_to_string(file).unwrap_or_default();
+        assert!(kept == fresh, "docs/study.schema.json is not what `percuss schema` prints; write it again");
+    }
+
+    #[test]
+    fn every_table_refuses_unknown_keys_and_every_key_says_what_it_means() {
+        fn walk(schema: &Value, path: &str, keys: &mut usize) {
+            for one in alternatives(schema) {
+                if let Some(known) = properties(one) {
+                    assert_eq!(one.get("additionalProperties"), Some(&Value::Bool(false)), "{path}");
+                    for (key, of_key) in known {
+                        let path = format!("{path}.{key}");
+                        let words = of_key.get("description").and_then(Value::as_str).unwrap_or_default();
+                        assert!(words.len() > 8, "{path} does not say what it means");
+                        *keys += 1;
+                        walk(of_key, &path, keys);
+                    }
+                }
+                if let Some(items) = one.get("items") {
+                    walk(items, path, keys);
+                }
+            }
+        }
+        let mut keys = 0;
+        walk(study_schema(), "", &mut keys);
+        assert!(keys > 100, "only {keys} keys");
+        assert_eq!(keys, study_keys().len());
+        assert!(!study_schema().to_string().contains("\"null\""));
+    }
+}

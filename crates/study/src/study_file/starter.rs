@@ -1,0 +1,393 @@
+//! Commented starting study for a model: links and joints by name, and a contact with a result.
+
+use crate::checks::model_check::{CheckReport, JointRecord, check};
+use crate::evaluation::status::Status;
+use crate::mass::answer_mass::mass;
+use crate::mass::mass_report::MassReport;
+use crate::model::loading::Model;
+use crate::question::error::StudyError;
+use crate::question::field::{Field, Names};
+use crate::question::mass_question::{MassQuestion, Normal};
+use percuss_dynamics::{Base, Conditions, System};
+use percuss_mechanism::{LinkId, Mechanism};
+use std::fmt::Write;
+use std::sync::Arc;
+
+/// Largest number of contacts tried; for a robot with many tips the first is sufficient.
+const CANDIDATES: usize = 60;
+/// Largest number of names listed in a comment.
+const LISTED: usize = 40;
+/// Name endings of links that define a contact, and of the links that define the normal, as written by the
+/// suspension importer.
+const STATED: [(&str, &str); 3] = [
+    ("bump_stop_pad", "bump_stop"),
+    ("spring_seat", "spring_chassis_seat"),
+    ("damper_seat", "damper_chassis_seat"),
+];
+
+/// Suffixes of the link names of each side.
+const SIDES: [&str; 3] = ["", "_left", "_right"];
+
+/// Starting study of a model, as TOML with comments. The contact is the first with a finite effective mass:
+/// contacts defined by the importer (bump stops, springs of suspensions) first, then tips of the mechanism.
+/// Further keys are commented out. `path`: model path written to the study.
+///
+/// # Errors
+/// [`StudyError`]: loops that do not close, no contact with a result.
+pub fn starting_study(model: &Model, path: &str) -> Result<String, StudyError> {
+    let seen = check(model)?;
+    let base = if seen.degrees_of_freedom == 0 { Base::Floating } else { Base::Fixed };
+    let (question, report) = contact(model, base)?;
+    let conditions = Conditions::new().base(base);
+    let system = System::new(Arc::clone(&model.mechanism), &conditions)
+        .map_err(|error| StudyError::input(Field::of_condition(&error), error))?;
+    let mechanism = &model.mechanism;
+    let bound = mechanism.joint_ids().filter(|joint| system.is_bound(*joint));
+    let bound = bound.map(|joint| mechanism.joint(joint).name()).collect();
+    Ok(Starter { model, seen: &seen, question: &question, report: &report, bound }.text(path))
+}
+
+/// First contact with a finite mass at a regular pose; otherwise the best result found.
+fn contact(model: &Model, base: Base) -> Result<(MassQuestion, MassReport), StudyError> {
+    let rank = |report: &MassReport| match (report.status, report.singular_pose) {
+        (Status::Finite, false) => 0,
+        (Status::Finite, true) => 1,
+        (Status::Immovable | Status::Massless, _) => 2,
+    };
+    let mut best: Option<(MassQuestion, MassReport)> = None;
+    let mut failed = None;
+    for question in candidates(model, base).into_iter().take(CANDIDATES) {
+        match mass(model, &question) {
+            Ok(report) => {
+                if best.as_ref().is_none_or(|(_, so_far)| rank(&report) < rank(so_far)) {
+                    best = Some((question, report));
+                }
+                if best.as_ref().is_some_and(|(_, report)| rank(report) == 0) {
+                    break;
+                }
+            }
+            Err(error) => failed = Some(error),
+        }
+    }
+    // Every mechanism has a link, so there is at least one candidate.
+    match (best, failed) {
+        (Some(best), _) => Ok(best),
+        (None, Some(error)) => Err(error),
+        (None, None) => {
+            mass(model, &MassQuestion::anywhere()).map(|report| (MassQuestion::anywhere(), report))
+        }
+    }
+}
+
+/// Candidate contacts, in order of plausibility.
+fn candidates(model: &Model, base: Base) -> Vec<MassQuestion> {
+    let mechanism = &model.mechanism;
+    let name = |id: LinkId| mechanism.link(id).name();
+    let of = |link: LinkId, point: [f64; 3], normal: Normal| MassQuestion {
+        link: name(link).to_owned(),
+        point,
+        normal,
+        base,
+        names: Names::Keys,
+        ..MassQuestion::anywhere()
+    };
+    let mut found = Vec::new();
+    for (ending, toward) in STATED {
+        for link in mechanism.link_ids() {
+            // With two sides, the suffix of the side follows the ending.
+            let split = SIDES
+                .iter()
+                .find_map(|side| Some((name(link).strip_suffix(side)?.strip_suffix(ending)?, side)));
+            let Some((before, side)) = split else { continue };
+            let Ok(other) = mechanism.find_link(&format!("{before}{toward}{side}")) else { continue };
+            let against = mechanism.parent_joint(other).map(|joint| mechanism.joint(joint).parent());
+            let to = (name(other).to_owned(), [0.0; 3]);
+            // The line of a spring or damper turns with the suspension; a bump stop has a fixed face.
+            let is_stop = ending == "bump_stop_pad";
+            let normal = if is_stop { Normal::Toward(to.0, to.1) } else { Normal::TurningToward(to.0, to.1) };
+            let against = against.filter(|against| *against != link).map(|against| name(against).to_owned());
+            found.push(MassQuestion { against, ..of(link, [0.0; 3], normal) });
+        }
+    }
+    for link in tips(mechanism) {
+        for point in points(mechanism, link) {
+            for axis in [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] {
+                found.push(of(link, point, Normal::Along(axis)));
+            }
+        }
+    }
+    found
+}
+
+/// Links in order of decreasing number of movable joints between link and root; among equal numbers, links
+/// without children first.
+fn tips(mechanism: &Mechanism) -> Vec<LinkId> {
+    let depth = |link: LinkId| {
+        let above = std::iter::successors(mechanism.parent_joint(link), |joint| {
+            mechanism.parent_joint(mechanism.joint(*joint).parent())
+        });
+        above.filter(|joint| mechanism.joint(*joint).kind().dofs() > 0).count()
+    };
+    let carries = |link: LinkId| mechanism.joints().iter().any(|joint| joint.parent() == link);
+    let mut links: Vec<LinkId> = mechanism.link_ids().collect();
+    links.sort_by_key(|link| (std::cmp::Reverse(depth(*link)), carries(*link)));
+    links
+}
+
+/// Points of a link: centre of mass, origin, and a point away from both.
+fn points(mechanism: &Mechanism, link: LinkId) -> Vec<[f64; 3]> {
+    let size = 0.1 * mechanism.characteristic_length();
+    let mass = mechanism.link(link).inertial().filter(|inertial| inertial.mass > 0.0);
+    let com: Option<[f64; 3]> = mass.map(|inertial| inertial.com.into());
+    let com = com.map(|com| com.map(|x| (x * 1e6).round() / 1e6 + 0.0));
+    let beside = [1.0, 0.5, 0.25].map(|x| (x * size * 1e3).round().max(1.0) / 1e3);
+    let mut points: Vec<[f64; 3]> = com.into_iter().collect();
+    points.extend([[0.0; 3], beside]);
+    points.dedup();
+    points
+}
+
+/// Quoted TOML string; line breaks are escaped.
+fn quoted(text: &str) -> String {
+    let json = serde_json::to_string(text).unwrap_or_default();
+    json.replace('\u{7f}', "\\u007f")
+}
+
+/// TOML key, quoted if necessary.
+fn key(name: &str) -> String {
+    let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    if !name.is_empty() && name.chars().all(is_bare) { name.to_owned() } else { quoted(name) }
+}
+
+fn triple(values: &[f64; 3]) -> String {
+    format!("[{}, {}, {}]", values[0], values[1], values[2])
+}
+
+struct Starter<'a> {
+    model: &'a Model,
+    seen: &'a CheckReport,
+    question: &'a MassQuestion,
+    report: &'a MassReport,
+    /// Joints bound by loops.
+    bound: Vec<&'a str>,
+}
+
+impl Starter<'_> {
+    fn text(&self, path: &str) -> String {
+        let mut out = String::new();
+        // Writing to a string does not fail.
+        let _ = self.write(path, &mut out);
+        out
+    }
+
+    fn write(&self, path: &str, out: &mut String) -> std::fmt::Result {
+        let question = self.question;
+        writeln!(out, "# A study to start from, as percuss init writes it.")?;
+        writeln!(out, "#   percuss run STUDY.toml                          the answer")?;
+        writeln!(out, "#   percuss run STUDY.toml --report report.html     all of it, on one page")?;
+        writeln!(
+            out,
+            "# Lines that begin with \"# \" and a key or a [table] are suggestions: take the \"# \" away."
+        )?;
+        writeln!(out, "# All keys: docs/STUDIES.md; `percuss schema` prints them for editors.\n")?;
+        writeln!(out, "[model]\npath = {}\n", quoted(path))?;
+        self.links(out)?;
+        writeln!(
+            out,
+            "\n# Point and normal are in the frame of the link. The normal points out of it; its length does not matter."
+        )?;
+        writeln!(out, "[contact]\nlink = {}\npoint = {}", quoted(&question.link), triple(&question.point))?;
+        match &question.normal {
+            Normal::Along(normal) => writeln!(out, "normal = {}", triple(normal))?,
+            // The face of a stop follows the line as drawn, in the frame of the other side, which is the root
+            // link.
+            Normal::Toward(..) if self.faces_root() => {
+                let normal = self.report.contact.normal_world.map(|x| (x * 1e6).round() / 1e6 + 0.0);
+                writeln!(out, "normal = {}\nnormal_frame = \"against\"", triple(&normal))?;
+            }
+            Normal::Toward(link, point) | Normal::TurningToward(link, point) => {
+                let link = quoted(link);
+                writeln!(out, "along_line = {{ link = {link}, point = {} }}", triple(point))?;
+                if matches!(question.normal, Normal::TurningToward(..)) {
+                    writeln!(out, "turning_normal = true")?;
+                }
+            }
+        }
+        match &question.against {
+            Some(link) => writeln!(out, "against = {}", quoted(link))?,
+            None => writeln!(
+                out,
+                "#   against = \"LINK\": another link in place of the ground; or against_mass = \"2 kg\""
+            )?,
+        }
+        if question.base == Base::Floating {
+            writeln!(out, "\n# With a fixed root nothing moves.\n[conditions]\nbase = \"floating\"")?;
+        }
+        self.pose(out)?;
+        self.sweep(out)?;
+        writeln!(out, "\n# What the effective mass depends on, and what tolerances leave of it.")?;
+        writeln!(out, "# [mass]\n# explain = true\n# tolerance = \"mass=2%\"")?;
+        writeln!(out, "\n# The damper that gives a restitution, and the parameters for simulators.")?;
+        writeln!(
+            out,
+            "# [damping]\n# restitution = 0.3\n# stiffness = \"200 N/mm\"\n# speed = 0.5\n# for = [\"mujoco\"]"
+        )?;
+        self.variant(out)?;
+        self.map(out)?;
+        if question.against.is_none() && self.report.status == Status::Finite {
+            writeln!(
+                out,
+                "\n# How fast this contact may go where it may hit a person; the limit is that of your standard."
+            )?;
+            writeln!(out, "# [safe_speed]\n# region = \"chest\"\n# force = 280")?;
+        }
+        Ok(())
+    }
+
+    /// True if the other side is the root link, whose axes are the world's.
+    fn faces_root(&self) -> bool {
+        let mechanism = &self.model.mechanism;
+        self.question.against.as_deref() == Some(mechanism.link(mechanism.root()).name())
+    }
+
+    fn links(&self, out: &mut String) -> std::fmt::Result {
+        writeln!(out, "# Links (kg):")?;
+        for link in self.seen.links.iter().take(LISTED) {
+            writeln!(out, "#   {} {}", quoted(&link.name), link.mass)?;
+        }
+        self.more(self.seen.links.len(), out)
+    }
+
+    fn more(&self, count: usize, out: &mut String) -> std::fmt::Result {
+        if count > LISTED { writeln!(out, "#   and {} more: percuss check", count - LISTED) } else { Ok(()) }
+    }
+
+    /// Joints that can be set: drivers of loops, and joints outside of loops.
+    fn free(&self) -> Vec<&JointRecord> {
+        let (seen, assumed) = (self.seen, &self.report.assumptions);
+        let is_free = |joint: &&JointRecord| {
+            let in_loops = self.bound.contains(&joint.name.as_str());
+            assumed.free.contains(&joint.name) && (!in_loops || seen.drivers.contains(&joint.name))
+        };
+        seen.joints.iter().filter(is_free).collect()
+    }
+
+    fn pose(&self, out: &mut String) -> std::fmt::Result {
+        let free = self.free();
+        let single: Vec<&&JointRecord> = free.iter().filter(|joint| unit(joint).is_some()).collect();
+        if free.is_empty() {
+            return Ok(());
+        }
+        writeln!(out, "\n# Joints that can be set (what follows from loops follows):")?;
+        for joint in free.iter().take(LISTED) {
+            writeln!(out, "#   {} {}{}", quoted(&joint.name), joint.kind, range(joint))?;
+        }
+        self.more(free.len(), out)?;
+        let varied = self.vary();
+        let other = single.iter().find(|joint| match &varied {
+            None => true,
+            Some((varied, _)) => varied.is_some_and(|varied| varied != joint.name),
+        });
+        let set = |joint: &JointRecord| {
+            let at = self.report.pose.get(&joint.name).and_then(|values| values.first().copied());
+            format!("set = {{ {} = {:?} }}", key(&joint.name), at.unwrap_or_default() + 0.0)
+        };
+        match (other, single.first()) {
+            (Some(joint), _) => writeln!(out, "# [pose]\n# {}", set(joint)),
+            // The only joint is the varied joint, or the driver of the travel.
+            (None, Some(joint)) => {
+                writeln!(out, "#   [pose] {}, not beside a [sweep] that moves it", set(joint))
+            }
+            (None, None) => Ok(()),
+        }
+    }
+
+    fn sweep(&self, out: &mut String) -> std::fmt::Result {
+        let Some((_, vary)) = self.vary() else { return Ok(()) };
+        writeln!(out, "\n# The contact over a range. In place of output: CSV on stdout.")?;
+        writeln!(out, "# [sweep]\n# vary = {}\n# output = \"sweep.svg\"", quoted(&vary))
+    }
+
+    /// Range of a sweep, and the name of the varied joint: the wheel travel if there is a wheel (without a
+    /// joint name), otherwise a joint between the contact link and the root.
+    fn vary(&self) -> Option<(Option<&str>, String)> {
+        let mechanism = &self.model.mechanism;
+        let mut names = mechanism.links().iter().map(|link| link.name());
+        if let Some(wheel) = names.find(|name| name.starts_with("wheel_centre"))
+            && !mechanism.closures().is_empty()
+        {
+            return Some((None, format!("travel:{wheel}:0,0,0:0,0,1=-30mm:30mm:25")));
+        }
+        let free = self.free();
+        let link = mechanism.find_link(&self.question.link).ok()?;
+        let above = std::iter::successors(mechanism.parent_joint(link), |joint| {
+            mechanism.parent_joint(mechanism.joint(*joint).parent())
+        });
+        let carrying: Vec<&str> = above.map(|joint| mechanism.joint(joint).name()).collect();
+        let is_single = |joint: &&&JointRecord| unit(joint).is_some();
+        let joint = free.iter().filter(is_single).find(|joint| carrying.contains(&joint.name.as_str()));
+        let joint = joint.or_else(|| free.iter().find(is_single))?;
+        let at = self.report.pose.get(&joint.name)?.first().copied()?;
+        let (scale, unit) = unit(joint)?;
+        // Small range on both sides, within the limits.
+        let side = if unit == "deg" { 10_f64.to_radians() } else { 0.02 };
+        let [low, high] = joint.limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+        let (from, to) = ((at - side).max(low), (at + side).min(high));
+        let shown = |x: f64| (x * scale * 1e6).round() / 1e6 + 0.0;
+        let range = format!("{}={}{unit}:{}{unit}:21", joint.name, shown(from), shown(to));
+        let name = free.iter().find(|one| one.name == joint.name).map(|one| one.name.as_str());
+        (from < to).then_some((name, range))
+    }
+
+    fn variant(&self, out: &mut String) -> std::fmt::Result {
+        let most = self.report.bodies.iter().filter_map(|body| Some((body.share?, &body.link)));
+        let most = most.filter(|(share, _)| *share > 0.0).max_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((_, link)) = most else { return Ok(()) };
+        let Some(mass) = self.seen.links.iter().find(|l| l.name == *link).map(|l| l.mass) else {
+            return Ok(());
+        };
+        writeln!(
+            out,
+            "\n# The same with something changed, side by side: link_mass, link_com, armature, set, move, model."
+        )?;
+        let lighter = (0.9 * mass * 1e6).round() / 1e6;
+        let name = quoted(&format!("{link} 10 % lighter"));
+        writeln!(out, "# [[variant]]\n# name = {name}\n# link_mass = {{ {} = {lighter:?} }}", key(link))?;
+        let points = self.model.hardpoints();
+        let Some(point) = points.iter().find(|point| point.contains("ball")).or(points.first()) else {
+            return Ok(());
+        };
+        let name = quoted(&format!("{point} 5 mm higher"));
+        writeln!(out, "# [[variant]]\n# name = {name}\n# move = {{ {} = [0, 0, \"5 mm\"] }}", key(point))
+    }
+
+    fn map(&self, out: &mut String) -> std::fmt::Result {
+        let link = self.model.mechanism.find_link(&self.question.link).ok();
+        let shapes = |id: LinkId| self.model.shapes.get(id.index()).is_some_and(|shapes| !shapes.is_empty());
+        if !link.is_some_and(shapes) {
+            return Ok(());
+        }
+        writeln!(out, "\n# The effective mass over the surface of a link.")?;
+        writeln!(out, "# [map]\n# link = {}\n# output = \"map.png\"", quoted(&self.question.link))
+    }
+}
+
+/// Display unit of a position, and the number of units per SI unit; `None` unless the position is a single
+/// number.
+fn unit(joint: &JointRecord) -> Option<(f64, &'static str)> {
+    match joint.kind {
+        "revolute" | "continuous" => Some((180.0 / std::f64::consts::PI, "deg")),
+        "prismatic" => Some((1e3, "mm")),
+        _ => None,
+    }
+}
+
+fn range(joint: &JointRecord) -> String {
+    let shown = |x: f64, scale: f64| (x * scale * 1e3).round() / 1e3 + 0.0;
+    match (joint.limits, unit(joint)) {
+        (Some([low, high]), Some((scale, unit))) => {
+            format!(", {} to {} {unit}", shown(low, scale), shown(high, scale))
+        }
+        _ => String::new(),
+    }
+}

@@ -1,0 +1,204 @@
+//! Layout of the numbers of a row: joint positions first, then the travel of a point.
+
+use crate::evaluation::answer::Prepared;
+use crate::pose::driver::Driver;
+use crate::pose::travel::Travel;
+use crate::question::error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::question::varied_values::VariedColumn;
+use crate::question::vary::{Varied, Vary};
+use crate::units::quantity::{Dimension, position_dimension};
+use nalgebra::Vector3;
+use percuss_dynamics::{Configuration, System};
+use percuss_mechanism::{JointId, LinkId};
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Row layout with resolved names.
+#[derive(Debug)]
+pub(crate) struct Setting {
+    /// Positions set and guessed by the question.
+    base: Configuration,
+    /// `base` without guesses, for a row that continues from another row.
+    following: Configuration,
+    joints: Vec<SetJoint>,
+    travel: Option<TravelAlong>,
+    pub columns: Arc<[VariedColumn]>,
+    /// Field of the question that defines the rows.
+    field: Field,
+}
+
+/// Joint set by the rows, and the range of its numbers in a row.
+#[derive(Debug)]
+struct SetJoint {
+    joint: JointId,
+    name: String,
+    numbers: Range<usize>,
+}
+
+/// Travel that starts at the pose of the joints set before.
+#[derive(Debug)]
+struct TravelAlong {
+    link: LinkId,
+    point: Vector3<f64>,
+    direction: Vector3<f64>,
+    /// Set joints; these cannot drive the travel.
+    set: Vec<JointId>,
+}
+
+impl Setting {
+    /// Layout of the ranges of a grid.
+    pub fn of_grid(prepared: &Prepared, ranges: &[Vary]) -> Result<Self, StudyError> {
+        let mechanism = prepared.system.mechanism();
+        let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
+        let mut travel = None;
+        let mut joints = Vec::new();
+        for (number, vary) in ranges.iter().enumerate() {
+            match &vary.what {
+                Varied::Joint(name) => {
+                    let joint = single_joint(prepared, name)?;
+                    if joints.contains(&joint) {
+                        return Err(refuse(Fault::VariedTwice { joint: name.clone() }));
+                    }
+                    joints.push(joint);
+                }
+                Varied::Travel { .. } if number + 1 < ranges.len() => {
+                    return Err(refuse(Fault::TravelNotLast { name: vary.name() }));
+                }
+                Varied::Travel { link, point, direction } => {
+                    let link = mechanism.find_link(link).map_err(|error| refuse(error.into()))?;
+                    travel = Some((link, Vector3::from(*point), Vector3::from(*direction)));
+                }
+            }
+        }
+        let mut setting = Self::of_joints(prepared, &joints, Field::Vary);
+        if let Some((link, point, direction)) = travel {
+            let by_question =
+                prepared.question.set.iter().filter_map(|(set, _)| mechanism.find_joint(set).ok());
+            let set = joints.into_iter().chain(by_question).collect();
+            setting.travel = Some(TravelAlong { link, point, direction, set });
+            let column = VariedColumn {
+                name: ranges.last().map_or_else(String::new, Vary::name),
+                unit: "m",
+                joint: None,
+            };
+            setting.columns = setting.columns.iter().cloned().chain([column]).collect();
+        }
+        Ok(setting)
+    }
+
+    /// Layout of the positions of some joints, with all components in sequence.
+    pub fn of_joints(prepared: &Prepared, joints: &[JointId], field: Field) -> Self {
+        let mechanism = prepared.system.mechanism();
+        let (mut set, mut columns, mut first) = (Vec::new(), Vec::new(), 0);
+        for &joint in joints {
+            let (name, kind) = (mechanism.joint(joint).name(), mechanism.joint(joint).kind());
+            let numbers = first..first + kind.positions();
+            first = numbers.end;
+            columns.extend((0..kind.positions()).map(|i| VariedColumn {
+                name: if kind.positions() == 1 { name.to_owned() } else { format!("{name}[{i}]") },
+                unit: position_dimension(kind, i).unit(),
+                joint: Some(name.to_owned()),
+            }));
+            set.push(SetJoint { joint, name: name.to_owned(), numbers });
+        }
+        Self {
+            base: prepared.configuration.clone(),
+            following: prepared.configuration.clone().without_guesses(),
+            joints: set,
+            travel: None,
+            columns: columns.into(),
+            field,
+        }
+    }
+
+    /// Number of values in a row.
+    pub fn width(&self) -> usize {
+        self.columns.len()
+    }
+
+    /// True if the last number is a travel.
+    pub fn travels(&self) -> bool {
+        self.travel.is_some()
+    }
+
+    /// Dimension of the numbers of a column.
+    pub fn dimension(&self, column: usize) -> Dimension {
+        let mechanism = self.base.mechanism();
+        let joint = self.joints.iter().find(|set| set.numbers.contains(&column));
+        joint.map_or(Dimension::Length, |set| {
+            position_dimension(mechanism.joint(set.joint).kind(), column - set.numbers.start)
+        })
+    }
+
+    /// Description of the varied quantities for messages.
+    pub fn what(&self) -> String {
+        match (&self.travel, &self.joints[..]) {
+            (Some(_), _) => "the travel".into(),
+            (None, [one]) => format!("\"{}\"", one.name),
+            (None, _) => "what is varied".into(),
+        }
+    }
+
+    /// Name of the joint of the last number.
+    pub fn last_joint(&self) -> Option<&str> {
+        self.joints.last().map(|set| set.name.as_str())
+    }
+
+    /// Joints set by the rows, each with the range of its numbers.
+    pub fn joints(&self) -> impl Iterator<Item = (JointId, &Range<usize>)> {
+        self.joints.iter().map(|set| (set.joint, &set.numbers))
+    }
+
+    /// Configuration of a row. `followed`: the row continues from another row, so guesses are ignored.
+    pub fn configuration(&self, values: &[f64], followed: bool) -> Result<Configuration, StudyError> {
+        let mut configuration = if followed { self.following.clone() } else { self.base.clone() };
+        for SetJoint { name, numbers, .. } in &self.joints {
+            configuration
+                .set(name, &values[numbers.clone()])
+                .map_err(|error| StudyError::input(self.field, error))?;
+        }
+        Ok(configuration)
+    }
+
+    /// Configuration with all varied values at 0; quaternions are the identity.
+    pub fn at_zero(&self) -> Result<Configuration, StudyError> {
+        let zeros: Vec<f64> =
+            self.joints.iter().flat_map(|set| self.base.get(set.joint)).copied().chain([0.0]).collect();
+        self.configuration(&zeros, false)
+    }
+
+    /// Travel from the pose of the joints of a row, and the driver of the travel; `None` without a travel.
+    pub fn travel(&self, system: &System, values: &[f64]) -> Result<Option<(Travel, Driver)>, StudyError> {
+        let Some(along) = &self.travel else { return Ok(None) };
+        let base = self.configuration(values, false)?;
+        let is_set = |joint: JointId| along.set.contains(&joint);
+        Travel::new(system, &base, self.field, along.link, along.point, along.direction, &is_set).map(Some)
+    }
+
+    /// Largest displacement of a joint of a row from the positions `from`, rad or m, over joints with one
+    /// number.
+    pub fn distance(&self, values: &[f64], from: impl Fn(JointId) -> f64) -> f64 {
+        let single = self.joints.iter().filter(|set| set.numbers.len() == 1);
+        single.map(|set| (values[set.numbers.start] - from(set.joint)).abs()).fold(0.0, f64::max)
+    }
+}
+
+/// Joint with this name, if a range can vary the joint.
+fn single_joint(prepared: &Prepared, name: &str) -> Result<JointId, StudyError> {
+    let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
+    let mechanism = prepared.system.mechanism();
+    let joint = mechanism.find_joint(name).map_err(|error| refuse(error.into()))?;
+    let found = mechanism.joint(joint);
+    if found.kind().positions() != 1 {
+        return Err(refuse(Fault::NoSinglePosition { joint: name.to_owned(), kind: found.kind() }));
+    }
+    if let Some(mimic) = found.mimic() {
+        let master = mechanism.joint(mimic.master).name().to_owned();
+        return Err(refuse(Fault::VariedMimic { joint: name.to_owned(), master }));
+    }
+    if prepared.question.set.iter().any(|(set, _)| set == name) {
+        return Err(refuse(Fault::VariedIsSet { joint: name.to_owned() }));
+    }
+    Ok(joint)
+}

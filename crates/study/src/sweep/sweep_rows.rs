@@ -1,0 +1,267 @@
+//! Evaluation of one contact at many rows of positions, with loops closed along one branch. Rows are handed out
+//! in order and are not stored.
+
+use crate::checks::finding::{Finding, Subject};
+use crate::evaluation::answer::Prepared;
+use crate::evaluation::random_rows::RandomRows;
+use crate::model::loading::Model;
+use crate::model::record::DiagnosticRecord;
+use crate::pose::positions::PoseLayout;
+use crate::pose::unreachable_range::Untried;
+use crate::question::error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::question::mass_question::MassQuestion;
+use crate::question::row_source::RowSource;
+use crate::question::varied_values::VariedColumn;
+use crate::question::vary::{Varied, Vary};
+use crate::sweep::context::Swept;
+use crate::sweep::continuation;
+use crate::sweep::lanes::InLanes;
+use crate::sweep::pipeline;
+use crate::sweep::row_blocks::Rows;
+use crate::sweep::row_layout::Setting;
+use crate::sweep::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
+use crate::tables::trajectory::Trajectory;
+use crate::thresholds::{GRID_ROWS, ROWS};
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+/// Prepared sweep: resolved names, checked numbers, known contact.
+#[derive(Debug)]
+pub struct Sweep<'a> {
+    swept: Swept<'a>,
+    rows: Rows,
+    /// Finding about the converted contact point.
+    about_point: Option<Finding>,
+}
+
+/// Evaluates a contact at many rows of positions; `each` receives the rows and may end the sweep.
+///
+/// A point given in another frame than the contact link's frame is converted once, at the pose of the question
+/// with all varied values at 0, and is then fixed to the link. The conversion is independent of the rows. An
+/// unreachable row has an error message, and the sweep continues from the last row reached; rows known to lie
+/// beyond the end of the branch are not tried.
+///
+/// # Errors
+/// [`StudyError`]: unknown names, a quantity that cannot be varied, an invalid contact.
+pub fn sweep(
+    model: &Model,
+    question: &MassQuestion,
+    source: impl Into<RowSource>,
+    each: &mut dyn FnMut(SweepRow) -> ControlFlow<()>,
+) -> Result<SweepEnd, StudyError> {
+    Sweep::new(model, question, source)?.run(each)
+}
+
+/// Sweep with all rows in memory, some hundred bytes each.
+///
+/// # Errors
+/// [`StudyError`], as for [`sweep()`].
+pub fn sweep_report(
+    model: &Model,
+    question: &MassQuestion,
+    source: impl Into<RowSource>,
+) -> Result<SweepReport, StudyError> {
+    let sweep = Sweep::new(model, question, source)?;
+    let heading = sweep.heading().clone();
+    let mut rows = Vec::new();
+    let end = sweep.run(&mut |row| {
+        rows.push(row);
+        ControlFlow::Continue(())
+    })?;
+    let diagnostics = model.diagnostics.iter().cloned().chain(end.diagnostics).collect();
+    Ok(SweepReport { heading, rows, diagnostics })
+}
+
+impl<'a> Sweep<'a> {
+    /// Prepares a sweep.
+    ///
+    /// # Errors
+    /// [`StudyError`], as for [`sweep()`], as far as errors are detectable without rows.
+    pub fn new(
+        model: &'a Model,
+        question: &'a MassQuestion,
+        source: impl Into<RowSource>,
+    ) -> Result<Self, StudyError> {
+        let prepared = Prepared::new(model, question)?;
+        let (setting, rows) = match with_travel(&prepared, source.into())? {
+            RowSource::Grid(ranges) => grid(&prepared, &ranges)?,
+            RowSource::File(file) => {
+                let refuse = |error| StudyError::input(Field::Input, Fault::Table(Box::new(error)));
+                let trajectory = Trajectory::open(&prepared, &file).map_err(refuse)?;
+                let setting = Setting::of_joints(&prepared, trajectory.joints(), Field::Input);
+                (setting, Rows::File(Box::new(trajectory)))
+            }
+            RowSource::Random { count, seed } => {
+                if count == 0 || count > GRID_ROWS {
+                    return Err(StudyError::input(Field::Random, Fault::RandomRows { count }));
+                }
+                let random = RandomRows::new(&prepared, count, seed)?;
+                (Setting::of_joints(&prepared, &random.joints, Field::Random), Rows::Random(random))
+            }
+        };
+        let seed = match &rows {
+            Rows::Random(random) => Some(random.seed),
+            Rows::Grid(_) | Rows::File(_) => None,
+        };
+        let mut inputs = prepared.inputs();
+        if let Rows::File(file) = &rows {
+            inputs.push(file.input.clone());
+        }
+        let travel = if setting.travels() && setting.width() == 1 {
+            setting.travel(&prepared.system, &[0.0])?.map(Arc::new)
+        } else {
+            None
+        };
+        let contact = match prepared.contact_in_link() {
+            Some(contact) => contact,
+            None => {
+                let travel = travel.as_ref().map(|travel| &travel.0);
+                let reference = line::reference(&prepared.system, &setting, travel);
+                let is_varied = |joint: &str| is_varied(&setting.columns, joint);
+                prepared.contact_at(&reference.map_err(|error| error.of_varied(is_varied))?)
+            }
+        };
+        let about_point = prepared.about_point(&contact, &format!("where {} is 0", setting.what()));
+        let heading = SweepHeading {
+            schema: "percuss.sweep/2",
+            percuss: env!("CARGO_PKG_VERSION"),
+            inputs,
+            varied: setting.columns.to_vec(),
+            continuation: continuation(&prepared, &rows),
+            seed,
+            link: question.link.clone(),
+            joints: PoseLayout::new(&model.mechanism),
+        };
+        let (along, lanes) = (rows.along(), InLanes::new(&prepared, &setting, &contact));
+        let swept = Swept { prepared, setting, travel, contact, heading, along, lanes };
+        Ok(Self { swept, rows, about_point })
+    }
+
+    /// Heading: data common to all rows.
+    pub fn heading(&self) -> &SweepHeading {
+        &self.swept.heading
+    }
+
+    /// Number of rows, if known.
+    pub fn count(&self) -> Option<usize> {
+        self.rows.count()
+    }
+
+    /// Computes the rows; `each` receives the rows in order and may end the sweep.
+    ///
+    /// # Errors
+    /// [`StudyError`], as for [`sweep()`], before the first row with a result. Later errors are recorded in
+    /// their rows.
+    pub fn run(self, each: &mut dyn FnMut(SweepRow) -> ControlFlow<()>) -> Result<SweepEnd, StudyError> {
+        self.run_made(&|row| row, each)
+    }
+
+    /// Same as [`run`](Self::run), but `each` receives the values of `made(row)`. Any thread of rayon's pool
+    /// may call `made`, in any order.
+    ///
+    /// # Errors
+    /// As for [`run`](Self::run).
+    pub fn run_made<T: Send>(
+        self,
+        made: &(dyn Fn(SweepRow) -> T + Sync),
+        each: &mut dyn FnMut(T) -> ControlFlow<()>,
+    ) -> Result<SweepEnd, StudyError> {
+        let Self { swept, rows, about_point } = self;
+        let came = stages::run(&swept, rows, made, each)
+            .map_err(|error| error.of_varied(|joint| is_varied(&swept.heading.varied, joint)))?;
+        let mut end = came.end;
+        let of_all =
+            about_point.into_iter().chain(about_continuation(&swept.prepared, swept.heading.continuation));
+        let of_all = of_all.chain(came.untried.map(about_untried));
+        end.diagnostics =
+            of_all.map(DiagnosticRecord::from).chain(came.tally.into_records(end.rows)).collect();
+        Ok(end)
+    }
+}
+
+fn is_varied(columns: &[VariedColumn], joint: &str) -> bool {
+    columns.iter().any(|column| column.joint.as_deref() == Some(joint))
+}
+
+/// Appends a travel of the question to the ranges, as last range with one value.
+fn with_travel(prepared: &Prepared, source: RowSource) -> Result<RowSource, StudyError> {
+    match (&prepared.question.travel[..], source) {
+        ([], source) => Ok(source),
+        ([travel], RowSource::Grid(mut ranges))
+            if ranges.iter().all(|vary| matches!(vary.what, Varied::Joint(_))) =>
+        {
+            ranges.push(travel.as_range());
+            Ok(RowSource::Grid(ranges))
+        }
+        _ => Err(StudyError::input(Field::Travel, Fault::TravelOfRows)),
+    }
+}
+
+/// Row layout and rows of a grid.
+fn grid(prepared: &Prepared, ranges: &[Vary]) -> Result<(Setting, Rows), StudyError> {
+    let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
+    if let Some(vary) = ranges.iter().find(|vary| !ROWS.contains(&vary.count)) {
+        return Err(refuse(Fault::Rows { count: vary.count }));
+    }
+    let count: u128 = ranges.iter().map(|vary| vary.count as u128).fold(1, u128::saturating_mul);
+    if ranges.is_empty() {
+        return Err(refuse(Fault::Rows { count: 0 }));
+    }
+    if ranges.len() > 1 && count > GRID_ROWS as u128 {
+        return Err(refuse(Fault::Combinations { count }));
+    }
+    let setting = Setting::of_grid(prepared, ranges)?;
+    let values = |(column, vary): (usize, &Vary)| {
+        vary.values(setting.dimension(column)).map_err(|error| refuse(Fault::Range(error)))
+    };
+    let values = ranges.iter().enumerate().map(values).collect::<Result<Vec<_>, _>>()?;
+    Ok((setting, Rows::Grid(values)))
+}
+
+fn has_loops(prepared: &Prepared) -> bool {
+    let system = &prepared.system;
+    system.mechanism().joint_ids().any(|joint| system.is_bound(joint))
+}
+
+/// Continuation of the rows. Without loops no pose depends on another pose.
+fn continuation(prepared: &Prepared, rows: &Rows) -> Continuation {
+    if !has_loops(prepared) {
+        return Continuation::Independent;
+    }
+    match (rows.line(), rows.count()) {
+        (Some(1), _) => Continuation::Independent,
+        (Some(line), Some(all)) if line < all => Continuation::Lines,
+        _ => Continuation::Path,
+    }
+}
+
+/// Finding about the continuation of the rows, if the mechanism has loops.
+fn about_continuation(prepared: &Prepared, continuation: Continuation) -> Option<Finding> {
+    if !has_loops(prepared) {
+        return None;
+    }
+    let message = match continuation {
+        Continuation::Path => {
+            "each row was followed from the one before, the loops closed on the same branch: the rows are one path"
+        }
+        Continuation::Lines => {
+            "each line of the grid was followed from its own first row, along what is varied last; lines do not depend on one \
+             another"
+        }
+        Continuation::Independent => {
+            "each row was answered by itself, the loops closed from the first closed pose: rows do not depend on one another"
+        }
+    };
+    Some(Finding::note("rows-followed", Subject::Answer, message))
+}
+
+/// Finding with the number of rows that were not tried, and the reason.
+fn about_untried(untried: Untried) -> Finding {
+    let Untried { count, first, found_by } = untried;
+    let message = format!(
+        "{count} row(s) were not tried, row {first} the first: they lie at least as far out as where row {found_by} \
+         ended (its error has the reason)"
+    );
+    Finding::note("rows-not-tried", Subject::Answer, message)
+}

@@ -1,0 +1,254 @@
+//! Columns of a position file: joint, component and unit of each column.
+
+use crate::evaluation::answer::Prepared;
+use crate::question::table_error::{TableError, TableFault};
+use crate::units::quantity::{Unit, position_dimension};
+use percuss_mechanism::{JointId, Mechanism};
+use std::collections::HashMap;
+
+/// Target and unit of the cells in a column.
+#[derive(Clone, Copy, Debug)]
+struct Cell {
+    /// Index in the numbers of a row.
+    value: usize,
+    unit: Unit,
+}
+
+impl Cell {
+    /// Stores a number, converted to SI units, in a row. Returns false if the number is not finite.
+    fn put(&self, read: f64, values: &mut [f64]) -> bool {
+        let value = self.unit.to_si(read);
+        if value.is_finite() {
+            values[self.value] = value;
+        }
+        value.is_finite()
+    }
+}
+
+/// Columns of a file.
+#[derive(Clone, Debug)]
+pub(crate) struct Columns {
+    names: Vec<String>,
+    /// Cell of each column; `None` for an ignored column.
+    cells: Vec<Option<Cell>>,
+    /// Joints in the order of their first columns. The numbers of a row are in the same order, those of a joint contiguous.
+    pub joints: Vec<JointId>,
+    /// Number of numbers in a row.
+    pub width: usize,
+}
+
+/// Position component of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+struct Number {
+    joint: JointId,
+    component: usize,
+}
+
+impl Columns {
+    /// Columns for these names; `at_names` is the position of the names in the file.
+    pub fn new(
+        prepared: &Prepared,
+        names: Vec<String>,
+        ignore: &[String],
+        at_names: impl Fn(TableFault) -> TableError,
+    ) -> Result<Self, TableError> {
+        let mechanism = prepared.system.mechanism();
+        let known = numbers_by_name(mechanism);
+        let mut found: Vec<Option<(Number, Unit)>> = Vec::with_capacity(names.len());
+        for (at, name) in names.iter().enumerate() {
+            let refuse = |fault: TableFault| at_names(fault).in_column(at, name);
+            if ignore.contains(name) {
+                found.push(None);
+                continue;
+            }
+            let (number, unit) = read_name(mechanism, &known, name).map_err(refuse)?;
+            let joint = mechanism.joint(number.joint);
+            if let Some(mimic) = joint.mimic() {
+                let master = mechanism.joint(mimic.master).name().to_owned();
+                return Err(refuse(TableFault::Mimic { joint: joint.name().to_owned(), master }));
+            }
+            if prepared.question.set.iter().any(|(set, _)| set == joint.name()) {
+                return Err(refuse(TableFault::IsSet { joint: joint.name().to_owned() }));
+            }
+            if let Some(first) = found.iter().position(|other| other.is_some_and(|(n, _)| n == number)) {
+                return Err(refuse(TableFault::Twice { first: first + 1 }));
+            }
+            found.push(Some((number, unit)));
+        }
+        let mut joints: Vec<JointId> = Vec::new();
+        for (number, _) in found.iter().flatten() {
+            if !joints.contains(&number.joint) {
+                joints.push(number.joint);
+            }
+        }
+        let mut starts = HashMap::new();
+        let (mut width, mut missing) = (0, Vec::new());
+        for &joint in &joints {
+            starts.insert(joint, width);
+            let positions = mechanism.joint(joint).kind().positions();
+            width += positions;
+            let given = |component: &usize| {
+                found.iter().flatten().any(|(n, _)| *n == Number { joint, component: *component })
+            };
+            missing.extend((0..positions).filter(|i| !given(i)).map(|i| column_name(mechanism, joint, i)));
+        }
+        if !missing.is_empty() {
+            return Err(at_names(TableFault::Missing { columns: missing }));
+        }
+        let cell =
+            |(number, unit): (Number, Unit)| Cell { value: starts[&number.joint] + number.component, unit };
+        Ok(Self { cells: found.into_iter().map(|f| f.map(cell)).collect(), names, joints, width })
+    }
+
+    /// Names of joints outside loops that neither a column nor the query sets.
+    pub fn unset_outside_loops(&self, prepared: &Prepared) -> Vec<String> {
+        let mechanism = prepared.system.mechanism();
+        let free = |joint: &JointId| {
+            let found = mechanism.joint(*joint);
+            found.kind().positions() > 0 && found.mimic().is_none() && !prepared.system.is_bound(*joint)
+        };
+        self.unset(prepared, mechanism.joint_ids().filter(free))
+    }
+
+    /// Column names for the joints among `joints` that neither a column nor the query sets.
+    pub fn unset(&self, prepared: &Prepared, joints: impl Iterator<Item = JointId>) -> Vec<String> {
+        let mechanism = prepared.system.mechanism();
+        let is_set = |joint: &JointId| {
+            let name = mechanism.joint(*joint).name();
+            self.joints.contains(joint) || prepared.question.set.iter().any(|(set, _)| set == name)
+        };
+        let unset = joints.filter(|joint| !is_set(joint));
+        let columns =
+            unset.flat_map(|joint| (0..mechanism.joint(joint).kind().positions()).map(move |i| (joint, i)));
+        columns.map(|(joint, i)| column_name(mechanism, joint, i)).collect()
+    }
+
+    /// First column of a joint: index, from 0, and name.
+    pub fn of_joint(&self, joint: JointId, mechanism: &Mechanism) -> Option<(usize, &str)> {
+        let before = self.joints.iter().take_while(|other| **other != joint);
+        let start: usize = before.map(|other| mechanism.joint(*other).kind().positions()).sum();
+        let at = self.cells.iter().position(|cell| cell.is_some_and(|cell| cell.value == start))?;
+        Some((at, &self.names[at]))
+    }
+
+    /// Reads the numbers of a row from the text of the cells.
+    pub fn read<'c>(
+        &self,
+        cells: impl ExactSizeIterator<Item = &'c str>,
+        values: &mut [f64],
+        at: impl Fn(TableFault) -> TableError,
+    ) -> Result<(), TableError> {
+        if cells.len() != self.cells.len() {
+            return Err(at(TableFault::Cells { got: cells.len(), expected: self.cells.len() }));
+        }
+        for (number, (text, cell)) in cells.zip(&self.cells).enumerate() {
+            let Some(cell) = cell else { continue };
+            let fault = match text.parse::<f64>() {
+                Ok(read) if cell.put(read, values) => continue,
+                Ok(_) => TableFault::NotFinite { text: shortened(text) },
+                Err(_) if text.is_empty() => TableFault::Empty,
+                Err(_) => TableFault::NoNumber { text: shortened(text) },
+            };
+            return Err(at(fault).in_column(number, &self.names[number]));
+        }
+        Ok(())
+    }
+
+    /// Stores the numbers of a row; `numbers`: column index and number, `None` for a null.
+    pub fn take(
+        &self,
+        numbers: impl Iterator<Item = (usize, Option<f64>)>,
+        values: &mut [f64],
+        at: impl Fn(TableFault) -> TableError,
+    ) -> Result<(), TableError> {
+        for (number, read) in numbers {
+            let Some(cell) = &self.cells[number] else { continue };
+            let fault = match read {
+                Some(read) if cell.put(read, values) => continue,
+                Some(read) => TableFault::NotFinite { text: read.to_string() },
+                None => TableFault::Null,
+            };
+            return Err(at(fault).in_column(number, &self.names[number]));
+        }
+        Ok(())
+    }
+
+    /// Indices of the columns that are not ignored.
+    pub fn chosen(&self) -> impl Iterator<Item = usize> {
+        self.cells.iter().enumerate().filter(|(_, cell)| cell.is_some()).map(|(number, _)| number)
+    }
+}
+
+/// Text of a cell for a message, at most 40 characters.
+fn shortened(text: &str) -> String {
+    if text.chars().count() > 40 { text.chars().take(40).chain(['…']).collect() } else { text.to_owned() }
+}
+
+/// Column name of a position component.
+fn column_name(mechanism: &Mechanism, joint: JointId, component: usize) -> String {
+    let joint = mechanism.joint(joint);
+    match joint.kind().positions() {
+        1 => joint.name().to_owned(),
+        _ => format!("{}[{component}]", joint.name()),
+    }
+}
+
+/// Position components of all joints by column name.
+fn numbers_by_name(mechanism: &Mechanism) -> HashMap<String, Number> {
+    let numbers = mechanism.joint_ids().flat_map(|joint| {
+        (0..mechanism.joint(joint).kind().positions()).map(move |component| Number { joint, component })
+    });
+    numbers.map(|n| (column_name(mechanism, n.joint, n.component), n)).collect()
+}
+
+/// Position component and unit for a column name.
+fn read_name(
+    mechanism: &Mechanism,
+    known: &HashMap<String, Number>,
+    name: &str,
+) -> Result<(Number, Unit), TableFault> {
+    let expected = |n: Number| position_dimension(mechanism.joint(n.joint).kind(), n.component);
+    if let Some(&number) = known.get(name) {
+        return Ok((number, Unit::SI));
+    }
+    if name.is_empty() {
+        return Err(TableFault::NoName);
+    }
+    // Written tables have an apostrophe before a name that a spreadsheet would read as a formula.
+    if let Some(written) = name.strip_prefix('\'')
+        && written.starts_with(['=', '+', '-', '@', '\t', '\r'])
+    {
+        return read_name(mechanism, known, written);
+    }
+    let with_unit = name.strip_suffix(']').and_then(|name| name.rsplit_once('['));
+    if let Some((before, unit)) = with_unit
+        && let Some(&number) = known.get(before.trim_end())
+    {
+        let (unit, expected) = (unit.trim(), expected(number));
+        return match Unit::named(unit) {
+            Some(found) if found.dimension == expected => Ok((number, found)),
+            Some(found) => {
+                Err(TableFault::WrongUnit { unit: unit.to_owned(), got: found.dimension, expected })
+            }
+            None => Err(TableFault::UnknownUnit { unit: unit.to_owned(), expected }),
+        };
+    }
+    let joint = mechanism.find_joint(name)?;
+    Err(match mechanism.joint(joint).kind().positions() {
+        0 => TableFault::Fixed { joint: name.to_owned() },
+        numbers => TableFault::Components { joint: name.to_owned(), numbers },
+    })
+}
+
+/// Refuses a header with a single name that contains semicolons or tabs: the separator of the file is no comma.
+pub(crate) fn separated_by_commas(names: &[String]) -> Result<(), TableFault> {
+    let [name] = names else { return Ok(()) };
+    for separator in [';', '\t'] {
+        let count = name.matches(separator).count();
+        if count > 0 {
+            let separator = if separator == '\t' { '⇥' } else { separator };
+            return Err(TableFault::Separator { separator, count });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,67 @@
+//! Position of a joint as given by the user. Each number keeps the dimension of its unit until the kind of the
+//! joint is known.
+
+use crate::units::quantity::{Quantity, QuantityError, position_dimension};
+use percuss_mechanism::JointKind;
+
+/// Position of a joint, in the layout of the joint's kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenPosition {
+    values: Vec<Quantity>,
+    /// Text as typed, for reports only.
+    text: String,
+}
+
+impl GivenPosition {
+    /// Reads comma-separated numbers with optional units: `30deg`, `1,0,0,0`.
+    ///
+    /// # Errors
+    /// [`QuantityError`] of the first invalid number.
+    pub fn parse(text: &str) -> Result<Self, QuantityError> {
+        let values = text.split(',').map(Quantity::parse).collect::<Result<_, _>>()?;
+        Ok(Self { values, text: text.to_owned() })
+    }
+
+    /// Position from numbers in SI units.
+    ///
+    /// # Errors
+    /// [`QuantityError::NotFinite`].
+    pub fn from_numbers(numbers: &[f64]) -> Result<Self, QuantityError> {
+        let values = numbers.iter().map(|x| Quantity::number(*x)).collect::<Result<_, _>>()?;
+        let text = numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
+        Ok(Self { values, text })
+    }
+
+    /// Text as typed.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Values in SI units, if the units match the kind of the joint.
+    ///
+    /// # Errors
+    /// [`QuantityError::WrongUnit`].
+    pub(crate) fn of_joint(&self, kind: JointKind) -> Result<Vec<f64>, QuantityError> {
+        let value = |(i, quantity): (usize, &Quantity)| {
+            quantity.of(position_dimension(kind, i), &quantity.to_string())
+        };
+        self.values.iter().enumerate().map(value).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_checked_against_the_kind_of_the_joint() {
+        let planar = GivenPosition::parse("12mm,1,90deg").unwrap();
+        assert_eq!(planar.of_joint(JointKind::Planar).unwrap(), [0.012, 1.0, std::f64::consts::FRAC_PI_2]);
+        assert!(matches!(planar.of_joint(JointKind::Revolute), Err(QuantityError::WrongUnit { .. })));
+        assert_eq!(
+            GivenPosition::from_numbers(&[0.5]).unwrap().of_joint(JointKind::Prismatic).unwrap(),
+            [0.5]
+        );
+        assert!(matches!(GivenPosition::from_numbers(&[f64::NAN]), Err(QuantityError::NotFinite { .. })));
+    }
+}

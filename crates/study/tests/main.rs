@@ -1,0 +1,4 @@
+//! Studies.
+
+mod drift;
+mod stops;
