@@ -16,6 +16,7 @@ use args::{Cli, Command, asked_of, short_help};
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
 use std::ffi::OsString;
+use terminal::{escape, report, wrap};
 
 /// Runs the command and returns the exit code. The first argument is the name of the program. The version and invalid
 /// usage end the process.
@@ -37,18 +38,18 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let cli = parsed.unwrap_or_else(|error| refuse(&error.format(&mut Cli::definition()), &arguments));
     report::show_notes(cli.notes);
     let outcome = match &cli.command {
-        Command::Check(args) => check::run(args),
-        Command::Mass(args) => mass::run(args),
-        Command::Sweep(args) => sweep::run(args),
-        Command::Compare(args) => compare::run(args),
-        Command::Map(args) => map::run(args),
-        Command::Template(args) => template::run(args),
-        Command::Import(args) => import::run(args),
-        Command::Damp(args) => damp::run(args),
-        Command::SafeSpeed(args) => safe_speed::run(args),
-        Command::Run(args) => run::run(args),
-        Command::Init(args) => init::run(args),
-        Command::Schema => init::schema(),
+        Command::Check(args) => commands::check::run(args),
+        Command::Mass(args) => commands::mass::run(args),
+        Command::Sweep(args) => commands::sweep::run(args),
+        Command::Compare(args) => commands::compare::run(args),
+        Command::Map(args) => commands::map::run(args),
+        Command::Template(args) => commands::template::run(args),
+        Command::Import(args) => commands::import::run(args),
+        Command::Damp(args) => commands::damp::run(args),
+        Command::SafeSpeed(args) => commands::safe_speed::run(args),
+        Command::Run(args) => commands::run::run(args),
+        Command::Init(args) => commands::init::run(args),
+        Command::Schema => commands::init::schema(),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(*shell, &mut Cli::definition(), "percuss", &mut script);

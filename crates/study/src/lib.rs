@@ -33,6 +33,7 @@ pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, d
 pub use damper::joint_stop::{JointStop, StopEnd, StopRecord};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
+pub use evaluation::status::Status;
 pub use map::map_report::{
     Extreme, FacetRecord, LeftOut, LinkMap, MapAnswer, MapReport, OrientationRecord, SkinFacets,
 };
@@ -45,7 +46,7 @@ pub use mass::explain::{
     Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
 };
 pub use mass::mass_report::{
-    BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, Status, TravelRecord,
+    BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, TravelRecord,
 };
 pub use mass::motion_ratio::MotionRatioRecord;
 pub use mass::tolerance::{

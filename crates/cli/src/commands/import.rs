@@ -3,10 +3,11 @@
 use crate::args::{AxesArg, ImportArgs, SideArg, UnitArg};
 use crate::files::output::{is_input, may_be_written, write_file};
 use crate::files::own_files::sealed;
+use crate::files::picture;
+use crate::pictures::import_picture;
 use crate::terminal::failure::Failure;
 use crate::terminal::import_text::understood;
 use crate::terminal::report::{write_as_is, write_diagnostics, write_out};
-use crate::{import_picture, picture};
 use percuss_formats::suspension::{ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import};
 use percuss_formats::{Source, write_urdf_with};
 use percuss_study::DiagnosticRecord;

@@ -2,6 +2,10 @@
 //! without a contact shows the mechanism, its contents, and the other questions of the study.
 
 use crate::args::RunArgs;
+use crate::commands::check;
+use crate::commands::compare;
+use crate::commands::damp;
+use crate::commands::map;
 use crate::commands::mass::{Asked, facts, headline};
 use crate::commands::safe_speed;
 use crate::files::csv::SweepTable;
@@ -16,7 +20,6 @@ use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::report::{write_diagnostics, write_out};
 use crate::terminal::text::{number, short, word};
-use crate::{check, compare, damp, map};
 use indicatif::ProgressBar;
 use percuss_render::{Drawing, DrawnArrow, DrawnCircle, DrawnFacet, DrawnLine, SkinMark};
 use percuss_study::{

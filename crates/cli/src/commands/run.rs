@@ -1,13 +1,19 @@
 //! Command `percuss run`.
 
 use crate::args::{CheckFormat, MassFormat, RunArgs};
+use crate::commands::compare;
+use crate::commands::damp;
+use crate::commands::map;
+use crate::commands::mass;
 use crate::commands::mass::Asked;
+use crate::commands::report_page;
+use crate::commands::safe_speed;
+use crate::commands::sweep;
 use crate::commands::sweep::Written;
 use crate::files::output::is_input;
 use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::note;
-use crate::{compare, damp, map, mass, report_page, safe_speed, sweep};
 use percuss_study::{MassQuestion, Names, RowSource, StudyFile, StudyMap, StudyMass};
 use std::fs;
 use std::path::{Path, PathBuf};

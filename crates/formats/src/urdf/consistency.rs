@@ -1,11 +1,12 @@
 //! Checks between elements: transmissions of joints, references by name, loops.
 
 use crate::reading::report::Report;
+use crate::urdf::elements::joint;
 use crate::urdf::elements::nodes::Nodes;
+use crate::urdf::elements::transmission;
 use crate::urdf::loops::{Loops, second_parents};
 use crate::urdf::references::{self, Suggestions};
 use crate::urdf::texts::Texts;
-use crate::{joint, transmission};
 use roxmltree::Node;
 
 /// Adds the armatures of transmissions to their joints and checks every reference. If the report has no error

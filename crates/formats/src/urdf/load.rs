@@ -1,12 +1,16 @@
 //! Construction of a mechanism from a source in URDF.
 
+use crate::reading::limits;
+use crate::reading::prescan;
 use crate::reading::report::{Place, Report, cut, shortened};
+use crate::urdf::consistency;
 use crate::urdf::elements::dialect::ROBOT;
 use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::elements::shape::{Shape, shapes};
 use crate::urdf::elements::survey::{macros, survey};
+use crate::urdf::standard;
 use crate::urdf::texts::Texts;
-use crate::{Diagnostic, LoadError, Source, consistency, limits, prescan, standard};
+use crate::{Diagnostic, LoadError, Source};
 use percuss_mechanism::{Accept, Built, Mechanism, MechanismBuilder, Severity, Subject};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::HashSet;

@@ -1,13 +1,15 @@
 //! Contents of all elements of the mechanism, each checked by itself.
 
 use crate::reading::report::Report;
+use crate::urdf::elements::closure;
 use crate::urdf::elements::gazebo_joint::{DrawnFrames, Reader};
+use crate::urdf::elements::joint;
 use crate::urdf::elements::joint::JointText;
+use crate::urdf::elements::link;
 use crate::urdf::elements::link::LinkText;
 use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::elements::survey::is_gazebo_joint;
 use crate::urdf::references::index;
-use crate::{closure, joint, link};
 use percuss_mechanism::{ClosureDescription, CouplingDescription};
 use roxmltree::Node;
 

@@ -190,7 +190,7 @@ impl<'a> Prepared<'a> {
 
     /// Pose requested by the question.
     pub fn pose(&self) -> Result<Pose, StudyError> {
-        posing::pose(&self.system, &self.configuration, self.question)
+        travels::pose(&self.system, &self.configuration, self.question)
     }
 
     /// Contact response, branch limits, estimate and findings at a pose.

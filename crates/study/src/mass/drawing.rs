@@ -117,7 +117,7 @@ pub(crate) fn drawn(answered: &Answered) -> DrawnMechanism {
 /// [`StudyError`]: unknown names, loops that do not close, a travel that is not reachable.
 pub fn drawn_at(model: &Model, question: &MassQuestion) -> Result<DrawnMechanism, StudyError> {
     let system = compile(&model.mechanism, question, None)?;
-    let pose = posing::pose(&system, &configuration(&model.mechanism, question)?, question)?;
+    let pose = travels::pose(&system, &configuration(&model.mechanism, question)?, question)?;
     Ok(mechanism_at(model, &pose, None))
 }
 

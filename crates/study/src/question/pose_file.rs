@@ -98,7 +98,7 @@ const NAMED: usize = 6;
 /// Content of a report in JSON that is read as a pose.
 #[derive(Deserialize)]
 struct Answer {
-    #[serde(deserialize_with = "study_value::positions")]
+    #[serde(deserialize_with = "value::positions")]
     pose: BTreeMap<String, GivenPosition>,
     #[serde(default)]
     inputs: Vec<InputText>,
@@ -111,7 +111,7 @@ struct InputText {
 }
 
 #[derive(Deserialize)]
-struct Joints(#[serde(deserialize_with = "study_value::positions")] BTreeMap<String, GivenPosition>);
+struct Joints(#[serde(deserialize_with = "value::positions")] BTreeMap<String, GivenPosition>);
 
 /// Check that no JSON object repeats a key. The parser would keep the last value of a repeated key without a message.
 struct UniqueKeys;

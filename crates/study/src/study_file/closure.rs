@@ -20,33 +20,33 @@ pub(crate) struct ClosureText {
     /// The first link.
     pub predecessor: String,
     /// Origin of the loop's frame in the first link, m.
-    #[serde(default, deserialize_with = "study_value::lengths")]
+    #[serde(default, deserialize_with = "value::lengths")]
     #[schemars(with = "Option<Triple>")]
     pub predecessor_xyz: [f64; 3],
     /// Axes of the loop's frame: roll, pitch, yaw, rad.
-    #[serde(default, deserialize_with = "study_value::angles")]
+    #[serde(default, deserialize_with = "value::angles")]
     #[schemars(with = "Option<Triple>")]
     pub predecessor_rpy: [f64; 3],
     /// The second link.
     pub successor: String,
     /// Origin of the loop's frame in the second link, m.
-    #[serde(default, deserialize_with = "study_value::lengths")]
+    #[serde(default, deserialize_with = "value::lengths")]
     #[schemars(with = "Option<Triple>")]
     pub successor_xyz: [f64; 3],
     /// Axes of the loop's frame: roll, pitch, yaw, rad.
-    #[serde(default, deserialize_with = "study_value::angles")]
+    #[serde(default, deserialize_with = "value::angles")]
     #[schemars(with = "Option<Triple>")]
     pub successor_rpy: [f64; 3],
     /// The axis, in the first frame.
-    #[serde(default, deserialize_with = "study_value::plain")]
+    #[serde(default, deserialize_with = "value::plain")]
     #[schemars(with = "Option<Triple>")]
     pub axis: Option<[f64; 3]>,
     /// The second axis of a universal loop, in the second frame.
-    #[serde(default, deserialize_with = "study_value::plain")]
+    #[serde(default, deserialize_with = "value::plain")]
     #[schemars(with = "Option<Triple>")]
     pub axis2: Option<[f64; 3]>,
     /// The distance of a rod, m; default: the distance with all joints at 0.
-    #[serde(default, deserialize_with = "study_value::length")]
+    #[serde(default, deserialize_with = "value::length")]
     #[schemars(with = "Option<NumberOrText>")]
     pub distance: Option<f64>,
 }

@@ -14,18 +14,18 @@ use serde::Deserialize;
 #[serde(deny_unknown_fields)]
 pub(crate) struct DampingText {
     /// The coefficient of restitution, from 0 to 1.
-    #[serde(deserialize_with = "study_value::ratio")]
+    #[serde(deserialize_with = "value::ratio")]
     #[schemars(with = "NumberOrText")]
     pub restitution: f64,
     /// The stiffness of the contact, N/m, or N/m^p with an exponent p; for the stop of a rotating joint
     /// N·m/rad.
-    #[serde(deserialize_with = "study_value::stiffness")]
+    #[serde(deserialize_with = "value::stiffness")]
     #[schemars(with = "NumberOrText")]
     pub stiffness: Measured,
     /// Exponent p of the spring's force k x^p: 1 linear, 1.5 Hertz.
     pub exponent: Option<f64>,
     /// Approach speed, m/s; for a rotating joint rad/s.
-    #[serde(default, deserialize_with = "study_value::speed")]
+    #[serde(default, deserialize_with = "value::speed")]
     #[schemars(with = "Option<NumberOrText>")]
     pub speed: Option<Measured>,
     /// The damper law; percuss damp --list-laws.
@@ -36,23 +36,23 @@ pub(crate) struct DampingText {
     #[schemars(extend("enum" = ["force", "gap"]))]
     pub separation: Option<String>,
     /// Simulators to write parameters for, or "all"; percuss damp --list-tools.
-    #[serde(default, rename = "for", deserialize_with = "study_value::words")]
+    #[serde(default, rename = "for", deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub tools: Vec<String>,
     /// Accepted error of the simulator's restitution.
-    #[serde(default, deserialize_with = "study_value::some_ratio")]
+    #[serde(default, deserialize_with = "value::some_ratio")]
     #[schemars(with = "Option<NumberOrText>")]
     pub accuracy: Option<f64>,
     /// The simulator's time step, s.
-    #[serde(default, deserialize_with = "study_value::time")]
+    #[serde(default, deserialize_with = "value::time")]
     #[schemars(with = "Option<NumberOrText>")]
     pub time_step: Option<f64>,
     /// Mass of the contact body alone, kg, for simulators that divide by this mass.
-    #[serde(default, deserialize_with = "study_value::mass")]
+    #[serde(default, deserialize_with = "value::mass")]
     #[schemars(with = "Option<NumberOrText>")]
     pub own_mass: Option<f64>,
     /// Mass of the other body alone, kg, for simulators that divide by this mass.
-    #[serde(default, deserialize_with = "study_value::mass")]
+    #[serde(default, deserialize_with = "value::mass")]
     #[schemars(with = "Option<NumberOrText>")]
     pub other_own_mass: Option<f64>,
     /// Ratio of MuJoCo's inverse weights to the contact's inverse mass; default from the model.

@@ -35,14 +35,14 @@ pub enum StudyMapQuestion {
 #[serde(deny_unknown_fields)]
 pub(crate) struct MapText {
     /// Links to map; default: the contact's link.
-    #[serde(default, deserialize_with = "study_value::words")]
+    #[serde(default, deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub link: Vec<String>,
     /// Every link that has a shape.
     #[serde(default)]
     pub all: bool,
     /// With directions: the point, m, in the link's frame; default: the contact point.
-    #[serde(default, deserialize_with = "study_value::some_lengths")]
+    #[serde(default, deserialize_with = "value::some_lengths")]
     #[schemars(with = "Option<Triple>")]
     pub point: Option<[f64; 3]>,
     /// In place of the surface: number of directions at the point, in addition to the principal directions.
@@ -51,7 +51,7 @@ pub(crate) struct MapText {
     #[schemars(extend("enum" = ["auto", "collision", "visual"]))]
     pub shapes: Option<String>,
     /// Longest edge of a facet, m; default 1/60 of the link's size.
-    #[serde(default, deserialize_with = "study_value::length")]
+    #[serde(default, deserialize_with = "value::length")]
     #[schemars(with = "Option<NumberOrText>")]
     pub edge: Option<f64>,
     /// Folders of ROS packages by name, for meshes named package://NAME/….
@@ -60,11 +60,11 @@ pub(crate) struct MapText {
     /// Largest size of a mesh file, bytes.
     pub max_mesh_size: Option<u64>,
     /// The files of the map (.ply, .glb, .gltf, .png, .svg, .pdf, .csv, .json).
-    #[serde(default, deserialize_with = "study_value::words")]
+    #[serde(default, deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub output: Vec<String>,
     /// Units of the lengths in CSV; column names then contain the units.
-    #[serde(default, deserialize_with = "study_value::words")]
+    #[serde(default, deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub unit: Vec<String>,
     /// The decimal sign in CSV.

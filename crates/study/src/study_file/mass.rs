@@ -25,7 +25,7 @@ pub struct StudyMass {
 #[serde(deny_unknown_fields)]
 pub(crate) struct MassText {
     /// Expected effective mass, kg; exit code 1 on a mismatch.
-    #[serde(default, deserialize_with = "study_value::mass")]
+    #[serde(default, deserialize_with = "value::mass")]
     #[schemars(with = "Option<NumberOrText>")]
     pub expect: Option<f64>,
     /// A number: the relative tolerance of expect. Text such as "mass=2%,point=0.5mm": tolerances of the

@@ -52,27 +52,27 @@ pub(crate) struct SafeSpeedText {
     /// The body region that is hit; percuss safe-speed --list-regions. Without a region the body cannot move.
     pub region: Option<String>,
     /// Largest force, N.
-    #[serde(default, deserialize_with = "study_value::force")]
+    #[serde(default, deserialize_with = "value::force")]
     #[schemars(with = "Option<NumberOrText>")]
     pub force: Option<f64>,
     /// Largest pressure, a number in N/cm²; with area.
-    #[serde(default, deserialize_with = "study_value::pressure")]
+    #[serde(default, deserialize_with = "value::pressure")]
     #[schemars(with = "Option<NumberOrText>")]
     pub pressure: Option<f64>,
     /// Contact area, a number in cm²; with pressure.
-    #[serde(default, deserialize_with = "study_value::area")]
+    #[serde(default, deserialize_with = "value::area")]
     #[schemars(with = "Option<NumberOrText>")]
     pub area: Option<f64>,
     /// Largest energy of the impact, J.
-    #[serde(default, deserialize_with = "study_value::energy")]
+    #[serde(default, deserialize_with = "value::energy")]
     #[schemars(with = "Option<NumberOrText>")]
     pub energy: Option<f64>,
     /// Largest exchanged momentum, N·s.
-    #[serde(default, deserialize_with = "study_value::momentum")]
+    #[serde(default, deserialize_with = "value::momentum")]
     #[schemars(with = "Option<NumberOrText>")]
     pub momentum: Option<f64>,
     /// Directions in place of the contact's normal, world axes; the slowest result counts.
-    #[serde(default, deserialize_with = "study_value::directions")]
+    #[serde(default, deserialize_with = "value::directions")]
     pub direction: Vec<[f64; 3]>,
     /// In place of the normal: the direction with the largest effective mass.
     #[serde(default)]
@@ -80,11 +80,11 @@ pub(crate) struct SafeSpeedText {
     /// A file of positions; the slowest row counts.
     pub input: Option<String>,
     /// Columns of input to ignore.
-    #[serde(default, deserialize_with = "study_value::words")]
+    #[serde(default, deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub ignore: Vec<String>,
     /// Load including the tool, if not part of the model, kg.
-    #[serde(default, deserialize_with = "study_value::load")]
+    #[serde(default, deserialize_with = "value::load")]
     #[schemars(with = "Option<NumberOrText>")]
     pub load: f64,
 }

@@ -46,13 +46,13 @@ pub struct StudyFigure {
 #[serde(deny_unknown_fields)]
 pub(crate) struct SweepText {
     /// JOINT=FROM:TO:COUNT, travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT, or a list of them: a grid.
-    #[serde(default, deserialize_with = "study_value::words")]
+    #[serde(default, deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub vary: Vec<String>,
     /// In place of vary: a file of positions, row by row (.csv, .parquet).
     pub input: Option<String>,
     /// Columns of input to ignore.
-    #[serde(default, deserialize_with = "study_value::words")]
+    #[serde(default, deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub ignore: Vec<String>,
     /// In place of vary: number of random positions within the limits of the joints.
@@ -62,7 +62,7 @@ pub(crate) struct SweepText {
     /// The file of the rows (.csv, .xlsx, .parquet, .json, .jsonl) or of the figure (.svg, .png, .pdf).
     pub output: Option<String>,
     /// Units of the table's lengths and angles; column names then contain the units.
-    #[serde(default, deserialize_with = "study_value::words")]
+    #[serde(default, deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub unit: Vec<String>,
     /// The decimal sign in CSV.
@@ -71,11 +71,11 @@ pub(crate) struct SweepText {
     /// The figure's heading.
     pub title: Option<String>,
     /// Limits of the figure's horizontal axis, in the axis unit.
-    #[serde(default, deserialize_with = "study_value::ends")]
+    #[serde(default, deserialize_with = "value::ends")]
     #[schemars(with = "Option<[f64; 2]>")]
     pub x_limits: Option<(f64, f64)>,
     /// Limits of the figure's axis of the effective mass, kg.
-    #[serde(default, deserialize_with = "study_value::ends")]
+    #[serde(default, deserialize_with = "value::ends")]
     #[schemars(with = "Option<[f64; 2]>")]
     pub y_limits: Option<(f64, f64)>,
 }

@@ -68,15 +68,15 @@ pub(crate) struct ModelText {
     #[schemars(extend("items" = { "type": "string", "enum": ["indefinite-inertia", "implausible-inertia"] }))]
     pub accept: Vec<String>,
     /// Masses by link in place of the model's, kg; moments about the centre of mass change in proportion.
-    #[serde(default, deserialize_with = "study_value::masses")]
+    #[serde(default, deserialize_with = "value::masses")]
     #[schemars(with = "BTreeMap<String, NumberOrText>")]
     pub link_mass: BTreeMap<String, f64>,
     /// Centres of mass by link in place of the model's, m, in the link's frame.
-    #[serde(default, deserialize_with = "study_value::places")]
+    #[serde(default, deserialize_with = "value::places")]
     #[schemars(with = "BTreeMap<String, Triple>")]
     pub link_com: BTreeMap<String, [f64; 3]>,
     /// Displacements of hardpoints of a sheet, m, in the sheet's axes.
-    #[serde(default, rename = "move", deserialize_with = "study_value::places")]
+    #[serde(default, rename = "move", deserialize_with = "value::places")]
     #[schemars(with = "BTreeMap<String, Triple>")]
     pub moves: BTreeMap<String, [f64; 3]>,
 }
@@ -91,7 +91,7 @@ pub(crate) struct ConditionsText {
     #[serde(default)]
     pub lock: Vec<String>,
     /// Rotor inertia reflected to joints, kg·m² or kg; a list for joints with several velocities.
-    #[serde(default, deserialize_with = "study_value::armatures")]
+    #[serde(default, deserialize_with = "value::armatures")]
     #[schemars(with = "BTreeMap<String, OneOrMany>")]
     pub armature: BTreeMap<String, Vec<f64>>,
 }
@@ -100,15 +100,15 @@ pub(crate) struct ConditionsText {
 #[serde(deny_unknown_fields)]
 pub(crate) struct PoseText {
     /// Driving joints and their positions, rad or m.
-    #[serde(default, deserialize_with = "study_value::positions")]
+    #[serde(default, deserialize_with = "value::positions")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub set: BTreeMap<String, GivenPosition>,
     /// Initial guesses for joints determined by loops.
-    #[serde(default, deserialize_with = "study_value::positions")]
+    #[serde(default, deserialize_with = "value::positions")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub guess: BTreeMap<String, GivenPosition>,
     /// Travels that drive the pose from the set joint positions: LINK:X,Y,Z:DX,DY,DZ=DISTANCE.
-    #[serde(default, deserialize_with = "study_value::words")]
+    #[serde(default, deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub travel: Vec<String>,
     /// A file with the positions of all joints, as written by --format json; set and guess take precedence.
@@ -121,11 +121,11 @@ pub(crate) struct ContactText {
     /// The contact link.
     pub link: Option<String>,
     /// The contact point, m.
-    #[serde(default, deserialize_with = "study_value::some_lengths")]
+    #[serde(default, deserialize_with = "value::some_lengths")]
     #[schemars(with = "Option<Triple>")]
     pub point: Option<[f64; 3]>,
     /// The normal, out of the contact link into the other side, of any length.
-    #[serde(default, deserialize_with = "study_value::plain")]
+    #[serde(default, deserialize_with = "value::plain")]
     #[schemars(with = "Option<Triple>")]
     pub normal: Option<[f64; 3]>,
     /// In place of normal: the normal points from the contact point towards this point.
@@ -143,7 +143,7 @@ pub(crate) struct ContactText {
     /// The other link; default ground.
     pub against: Option<String>,
     /// In place of against: a free body of this mass, kg.
-    #[serde(default, deserialize_with = "study_value::mass")]
+    #[serde(default, deserialize_with = "value::mass")]
     #[schemars(with = "Option<NumberOrText>")]
     pub against_mass: Option<f64>,
     /// The classical estimate, reported with the result.
@@ -159,7 +159,7 @@ pub(crate) struct LineText {
     /// The link of the point's frame.
     pub link: String,
     /// The point, m.
-    #[serde(deserialize_with = "study_value::lengths")]
+    #[serde(deserialize_with = "value::lengths")]
     #[schemars(with = "Triple")]
     pub point: [f64; 3],
 }
@@ -170,11 +170,11 @@ pub(crate) struct EstimateText {
     /// Links with a mass counted in the estimate.
     pub links: Vec<String>,
     /// Point A, m, in the first link's frame; default origin.
-    #[serde(default, deserialize_with = "study_value::lengths")]
+    #[serde(default, deserialize_with = "value::lengths")]
     #[schemars(with = "Option<Triple>")]
     pub point: [f64; 3],
     /// Direction of the counted component of A's velocity, world axes; default full speed.
-    #[serde(default, deserialize_with = "study_value::plain")]
+    #[serde(default, deserialize_with = "value::plain")]
     #[schemars(with = "Option<Triple>")]
     pub direction: Option<[f64; 3]>,
 }
@@ -185,11 +185,11 @@ pub(crate) struct RatioText {
     /// The link.
     pub link: String,
     /// The point, m, in the link's frame.
-    #[serde(default, deserialize_with = "study_value::lengths")]
+    #[serde(default, deserialize_with = "value::lengths")]
     #[schemars(with = "Option<Triple>")]
     pub point: [f64; 3],
     /// Direction of the speed, world axes; default z.
-    #[serde(default, deserialize_with = "study_value::plain")]
+    #[serde(default, deserialize_with = "value::plain")]
     #[schemars(with = "Option<Triple>")]
     pub direction: Option<[f64; 3]>,
 }
@@ -207,11 +207,11 @@ pub(crate) struct HoldText {
     /// The link.
     pub link: String,
     /// The point, m, in the link's frame.
-    #[serde(deserialize_with = "study_value::lengths")]
+    #[serde(deserialize_with = "value::lengths")]
     #[schemars(with = "Triple")]
     pub point: [f64; 3],
     /// The normal, world axes, out of the link; without a normal all directions are held.
-    #[serde(default, deserialize_with = "study_value::plain")]
+    #[serde(default, deserialize_with = "value::plain")]
     #[schemars(with = "Option<Triple>")]
     pub normal: Option<[f64; 3]>,
 }

@@ -21,23 +21,23 @@ pub(crate) struct VariantText {
     /// File of another model in place of the study's model.
     pub model: Option<String>,
     /// Masses by link, kg, in place of those in [model].
-    #[serde(default, deserialize_with = "study_value::masses")]
+    #[serde(default, deserialize_with = "value::masses")]
     #[schemars(with = "BTreeMap<String, NumberOrText>")]
     pub link_mass: BTreeMap<String, f64>,
     /// Centres of mass by link, m.
-    #[serde(default, deserialize_with = "study_value::places")]
+    #[serde(default, deserialize_with = "value::places")]
     #[schemars(with = "BTreeMap<String, Triple>")]
     pub link_com: BTreeMap<String, [f64; 3]>,
     /// Displacements of hardpoints of a sheet, m.
-    #[serde(default, rename = "move", deserialize_with = "study_value::places")]
+    #[serde(default, rename = "move", deserialize_with = "value::places")]
     #[schemars(with = "BTreeMap<String, Triple>")]
     pub moves: BTreeMap<String, [f64; 3]>,
     /// Armatures by joint.
-    #[serde(default, deserialize_with = "study_value::armatures")]
+    #[serde(default, deserialize_with = "value::armatures")]
     #[schemars(with = "BTreeMap<String, OneOrMany>")]
     pub armature: BTreeMap<String, Vec<f64>>,
     /// Positions of driving joints.
-    #[serde(default, deserialize_with = "study_value::positions")]
+    #[serde(default, deserialize_with = "value::positions")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub set: BTreeMap<String, GivenPosition>,
 }

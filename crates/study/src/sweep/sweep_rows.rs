@@ -117,7 +117,7 @@ impl<'a> Sweep<'a> {
             Some(contact) => contact,
             None => {
                 let travel = travel.as_ref().map(|travel| &travel.0);
-                let reference = line::reference(&prepared.system, &setting, travel);
+                let reference = continuation::reference(&prepared.system, &setting, travel);
                 let is_varied = |joint: &str| is_varied(&setting.columns, joint);
                 prepared.contact_at(&reference.map_err(|error| error.of_varied(is_varied))?)
             }
@@ -168,7 +168,7 @@ impl<'a> Sweep<'a> {
         each: &mut dyn FnMut(T) -> ControlFlow<()>,
     ) -> Result<SweepEnd, StudyError> {
         let Self { swept, rows, about_point } = self;
-        let came = stages::run(&swept, rows, made, each)
+        let came = pipeline::run(&swept, rows, made, each)
             .map_err(|error| error.of_varied(|joint| is_varied(&swept.heading.varied, joint)))?;
         let mut end = came.end;
         let of_all =
