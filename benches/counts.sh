@@ -16,7 +16,7 @@ if ! command -v valgrind > /dev/null; then
   echo "counts.sh: nothing is counted: there is no valgrind here"
   exit 0
 fi
-program=${PERCUSS_COUNTS:-target/release/percuss-counts}
+program=${PERCUSS_COUNTS:-${CARGO_TARGET_DIR:-target}/release/percuss-counts}
 [ -n "${PERCUSS_COUNTS:-}" ] || cargo build --locked --release -q -p percuss-benches --bin percuss-counts
 
 # count TASK TIMES: instructions of all, and units of work.

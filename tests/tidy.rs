@@ -128,12 +128,8 @@ fn the_oracle_never_sees_dynamics() {
     assert!(oracle.dependencies.iter().all(|d| d.name != "percuss-dynamics"));
 }
 
-/// Crates whose files still import each other in circles: expected failures of the next test. A crate that has become
-/// clean fails it too, until its name is taken off.
-const NOT_YET_WITHOUT_CIRCLES: &[&str] = &[];
-
 #[test]
-fn no_two_files_import_each_other() {
+fn files_and_folders_import_one_way() {
     let crates = root().join("crates");
     let mut failures = String::new();
     let mut checked = 0;
@@ -149,13 +145,10 @@ fn no_two_files_import_each_other() {
             .collect();
         let imports = imports::imports(&texts);
         checked += imports.len();
-        let circles = circles::circles(&imports);
-        let expected = NOT_YET_WITHOUT_CIRCLES.contains(&name.as_str());
-        if expected && circles.is_empty() {
-            failures += &format!("{name} is clean: take it off NOT_YET_WITHOUT_CIRCLES\n");
-        }
-        for circle in circles.iter().filter(|_| !expected) {
-            failures += &format!("{name}: a circle\n{}", circles::describe(circle, &imports));
+        for (kind, imports) in [("files", &imports), ("folders", &circles::between_folders(&imports))] {
+            for circle in circles::circles(imports) {
+                failures += &format!("{name}: {kind} in a circle\n{}", circles::describe(&circle, imports));
+            }
         }
     }
     assert!(failures.is_empty(), "{failures}");

@@ -32,6 +32,16 @@ fn reached<'a>(imports: &'a Imports, file: &'a str) -> BTreeSet<&'a str> {
     seen
 }
 
+/// Imports between the top folders of a crate. A file in no folder counts by itself.
+pub fn between_folders(imports: &Imports) -> Imports {
+    let folder = |file: &str| file.split_once('/').map_or(file, |(folder, _)| folder).to_string();
+    let mut found = Imports::new();
+    for ((from, to), names) in imports.iter().filter(|((from, to), _)| folder(from) != folder(to)) {
+        found.entry((folder(from), folder(to))).or_default().extend(names.iter().cloned());
+    }
+    found
+}
+
 /// Text for a cycle: each of its imports, with the imported names.
 pub fn describe(circle: &BTreeSet<&str>, imports: &Imports) -> String {
     let mut text = String::new();

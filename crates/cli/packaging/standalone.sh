@@ -95,8 +95,8 @@ linux() {
   needs musl-gcc musl-tools
   needs "$python" python3
   with_target $triple
-  CC_x86_64_unknown_linux_musl=musl-gcc cargo build --locked --release -p percuss-cli --target $triple
-  local binary=$target/$triple/release/percuss folder
+  CC_x86_64_unknown_linux_musl=musl-gcc cargo build --locked --profile dist -p percuss-cli --target $triple
+  local binary=$target/$triple/dist/percuss folder
   # Nothing is loaded with it.
   LC_ALL=C ldd "$binary" 2>&1 | grep -qE "not a dynamic executable|statically linked" || fails "$binary is not static"
   package x86_64-linux $triple "$binary"
@@ -156,8 +156,8 @@ windows() {
   # Later versions of Wine have it.
   [ -e "$stub" ] || x86_64-w64-mingw32-gcc -shared -O2 -o "$stub" "$here/bcryptprimitives.c" -ladvapi32
   CARGO_TARGET_X86_64_PC_WINDOWS_GNU_RUNNER=wine tested --target $triple
-  only_system_libraries "$target/$triple/release/percuss.exe"
-  package x86_64-windows $triple "$target/$triple/release/percuss.exe"
+  only_system_libraries "$target/$triple/dist/percuss.exe"
+  package x86_64-windows $triple "$target/$triple/dist/percuss.exe"
   folder=$(unpacked x86_64-windows)
   "$here/windows.sh" "$folder/percuss.exe"
 }
@@ -173,7 +173,7 @@ only_system_libraries() {
 # tested ARGUMENT…: the command's own tests, counted. The program that they run is the one that is packed then.
 tested() {
   local code=0
-  cargo test --locked --release -p percuss-cli --no-fail-fast "$@" > "$room/tests" 2>&1 || code=$?
+  cargo test --locked --profile dist -p percuss-cli --no-fail-fast "$@" > "$room/tests" 2>&1 || code=$?
   awk '/^test result:/ { passed += $4; failed += $6; ignored += $8 }
        END { printf "the command'"'"'s own tests: %d passed, %d failed, %d ignored\n", passed, failed, ignored; exit passed == 0 }' "$room/tests" || code=1
   [ $code -eq 0 ] || { grep -vE "^test .* ok$" "$room/tests" >&2; fails "the command's own tests fail"; }
@@ -190,7 +190,7 @@ native() {
   esac
   system=${triple%%-*}-$system
   tested
-  package "$system" "$triple" "$target/release/$binary"
+  package "$system" "$triple" "$target/dist/$binary"
   (cd "$(unpacked "$system")" && "./$binary" mass models/suspensions/double-wishbone.toml --link bump_stop_pad --point 0,0,0 \
     --along-line bump_stop:0,0,0 --against chassis --expect 137.818755 --tolerance 1e-8)
 }
