@@ -42,6 +42,7 @@ mod laws;
 mod limits;
 mod quadrature;
 mod separation;
+mod solutions;
 mod trajectory;
 mod transient_contact;
 
@@ -50,6 +51,7 @@ pub use contact::CompliantContact;
 pub use damper::Damper;
 pub use error::ContactLawError;
 pub use impact::{Impact, Sample};
-pub use laws::{Alias, ApproximationError, Law, hunt_crossley, kelvin_voigt};
+pub use laws::{Alias, ApproximationError, Law};
 pub use separation::Separation;
+pub use solutions::{hunt_crossley, kelvin_voigt};
 pub use transient_contact::{SafeSpeed, TransientContact, standard_robot_mass};

@@ -1,6 +1,7 @@
 //! The contact laws, one a file.
 
 mod carvalho_martins;
+mod exact;
 mod exudyn_mixed;
 mod facts;
 mod flores;
@@ -8,15 +9,14 @@ mod gharib_hurmuzlu;
 mod gonthier;
 mod herbert_mcwhannell;
 mod hu_guo;
-pub mod hunt_crossley;
 mod hunt_crossley_1975;
-pub mod kelvin_voigt;
 mod lankarani_nikravesh;
 mod lee_wang;
 mod safaeifar_farshidianfar;
 mod zhiying_qishao;
 
 use crate::error::{nearest, positive, unit_interval};
+use crate::solutions::{hunt_crossley, kelvin_voigt};
 use crate::{CompliantContact, ContactLawError, Damper, Separation};
 use facts::Facts;
 use serde::Serialize;
@@ -261,8 +261,8 @@ impl Law {
 
     fn facts(self) -> &'static Facts {
         match self {
-            Self::KelvinVoigt => &kelvin_voigt::FACTS,
-            Self::HuntCrossley => &hunt_crossley::FACTS,
+            Self::KelvinVoigt => &exact::KELVIN_VOIGT,
+            Self::HuntCrossley => &exact::HUNT_CROSSLEY,
             Self::HuntCrossley1975 => &hunt_crossley_1975::FACTS,
             Self::HerbertMcwhannell => &herbert_mcwhannell::FACTS,
             Self::LeeWang => &lee_wang::FACTS,

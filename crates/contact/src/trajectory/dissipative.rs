@@ -5,8 +5,8 @@
 //! has fallen. λ falls by 2h in all, h the parameter of the exact solution.
 
 use super::{State, Trajectory};
-use crate::laws::hunt_crossley::Solution;
 use crate::limits;
+use crate::solutions::hunt_crossley::Solution;
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Dissipative {

@@ -9,8 +9,8 @@
 
 use super::{State, Trajectory};
 use crate::Separation;
-use crate::laws::kelvin_voigt::{compression, decrement};
 use crate::limits;
+use crate::solutions::kelvin_voigt::{compression, decrement};
 use std::f64::consts::PI;
 
 #[derive(Clone, Copy, Debug)]

@@ -14,22 +14,15 @@
 //! Source: derived here from the equation of motion and tested against its integration. The force-vanishes row is
 //! also in Schwager and Pöschel (2007): from memory of the literature, not opened.
 
-use super::facts::Facts;
 use crate::error::{not_negative, unit_interval};
 use crate::limits;
 use crate::{ContactLawError, Separation};
 use std::f64::consts::PI;
 
-pub(super) const FACTS: Facts = Facts {
-    name: "kelvin-voigt",
-    title: "Kelvin–Voigt",
-    formula: "F = k xᵖ + c x^((p−1)/2) ẋ, c = 2ζ√((p+1)/2)√(k m̄), e = exp(−2ζ arccos ζ/√(1−ζ²)), \
-              or exp(−πζ/√(1−ζ²)) where the gap closes",
-    source: "the equation of motion, solved; p = 3/2: Tsuji, Tanaka and Ishida (1992)",
-    approximation: None,
-};
+/// Name of the law in messages and files.
+pub(crate) const NAME: &str = "kelvin-voigt";
 
-/// The restitution of the damping ratio ζ, at every speed and forevery exponent.
+/// The restitution of the damping ratio ζ, at every speed and for every exponent.
 ///
 /// It falls below the smallest float, to 0, at ζ ≈ 1e162. Errors: ζ is negative, NaN or infinite.
 pub fn restitution(ratio: f64, separation: Separation) -> Result<f64, ContactLawError> {
@@ -67,7 +60,7 @@ pub fn ratio_of_loss(loss: f64, separation: Separation) -> Result<f64, ContactLa
 
 fn unreachable() -> ContactLawError {
     ContactLawError::Unreachable {
-        law: FACTS.name,
+        law: NAME,
         restitution: 0.0,
         why: "a contact that cannot pull nears 0 only as the damping grows without bound (e = 1/(4 ratio^2))",
         remedy: "ask for a small restitution, such as 0.01 (ratio 4.8)",

@@ -15,18 +15,12 @@
 //! the motion. Zhang and Sharf (2004, 2009) give the same implicit relation: from memory of the literature, not opened.
 //! The law itself is Hunt and Crossley's (1975).
 
-use super::facts::Facts;
 use crate::ContactLawError;
 use crate::error::{not_negative, unit_interval};
 use crate::limits;
 
-pub(super) const FACTS: Facts = Facts {
-    name: "hunt-crossley",
-    title: "Hunt–Crossley, solved exactly",
-    formula: "F = k xᵖ (1 + d ẋ), d = a/v, a (1 + e) = ln((1 + a)/(1 − e a))",
-    source: "the law of Hunt and Crossley (1975); the equation of motion, solved",
-    approximation: None,
-};
+/// Name of the law in messages and files.
+pub(crate) const NAME: &str = "hunt-crossley";
 
 /// The restitution of the dissipation number a = d v. Errors: a is negative, NaN or infinite.
 pub fn restitution(dissipation_number: f64) -> Result<f64, ContactLawError> {
@@ -58,7 +52,7 @@ fn number(loss: f64, e: f64) -> Result<f64, ContactLawError> {
     // Below it 1/e overflows.
     if e < f64::MIN_POSITIVE {
         return Err(ContactLawError::Unreachable {
-            law: FACTS.name,
+            law: NAME,
             restitution: e,
             why: "the rebound speed nears 1/d as the dissipation d grows, and 0 only without bound",
             remedy: "ask for a small restitution, such as 0.01",

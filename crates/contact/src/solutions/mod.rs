@@ -1,0 +1,4 @@
+//! Closed-form solutions of the equation of motion: restitution and damping of the linear and the Hunt–Crossley damper.
+
+pub mod hunt_crossley;
+pub mod kelvin_voigt;
