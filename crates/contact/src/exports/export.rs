@@ -73,7 +73,7 @@ pub struct Snippet {
     pub title: &'static str,
     /// Language: "xml", "python", "cpp", "rust", "matlab", "javascript", "adams".
     pub language: &'static str,
-    /// Well-formed text with all digits of the numbers.
+    /// Well-formed text; numbers have all their digits.
     pub text: String,
 }
 
@@ -141,7 +141,7 @@ impl Export {
         Ok(self)
     }
 
-    /// Error: the error bound is larger than the restitution, which is then unknown altogether.
+    /// Error: the error bound is larger than the restitution, so the restitution would be unknown.
     pub(super) fn bounded(self, request: &Request) -> Result<Self, ExportError> {
         let e = request.restitution;
         if e > 0.0 && self.error_bound.is_some_and(|bound| bound > e) {

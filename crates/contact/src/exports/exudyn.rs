@@ -11,8 +11,8 @@ pub(super) const FACTS: Facts = Facts {
     name: "exudyn",
     title: "Exudyn (ObjectContactSphereSphere)",
     aliases: &[],
-    law: "linear spring and damper until the gap has closed again: it pulls at the end",
-    combines: "nothing: the values are the pair's",
+    law: "linear spring and damper until the gap closes: pulls at the end",
+    combines: "none: the values apply to the pair",
     measured: &[Measurement {
         engine: "Exudyn 1.13.6",
         solver: "",
@@ -20,7 +20,8 @@ pub(super) const FACTS: Facts = Facts {
         worst: [Some(6e-4), Some(6e-4), Some(7e-4)],
         by_hand: None,
     }],
-    caution: "the textbook damping of the half period is right here; the iteration tolerance of contacts is 1 N by default; it takes no loop with redundant rows",
+    caution: "the half-period damping of textbooks is correct here; the iteration tolerance of contacts is 1 N \
+        by default; loops with redundant rows are not supported",
     sources: &[
         "Exudyn, main/src/Objects/CObjectContactSphereSphere.cpp: ComputeContactForces, PostNewtonStep",
         "Exudyn 1.13.6, SimulationSettings.timeIntegration.discontinuous",

@@ -70,15 +70,16 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.assume("Both collisions have the <surface>; the sphere is a placeholder for your geometry.");
     export.assume(linear.implicit_words(step));
     export.assume(
-        "The solver is \"world\" (ODE's direct one): \"quick\", the default, is off by 1e-3 to 2e-3 whatever the step and the number \
-         of iterations.",
+        "The solver is \"world\" (ODE's direct one): \"quick\", the default, has an error of 1e-3 to 2e-3 for \
+         every step and number of iterations.",
     );
     export.assume(
         "Frictionless: with mu = 1 a pendulum rebounds by up to 0.04 too low. max_vel is for the solver \"quick\", where it caps the \
          spring's push (0.01 m/s by default); \"world\" was the same with it and without.",
     );
     export.cannot.push(
-        "a faithful rigid bounce: with the solver \"quick\" max_vel caps the rebound of restitution_coefficient, and above it the rebound \
+        "an accurate rigid bounce: with the solver \"quick\" max_vel caps the rebound of \
+         restitution_coefficient, and above it the rebound \
          depends on where within a step the contact begins",
     );
     Ok(export)

@@ -142,8 +142,8 @@ impl Linear {
             return Err(ExportError::Unreachable {
                 tool: self.tool,
                 restitution: self.restitution,
-                why: "its integrator damps the contact a little at every step",
-                remedy: "ask for a restitution below 1",
+                why: "the integrator has numerical damping at every step",
+                remedy: "use a restitution below 1",
             });
         }
         let own = self.frequency * time_step / 2.0;
@@ -163,7 +163,7 @@ impl Linear {
     pub(super) fn implicit_words(&self, time_step: f64) -> String {
         format!(
             "The damping is for the time step {time_step:?} s: implicit Euler adds ωh/2 = {:.3e} to the damping ratio, \
-             which is taken off beforehand. Another step needs another damping.",
+             which is subtracted in advance. A different step needs a different damping.",
             self.frequency * time_step / 2.0
         )
     }

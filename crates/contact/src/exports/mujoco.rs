@@ -172,7 +172,7 @@ fn words(export: &mut Export, request: &Request, linear: &Linear) {
         "condim 3 with the default pyramidal cone multiplies α by μ²(1+μ²)/2; elliptic cones and condim 1 do not.",
     );
     export.assume(
-        "The standard format needs timeconst ≥ 2·timestep, else refsafe raises it; the direct format is left alone.",
+        "The standard format needs timeconst ≥ 2·timestep, else refsafe raises it; the direct format is not changed.",
     );
     match request.options.diagonal_ratio {
         Some(alpha) => export.assume(format!("α = Â·m̄ = {alpha:?}, Â at the model's reference pose qpos0.")),
@@ -197,12 +197,13 @@ fn words(export: &mut Export, request: &Request, linear: &Linear) {
              defaults are compliant during the contact and change the restitution.",
         );
         export.assume(
-            "Constraints with the integrator implicitfast need half this time step: at the whole one it was 1.3e-3 off \
-             where Euler and RK4 keep 1e-3.",
+            "Constraints with the integrator implicitfast need half this time step: with the full step the \
+             error was 1.3e-3; Euler and RK4 stay within 1e-3.",
         );
         export.assume(
-            "m̄ is that of one pose: where it changes while the contact lasts, the restitution does too; a stiffer \
-             contact or less speed changes it less. Those measured in docs/SIMULATORS.md changed by less than 1e-3.",
+            "m̄ belongs to one pose: if m̄ changes during the contact, the restitution changes too; a stiffer \
+             contact or a lower speed reduces the change. Those measured in docs/SIMULATORS.md changed by less \
+             than 1e-3.",
         );
     }
     if linear.ratio == 0.0 {

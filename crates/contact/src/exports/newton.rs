@@ -38,7 +38,8 @@ pub(super) const FACTS: Facts = Facts {
             by_hand: Some("2026-11-22"),
         },
     ],
-    caution: "single precision: have the contact near the origin; SemiImplicit and XPBD for free bodies only, XPBD with enable_restitution=True; Featherstone leaves closed loops open without a word",
+    caution: "single precision: place the contact near the origin; SemiImplicit and XPBD for free bodies only, \
+        XPBD with enable_restitution=True; Featherstone does not close loops, and gives no warning",
     sources: &[
         "Newton 1.8.0, newton/_src/solvers/semi_implicit/kernels_contact.py: _eval_body_contact",
         "Newton 1.8.0, newton/_src/solvers/xpbd/restitution_kernels.py: build_restitution_manifolds",
@@ -107,7 +108,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.assume("Contacts are found anew at every step (model.collide), and no friction acts.");
     export.assume("Mechanisms in Featherstone, whose joints are exact.");
     export.assume(
-        "XPBD, for free bodies: the stiffness and the damping count for nothing; restitution does, with enable_restitution=True. Its step is \
+        "XPBD, for free bodies: stiffness and damping have no effect; restitution is used with \
+         enable_restitution=True. Its step is \
          dt_xpbd.",
     );
     single_precision::add(&mut export, TOOL, request, step, "m")?;
@@ -161,7 +163,10 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     single_precision::add(&mut export, TOOL, request, step, units.coordinate)?;
     export.assume("The joint is measured from its stop, where its coordinate is known best.");
     if request.options.closed_loops {
-        export.assume("Stops in closed loops were off by 0.02 to 0.26: Featherstone leaves the joint that closes a loop out.");
+        export.assume(
+            "Stops in closed loops had errors of 0.02 to 0.26: Featherstone ignores the joint that \
+            closes a loop.",
+        );
     }
     export.cannot.push(
         "stops in XPBD: it holds limits rigidly, without restitution, and does not read limit_ke and limit_kd; SemiImplicit: its joints are springs",

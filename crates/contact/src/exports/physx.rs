@@ -13,7 +13,8 @@ pub(super) const FACTS: Facts = Facts {
     title: "PhysX and Isaac",
     aliases: &["isaac", "isaac-sim", "isaac-lab", "isaaclab"],
     law: "linear spring and damper, never pulling, by implicit Euler; of each position iteration with TGS",
-    combines: "by the combine mode, average where none is set; of a rigid and a compliant material the compliant one",
+    combines: "by the combine mode, average by default; of a rigid and a compliant material, the compliant one \
+        counts",
     measured: &[
         Measurement {
             engine: "ovphysx 0.7.0",
@@ -186,8 +187,8 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     single_precision::add(&mut export, TOOL, request, step, units.coordinate)?;
     if export.error_bound.is_none() && request.speed.is_some() {
         export.assume(
-            "No error is stated for mechanisms of several bodies: the shoulder of an open chain was off by 2.2e-2, stops in closed loops by \
-             0.01 to 2.2. Choose mujoco or ode.",
+            "No error is stated for mechanisms of several bodies: the shoulder of an open chain had an error of \
+             2.2e-2, stops in closed loops 0.01 to 2.2. Choose mujoco or ode.",
         );
     }
     export.assume(

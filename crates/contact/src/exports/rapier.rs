@@ -10,8 +10,9 @@ pub(super) const FACTS: Facts = Facts {
     name: "rapier",
     title: "Rapier",
     aliases: &["rapier3d"],
-    law: "rigid, Newton's restitution: the speed of separation is e times that of approach",
-    combines: "by the stronger of the two combine rules, average being the weakest: the mean of both sides where neither says otherwise",
+    law: "rigid, Newton's restitution: the speed of separation is e times the approach speed",
+    combines: "by the combine rule with the higher priority of the two; average has the lowest: the mean of \
+        both sides by default",
     measured: &[Measurement {
         engine: "Rapier 0.36.1",
         solver: "multibody joints",
@@ -19,7 +20,8 @@ pub(super) const FACTS: Facts = Facts {
         worst: [Some(1.0e-12), Some(1.0e-12), Some(1.0e-12)],
         by_hand: None,
     }],
-    caution: "articulated bodies as multibody joints, their damping set to 0 as written; impulse joints do not reach the restitution, and closed loops neither way",
+    caution: "articulated bodies as multibody joints, their damping set to 0 as written; impulse joints and \
+        closed loops do not reach the restitution",
     sources: &[
         "Rapier 0.36.1, src/dynamics/integration_parameters.rs",
         "Rapier 0.36.1, src/dynamics/coefficient_combine_rule.rs",

@@ -101,7 +101,7 @@ impl StopMotion {
 
 impl Options {
     /// Text of [`ExportError::Missing`] for the own mass.
-    pub const OWN_MASS: &str = "the struck body's own mass, kg";
+    pub const OWN_MASS: &str = "the mass of the contact link alone, kg";
 }
 
 impl Default for Options {
@@ -152,8 +152,8 @@ impl Request {
         let optional = [
             ("approach speed, m/s", self.speed),
             ("time step, s", self.options.time_step),
-            ("struck body's own mass, kg", self.options.own_mass),
-            ("other body's own mass, kg", self.options.other_own_mass),
+            ("mass of the contact link alone, kg", self.options.own_mass),
+            ("mass of the other body alone, kg", self.options.other_own_mass),
             ("MuJoCo's diagonal ratio", self.options.diagonal_ratio),
             ("effective mass of the bodies without joints, kg", self.options.free_mass),
         ];

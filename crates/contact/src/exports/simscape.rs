@@ -11,7 +11,7 @@ pub(super) const FACTS: Facts = Facts {
     title: "Simscape Multibody",
     aliases: &["simscape-multibody", "matlab", "simulink"],
     law: "linear spring and damper, never pulling, faded in over a transition region",
-    combines: "nothing: the values are the pair's",
+    combines: "none: the values apply to the pair",
     measured: &[],
     caution: "for one approach speed; the automatic absolute tolerance is too large for small penetrations",
     sources: &[

@@ -33,13 +33,15 @@ pub(super) fn add(
             restitution: request.restitution,
             why: "in a time step the contact travels so little that the rounding of single precision (1.5e-8 m at 0.25 to 0.5 m) alone \
                   can change the restitution by 0.1",
-            remedy: "ask at a higher speed, a lower stiffness or with a longer time step, or choose a tool of double precision",
+            remedy: "use a higher speed, a lower stiffness or a longer time step, or choose a tool with double \
+                precision",
         });
     }
     export.error_bound = Some(bound + single);
     export.assume(format!(
         "Single precision: coordinates of 0.25 to 0.5 {coordinate} are rounded by 1.5e-8 {coordinate}; over the travel in a time step that is \
-         {single:.1e}, which is a part of the stated error. It grows in proportion to the coordinates: have the contact near the origin."
+         {single:.1e}, which is a part of the stated error. The error is proportional to the coordinates: place \
+         the contact near the origin."
     ));
     Ok(())
 }
