@@ -146,7 +146,7 @@ pub fn may_be_written(path: &str) -> Result<(), Failure> {
         if same_file::is_same_file(path, input).unwrap_or(false) {
             let which = if input == path { String::new() } else { format!(" ({input})") };
             return Err(Failure::bad_input(format!(
-                "--output {path}: this is an input of the same run{which}; name another file"
+                "--output {path}: this is an input file of the same run{which}; give another file"
             )));
         }
     }
@@ -154,7 +154,7 @@ pub fn may_be_written(path: &str) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::bad_input(format!(
-        "--output {path}: the file is there already and percuss did not write it; --force replaces it"
+        "--output {path}: the file exists and percuss did not write it; --force replaces it"
     )))
 }
 

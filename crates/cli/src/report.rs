@@ -72,7 +72,7 @@ pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Resu
         |d: &&DiagnosticRecord| d.severity == "warning" || d.severity == "note" && d.code == KNOWN_WARNING;
     let warnings = diagnostics.iter().filter(is_warning).count();
     if strict && warnings > 0 {
-        lines.push(format!("error: {warnings} warning(s), and --strict makes them errors"));
+        lines.push(format!("error: {warnings} warning(s); --strict treats warnings as errors"));
         return Err(Failure::BadInput(lines));
     }
     let mut stderr = io::stderr().lock();
