@@ -25,8 +25,8 @@ pub fn write_out(text: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes a result for another program to stdout, with unchanged names; on a terminal, with escapes for control characters and
-/// marks of direction.
+/// Writes a result for another program to stdout, with unchanged names; on a terminal, with escapes for control
+/// characters and marks of direction.
 pub fn write_as_is(bytes: &[u8]) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     if stdout.is_terminal() {

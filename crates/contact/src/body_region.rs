@@ -7,9 +7,9 @@ use std::sync::LazyLock;
 
 /// Region of the human body, as a mass on a spring.
 ///
-/// The table is informative. The values are from public secondary copies of ISO/TS 15066:2016; the standard itself was not
-/// read. Compare them with the standard before use. The table has no limits of force and pressure, because public copies of
-/// these limits contradict each other.
+/// The table is informative. The values are from public secondary copies of ISO/TS 15066:2016; the standard itself
+/// was not read. Compare them with the standard before use. The table has no limits of force and pressure, because
+/// public copies of these limits contradict each other.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]

@@ -11,8 +11,8 @@ use crate::{CompliantContact, ContactLawError, Separation};
 pub enum Damper {
     /// F = k xᵖ + c x^((p−1)/2) ẋ.
     KelvinVoigt {
-        /// Damping ratio ζ = c/(2√((p+1)/2)√(k m̄)) for the contact of the constructor. The force depends on the coefficient
-        /// c, so the ratio differs for another contact.
+        /// Damping ratio ζ = c/(2√((p+1)/2)√(k m̄)) for the contact of the constructor. The force depends on the
+        /// coefficient c, so the ratio differs for another contact.
         ratio: f64,
         /// c, in N·s/m^((p+1)/2): N·s/m for a linear contact.
         coefficient: f64,
@@ -60,8 +60,9 @@ impl Damper {
         Ok(Self::HuntCrossley { dissipation: not_negative("dissipation, s/m", dissipation)? })
     }
 
-    /// Restitution at a contact for an approach speed, in m/s. The value is exact for the force of the damper, also if an
-    /// approximate formula determined the coefficient. The restitution of a Kelvin–Voigt damper does not depend on the speed.
+    /// Restitution at a contact for an approach speed, in m/s. The value is exact for the force of the damper, also
+    /// if an approximate formula determined the coefficient. The restitution of a Kelvin–Voigt damper does not depend
+    /// on the speed.
     ///
     /// Errors: the speed is not a finite number above zero; a coefficient is out of range; overflow.
     pub fn restitution(self, contact: CompliantContact, speed: f64) -> Result<f64, ContactLawError> {
@@ -78,11 +79,11 @@ impl Damper {
         impact::impact(&*self.trajectory(contact, speed)?, contact, speed)
     }
 
-    /// History of the impact at `samples` instants from the first touch to the end: force over time and over penetration. The
-    /// loop of force over penetration encloses the lost energy.
+    /// History of the impact at `samples` instants from the first touch to the end: force over time and over
+    /// penetration. The loop of force over penetration encloses the lost energy.
     ///
-    /// The last sample is the end of the contact. The force there is 0, or the pull of a Kelvin–Voigt damper that ends when
-    /// the gap closes. If the gap never closes, the history covers eight time constants of the slow return.
+    /// The last sample is the end of the contact. The force there is 0, or the pull of a Kelvin–Voigt damper that
+    /// ends when the gap closes. If the gap never closes, the history covers eight time constants of the slow return.
     /// Errors: as [`Damper::restitution`]; fewer than 2 or more than 1 000 000 samples.
     pub fn history(
         self,

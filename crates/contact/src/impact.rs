@@ -8,14 +8,14 @@ use serde::Serialize;
 
 /// Key figures of one impact, from the first touch to the end of the contact.
 ///
-/// Restitution, penetration, force and energy have closed forms, and so have the times of a linear Kelvin–Voigt contact. Other
-/// times are integrals with a relative error of 1e-12.
+/// Restitution, penetration, force and energy have closed forms, and so have the times of a linear Kelvin–Voigt
+/// contact. Other times are integrals with a relative error of 1e-12.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Impact {
     /// Rebound speed divided by approach speed.
     pub restitution: f64,
-    /// Duration from the first touch to the end, in s. `None` if the gap never closes (a Kelvin–Voigt contact that ends when
-    /// the gap closes, with a damping ratio of 1 or more).
+    /// Duration from the first touch to the end, in s. `None` if the gap never closes (a Kelvin–Voigt contact that
+    /// ends when the gap closes, with a damping ratio of 1 or more).
     pub duration: Option<f64>,
     /// Largest penetration, in m.
     pub max_penetration: f64,
@@ -23,7 +23,8 @@ pub struct Impact {
     pub time_of_max_penetration: f64,
     /// Largest force, in N.
     pub peak_force: f64,
-    /// Time of the largest force after the first touch, in s; 0 if the jump of the damper force at the touch is the maximum.
+    /// Time of the largest force after the first touch, in s; 0 if the jump of the damper force at the touch is the
+    /// maximum.
     pub time_of_peak_force: f64,
     /// Lost energy ½ m̄ v² (1 − e²), in J.
     pub energy_lost: f64,
@@ -111,8 +112,8 @@ pub(crate) fn impact(
 
 /// History of a trajectory at `count` instants, including the touch and the end.
 ///
-/// The instants are nearly uniform in time near both ends, because the force of a stiffening spring starts there, and uniform
-/// in the parameter of the trajectory in between.
+/// The instants are nearly uniform in time near both ends, because the force of a stiffening spring starts there, and
+/// uniform in the parameter of the trajectory in between.
 pub(crate) fn history(
     trajectory: &dyn Trajectory,
     contact: CompliantContact,

@@ -1,8 +1,8 @@
 //! Contact damping from the coefficient of restitution, and back.
 //!
-//! A mass m̄ (kg) meets a surface at an approach speed v and leaves the surface with the speed e v. The surface is a spring with
-//! a damper. The damper for a restitution e depends on the damper law, and several laws are in use. The mass is an input: this
-//! crate does not compute effective masses.
+//! A mass m̄ (kg) meets a surface at an approach speed v and leaves the surface with the speed e v. The surface is a
+//! spring with a damper. The damper for a restitution e depends on the damper law, and several laws are in use. The
+//! mass is an input: this crate does not compute effective masses.
 //!
 //! | question                                   | answer                                                  |
 //! |--------------------------------------------|---------------------------------------------------------|
@@ -13,9 +13,9 @@
 //! | parameters for simulators                  | [`exports`]                                             |
 //! | safe speed of a robot near a person        | [`TransientContact`]                                    |
 //!
-//! Two laws are solved exactly, [`kelvin_voigt`] and [`hunt_crossley`]. The other laws are published approximations of the
-//! Hunt–Crossley damping, with known errors. All units are SI. No input causes a panic, a NaN or an infinity: overflow is an
-//! error.
+//! Two laws are solved exactly, [`kelvin_voigt`] and [`hunt_crossley`]. The other laws are published approximations
+//! of the Hunt–Crossley damping, with known errors. All units are SI. No input causes a panic, a NaN or an infinity:
+//! overflow is an error.
 //!
 //! ```
 //! use percuss_contact::{CompliantContact, Damper, Law, Separation};

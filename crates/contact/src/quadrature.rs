@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 /// ∫₀^span f(s) ds by the double-exponential rule (Takahasi and Mori 1974).
 ///
-/// f may grow as s⁻ᵅ, α ≤ 0.95, at 0, and is smooth elsewhere. The step is halved until two results have a relative difference
-/// below 1e-13. The integrals of this crate then agree with closed forms to a relative error of 1e-12.
+/// f may grow as s⁻ᵅ, α ≤ 0.95, at 0, and is smooth elsewhere. The step is halved until two results have a relative
+/// difference below 1e-13. The integrals of this crate then agree with closed forms to a relative error of 1e-12.
 pub(crate) fn from_singular_end(span: f64, f: impl Fn(f64) -> f64) -> f64 {
     if span <= 0.0 {
         return 0.0;

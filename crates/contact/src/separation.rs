@@ -5,7 +5,8 @@
 /// Laws of the Hunt–Crossley family never pull, so their contacts end when the gap closes with both choices.
 #[derive(Clone, Copy, Debug, Default, Eq, Hash, PartialEq)]
 pub enum Separation {
-    /// Zero force, with the spring still compressed: contacts without adhesion, and simulators with the force max(0, F).
+    /// Zero force, with the spring still compressed: contacts without adhesion, and simulators with the force max(0,
+    /// F).
     #[default]
     ForceVanishes,
     /// Free length of the spring; the damper pulls shortly before. The half-period formula of textbooks.

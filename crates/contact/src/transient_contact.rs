@@ -3,20 +3,22 @@
 //! The energy ½ μ v² of the relative motion compresses the spring of the body region, ½ F²/k, with the two-body mass
 //! μ = 1/(1/m_H + 1/m_R). Hence F = v √(μ k): the peak force of an undamped linear contact.
 //!
-//! m_R is the effective mass of the robot at the contact. The standard uses M/2 + m_L, half the moving mass plus the load, for
-//! every pose and direction. The effective mass along the direction of motion, (uᵀ J M⁻¹ Jᵀ u)⁻¹, follows from the equations
-//! of motion and may be several times smaller or larger. [`TransientContact`] accepts both.
-//! Damping in the contact changes the force: [`Damper::impact`](crate::Damper::impact) on a [`CompliantContact`](crate::CompliantContact) with
-//! the mass μ and the stiffness k gives the factor: the smallest is 0.81 at e = 0.49; below e = 0.30 it is more than 1.
+//! m_R is the effective mass of the robot at the contact. The standard uses M/2 + m_L, half the moving mass plus the
+//! load, for every pose and direction. The effective mass along the direction of motion, (uᵀ J M⁻¹ Jᵀ u)⁻¹, follows
+//! from the equations of motion and may be several times smaller or larger. [`TransientContact`] accepts both.
+//! Damping in the contact changes the force: [`Damper::impact`](crate::Damper::impact) on a
+//! [`CompliantContact`](crate::CompliantContact) with the mass μ and the stiffness k gives the factor: the smallest
+//! is 0.81 at e = 0.49; below e = 0.30 it is more than 1.
 //!
-//! The equations are those of ISO/TS 15066:2016, Annex A (now in ISO 10218-2:2025), as quoted in public secondary sources; the
-//! standard itself was not read. The limits of force and pressure are inputs from the standard.
+//! The equations are those of ISO/TS 15066:2016, Annex A (now in ISO 10218-2:2025), as quoted in public secondary
+//! sources; the standard itself was not read. The limits of force and pressure are inputs from the standard.
 
 use crate::error::{not_negative, positive, representable};
 use crate::{BodyRegion, ContactLawError};
 use serde::Serialize;
 
-/// Mass M/2 + m_L of a robot according to the standard, in kg: half the mass of the moving parts, plus the load with the tool.
+/// Mass M/2 + m_L of a robot according to the standard, in kg: half the mass of the moving parts, plus the load with
+/// the tool.
 ///
 /// Errors: M not a finite number above zero, m_L negative, NaN or infinite.
 pub fn standard_robot_mass(moving_mass: f64, load: f64) -> Result<f64, ContactLawError> {
@@ -98,8 +100,8 @@ impl TransientContact {
         Ok(SafeSpeed { speed, force, energy })
     }
 
-    /// Robot with the mass m_R, in kg, and a rigid fixed body (a person held against a wall): μ = m_R. There is no spring, so a
-    /// limit of force does not apply. Errors: m_R is not a finite number above zero.
+    /// Robot with the mass m_R, in kg, and a rigid fixed body (a person held against a wall): μ = m_R. There is no
+    /// spring, so a limit of force does not apply. Errors: m_R is not a finite number above zero.
     pub fn against_nothing_that_moves(robot_mass: f64) -> Result<Self, ContactLawError> {
         Ok(Self { reduced_mass: positive("mass of the robot, kg", robot_mass)?, stiffness: f64::INFINITY })
     }
@@ -113,7 +115,8 @@ impl TransientContact {
         Ok(SafeSpeed { speed, force: speed * self.impedance(), energy })
     }
 
-    /// Speed limit v = P/μ for the largest permitted momentum P, in N·s, exchanged until both sides have the same speed.
+    /// Speed limit v = P/μ for the largest permitted momentum P, in N·s, exchanged until both sides have the same
+    /// speed.
     ///
     /// Errors: P is not a finite number above zero; the result overflows.
     pub fn speed_for_momentum(self, momentum: f64) -> Result<SafeSpeed, ContactLawError> {

@@ -13,8 +13,8 @@ use percuss_study::Vary;
 pub struct CompareArgs {
     /// Designs; the first is the reference.
     ///
-    /// Either studies, each with its own contact (and its [[variant]]s), or models and sheets with one contact given by flags. All
-    /// designs are compared with the first.
+    /// Either studies, each with its own contact (and its [[variant]]s), or models and sheets with one contact given
+    /// by flags. All designs are compared with the first.
     #[arg(required = true)]
     pub designs: Vec<String>,
     #[command(flatten)]

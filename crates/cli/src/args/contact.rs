@@ -63,21 +63,21 @@ pub struct ContactArgs {
     pub normal: Option<[f64; 3]>,
     /// Instead of --normal: towards a point of a link.
     ///
-    /// The normal points from the contact point towards this point of a link (m, in the frame of that link). Use it for the line
-    /// of a spring, or for a stop near the design pose. For a stop over a travel, use --normal.
+    /// The normal points from the contact point towards this point of a link (m, in the frame of that link). Use it
+    /// for the line of a spring, or for a stop near the design pose. For a stop over a travel, use --normal.
     #[arg(long, value_name = "LINK:X,Y,Z", value_parser = line, help_heading = CONTACT)]
     pub along_line: Option<(String, [f64; 3])>,
     /// Allow the line of --along-line to rotate: a spring, a damper or a rod.
     ///
-    /// Without this flag, a pose is refused if the line has rotated by more than 5° relative to the other body since the design
-    /// pose (all joints at 0), because the line is then no longer the normal of a stop. A line shorter than a tenth of its length
-    /// in the design pose is always refused.
+    /// Without this flag, a pose is refused if the line has rotated by more than 5° relative to the other body since
+    /// the design pose (all joints at 0), because the line is then no longer the normal of a stop. A line shorter
+    /// than a tenth of its length in the design pose is always refused.
     #[arg(long, requires = "along_line", help_heading = CONTACT)]
     pub turning_normal: bool,
     /// Frame of the point and the normal.
     ///
-    /// Applies to both. A point given in another frame is converted to the link frame once, at the --set pose with all varied
-    /// joints at 0, and then moves with the link. A normal stays constant in the given frame.
+    /// Applies to both. A point given in another frame is converted to the link frame once, at the --set pose with
+    /// all varied joints at 0, and then moves with the link. A normal stays constant in the given frame.
     #[arg(long, value_enum, default_value_t = FrameArg::Link, help_heading = CONTACT)]
     pub frame: FrameArg,
     /// Frame of the normal, if different from the frame of the point.
@@ -106,17 +106,19 @@ pub struct ContactArgs {
     pub guess: Vec<(String, GivenPosition)>,
     /// Move the mechanism until a point has this travel.
     ///
-    /// The point of a link (m, link frame) moves by DISTANCE along a direction (world axes) from its position in the --set pose, as
-    /// with sweep --vary travel. Give the flag once for each driven point.
+    /// The point of a link (m, link frame) moves by DISTANCE along a direction (world axes) from its position in the
+    /// --set pose, as with sweep --vary travel. Give the flag once for each driven point.
     #[arg(long, value_name = "LINK:X,Y,Z:DX,DY,DZ=DISTANCE", value_parser = travel, help_heading = POSE)]
     pub travel: Vec<GivenTravel>,
-    /// Complete configuration: output of --format json, or JSON with a position for each joint. --set and --guess override it.
+    /// Complete configuration: output of --format json, or JSON with a position for each joint. --set and --guess
+    /// override it.
     #[arg(long, value_name = "FILE.json", help_heading = POSE)]
     pub pose: Option<String>,
     /// Lock a joint at its position.
     #[arg(long, value_name = "JOINT", help_heading = CONDITIONS)]
     pub lock: Vec<String>,
-    /// Fix a point of a link (m, link frame) to the ground: along a normal (world axes, out of the link), or in all directions.
+    /// Fix a point of a link (m, link frame) to the ground: along a normal (world axes, out of the link), or in all
+    /// directions.
     #[arg(long, value_name = "LINK:X,Y,Z[:NX,NY,NZ]", value_parser = hold, help_heading = CONDITIONS)]
     pub hold: Vec<Hold>,
     /// Rotor inertia reflected to a joint (kg·m² or kg): one value, or one value per velocity, separated by commas.
@@ -127,20 +129,22 @@ pub struct ContactArgs {
     pub base: BaseArg,
     /// Classical estimate, shown with the result.
     ///
-    /// The total mass of these links is reduced to the contact by the motion ratio of point A (m, frame of the first link; default:
-    /// its origin). The ratio uses the full speed of A, or its component along a direction (world axes).
+    /// The total mass of these links is reduced to the contact by the motion ratio of point A (m, frame of the first
+    /// link; default: its origin). The ratio uses the full speed of A, or its component along a direction (world
+    /// axes).
     #[arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", value_parser = estimate, help_heading = BESIDE)]
     pub estimate: Option<EstimateQuestion>,
     /// Motion ratio at this point (m, link frame), along a direction (world axes; default z).
     ///
-    /// The ratio relates the speed of the point to the closing speed of the contact. If the model has a wheel and one degree of
-    /// freedom, the ratios of the wheel centre and the contact patch are always shown.
+    /// The ratio relates the speed of the point to the closing speed of the contact. If the model has a wheel and one
+    /// degree of freedom, the ratios of the wheel centre and the contact patch are always shown.
     #[arg(long, value_name = "LINK:X,Y,Z[:DX,DY,DZ]", value_parser = ratio_at, help_heading = BESIDE)]
     pub ratio_at: Vec<RatioPoint>,
 }
 
 impl ContactArgs {
-    /// The contact, or an error if the contact is missing or incomplete; for commands in which clap does not require it.
+    /// The contact, or an error if the contact is missing or incomplete; for commands in which clap does not require
+    /// it.
     pub fn needed(given: Option<&Self>) -> Result<&Self, Failure> {
         let whole = |c: &&Self| {
             c.link.is_some() && c.point.is_some() && (c.normal.is_some() || c.along_line.is_some())

@@ -32,8 +32,8 @@ pub struct DampingArgs {
     pub restitution: Option<f64>,
     /// Stiffness of the contact (N/m; 200N/mm).
     ///
-    /// Units: N/m, N/mm, kN/m, kN/mm; with --exponent p the number is in N/m^p. The stop of a revolute joint has N·m/rad (Nm/rad,
-    /// Nm/deg).
+    /// Units: N/m, N/mm, kN/m, kN/mm; with --exponent p the number is in N/m^p. The stop of a revolute joint has
+    /// N·m/rad (Nm/rad, Nm/deg).
     #[arg(
         long,
         value_name = "K",
@@ -57,8 +57,8 @@ pub struct DampingArgs {
     pub exponent: Option<f64>,
     /// Approach speed (m/s): penetration, force, energy.
     ///
-    /// Adds penetration, force and energy to the result. Units: m/s, mm/s, km/h; for the stop of a revolute joint rad/s, deg/s. Some
-    /// laws depend on the speed.
+    /// Adds penetration, force and energy to the result. Units: m/s, mm/s, km/h; for the stop of a revolute joint
+    /// rad/s, deg/s. Some laws depend on the speed.
     #[arg(
         long,
         value_name = "V",
@@ -80,13 +80,14 @@ pub struct DampingArgs {
         help_heading = DAMPER
     )]
     pub law: String,
-    /// End of the contact: when the force vanishes (the default), or when the gap closes (the damper then pulls at the end).
+    /// End of the contact: when the force vanishes (the default), or when the gap closes (the damper then pulls at
+    /// the end).
     #[arg(long, value_enum, requires = "restitution", help_heading = DAMPER)]
     pub separation: Option<SeparationArg>,
     /// Parameters for one simulator, or for all.
     ///
-    /// mujoco, drake, gazebo, gazebo-classic, ode, bullet, physx, rapier, chrono, adams, simscape, dart, opensim, exudyn,
-    /// newton, jolt, or all; separate several names by commas.
+    /// mujoco, drake, gazebo, gazebo-classic, ode, bullet, physx, rapier, chrono, adams, simscape, dart, opensim,
+    /// exudyn, newton, jolt, or all; separate several names by commas.
     #[arg(
         long = "for",
         value_name = "TOOL",
@@ -221,8 +222,8 @@ pub struct DampArgs {
     pub mass_from: Option<String>,
     /// Stop of a joint of the model, not a contact.
     ///
-    /// The damper uses the effective inertia at the joint, loops included. The joint is at its --set position, or at its lower or
-    /// upper limit. --for supports mujoco, ode, newton and physx.
+    /// The damper uses the effective inertia at the joint, loops included. The joint is at its --set position, or at
+    /// its lower or upper limit. --for supports mujoco, ode, newton and physx.
     #[arg(
         long,
         value_name = "JOINT[:lower|:upper]",
@@ -270,8 +271,8 @@ pub struct SafeSpeedArgs {
     pub reading: ReadingArgs,
     /// Region of the body; --list-regions shows all.
     ///
-    /// The robot hits this region. Without a region, the other side is rigid and fixed (a person held against a wall; doors,
-    /// guards), and --energy or --momentum is the limit.
+    /// The robot hits this region. Without a region, the other side is rigid and fixed (a person held against a wall;
+    /// doors, guards), and --energy or --momentum is the limit.
     #[arg(long, value_name = "NAME", help_heading = LIMIT)]
     pub region: Option<String>,
     /// Largest permitted force (N), from the standard.

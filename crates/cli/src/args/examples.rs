@@ -1,5 +1,5 @@
-//! Text below the help of each command. Lines are shorter than 80 columns, so that a terminal does not break a command at a
-//! place that a shell does not accept.
+//! Text below the help of each command. Lines are shorter than 80 columns, so that a terminal does not break a
+//! command at a place that a shell does not accept.
 
 pub const TOP: &str = "\
 Examples:

@@ -48,7 +48,8 @@ const CAR: &str = "Car";
 pub struct ImportArgs {
     /// Sheet, table, or Chrono JSON.
     ///
-    /// A sheet is TOML, a table of hardpoints CSV or XLSX, a suspension of Chrono::Vehicle JSON. - reads the standard input.
+    /// A sheet is TOML, a table of hardpoints CSV or XLSX, a suspension of Chrono::Vehicle JSON. - reads the standard
+    /// input.
     pub hardpoints: String,
     /// URDF+ file to write; - writes to stdout.
     #[arg(long, short, value_name = "MODEL.urdf", help_heading = OUTPUT)]

@@ -37,7 +37,8 @@ pub struct MapArgs {
     pub all: bool,
     /// Number of directions at --point.
     ///
-    /// Maps the directions at one point instead of the surface, and adds the principal directions (the belted ellipsoid).
+    /// Maps the directions at one point instead of the surface, and adds the principal directions (the belted
+    /// ellipsoid).
     #[arg(long, value_name = "COUNT", requires = "point", help_heading = SURFACE)]
     pub directions: Option<usize>,
     /// Shapes of the URDF that form the surface.
@@ -50,8 +51,8 @@ pub struct MapArgs {
     pub edge: Option<f64>,
     /// Folder of a ROS package with meshes.
     ///
-    /// Used for mesh names of the form package://NAME/…. Otherwise ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and the parent folders of the
-    /// model are searched.
+    /// Used for mesh names of the form package://NAME/…. Otherwise ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and the parent
+    /// folders of the model are searched.
     #[arg(long, value_name = "NAME=FOLDER", value_parser = package, help_heading = SURFACE)]
     pub package: Vec<(String, PathBuf)>,
     /// Refuse mesh files larger than this many bytes.

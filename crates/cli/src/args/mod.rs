@@ -169,10 +169,11 @@ pub struct MassArgs {
     /// Compare with this effective mass (kg); exit 1 if different.
     #[arg(long, value_name = "KG", value_parser = kilograms, help_heading = ANSWER)]
     pub expect: Option<f64>,
-    /// Tolerances: mass=2%,com=1mm,point=0.5mm,armature=10%.
+    /// Tolerances: mass=2%,com=1mm,point=1mm,armature=10%.
     ///
-    /// Tolerances of the model's data, and their effect on the effective mass: masses and armatures in percent, centres of mass
-    /// and hardpoints of a sheet as lengths. A single number is the relative tolerance of --expect (default 1e-9).
+    /// Tolerances of the model's data, and their effect on the effective mass: masses and armatures in percent,
+    /// centres of mass and hardpoints of a sheet as lengths. A single number is the relative tolerance of --expect
+    /// (default 1e-9).
     #[arg(long, value_name = "PART=VALUE,…", value_parser = any_tolerance, help_heading = BESIDE)]
     pub tolerance: Vec<ToleranceArg>,
     /// Number of random designs within --tolerance, in addition to the first-order estimate.
@@ -183,8 +184,8 @@ pub struct MassArgs {
     pub seed: Option<u64>,
     /// Show sensitivities, and the most effective changes.
     ///
-    /// Derivatives of the effective mass with respect to each link's mass and centre of mass, each armature and each hardpoint
-    /// of a sheet, and the changes that reduce the effective mass most.
+    /// Derivatives of the effective mass with respect to each link's mass and centre of mass, each armature and each
+    /// hardpoint of a sheet, and the changes that reduce the effective mass most.
     #[arg(long, help_heading = BESIDE)]
     pub explain: bool,
     /// Format of the result.
@@ -211,9 +212,9 @@ pub struct SweepArgs {
     pub contact: ContactArgs,
     /// Range of a joint, or of the travel of a point.
     ///
-    /// The varied quantity is a driving joint, or the travel of a point: travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT, point in m in
-    /// the link frame, direction in world axes. Several --vary make a grid of all combinations; the first range varies slowest. A
-    /// travel must be the last range.
+    /// The varied quantity is a driving joint, or the travel of a point: travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT,
+    /// point in m in the link frame, direction in world axes. Several --vary make a grid of all combinations; the
+    /// first range varies slowest. A travel must be the last range.
     #[arg(
         long,
         value_name = "JOINT=FROM:TO:COUNT",
@@ -224,8 +225,8 @@ pub struct SweepArgs {
     pub vary: Vec<Vary>,
     /// Positions from a file, row by row.
     ///
-    /// The rows are followed as a path. Each joint has a column (JOINT[0], JOINT[1], … if the joint has several numbers). A unit
-    /// other than SI follows the name: "elbow [deg]". - reads the standard input.
+    /// The rows are followed as a path. Each joint has a column (JOINT[0], JOINT[1], … if the joint has several
+    /// numbers). A unit other than SI follows the name: "elbow [deg]". - reads the standard input.
     #[arg(
         long,
         value_name = "FILE.csv|.parquet",
@@ -328,8 +329,8 @@ pub struct RunArgs {
     pub writing: WritingArgs,
     /// Write a report as one HTML file.
     ///
-    /// The report shows the mechanism, contributions, sweep and damper. The result as JSON and the sweep as CSV are written to
-    /// the same folder.
+    /// The report shows the mechanism, contributions, sweep and damper. The result as JSON and the sweep as CSV are
+    /// written to the same folder.
     #[arg(long, value_name = "FILE.html", conflicts_with = "format")]
     pub report: Option<String>,
     /// Allow the study to write outside its own folder.

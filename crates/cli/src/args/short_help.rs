@@ -1,4 +1,5 @@
-//! Output of `-h` on one screen. Common flags are explained, the others are only listed by heading; `--help` explains all.
+//! Output of `-h` on one screen. Common flags are explained, the others are only listed by heading; `--help` explains
+//! all.
 
 use crate::wrap::{hanging, lines, width};
 use clap::{Arg, Command};
@@ -233,7 +234,8 @@ fn first_example(command: &Command) -> Option<String> {
     None
 }
 
-/// Command for which `-h` was given: the first argument that is no flag, because no flag before the command has a value.
+/// Command for which `-h` was given: the first argument that is no flag, because no flag before the command has a
+/// value.
 pub fn asked_of<'c>(definition: &'c Command, arguments: &[std::ffi::OsString]) -> Option<&'c Command> {
     let words: Vec<&str> = arguments.iter().skip(1).filter_map(|a| a.to_str()).collect();
     let is_short = words.iter().find(|w| ["-h", "--help", "help"].contains(w)).is_none_or(|w| *w == "-h");

@@ -33,8 +33,8 @@ pub enum Decimal {
 pub struct TableArgs {
     /// Units of a table: mm,deg.
     ///
-    /// Units of lengths and of angles. The column names then contain the units, and numbers are rounded to their significant
-    /// digits.
+    /// Units of lengths and of angles. The column names then contain the units, and numbers are rounded to their
+    /// significant digits.
     #[arg(long, value_name = "UNIT", value_enum, value_delimiter = ',', help_heading = OUTPUT)]
     pub unit: Vec<TableUnit>,
     /// Decimal sign in CSV.

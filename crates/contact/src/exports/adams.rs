@@ -23,13 +23,14 @@ pub(super) const FACTS: Facts = Facts {
 
 /// IMPACT(x, x', x1, k, e, cmax, d) = max(0, k(x1−x)^e − STEP(x, x1−d, cmax, x1, 0) x').
 ///
-/// GSTIFF, in the SI2 formulation, at HMAX = 0.3 d/v and ERROR = x₀/1000: GSTIFF does not search for the moment of contact; only a
-/// short greatest step finds the ramp. Not run in Adams: SciPy's BDF, of the same kind, at these settings (ERROR
-/// for penetration and speed) has an error of at most 1.1e-4 for e = 0.05 … 0.95, k = 1e5 and 1e8 N/m, 2 kg, 0.03 … 3 m/s, by 8e-3 with ERROR = 1e-3, its
-/// default, and HMAX = d/v (tests/external/contact/integrators.py).
+/// GSTIFF, in the SI2 formulation, at HMAX = 0.3 d/v and ERROR = x₀/1000: GSTIFF does not search for the moment of
+/// contact; only a short greatest step finds the ramp. Not run in Adams: SciPy's BDF, of the same kind, at these
+/// settings (ERROR for penetration and speed) has an error of at most 1.1e-4 for e = 0.05 … 0.95, k = 1e5 and 1e8
+/// N/m, 2 kg, 0.03 … 3 m/s, by 8e-3 with ERROR = 1e-3, its default, and HMAX = d/v
+/// (tests/external/contact/integrators.py).
 ///
-/// k and the exponent are the contact's; d = 0.1 x₀, cmax = ĉ k x₀ᵖ/v with the ĉ of [`ImpactFunction::damping`]. Both depend on
-/// the speed; the restitution is for one speed.
+/// k and the exponent are the contact's; d = 0.1 x₀, cmax = ĉ k x₀ᵖ/v with the ĉ of [`ImpactFunction::damping`]. Both
+/// depend on the speed; the restitution is for one speed.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let (mass, stiffness, p) =
         (request.contact.mass(), request.contact.stiffness(), request.contact.exponent());

@@ -46,14 +46,15 @@ pub(super) const FACTS: Facts = Facts {
 /// For each of two bodies contactStiffness = 2k, contactDamping = c'/2.
 ///
 /// Bullet combines the stiffnesses in series, adds the dampings, computes h k/(h k + c') and 1/(h k + c'), and
-/// integrates max(0, k (x − h v⁺) − c' v⁺) by implicit Euler with the effective mass of the whole multibody. c' = 2ζ'√(k m̄),
-/// ζ' = ζ − ωh/2.
+/// integrates max(0, k (x − h v⁺) − c' v⁺) by implicit Euler with the effective mass of the whole multibody. c' =
+/// 2ζ'√(k m̄), ζ' = ζ − ωh/2.
 ///
-/// Measured in PyBullet 3.2.7 at the recommended step, e = 0.2, 0.5, 0.8, the worst of five phases: 1.4e-4, 2.3e-4, 3.0e-4,
-/// ball and pendulum alike; with the 2 kg of the contact link alone for m̄ = 3.75 kg: 0.280, 0.591, 0.848. Bullet 3.24 in C++, rigid bodies and
-/// a hinge constraint, single and double precision: the same to 1e-5. With lateralFriction 0.5 on both sides the pendulum shows
-/// 0.276, 0.584, 0.837. The four-bar (m̄ = 68.1 kg), closed by a point-to-point constraint: 1.6e-4, 2.7e-4, 3.3e-4; with the
-/// coupler's own 4.8 kg 0.580, 0.815, 0.941. With 4k/3 and 4k, c'/4 and 3c'/4 on the two sides a ball rebounds as with equal ones.
+/// Measured in PyBullet 3.2.7 at the recommended step, e = 0.2, 0.5, 0.8, the worst of five phases: 1.4e-4, 2.3e-4,
+/// 3.0e-4, ball and pendulum alike; with the 2 kg of the contact link alone for m̄ = 3.75 kg: 0.280, 0.591, 0.848.
+/// Bullet 3.24 in C++, rigid bodies and a hinge constraint, single and double precision: the same to 1e-5. With
+/// lateralFriction 0.5 on both sides the pendulum shows 0.276, 0.584, 0.837. The four-bar (m̄ = 68.1 kg), closed by a
+/// point-to-point constraint: 1.6e-4, 2.7e-4, 3.3e-4; with the coupler's own 4.8 kg 0.580, 0.815, 0.941. With 4k/3
+/// and 4k, c'/4 and 3c'/4 on the two sides a ball rebounds as with equal ones.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();

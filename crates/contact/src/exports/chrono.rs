@@ -47,15 +47,16 @@ pub(super) const FACTS: Facts = Facts {
 /// Hooke (p = 1): kn = k, gn = c/m_eff. Hooke and Hertz (p = 3/2): cr' = e_a(ζ√(m̄/m_eff)).
 ///
 /// Chrono's force is max(0, kn x + m_eff gn ẋ), m_eff = m₁m₂/(m₁+m₂) of the own masses of the two bodies, fixed
-/// bodies included, without links on joints. Chrono converts cr by the half period, e_a(ζ) = exp(−πζ/√(1−ζ²)), with m_eff,
-/// and clamps the force: the rebound with cr itself is too high (0.325, 0.550, 0.808 for 0.2, 0.5, 0.8 with m_eff = m̄).
-/// cr' corrects both effects and is unreachable for ζ√(m̄/m_eff) ≥ 1.
-/// The step is [`Linear::explicit_step`]: Chrono's contact forces are explicit.
+/// bodies included, without links on joints. Chrono converts cr by the half period, e_a(ζ) = exp(−πζ/√(1−ζ²)), with
+/// m_eff, and clamps the force: the rebound with cr itself is too high (0.325, 0.550, 0.808 for 0.2, 0.5, 0.8 with
+/// m_eff = m̄). cr' corrects both effects and is unreachable for ζ√(m̄/m_eff) ≥ 1. The step is
+/// [`Linear::explicit_step`]: Chrono's contact forces are explicit.
 ///
-/// Measured in Chrono 10.0.0 (source of 2026-08-18): the worst of five phases for e = 0.2, 0.5, 0.8 is 6.4e-4, 5.1e-4, 4.1e-4 with kn and gn, of a
-/// ball, pendulums and the four-bar alike, and joints solved by PSOR (the default) or by a direct solver rebound the same to 1e-10; Hertz 2.3e-4
-/// and 1.1e-4 for 0.5 and 0.8. The radius of curvature that Hertz takes is not that of the shapes: collisions found by Bullet have
-/// ChCollisionInfo's default, 0.1 m.
+/// Measured in Chrono 10.0.0 (source of 2026-08-18): the worst of five phases for e = 0.2, 0.5, 0.8 is 6.4e-4,
+/// 5.1e-4, 4.1e-4 with kn and gn, of a ball, pendulums and the four-bar alike, and joints solved by PSOR (the
+/// default) or by a direct solver rebound the same to 1e-10; Hertz 2.3e-4 and 1.1e-4 for 0.5 and 0.8. The radius of
+/// curvature that Hertz takes is not that of the shapes: collisions found by Bullet have ChCollisionInfo's default,
+/// 0.1 m.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let own = request.options.own_mass.ok_or(ExportError::Missing {
         tool: TOOL,

@@ -29,15 +29,15 @@ pub(super) const FACTS: Facts = Facts {
 
 /// `RestitutionCoeff` = e for one body and 1 for the other.
 ///
-/// DART's contact row requires the speed e₁e₂v. Below 0.1 m/s (DART_BOUNCING_VELOCITY_THRESHOLD) or with e₁e₂ below 1e-3 the
-/// contact does not bounce; the overlap is removed at up to 1e-3 m/s (DART_MAX_ERV). DART_CFM enlarges the diagonal by
-/// 1e-5, which reduces e by (1 + e)·1e-5. The mass is that of the whole skeleton.
+/// DART's contact row requires the speed e₁e₂v. Below 0.1 m/s (DART_BOUNCING_VELOCITY_THRESHOLD) or with e₁e₂ below
+/// 1e-3 the contact does not bounce; the overlap is removed at up to 1e-3 m/s (DART_MAX_ERV). DART_CFM enlarges the
+/// diagonal by 1e-5, which reduces e by (1 + e)·1e-5. The mass is that of the whole skeleton.
 ///
-/// The bound is for trees. The enlarged diagonal is that of the open tree: a loop closed by a BallJointConstraint loses
-/// (1 + e)·1e-5·m̄/m̄ₒ of e, m̄ₒ the mass of the open loop. For the four-bar (m̄ = 68.1, m̄ₒ = 2.49 kg, 0.3 m/s) this loss is
-/// 4.1e-4 and 4.9e-4 for e = 0.5 and 0.8, equal to measurements in 6.20.0 at 1e-6 s; the motion of the loop within a step
-/// increases the error to 1.2e-3 and 1.0e-3 at 1e-3 s, 0.02 and 0.04 at 1e-2 s. With a RevoluteJointConstraint, which has
-/// redundant rows, the four-bar flies apart.
+/// The bound is for trees. The enlarged diagonal is that of the open tree: a loop closed by a BallJointConstraint
+/// loses (1 + e)·1e-5·m̄/m̄ₒ of e, m̄ₒ the mass of the open loop. For the four-bar (m̄ = 68.1, m̄ₒ = 2.49 kg, 0.3
+/// m/s) this loss is 4.1e-4 and 4.9e-4 for e = 0.5 and 0.8, equal to measurements in 6.20.0 at 1e-6 s; the motion of
+/// the loop within a step increases the error to 1.2e-3 and 1.0e-3 at 1e-3 s, 0.02 and 0.04 at 1e-2 s. With a
+/// RevoluteJointConstraint, which has redundant rows, the four-bar flies apart.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     if let Some(speed) = request.speed {

@@ -54,14 +54,13 @@ pub(super) const FACTS: Facts = Facts {
 /// Euler, so ζ' = ζ − ωh/2.
 ///
 /// Measured in Drake 1.51.1 at accuracy 1e-3, the worst of 25 phases for e = 0.05, 0.2, 0.5, 0.8, 0.95, 0.99:
-/// continuous (runge_kutta3, accuracy 1e-3, greatest step 0.1/ω) 1e-10, 1.4e-5, 1.1e-4, 2.4e-4, 3.2e-4, 3.5e-4; discrete
-/// lagged 1e-6, 1.2e-4, 6.2e-4, 8.9e-4, 9.7e-4, 9.9e-4; SAP 5.9e-4, 5.1e-4, 4.2e-4, 3.6e-4, 2.9e-4, 1e-5. Pendulums with rotor
-/// inertia the same. With the 1.5 kg of the contact link alone for m̄ = 6.19 kg SAP shows 0.395, 0.693, 0.894 for 0.2, 0.5, 0.8;
-/// continuous and lagged plants need no m̄ for the restitution.
-/// With a greatest step of 10/ω the error of this integrator is 1.6e-2 at accuracy 1e-3 and 1.4e-4 at 1e-5; runge_kutta5
-/// can step over the contact; the error of implicit_euler is 2e-2 at 1e-5.
-/// Lagged and similar lose 0.001, 0.04, 0.48, 1.10, 1.45 ωh for e = 0.1, 0.2, 0.5, 0.8, 0.95: below (π/2)e ωh.
-/// SAP's step: [`Linear::implicit_error_bound`].
+/// continuous (runge_kutta3, accuracy 1e-3, greatest step 0.1/ω) 1e-10, 1.4e-5, 1.1e-4, 2.4e-4, 3.2e-4, 3.5e-4;
+/// discrete lagged 1e-6, 1.2e-4, 6.2e-4, 8.9e-4, 9.7e-4, 9.9e-4; SAP 5.9e-4, 5.1e-4, 4.2e-4, 3.6e-4, 2.9e-4, 1e-5.
+/// Pendulums with rotor inertia the same. With the 1.5 kg of the contact link alone for m̄ = 6.19 kg SAP shows 0.395,
+/// 0.693, 0.894 for 0.2, 0.5, 0.8; continuous and lagged plants need no m̄ for the restitution. With a greatest step
+/// of 10/ω the error of this integrator is 1.6e-2 at accuracy 1e-3 and 1.4e-4 at 1e-5; runge_kutta5 can step over the
+/// contact; the error of implicit_euler is 2e-2 at 1e-5. Lagged and similar lose 0.001, 0.04, 0.48, 1.10, 1.45 ωh for
+/// e = 0.1, 0.2, 0.5, 0.8, 0.95: below (π/2)e ωh. SAP's step: [`Linear::implicit_error_bound`].
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let mut export = Export::new(TOOL);

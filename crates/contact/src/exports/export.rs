@@ -17,7 +17,8 @@ pub struct Export {
     pub snippets: Vec<Snippet>,
     /// Time step, s: that of the request, or the longest step for the accuracy. `None` if the tool chooses its steps.
     pub time_step: Option<f64>,
-    /// Error bound of the restitution at this time step, for every start of the contact within a step. `None` if unknown.
+    /// Error bound of the restitution at this time step, for every start of the contact within a step. `None` if
+    /// unknown.
     pub error_bound: Option<f64>,
     /// Addition to the error bound in a build of single precision, for tools that have builds of both precisions.
     pub single_precision_error: Option<f64>,

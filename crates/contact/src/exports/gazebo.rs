@@ -30,10 +30,10 @@ pub(super) const FACTS: Facts = Facts {
 
 /// `restitution_coefficient` = e on one side, 1 on the other: DART multiplies them.
 ///
-/// DART sets the speed after the step to e v where e v is above 0.1 m/s ([`limits::DART_SLOWEST_REBOUND`]) and to no more than
-/// 100 m/s ([`limits::DART_FASTEST_REBOUND`]); its constraint force mixing, 1e-5 of the contact's inverse mass, takes
-/// (1 + e)·1e-5 off. Measured at 1e-4, 1e-3 and 1e-2 s, for several m̄. With e on both sides the restitution is e²; at 0.3 m/s
-/// e = 0.2 does not rebound.
+/// DART sets the speed after the step to e v where e v is above 0.1 m/s ([`limits::DART_SLOWEST_REBOUND`]) and to no
+/// more than 100 m/s ([`limits::DART_FASTEST_REBOUND`]); its constraint force mixing, 1e-5 of the contact's inverse
+/// mass, takes (1 + e)·1e-5 off. Measured at 1e-4, 1e-3 and 1e-2 s, for several m̄. With e on both sides the
+/// restitution is e²; at 0.3 m/s e = 0.2 does not rebound.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     let mut export = Export::new(TOOL);

@@ -28,8 +28,9 @@ pub(super) const FACTS: Facts = Facts {
 
 /// For each of two equal collisions kp = 2k, kd = c'/2: ODE gets the springs in series and the sum of the dampers.
 ///
-/// c' as for ODE: 2(ζ − ωh/2)√(k m̄). Measured in Gazebo Classic 11.1.0: to two digits as in ODE, at half and twice the step too. With the
-/// solver "quick" 1.2e-3, 1.7e-3, 1.0e-3. With 4k/3 and 4k, c'/4 and 3c'/4 on the two sides a ball rebounds as with equal ones.
+/// c' as for ODE: 2(ζ − ωh/2)√(k m̄). Measured in Gazebo Classic 11.1.0: to two digits as in ODE, at half and twice
+/// the step too. With the solver "quick" 1.2e-3, 1.7e-3, 1.0e-3. With 4k/3 and 4k, c'/4 and 3c'/4 on the two sides a
+/// ball rebounds as with equal ones.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();

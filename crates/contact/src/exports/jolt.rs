@@ -40,14 +40,14 @@ pub(super) const FACTS: Facts = Facts {
 
 /// `mRestitution` = e for both bodies, and `mMinVelocityForRestitution` half the speed.
 ///
-/// Jolt's contact row requires the separation speed e v if v is above the threshold and the gap closes within the step.
-/// A free body reaches this speed to single precision. The rows of joints and contacts are solved one after another,
-/// `mNumVelocitySteps` times (projected Gauss–Seidel). For a hinged body the remaining error of the change of speed
-/// decreases by ρ = 1 − m_f/m̄ per iteration, m_f the effective mass at the contact without the hinge: (1 + e) ρᴺ after N
-/// iterations. Measured on 14 levers with m̄/m = 0.15 to 49; for m̄ = 36 m the error after 50 iterations is 0.46. A
-/// four-bar (m̄ = 68.1 kg, bodies of 2 to 4.8 kg) converges more slowly: for e = 0.5 the restitution is 0.04 after 50
-/// iterations, 0.441 after 200, 0.4986 after 500, and 0.4996 from 1000, at 1e-3 and 1e-4 s. For other linkages the error
-/// is unknown, and none is stated.
+/// Jolt's contact row requires the separation speed e v if v is above the threshold and the gap closes within the
+/// step. A free body reaches this speed to single precision. The rows of joints and contacts are solved one after
+/// another, `mNumVelocitySteps` times (projected Gauss–Seidel). For a hinged body the remaining error of the change
+/// of speed decreases by ρ = 1 − m_f/m̄ per iteration, m_f the effective mass at the contact without the hinge: (1 +
+/// e) ρᴺ after N iterations. Measured on 14 levers with m̄/m = 0.15 to 49; for m̄ = 36 m the error after 50
+/// iterations is 0.46. A four-bar (m̄ = 68.1 kg, bodies of 2 to 4.8 kg) converges more slowly: for e = 0.5 the
+/// restitution is 0.04 after 50 iterations, 0.441 after 200, 0.4986 after 500, and 0.4996 from 1000, at 1e-3 and 1e-4
+/// s. For other linkages the error is unknown, and none is stated.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     let mut export = Export::new(TOOL);

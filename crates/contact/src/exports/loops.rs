@@ -101,8 +101,8 @@ const KNOWN: [(Tool, Loops); Tool::ALL.len()] = [
     (Tool::JOLT, Loops::Written),
 ];
 
-/// Adjusts an export for a mechanism with constraints (loops, mimics, locks, held points). Error: impacts with loops do not
-/// reach the restitution in this tool.
+/// Adjusts an export for a mechanism with constraints (loops, mimics, locks, held points). Error: impacts with loops
+/// do not reach the restitution in this tool.
 pub(super) fn apply(tool: Tool, request: &Request, mut export: Export) -> Result<Export, ExportError> {
     if !request.options.constrained && !request.options.closed_loops {
         return Ok(export);

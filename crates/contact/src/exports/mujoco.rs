@@ -49,12 +49,12 @@ pub(super) const FACTS: Facts = Facts {
 /// κ = −solref₀/d², b = −solref₁/d; Â is MuJoCo's estimate of A, α = Â m̄. The resulting contact has the stiffness m̄ κd²/f and
 /// the damping m̄ bd/f: f removes the error of the estimate. Equivalent standard format: timeconst 1/(ζωf), dampratio ζ√f.
 ///
-/// Measured in MuJoCo 4.0.0 at the recommended step ([`Linear::explicit_step`]) and accuracy 1e-3, the worst of 25 phases
-/// for e = 0.05, 0.2, 0.5, 0.8, 0.95, 0.99: 8.9e-4, 7.8e-4, 6.4e-4, 5.3e-4, 5.1e-4, 7.0e-4, ball and pendulum with armature
-/// alike, Euler and implicitfast alike; RK4 3.3e-4 … 3.9e-4. A four-bar (m̄ = 68.1 kg, α = 7.2) and a double wishbone on its
-/// bump stop (392.8 kg, α = 0.35), loops closed, e = 0.2, 0.5, 0.8: at most 6.5e-4. With the default equality settings
-/// the four-bar shows 0.084, 0.444, 0.789. With a wrong m̄ the restitution is correct and the penetration wrong: a factor of 0.27
-/// with the mass of the coupler, 4.8 kg.
+/// Measured in MuJoCo 4.0.0 at the recommended step ([`Linear::explicit_step`]) and accuracy 1e-3, the worst of 25
+/// phases for e = 0.05, 0.2, 0.5, 0.8, 0.95, 0.99: 8.9e-4, 7.8e-4, 6.4e-4, 5.3e-4, 5.1e-4, 7.0e-4, ball and pendulum
+/// with armature alike, Euler and implicitfast alike; RK4 3.3e-4 … 3.9e-4. A four-bar (m̄ = 68.1 kg, α = 7.2) and a
+/// double wishbone on its bump stop (392.8 kg, α = 0.35), loops closed, e = 0.2, 0.5, 0.8: at most 6.5e-4. With the
+/// default equality settings the four-bar shows 0.084, 0.444, 0.789. With a wrong m̄ the restitution is correct and
+/// the penetration wrong: a factor of 0.27 with the mass of the coupler, 4.8 kg.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let (solref, scale) = direct_format(&linear, request);
@@ -94,8 +94,8 @@ fn direct_format(linear: &Linear, request: &Request) -> ([f64; 2], f64) {
     ([0.0 - omega * omega * scale, 0.0 - 2.0 * zeta * omega * scale], scale)
 }
 
-/// Stop of a joint: `solreflimit` and `solimplimit`. The row is that of a contact with the inertia at the joint as m̄ and
-/// Â = `dof_invweight0`.
+/// Stop of a joint: `solreflimit` and `solimplimit`. The row is that of a contact with the inertia at the joint as m̄
+/// and Â = `dof_invweight0`.
 pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let (solref, _) = direct_format(&linear, request);

@@ -40,9 +40,10 @@ pub(super) const FACTS: Facts = Facts {
 /// With these values the contact row of ODE is max(0, k (x − h v⁺) − c' v⁺): implicit Euler of the linear spring
 /// and damper, with v⁺ the speed of separation after the step. c' = 2ζ'√(k m̄), ζ' = ζ − ωh/2.
 ///
-/// Measured in ODE 0.16.2, e = 0.2, 0.5, 0.8, the worst of five phases, Step and QuickStep (20 iterations) alike: 4.9e-4, 4.0e-4,
-/// 3.4e-4, ball, pendulums and four-bar; at twice the step 9.9e-4, 8.0e-4, 6.7e-4. With the mass of the contact link alone: 0.280, 0.592, 0.848
-/// (2 kg for m̄ = 3.75 kg); 0.580, 0.815, 0.941 (four-bar, 4.8 kg for 68.1 kg).
+/// Measured in ODE 0.16.2, e = 0.2, 0.5, 0.8, the worst of five phases, Step and QuickStep (20 iterations) alike:
+/// 4.9e-4, 4.0e-4, 3.4e-4, ball, pendulums and four-bar; at twice the step 9.9e-4, 8.0e-4, 6.7e-4. With the mass of
+/// the contact link alone: 0.280, 0.592, 0.848 (2 kg for m̄ = 3.75 kg); 0.580, 0.815, 0.941 (four-bar, 4.8 kg for
+/// 68.1 kg).
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
@@ -93,9 +94,10 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
 /// 0.486, 0.798 for 0.2, 0.5, 0.8. With a CFM of 0 `dParamBounce` is the restitution of a rigid stop: 0.5 gave 0.499997
 /// on a hinge.
 ///
-/// Measured in ODE 0.16.2, Step and QuickStep alike: a hinge with and without a rotor, upper and lower end, an elbow whose shoulder is
-/// free, the crank of a four-bar (0.473 kg·m²), the slider of a slider-crank (2.77 kg): within 5.0e-4, 4.1e-4, 3.5e-4. With the link's own
-/// inertia: 0.150, 0.429, 0.757 (elbow, 0.107 for 0.0668 kg·m²); 0.494, 0.763, 0.921 (crank, 0.06 kg·m²); 0.351, 0.658, 0.878 (slider, 0.9 kg).
+/// Measured in ODE 0.16.2, Step and QuickStep alike: a hinge with and without a rotor, upper and lower end, an elbow
+/// whose shoulder is free, the crank of a four-bar (0.473 kg·m²), the slider of a slider-crank (2.77 kg): within
+/// 5.0e-4, 4.1e-4, 3.5e-4. With the link's own inertia: 0.150, 0.429, 0.757 (elbow, 0.107 for 0.0668 kg·m²); 0.494,
+/// 0.763, 0.921 (crank, 0.06 kg·m²); 0.351, 0.658, 0.878 (slider, 0.9 kg).
 pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();

@@ -3,12 +3,12 @@
 use super::{Export, ExportError, Request, Tool};
 use crate::limits;
 
-/// Error of the restitution r/(v h), r = 1.5e-8 m: positions are rounded at every step, a coordinate from 0.25 to 0.5 m by
-/// up to r. In successive steps of nearly constant travel v h the rounding is the same, so the relative error of the
-/// travel is r/(v h).
+/// Error of the restitution r/(v h), r = 1.5e-8 m: positions are rounded at every step, a coordinate from 0.25 to 0.5
+/// m by up to r. In successive steps of nearly constant travel v h the rounding is the same, so the relative error of
+/// the travel is r/(v h).
 ///
-/// Measured on levers with the hinge at the origin (k = 1e4 to 6e5 N/m, 0.03 to 1.8 m/s), as a part of this error: Bullet
-/// 3.24 0.4; PhysX 5 with TGS, h the step of one position iteration, 0.5. `None` without a speed.
+/// Measured on levers with the hinge at the origin (k = 1e4 to 6e5 N/m, 0.03 to 1.8 m/s), as a part of this error:
+/// Bullet 3.24 0.4; PhysX 5 with TGS, h the step of one position iteration, 0.5. `None` without a speed.
 pub(super) fn error(request: &Request, step: f64) -> Option<f64> {
     Some(limits::SINGLE_PLACE / (request.speed? * step))
 }

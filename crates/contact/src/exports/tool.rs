@@ -34,7 +34,8 @@ pub struct Measurement {
     pub solver: &'static str,
     /// Colliding bodies.
     pub scenes: &'static str,
-    /// Largest error of e over all scenes and phases, rounded up, for e = 0.2, 0.5, 0.8; `None` if the export refuses this e.
+    /// Largest error of e over all scenes and phases, rounded up, for e = 0.2, 0.5, 0.8; `None` if the export refuses
+    /// this e.
     pub worst: [Option<f64>; 3],
     /// Repetition: with every run of the checks, or by hand on a date.
     pub by_hand: Option<&'static str>,

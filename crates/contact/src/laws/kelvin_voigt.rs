@@ -8,8 +8,8 @@
 //! | when the gap closes       | e = exp(−πζ/√(1−ζ²)); 0 from ζ = 1 on | ζ = L/√(π²+L²), L = −ln e |
 //!
 //! For the exponent p the force k xᵖ + c x^((p−1)/2) ẋ with c = 2ζ√((p+1)/2)√(k m̄) has the same restitution at every
-//! speed: the substitution y = x^((p+1)/2) gives the linear oscillator. For p = 3/2, this is the law of Tsuji, Tanaka and
-//! Ishida (1992).
+//! speed: the substitution y = x^((p+1)/2) gives the linear oscillator. For p = 3/2, this is the law of Tsuji, Tanaka
+//! and Ishida (1992).
 //!
 //! Source: derived here from the equation of motion and tested against its integration. The force-vanishes row is
 //! also in Schwager and Pöschel (2007) (cited from memory, not read).
@@ -43,9 +43,9 @@ pub fn restitution_loss(ratio: f64, separation: Separation) -> Result<f64, Conta
 
 /// Damping ratio ζ that gives the restitution e.
 ///
-/// 0 for e = 1. If the contact ends when the gap closes, e = 0 results from critical damping, ζ = 1 (and from every larger
-/// ζ): the gap then never closes. Errors: e is not from 0 to 1; e = 0 if the contact ends when the force vanishes, because
-/// no ζ reaches e = 0 (e ≈ 1/(4ζ²) for large ζ).
+/// 0 for e = 1. If the contact ends when the gap closes, e = 0 results from critical damping, ζ = 1 (and from every
+/// larger ζ): the gap then never closes. Errors: e is not from 0 to 1; e = 0 if the contact ends when the force
+/// vanishes, because no ζ reaches e = 0 (e ≈ 1/(4ζ²) for large ζ).
 pub fn ratio(restitution: f64, separation: Separation) -> Result<f64, ContactLawError> {
     let e = unit_interval("restitution", restitution)?;
     if e == 0.0 && separation == Separation::ForceVanishes {

@@ -207,8 +207,8 @@ impl Law {
     /// Damper of this law for the restitution e at a contact, for the approach speed in m/s if the law needs one
     /// ([`Law::needs_speed`]).
     ///
-    /// `separation` affects only Kelvin–Voigt. Errors: e or the speed is out of range (also if the law needs no speed); the speed
-    /// is missing; the law does not reach e; overflow of the damping.
+    /// `separation` affects only Kelvin–Voigt. Errors: e or the speed is out of range (also if the law needs no
+    /// speed); the speed is missing; the law does not reach e; overflow of the damping.
     pub fn damper(
         self,
         contact: CompliantContact,

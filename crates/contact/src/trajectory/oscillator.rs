@@ -47,8 +47,9 @@ impl Oscillator {
         }
     }
 
-    /// y at s before the end. For ζ < 1 the sine is computed from the remaining angle to y = 0, without loss of digits for small
-    /// y. This angle at the end is 0 if the gap closes, and π − 2 arccos ζ = 2 arcsin ζ if the force vanishes.
+    /// y at s before the end. For ζ < 1 the sine is computed from the remaining angle to y = 0, without loss of
+    /// digits for small y. This angle at the end is 0 if the gap closes, and π − 2 arccos ζ = 2 arcsin ζ if the force
+    /// vanishes.
     fn displacement_before_end(&self, s: f64) -> f64 {
         let at = self.compression + self.expansion - s;
         if self.ratio < 1.0 {
