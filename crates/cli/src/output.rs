@@ -252,7 +252,7 @@ const MOST_LINKS: usize = 40;
 /// 36.
 const LONGEST_WHOLE_NAME: usize = 200;
 
-/// Begin of the names of unfinished files of an output: `.NAME.`. A long name is cut, and a hash of the full name
+/// Start of the names of unfinished files of an output: `.NAME.`. A long name is cut, and a hash of the full name
 /// follows.
 fn part_of(path: &Path) -> OsString {
     let whole = path.file_name().unwrap_or_default();

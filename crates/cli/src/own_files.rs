@@ -46,7 +46,7 @@ pub fn is_own(path: &Path) -> io::Result<bool> {
     })
 }
 
-/// Begin and end of the last line of an imported model.
+/// Start and end of the last line of an imported model.
 const SEAL: (&str, &str) = ("<!-- SHA-256 of the lines above, as percuss wrote them: ", " -->");
 
 /// Imported model with the hash of its text in the last line, which reveals changes by hand.

@@ -13,7 +13,7 @@ pub(super) const FACTS: Facts = Facts {
     law: "spring k xᵖ and a damping that increases over the depth d; never pulls",
     combines: "none: the values apply to the pair",
     measured: &[],
-    caution: "for one approach speed; with the default ERROR and HMAX the integrator steps over the begin of \
+    caution: "for one approach speed; with the default ERROR and HMAX the integrator steps over the start of \
         the contact",
     sources: &[
         "Adams Solver, \"IMPACT\" (help.solidworks.com, r_function_impact; adams.thisaray.com, func_impact)",

@@ -8,7 +8,7 @@
 //! | force       | k Xᵖ                                          |
 //!
 //! The motion of each law has a closed form in a parameter s; only the time needs an integral, ∫ (dt/ds) ds. The
-//! integrand dt/ds can be singular only at the begin and at the end of the contact, so s is measured from both.
+//! integrand dt/ds can be singular only at the start and at the end of the contact, so s is measured from both.
 
 mod dissipative;
 mod oscillator;
