@@ -198,7 +198,7 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     }
     if let Some(alone) = report.body_alone {
         let wrong = alone.restitution.map_or_else(String::new, |e| {
-            format!("; a damper for this mass would give the restitution {}", number(e))
+            format!("; a damper for this mass gives the restitution {}", number(e))
         });
         facts.push(("contact link alone", format!("{} kg{wrong}", number(alone.mass))));
     }
