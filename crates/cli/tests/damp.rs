@@ -136,7 +136,7 @@ fn mass_and_studies_take_a_restitution_too() {
     }
     assert!(json(&format!("mass {WISHBONE} {STOP} --format json"))["damper"].is_null());
     let text = percuss(&format!("mass {WISHBONE} {STOP} {flags}")).stdout;
-    assert!(text.contains("struck body alone") && text.contains("contribution of each link"), "{text}");
+    assert!(text.contains("contact link alone") && text.contains("contribution of each link"), "{text}");
     let scratch = Scratch::new("damp-study");
     let study = scratch.write(
         "stop.toml",
@@ -179,8 +179,8 @@ fn the_force_history_is_drawn() {
 #[test]
 fn what_has_no_damper_says_why() {
     for (line, code, words) in [
-        ("", 2, "--restitution E and --stiffness"),
-        ("--mass 3", 2, "--restitution E and --stiffness"),
+        ("", 2, "--restitution E (the required restitution) and --stiffness"),
+        ("--mass 3", 2, "--restitution E (the required restitution) and --stiffness"),
         ("--stiffness 1e4 --restitution 0.5", 2, "either --mass KG or --mass-from MODEL"),
         ("--mass 3 --restitution 0.5", 2, "--stiffness"),
         ("--mass 3 --stiffness 1e4 --restitution 1.2", 2, "a number from 0 to 1"),
@@ -199,7 +199,7 @@ fn what_has_no_damper_says_why() {
         ),
         ("--mass 3 --stiffness 1e4 --restitution 0.5 --for mujco", 2, "did you mean \"mujoco\"?"),
         ("--mass 3 --stiffness 1e4 --restitution 0.5 --exponent 0.5", 2, "exponent"),
-        ("--mass 3 --stiffness 1e4 --restitution 0", 2, "ask for a small restitution"),
+        ("--mass 3 --stiffness 1e4 --restitution 0", 2, "use a small restitution"),
         ("--mass 3 --stiffness 1e4 --restitution 0.5 --output plot.svg", 2, "--speed"),
         (
             "--mass 3 --stiffness 1e4 --restitution 0.5 --speed 1 --output plot.gif",
@@ -217,11 +217,15 @@ fn what_has_no_damper_says_why() {
             "--link LINK, --point X,Y,Z",
         ),
         ("--mass 3 --stiffness 1e4 --restitution 0.99 --for bullet --time-step 1", 2, "step must be below"),
-        ("--mass 3 --stiffness 1e4 --restitution 0.5 --for mujoco --time-step 1", 2, "too long to follow"),
+        (
+            "--mass 3 --stiffness 1e4 --restitution 0.5 --for mujoco --time-step 1",
+            2,
+            "too long for an explicit integration",
+        ),
         (
             "--mass 1.5 --stiffness 1e5 --restitution 0.01 --for mujoco --time-step 7.7e-4",
             2,
-            "too long to follow",
+            "too long for an explicit integration",
         ),
         (
             "--mass-from models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 0,0,1 --stiffness 1e4 --restitution 0.5",
@@ -275,7 +279,7 @@ fn names_stand_for_what_they_are_known_for() {
     {
         let outcome = percuss(&format!("{base} {contradiction}"));
         assert_eq!(outcome.code, 2, "{contradiction}");
-        assert!(outcome.stderr.contains("stands for"), "{}", outcome.stderr);
+        assert!(outcome.stderr.contains("implies the"), "{}", outcome.stderr);
     }
 }
 

@@ -58,7 +58,7 @@ fn every_shipped_model_has_a_study_that_runs() {
             let one = format!("{written}\n[sweep]\n{}\n", vary[0].trim_start_matches("# "));
             let run = percuss(&format!("run {}", folder.write("swept.toml", &one)));
             assert_eq!(run.code, 0, "{model}: {}", run.stderr);
-            assert!(!run.stderr.contains("have no answer"), "{model}: {}", run.stderr);
+            assert!(!run.stderr.contains("have no result"), "{model}: {}", run.stderr);
             swept += 1;
         }
     }

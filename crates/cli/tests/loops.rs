@@ -135,7 +135,7 @@ fn held_contacts_hold_and_say_where_they_pull() {
     let outcome = percuss(&lifted);
     assert_eq!(outcome.code, 0);
     assert!(
-        outcome.stderr.contains("would have to pull") && outcome.stderr.contains("2.9692368704"),
+        outcome.stderr.contains("would need a pulling force") && outcome.stderr.contains("2.9692368704"),
         "{}",
         outcome.stderr
     );
@@ -143,7 +143,7 @@ fn held_contacts_hold_and_say_where_they_pull() {
     assert_eq!(report["diagnostics"][0]["code"], "hold-pulls");
     assert_close(report["effective_mass"].as_f64().unwrap(), locked, 1e-12);
     assert_eq!(report["degrees_of_freedom"], 8);
-    assert_refused(&format!("{lifted} --strict"), 2, &["would have to pull"]);
+    assert_refused(&format!("{lifted} --strict"), 2, &["would need a pulling force"]);
     assert_refused(&format!("{MIDDLE_WHEEL} --hold nothing:0,0,0"), 2, &["nothing"]);
     assert_refused(&format!("{MIDDLE_WHEEL} --hold left_front:0,0,0:0,0,0"), 2, &["normal"]);
     assert_refused(&format!("{MIDDLE_WHEEL} --hold left_front"), 2, &["LINK:X,Y,Z"]);
@@ -346,7 +346,7 @@ fn a_joint_set_to_more_than_its_loops_leave_is_said() {
     let found = findings(&asked([0.0, 1.0, 0.0], 0.2), "off-target");
     let [(severity, message)] = &found[..] else { panic!("{found:?}") };
     assert_eq!(severity, "warning");
-    for words in ["\"ball\"", "--set", "more numbers than its loops leave", "0.200000 off"] {
+    for words in ["\"ball\"", "--set", "more values than the loops leave", "0.200000 rad or m away"] {
         assert!(message.contains(words), "{words} is missing in {message}");
     }
     // Yaw and roll keep the tip level.
@@ -369,7 +369,7 @@ fn a_wrong_axis_that_makes_loops_rigid_is_named() {
     for words in [
         "are rigid",
         "the axis of joint \"",
-        "departs by 2.8624°",
+        "deviates by 2.8624°",
         "in the root link's axes; correct its <axis>",
     ] {
         assert!(message.contains(words), "{words} is missing in\n{message}");

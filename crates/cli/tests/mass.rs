@@ -126,7 +126,7 @@ fn flags_mean_what_they_say() {
     // A floating base needs a mass.
     let massless = percuss(&format!("{turret} --base floating"));
     assert_eq!(massless.code, 2);
-    let said = "--base: the root link \"pedestal\" has no mass; a body that floats needs one: give it its mass \
+    let said = "--base: the root link \"pedestal\" has no mass; a floating root link needs a mass: set its mass \
                 (--link-mass pedestal=KG)";
     assert!(massless.stderr.contains(said), "{}", massless.stderr);
     // A free body in series.
@@ -166,7 +166,7 @@ fn mistakes_are_told_with_exit_code_2() {
         (ARM.replace("0.08,0,0", "inf,0,0"), "not finite"),
         (ARM.replace("--point 0.08,0,0", "--point="), "is no number"),
         (ARM.replace("--normal 0,0,-1", ""), "required"),
-        (ARM.replace("--normal 0,0,-1", "--along-line tool:0.08,0,0"), "there is no direction"),
+        (ARM.replace("--normal 0,0,-1", "--along-line tool:0.08,0,0"), "the direction is undefined"),
         (ARM.replace("--normal 0,0,-1", "--along-line tool"), "expected LINK:X,Y,Z"),
         ("mass models/none.urdf --link a --point 0,0,0 --normal 0,0,1".into(), "no such file"),
         ("check models".into(), "directory"),

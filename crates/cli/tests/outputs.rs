@@ -175,7 +175,7 @@ fn meshes_and_tables_of_points_are_inputs() {
         let line = format!("map {model} --link finger --force -o {}", folder.path("skin.ply"));
         let refused = percuss(&line);
         assert!(
-            refused.code == 2 && refused.stderr.contains("an input of the same run"),
+            refused.code == 2 && refused.stderr.contains("an input file of the same run"),
             "{}",
             refused.stderr
         );
@@ -192,7 +192,11 @@ fn meshes_and_tables_of_points_are_inputs() {
     let table = folder.path("double-wishbone-points.xlsx");
     let vary = "--vary travel:wheel_centre:0,0,0:0,0,1=-5mm:5mm:3";
     let refused = percuss(&format!("sweep {sheet} {stop} {vary} --force -o {table}"));
-    assert!(refused.code == 2 && refused.stderr.contains("an input of the same run"), "{}", refused.stderr);
+    assert!(
+        refused.code == 2 && refused.stderr.contains("an input file of the same run"),
+        "{}",
+        refused.stderr
+    );
 }
 
 /// On Windows, symbolic links need administrator rights, and a name in other case is the same file.
@@ -219,18 +223,22 @@ fn an_input_is_no_output_by_any_path() {
         let before = fs::read(&model).expect("there");
         let outcome = percuss(&format!("sweep {model} {flags} -o {output}"));
         assert_eq!(outcome.code, 2, "{output}");
-        assert!(outcome.stderr.contains("an input of the same run"), "{}", outcome.stderr);
+        assert!(outcome.stderr.contains("an input file of the same run"), "{}", outcome.stderr);
         assert!(fs::read(&model).expect("there") == before);
     }
     // Positions, and the sheet of a suspension with its table.
     let rows = folder.write("rows.csv", "hinge\n0\n0.1\n");
     let line = format!("{SWEEP} --input {rows} --force -o {rows}");
-    assert!(percuss(&line).stderr.contains("an input of the same run"));
+    assert!(percuss(&line).stderr.contains("an input file of the same run"));
     let sheet =
         fs::read_to_string(support::root().join("models/suspensions/double-wishbone.toml")).expect("there");
     let sheet = folder.write("sheet.toml", &sheet);
     let outcome = percuss(&format!("import {sheet} --force -o {sheet}"));
-    assert!(outcome.code == 2 && outcome.stderr.contains("an input of the same run"), "{}", outcome.stderr);
+    assert!(
+        outcome.code == 2 && outcome.stderr.contains("an input file of the same run"),
+        "{}",
+        outcome.stderr
+    );
 }
 
 #[test]

@@ -346,7 +346,7 @@ fn comparisons_say_what_is_missing_and_are_workbooks() {
         run(&folder, &words)
     };
     let far = compare("travel:wheel_centre:0,0,0:0,0,1=0mm:900mm:4", &[]);
-    assert!(far.stderr.contains("of 4 rows have no answer; the first, row"), "{}", far.stderr);
+    assert!(far.stderr.contains("of 4 rows have no result; the first, row"), "{}", far.stderr);
     for design in ["\"double-wishbone\": ", "\"double-wishbone-rods\": "] {
         assert!(far.stderr.contains(design), "{}", far.stderr);
     }
@@ -492,7 +492,7 @@ fn no_part_of_a_study_writes_what_another_reads_or_writes() {
         for force in [&["run", "study.toml"][..], &["run", "study.toml", "--force"]] {
             let outcome = run(&folder, force);
             assert_eq!(outcome.code, 2, "{output}: {}", outcome.stdout);
-            assert!(outcome.stderr.contains("input of the same run"), "{output}: {}", outcome.stderr);
+            assert!(outcome.stderr.contains("input file of the same run"), "{output}: {}", outcome.stderr);
         }
         assert_eq!(fs::read_to_string(folder.path("rows.csv")).expect("there"), rows, "{output}");
     }

@@ -226,7 +226,7 @@ fn masses_and_their_centres_are_changed() {
         ("--link-com rod=0,0,0", ["--link-com", "no mass"]),
         ("--link-com bob=0,0", ["--link-com", "3"]),
         ("--link-com bab=0,0,0", ["--link-com", "\"bab\""]),
-        ("--move lower_ball=0,0,5mm", ["--move", "is a URDF, which has no hardpoints"]),
+        ("--move lower_ball=0,0,5mm", ["--move", "is a URDF without hardpoints"]),
     ] {
         refused(&format!("mass {PENDULUM} {flag}"), &words);
     }
@@ -372,7 +372,7 @@ fn tolerances_are_those_of_the_closed_form() {
         ("--tolerance 0.1", ["--tolerance", "--expect"]),
         ("--tolerance mass=2kg", ["--tolerance", "mass=2%"]),
         ("--tolerance girth=2%", ["--tolerance", "girth"]),
-        ("--tolerance point=1mm", ["--tolerance", "no hardpoints"]),
+        ("--tolerance point=1mm", ["--tolerance", "without hardpoints"]),
         ("--tolerance mass=1% --samples 1", ["--samples", "2 to"]),
         ("--tolerance mass=1% --tolerance mass=2%", ["--tolerance", "twice"]),
         ("--samples 10", ["--tolerance", "required"]),

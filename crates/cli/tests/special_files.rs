@@ -164,7 +164,11 @@ fn a_file_silences_no_warning_under_strict() {
     let plain = percuss(&format!("check {model}"));
     assert!(plain.code == 0 && !plain.stderr.contains("warning"), "{}", plain.stderr);
     let strict = percuss(&format!("check {model} --strict"));
-    assert!(strict.code == 2 && strict.stderr.contains("--strict makes them errors"), "{}", strict.stderr);
+    assert!(
+        strict.code == 2 && strict.stderr.contains("--strict treats warnings as errors"),
+        "{}",
+        strict.stderr
+    );
 }
 
 #[test]

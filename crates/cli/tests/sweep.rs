@@ -113,7 +113,7 @@ fn travel_reaches_to_the_end_of_the_range_and_no_further() {
     assert_eq!(beyond.code, 0);
     let (_, told) = beyond
         .stderr
-        .split_once("2 of 3 rows have no answer; the first: a travel of 0.4 m")
+        .split_once("2 of 3 rows have no result; the first: a travel of 0.4 m")
         .expect("two rows");
     let nearest = told.rsplit("nearest reached: ").next().unwrap().trim().trim_end_matches(" m");
     assert!((0.28..=0.3).contains(&nearest.parse::<f64>().expect("a number")), "{told}");
@@ -124,7 +124,7 @@ fn rows_out_of_reach_have_empty_cells_and_the_sweep_goes_on() {
     let line = format!("{STOP} --vary lower_arm_hinge=0.6:0.2:5");
     let outcome = percuss(&line);
     assert_eq!(outcome.code, 0);
-    assert!(outcome.stderr.contains("warning: 2 of 5 rows have no answer"), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("warning: 2 of 5 rows have no result"), "{}", outcome.stderr);
     let sweep = Sweep::read(&outcome.stdout);
     for row in 0..2 {
         assert_eq!(sweep.cell(row, "status"), "unreachable");
@@ -142,7 +142,7 @@ fn rows_out_of_reach_have_empty_cells_and_the_sweep_goes_on() {
     assert_eq!(none.code, 1);
     assert!(none.stdout.starts_with("row,lower_arm_hinge,status,"), "{}", none.stdout);
     assert!(
-        none.stderr.contains("3 of 3 rows have no answer") && none.stderr.contains("upper_ball"),
+        none.stderr.contains("3 of 3 rows have no result") && none.stderr.contains("upper_ball"),
         "{}",
         none.stderr
     );
@@ -176,7 +176,7 @@ fn what_cannot_be_varied_is_refused() {
             "no joint that is free to drive moves this point",
         ),
         (format!("{long} travel:nothing:0,0,0:1,0,0=0:1mm:3"), "no link is named \"nothing\""),
-        (format!("{long} crank_hinge=0:1:3 --set crank_hinge=1"), "set already (--set)"),
+        (format!("{long} crank_hinge=0:1:3 --set crank_hinge=1"), "already set (--set)"),
         (format!("{STOP} --vary lower_ball=0:1:3"), "no single position"),
         (format!("{STOP} --vary rack=0:1:3"), "no single position"),
         (COUPLER.to_owned(), "--vary"),

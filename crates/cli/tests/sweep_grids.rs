@@ -89,7 +89,7 @@ fn what_no_grid_can_vary_is_refused() {
         (format!("{STOP} --vary {travel} --vary {travel}"), "is not the last of the ranges"),
         (format!("{ARM} --vary elbow=0:1:1000000 --vary shoulder=0:1:1000000"), "1000000000000 combinations"),
         (format!("{ARM} --vary elbow=0:1:3 --vary shoulder=0:1mm:3"), "expected an angle (rad)"),
-        (format!("{ARM} --vary elbow=0:1:3 --set elbow=1"), "set already (--set)"),
+        (format!("{ARM} --vary elbow=0:1:3 --set elbow=1"), "already set (--set)"),
         (
             format!("{ARM} --vary elbow=0:1:3 --vary shoulder=0:1:3 --vary yaw=0:1:3 --output x.svg"),
             "a picture shows",
@@ -97,11 +97,11 @@ fn what_no_grid_can_vary_is_refused() {
         (format!("{ARM} --vary elbow=0:1:3 --random 3"), "cannot be used with"),
         (format!("{ARM} --vary elbow=0:1:3 --input x.csv"), "cannot be used with"),
         (format!("{ARM} --vary elbow=0:1:3 --threads 0"), "--threads"),
-        (format!("{ARM} --vary elbow=0:1:3 --ignore x"), "--ignore leaves out columns of --input"),
+        (format!("{ARM} --vary elbow=0:1:3 --ignore x"), "--ignore removes columns of --input"),
         (format!("{ARM} --random 0"), "0 random rows"),
         (format!("{ARM} --random 3 --seed=-1"), "--seed"),
         (format!("{ARM} --seed 3"), "--vary"),
-        (format!("{ARM} --vary elbow=0:1:3 --seed 3"), "--seed is that of --random"),
+        (format!("{ARM} --vary elbow=0:1:3 --seed 3"), "--seed requires --random"),
     ] {
         let outcome = percuss(&format!("sweep {line}"));
         assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{line}: {}", outcome.stderr);
@@ -133,16 +133,12 @@ fn it_is_said_which_rows_were_followed() {
             "lines",
             "each line of the grid",
         ),
-        (
-            format!("{STOP} --random 3 --set lower_arm_hinge=0"),
-            "independent",
-            "rows do not depend on one another",
-        ),
+        (format!("{STOP} --random 3 --set lower_arm_hinge=0"), "independent", "rows are independent"),
         (format!("{ARM} --vary elbow=0:1:3"), "independent", ""),
     ] {
         let outcome = percuss(&format!("sweep {line} --notes --output {path}"));
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);
-        let notes = ["one path", "each line", "do not depend on one another"];
+        let notes = ["one path", "each line", "rows are independent"];
         let says = notes.iter().any(|note| outcome.stderr.contains(note));
         assert_eq!(says, !words.is_empty(), "{}", outcome.stderr);
         assert!(outcome.stderr.contains(words), "{}", outcome.stderr);
@@ -210,7 +206,7 @@ fn random_positions_close_the_loops_and_set_joints_stay() {
     for (kind, words) in [
         ("floating", "--random: joint \"p\" is floating and has no limits to sample between; set it (--set)"),
         ("planar", "--random: joint \"p\" is planar and has no limits to sample between; set it (--set)"),
-        ("fixed", "--random: no joint is left to sample"),
+        ("fixed", "--random: no joint can be sampled"),
     ] {
         let line = "sweep - --link a --point 1,0,0 --normal 0,0,1 --random 3";
         let outcome = percuss_with_stdin(line, slide.replace("KIND", kind).as_bytes());

@@ -149,7 +149,7 @@ fn what_is_wrong_with_a_file_is_said_with_its_place() {
     let both =
         percuss_with_stdin(&format!("{} --input -", COUPLER.replace("models/four_bar.urdf", "-")), &model);
     assert!(
-        both.code == 2 && both.stderr.contains("the standard input is the model already"),
+        both.code == 2 && both.stderr.contains("the model is already read from the standard input"),
         "{}",
         both.stderr
     );
@@ -176,7 +176,7 @@ fn missing_columns_are_named() {
     let set = percuss(&format!("{line} --set {}=0.4", names[1]));
     assert_eq!(set.code, 0, "{}", set.stderr);
     let twice = percuss(&format!("{line} --set {}=0.4", names[0]));
-    assert!(twice.code == 2 && twice.stderr.contains("is set already"), "{}", twice.stderr);
+    assert!(twice.code == 2 && twice.stderr.contains("is already set"), "{}", twice.stderr);
     // The crank drives the four-bar; the other joints follow.
     let crank = scratch.write("crank.csv", "crank_hinge [deg]\n10\n20\n");
     assert_eq!(percuss(&format!("{COUPLER} --input {crank}")).code, 0);
@@ -194,7 +194,7 @@ fn a_path_goes_on_after_rows_out_of_reach() {
     let sweep = answered(&outcome);
     let status: Vec<&str> = (0..5).map(|row| sweep.cell(row, "status")).collect();
     assert_eq!(status, ["finite", "unreachable", "unreachable", "unreachable", "finite"]);
-    assert!(outcome.stderr.contains("3 of 5 rows have no answer"), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("3 of 5 rows have no result"), "{}", outcome.stderr);
 }
 
 /// The same in a study; paths are relative to the study.
@@ -221,8 +221,8 @@ fn a_study_has_files_and_random_positions_too() {
     for (sweep, words) in [
         ("random = 5\ninput = \"path.csv\"", "sweep: give one of vary, input and random"),
         ("output = \"x.csv\"", "sweep: give one of vary, input and random"),
-        ("vary = \"crank_hinge=0:1:3\"\nseed = 1", "seed is that of random"),
-        ("vary = \"crank_hinge=0:1:3\"\nignore = \"t\"", "ignore leaves out columns of input"),
+        ("vary = \"crank_hinge=0:1:3\"\nseed = 1", "seed requires random"),
+        ("vary = \"crank_hinge=0:1:3\"\nignore = \"t\"", "ignore removes columns of input"),
         ("input = \"path.csv\"", "sweep.input: "),
         ("input = \"path.csv\"", "leave the column out (sweep.ignore)"),
     ] {

@@ -233,7 +233,7 @@ fn what_does_not_depend_on_the_value_is_tried_once() {
         "{}",
         outcome.stderr
     );
-    assert!(outcome.stderr.contains("1000 of 1000 rows have no answer; the first: the loops do not close"));
+    assert!(outcome.stderr.contains("1000 of 1000 rows have no result; the first: the loops do not close"));
 }
 
 /// Crank with a range of ±0.59 rad about 0: rows from 2 rad are out of reach, rows near 6 rad are in reach again.

@@ -1,28 +1,28 @@
-//! The regions of the human body: where a robot may hit a person.
+//! Regions of the human body that a robot may hit.
 
 use crate::ContactLawError;
 use crate::error::nearest;
 use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
 
-/// A region of the human body, as a mass on a spring.
+/// Region of the human body, as a mass on a spring.
 ///
-/// The table is informational: public secondary copies of ISO/TS 15066:2016's values, the standard itself not opened.
-/// Check it against the purchased standard before anything depends on it. Limits of force and pressure are not in it:
-/// public copies of those contradict each other.
+/// The table is informative. The values are from public secondary copies of ISO/TS 15066:2016; the standard itself
+/// was not read. Compare them with the standard before use. The table has no limits of force and pressure, because
+/// public copies of these limits contradict each other.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct BodyRegion {
-    /// As it is written in files and on the command line.
+    /// Name in files and on the command line.
     pub name: String,
-    /// A title for display.
+    /// Title for display.
     pub title: String,
-    /// Its effective mass, in kg.
+    /// Effective mass, in kg.
     pub mass: f64,
-    /// Its effective spring, in N/m.
+    /// Effective stiffness, in N/m.
     pub stiffness: f64,
-    /// What is less certain about the row.
+    /// Remark on the uncertainty of the values.
     pub note: Option<String>,
 }
 
@@ -32,19 +32,19 @@ struct Table {
     region: Vec<BodyRegion>,
 }
 
-/// Read once; that it can be read is a test of this file.
+/// Table, parsed once; a test of this file checks that the parsing succeeds.
 static TABLE: LazyLock<Vec<BodyRegion>> = LazyLock::new(|| {
     let read = toml::from_str::<Table>(include_str!("../data/body_regions.toml"));
     read.map(|table| table.region).unwrap_or_default()
 });
 
 impl BodyRegion {
-    /// The whole table.
+    /// All regions.
     pub fn all() -> &'static [Self] {
         &TABLE
     }
 
-    /// The region of this name, upper and lower case alike. Errors: [`ContactLawError::UnknownRegion`].
+    /// Returns the region of a name, ignoring case. Errors: [`ContactLawError::UnknownRegion`].
     pub fn from_name(name: &str) -> Result<&'static Self, ContactLawError> {
         let wanted = name.trim().to_lowercase().replace(['_', ' '], "-");
         let names = || Self::all().iter().map(|region| region.name.as_str());
@@ -67,7 +67,7 @@ mod tests {
         assert_eq!(BodyRegion::all().len(), 12);
         for region in BodyRegion::all() {
             assert!(region.mass >= 0.6 && region.mass <= 75.0, "{region:?}");
-            // In N/m: a value left in N/mm would be a thousand times less.
+            // In N/m: a value in N/mm would be smaller by a factor of 1000.
             assert!(region.stiffness >= 1e4 && region.stiffness <= 1.5e5, "{region:?}");
         }
     }

@@ -1,9 +1,9 @@
-//! An effective mass and a contact spring.
+//! Compliant contact: effective mass and spring.
 
 use crate::ContactLawError;
 use crate::error::positive;
 
-/// The effective mass of a contact and the spring between the two surfaces: force k xᵖ at the penetration x.
+/// Effective mass of a contact, and the spring between the two surfaces: force k xᵖ at the penetration x.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CompliantContact {
     mass: f64,
@@ -12,22 +12,22 @@ pub struct CompliantContact {
 }
 
 impl CompliantContact {
-    /// The least and the greatest exponent of the spring.
+    /// Smallest and largest exponent of the spring.
     pub const EXPONENTS: std::ops::RangeInclusive<f64> = 1.0..=10.0;
 
-    /// A linear spring.
+    /// Contact with a linear spring.
     ///
-    /// `mass` is the effective mass m̄ along the normal, in kg; `stiffness` is k, in N/m. Errors: either is not a
-    /// finite number above zero.
+    /// `mass` is the effective mass m̄ along the normal, in kg; `stiffness` is k, in N/m. Errors: one of the two is not
+    /// a finite number above zero.
     pub fn new(mass: f64, stiffness: f64) -> Result<Self, ContactLawError> {
         let mass = positive("effective mass, kg", mass)?;
         let stiffness = positive("stiffness, N/m^p", stiffness)?;
         Ok(Self { mass, stiffness, exponent: 1.0 })
     }
 
-    /// The same with the force k xᵖ, k in N/mᵖ: p = 1 for a linear spring, 3/2 for Hertz's spheres.
+    /// Contact with the spring force k xᵖ, k in N/mᵖ: p = 1 for a linear spring, 3/2 for spheres (Hertz).
     ///
-    /// Errors: p is not from 1 to 10.
+    /// Errors: as [`new`](Self::new); p is not from 1 to 10.
     pub fn with_exponent(self, exponent: f64) -> Result<Self, ContactLawError> {
         if Self::EXPONENTS.contains(&exponent) {
             return Ok(Self { exponent, ..self });

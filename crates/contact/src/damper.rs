@@ -1,4 +1,4 @@
-//! The damper in parallel with the spring of a contact.
+//! Damper in parallel with the spring of a contact.
 
 use crate::error::{not_negative, positive, representable};
 use crate::impact::{self, Impact, Sample};
@@ -6,17 +6,17 @@ use crate::limits;
 use crate::trajectory::{Dissipative, Oscillator, Trajectory};
 use crate::{CompliantContact, ContactLawError, Separation};
 
-/// A damper: with a [`CompliantContact`] and an approach speed it makes an impact.
+/// Damper law with its coefficient. A [`CompliantContact`], a damper and an approach speed define an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Damper {
     /// F = k xᵖ + c x^((p−1)/2) ẋ.
     KelvinVoigt {
-        /// ζ = c/(2√((p+1)/2)√(k m̄)) on the contact that it was made for. The force follows from
-        /// the coefficient: on another contact the ratio differs.
+        /// Damping ratio ζ = c/(2√((p+1)/2)√(k m̄)) for the contact of the constructor. The force depends on the
+        /// coefficient c, so the ratio differs for another contact.
         ratio: f64,
         /// c, in N·s/m^((p+1)/2): N·s/m for a linear contact.
         coefficient: f64,
-        /// When the contact ends.
+        /// End of the contact.
         separation: Separation,
     },
     /// F = k xᵖ (1 + d ẋ).
@@ -27,7 +27,7 @@ pub enum Damper {
 }
 
 impl Damper {
-    /// The Kelvin–Voigt damper with this damping ratio on this contact: c = 2ζ√((p+1)/2)√(k m̄).
+    /// Kelvin–Voigt damper with a damping ratio at a contact: c = 2ζ√((p+1)/2)√(k m̄).
     ///
     /// Errors: ζ is negative, NaN or infinite; c is beyond a 64-bit float.
     pub fn kelvin_voigt(
@@ -43,7 +43,7 @@ impl Damper {
         Ok(Self::KelvinVoigt { ratio, coefficient, separation })
     }
 
-    /// The Kelvin–Voigt damper with this coefficient c, in N·s/m^((p+1)/2), on this contact.
+    /// Kelvin–Voigt damper with a coefficient c, in N·s/m^((p+1)/2), at a contact.
     ///
     /// Errors: c is negative, NaN or infinite; ζ is beyond a 64-bit float.
     pub fn kelvin_voigt_from_coefficient(
@@ -55,34 +55,35 @@ impl Damper {
         Ok(Self::KelvinVoigt { ratio, coefficient, separation })
     }
 
-    /// The Hunt–Crossley damper with this dissipation d, in s/m. Errors: d is negative, NaN or infinite.
+    /// Hunt–Crossley damper with a dissipation d, in s/m. Errors: d is negative, NaN or infinite.
     pub fn hunt_crossley(dissipation: f64) -> Result<Self, ContactLawError> {
         Ok(Self::HuntCrossley { dissipation: not_negative("dissipation, s/m", dissipation)? })
     }
 
-    /// The restitution on this contact at this approach speed, in m/s: exact for the force, whichever formula the
-    /// damper came from. A Kelvin–Voigt damper gives the same at every speed.
+    /// Restitution at a contact for an approach speed, in m/s. The value is exact for the force of the damper, also
+    /// if an approximate formula determined the coefficient. The restitution of a Kelvin–Voigt damper does not depend
+    /// on the speed.
     ///
-    /// Errors: the speed is not a finite number above zero; a coefficient out of range; beyond a 64-bit float.
+    /// Errors: the speed is not a finite number above zero; a coefficient is out of range; overflow.
     pub fn restitution(self, contact: CompliantContact, speed: f64) -> Result<f64, ContactLawError> {
         Ok(self.trajectory(contact, speed)?.restitution())
     }
 
-    /// 1 − e, without loss of digits where the damping is light. Errors: as [`Damper::restitution`].
+    /// 1 − e, without loss of digits for light damping. Errors: as [`Damper::restitution`].
     pub fn restitution_loss(self, contact: CompliantContact, speed: f64) -> Result<f64, ContactLawError> {
         Ok(self.trajectory(contact, speed)?.loss())
     }
 
-    /// The impact on this contact at this approach speed, in m/s. Errors: as [`Damper::restitution`].
+    /// Key figures of the impact at a contact for an approach speed, in m/s. Errors: as [`Damper::restitution`].
     pub fn impact(self, contact: CompliantContact, speed: f64) -> Result<Impact, ContactLawError> {
         impact::impact(&*self.trajectory(contact, speed)?, contact, speed)
     }
 
-    /// The history of the impact at `samples` instants from the first touch to the end: force over time, and force over
-    /// penetration, whose loop encloses the energy lost.
+    /// History of the impact at `samples` instants from the first touch to the end: force over time and over
+    /// penetration. The loop of force over penetration encloses the lost energy.
     ///
-    /// The last sample is the end itself, where the force is 0, or the pull of a Kelvin–Voigt damper that ends when
-    /// the gap closes. A contact that takes forever to close is shown for eight time constants of its slow return.
+    /// The last sample is the end of the contact. The force there is 0, or the pull of a Kelvin–Voigt damper that
+    /// ends when the gap closes. If the gap never closes, the history covers eight time constants of the slow return.
     /// Errors: as [`Damper::restitution`]; fewer than 2 or more than 1 000 000 samples.
     pub fn history(
         self,

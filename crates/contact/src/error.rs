@@ -2,86 +2,87 @@
 
 use thiserror::Error;
 
-/// Why there is no answer.
+/// Error of a contact law.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum ContactLawError {
-    /// A number outside its range, NaN and infinity included.
+    /// Number outside its range, including NaN and infinity.
     #[error("{what}: {got:?} is out of range; expected {valid}")]
     OutOfRange {
-        /// Which number, with its unit.
+        /// Name of the number, with its unit.
         what: &'static str,
-        /// As given.
+        /// Given value.
         got: f64,
-        /// The range in words.
+        /// Permitted range, in words.
         valid: &'static str,
     },
-    /// The law has no damping that gives this restitution.
+    /// No damping of the law gives the required restitution.
     #[error("{law}: no damping gives the restitution {restitution:?}: {why}; {remedy}")]
     Unreachable {
-        /// The law's name.
+        /// Name of the law.
         law: &'static str,
-        /// As asked for.
+        /// Required restitution.
         restitution: f64,
-        /// What the law does instead.
+        /// Range that the law can reach.
         why: &'static str,
-        /// What to ask for instead.
+        /// Remedy.
         remedy: &'static str,
     },
-    /// The damping depends on the approach speed, which was not given.
-    #[error("{law}: its damping is a number over the approach speed: give the speed, in m/s")]
+    /// Missing approach speed: the damping of the law depends on the speed.
+    #[error("{law}: the damping depends on the approach speed: give the speed, in m/s")]
     SpeedNeeded {
-        /// The law's name.
+        /// Name of the law.
         law: &'static str,
     },
-    /// The answer, or a step to it, is beyond what a 64-bit float holds.
+    /// Overflow or underflow of the result or of an intermediate value.
     #[error("{what}: too large or too small for a 64-bit float (about 1e-308 to 1e308); check the units")]
     NotRepresentable {
-        /// Which quantity, with its unit.
+        /// Name of the quantity, with its unit.
         what: &'static str,
     },
-    /// A law of this name is not known.
-    #[error("\"{name}\" is no contact law{}; known: {known}", suggestion(.nearest))]
+    /// Unknown name of a law.
+    #[error("\"{name}\" is not a contact law{}; known: {known}", suggestion(.nearest))]
     UnknownLaw {
-        /// As given.
+        /// Given value.
         name: String,
-        /// The most similar name, where one is close.
+        /// Most similar name, if one is close.
         nearest: Option<&'static str>,
-        /// All names, commas between.
+        /// All names, separated by commas.
         known: String,
     },
-    /// The name of a law stands for another exponent, or another end of the contact, than was given.
+    /// Conflict between a name of a law, which implies an exponent or an end of the contact, and the given value.
     #[error(
-        "{name} stands for the {what} {fixed}; {got} was given: leave it out, or name the law without that"
+        "{name} implies the {what} {fixed}, but {got} is given: omit the value, or use a law name that does not \
+         imply it"
     )]
     Contradicts {
-        /// The name.
+        /// Name of the law.
         name: &'static str,
-        /// Exponent or separation.
+        /// Quantity in conflict: exponent or separation.
         what: &'static str,
-        /// What the name stands for.
+        /// Value implied by the name.
         fixed: String,
-        /// What was given.
+        /// Given value.
         got: String,
     },
-    /// A region of the body of this name is not in the table.
-    #[error("\"{name}\" is no region of the body in the table{}; known: {known}", suggestion(.nearest))]
+    /// Unknown region of the body.
+    #[error("\"{name}\" is not a region of the body in the table{}; known: {known}", suggestion(.nearest))]
     UnknownRegion {
-        /// As given.
+        /// Given value.
         name: String,
-        /// The most similar name, where one is close.
+        /// Most similar name, if one is close.
         nearest: Option<&'static str>,
-        /// All names, commas between.
+        /// All names, separated by commas.
         known: String,
     },
 }
 
-/// What an error adds where a name is close.
+/// Addition to an error message: the suggested name, if any.
 pub(crate) fn suggestion(nearest: &Option<&'static str>) -> String {
     nearest.map_or_else(String::new, |name| format!(", did you mean \"{name}\"?"))
 }
 
-/// The name among `known` that is most like the one given, where one is close.
+/// Returns the name in `known` that is most similar to a given name, if one is close.
 pub(crate) fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> Option<&'static str> {
     let wanted = name.to_lowercase();
     known
@@ -91,7 +92,7 @@ pub(crate) fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> 
         .map(|(_, other)| other)
 }
 
-/// A number above zero, neither infinite nor so small that it has lost digits.
+/// Checks a number: above zero, finite, and not subnormal.
 pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, ContactLawError> {
     if value.is_normal() && value > 0.0 {
         return Ok(value);
@@ -99,7 +100,7 @@ pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, ContactLaw
     Err(ContactLawError::OutOfRange { what, got: value, valid: "a finite number above 0" })
 }
 
-/// A finite number, zero or above.
+/// Checks a number: finite, zero or above.
 pub(crate) fn not_negative(what: &'static str, value: f64) -> Result<f64, ContactLawError> {
     if value.is_finite() && value >= 0.0 {
         return Ok(value);
@@ -107,7 +108,7 @@ pub(crate) fn not_negative(what: &'static str, value: f64) -> Result<f64, Contac
     Err(ContactLawError::OutOfRange { what, got: value, valid: "a finite number, 0 or above" })
 }
 
-/// A coefficient of restitution, or its complement to one.
+/// Checks a coefficient of restitution e, or 1 − e: 0 to 1.
 pub(crate) fn unit_interval(what: &'static str, value: f64) -> Result<f64, ContactLawError> {
     if (0.0..=1.0).contains(&value) {
         return Ok(value);
@@ -115,7 +116,7 @@ pub(crate) fn unit_interval(what: &'static str, value: f64) -> Result<f64, Conta
     Err(ContactLawError::OutOfRange { what, got: value, valid: "a number from 0 to 1" })
 }
 
-/// A result that is above zero by its formula: it must not have overflowed or vanished.
+/// Checks a result that is above zero in theory: no overflow, no underflow.
 pub(crate) fn representable(what: &'static str, value: f64) -> Result<f64, ContactLawError> {
     if value.is_normal() && value > 0.0 { Ok(value) } else { Err(ContactLawError::NotRepresentable { what }) }
 }

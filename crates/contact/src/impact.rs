@@ -1,4 +1,4 @@
-//! What an impact amounts to, and its history.
+//! Key figures and history of an impact.
 
 use crate::error::{positive, representable};
 use crate::limits;
@@ -6,45 +6,46 @@ use crate::trajectory::{State, Trajectory};
 use crate::{CompliantContact, ContactLawError};
 use serde::Serialize;
 
-/// The figures of one impact: a contact met at some approach speed, until it ends.
+/// Key figures of one impact, from the first touch to the end of the contact.
 ///
-/// The restitution, penetration, force and energy are closed forms, the times too where a Kelvin–Voigt contact is
-/// linear; other times are integrals, to 1e-12 of themselves.
+/// Restitution, penetration, force and energy have closed forms, and so have the times of a linear Kelvin–Voigt
+/// contact. Other times are integrals with a relative error of 1e-12.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Impact {
-    /// Rebound speed over approach speed.
+    /// Rebound speed divided by approach speed.
     pub restitution: f64,
-    /// From the first touch to the end, in s; none where the gap takes forever to close (a Kelvin–Voigt contact
-    /// that ends when the gap closes, damping ratio 1 or more).
+    /// Duration from the first touch to the end, in s. `None` if the gap never closes (a Kelvin–Voigt contact that
+    /// ends when the gap closes, with a damping ratio of 1 or more).
     pub duration: Option<f64>,
-    /// In m.
+    /// Largest penetration, in m.
     pub max_penetration: f64,
-    /// From the first touch, in s.
+    /// Time of the largest penetration after the first touch, in s.
     pub time_of_max_penetration: f64,
-    /// The greatest push, in N.
+    /// Largest force, in N.
     pub peak_force: f64,
-    /// From the first touch, in s: 0 where the damper's jump at the touch is the greatest.
+    /// Time of the largest force after the first touch, in s; 0 if the jump of the damper force at the touch is the
+    /// maximum.
     pub time_of_peak_force: f64,
-    /// ½ m̄ v² (1 − e²), in J.
+    /// Lost energy ½ m̄ v² (1 − e²), in J.
     pub energy_lost: f64,
-    /// e v, in m/s.
+    /// Rebound speed e v, in m/s.
     pub rebound_speed: f64,
 }
 
-/// The state at one instant of an impact.
+/// State at one instant of an impact.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Sample {
-    /// Since the first touch, in s.
+    /// Time since the first touch, in s.
     pub time: f64,
-    /// In m.
+    /// Penetration, in m.
     pub penetration: f64,
-    /// The speed at which the penetration grows, in m/s.
+    /// Rate of the penetration, in m/s.
     pub rate: f64,
-    /// The push between the two sides, in N.
+    /// Compressive force between the two sides, in N.
     pub force: f64,
 }
 
-/// The units of a trajectory.
+/// Units of a trajectory.
 #[derive(Clone, Copy, Debug)]
 struct Units {
     speed: f64,
@@ -57,7 +58,7 @@ impl Units {
     fn new(contact: CompliantContact, speed: f64) -> Result<Self, ContactLawError> {
         let p = contact.exponent();
         let speed = positive("approach speed, m/s", speed)?;
-        // √(m̄/k) v first: no square overflows on the way.
+        // √(m̄/k) v first: intermediate squares cannot overflow.
         let root = contact.mass().sqrt() / contact.stiffness().sqrt() * speed;
         let scale = (0.5 * (p + 1.0)).sqrt() * representable("penetration, m", root)?;
         let length = representable("penetration, m", scale.powf(2.0 / (p + 1.0)))?;
@@ -77,7 +78,7 @@ impl Units {
     }
 }
 
-/// The figures of this trajectory.
+/// Key figures of a trajectory.
 pub(crate) fn impact(
     trajectory: &dyn Trajectory,
     contact: CompliantContact,
@@ -109,10 +110,10 @@ pub(crate) fn impact(
     })
 }
 
-/// The history of this trajectory at `count` instants, the touch and the end included.
+/// History of a trajectory at `count` instants, including the touch and the end.
 ///
-/// They are nearly evenly spaced in time near both ends, where the force of a stiffening spring sets in, and along
-/// the trajectory's own parameter between.
+/// The instants are nearly uniform in time near both ends, because the force of a stiffening spring starts there, and
+/// uniform in the parameter of the trajectory in between.
 pub(crate) fn history(
     trajectory: &dyn Trajectory,
     contact: CompliantContact,

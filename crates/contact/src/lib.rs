@@ -1,21 +1,21 @@
 //! Contact damping from the coefficient of restitution, and back.
 //!
-//! A mass m̄ in kilograms meets a surface at some speed and leaves it with e times that speed. The surface is a spring
-//! and a damper; which damper gives e is a matter of the law of the damper, and several are in use. This crate does
-//! not depend on where the mass comes from.
+//! A mass m̄ (kg) meets a surface at an approach speed v and leaves the surface with the speed e v. The surface is a
+//! spring with a damper. The damper for a restitution e depends on the damper law, and several laws are in use. The
+//! mass is an input: this crate does not compute effective masses.
 //!
 //! | question                                   | answer                                                  |
 //! |--------------------------------------------|---------------------------------------------------------|
-//! | which damper gives this restitution        | [`Law::damper`]                                         |
-//! | which restitution this damper gives        | [`Damper::restitution`]                                 |
-//! | how long, how deep, how hard, what is lost | [`Damper::impact`], [`Damper::history`]                   |
-//! | how far a formula of the literature is wrong | [`Law::approximation_error`]                            |
-//! | what to type into a simulator              | [`exports`]                                             |
-//! | how fast a robot may hit a person       | [`TransientContact`]                                    |
+//! | damper for a required restitution          | [`Law::damper`]                                         |
+//! | restitution of a damper                    | [`Damper::restitution`]                                 |
+//! | duration, penetration, force, lost energy  | [`Damper::impact`], [`Damper::history`]                 |
+//! | error of a formula of the literature       | [`Law::approximation_error`]                            |
+//! | parameters for simulators                  | [`exports`]                                             |
+//! | safe speed of a robot near a person        | [`TransientContact`]                                    |
 //!
-//! Two laws are solved exactly, [`kelvin_voigt`] and [`hunt_crossley`]; the others are formulas of the literature for
-//! the damping of the second, which are approximations with known errors. Units are SI throughout. Nothing panics on input, and no NaN or infinity
-//! comes out: what a 64-bit float cannot hold is an error.
+//! Two laws are solved exactly, [`kelvin_voigt`] and [`hunt_crossley`]. The other laws are published approximations
+//! of the Hunt–Crossley damping, with known errors. All units are SI. No input causes a panic, a NaN or an infinity:
+//! overflow is an error.
 //!
 //! ```
 //! use percuss_contact::{CompliantContact, Damper, Law, Separation};
@@ -24,7 +24,7 @@
 //! let damper = Law::KelvinVoigt.damper(contact, 0.5, None, Separation::ForceVanishes)?;
 //! let impact = damper.impact(contact, 0.4)?;
 //! assert!((impact.rebound_speed - 0.2).abs() < 1e-15);
-//! // The half period of the textbooks gives too much rebound where nothing pulls.
+//! // The half-period formula of textbooks gives too much rebound if the contact cannot pull.
 //! let textbook = Law::KelvinVoigt.damper(contact, 0.5, None, Separation::GapCloses)?;
 //! let Damper::KelvinVoigt { ratio, .. } = textbook else { unreachable!() };
 //! let damper = Damper::kelvin_voigt(contact, ratio, Separation::ForceVanishes)?;

@@ -1,18 +1,18 @@
-//! Integrals with a power singularity at their lower end.
+//! Integrals with a power singularity at the lower end.
 
 use crate::limits;
 use std::f64::consts::PI;
 
 /// ∫₀^span f(s) ds by the double-exponential rule (Takahasi and Mori 1974).
 ///
-/// f may rise as s⁻ᵅ, α ≤ 0.95, at 0, and is smooth elsewhere. The step is halved until two results agree to 1e-13 of
-/// themselves; the integrals of this crate then agree with closed forms to 1e-12.
+/// f may grow as s⁻ᵅ, α ≤ 0.95, at 0, and is smooth elsewhere. The step is halved until two results have a relative
+/// difference below 1e-13. The integrals of this crate then agree with closed forms to a relative error of 1e-12.
 pub(crate) fn from_singular_end(span: f64, f: impl Fn(f64) -> f64) -> f64 {
     if span <= 0.0 {
         return 0.0;
     }
     let term = |t: f64| {
-        // The distance from the lower end is span/(1 + e^x): it does not lose digits however near the end.
+        // The distance from the lower end is span/(1 + e^x), without loss of digits near the end.
         let x = -PI * t.sinh();
         let below = 1.0 / (1.0 + x.exp());
         let above = 1.0 / (1.0 + (-x).exp());
@@ -46,7 +46,7 @@ pub(crate) fn from_singular_end(span: f64, f: impl Fn(f64) -> f64) -> f64 {
 mod tests {
     use super::from_singular_end;
 
-    /// Up to the exponent of p = 10 under Hunt and Crossley's law, 10/11.
+    /// Exponents up to 10/11, which occurs for p = 10 in the Hunt–Crossley law.
     #[test]
     fn powers_have_their_integrals() {
         for power in [0.0, 0.1, 0.5, 0.75, 10.0 / 11.0] {

@@ -1,23 +1,23 @@
-//! When a contact ends.
+//! End of a contact.
 
-/// When a contact ends, for a law whose force would pull before the gap closes.
+/// Definition of the end of a contact, for laws with a force that would pull before the gap closes.
 ///
-/// Laws of the Hunt–Crossley family never pull, and end when the gap closes under either choice.
+/// Laws of the Hunt–Crossley family never pull, so their contacts end when the gap closes with both choices.
 #[derive(Clone, Copy, Debug, Default, Eq, Hash, PartialEq)]
 pub enum Separation {
-    /// When the force has fallen to zero, the spring still pressed in: contacts that do not stick, and every
-    /// simulator that takes max(0, F).
+    /// Zero force, with the spring still compressed: contacts without adhesion, and simulators with the force max(0,
+    /// F).
     #[default]
     ForceVanishes,
-    /// When the spring has its free length again; the damper pulls shortly before. The half period of textbooks.
+    /// Free length of the spring; the damper pulls shortly before. The half-period formula of textbooks.
     GapCloses,
 }
 
 impl Separation {
-    /// Both, the default first.
+    /// Both choices, the default first.
     pub const ALL: [Self; 2] = [Self::ForceVanishes, Self::GapCloses];
 
-    /// As it is written in files and on the command line.
+    /// Name in files and on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::ForceVanishes => "force",
@@ -25,7 +25,7 @@ impl Separation {
         }
     }
 
-    /// The one of this name.
+    /// Returns the choice with a name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|separation| separation.name() == name)
     }

@@ -61,17 +61,17 @@ fn a_restitution_of_nothing() {
     };
     assert_eq!(
         message(Law::KelvinVoigt),
-        "kelvin-voigt: no damping gives the restitution 0.0: a contact that cannot pull nears 0 only as the damping \
-         grows without bound (e = 1/(4 ratio^2)); ask for a small restitution, such as 0.01 (ratio 4.8)"
+        "kelvin-voigt: no damping gives the restitution 0.0: a contact that cannot pull approaches 0 only for \
+         infinite damping (e = 1/(4 ratio^2)); use a small restitution, such as 0.01 (ratio 4.8)"
     );
     assert_eq!(
         message(Law::HuntCrossley),
-        "hunt-crossley: no damping gives the restitution 0.0: the rebound speed nears 1/d as the dissipation d grows, \
-         and 0 only without bound; ask for a small restitution, such as 0.01"
+        "hunt-crossley: no damping gives the restitution 0.0: the rebound speed approaches 1/d for large \
+         dissipation d, and 0 only for d → ∞; use a small restitution, such as 0.01"
     );
     assert_eq!(
         message(Law::Gonthier),
-        "gonthier: no damping gives the restitution 0.0: its damping grows without bound towards 0; ask for a small \
+        "gonthier: no damping gives the restitution 0.0: the damping becomes infinite for e → 0; use a small \
          restitution, such as 0.01"
     );
     for law in [Law::Flores, Law::HuGuo, Law::GharibHurmuzlu, Law::SafaeifarFarshidianfar, Law::ExudynMixed] {
@@ -90,7 +90,7 @@ fn speeds() {
     for law in Law::ALL.into_iter().filter(|law| law.needs_speed()) {
         let error = law.damper(contact(), 0.5, None, Separation::default()).unwrap_err();
         assert_eq!(error, ContactLawError::SpeedNeeded { law: law.name() });
-        let expected = "its damping is a number over the approach speed: give the speed, in m/s";
+        let expected = "the damping depends on the approach speed: give the speed, in m/s";
         assert_eq!(error.to_string(), format!("{}: {expected}", law.name()));
     }
     for bad in NOT_NUMBERS.into_iter().chain([0.0, -1.0]) {

@@ -95,7 +95,7 @@ impl Mechanism {
     /// # Panics
     /// An index of another mechanism: [`has_link`](Self::has_link) is false.
     pub fn link(&self, id: LinkId) -> &Link {
-        assert!(self.has_link(id), "link number {} is of another mechanism", id.index());
+        assert!(self.has_link(id), "link number {} belongs to another mechanism", id.index());
         &self.links[id.index()]
     }
 
@@ -104,7 +104,7 @@ impl Mechanism {
     /// # Panics
     /// An index of another mechanism: [`has_joint`](Self::has_joint) is false.
     pub fn joint(&self, id: JointId) -> &Joint {
-        assert!(self.has_joint(id), "joint number {} is of another mechanism", id.index());
+        assert!(self.has_joint(id), "joint number {} belongs to another mechanism", id.index());
         &self.joints[id.index()]
     }
 

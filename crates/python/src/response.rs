@@ -56,8 +56,8 @@ pub fn remark(remark: &Remark) -> String {
             format!("nearly immovable: relative uncertainty {uncertainty:.1e}")
         }
         Remark::MasslessMotions { directions } => format!("{directions} motions have no mass"),
-        Remark::MasslessToRounding { up_to } => format!("massless to rounding only: up to {up_to:.1e} kg"),
-        Remark::UndeterminedMotion => "a motion without mass leaves the velocities open".to_owned(),
+        Remark::MasslessToRounding { up_to } => format!("massless within rounding: up to {up_to:.1e} kg"),
+        Remark::UndeterminedMotion => "a motion without mass leaves the velocities undetermined".to_owned(),
         Remark::UnclearRank { gap } => format!("the rank of the constraints is unclear: gap {gap:.1e}"),
         Remark::IndefiniteMassMatrix => "the mass matrix is indefinite: a stationary value".to_owned(),
         _ => remark.to_string(),

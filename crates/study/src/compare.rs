@@ -95,7 +95,8 @@ pub enum CompareError {
     },
     /// Rows differ between designs.
     #[error(
-        "\"{first}\" and \"{other}\" go through different rows ({why}); expected the same range in all, or none in any"
+        "\"{first}\" and \"{other}\" have different rows ({why}); expected the same range in all designs, or no \
+         range at all"
     )]
     OtherRows {
         /// The first design.
@@ -240,7 +241,7 @@ fn rows(
         let missing = || report.rows.iter().filter_map(|row| Some((row.row, row.error.as_ref()?)));
         if let Some((row, why)) = missing().next() {
             let message = format!(
-                "{} of {} rows have no answer; the first, row {row}: {why}",
+                "{} of {} rows have no result; the first, row {row}: {why}",
                 missing().count(),
                 report.rows.len()
             );
@@ -252,7 +253,7 @@ fn rows(
         } else if varied != report.heading.varied {
             return Err(other(design, "they vary other things"));
         } else if rows.len() != report.rows.len() {
-            return Err(other(design, "they have other numbers of rows"));
+            return Err(other(design, "the numbers of rows differ"));
         }
         for (i, row) in report.rows.into_iter().enumerate() {
             let values = row.varied.values().to_vec();

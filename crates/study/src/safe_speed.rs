@@ -196,7 +196,7 @@ pub fn safe_speed(
         EffectiveMass::Finite(m) => speed(Some(m))?,
         EffectiveMass::Immovable => {
             let message =
-                "the robot is immovable along this direction: the person's mass alone decides".to_owned();
+                "the robot is immovable along this direction: only the mass of the person counts".to_owned();
             diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "immovable-robot", message));
             speed(None)?
         }
@@ -204,7 +204,7 @@ pub fn safe_speed(
     };
     if reflected.speed < standard.speed {
         let message = format!(
-            "the standard's mass allows {:.3} m/s, the effective mass only {:.3} m/s: here {} is too light",
+            "the standard's mass allows {:.3} m/s, the effective mass only {:.3} m/s: the mass {} is too small here",
             standard.speed,
             reflected.speed,
             if region.is_some() { "M/2 + m_L" } else { "M + m_L" }
@@ -338,7 +338,7 @@ pub fn safe_speed_along(
     report.diagnostics.extend(end.diagnostics);
     if unanswered > 0 {
         let message = format!(
-            "{unanswered} of {} rows have no speed, the first is row {}: nothing is said of them",
+            "{unanswered} of {} rows have no speed, the first is row {}: the result does not cover them",
             end.rows,
             first_unanswered.unwrap_or_default()
         );

@@ -11,20 +11,20 @@ use percuss_study::Vary;
 /// Flags of `percuss compare`.
 #[derive(Debug, Args)]
 pub struct CompareArgs {
-    /// The designs, compared with the first.
+    /// Designs; the first is the reference.
     ///
-    /// Studies, each with its own contact (and with its [[variant]]s); or models and sheets, of which one contact is asked. The
-    /// others are compared with the first.
+    /// Either studies, each with its own contact (and its [[variant]]s), or models and sheets with one contact given
+    /// by flags. All designs are compared with the first.
     #[arg(required = true)]
     pub designs: Vec<String>,
     #[command(flatten)]
     pub reading: ReadingArgs,
-    /// A range in every model, as in sweep.
+    /// Range in every model, as in sweep.
     ///
-    /// JOINT=FROM:TO:COUNT or travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT; a study has its own.
+    /// JOINT=FROM:TO:COUNT or travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT. A study contains its own range.
     #[arg(long, value_name = "JOINT=FROM:TO:COUNT", value_parser = Vary::parse, help_heading = POSE)]
     pub vary: Vec<Vary>,
-    /// The figure, or the table, of the ranges.
+    /// Figure or table of the results over the range.
     #[arg(long, short, value_name = "FILE.svg|.png|.pdf|.csv|.xlsx|.json", help_heading = OUTPUT)]
     pub output: Option<String>,
     #[command(flatten)]
@@ -33,7 +33,7 @@ pub struct CompareArgs {
     pub figure: FigureArgs,
     #[command(flatten)]
     pub writing: super::WritingArgs,
-    /// How the result is shown.
+    /// Format of the result.
     #[arg(long, value_enum, default_value_t = MassFormat::Text, help_heading = OUTPUT)]
     pub format: MassFormat,
     #[command(flatten)]

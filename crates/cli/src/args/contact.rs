@@ -1,4 +1,4 @@
-//! The contact and its conditions.
+//! Flags of the contact and of its conditions.
 
 use super::headings::{BESIDE, CONDITIONS, CONTACT, POSE};
 use super::words::{armature, estimate, hold, kilograms, line, normal, point, position, ratio_at, travel};
@@ -10,14 +10,14 @@ use percuss_study::{
     EstimateQuestion, GivenPose, GivenPosition, GivenTravel, Hold, MassQuestion, Names, Normal, RatioPoint,
 };
 
-/// The frame of point and normal.
+/// Frame of the contact point and the normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FrameArg {
-    /// The struck link's.
+    /// Frame of the contact link.
     Link,
-    /// The root link's at its reference pose.
+    /// Frame of the root link at its reference pose.
     World,
-    /// The other link's.
+    /// Frame of the other link.
     Against,
 }
 
@@ -31,27 +31,27 @@ impl From<FrameArg> for Frame {
     }
 }
 
-/// Whether the root link is fixed or moves.
+/// Motion of the root link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum BaseArg {
-    /// It is the ground.
+    /// Fixed to the ground.
     Fixed,
-    /// It moves freely.
+    /// Free to move.
     Floating,
 }
 
-/// The contact and the conditions: what `percuss mass` and `percuss sweep` share.
+/// Flags of the contact and its conditions, shared by several commands.
 #[derive(Debug, Args)]
 pub struct ContactArgs {
-    /// The struck link.
+    /// Contact link.
     #[arg(long, value_name = "LINK", help_heading = CONTACT)]
     pub link: Option<String>,
-    /// The contact point (m).
+    /// Contact point (m).
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point, help_heading = CONTACT)]
     pub point: Option<[f64; 3]>,
-    /// The normal, out of the struck link.
+    /// Contact normal, out of the contact link.
     ///
-    /// It points into the other side; neither its length nor its sign matters.
+    /// The normal points into the other body. Its length and its sign do not affect the effective mass.
     #[arg(
         long,
         value_name = "X,Y,Z",
@@ -61,32 +61,32 @@ pub struct ContactArgs {
         help_heading = CONTACT
     )]
     pub normal: Option<[f64; 3]>,
-    /// Or the normal towards a point of a link.
+    /// Instead of --normal: towards a point of a link.
     ///
-    /// The normal points from the contact point towards this point (m) of a link, in that link's frame: the line of a spring, or
-    /// of a stop near the drawing. For a stop over a travel, give --normal.
+    /// The normal points from the contact point towards this point of a link (m, in the frame of that link). Use it
+    /// for the line of a spring, or for a stop near the design pose. For a stop over a travel, use --normal.
     #[arg(long, value_name = "LINK:X,Y,Z", value_parser = line, help_heading = CONTACT)]
     pub along_line: Option<(String, [f64; 3])>,
-    /// Lets the line of --along-line turn: a spring, a damper or a rod.
+    /// Allow the line of --along-line to rotate: a spring, a damper or a rod.
     ///
-    /// Without this a pose is refused where the line has turned by more than 5° from the line as drawn (all joints at 0, seen
-    /// from the other side): it is no longer the normal of a stop. A line shorter than a tenth of the line as drawn is refused
-    /// in any case.
+    /// Without this flag, a pose is refused if the line has rotated by more than 5° relative to the other body since
+    /// the design pose (all joints at 0), because the line is then no longer the normal of a stop. A line shorter
+    /// than a tenth of its length in the design pose is always refused.
     #[arg(long, requires = "along_line", help_heading = CONTACT)]
     pub turning_normal: bool,
-    /// In which frame the point and the normal are given.
+    /// Frame of the point and the normal.
     ///
-    /// Both are. A point in another frame than the link's is converted once, at the pose of --set with what is varied at 0,
-    /// and moves with the link; a normal keeps its axes.
+    /// Applies to both. A point given in another frame is converted to the link frame once, at the --set pose with
+    /// all varied joints at 0, and then moves with the link. A normal stays constant in the given frame.
     #[arg(long, value_enum, default_value_t = FrameArg::Link, help_heading = CONTACT)]
     pub frame: FrameArg,
-    /// The frame of the normal, where it differs from that of the point.
+    /// Frame of the normal, if different from the frame of the point.
     #[arg(long, value_enum, help_heading = CONTACT)]
     pub normal_frame: Option<FrameArg>,
-    /// The other link; the ground if none is given.
+    /// Other link in contact; default: the ground.
     #[arg(long, value_name = "LINK", help_heading = CONTACT)]
     pub against: Option<String>,
-    /// A free body of this mass (kg) on the other side.
+    /// Mass (kg) of a free body as the other side of the contact.
     #[arg(
         long,
         value_name = "KG",
@@ -96,51 +96,55 @@ pub struct ContactArgs {
         help_heading = CONTACT
     )]
     pub against_mass: Option<f64>,
-    /// Sets a driving joint (m, rad; 30deg, 5mm).
+    /// Position of a driving joint (m, rad; 30deg, 5mm).
     ///
-    /// The others stand at 0. Spherical: w,x,y,z; planar: x,y,angle; floating: x,y,z,w,x,y,z.
+    /// Driving joints without --set are at 0. Spherical: w,x,y,z; planar: x,y,angle; floating: x,y,z,w,x,y,z.
     #[arg(long, value_name = "JOINT=VALUE", value_parser = position, help_heading = POSE)]
     pub set: Vec<(String, GivenPosition)>,
-    /// First guess of a joint that depends on others through loops: selects the assembly mode.
+    /// Initial guess of a joint that depends on other joints through loops; selects the assembly mode.
     #[arg(long, value_name = "JOINT=VALUE", value_parser = position, help_heading = POSE)]
     pub guess: Vec<(String, GivenPosition)>,
-    /// Drives the pose until a point is displaced so far.
+    /// Move the mechanism until a point has this travel.
     ///
-    /// The point (m, link's frame) of a link is displaced by so much along a direction (world axes) from where --set puts it,
-    /// as sweep --vary does; once for each point that is driven.
+    /// The point of a link (m, link frame) moves by DISTANCE along a direction (world axes) from its position in the
+    /// --set pose, as with sweep --vary travel. Give the flag once for each driven point.
     #[arg(long, value_name = "LINK:X,Y,Z:DX,DY,DZ=DISTANCE", value_parser = travel, help_heading = POSE)]
     pub travel: Vec<GivenTravel>,
-    /// A whole configuration: what --format json wrote, or JSON with a position for each joint; --set and --guess go over it.
+    /// Complete configuration: output of --format json, or JSON with a position for each joint. --set and --guess
+    /// override it.
     #[arg(long, value_name = "FILE.json", help_heading = POSE)]
     pub pose: Option<String>,
-    /// Holds a joint where it stands.
+    /// Lock a joint at its position.
     #[arg(long, value_name = "JOINT", help_heading = CONDITIONS)]
     pub lock: Vec<String>,
-    /// Holds a point (m, link's frame) of a link to the ground: along a normal (world axes, out of the link), or in all
+    /// Fix a point of a link (m, link frame) to the ground: along a normal (world axes, out of the link), or in all
     /// directions.
     #[arg(long, value_name = "LINK:X,Y,Z[:NX,NY,NZ]", value_parser = hold, help_heading = CONDITIONS)]
     pub hold: Vec<Hold>,
-    /// Rotor inertia reflected to a joint (kg·m² or kg): one value, or one for each velocity between commas.
+    /// Rotor inertia reflected to a joint (kg·m² or kg): one value, or one value per velocity, separated by commas.
     #[arg(long, value_name = "JOINT=VALUE", value_parser = armature, help_heading = CONDITIONS)]
     pub armature: Vec<(String, Vec<f64>)>,
-    /// Whether the root link is fixed or moves.
+    /// Root link fixed or floating.
     #[arg(long, value_enum, default_value_t = BaseArg::Fixed, help_heading = CONDITIONS)]
     pub base: BaseArg,
-    /// The classical estimate next to the result.
+    /// Classical estimate, shown with the result.
     ///
-    /// The mass of these links, moved with point A (m, first link's frame; default its origin), by A's full speed or its
-    /// component along a direction (world axes).
+    /// The total mass of these links is reduced to the contact by the motion ratio of point A (m, frame of the first
+    /// link; default: its origin). The ratio uses the full speed of A, or its component along a direction (world
+    /// axes).
     #[arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", value_parser = estimate, help_heading = BESIDE)]
     pub estimate: Option<EstimateQuestion>,
-    /// The motion ratio at this point (m, link's frame), along a direction (world axes; default z).
+    /// Motion ratio at this point (m, link frame), along a direction (world axes; default z).
     ///
-    /// Its speed beside the contact's. The wheel's centre and contact patch are shown where the model has them and one travel.
+    /// The ratio relates the speed of the point to the closing speed of the contact. If the model has a wheel and one
+    /// degree of freedom, the ratios of the wheel centre and the contact patch are always shown.
     #[arg(long, value_name = "LINK:X,Y,Z[:DX,DY,DZ]", value_parser = ratio_at, help_heading = BESIDE)]
     pub ratio_at: Vec<RatioPoint>,
 }
 
 impl ContactArgs {
-    /// The contact where one is needed and clap does not require it.
+    /// The contact, or an error if the contact is missing or incomplete; for commands in which clap does not require
+    /// it.
     pub fn needed(given: Option<&Self>) -> Result<&Self, Failure> {
         let whole = |c: &&Self| {
             c.link.is_some() && c.point.is_some() && (c.normal.is_some() || c.along_line.is_some())
@@ -152,24 +156,24 @@ impl ContactArgs {
         })
     }
 
-    /// As a question.
+    /// Converts the flags to a question.
     pub fn question(&self) -> Result<MassQuestion, Failure> {
         Self::needed(Some(self))?.conditions()
     }
 
-    /// As a question whose contact may be missing.
+    /// Converts the flags to a question; link, point and normal may be missing.
     pub fn conditions(&self) -> Result<MassQuestion, Failure> {
         let normal = match (&self.along_line, self.normal) {
             (Some((link, point)), _) if self.turning_normal => Normal::TurningToward(link.clone(), *point),
             (Some((link, point)), _) => Normal::Toward(link.clone(), *point),
-            // `question` requires one of them.
+            // `question` has checked that one of the two is present.
             (None, normal) => Normal::Along(normal.unwrap_or_default()),
         };
         let pose = |path: &String| {
             GivenPose::read(path, DEFAULT_MAX_SIZE).map_err(|e| Failure::bad_input(format!("--pose: {e}")))
         };
         Ok(MassQuestion {
-            // `question` requires link and point.
+            // `question` has checked that link and point are present.
             link: self.link.clone().unwrap_or_default(),
             point: self.point.unwrap_or_default(),
             normal,

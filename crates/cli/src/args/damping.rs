@@ -1,4 +1,4 @@
-//! The damper of a contact, and the speed at which a robot may hit a person.
+//! Flags of the damper of a contact, of `percuss damp` and of `percuss safe-speed`.
 
 use super::contact::ContactArgs;
 use super::format::CheckFormat;
@@ -14,10 +14,10 @@ use percuss_study::contact::Separation;
 use percuss_study::contact::exports::Options;
 use percuss_study::{DampingQuestion, JointStop, Measured, StudyError, check_units};
 
-/// A heading of the help.
+/// Heading in the help.
 const DAMPER: &str = "Damper";
 
-/// The damper of the contact: what `percuss damp` and `percuss mass` share.
+/// Flags of the damper, shared by `percuss damp` and `percuss mass`.
 #[derive(Debug, Args)]
 pub struct DampingArgs {
     /// Required coefficient of restitution, from 0 to 1.
@@ -32,8 +32,8 @@ pub struct DampingArgs {
     pub restitution: Option<f64>,
     /// Stiffness of the contact (N/m; 200N/mm).
     ///
-    /// N/mm, kN/m, kN/mm may follow the number; with --exponent p it is in N/m^p; of the stop of a joint that turns in N·m/rad
-    /// (Nm/rad, Nm/deg may follow).
+    /// Units: N/m, N/mm, kN/m, kN/mm; with --exponent p the number is in N/m^p. The stop of a revolute joint has
+    /// N·m/rad (Nm/rad, Nm/deg).
     #[arg(
         long,
         value_name = "K",
@@ -43,9 +43,9 @@ pub struct DampingArgs {
         help_heading = DAMPER
     )]
     pub stiffness: Option<Measured>,
-    /// p of the spring's force k x^p; 1.5 is Hertz.
+    /// Exponent p of the spring force k x^p.
     ///
-    /// Its exponent: 1 linear (the default), 1.5 Hertz.
+    /// 1 is a linear spring (the default), 1.5 a Hertz contact.
     #[arg(
         long,
         value_name = "P",
@@ -57,7 +57,8 @@ pub struct DampingArgs {
     pub exponent: Option<f64>,
     /// Approach speed (m/s): penetration, force, energy.
     ///
-    /// mm/s, km/h may follow the number; of a joint that turns rad/s, deg/s. Some laws depend on it.
+    /// Adds penetration, force and energy to the result. Units: m/s, mm/s, km/h; for the stop of a revolute joint
+    /// rad/s, deg/s. Some laws depend on the speed.
     #[arg(
         long,
         value_name = "V",
@@ -69,7 +70,7 @@ pub struct DampingArgs {
     pub speed: Option<Measured>,
     /// Law of the damper (damp --list-laws).
     ///
-    /// `percuss damp --list-laws` shows them.
+    /// `percuss damp --list-laws` lists the laws.
     #[arg(
         long,
         default_value = "kelvin-voigt",
@@ -79,13 +80,14 @@ pub struct DampingArgs {
         help_heading = DAMPER
     )]
     pub law: String,
-    /// When the contact ends: as the force vanishes (the default), or as the gap closes (then the damper pulls at the end).
+    /// End of the contact: when the force vanishes (the default), or when the gap closes (the damper then pulls at
+    /// the end).
     #[arg(long, value_enum, requires = "restitution", help_heading = DAMPER)]
     pub separation: Option<SeparationArg>,
-    /// Parameters for a simulator, or for all.
+    /// Parameters for one simulator, or for all.
     ///
-    /// mujoco, drake, gazebo, gazebo-classic, ode, bullet, physx, rapier, chrono, adams, simscape, dart, opensim, exudyn,
-    /// newton, jolt, or all; several between commas.
+    /// mujoco, drake, gazebo, gazebo-classic, ode, bullet, physx, rapier, chrono, adams, simscape, dart, opensim,
+    /// exudyn, newton, jolt, or all; separate several names by commas.
     #[arg(
         long = "for",
         value_name = "TOOL",
@@ -95,7 +97,7 @@ pub struct DampingArgs {
         help_heading = DAMPER
     )]
     pub tools: Vec<Tools>,
-    /// How far the simulator's restitution may be off; chooses the time step.
+    /// Permitted error of the simulator's restitution; determines the time step.
     #[arg(
         long,
         default_value = "0.001",
@@ -106,7 +108,7 @@ pub struct DampingArgs {
         help_heading = DAMPER
     )]
     pub accuracy: f64,
-    /// The simulator's time step (s; ms may follow), where it is given.
+    /// Time step of the simulator (s, ms); default: the step that --accuracy requires.
     #[arg(
         long,
         value_name = "S",
@@ -116,7 +118,7 @@ pub struct DampingArgs {
         help_heading = DAMPER
     )]
     pub time_step: Option<f64>,
-    /// Mass (kg) of the struck body by itself, for simulators that divide by it; taken from the model where one is given.
+    /// Mass (kg) of the contact link alone, for simulators that need it; default: from the model, if any.
     #[arg(
         long,
         value_name = "KG",
@@ -126,7 +128,7 @@ pub struct DampingArgs {
         help_heading = DAMPER
     )]
     pub own_mass: Option<f64>,
-    /// The same of the other body.
+    /// Mass (kg) of the other body alone, as --own-mass.
     #[arg(
         long,
         value_name = "KG",
@@ -136,7 +138,7 @@ pub struct DampingArgs {
         help_heading = DAMPER
     )]
     pub other_own_mass: Option<f64>,
-    /// MuJoCo's α = Â·m̄, Â the sum of both bodies' body_invweight0; taken from the model where one is given.
+    /// MuJoCo's α = Â·m̄; Â is the sum of body_invweight0 of both bodies. Default: from the model, if any.
     #[arg(
         long,
         value_name = "A",
@@ -148,7 +150,7 @@ pub struct DampingArgs {
     pub diagonal_ratio: Option<f64>,
 }
 
-/// When a contact ends.
+/// End of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum SeparationArg {
     /// When the force vanishes.
@@ -158,7 +160,7 @@ pub enum SeparationArg {
 }
 
 impl DampingArgs {
-    /// As a question; none where no restitution is asked for.
+    /// Converts the flags to a question; `None` without --restitution.
     pub fn question(&self) -> Result<Option<DampingQuestion>, Failure> {
         let (Some(restitution), Some(stiffness)) = (self.restitution, self.stiffness) else {
             return Ok(None);
@@ -188,22 +190,22 @@ impl DampingArgs {
 }
 
 impl DampingArgs {
-    /// Refuses units of a turn for what does not turn, and the other way round.
+    /// Refuses rotational units for a translation, and translational units for a rotation.
     pub fn check_units(&self, question: &DampingQuestion, turns: bool) -> Result<(), Failure> {
         let Some(stiffness) = self.stiffness else { return Ok(()) };
         Ok(check_units(question, stiffness, self.speed, turns)?)
     }
 }
 
-/// A heading of the help: where the effective mass is from.
+/// Heading in the help: source of the effective mass.
 const FROM: &str = "Effective mass";
-/// A heading of the help.
+/// Heading in the help.
 const OUTPUT: &str = "Output";
 
 /// Flags of `percuss damp`.
 #[derive(Debug, Args)]
 pub struct DampArgs {
-    /// The effective mass (kg).
+    /// Effective mass (kg).
     #[arg(
         long,
         value_name = "KG",
@@ -213,15 +215,15 @@ pub struct DampArgs {
         help_heading = FROM
     )]
     pub mass: Option<f64>,
-    /// Or from a contact of this model.
+    /// Effective mass at a contact of this model.
     ///
-    /// With the flags of `percuss mass`.
+    /// The flags of `percuss mass` define the contact.
     #[arg(long, value_name = "MODEL", help_heading = FROM)]
     pub mass_from: Option<String>,
-    /// Or of the stop of a joint of it.
+    /// Stop of a joint of the model, not a contact.
     ///
-    /// In place of a contact, with the inertia that the joint feels through the loops: the joint where --set has it, or at an
-    /// end of its range. With --for mujoco, ode, newton, physx.
+    /// The damper uses the effective inertia at the joint, loops included. The joint is at its --set position, or at
+    /// its lower or upper limit. --for supports mujoco, ode, newton and physx.
     #[arg(
         long,
         value_name = "JOINT[:lower|:upper]",
@@ -235,45 +237,45 @@ pub struct DampArgs {
     pub reading: ReadingArgs,
     #[command(flatten)]
     pub damping: DampingArgs,
-    /// Lists the laws and ends.
+    /// List the laws and exit.
     #[arg(long, exclusive = true, help_heading = "Lists")]
     pub list_laws: bool,
-    /// Lists the simulators and ends.
+    /// List the simulators and exit.
     #[arg(long, exclusive = true, help_heading = "Lists")]
     pub list_tools: bool,
     /// Force over time: .svg .png .pdf .csv
     ///
-    /// And over penetration: a figure, or as CSV its numbers.
+    /// The figure shows the force over time and over penetration; CSV contains its numbers.
     #[arg(long, short, value_name = "FILE", requires = "speed", help_heading = OUTPUT)]
     pub output: Option<String>,
     #[command(flatten)]
     pub writing: WritingArgs,
-    /// How the result is shown.
+    /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
     pub format: CheckFormat,
     #[command(flatten)]
     pub contact: Option<ContactArgs>,
 }
 
-/// Headings of the help.
+/// Headings in the help.
 const LIMIT: &str = "Person and limit";
 const WHICH: &str = "Directions, positions";
 
 /// Flags of `percuss safe-speed`.
 #[derive(Debug, Args)]
 pub struct SafeSpeedArgs {
-    /// The URDF file; - reads the standard input.
+    /// URDF file; - reads the standard input.
     #[arg(required_unless_present = "list_regions")]
     pub model: Option<String>,
     #[command(flatten)]
     pub reading: ReadingArgs,
-    /// The region of the body; --list-regions shows them.
+    /// Region of the body; --list-regions shows all.
     ///
-    /// That which the robot hits. Without one what is struck does not give way (a person held against a wall; doors, guards),
-    /// and --energy or --momentum is the limit.
+    /// The robot hits this region. Without a region, the other side is rigid and fixed (a person held against a wall;
+    /// doors, guards), and --energy or --momentum is the limit.
     #[arg(long, value_name = "NAME", help_heading = LIMIT)]
     pub region: Option<String>,
-    /// Greatest force allowed (N), from the standard.
+    /// Largest permitted force (N), from the standard.
     #[arg(
         long,
         value_name = "F",
@@ -283,9 +285,9 @@ pub struct SafeSpeedArgs {
         help_heading = LIMIT
     )]
     pub force: Option<f64>,
-    /// Greatest pressure (N/cm²), with --area.
+    /// Largest pressure (N/cm²), with --area.
     ///
-    /// From the standard; N/mm2, MPa may follow the number.
+    /// The value is given by the standard. Units: N/cm2, N/mm2, MPa.
     #[arg(
         long,
         value_name = "P",
@@ -295,7 +297,7 @@ pub struct SafeSpeedArgs {
         help_heading = LIMIT
     )]
     pub pressure: Option<f64>,
-    /// Contact area (cm²; mm2 may follow), for --pressure.
+    /// Contact area (cm², mm2), for --pressure.
     #[arg(
         long,
         value_name = "A",
@@ -305,9 +307,9 @@ pub struct SafeSpeedArgs {
         help_heading = LIMIT
     )]
     pub area: Option<f64>,
-    /// Greatest energy of the impact (J): 1/2 μ v².
+    /// Largest energy of the impact (J): 1/2 μ v².
     ///
-    /// From the standard; without a region that of all that comes to the contact.
+    /// The value is given by the standard. Without a region, μ is the effective mass of the robot.
     #[arg(
         long,
         value_name = "E",
@@ -317,9 +319,9 @@ pub struct SafeSpeedArgs {
         help_heading = LIMIT
     )]
     pub energy: Option<f64>,
-    /// Greatest momentum that is exchanged (N·s): μ v.
+    /// Largest exchanged momentum (N·s): μ v.
     ///
-    /// From the standard.
+    /// The value is given by the standard.
     #[arg(
         long,
         value_name = "P",
@@ -329,9 +331,9 @@ pub struct SafeSpeedArgs {
         help_heading = LIMIT
     )]
     pub momentum: Option<f64>,
-    /// Directions (world) for --normal; slowest counts.
+    /// Directions (world axes); the slowest counts.
     ///
-    /// In world axes, in the place of --normal; once for each. The slowest counts.
+    /// Replaces --normal. Give the flag once for each direction; the lowest speed is the result.
     #[arg(
         long,
         value_name = "X,Y,Z",
@@ -341,14 +343,14 @@ pub struct SafeSpeedArgs {
         help_heading = WHICH
     )]
     pub direction: Vec<[f64; 3]>,
-    /// Or the one in which it is heaviest.
+    /// Direction with the largest effective mass.
     ///
-    /// The direction in which the contact is heaviest, in the place of --normal.
+    /// Replaces --normal.
     #[arg(long, conflicts_with_all = ["normal", "along_line"], help_heading = WHICH)]
     pub worst_direction: bool,
-    /// Positions; the slowest row counts.
+    /// File of positions; the slowest row counts.
     ///
-    /// A file of positions, as that of percuss sweep: the slowest of its rows counts.
+    /// The format is that of percuss sweep --input. The row with the lowest speed is the result.
     #[arg(
         long,
         value_name = "FILE.csv|.parquet",
@@ -356,12 +358,12 @@ pub struct SafeSpeedArgs {
         help_heading = WHICH
     )]
     pub input: Option<String>,
-    /// Leaves a column of --input out.
+    /// Ignore a column of --input.
     #[arg(long, value_name = "COLUMN", requires = "input", help_heading = WHICH)]
     pub ignore: Vec<String>,
-    /// Load that the model does not hold (kg).
+    /// Load that is missing in the model (kg).
     ///
-    /// With its tool: a point mass at the contact, and m_L of M/2 + m_L.
+    /// Load and tool: a point mass at the contact, and m_L in the standard's M/2 + m_L.
     #[arg(
         long,
         default_value = "0",
@@ -371,10 +373,10 @@ pub struct SafeSpeedArgs {
         help_heading = LIMIT
     )]
     pub load: f64,
-    /// Lists the regions and ends.
+    /// List the regions and exit.
     #[arg(long, exclusive = true, help_heading = LIMIT)]
     pub list_regions: bool,
-    /// How the result is shown.
+    /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = OUTPUT)]
     pub format: CheckFormat,
     #[command(flatten)]

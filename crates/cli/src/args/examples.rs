@@ -1,5 +1,5 @@
-//! The text below the help of each command. No line is longer than a terminal of 80 columns shows, so that no
-//! command is broken at a place that a shell does not accept.
+//! Text below the help of each command. Lines are shorter than 80 columns, so that a terminal does not break a
+//! command at a place that a shell does not accept.
 
 pub const TOP: &str = "\
 Examples:
@@ -9,15 +9,15 @@ Examples:
   percuss damp --mass 12kg --stiffness 400N/mm --restitution 0.4 --for mujoco
   percuss completions bash > /etc/bash_completion.d/percuss
 
-Exit codes: 0 an answer (immovable and massless are answers), 1 no answer,
-2 bad input or usage.";
+Exit codes: 0 a result (immovable and massless are results), 1 no result,
+2 invalid input or usage.";
 
 pub const CHECK: &str = "\
 Examples:
   percuss check models/double_pendulum.urdf
   percuss check robot.urdf --format json
   xacro robot.urdf.xacro | percuss check -
-  percuss check robot.urdf --strict          warnings are errors (exit 2)";
+  percuss check robot.urdf --strict          warnings as errors (exit 2)";
 
 pub const MASS: &str = "\
 Examples:
@@ -28,26 +28,26 @@ Examples:
     percuss mass models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
         --normal 0,0,-1 --normal-frame world \\
         --set shoulder=-40deg --set elbow=70deg
-  At a spring seat, along the line to its seat on another link:
+  At a spring seat, along the line to the opposite seat on another link:
     percuss mass models/double_wishbone.urdf --link spring_seat \\
         --point 0,0,0 --along-line spring_chassis_seat:0,0,0
-  The classical estimate next to it, and its error:
+  With the classical estimate and its error:
     percuss mass models/double_wishbone.urdf --link spring_seat \\
         --point 0,0,0 --along-line spring_chassis_seat:0,0,0 \\
         --estimate wheel,spindle,upright:0,0,0:0,0,1
-  The damper that gives it a restitution (more in percuss damp):
+  With the damper for a restitution (more in percuss damp):
     percuss mass models/double_wishbone.urdf --link bump_stop_pad \\
         --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis \\
         --restitution 0.3 --stiffness 200N/mm --speed 0.5
   Against a free body of 2 kg:
     percuss mass models/physical_pendulum.urdf --link body \\
         --point 0,0,-0.5 --normal 1,0,0 --against-mass 2kg
-  In a regression test, against a closed form:
+  In a regression test, compared with a closed form:
     percuss mass models/point_mass_pendulum.urdf --link rod \\
         --point 0,0,-0.8 --normal 1,0,0 --expect 0.78125
 
 Numbers are SI; deg, rad, mm, cm, m, g, kg may follow them. The normal points
-out of the struck link into the other side; its length does not matter.";
+out of the contact link into the other body; its length does not matter.";
 
 pub const SWEEP: &str = "\
 Examples:
@@ -59,7 +59,7 @@ Examples:
         --point 0,0,0 --along-line spring_chassis_seat:0,0,0 \\
         --turning-normal --vary travel:spindle:0,0,0:0,0,1=-80mm:80mm:161 \\
         --estimate wheel,spindle,upright --output travel.svg
-  Every combination of two ranges, the first the slowest:
+  Every combination of two ranges; the first varies slowest:
     percuss sweep models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
         --normal 0,0,-1 --vary shoulder=-40deg:40deg:41 \\
         --vary elbow=0:90deg:91 --output grid.csv
@@ -71,17 +71,18 @@ Examples:
     percuss sweep models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
         --normal 0,0,-1 --random 100000 --seed 1 --output rows.jsonl
 
-The first line of a file of positions names the joints, with a unit where it
-is not SI, as in elbow [deg],spin; a joint with several numbers has the columns
-NAME[0], NAME[1], … Joints that loops determine have none.
+The first line of a file of positions contains the joint names. A unit other
+than SI follows the name: elbow [deg],spin. A joint with several numbers has
+the columns NAME[0], NAME[1], … Joints that depend on loops have no column.
 
-The file's ending chooses the format: .csv, .json, .jsonl (a row of JSON on
-each line), .svg or .png; without --output, CSV goes to stdout. A file is
-replaced when all of it is written. A row that cannot be reached is marked and
-the sweep continues; exit 1 if none can.
+The file extension selects the format: .csv, .json, .jsonl (one JSON object
+per line), .svg or .png; without --output, CSV goes to stdout. A file is
+replaced only after all rows are written. A row that cannot be reached is
+marked and the sweep continues; exit 1 if no row can be reached.
 
-Where loops are closed, rows along a range or a file are followed from one
-another; each line of a grid begins anew, and random rows are independent.";
+In a mechanism with loops, each row of a range or a file starts from the
+previous row. Each line of a grid starts again, and random rows are
+independent.";
 
 pub const COMPARE: &str = "\
 Examples:
@@ -95,7 +96,7 @@ Examples:
   A study and its [[variant]]s, as a table:
     percuss compare models/studies/variants.toml --format csv
 
-The first design is what the others are compared with.";
+All designs are compared with the first one.";
 
 pub const MAP: &str = "\
 Examples:
@@ -103,7 +104,7 @@ Examples:
     percuss map models/shaped_arm.urdf --link forearm -o forearm.png
   A whole robot in a pose, for MeshLab, Blender or a web page:
     percuss map robot.urdf --all --set elbow=70deg -o skin.ply -o skin.glb
-  Its meshes are in a package:
+  With meshes in a ROS package:
     percuss map robot.urdf --all --package my_robot=/opt/robots/my_robot
   Against another link of the same mechanism; every contact as CSV:
     percuss map models/shaped_arm.urdf --link forearm --against pedestal \\
@@ -113,7 +114,7 @@ Examples:
         --directions 2000
 
 Contacts are the centres of facets, along their outward normals. The colour
-scale is viridis, logarithmic where the masses differ by more than 20.";
+scale is viridis; logarithmic if the masses differ by more than a factor of 20.";
 
 pub const TEMPLATE: &str = "\
 Examples:
@@ -121,10 +122,10 @@ Examples:
   percuss template double-wishbone -o my.toml
   percuss template macpherson-strut --unit m --axes adams -o strut.toml
 
-Then fill it in, and turn it into a model:
+Complete the sheet, then convert it to a model:
   percuss import my.toml -o my.urdf
 
-docs/SUSPENSIONS.md has every key.";
+docs/SUSPENSIONS.md explains every key.";
 
 pub const IMPORT: &str = "\
 Examples:
@@ -135,21 +136,21 @@ Examples:
   A table of hardpoints and masses (rows of names and numbers):
     percuss import my.csv --template double-wishbone --unit mm --axes iso \\
         -o my.urdf
-  A suspension file of Chrono::Vehicle, in its own metres or in mm:
+  A suspension file of Chrono::Vehicle, in m (the default) or in mm:
     percuss import Sedan_DoubleWishbone.json -o axle.urdf --side both \\
         --wheel-mass 18kg --wheel-inertia 0.6,1.1,0.6 --wheel-radius 0.31
     percuss import corner_mm.json --unit mm -o corner.urdf
 
-What was understood is printed, to be checked against the drawing. percuss
-template writes a sheet to fill in. Chrono's templates: DoubleWishbone,
+The imported data are printed for comparison with the drawing. percuss
+template writes a blank sheet. Supported templates of Chrono: DoubleWishbone,
 DoubleWishboneReduced, MacPhersonStrut, SemiTrailingArm, ThreeLinkIRS,
-MultiLink. docs/SUSPENSIONS.md has bodies, joints and frames of all.";
+MultiLink. docs/SUSPENSIONS.md lists the bodies, joints and frames of each.";
 
 pub const DAMP: &str = "\
 Examples:
   Steel on a rubber stop, 12 kg effective mass:
     percuss damp --mass 12kg --stiffness 400N/mm --restitution 0.4 --speed 0.5
-  A Hertz contact: k in N/m^1.5, c of c x^(1/4) v:
+  A Hertz contact: k in N/m^1.5, damper force c x^(1/4) v:
     percuss damp --mass 12kg --stiffness 1e8 --exponent 1.5 --restitution 0.4 \\
         --speed 0.5
   For MuJoCo and Drake, ready to paste:
@@ -159,14 +160,14 @@ Examples:
     percuss damp --mass-from models/double_wishbone.urdf \\
         --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 \\
         --against chassis --stiffness 200N/mm --restitution 0.3 --speed 0.5
-  Force over time and penetration, and which laws there are:
+  Force over time and penetration, and the list of laws:
     percuss damp --mass 12kg --stiffness 400N/mm --restitution 0.4 \\
         --speed 0.5 --output impact.svg
     percuss damp --list-laws
 
-The default law is the linear one, exactly, ending when the force vanishes:
-a contact does not pull, and simulators set the force to 0 there.
---separation gap is the half-period formula of textbooks.";
+The default law is the linear damper, solved exactly; the contact ends when
+the force vanishes, because a contact does not pull and simulators set the
+force to 0 there. --separation gap is the half-period formula of textbooks.";
 
 pub const SAFE_SPEED: &str = "\
 Examples:
@@ -174,32 +175,32 @@ Examples:
       --normal 1,0,0 --set elbow=70deg --region chest --force 280 --load 2kg
   percuss safe-speed --list-regions
 
-An engineering aid, not a certification: the limits of force or pressure are
-input, to be taken from the edition of the standard that applies to you, and
-the table of regions is informative.";
+An engineering aid, not a certification. Take the limits of force or pressure
+from the edition of the standard that applies to you. The table of regions is
+informative.";
 
 pub const INIT: &str = "\
 Examples:
   percuss init models/six_r_arm.urdf -o arm.toml
   percuss run arm.toml
   percuss run arm.toml --report arm.html
-  A suspension's sheet has its bump stop asked:
+  For a suspension sheet, the contact is the bump stop:
     percuss init models/suspensions/double-wishbone.toml -o stop.toml
 
-The model is named relative to the study. What else can be asked stands in the
-study, commented out; docs/STUDIES.md has every key.";
+The path of the model is relative to the study. The study contains all other
+keys as comments; docs/STUDIES.md explains every key.";
 
 pub const RUN: &str = "\
 Examples:
-  Its sweep, if it has one, else the contact:
+  The sweep of the study, if any, otherwise the contact:
     percuss run models/four_bar.toml
-  The contact at its pose, and its damper if it has one:
+  The contact at the pose of the study, with its damper if any:
     percuss run models/four_bar.toml --format json
-  One page with all of it, beside the study:
+  One page with all results, in the folder of the study:
     percuss run arm.toml --report arm.html
 
-What the study asks is answered in this order: the contact (over its [sweep]
-or with its [[variant]]s), the stop of a joint, the [map], the [safe_speed].";
+The parts of a study run in this order: the contact (over its [sweep] or with
+its [[variant]]s), the stop of a joint, the [map], the [safe_speed].";
 
 #[cfg(test)]
 mod tests {

@@ -1,11 +1,11 @@
-//! The formats of results.
+//! Formats of results.
 
 use clap::ValueEnum;
 
 /// Formats of `percuss check`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum CheckFormat {
-    /// Text to read.
+    /// Text for people.
     Text,
     /// JSON for programs.
     Json,
@@ -14,10 +14,10 @@ pub enum CheckFormat {
 /// Formats of `percuss mass`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum MassFormat {
-    /// Text to read.
+    /// Text for people.
     Text,
     /// JSON for programs.
     Json,
-    /// One row with a header, the columns of a sweep.
+    /// One row with a header, in the columns of a sweep.
     Csv,
 }

@@ -1,18 +1,18 @@
-//! Headings of the help that several commands share.
+//! Headings in the help that several commands share.
 
-/// Where the contact is.
+/// Link, point and normal.
 pub const CONTACT: &str = "Contact";
-/// How the mechanism stands.
+/// Joint positions.
 pub const POSE: &str = "Pose";
-/// What else holds of it.
+/// Locks, fixed points, armatures, base.
 pub const CONDITIONS: &str = "Conditions";
-/// What is shown beside the answer.
-pub const BESIDE: &str = "Beside the answer";
-/// What is changed of the model.
+/// Output in addition to the effective mass.
+pub const BESIDE: &str = "Additional results";
+/// Changes to masses and hardpoints.
 pub const CHANGES: &str = "Changes to the model";
-/// How files are read.
+/// Limits and checks of input files.
 pub const READING: &str = "Reading";
-/// How the answer is shown.
-pub const ANSWER: &str = "Answer";
-/// What is written.
+/// Format of the result.
+pub const ANSWER: &str = "Result";
+/// Output files.
 pub const OUTPUT: &str = "Output";

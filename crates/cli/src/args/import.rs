@@ -6,18 +6,18 @@ use super::writing::WritingArgs;
 use clap::{Args, ValueEnum};
 use percuss_formats::DEFAULT_MAX_SIZE;
 
-/// Which side of the vehicle.
+/// Side of the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum SideArg {
-    /// The left one.
+    /// Left.
     Left,
-    /// The right one.
+    /// Right.
     Right,
-    /// Both on one chassis.
+    /// Both sides on one chassis.
     Both,
 }
 
-/// The unit of a file's lengths.
+/// Unit of lengths in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum UnitArg {
     /// Metres.
@@ -30,7 +30,7 @@ pub enum UnitArg {
     In,
 }
 
-/// The axes of a file's vehicle.
+/// Vehicle axes of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum AxesArg {
     /// ISO 8855: x forward, y left, z up.
@@ -39,64 +39,65 @@ pub enum AxesArg {
     Adams,
 }
 
-/// Headings of the help.
+/// Headings in the help.
 const FILE: &str = "File";
 const CAR: &str = "Car";
 
 /// Flags of `percuss import`.
 #[derive(Debug, Args)]
 pub struct ImportArgs {
-    /// A sheet, a table, or a Chrono JSON.
+    /// Sheet, table, or Chrono JSON.
     ///
-    /// A sheet (TOML), a table of hardpoints (CSV, XLSX), or a suspension of Chrono::Vehicle (JSON); - reads the standard input.
+    /// A sheet is TOML, a table of hardpoints CSV or XLSX, a suspension of Chrono::Vehicle JSON. - reads the standard
+    /// input.
     pub hardpoints: String,
-    /// The URDF+ file to write; - writes to stdout.
+    /// URDF+ file to write; - writes to stdout.
     #[arg(long, short, value_name = "MODEL.urdf", help_heading = OUTPUT)]
     pub output: String,
-    /// Draws what was understood, from two sides.
+    /// Draw the imported suspension from two sides.
     ///
-    /// From the front and from the side, to check it against the drawing.
+    /// Views from the front and from the side, for comparison with the drawing.
     #[arg(long, value_name = "FILE.svg|.png|.pdf", help_heading = OUTPUT)]
     pub picture: Option<String>,
     #[command(flatten)]
     pub writing: WritingArgs,
-    /// Unit of the file's lengths.
+    /// Unit of lengths in the file.
     ///
-    /// A sheet says it itself, a JSON is in m without this.
+    /// Not for a sheet, which contains its unit. Default of a JSON: m.
     #[arg(long, value_name = "UNIT", value_enum, help_heading = FILE)]
     pub unit: Option<UnitArg>,
-    /// Axes of the file's vehicle: iso, adams.
+    /// Vehicle axes of the file: iso, adams.
     ///
-    /// A sheet says them itself, a JSON has those of ISO 8855 without this.
+    /// Not for a sheet, which contains its axes. Default of a JSON: ISO 8855.
     #[arg(long, value_name = "AXES", value_enum, help_heading = FILE)]
     pub axes: Option<AxesArg>,
-    /// The template of a table.
+    /// Template of a table.
     ///
-    /// Of one that does not name its own (percuss template --list).
+    /// Required if the table does not name its template (percuss template --list).
     #[arg(long, value_name = "NAME", help_heading = FILE)]
     pub template: Option<String>,
-    /// Which side to build: left, right, both.
+    /// Side to build: left, right, both.
     ///
-    /// Without this the sheet's, or the left one.
+    /// Default: the side given in the sheet, otherwise left.
     #[arg(long, value_name = "SIDE", value_enum, help_heading = CAR)]
     pub side: Option<SideArg>,
     /// Mass of the wheel with its tyre (kg).
     ///
-    /// In the place of the sheet's; a JSON has none.
+    /// Replaces the mass of the sheet; a JSON contains no wheel mass.
     #[arg(long, value_name = "KG", value_parser = kilograms, help_heading = CAR)]
     pub wheel_mass: Option<f64>,
-    /// Moments of the wheel about its centre (kg·m²), y along the spin axis.
+    /// Moments of inertia of the wheel about its centre (kg·m²), y along the spin axis.
     #[arg(long, value_name = "IX,IY,IZ", value_parser = moments, requires = "wheel_mass", help_heading = CAR)]
     pub wheel_inertia: Option<[f64; 3]>,
-    /// Radius of the wheel (m): names the contact patch.
+    /// Radius of the wheel (m): defines the contact patch.
     #[arg(long, value_name = "M", value_parser = metres, requires = "wheel_mass", help_heading = CAR)]
     pub wheel_radius: Option<f64>,
-    /// Lets the rack slide, with this mass (kg); otherwise it is as the sheet says, or fixed to the chassis.
+    /// Mass (kg) of a sliding rack. Default: the rack of the sheet, otherwise a rack fixed to the chassis.
     #[arg(long, value_name = "KG", value_parser = kilograms, help_heading = CAR)]
     pub rack_mass: Option<f64>,
-    /// Moves a hardpoint of the sheet (m; 5mm).
+    /// Shift a hardpoint of the sheet (m; 5mm).
     ///
-    /// In the sheet's axes; numbers without a unit are m.
+    /// The shift is in the axes of the sheet; numbers without a unit are in m.
     #[arg(
         long = "move",
         value_name = "POINT=X,Y,Z",
@@ -108,10 +109,10 @@ pub struct ImportArgs {
     /// Refuse files larger than this many bytes.
     #[arg(long, default_value_t = DEFAULT_MAX_SIZE, value_name = "BYTES", help_heading = FILE)]
     pub max_size: u64,
-    /// Make warnings errors (exit 2).
+    /// Treat warnings as errors (exit 2).
     #[arg(long, help_heading = FILE)]
     pub strict: bool,
-    /// Let the sheet name a table of points outside its folder.
+    /// Allow a sheet to name a table of points outside its folder.
     #[arg(long, help_heading = FILE)]
     pub allow_outside: bool,
 }
@@ -119,24 +120,24 @@ pub struct ImportArgs {
 /// Flags of `percuss template`.
 #[derive(Debug, Args)]
 pub struct TemplateArgs {
-    /// Which template; --list shows them.
+    /// Name of the template; --list shows all.
     #[arg(required_unless_present = "list")]
     pub name: Option<String>,
     /// List the templates.
     #[arg(long, conflicts_with = "name")]
     pub list: bool,
-    /// Unit of the sheet's lengths: m, cm, mm, in.
+    /// Unit of lengths in the sheet: m, cm, mm, in.
     #[arg(long, value_name = "UNIT", value_enum, default_value_t = UnitArg::Mm)]
     pub unit: UnitArg,
-    /// Axes of the sheet's vehicle: iso, adams.
+    /// Vehicle axes of the sheet: iso, adams.
     #[arg(long, value_name = "AXES", value_enum, default_value_t = AxesArg::Iso)]
     pub axes: AxesArg,
-    /// The sheet to write; without it, to stdout.
+    /// Sheet to write; default: stdout.
     ///
-    /// A file that is there is not replaced.
+    /// An existing file is not replaced without --force.
     #[arg(long, short, value_name = "SHEET.toml")]
     pub output: Option<String>,
-    /// Replace a file that is there.
+    /// Replace an existing file.
     #[arg(long, requires = "output")]
     pub force: bool,
 }

@@ -9,10 +9,10 @@ use percuss_formats::DEFAULT_MAX_MESH_SIZE;
 use percuss_study::{MapLinks, MapQuestion, MapShapes};
 use std::path::PathBuf;
 
-/// What `--shapes` takes.
+/// Values of `--shapes`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ShapesArg {
-    /// <collision>, and <visual> for links that have none.
+    /// <collision>; <visual> for links without <collision>.
     Auto,
     /// <collision>.
     Collision,
@@ -20,7 +20,7 @@ pub enum ShapesArg {
     Visual,
 }
 
-/// A heading of the help.
+/// Heading in the help.
 const SURFACE: &str = "Surface or directions";
 
 /// Flags of `percuss map`.
@@ -30,27 +30,29 @@ pub struct MapArgs {
     pub model: ModelArgs,
     #[command(flatten)]
     pub contact: ContactArgs,
-    /// Every link that has a shape.
+    /// Map every link with a shape.
     ///
-    /// Those that cannot be mapped are left out, and listed.
+    /// Links that cannot be mapped are skipped and listed.
     #[arg(long, conflicts_with_all = ["link", "point"], help_heading = SURFACE)]
     pub all: bool,
-    /// Or so many directions at --point.
+    /// Number of directions at --point.
     ///
-    /// Instead of the surface; the principal ones too (the belted ellipsoid).
+    /// Maps the directions at one point instead of the surface, and adds the principal directions (the belted
+    /// ellipsoid).
     #[arg(long, value_name = "COUNT", requires = "point", help_heading = SURFACE)]
     pub directions: Option<usize>,
-    /// Which shapes of the URDF make the surface.
+    /// Shapes of the URDF that form the surface.
     #[arg(long, value_enum, default_value_t = ShapesArg::Auto, help_heading = SURFACE)]
     pub shapes: ShapesArg,
     /// Longest edge of a facet (m).
     ///
-    /// By default 1/60 of the link. Triangles of meshes are divided, never joined.
+    /// Default: 1/60 of the size of the link. Triangles of meshes are divided, never merged.
     #[arg(long, value_name = "M", value_parser = edge, help_heading = SURFACE)]
     pub edge: Option<f64>,
-    /// The folder of a ROS package of meshes.
+    /// Folder of a ROS package with meshes.
     ///
-    /// For meshes named package://NAME/…; else ROS_PACKAGE_PATH, AMENT_PREFIX_PATH, and the folders above the model are searched.
+    /// Used for mesh names of the form package://NAME/…. Otherwise ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and the parent
+    /// folders of the model are searched.
     #[arg(long, value_name = "NAME=FOLDER", value_parser = package, help_heading = SURFACE)]
     pub package: Vec<(String, PathBuf)>,
     /// Refuse mesh files larger than this many bytes.
@@ -58,17 +60,17 @@ pub struct MapArgs {
     pub max_mesh_size: u64,
     /// .ply .glb .gltf .png .svg .pdf .csv .json
     ///
-    /// An output file; may be given again. PLY and glTF have the effective mass as a property, pictures show two sides.
+    /// Output file; can be repeated. PLY and glTF contain the effective mass as a property; pictures show two sides.
     #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: Vec<String>,
     #[command(flatten)]
     pub table: TableArgs,
     #[command(flatten)]
     pub writing: WritingArgs,
-    /// How the result is shown on stdout.
+    /// Format of the result on stdout.
     #[arg(long, value_enum, default_value_t = MassFormat::Text, help_heading = OUTPUT)]
     pub format: MassFormat,
-    /// How many threads compute; by default as many as there are processors. No answer depends on it.
+    /// Number of threads; default: the number of processors. Results do not depend on it.
     #[arg(
         long,
         value_name = "COUNT",
@@ -79,32 +81,32 @@ pub struct MapArgs {
 }
 
 impl MapArgs {
-    /// Refuses flags of a contact that a map has no use for.
+    /// Refuses flags of a contact that do not apply to a map.
     pub fn check(&self) -> Result<(), Failure> {
         let contact = &self.contact;
         if contact.normal.is_some() || contact.along_line.is_some() {
             return Err(Failure::bad_input(
-                "--normal, --along-line: a map takes the outward normals of the surface, or with --directions all directions; \
-                 percuss mass answers one",
+                "--normal, --along-line: a map uses the outward normals of the surface, or with --directions all directions; \
+                 use percuss mass for a single normal",
             ));
         }
         if contact.estimate.is_some() {
             return Err(Failure::bad_input(
-                "--estimate: a map has no estimate; percuss mass and percuss sweep do",
+                "--estimate: not available in a map; use percuss mass or percuss sweep",
             ));
         }
         if contact.link.is_none() && !self.all {
-            return Err(Failure::bad_input("name a link (--link LINK), or take --all"));
+            return Err(Failure::bad_input("give a link (--link LINK), or --all for every link"));
         }
         if contact.point.is_some() && self.directions.is_none() {
             return Err(Failure::bad_input(
-                "--point: a surface has points of its own; with --directions COUNT the point is mapped over directions",
+                "--point: not used for a surface; add --directions COUNT to map the directions at this point",
             ));
         }
         Ok(())
     }
 
-    /// As a question about surfaces.
+    /// Converts the flags to a map question.
     pub fn question(&self) -> Result<MapQuestion, Failure> {
         let named = self.contact.link.iter().cloned().collect();
         Ok(MapQuestion {

@@ -1,4 +1,4 @@
-//! The command line: flags, help, and how their values are parsed.
+//! Command line: flags, help texts, and parsers of the values.
 
 mod compare;
 mod contact;
@@ -36,7 +36,7 @@ use percuss_study::{PositionFile, RowSource, Sampling, Vary};
 pub use words::ToleranceArg;
 use words::{any_tolerance, kilograms};
 
-/// Where the rows of a sweep come from.
+/// Heading of the flags that select the rows of a sweep.
 const ROWS: &str = "Rows";
 
 /// The effective mass of a mechanism at a contact.
@@ -45,16 +45,16 @@ const ROWS: &str = "Rows";
 #[derive(Debug, Parser)]
 #[command(name = "percuss", version, arg_required_else_help = true, max_term_width = 80, after_help = examples::TOP)]
 pub struct Cli {
-    /// What to do.
+    /// Command to run.
     #[command(subcommand)]
     pub command: Command,
-    /// Show every note; without this, their number.
+    /// Show every note; default: only their number.
     #[arg(long, global = true)]
     pub notes: bool,
 }
 
 impl Cli {
-    /// The command line. A contact is not asked for where a mass or a list may stand in its place.
+    /// Command line. The contact is optional in commands that also accept a mass or a list of studies.
     pub fn definition() -> clap::Command {
         let optional = |argument: clap::Arg| match argument.get_id().as_str() {
             "link" | "point" | "normal" => {
@@ -68,7 +68,7 @@ impl Cli {
         };
         ["damp", "safe-speed", "compare"]
             .into_iter()
-            // Not the file's name, which on Windows has an ending.
+            // Fixed name: on Windows the file name has an extension.
             .fold(Self::command().bin_name("percuss"), |cli, name| {
                 cli.mut_subcommand(name, |c| c.mut_args(optional))
             })
@@ -79,7 +79,7 @@ impl Cli {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// List what is in a model: links, joints, mobility, mass, diagnostics.
+    /// List the contents of a model: links, joints, mobility, mass, diagnostics.
     #[command(after_help = examples::CHECK)]
     Check(CheckArgs),
     /// Effective mass at a contact point along the normal.
@@ -88,15 +88,15 @@ pub enum Command {
         override_usage = "percuss mass MODEL --link L --point X,Y,Z\n                    (--normal X,Y,Z | --along-line LINK:X,Y,Z) …"
     )]
     Mass(Box<MassArgs>),
-    /// The same contact over a range of positions, loops closed along one branch.
+    /// Effective mass over a range of positions; loops stay on one branch.
     #[command(
         after_help = examples::SWEEP,
         override_usage = "percuss sweep MODEL --link L --point X,Y,Z\n                     (--normal X,Y,Z | --along-line LINK:X,Y,Z)\n                     (--vary RANGE… | --input FILE | --random COUNT) …"
     )]
     Sweep(Box<SweepArgs>),
-    /// The same question asked of several designs, with differences in per cent.
+    /// Compare several designs at the same contact, with differences in percent.
     ///
-    /// In one table, and one figure.
+    /// The result is one table and one figure.
     #[command(
         after_help = examples::COMPARE,
         override_usage = "percuss compare STUDY.toml…\n       percuss compare MODEL… --link L --point X,Y,Z --normal X,Y,Z\n                       [--vary RANGE] …"
@@ -104,29 +104,29 @@ pub enum Command {
     Compare(Box<CompareArgs>),
     /// Effective mass over a surface, or over all directions at a point.
     ///
-    /// Over the surface of a link, or of a whole robot.
+    /// The surface is that of one link or of a whole robot.
     #[command(
         after_help = examples::MAP,
         override_usage = "percuss map MODEL (--link L | --all) [--output FILE]… …\n       percuss map MODEL --link L --point X,Y,Z --directions COUNT …"
     )]
     Map(Box<MapArgs>),
-    /// Write a suspension's sheet to fill in: hardpoints, masses, units, axes.
+    /// Write a blank suspension sheet: hardpoints, masses, units, axes.
     #[command(after_help = examples::TEMPLATE)]
     Template(TemplateArgs),
-    /// Turn a suspension's sheet, table or Chrono::Vehicle JSON into a URDF+ model.
+    /// Convert a suspension sheet, table or Chrono::Vehicle JSON to a URDF+ model.
     ///
-    /// The model is commented.
+    /// The model contains explanatory comments.
     #[command(after_help = examples::IMPORT)]
     Import(Box<ImportArgs>),
-    /// The damper of a required restitution, and the parameters for simulators.
+    /// Damper for a required restitution, and parameters for simulators.
     #[command(
         after_help = examples::DAMP,
         override_usage = "percuss damp (--mass KG | --mass-from MODEL --link L --point X,Y,Z\n                    --normal X,Y,Z …) --stiffness K --restitution E [--speed V]\n                    [--law NAME] [--for TOOL] …"
     )]
     Damp(Box<DampArgs>),
-    /// The greatest speed of a robot where it may hit a person.
+    /// Largest safe speed of a robot that may hit a person.
     ///
-    /// Transient contact as in ISO/TS 15066, with the effective mass.
+    /// Transient contact of ISO/TS 15066, computed with the effective mass.
     #[command(
         after_help = examples::SAFE_SPEED,
         override_usage = "percuss safe-speed MODEL --link L --point X,Y,Z --normal X,Y,Z …\n                          --region NAME (--force F | --pressure P --area A)\n                          [--load KG]"
@@ -135,16 +135,16 @@ pub enum Command {
     /// Run a study: the flags of mass, sweep and damp, kept in a TOML file.
     #[command(after_help = examples::RUN)]
     Run(RunArgs),
-    /// Write a commented study of a model to start from: its links and joints by name, and a contact that has an answer.
+    /// Write a first study of a model, with comments: names of links and joints, and a contact with a result.
     #[command(after_help = examples::INIT)]
     Init(Box<InitArgs>),
-    /// Print the JSON schema of studies: every key with what it means, for editors and other programs.
+    /// Print the JSON schema of studies, for editors and programs: every key with its meaning.
     #[command(after_help = "Example:\n  percuss schema > study.schema.json")]
     Schema,
     /// Print a completion script for a shell.
     #[command(after_help = "Examples:\n  percuss completions bash\n  percuss completions zsh > _percuss")]
     Completions {
-        /// For which shell.
+        /// Shell of the script.
         shell: clap_complete::Shell,
     },
 }
@@ -154,7 +154,7 @@ pub enum Command {
 pub struct CheckArgs {
     #[command(flatten)]
     pub model: ModelArgs,
-    /// How the result is shown.
+    /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = ANSWER)]
     pub format: CheckFormat,
 }
@@ -166,28 +166,29 @@ pub struct MassArgs {
     pub model: ModelArgs,
     #[command(flatten)]
     pub contact: ContactArgs,
-    /// Compare with this effective mass (kg); exit 1 if it is missed.
+    /// Compare with this effective mass (kg); exit 1 if different.
     #[arg(long, value_name = "KG", value_parser = kilograms, help_heading = ANSWER)]
     pub expect: Option<f64>,
-    /// ± on it: mass=2%,com=1mm,point=0.5mm,armature=10%.
+    /// Tolerances: mass=2%,com=1mm,point=1mm,armature=10%.
     ///
-    /// How far off the model's parts may be, and what that leaves of the effective mass: mass and armature in per cent, com and
-    /// point (of a sheet) as lengths. Or a number: the relative tolerance of --expect (1e-9 without this).
+    /// Tolerances of the model's data, and their effect on the effective mass: masses and armatures in percent,
+    /// centres of mass and hardpoints of a sheet as lengths. A single number is the relative tolerance of --expect
+    /// (default 1e-9).
     #[arg(long, value_name = "PART=VALUE,…", value_parser = any_tolerance, help_heading = BESIDE)]
     pub tolerance: Vec<ToleranceArg>,
-    /// So many random designs within --tolerance, beside the first order.
+    /// Number of random designs within --tolerance, in addition to the first-order estimate.
     #[arg(long, value_name = "COUNT", requires = "tolerance", help_heading = BESIDE)]
     pub samples: Option<usize>,
-    /// The seed of --samples, 0 without it.
+    /// Random seed of --samples; default 0.
     #[arg(long, value_name = "NUMBER", requires = "samples", help_heading = BESIDE)]
     pub seed: Option<u64>,
-    /// What it depends on, and what lowers it most.
+    /// Show sensitivities, and the most effective changes.
     ///
-    /// Its rate with each link's mass and centre of mass, each armature and each hardpoint of a sheet, and the changes that lower
-    /// it most.
+    /// Derivatives of the effective mass with respect to each link's mass and centre of mass, each armature and each
+    /// hardpoint of a sheet, and the changes that reduce the effective mass most.
     #[arg(long, help_heading = BESIDE)]
     pub explain: bool,
-    /// How the result is shown.
+    /// Format of the result.
     #[arg(long, value_enum, default_value_t = MassFormat::Text, help_heading = ANSWER)]
     pub format: MassFormat,
     #[command(flatten)]
@@ -195,7 +196,7 @@ pub struct MassArgs {
 }
 
 impl MassArgs {
-    /// The samples asked for.
+    /// Options of the random designs; `None` without --samples.
     pub fn sampling(&self) -> Option<Sampling> {
         let seed = self.seed.unwrap_or_default();
         self.samples.map(|count| Sampling { count, seed })
@@ -209,11 +210,11 @@ pub struct SweepArgs {
     pub model: ModelArgs,
     #[command(flatten)]
     pub contact: ContactArgs,
-    /// A joint's range, or a point's travel.
+    /// Range of a joint, or of the travel of a point.
     ///
-    /// The varied quantity: a driving joint, or travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT, the travel of a point (m, link's
-    /// frame) along a direction (world axes). Given again it makes a grid: every combination, the first the slowest; a travel is
-    /// given last.
+    /// The varied quantity is a driving joint, or the travel of a point: travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT,
+    /// point in m in the link frame, direction in world axes. Several --vary make a grid of all combinations; the
+    /// first range varies slowest. A travel must be the last range.
     #[arg(
         long,
         value_name = "JOINT=FROM:TO:COUNT",
@@ -224,8 +225,8 @@ pub struct SweepArgs {
     pub vary: Vec<Vary>,
     /// Positions from a file, row by row.
     ///
-    /// Along a path: a column for each joint (JOINT[0], JOINT[1], … for several numbers), a unit behind its name where it is not
-    /// SI: "elbow [deg]". - reads the standard input.
+    /// The rows are followed as a path. Each joint has a column (JOINT[0], JOINT[1], … if the joint has several
+    /// numbers). A unit other than SI follows the name: "elbow [deg]". - reads the standard input.
     #[arg(
         long,
         value_name = "FILE.csv|.parquet",
@@ -233,20 +234,20 @@ pub struct SweepArgs {
         help_heading = ROWS
     )]
     pub input: Option<String>,
-    /// Leaves a column of --input out.
+    /// Ignore a column of --input.
     #[arg(long, value_name = "COLUMN", help_heading = ROWS)]
     pub ignore: Vec<String>,
-    /// Random positions within the joints' limits.
+    /// Number of random positions within joint limits.
     ///
-    /// So many; joints of --set stay where they are.
+    /// Joints given by --set keep their positions.
     #[arg(long, value_name = "COUNT", conflicts_with = "vary", help_heading = ROWS)]
     pub random: Option<usize>,
-    /// The seed of --random, 0 without it: the same numbers on every machine.
+    /// Random seed of --random; default 0. The numbers are the same on every machine.
     #[arg(long, value_name = "NUMBER", help_heading = ROWS)]
     pub seed: Option<u64>,
     /// .csv .xlsx .parquet .json .jsonl .svg .png .pdf
     ///
-    /// The output file; its ending chooses the format. Without it, CSV goes to the standard output.
+    /// Output file; the extension selects the format. Default: CSV on the standard output.
     #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: Option<String>,
     #[command(flatten)]
@@ -255,7 +256,7 @@ pub struct SweepArgs {
     pub figure: FigureArgs,
     #[command(flatten)]
     pub writing: WritingArgs,
-    /// How many threads compute; by default as many as there are processors. No answer depends on it.
+    /// Number of threads; default: the number of processors. Results do not depend on it.
     #[arg(
         long,
         value_name = "COUNT",
@@ -266,20 +267,20 @@ pub struct SweepArgs {
 }
 
 impl SweepArgs {
-    /// Where the rows come from.
+    /// Source of the rows.
     pub fn source(&self) -> Result<RowSource, Failure> {
-        // Not left to clap, which asks for nothing that another flag excludes.
+        // clap does not check `requires` if another flag conflicts with the required one.
         if self.input.is_none() && !self.ignore.is_empty() {
-            return Err(Failure::bad_input("--ignore leaves out columns of --input; give that file"));
+            return Err(Failure::bad_input("--ignore removes columns of --input; give that file"));
         }
         if self.random.is_none() && self.seed.is_some() {
-            return Err(Failure::bad_input("--seed is that of --random; give its COUNT"));
+            return Err(Failure::bad_input("--seed requires --random COUNT"));
         }
         Ok(match (&self.input, self.random) {
             (Some(path), _) => {
                 if path == "-" && self.model.model == "-" {
                     return Err(Failure::bad_input(
-                        "--input -: the standard input is the model already; name a file for one of them",
+                        "--input -: the model is already read from the standard input; give a file name for one of the two",
                     ));
                 }
                 let (ignore, max_size) = (self.ignore.clone(), self.model.reading.max_size);
@@ -296,7 +297,7 @@ impl SweepArgs {
 pub struct InitArgs {
     #[command(flatten)]
     pub model: ModelArgs,
-    /// The study; without it stdout.
+    /// Output file of the study; default: stdout.
     #[arg(long, short, value_name = "STUDY.toml")]
     pub output: Option<String>,
     #[command(flatten)]
@@ -306,32 +307,33 @@ pub struct InitArgs {
 /// Flags of `percuss run`.
 #[derive(Debug, Args)]
 pub struct RunArgs {
-    /// The study; - reads the standard input.
+    /// Study file; - reads the standard input.
     pub study: String,
     /// Show the contact at the study's pose in this format.
     ///
-    /// Its sweep is left out.
+    /// The sweep of the study is not run.
     #[arg(long, value_enum)]
     pub format: Option<MassFormat>,
     /// Refuse files larger than this many bytes.
     #[arg(long, default_value_t = DEFAULT_MAX_SIZE, value_name = "BYTES")]
     pub max_size: u64,
-    /// How many threads compute a sweep.
+    /// Number of threads of a sweep.
     ///
-    /// By default as many as there are processors.
+    /// Default: the number of processors.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Make warnings errors (exit 2).
+    /// Treat warnings as errors (exit 2).
     #[arg(long)]
     pub strict: bool,
     #[command(flatten)]
     pub writing: WritingArgs,
-    /// Write a report: one HTML file.
+    /// Write a report as one HTML file.
     ///
-    /// With the mechanism, contributions, sweep and damper; the answer as JSON and the sweep as CSV beside it.
+    /// The report shows the mechanism, contributions, sweep and damper. The result as JSON and the sweep as CSV are
+    /// written to the same folder.
     #[arg(long, value_name = "FILE.html", conflicts_with = "format")]
     pub report: Option<String>,
-    /// Let the study write outside its own folder.
+    /// Allow the study to write outside its own folder.
     #[arg(long)]
     pub allow_outside: bool,
 }

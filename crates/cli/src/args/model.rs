@@ -1,4 +1,4 @@
-//! Which model, and how it is read.
+//! Flags of the model and of its reading.
 
 use super::headings::{CHANGES, READING};
 use super::words::{link_com, link_mass, moved_point};
@@ -8,23 +8,23 @@ use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
 use percuss_mechanism::Accept;
 use percuss_study::{Changes, Model};
 
-/// Which model, and how it is read.
+/// Model file, and options of its reading.
 #[derive(Debug, Args)]
 pub struct ModelArgs {
-    /// A URDF file, or a suspension's sheet or table.
+    /// URDF file, or a suspension sheet or table.
     ///
-    /// URDF: - reads the standard input. A sheet or table (.toml, .csv, .xlsx, .json) is read as `percuss import` reads it.
+    /// - reads a URDF from the standard input. A sheet or table (.toml, .csv, .xlsx, .json) is read as by `percuss import`.
     pub model: String,
     #[command(flatten)]
     pub reading: ReadingArgs,
 }
 
-/// How a model is read.
+/// Options of the reading, and changes to the model.
 #[derive(Debug, Args)]
 pub struct ReadingArgs {
-    /// Gives a link another mass (kg).
+    /// Change the mass of a link (kg).
     ///
-    /// Its moments about the centre of mass change in proportion.
+    /// The moments of inertia about the centre of mass are scaled by the same factor.
     #[arg(
         long,
         value_name = "LINK=KG",
@@ -33,7 +33,7 @@ pub struct ReadingArgs {
         help_heading = CHANGES
     )]
     pub link_mass: Vec<(String, f64)>,
-    /// Gives a link another centre of mass (m, link's frame).
+    /// Change the centre of mass of a link (m, link frame).
     #[arg(
         long,
         value_name = "LINK=X,Y,Z",
@@ -42,9 +42,9 @@ pub struct ReadingArgs {
         help_heading = CHANGES
     )]
     pub link_com: Vec<(String, [f64; 3])>,
-    /// Moves a hardpoint of a suspension's sheet (m; 5mm).
+    /// Shift a hardpoint of a suspension sheet (m; 5mm).
     ///
-    /// In the sheet's axes; numbers without a unit are m.
+    /// The shift is in the axes of the sheet; numbers without a unit are in m.
     #[arg(
         long = "move",
         value_name = "POINT=X,Y,Z",
@@ -59,17 +59,17 @@ pub struct ReadingArgs {
     /// Refuse files larger than this many bytes.
     #[arg(long, default_value_t = DEFAULT_MAX_SIZE, value_name = "BYTES", help_heading = READING)]
     pub max_size: u64,
-    /// Make warnings errors (exit 2).
+    /// Treat warnings as errors (exit 2).
     #[arg(long, help_heading = READING)]
     pub strict: bool,
 }
 
-/// What `--accept` takes.
+/// Values of `--accept`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Acceptable {
     /// Inertias with a negative principal moment.
     IndefiniteInertia,
-    /// Inertias far beyond what the size of the links allows.
+    /// Inertias far too large for the size of the links.
     ImplausibleInertia,
 }
 
@@ -88,14 +88,14 @@ impl ReadingArgs {
         if changes.is_empty() { Ok(model) } else { Ok(model.changed(&changes)?) }
     }
 
-    /// How it is read.
+    /// Options of the reader.
     pub fn options(&self) -> LoadOptions {
         let indefinite_inertia = self.accept.contains(&Acceptable::IndefiniteInertia);
         let implausible_inertia = self.accept.contains(&Acceptable::ImplausibleInertia);
         LoadOptions { accept: Accept { indefinite_inertia, implausible_inertia } }
     }
 
-    /// What is changed of it.
+    /// Changes to the model.
     pub fn changes(&self) -> Changes {
         Changes {
             link_mass: self.link_mass.clone(),

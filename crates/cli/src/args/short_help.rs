@@ -1,13 +1,13 @@
-//! What `-h` shows: one screen. The flags of a usual question are explained, the others named beside what they belong to;
-//! `--help` explains all.
+//! Output of `-h` on one screen. Common flags are explained, the others are only listed by heading; `--help` explains
+//! all.
 
 use crate::terminal::wrap::{hanging, lines, width};
 use clap::{Arg, Command};
 
-/// Where explanations begin.
+/// Column at which explanations begin.
 const COLUMN: usize = 30;
 
-/// The flags that are explained, by the command. The others of a command are only named.
+/// Explained flags of each command. Other flags are only listed.
 const EXPLAINED: [(&str, &[&str]); 14] = [
     ("percuss", &[]),
     ("check", &["format", "strict"]),
@@ -120,7 +120,7 @@ const EXPLAINED: [(&str, &[&str]); 14] = [
     ("completions", &[]),
 ];
 
-/// The short help of a command whose names are built.
+/// Short help of a command, after `Command::build`.
 pub fn short_help(command: &Command) -> String {
     let name = command.get_name();
     let explained = EXPLAINED.iter().find(|(known, _)| *known == name).map_or(&[][..], |(_, ids)| ids);
@@ -157,7 +157,7 @@ pub fn short_help(command: &Command) -> String {
             (false, false) => hanging(&format!("{heading}, also {}", names.join(" ")), 4) + "\n",
             (false, true) => hanging(&format!("{heading}: {}", names.join(" ")), 4) + "\n",
         };
-        // In the order of the table: a question is asked in that one.
+        // The table has the order in which the flags are usually given.
         for id in explained {
             out += &main.iter().find(|a| a.get_id() == id).map_or_else(String::new, |a| explanation(a));
         }
@@ -176,7 +176,7 @@ fn switches(command: &Command) -> impl Iterator<Item = &Arg> {
     command.get_arguments().filter(|a| !a.is_positional() && !a.get_action().takes_values())
 }
 
-/// The headings in the order of their first flags, that of all commands last.
+/// Headings in the order of their first flags; "Options", common to all commands, is last.
 fn headings(command: &Command) -> Vec<&str> {
     let mut headings = Vec::new();
     for argument in command.get_arguments().filter(|a| !a.is_positional() && !a.is_hide_set()) {
@@ -196,7 +196,7 @@ fn spelling(argument: &Arg) -> Option<String> {
     }
 }
 
-/// One flag or argument with its value, and what it does.
+/// Help row of a flag or argument: name, value and effect.
 fn explanation(argument: &Arg) -> String {
     let values = argument.get_value_names().unwrap_or_default();
     let value = values.first().map_or_else(String::new, ToString::to_string);
@@ -221,7 +221,7 @@ fn row(name: &str, help: &str, column: usize) -> String {
     hanging(&format!("{name}{padding}{help}"), column) + "\n"
 }
 
-/// The first command of the examples, with the lines that it goes on in.
+/// First command of the examples, with its continuation lines.
 fn first_example(command: &Command) -> Option<String> {
     let text = command.get_after_help()?.to_string();
     let mut example = String::new();
@@ -234,7 +234,8 @@ fn first_example(command: &Command) -> Option<String> {
     None
 }
 
-/// The command that `-h` is asked of: the first argument that is no flag names it, for no flag before it has a value.
+/// Command for which `-h` was given: the first argument that is no flag, because no flag before the command has a
+/// value.
 pub fn asked_of<'c>(definition: &'c Command, arguments: &[std::ffi::OsString]) -> Option<&'c Command> {
     let words: Vec<&str> = arguments.iter().skip(1).filter_map(|a| a.to_str()).collect();
     let is_short = words.iter().find(|w| ["-h", "--help", "help"].contains(w)).is_none_or(|w| *w == "-h");

@@ -1,4 +1,4 @@
-//! No flag without a key in studies, and no key without a flag: one list of what belongs to what.
+//! Correspondence of flags and keys of studies: every flag has a key and every key has a flag, with listed exceptions.
 
 use super::Cli;
 use std::collections::BTreeSet;
@@ -22,7 +22,7 @@ const WITHOUT_KEY: [(&str, &str); 12] = [
 /// Keys that have no flag, and why.
 const WITHOUT_FLAG: [(&str, &str); 2] = [
     ("closure.", "a flag for a loop would be a file"),
-    ("variant.", "percuss compare takes files in the place of variants"),
+    ("variant.", "percuss compare uses files in place of variants"),
 ];
 
 /// The keys of flags that all commands share.

@@ -1,11 +1,11 @@
-//! How tables and figures are written.
+//! Flags of tables and figures.
 
 use super::headings::OUTPUT;
 use crate::files::table_style::TableStyle;
 use clap::{Args, ValueEnum};
 use percuss_study as study;
 
-/// A unit of a table.
+/// Unit of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum TableUnit {
     /// Lengths in metres.
@@ -18,32 +18,32 @@ pub enum TableUnit {
     Deg,
 }
 
-/// The sign before the decimals.
+/// Decimal sign.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Decimal {
-    /// A point; cells are separated by commas.
+    /// Decimal point; cells are separated by commas.
     #[default]
     Point,
-    /// A comma; cells are separated by semicolons.
+    /// Decimal comma; cells are separated by semicolons.
     Comma,
 }
 
-/// How tables are written.
+/// Flags of tables.
 #[derive(Debug, Args)]
 pub struct TableArgs {
     /// Units of a table: mm,deg.
     ///
-    /// Of its lengths and angles, given again for both. Columns then name their units, and numbers are rounded to what is known
-    /// of them.
+    /// Units of lengths and of angles. The column names then contain the units, and numbers are rounded to their
+    /// significant digits.
     #[arg(long, value_name = "UNIT", value_enum, value_delimiter = ',', help_heading = OUTPUT)]
     pub unit: Vec<TableUnit>,
-    /// The sign before the decimals in CSV.
+    /// Decimal sign in CSV.
     #[arg(long, value_enum, default_value_t, help_heading = OUTPUT)]
     pub decimal: Decimal,
 }
 
 impl TableArgs {
-    /// As a style.
+    /// Converts the flags to a style.
     pub fn style(&self) -> TableStyle {
         let unit = |unit: &TableUnit| match unit {
             TableUnit::M => study::TableUnit::Metre,
@@ -56,10 +56,10 @@ impl TableArgs {
     }
 }
 
-/// How figures are drawn.
+/// Flags of figures.
 #[derive(Debug, Default, Args)]
 pub struct FigureArgs {
-    /// The figure's heading.
+    /// Title of the figure.
     #[arg(long, value_name = "TEXT", help_heading = OUTPUT)]
     pub title: Option<String>,
     /// Ends of the horizontal axis, in its unit.
@@ -71,7 +71,7 @@ pub struct FigureArgs {
 }
 
 impl FigureArgs {
-    /// As a study has them.
+    /// Converts the flags to the figure options of a study.
     pub fn figure(&self) -> study::StudyFigure {
         let Self { title, x_limits, y_limits } = self;
         study::StudyFigure { title: title.clone(), x_limits: *x_limits, y_limits: *y_limits }

@@ -1,4 +1,4 @@
-//! How the values of flags are parsed.
+//! Parsers of the values of flags.
 
 use percuss_study::contact::Law;
 use percuss_study::contact::exports::Tool;
@@ -7,7 +7,7 @@ use percuss_study::{
     RatioPoint, Tolerance, UPWARDS, parse_triple,
 };
 
-/// What `--for` names: one tool, or all.
+/// Simulators named by one value of `--for`: one, or all.
 pub type Tools = Vec<Tool>;
 
 pub fn point(text: &str) -> Result<[f64; 3], String> {
@@ -18,7 +18,7 @@ pub fn normal(text: &str) -> Result<[f64; 3], String> {
     parse_triple(text, Dimension::Plain).map_err(|e| e.to_string())
 }
 
-/// A length whose range is checked later.
+/// Length in m; the range is checked later.
 pub fn edge(text: &str) -> Result<f64, String> {
     Quantity::parse(text).and_then(|q| q.of(Dimension::Length, text)).map_err(|e| e.to_string())
 }
@@ -38,12 +38,12 @@ pub fn kilograms(text: &str) -> Result<f64, String> {
     if mass > 0.0 { Ok(mass) } else { Err(format!("{mass} kg; a mass above 0 is expected")) }
 }
 
-/// A mass whose range is checked later, with the rest of the contact.
+/// Mass in kg; the range is checked later, with the other data of the contact.
 pub fn plain_kilograms(text: &str) -> Result<f64, String> {
     Quantity::parse(text).and_then(|q| q.of(Dimension::Mass, text)).map_err(|e| e.to_string())
 }
 
-/// A number whose range is checked later.
+/// Number without a unit; the range is checked later.
 pub fn plain(text: &str) -> Result<f64, String> {
     Quantity::parse(text).and_then(|q| q.of(Dimension::Plain, text)).map_err(|e| e.to_string())
 }
@@ -56,7 +56,7 @@ fn measured(measure: Measure, text: &str) -> Result<Measured, String> {
     measure.parse(text).map_err(|e| e.to_string())
 }
 
-/// Of a contact, or of a joint that turns: what it belongs to is known later.
+/// Translational or rotational stiffness; the joint type is checked later.
 pub fn stiffness(text: &str) -> Result<Measured, String> {
     measured(Measure::Stiffness, text)
         .or_else(|error| measured(Measure::TurnStiffness, text).map_err(|_| error))
@@ -66,7 +66,7 @@ pub fn ratio(text: &str) -> Result<f64, String> {
     measured(Measure::Ratio, text).map(|m| m.value)
 }
 
-/// As [`stiffness`].
+/// Translational or rotational speed; the joint type is checked later.
 pub fn speed(text: &str) -> Result<Measured, String> {
     measured(Measure::Speed, text).or_else(|error| measured(Measure::TurnSpeed, text).map_err(|_| error))
 }
@@ -122,12 +122,12 @@ pub fn moments(text: &str) -> Result<[f64; 3], String> {
     }
 }
 
-/// The relative tolerance of --expect, or tolerances of the model's parts.
+/// Value of --tolerance.
 #[derive(Clone, Copy, Debug)]
 pub enum ToleranceArg {
-    /// Of --expect.
+    /// Relative tolerance of --expect.
     OfExpected(f64),
-    /// Of the model's parts.
+    /// Tolerances of the model's data.
     OfParts(Tolerance),
 }
 
@@ -137,7 +137,7 @@ pub fn any_tolerance(text: &str) -> Result<ToleranceArg, String> {
         return Tolerance::parse(text).map(ToleranceArg::OfParts).map_err(|e| e.to_string());
     }
     let read = tolerance(text).map(ToleranceArg::OfExpected);
-    read.map_err(|e| format!("{e} (with --expect), or mass=2%,point=0.5mm for the model's parts"))
+    read.map_err(|e| format!("{e} (with --expect), or mass=2%,point=0.5mm for the model's data"))
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
@@ -146,7 +146,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
     if value >= 0.0 { Ok(value) } else { Err(format!("{value}; a tolerance of 0 or more is expected")) }
 }
 
-/// `POINT=X,Y,Z`: a hardpoint, and by how much it moves.
+/// `POINT=X,Y,Z`: hardpoint and displacement.
 pub fn moved_point(text: &str) -> Result<(String, [f64; 3]), String> {
     let (name, by) = assignment(text).map_err(|_| "expected POINT=X,Y,Z, such as lower_ball=0,0,5mm")?;
     Ok((name, point(&by)?))
@@ -164,7 +164,7 @@ pub fn link_com(text: &str) -> Result<(String, [f64; 3]), String> {
     Ok((link, point(&com)?))
 }
 
-/// `LINK:X,Y,Z`, split at the last colon: link names may have some of their own.
+/// `LINK:X,Y,Z`, split at the last colon, because link names may contain colons.
 pub fn line(text: &str) -> Result<(String, [f64; 3]), String> {
     match text.rsplit_once(':') {
         Some((link, numbers)) if !link.is_empty() => Ok((link.to_owned(), point(numbers)?)),
@@ -172,7 +172,7 @@ pub fn line(text: &str) -> Result<(String, [f64; 3]), String> {
     }
 }
 
-/// `JOINT=VALUE` with numbers, units allowed, for the position of a joint.
+/// `JOINT=VALUE`: position of a joint, with optional units.
 pub fn position(text: &str) -> Result<(String, GivenPosition), String> {
     let (joint, value) = assignment(text)?;
     Ok((joint, GivenPosition::parse(&value).map_err(|e| e.to_string())?))
@@ -210,7 +210,7 @@ pub fn armature(text: &str) -> Result<(String, Vec<f64>), String> {
     Ok((joint, values))
 }
 
-/// Up to two triples behind a name, split from the right.
+/// Name followed by up to two triples, split from the right.
 fn triples(text: &str) -> (&str, Vec<&str>) {
     let (mut name, mut found) = (text, Vec::new());
     while found.len() < 2

@@ -1,9 +1,9 @@
-//! How files are written.
+//! Flags of the writing of files.
 
 use super::headings::OUTPUT;
 use clap::Args;
 
-/// How files are written.
+/// Flags of the writing of files.
 #[derive(Debug, Args)]
 pub struct WritingArgs {
     /// Replace an output file that percuss did not write.
@@ -12,7 +12,7 @@ pub struct WritingArgs {
 }
 
 impl WritingArgs {
-    /// Makes it so.
+    /// Applies the flag to all files of this run.
     pub fn apply(&self) {
         crate::files::output::force(self.force);
     }

@@ -26,7 +26,8 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
         of_studies(args)?
     } else if let Some(study) = studies.iter().position(|is_study| *is_study) {
         return Err(Failure::bad_input(format!(
-            "{} is a study and has its own contact, the others are models or sheets; give studies alone, or none",
+            "{} is a study and has its own contact, the others are models or sheets; give only studies, or only \
+             models and sheets",
             args.designs[study]
         )));
     } else {
@@ -46,13 +47,15 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
 fn of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
     if args.contact.as_ref().is_some_and(|contact| contact.link.is_some()) || !args.vary.is_empty() {
         return Err(Failure::bad_input(
-            "--link, --point, --vary and the like are for models and sheets; a study has its own contact and range",
+            "--link, --point, --vary and similar flags apply to models and sheets; a study contains its own \
+             contact and range",
         ));
     }
     let changes = args.reading.changes();
     if !changes.is_empty() {
         return Err(Failure::bad_input(
-            "--link-mass, --link-com and --move would change every design alike; a study has [[variant]] for that",
+            "--link-mass, --link-com and --move would change every design in the same way; use [[variant]] in a \
+             study",
         ));
     }
     let mut designs = Vec::new();
@@ -60,7 +63,7 @@ fn of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
         let of_study = StudyFile::load(path, args.reading.max_size)?.designs(&name);
         if of_study.is_empty() {
             return Err(Failure::bad_input(format!(
-                "{path}: the study has no [contact], and designs are compared at one"
+                "{path}: the study has no [contact]; a comparison needs a contact"
             )));
         }
         designs.extend(of_study);
@@ -123,7 +126,7 @@ pub fn show(designs: &[Design], names: Names, written: &Written) -> Result<(), F
         MassFormat::Text => write_out(&text(&report))?,
     }
     if report.designs.iter().all(|design| design.status.is_none()) {
-        return Err(Failure::NoAnswer("no design has an answer".into()));
+        return Err(Failure::NoAnswer("no design has a result".into()));
     }
     Ok(())
 }

@@ -29,7 +29,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     args.writing.apply();
     let Some(mut question) = args.damping.question()? else {
         return Err(Failure::bad_input(
-            "--restitution E and --stiffness N/m are required: the restitution you measured, and the contact's spring",
+            "--restitution E (the required restitution) and --stiffness N/m (the contact spring) are required",
         ));
     };
     if args.format == CheckFormat::Json && question.tools.is_empty() {
@@ -55,7 +55,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
         },
         (Some(_), ..) => {
             return Err(Failure::bad_input(
-                "--link, --point and the like belong to --mass-from MODEL, not to --mass",
+                "--link, --point and similar flags require --mass-from MODEL; they do not apply to --mass",
             ));
         }
         _ => {
@@ -142,7 +142,7 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
         Some(_) => format!("{}, ending when the force vanishes", damper.law),
         None => damper.law.to_owned(),
     };
-    let law = damper.law_alias.map_or(law.clone(), |alias| format!("{law} (asked for as {alias})"));
+    let law = damper.law_alias.map_or(law.clone(), |alias| format!("{law} (given as {alias})"));
     facts.push(("law", law));
     facts.push(("stiffness", stiffness(report)));
     match (damper.damping_ratio, damper.damping) {
@@ -153,7 +153,7 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
             if let Some(d) = damper.dissipation {
                 facts.push((
                     "or Hunt–Crossley",
-                    format!("{} s/{length} at this speed, instead of the damping", number(d)),
+                    format!("{} s/{length} at this speed, in place of the damping", number(d)),
                 ));
             }
         }
@@ -164,9 +164,9 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     let off = if damper.law_is_exact {
         "exactly".to_owned()
     } else {
-        format!("{:+.4} off: this law is an approximation", achieved - e)
+        format!("error {:+.4}: this law is an approximation", achieved - e)
     };
-    facts.push(("restitution", format!("{} ({} asked for, {off})", number(achieved), number(e))));
+    facts.push(("restitution", format!("{} (required {}, {off})", number(achieved), number(e))));
     let metric = |value: Option<f64>, scale: f64, unit: &str| {
         value.map(|v| scale * v).filter(|v| v.is_finite()).map(|v| format!("{} {unit}", number(v)))
     };
@@ -198,9 +198,9 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     }
     if let Some(alone) = report.body_alone {
         let wrong = alone.restitution.map_or_else(String::new, |e| {
-            format!("; a damper made for that would rebound with {}", number(e))
+            format!("; a damper for this mass gives the restitution {}", number(e))
         });
-        facts.push(("struck body alone", format!("{} kg{wrong}", number(alone.mass))));
+        facts.push(("contact link alone", format!("{} kg{wrong}", number(alone.mass))));
     }
     facts
 }
@@ -241,7 +241,7 @@ pub fn exported(name: &str, export: &ExportRecord) -> String {
     }
     line("two sides", export.combines);
     if export.measured.is_empty() {
-        line("measured", "not measured: read in source or manual, and run in a model of the law");
+        line("measured", "not measured: based on source or manual, and tested in a model of the law");
     }
     for measured in export.measured {
         line("measured", &measurement(measured));
@@ -275,7 +275,7 @@ fn measurement(measured: &Measurement) -> String {
     let [low, middle, high] = worst;
     let by_hand = measured.by_hand.map_or_else(String::new, |day| format!(", by hand on {day}"));
     let (engine, scenes) = (measured.engine, measured.scenes);
-    format!("{engine}{solver}: {scenes}; off by {low}, {middle}, {high} for e = 0.2, 0.5, 0.8{by_hand}")
+    format!("{engine}{solver}: {scenes}; errors {low}, {middle}, {high} for e = 0.2, 0.5, 0.8{by_hand}")
 }
 
 fn laws() -> String {

@@ -12,7 +12,9 @@ use std::path::Path;
 pub fn run(args: &InitArgs) -> Result<(), Failure> {
     args.writing.apply();
     if args.model.model == "-" {
-        return Err(Failure::bad_input("MODEL -: a study names its model; give the model's file"));
+        return Err(Failure::bad_input(
+            "MODEL -: a study contains the path of its model; give the file of the model",
+        ));
     }
     if !args.model.reading.changes().is_empty() {
         return Err(Failure::bad_input(

@@ -129,8 +129,8 @@ pub fn links(report: &MapReport) -> Table<8> {
 }
 
 /// Explanation of the table of links.
-pub const OF_LINKS: &str = "One contact in each facet, along its outward normal; places in the link's frame.\n\
-                            The mean is 1 over the mean of 1/m over the area.\n";
+pub const OF_LINKS: &str = "One contact in each facet, along its outward normal; points in the link frame.\n\
+                            The mean is the reciprocal of the area mean of 1/m.\n";
 
 fn text(answer: &MapAnswer) -> String {
     let report = &answer.report;
@@ -170,16 +170,16 @@ fn windings(report: &MapReport) -> String {
         };
         let mut done = Vec::new();
         if o.turned > 0 {
-            done.push(format!("{} triangles were turned over", o.turned));
+            done.push(format!("{} triangles were reversed", o.turned));
         }
         if o.open > 0 {
             done.push(format!(
-                "{} of {} pieces are open, turned away from the mesh's centre",
+                "{} of {} pieces are open; their normals point away from the centre of the mesh",
                 o.open, o.pieces
             ));
         }
         if o.conflicting > 0 {
-            done.push(format!("{} pieces cannot be turned alike", o.conflicting));
+            done.push(format!("{} pieces cannot be oriented consistently", o.conflicting));
         }
         let text =
             format!("{}: {}; the sign of a normal does not change the mass.", link.link, done.join("; "));
@@ -195,7 +195,7 @@ fn rounded(p: &[f64; 3]) -> String {
 
 pub fn point_text(report: &PointMapReport) -> String {
     let mut out = String::new();
-    let place = format!("{} at {} m, in its own frame", report.link, triple(&report.point_link));
+    let place = format!("{} at {} m, in the link frame", report.link, triple(&report.point_link));
     out += &fact("point", &place);
     out += &fact("in the world", &format!("{} m", triple(&report.point_world)));
     out += "\nprincipal effective masses (the belted ellipsoid)\n";
@@ -209,7 +209,7 @@ pub fn point_text(report: &PointMapReport) -> String {
     }
     out += &table.to_string();
     if report.principal.is_empty() {
-        out += "  none: a direction has no answer\n";
+        out += "  none: a direction has no result\n";
     }
     let finite = report.directions.iter().filter_map(|d| Some((d.effective_mass?, d)));
     let (mut least, mut most) = (None::<(f64, &DirectionMass)>, None::<(f64, &DirectionMass)>);
@@ -217,7 +217,7 @@ pub fn point_text(report: &PointMapReport) -> String {
         least = least.filter(|(l, _)| *l <= m).or(Some((m, d)));
         most = most.filter(|(l, _)| *l >= m).or(Some((m, d)));
     }
-    let _ = writeln!(out, "\n{:<20} {} evenly over the sphere", "directions", report.directions.len());
+    let _ = writeln!(out, "\n{:<20} {} uniform over the sphere", "directions", report.directions.len());
     for (name, found) in [("smallest of them", least), ("largest of them", most)] {
         if let Some((m, d)) = found {
             let along = triple(&d.direction_link.map(tidy));

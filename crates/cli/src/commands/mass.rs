@@ -83,19 +83,19 @@ fn tolerances(args: &MassArgs) -> Result<(f64, Option<Tolerance>), Failure> {
         };
         if twice {
             return Err(Failure::bad_input(
-                "--tolerance: given twice for the same; write mass=2%,point=0.5mm as one",
+                "--tolerance: given twice for the same quantity; write mass=2%,point=0.5mm as one",
             ));
         }
     }
     if of_expected.is_some() && args.expect.is_none() {
         return Err(Failure::bad_input(
-            "--tolerance: a plain number is that of --expect, which is missing; tolerances of the model's parts are written \
+            "--tolerance: a single number requires --expect; write tolerances of the model's data as \
              mass=2%,point=0.5mm",
         ));
     }
     if args.samples.is_some() && of_parts.is_none() {
         return Err(Failure::bad_input(
-            "--samples: there is nothing to sample; give --tolerance mass=2%,point=0.5mm",
+            "--samples: sampling requires tolerances; give --tolerance mass=2%,point=0.5mm",
         ));
     }
     Ok((of_expected.unwrap_or(limits::DEFAULT_TOLERANCE), of_parts))
@@ -126,15 +126,13 @@ pub fn show(
     let unanswered = asked.explain && report.explanation.is_none()
         || asked.tolerance.is_some() && report.tolerance.is_none();
     if unanswered {
-        note(
-            "--explain and --tolerance: there is nothing to differentiate where no single finite mass is the answer",
-        );
+        note("--explain and --tolerance: sensitivities require a single finite effective mass as the result");
     }
     let expected = asked.expected;
     match format {
         MassFormat::Json => write_json(&report)?,
         MassFormat::Csv if report.damper.is_some() => {
-            note("the damper has no columns in CSV; use --format text or json");
+            note("CSV does not contain the damper; use --format text or json");
             write_out(&csv::of_mass(&report, &report.assumptions.set))?;
         }
         MassFormat::Csv => write_out(&csv::of_mass(&report, &report.assumptions.set))?,
@@ -148,7 +146,8 @@ fn compare(report: &MassReport, expected: f64, tolerance: f64) -> Result<(), Fai
     match report.effective_mass {
         Some(m) if (m / expected - 1.0).abs() <= tolerance => Ok(()),
         Some(m) => Err(Failure::NoAnswer(format!(
-            "the effective mass {m} kg differs from the expected {expected} kg by {:.1e} of it; {tolerance:e} is allowed",
+            "the effective mass {m} kg differs from the expected {expected} kg (relative difference {:.1e}, \
+             tolerance {tolerance:e})",
             (m / expected - 1.0).abs()
         ))),
         None => Err(Failure::NoAnswer(format!(
@@ -182,7 +181,7 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     out += &report.explanation.as_ref().map_or_else(String::new, explanation);
     out += &report.tolerance.as_ref().map_or_else(String::new, crate::terminal::explanation::tolerances);
     out += "\nNot included: friction, compliance of the links, several impacts at once.\n\
-            Gravity, springs, dampers and speed do not enter: a finite force does no work\n\
+            Gravity, springs, dampers and speed have no effect: a finite force does no work\n\
             in an instantaneous impact. See docs/LIMITS.md.\n";
     if let Some(damper) = &report.damper {
         out += &crate::commands::damp::exports(damper);
@@ -251,7 +250,7 @@ pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
     };
     let assumed = &report.assumptions;
     let mut facts = vec![
-        ("struck", format!("{} at {} m, in its own frame", contact.link, triple(&contact.point_link))),
+        ("contact link", format!("{} at {} m, in the link frame", contact.link, triple(&contact.point_link))),
         ("normal", format!("{}, out of {}", triple(&contact.normal_link), contact.link)),
         (
             "in the world",

@@ -115,7 +115,11 @@ fn sweep(study: &StudyFile, asked: &StudySweep) -> Result<Swept, Failure> {
     let svg = match drawn(again, question, &asked.figure, &ProgressBar::hidden()) {
         Ok((figure, _)) => Ok(figure.to_svg()),
         // The picture cannot show this sweep; the table contains it.
-        Err(_) => Err("No picture: it shows one range, or a curve for each value of a first one.".to_owned()),
+        Err(_) => {
+            Err("No picture: a picture shows one range, or one curve for each value of the first of two \
+            ranges."
+                .to_owned())
+        }
     };
     Ok(Swept { csv, end, inputs, svg, least, greatest })
 }
@@ -237,7 +241,7 @@ impl Answers {
             // A comparison without a figure is covered by the sweep's table.
             let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
             if let Ok(figure) = compare::figure(compared, &figure) {
-                page.picture(&figure.to_svg(), "Effective mass of the variants over what is varied");
+                page.picture(&figure.to_svg(), "Effective mass of the variants over the varied quantity");
             }
         }
         let damper = self.mass.as_ref().and_then(|report| report.damper.as_ref()).or(self.stop.as_ref());
@@ -280,12 +284,12 @@ impl Answers {
                 diagnostics.iter().map(|d| escape::line(&d.line()).into_owned()).collect();
             page.code(&lines.join("\n"));
         }
-        page.paragraph("", "The same again, in the study's folder:");
+        page.paragraph("", "To repeat this run, in the study's folder:");
         page.code(&format!("percuss run {} --report {}", word(&name(&args.study)), word(&name(path))));
         page.paragraph(
             "soft",
-            "Not included: friction, compliance of the links, several impacts at once. Gravity, springs, dampers and speed do not \
-             enter: a finite force does no work in an instantaneous impact.",
+            "Not included: friction, compliance of the links, several impacts at once. Gravity, springs, \
+             dampers and speed have no effect: a finite force does no work in an instantaneous impact.",
         );
         Ok(page.finish())
     }
@@ -338,12 +342,13 @@ impl Answers {
             page.heading("Loops");
             page.table(tables.loops.rows());
         }
-        page.heading("What can be asked of it");
+        page.heading("Possible contacts");
         page.paragraph(
             "",
-            "The study has no [contact] with a normal, so no effective mass stands here. A contact is a link, a point of it and a \
-             normal (or a line towards a point of another link); one of this model that has an answer, with sweeps, variants and \
-             dampers to choose from, is in the study that this writes:",
+            "The study has no [contact] with a normal, so this page shows no effective mass. A contact is a \
+             link, a point of it and a \
+             normal (or a line towards a point of another link); this command writes a study with a contact of \
+             this model that has a result, and with sweeps, variants and dampers as options:",
         );
         let model = seen.inputs.first().map_or_else(String::new, |input| name(&input.path));
         page.code(&format!("percuss init {} -o contact.toml", word(&model)));
@@ -368,8 +373,8 @@ impl Answers {
 }
 
 /// Legend of the picture.
-const OF_LINES: &str = "A line joins the joints, the loops' ends and the centre of mass of each link, over its shapes where the \
-                        model states some; a wheel of an imported suspension has its circle.";
+const OF_LINES: &str = "A line joins the joints, the loops' ends and the centre of mass of each link, over its \
+    shapes if the model contains shapes; a wheel of an imported suspension is drawn as a circle.";
 
 fn contributions(report: &MassReport, page: &mut Page) {
     if report.effective_mass.is_none() {
@@ -406,12 +411,12 @@ impl Swept {
     fn on(&self, page: &mut Page, table: &str) {
         page.heading("The sweep");
         match &self.svg {
-            Ok(svg) => page.picture(svg, "Effective mass over what is varied"),
+            Ok(svg) => page.picture(svg, "Effective mass over the varied quantity"),
             Err(why) => page.paragraph("soft", why),
         }
         let mass = |m: Option<f64>| m.map_or("–".to_owned(), |m| format!("{} kg", number(m)));
         page.facts([
-            ("rows", format!("{}, of which {} have no answer", self.end.rows, self.end.unanswered)),
+            ("rows", format!("{}, {} without a result", self.end.rows, self.end.unanswered)),
             ("smallest", mass(self.least)),
             ("largest", mass(self.greatest)),
             ("all rows", table.to_owned()),

@@ -121,7 +121,8 @@ fn contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Result
     let of_pose = study.damping.is_some() || study.mass != StudyMass::default();
     if of_pose && (study.sweep.is_some() || !study.variants.is_empty()) {
         note(
-            "[damping] and [mass] are of the contact at its pose, not of rows and variants: --format text shows them",
+            "[damping] and [mass] apply to the contact at its pose, not to rows and variants: --format text \
+             shows them",
         );
     }
     let output = study.sweep.as_ref().and_then(|sweep| sweep.output.as_deref());
@@ -160,7 +161,7 @@ fn in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result<(), 
         MassFormat::Text => Ok(CheckFormat::Text),
         MassFormat::Json => Ok(CheckFormat::Json),
         MassFormat::Csv => Err(Failure::bad_input(
-            "--format csv: a contact and a map have a table; the study asks for neither",
+            "--format csv: only a contact and a map have a table; the study contains neither",
         )),
     };
     match (&study.damping, &study.map, &study.safe_speed) {
@@ -199,7 +200,7 @@ fn inside(path: &str, folder: &Path, name: &str) -> Result<(), Failure> {
         // The writer reports a missing folder.
         (None, _) => Ok(()),
         _ => Err(Failure::bad_input(format!(
-            "{name}: {path} is outside the study's folder; --allow-outside lets the study write there"
+            "{name}: {path} is outside the study's folder; --allow-outside permits this"
         ))),
     }
 }

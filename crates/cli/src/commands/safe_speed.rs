@@ -31,7 +31,7 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
         let contact =
             args.contact.as_ref().filter(|contact| contact.link.is_some() && contact.point.is_some());
         let contact = contact.ok_or_else(|| {
-            Failure::bad_input("--direction: --link LINK and --point X,Y,Z are required beside it")
+            Failure::bad_input("--direction: --link LINK and --point X,Y,Z are required too")
         })?;
         contact.conditions()?
     };
@@ -78,10 +78,10 @@ fn limit(args: &SafeSpeedArgs) -> Result<Limit, Failure> {
 }
 
 pub const CLOSING: &str = "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of\n\
-     ISO/TS 15066:2016, whose content went into ISO 10218-2:2025; both are known here\n\
-     from public secondary sources, neither was opened. The standard's M/2 + m_L\n\
-     knows neither pose nor direction. Check regions and limits against the\n\
-     purchased standard.\n";
+     ISO/TS 15066:2016, now part of ISO 10218-2:2025. The data are from public\n\
+     secondary sources; the standards themselves were not read. The standard's\n\
+     M/2 + m_L depends neither on the pose nor on the direction. Compare regions and\n\
+     limits with the purchased standard.\n";
 
 /// Table of all directions; empty for a single direction.
 pub fn directions(reports: &[SafeSpeedReport]) -> String {
@@ -126,9 +126,9 @@ pub fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
     }
     match (&report.region, report.region_mass, report.region_stiffness) {
         (Some(region), Some(mass), Some(stiffness)) => {
-            fact("struck", format!("{region}: {} kg on {} N/m", number(mass), number(stiffness)));
+            fact("body region", format!("{region}: {} kg on {} N/m", number(mass), number(stiffness)));
         }
-        _ => fact("struck", "what does not give way".to_owned()),
+        _ => fact("other side", "a rigid, fixed body".to_owned()),
     }
     fact("direction", format!("{} in the world", triple(&report.normal_world)));
     if let Some(note) = &report.region_note {
@@ -146,5 +146,5 @@ fn regions() -> String {
         let note = r.note.clone().unwrap_or_default();
         table.row([r.name.clone(), r.title.clone(), number(r.mass), number(r.stiffness), note]);
     }
-    format!("{table}\nInformative, from public secondary sources: check against the purchased\nstandard.\n")
+    format!("{table}\nInformative, from public secondary sources: compare with the purchased\nstandard.\n")
 }

@@ -32,7 +32,7 @@ pub fn run(args: &TemplateArgs) -> Result<(), Failure> {
     let Some(path) = &args.output else { return write_out(&sheet) };
     // A template does not overwrite an existing file unless forced.
     if Path::new(path).is_file() && !args.force {
-        return Err(Failure::bad_input(format!("{path} is there already; --force replaces it")));
+        return Err(Failure::bad_input(format!("{path} exists; --force replaces it")));
     }
     force(args.force);
     write_file(path, sheet.as_bytes())

@@ -17,8 +17,8 @@ use std::time::{Duration, Instant};
 /// Longest time between two flushes of buffered bytes, so that a reader of stdout sees progress.
 const PASSED_ON: Duration = Duration::from_millis(200);
 
-/// Longest wait for a file that another program holds: longer than a virus scanner needs, and short for a user who has the
-/// table open in a spreadsheet.
+/// Longest wait for a file that another program holds: longer than a virus scanner needs, and short for a user who
+/// has the table open in a spreadsheet.
 const HELD: Duration = Duration::from_secs(2);
 /// Pause between two attempts.
 const HELD_PAUSE: Duration = Duration::from_millis(10);
@@ -43,8 +43,8 @@ pub fn is_input(path: &str) {
     INPUTS.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).push(path.to_owned());
 }
 
-/// Output of a result. A new file is written in the same folder and renamed by [`finish`](Self::finish); an unfinished file
-/// leaves the previous one unchanged. Devices and pipes are written directly.
+/// Output of a result. A new file is written in the same folder and renamed by [`finish`](Self::finish); an
+/// unfinished file leaves the previous one unchanged. Devices and pipes are written directly.
 pub struct Output {
     out: BufWriter<Box<dyn Write + Send>>,
     path: Option<String>,
@@ -146,7 +146,7 @@ pub fn may_be_written(path: &str) -> Result<(), Failure> {
         if same_file::is_same_file(path, input).unwrap_or(false) {
             let which = if input == path { String::new() } else { format!(" ({input})") };
             return Err(Failure::bad_input(format!(
-                "--output {path}: this is an input of the same run{which}; name another file"
+                "--output {path}: this is an input file of the same run{which}; give another file"
             )));
         }
     }
@@ -154,7 +154,7 @@ pub fn may_be_written(path: &str) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::bad_input(format!(
-        "--output {path}: the file is there already and percuss did not write it; --force replaces it"
+        "--output {path}: the file exists and percuss did not write it; --force replaces it"
     )))
 }
 
@@ -194,8 +194,8 @@ fn link_target(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other(format!("more than {MOST_LINKS} links, one to the next")))
 }
 
-/// Repeats an operation for a limited time if another program holds the file. On Windows, scanners, indexers and other runs
-/// open a file for a moment, and an open file cannot be replaced.
+/// Repeats an operation for a limited time if another program holds the file. On Windows, scanners, indexers and
+/// other runs open a file for a moment, and an open file cannot be replaced.
 fn when_free<T>(held: &[i32], mut action: impl FnMut() -> io::Result<T>) -> io::Result<T> {
     let begun = Instant::now();
     let is_held = |error: &io::Error| {
@@ -211,8 +211,8 @@ fn when_free<T>(held: &[i32], mut action: impl FnMut() -> io::Result<T>) -> io::
     }
 }
 
-/// Creates a file `.NAME.NUMBER.percuss-part` in the same folder and locks the file. Unfinished files of killed runs for the
-/// same output are removed first.
+/// Creates a file `.NAME.NUMBER.percuss-part` in the same folder and locks the file. Unfinished files of killed runs
+/// for the same output are removed first.
 fn beside(path: &Path) -> io::Result<(PathBuf, File)> {
     remove_left(path);
     let name = |attempt: u32| {
@@ -248,10 +248,12 @@ const MOST_LEFT: usize = 1000;
 
 /// Largest number of links from an output to its file, as on Linux.
 const MOST_LINKS: usize = 40;
-/// Longest name (bytes) that becomes a part of another name. Systems allow 255 bytes, and `..NUMBER.percuss-part` has 36.
+/// Longest name (bytes) that becomes a part of another name. Systems allow 255 bytes, and `..NUMBER.percuss-part` has
+/// 36.
 const LONGEST_WHOLE_NAME: usize = 200;
 
-/// Begin of the names of unfinished files of an output: `.NAME.`. A long name is cut, and a hash of the full name follows.
+/// Start of the names of unfinished files of an output: `.NAME.`. A long name is cut, and a hash of the full name
+/// follows.
 fn part_of(path: &Path) -> OsString {
     let whole = path.file_name().unwrap_or_default();
     let mut name = OsString::from(".");
@@ -269,8 +271,8 @@ fn part_of(path: &Path) -> OsString {
     name
 }
 
-/// Removes the unfinished files of killed runs for an output: regular files with a name of this form and without a lock. A
-/// file that cannot be locked, or that another system may have locked, is kept.
+/// Removes the unfinished files of killed runs for an output: regular files with a name of this form and without a
+/// lock. A file that cannot be locked, or that another system may have locked, is kept.
 fn remove_left(path: &Path) {
     let begin = part_of(path);
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));

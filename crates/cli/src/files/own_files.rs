@@ -1,5 +1,5 @@
-//! Recognition of files that percuss wrote: a mark in the head or at the end of the file, in a place that the format provides.
-//! docs/OUTPUTS.md lists the marks.
+//! Recognition of files that percuss wrote: a mark in the head or at the end of the file, in a place that the format
+//! provides. docs/OUTPUTS.md lists the marks.
 
 use percuss_formats::{DEFAULT_MAX_SIZE, Source};
 use percuss_render::MADE_BY;
@@ -46,7 +46,7 @@ pub fn is_own(path: &Path) -> io::Result<bool> {
     })
 }
 
-/// Begin and end of the last line of an imported model.
+/// Start and end of the last line of an imported model.
 const SEAL: (&str, &str) = ("<!-- SHA-256 of the lines above, as percuss wrote them: ", " -->");
 
 /// Imported model with the hash of its text in the last line, which reveals changes by hand.

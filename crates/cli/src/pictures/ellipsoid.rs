@@ -26,7 +26,7 @@ struct Ellipsoid<'a> {
 pub fn skin(report: &PointMapReport) -> Result<Skin, &'static str> {
     if report.principal.len() < 3 {
         return Err(
-            "a principal direction has no answer, so that there is no surface; .csv and .json have the rest",
+            "a principal direction has no result, so there is no surface; .csv and .json contain the other results",
         );
     }
     let largest = report.principal.iter().filter_map(|d| d.effective_mass).fold(0.0, f64::max);
@@ -43,7 +43,7 @@ pub fn skin(report: &PointMapReport) -> Result<Skin, &'static str> {
     let [x, y, z] = report.point_link.map(short);
     Ok(Skin {
         title: format!("Effective mass in all directions at ({x}, {y}, {z}) m of {}", report.link),
-        subtitle: format!("as far from the point as it is large{cut}"),
+        subtitle: format!("distance from the point proportional to m̄{cut}"),
         quantity: "effective mass m̄ (kg)".into(),
         without_value: "cut off".into(),
         property: "effective_mass".into(),

@@ -46,8 +46,8 @@ pub fn drawn(
         }
         _ => {
             return Err(Failure::bad_input(
-                "--output: a picture shows what one range gives, or a curve for each value of a first one; name a file that \
-                 ends in .csv, .xlsx, .parquet, .json or .jsonl",
+                "--output: a picture shows one range, or one curve for each value of the first of two ranges; \
+                 give a file that ends in .csv, .xlsx, .parquet, .json or .jsonl",
             ));
         }
     };
@@ -81,8 +81,8 @@ pub fn drawn(
     let is_drawn = |curve: &Curve| curve.iter().any(|(_, value)| value.is_some());
     if masses.len() > SERIES {
         return Err(Failure::bad_input(format!(
-            "--output: the first range has more than {SERIES} values, each of which is a curve; take fewer, or name a file \
-             that ends in .csv, .xlsx, .parquet, .json or .jsonl"
+            "--output: the first range has more than {SERIES} values, and each value is one curve; use fewer \
+             values, or give a file that ends in .csv, .xlsx, .parquet, .json or .jsonl"
         )));
     }
     let mut first: Vec<Series> = masses

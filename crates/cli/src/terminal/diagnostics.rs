@@ -35,7 +35,7 @@ pub fn lines(diagnostics: &[DiagnosticRecord], notes_shown: bool) -> Vec<String>
         } else if *so_far == total {
             let rest = total - limits::DIAGNOSTICS_SHOWN;
             lines.push(format!(
-                "{}: and {rest} more like these ({}); all in --format json",
+                "{}: and {rest} more of this kind ({}); all in --format json",
                 d.severity, d.code
             ));
         }

@@ -8,7 +8,7 @@ use std::fmt::Write;
 
 /// Rates with respect to masses, rotors and hardpoints, and the changes that lower m̄ most.
 pub fn explanation(explained: &Explanation) -> String {
-    let mut out = String::from("\nwhat it depends on (first order; the opposite change does the opposite)\n");
+    let mut out = String::from("\nsensitivities (first order; an opposite change has the opposite effect)\n");
     let list = |name: &str, items: Vec<String>| {
         let names = std::iter::once(name).chain(std::iter::repeat(""));
         names.zip(items).map(|(name, item)| fact(name, &line(&item))).collect::<String>()
@@ -45,7 +45,9 @@ pub fn explanation(explained: &Explanation) -> String {
     if !explained.points.is_empty() {
         let mut table = Table::new(["hardpoint", "kg per mm along x, y, z of the sheet"]);
         for point in &explained.points {
-            let rates = point.per_metre.map_or_else(|| "no answer beside".to_owned(), |r| per_millimetre(&r));
+            let rates = point
+                .per_metre
+                .map_or_else(|| "no result at a nearby pose".to_owned(), |r| per_millimetre(&r));
             table.row([point.point.clone(), rates]);
         }
         let _ = write!(out, "\n{table}");
@@ -77,7 +79,7 @@ pub fn tolerances(report: &ToleranceReport) -> String {
         }
     }
     let percent = |kg: f64| format!("{} kg ({} %)", short(kg), short(100.0 * kg / report.effective_mass));
-    let mut out = String::from("\nwith the tolerances given\n");
+    let mut out = String::from("\neffect of the tolerances\n");
     let _ = writeln!(out, "  root sum square    ± {}", percent(report.root_sum_square));
     let _ = writeln!(out, "  all at the limit   ± {}", percent(report.worst_case));
     out += &fact("  of which", &words.join("; "));
@@ -101,7 +103,7 @@ pub fn tolerances(report: &ToleranceReport) -> String {
 /// Motion ratio with both of its definitions.
 pub fn motion_ratio(ratio: &MotionRatioRecord) -> String {
     let inverse = ratio.contact_per_wheel.map_or_else(|| "–".to_owned(), number);
-    let whole = if ratio.one_travel { "" } else { "; of this impact's motion, others have another" };
+    let whole = if ratio.one_travel { "" } else { "; for the motion of this impact only" };
     format!(
         "{} along {}: {} (wheel per contact), {inverse} (contact per wheel){whole}",
         ratio.link,

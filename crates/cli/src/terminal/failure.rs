@@ -134,8 +134,8 @@ fn number_of(what: &str) -> Option<(&'static str, &'static str)> {
 /// Numbers of contact laws given by the user: description, flag, key.
 const NUMBERS: [(&str, &str, &str); 16] = [
     ("time step, s", "--time-step", "damping.time_step"),
-    ("struck body's own mass, kg", "--own-mass", "damping.own_mass"),
-    ("other body's own mass, kg", "--other-own-mass", "damping.other_own_mass"),
+    ("mass of the contact link alone, kg", "--own-mass", "damping.own_mass"),
+    ("mass of the other body alone, kg", "--other-own-mass", "damping.other_own_mass"),
     ("MuJoCo's diagonal ratio", "--diagonal-ratio", "damping.diagonal_ratio"),
     ("accuracy of the restitution", "--accuracy", "damping.accuracy"),
     ("stiffness, N/m^p", "--stiffness", "damping.stiffness"),

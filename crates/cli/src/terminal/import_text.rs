@@ -47,9 +47,7 @@ pub fn understood(of: &Understood, output: &str) -> String {
         let _ = writeln!(out, "{name:<28} {:>12.2} {:>10}", 1e3 * length, "massless");
     }
     let _ = writeln!(out, "{:<28} {:>12} {:>10.3}", "all", "", of.total_mass);
-    out.push_str(
-        "\nThe length of an arm is from its hinge's line to its outer point, of a rod from\nend to end.\n",
-    );
+    out.push_str("\nLengths: of an arm from its hinge axis to its outer point, of a rod from end to\nend.\n");
     out
 }
 

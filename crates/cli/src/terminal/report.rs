@@ -25,8 +25,8 @@ pub fn write_out(text: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes a result for another program to stdout, with unchanged names; on a terminal, with escapes for control characters and
-/// marks of direction.
+/// Writes a result for another program to stdout, with unchanged names; on a terminal, with escapes for control
+/// characters and marks of direction.
 pub fn write_as_is(bytes: &[u8]) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     if stdout.is_terminal() {
@@ -72,7 +72,7 @@ pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Resu
         |d: &&DiagnosticRecord| d.severity == "warning" || d.severity == "note" && d.code == KNOWN_WARNING;
     let warnings = diagnostics.iter().filter(is_warning).count();
     if strict && warnings > 0 {
-        lines.push(format!("error: {warnings} warning(s), and --strict makes them errors"));
+        lines.push(format!("error: {warnings} warning(s); --strict treats warnings as errors"));
         return Err(Failure::BadInput(lines));
     }
     let mut stderr = io::stderr().lock();

@@ -10,10 +10,11 @@ pub(super) const FACTS: Facts = Facts {
     name: "adams",
     title: "Adams (IMPACT)",
     aliases: &["impact", "motionsolve", "recurdyn", "solidworks-motion"],
-    law: "k xᵖ plus a damping that grows over a depth d, never pulling",
-    combines: "nothing: the values are the pair's",
+    law: "spring k xᵖ and a damping that increases over the depth d; never pulls",
+    combines: "none: the values apply to the pair",
     measured: &[],
-    caution: "for one approach speed; at the default ERROR and HMAX the integrator jumps over the contact's beginning",
+    caution: "for one approach speed; with the default ERROR and HMAX the integrator steps over the start of \
+        the contact",
     sources: &[
         "Adams Solver, \"IMPACT\" (help.solidworks.com, r_function_impact; adams.thisaray.com, func_impact)",
         "MotionSolve, \"IMPACT\" (help.altair.com, impact_function)",
@@ -22,13 +23,14 @@ pub(super) const FACTS: Facts = Facts {
 
 /// IMPACT(x, x', x1, k, e, cmax, d) = max(0, k(x1−x)^e − STEP(x, x1−d, cmax, x1, 0) x').
 ///
-/// GSTIFF, in the SI2 formulation, at HMAX = 0.3 d/v and ERROR = x₀/1000: GSTIFF does not search for the moment of contact; only a
-/// short greatest step finds the ramp. Not run in Adams: SciPy's BDF, of the same kind, at these settings (ERROR
-/// for penetration and speed) has an error of at most 1.1e-4 for e = 0.05 … 0.95, k = 1e5 and 1e8 N/m, 2 kg, 0.03 … 3 m/s, by 8e-3 with ERROR = 1e-3, its
-/// default, and HMAX = d/v (tests/external/contact/integrators.py).
+/// GSTIFF, in the SI2 formulation, at HMAX = 0.3 d/v and ERROR = x₀/1000: GSTIFF does not search for the moment of
+/// contact; only a short greatest step finds the ramp. Not run in Adams: SciPy's BDF, of the same kind, at these
+/// settings (ERROR for penetration and speed) has an error of at most 1.1e-4 for e = 0.05 … 0.95, k = 1e5 and 1e8
+/// N/m, 2 kg, 0.03 … 3 m/s, by 8e-3 with ERROR = 1e-3, its default, and HMAX = d/v
+/// (tests/external/contact/integrators.py).
 ///
-/// k and the exponent are the contact's; d = 0.1 x₀, cmax = ĉ k x₀ᵖ/v with the ĉ of [`ImpactFunction::damping`]. Both depend on
-/// the speed; the restitution is for one speed.
+/// k and the exponent are the contact's; d = 0.1 x₀, cmax = ĉ k x₀ᵖ/v with the ĉ of [`ImpactFunction::damping`]. Both
+/// depend on the speed; the restitution is for one speed.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let (mass, stiffness, p) =
         (request.contact.mass(), request.contact.stiffness(), request.contact.exponent());
@@ -38,9 +40,12 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.set("exponent", p, "");
     export.assume("The model's units are kg, m, s and N; Adams/View starts with mm: there k·1000^(−p), cmax/1000, d·1000.");
     export.assume(
-        "No friction. GSTIFF with HMAX and ERROR as given: at the defaults it is off by several 1e-2.",
+        "No friction. GSTIFF with HMAX and ERROR as given: with the defaults the error is several 1e-2.",
     );
-    export.assume("Not measured in Adams: the function is as documented, and the error that of another BDF integrator at these settings.");
+    export.assume(
+        "Not measured in Adams: the function is taken from the documentation, and the error is that \
+        of another BDF integrator at these settings.",
+    );
     export.assume(format!(
         "A POISSON contact with restitution_coefficient = {e:?} is the alternative; its penalty is not this spring, \
          and its force law was not checked against a source."
@@ -71,7 +76,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         "SFORCE and CONTACT",
         "adams",
         format!(
-            "! Adams Solver data set; marker and geometry numbers are stand-ins. x1 is the distance at first touch.\n\
+            "! Adams Solver data set; marker and geometry numbers are placeholders. x1 is the distance at first \
+             touch.\n\
              UNITS/FORCE = NEWTON, MASS = KILOGRAM, LENGTH = METER, TIME = SECOND\n\
              SFORCE/1, I = 11, J = 21, TRANSLATION\n\
              , FUNCTION = IMPACT(DM(11,21), VR(11,21), 0.1, {stiffness:?}, {p:?}, {damping:?}, {ramp:?})\n\

@@ -46,14 +46,15 @@ pub(super) const FACTS: Facts = Facts {
 /// For each of two bodies contactStiffness = 2k, contactDamping = c'/2.
 ///
 /// Bullet combines the stiffnesses in series, adds the dampings, computes h k/(h k + c') and 1/(h k + c'), and
-/// integrates max(0, k (x − h v⁺) − c' v⁺) by implicit Euler with the effective mass of the whole multibody. c' = 2ζ'√(k m̄),
-/// ζ' = ζ − ωh/2.
+/// integrates max(0, k (x − h v⁺) − c' v⁺) by implicit Euler with the effective mass of the whole multibody. c' =
+/// 2ζ'√(k m̄), ζ' = ζ − ωh/2.
 ///
-/// Measured in PyBullet 3.2.7 at the recommended step, e = 0.2, 0.5, 0.8, the worst of five phases: 1.4e-4, 2.3e-4, 3.0e-4,
-/// ball and pendulum alike; with the struck body's own 2 kg for m̄ = 3.75 kg: 0.280, 0.591, 0.848. Bullet 3.24 in C++, rigid bodies and
-/// a hinge constraint, single and double precision: the same to 1e-5. With lateralFriction 0.5 on both sides the pendulum shows
-/// 0.276, 0.584, 0.837. The four-bar (m̄ = 68.1 kg), closed by a point-to-point constraint: 1.6e-4, 2.7e-4, 3.3e-4; with the
-/// coupler's own 4.8 kg 0.580, 0.815, 0.941. With 4k/3 and 4k, c'/4 and 3c'/4 on the two sides a ball rebounds as with equal ones.
+/// Measured in PyBullet 3.2.7 at the recommended step, e = 0.2, 0.5, 0.8, the worst of five phases: 1.4e-4, 2.3e-4,
+/// 3.0e-4, ball and pendulum alike; with the 2 kg of the contact link alone for m̄ = 3.75 kg: 0.280, 0.591, 0.848.
+/// Bullet 3.24 in C++, rigid bodies and a hinge constraint, single and double precision: the same to 1e-5. With
+/// lateralFriction 0.5 on both sides the pendulum shows 0.276, 0.584, 0.837. The four-bar (m̄ = 68.1 kg), closed by a
+/// point-to-point constraint: 1.6e-4, 2.7e-4, 3.3e-4; with the coupler's own 4.8 kg 0.580, 0.815, 0.941. With 4k/3
+/// and 4k, c'/4 and 3c'/4 on the two sides a ball rebounds as with equal ones.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
@@ -109,19 +110,21 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
             "Double precision (as PyBullet). A build of single precision adds {error:.1e} to the stated error: the rounding of coordinates up to \
              1 m, 3e-8 m, over the travel in a time step."
         ),
-        None => "Double precision (as PyBullet): a build of single precision adds to the error; how much depends on the speed.".to_owned(),
+        None => "Double precision (as PyBullet): a build of single precision adds to the error, by an amount \
+            that depends on the speed.".to_owned(),
     });
     export.assume(
-        "restitution is 0: it would come on top of the spring, as the product of both bodies' values above 0.2 m/s.",
+        "restitution is 0: above 0.2 m/s the product of both bodies' values would add to the rebound of the spring.",
     );
     export.assume(
-        "Frictionless: with lateralFriction 0.5 on both sides a pendulum rebounds by up to 0.08 off.",
+        "Frictionless: with lateralFriction 0.5 on both sides the error of a pendulum's restitution is up to 0.08.",
     );
     export.assume(
-        "contactSlop is 0: with PyBullet's 10 µm the body goes that much deeper. C++ has none by default.",
+        "contactSlop is 0: with PyBullet's 10 µm the penetration increases by 10 µm. In C++ the default is 0.",
     );
     export.cannot.push(
-        "a faithful rigid bounce: restitution acts on contacts that are still open, and gives 0.43 … 0.58 for 0.5 at 240 Hz",
+        "an accurate rigid bounce: restitution acts before the contact closes, and gives 0.43 … 0.58 for 0.5 at \
+         240 Hz",
     );
     Ok(export)
 }

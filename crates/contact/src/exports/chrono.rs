@@ -30,12 +30,13 @@ pub(super) const FACTS: Facts = Facts {
         Measurement {
             engine: "Chrono 10.0.0",
             solver: "Hertz, material properties",
-            scenes: "the same where the masses allow it, at 5e-6 s",
+            scenes: "the same, if the masses permit it, at 5e-6 s",
             worst: [None, Some(2.5e-4), Some(1.1e-4)],
             by_hand: Some("2026-11-22"),
         },
     ],
-    caution: "it damps by the two bodies' own masses, a fixed one counting 1 kg unless told; its materials have friction by default",
+    caution: "the damping uses the masses of the two bodies alone, 1 kg by default for a fixed body; materials \
+        have friction by default",
     sources: &[
         "Project Chrono, src/chrono/physics/ChContactSMC.cpp and ChSystemSMC.h",
         "Project Chrono, src/chrono/physics/ChContactMaterialSMC.h",
@@ -46,20 +47,21 @@ pub(super) const FACTS: Facts = Facts {
 /// Hooke (p = 1): kn = k, gn = c/m_eff. Hooke and Hertz (p = 3/2): cr' = e_a(ζ√(m̄/m_eff)).
 ///
 /// Chrono's force is max(0, kn x + m_eff gn ẋ), m_eff = m₁m₂/(m₁+m₂) of the own masses of the two bodies, fixed
-/// bodies included, without links on joints. Chrono converts cr by the half period, e_a(ζ) = exp(−πζ/√(1−ζ²)), with m_eff,
-/// and clamps the force: the rebound with cr itself is too high (0.325, 0.550, 0.808 for 0.2, 0.5, 0.8 with m_eff = m̄).
-/// cr' corrects both effects and is unreachable for ζ√(m̄/m_eff) ≥ 1.
-/// The step is [`Linear::explicit_step`]: Chrono's contact forces are explicit.
+/// bodies included, without links on joints. Chrono converts cr by the half period, e_a(ζ) = exp(−πζ/√(1−ζ²)), with
+/// m_eff, and clamps the force: the rebound with cr itself is too high (0.325, 0.550, 0.808 for 0.2, 0.5, 0.8 with
+/// m_eff = m̄). cr' corrects both effects and is unreachable for ζ√(m̄/m_eff) ≥ 1. The step is
+/// [`Linear::explicit_step`]: Chrono's contact forces are explicit.
 ///
-/// Measured in Chrono 10.0.0 (source of 2026-08-18): the worst of five phases for e = 0.2, 0.5, 0.8 is 6.4e-4, 5.1e-4, 4.1e-4 with kn and gn, of a
-/// ball, pendulums and the four-bar alike, and joints solved by PSOR (the default) or by a direct solver rebound the same to 1e-10; Hertz 2.3e-4
-/// and 1.1e-4 for 0.5 and 0.8. The radius of curvature that Hertz takes is not that of the shapes: collisions found by Bullet have
-/// ChCollisionInfo's default, 0.1 m.
+/// Measured in Chrono 10.0.0 (source of 2026-08-18): the worst of five phases for e = 0.2, 0.5, 0.8 is 6.4e-4,
+/// 5.1e-4, 4.1e-4 with kn and gn, of a ball, pendulums and the four-bar alike, and joints solved by PSOR (the
+/// default) or by a direct solver rebound the same to 1e-10; Hertz 2.3e-4 and 1.1e-4 for 0.5 and 0.8. The radius of
+/// curvature that Hertz takes is not that of the shapes: collisions found by Bullet have ChCollisionInfo's default,
+/// 0.1 m.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let own = request.options.own_mass.ok_or(ExportError::Missing {
         tool: TOOL,
         what: Options::OWN_MASS,
-        why: "it computes the damping with the masses of the two bodies, not with the effective mass",
+        why: "the tool computes the damping from the masses of the two bodies, not from the effective mass",
     })?;
     let other = request.options.other_own_mass.unwrap_or(DEFAULT_MASS);
     let effective = own * (other / (own + other));
@@ -111,8 +113,8 @@ fn hooke(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
         Ok(cr) => {
             export.set("cr", cr, "");
             export.assume(format!(
-                "With material properties instead, SetRestitution({cr:?}f) gives the same restitution; the stiffness \
-                 is then Chrono's own; this was not measured."
+                "With material properties instead, SetRestitution({cr:?}f) gives the same restitution; Chrono \
+                 then computes the stiffness; this was not measured."
             ));
         }
         Err(_) => export.cannot.push("this restitution by SetRestitution: user coefficients only"),
@@ -156,8 +158,9 @@ fn hertz(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
         ),
     );
     export.assume(
-        "Both materials have the restitution (the lesser of two counts). E_eff is for R_eff = 0.1 m, ChCollisionInfo's default, which collisions \
-         found by Bullet have, whatever the radii of the shapes.",
+        "Both materials have the restitution (the lesser of two counts). E_eff is for R_eff = 0.1 m, \
+         ChCollisionInfo's default, which applies to all collisions found by Bullet, independent of the radii \
+         of the shapes.",
     );
     export.assume("No step is recommended and no error stated; measured with a thousandth of the contact's duration or less.");
     Ok(())
@@ -173,18 +176,26 @@ fn corrected(request: &Request, effective: f64) -> Result<f64, ExportError> {
     Err(ExportError::Unreachable {
         tool: TOOL,
         restitution: request.restitution,
-        why: "even a material restitution of 0 damps no more than critically, on the bodies' own masses",
-        remedy: "use user coefficients (exponent 1), give the bodies other masses, or ask for more restitution",
+        why: "with a material restitution of 0 the damping is critical for the masses of the bodies alone, \
+            which is the largest possible damping",
+        remedy: "use user coefficients (exponent 1), change the masses of the bodies, or require a larger \
+            restitution",
     })
 }
 
 fn words(export: &mut Export, own: f64, other: f64) {
     export.assume(format!(
-        "The struck body has {own:?} kg of its own, the other {other:?} kg: Chrono divides by m₁m₂/(m₁+m₂), and a \
+        "The contact link alone has {own:?} kg, the other body alone {other:?} kg: Chrono divides by \
+         m₁m₂/(m₁+m₂), and a \
          fixed body counts with its own mass, 1 kg unless set."
     ));
     export.assume("Both materials have these values (kn and gn of two are averaged). Chrono stores them in single precision.");
-    export
-        .assume("No adhesion and no friction (0.6 by default); the Flores model of the same enumeration is Hooke's in fact.");
-    export.assume("Collisions are found in single precision: a contact should be near the origin, where the penetration is small.");
+    export.assume(
+        "No adhesion and no friction (0.6 by default); the Flores model of the same enumeration is \
+            identical to Hooke.",
+    );
+    export.assume(
+        "Collisions are found in single precision: place contacts with a small penetration near the \
+        origin.",
+    );
 }

@@ -10,8 +10,8 @@ pub(super) const FACTS: Facts = Facts {
     name: "dart",
     title: "DART",
     aliases: &["dartpy"],
-    law: "Newton's restitution: the speed of separation is e times that of approach",
-    combines: "restitutions multiplied, of frictions the lesser",
+    law: "Newton's restitution: the speed of separation is e times the approach speed",
+    combines: "product of the restitutions; the smaller friction",
     measured: &[Measurement {
         engine: "dartpy 6.20.0",
         solver: "",
@@ -19,7 +19,8 @@ pub(super) const FACTS: Facts = Facts {
         worst: [None, Some(1.6e-5), Some(1.9e-5)],
         by_hand: None,
     }],
-    caution: "of the two sides one has e and the other 1; a rebound slower than 0.1 m/s is none; closed loops are off by more (0.001 at 1 ms of a four-bar), and no error is stated for them",
+    caution: "one side has e and the other 1; no rebound below 0.1 m/s; closed loops have larger errors (0.001 \
+        for a four-bar at 1 ms), and no error is stated for them",
     sources: &[
         "DART 6.13, dart/constraint/ContactConstraint.cpp",
         "dartpy 6.20.0, run with the same and with different restitutions of the two sides",
@@ -28,27 +29,27 @@ pub(super) const FACTS: Facts = Facts {
 
 /// `RestitutionCoeff` = e for one body and 1 for the other.
 ///
-/// DART's contact row requires the speed e₁e₂v. Below 0.1 m/s (DART_BOUNCING_VELOCITY_THRESHOLD) or with e₁e₂ below 1e-3 the
-/// contact does not bounce; the overlap is removed at up to 1e-3 m/s (DART_MAX_ERV). DART_CFM enlarges the diagonal by
-/// 1e-5, which reduces e by (1 + e)·1e-5. The mass is that of the whole skeleton.
+/// DART's contact row requires the speed e₁e₂v. Below 0.1 m/s (DART_BOUNCING_VELOCITY_THRESHOLD) or with e₁e₂ below
+/// 1e-3 the contact does not bounce; the overlap is removed at up to 1e-3 m/s (DART_MAX_ERV). DART_CFM enlarges the
+/// diagonal by 1e-5, which reduces e by (1 + e)·1e-5. The mass is that of the whole skeleton.
 ///
-/// The bound is for trees. The enlarged diagonal is that of the open tree: a loop closed by a BallJointConstraint loses
-/// (1 + e)·1e-5·m̄/m̄ₒ of e, m̄ₒ the mass of the open loop. For the four-bar (m̄ = 68.1, m̄ₒ = 2.49 kg, 0.3 m/s) this loss is
-/// 4.1e-4 and 4.9e-4 for e = 0.5 and 0.8, equal to measurements in 6.20.0 at 1e-6 s; the motion of the loop within a step
-/// increases the error to 1.2e-3 and 1.0e-3 at 1e-3 s, 0.02 and 0.04 at 1e-2 s. With a RevoluteJointConstraint, which has
-/// redundant rows, the four-bar flies apart.
+/// The bound is for trees. The enlarged diagonal is that of the open tree: a loop closed by a BallJointConstraint
+/// loses (1 + e)·1e-5·m̄/m̄ₒ of e, m̄ₒ the mass of the open loop. For the four-bar (m̄ = 68.1, m̄ₒ = 2.49 kg, 0.3
+/// m/s) this loss is 4.1e-4 and 4.9e-4 for e = 0.5 and 0.8, equal to measurements in 6.20.0 at 1e-6 s; the motion of
+/// the loop within a step increases the error to 1.2e-3 and 1.0e-3 at 1e-3 s, 0.02 and 0.04 at 1e-2 s. With a
+/// RevoluteJointConstraint, which has redundant rows, the four-bar flies apart.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     if let Some(speed) = request.speed {
         let unreachable = |why, remedy| ExportError::Unreachable { tool: TOOL, restitution: e, why, remedy };
         if e > 0.0 && (e * speed < limits::DART_SLOWEST || e < limits::DART_LEAST) {
             return Err(unreachable(
-                "it lets contacts bounce only where the rebound is faster than 0.1 m/s and e above 0.001",
+                "contacts rebound only if the rebound is faster than 0.1 m/s and e is above 0.001",
                 "ask at a higher speed",
             ));
         }
         if e * speed > limits::DART_FASTEST {
-            return Err(unreachable("it caps the rebound at 100 m/s", "ask at a lower speed"));
+            return Err(unreachable("the rebound is limited to 100 m/s", "ask at a lower speed"));
         }
     }
     let mut export = Export::new(TOOL);
@@ -74,7 +75,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
             let travel = rigid::travel_error(request, export.time_step);
             export.error_bound = travel.map(|travel| (1.0 + e) * limits::DART_SOFTENING + travel);
         }
-        None => export.missing.push("approach speed, m/s: a rebound slower than 0.1 m/s is none"),
+        None => export.missing.push("approach speed, m/s: there is no rebound below 0.1 m/s"),
     }
     export.assume("One side has the restitution, the other 1: DART multiplies the two. The default is 0.");
     rigid::assume_travel(&mut export, request);

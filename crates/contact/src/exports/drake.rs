@@ -38,7 +38,8 @@ pub(super) const FACTS: Facts = Facts {
             by_hand: None,
         },
     ],
-    caution: "the relaxation time is for SAP at its step; continuous and lagged plants take the dissipation, which is for one speed",
+    caution: "the relaxation time is for SAP at its step; continuous and lagged plants use the dissipation, \
+        which is for one speed",
     sources: &[
         "Drake 1.51.1, multibody/plant/contact_model_doxygen.h, \"Modeling point contact\"",
         "Drake 1.51.1, multibody/plant/contact_properties.cc",
@@ -53,14 +54,13 @@ pub(super) const FACTS: Facts = Facts {
 /// Euler, so ζ' = ζ − ωh/2.
 ///
 /// Measured in Drake 1.51.1 at accuracy 1e-3, the worst of 25 phases for e = 0.05, 0.2, 0.5, 0.8, 0.95, 0.99:
-/// continuous (runge_kutta3, accuracy 1e-3, greatest step 0.1/ω) 1e-10, 1.4e-5, 1.1e-4, 2.4e-4, 3.2e-4, 3.5e-4; discrete
-/// lagged 1e-6, 1.2e-4, 6.2e-4, 8.9e-4, 9.7e-4, 9.9e-4; SAP 5.9e-4, 5.1e-4, 4.2e-4, 3.6e-4, 2.9e-4, 1e-5. Pendulums with rotor
-/// inertia the same. With the struck body's own 1.5 kg for m̄ = 6.19 kg SAP shows 0.395, 0.693, 0.894 for 0.2, 0.5, 0.8;
-/// continuous and lagged plants need no m̄ for the restitution.
-/// With a greatest step of 10/ω the error of this integrator is 1.6e-2 at accuracy 1e-3 and 1.4e-4 at 1e-5; runge_kutta5
-/// can step over the contact; the error of implicit_euler is 2e-2 at 1e-5.
-/// Lagged and similar lose 0.001, 0.04, 0.48, 1.10, 1.45 ωh for e = 0.1, 0.2, 0.5, 0.8, 0.95: below (π/2)e ωh.
-/// SAP's step: [`Linear::implicit_error_bound`].
+/// continuous (runge_kutta3, accuracy 1e-3, greatest step 0.1/ω) 1e-10, 1.4e-5, 1.1e-4, 2.4e-4, 3.2e-4, 3.5e-4;
+/// discrete lagged 1e-6, 1.2e-4, 6.2e-4, 8.9e-4, 9.7e-4, 9.9e-4; SAP 5.9e-4, 5.1e-4, 4.2e-4, 3.6e-4, 2.9e-4, 1e-5.
+/// Pendulums with rotor inertia the same. With the 1.5 kg of the contact link alone for m̄ = 6.19 kg SAP shows 0.395,
+/// 0.693, 0.894 for 0.2, 0.5, 0.8; continuous and lagged plants need no m̄ for the restitution. With a greatest step
+/// of 10/ω the error of this integrator is 1.6e-2 at accuracy 1e-3 and 1.4e-4 at 1e-5; runge_kutta5 can step over the
+/// contact; the error of implicit_euler is 2e-2 at 1e-5. Lagged and similar lose 0.001, 0.04, 0.48, 1.10, 1.45 ωh for
+/// e = 0.1, 0.2, 0.5, 0.8, 0.95: below (π/2)e ωh. SAP's step: [`Linear::implicit_error_bound`].
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let mut export = Export::new(TOOL);
@@ -71,7 +71,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     match dissipation {
         Some(d) => export.set("hunt_crossley_dissipation", d, "s/m"),
         None => export.missing.push(
-            "approach speed, m/s: the dissipation of continuous and lagged plants is a number over the speed",
+            "approach speed, m/s: the dissipation of continuous and lagged plants is proportional to 1/speed",
         ),
     }
     let relaxation = discrete(&mut export, &linear, request.options.time_step)?;
@@ -96,7 +96,7 @@ fn discrete(export: &mut Export, linear: &Linear, wanted: Option<f64>) -> Result
     let ratio = match linear.implicit_ratio(step) {
         Ok(ratio) => ratio,
         Err(ExportError::Unreachable { .. }) => {
-            export.cannot.push("SAP with restitution 1: implicit Euler damps a little at every step");
+            export.cannot.push("SAP with restitution 1: implicit Euler has numerical damping at every step");
             return Ok(None);
         }
         Err(error) => return Err(error),
@@ -138,8 +138,8 @@ fn continuous(export: &mut Export, request: &Request, linear: &Linear) {
     export.set("accuracy", accuracy.min(limits::DRAKE_ACCURACY), "");
     export.set("max_step_size", largest, "s");
     export.assume(format!(
-        "A continuous plant is integrated by runge_kutta3 in steps of at most {largest:?} s: error control alone \
-         notices the contact too late, and schemes of higher order can step over it."
+        "A continuous plant is integrated by runge_kutta3 in steps of at most {largest:?} s: error control \
+         alone detects the contact too late, and schemes of higher order can step over the contact."
     ));
 }
 
@@ -150,7 +150,7 @@ fn snippets(export: &mut Export, stiffness: f64, dissipation: Option<f64>, relax
         "from pydrake.geometry import AddContactMaterial, ProximityProperties\n\
          from pydrake.multibody.plant import CoulombFriction\n\
          from pydrake.systems.analysis import SimulatorConfig\n\n\
-         # Both geometries of the pair take these.\n\
+         # For both geometries of the pair.\n\
          properties = ProximityProperties()\n",
     );
     let d = dissipation.map_or_else(|| "0.0".to_owned(), |d| format!("{d:?}"));
@@ -207,7 +207,7 @@ fn words(export: &mut Export, request: &Request, number: f64) {
         ));
     }
     export.assume(
-        "penetration_allowance is not used: it sizes the spring by the mass of the heaviest body, not by m̄.",
+        "penetration_allowance is not used: Drake derives a spring from the mass of the heaviest body, not from m̄.",
     );
     if request.options.constrained || request.options.closed_loops {
         export

@@ -2,8 +2,8 @@
 
 use super::{Export, Request};
 
-/// Adds the effect of the request's [`MassDrift`](super::MassDrift) to the error bound: δ (ln(1/e) + 1) e/2, δ the relative
-/// change of m̄ over the tool's own penetration.
+/// Adds the effect of the request's [`MassDrift`](super::MassDrift) to the error bound: δ (ln(1/e) + 1) e/2, δ the
+/// relative change of m̄ over the tool's own penetration.
 ///
 /// First term: e = f(ζ) with ζ ∝ 1/√m̄, and |de/d ln m̄| ≤ e ln(1/e)/2 for the linear spring and damper; the term is the effect
 /// of the deepest m̄ during the whole impact. Second term: change δ/2 of the speed between the end of the force and the

@@ -6,107 +6,107 @@ use super::Tool;
 use crate::ContactLawError;
 use crate::error::suggestion;
 
-/// Why a tool has no parameters for a contact.
+/// Reason for missing parameters of a tool.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum ExportError {
-    /// A number out of range, or a restitution that no damping gives.
+    /// Number out of range, or restitution that no damping gives.
     #[error(transparent)]
     Contact(#[from] ContactLawError),
-    /// The tool's spring has another exponent.
+    /// The spring of the tool has a different exponent.
     #[error("{tool}: its contact spring cannot have the exponent {exponent:?}: {takes}; {remedy}")]
     Exponent {
-        /// The tool.
+        /// Tool.
         tool: Tool,
-        /// As asked for.
+        /// Required value.
         exponent: f64,
-        /// What the tool has.
+        /// Exponents of the tool.
         takes: &'static str,
-        /// What to do.
+        /// Remedy.
         remedy: &'static str,
     },
-    /// A number without which there is no answer.
+    /// Missing number that the parameters depend on.
     #[error("{tool}: needs {what}; {why}")]
     Missing {
-        /// The tool.
+        /// Tool.
         tool: Tool,
-        /// The number, with its unit.
+        /// Name of the number, with its unit.
         what: &'static str,
-        /// What it is for.
+        /// Purpose of the number.
         why: &'static str,
     },
-    /// The integrator's own damping is more than the contact is to have.
+    /// The numerical damping of the integrator exceeds the required damping.
     #[error(
         "{tool}: at the time step {time_step:?} s its integrator alone damps the contact to a restitution of \
          {reached:.6}; for {restitution:?} the step must be below {largest:?} s"
     )]
     StepTooLong {
-        /// The tool.
+        /// Tool.
         tool: Tool,
-        /// In s.
+        /// Time step, in s.
         time_step: f64,
-        /// As asked for.
+        /// Required value.
         restitution: f64,
-        /// With no damping at all.
+        /// Restitution with zero damping at this step.
         reached: f64,
-        /// The step at which the integrator's damping is all of it, in s.
+        /// Time step at which the numerical damping equals the required damping, in s.
         largest: f64,
     },
-    /// An explicit integrator cannot follow the contact at this step.
+    /// Time step too long for an explicit integrator.
     #[error(
-        "{tool}: the time step {time_step:?} s is too long to follow this contact explicitly; it must be at most \
+        "{tool}: the time step {time_step:?} s is too long for an explicit integration of this contact; it must be at most \
          {largest:?} s"
     )]
     StepTooCoarse {
-        /// The tool.
+        /// Tool.
         tool: Tool,
-        /// In s.
+        /// Time step, in s.
         time_step: f64,
-        /// In s.
+        /// Longest permitted time step, in s.
         largest: f64,
     },
-    /// The tool's own conversion does not reach this restitution.
+    /// Restitution that the conversion of the tool cannot reach.
     #[error("{tool}: the restitution {restitution:?} is not reachable: {why}; {remedy}")]
     Unreachable {
-        /// The tool.
+        /// Tool.
         tool: Tool,
-        /// As asked for.
+        /// Required value.
         restitution: f64,
-        /// What the tool does.
+        /// Behaviour of the tool.
         why: &'static str,
-        /// What to do.
+        /// Remedy.
         remedy: &'static str,
     },
-    /// A tool for which the stops of joints are not written.
+    /// Tool without an export of joint stops.
     #[error("{tool}: the stop of a joint is not written: {why}; {remedy}; stops are written for {known}")]
     NoStop {
-        /// The tool.
+        /// Tool.
         tool: Tool,
-        /// What the tool does at a joint's limit.
+        /// Behaviour of the tool at a joint limit.
         why: &'static str,
-        /// What to do.
+        /// Remedy.
         remedy: &'static str,
-        /// The tools that have them.
+        /// Tools with an export of joint stops.
         known: String,
     },
-    /// A tool in which a mechanism with closed loops does not rebound as asked.
+    /// Tool in which mechanisms with closed loops do not reach the required restitution.
     #[error("{tool}: closed loops: {why}; {remedy}")]
     NoLoop {
-        /// The tool.
+        /// Tool.
         tool: Tool,
-        /// What was measured.
+        /// Measured behaviour.
         why: &'static str,
-        /// What to do.
+        /// Remedy.
         remedy: &'static str,
     },
-    /// No tool of this name.
+    /// Unknown name of a tool.
     #[error("\"{name}\" is not a tool that percuss supports{}; known: {known}", suggestion(.nearest))]
     UnknownTool {
-        /// As given.
+        /// Given name.
         name: String,
-        /// The most similar name, where one is close.
+        /// Most similar name, if one is close.
         nearest: Option<&'static str>,
-        /// All names, commas between.
+        /// All names, separated by commas.
         known: String,
     },
 }

@@ -17,7 +17,8 @@ pub struct Export {
     pub snippets: Vec<Snippet>,
     /// Time step, s: that of the request, or the longest step for the accuracy. `None` if the tool chooses its steps.
     pub time_step: Option<f64>,
-    /// Error bound of the restitution at this time step, for every start of the contact within a step. `None` if unknown.
+    /// Error bound of the restitution at this time step, for every start of the contact within a step. `None` if
+    /// unknown.
     pub error_bound: Option<f64>,
     /// Addition to the error bound in a build of single precision, for tools that have builds of both precisions.
     pub single_precision_error: Option<f64>,
@@ -73,7 +74,7 @@ pub struct Snippet {
     pub title: &'static str,
     /// Language: "xml", "python", "cpp", "rust", "matlab", "javascript", "adams".
     pub language: &'static str,
-    /// Well-formed text with all digits of the numbers.
+    /// Well-formed text; numbers have all their digits.
     pub text: String,
 }
 
@@ -141,7 +142,7 @@ impl Export {
         Ok(self)
     }
 
-    /// Error: the error bound is larger than the restitution, which is then unknown altogether.
+    /// Error: the error bound is larger than the restitution, so the restitution would be unknown.
     pub(super) fn bounded(self, request: &Request) -> Result<Self, ExportError> {
         let e = request.restitution;
         if e > 0.0 && self.error_bound.is_some_and(|bound| bound > e) {

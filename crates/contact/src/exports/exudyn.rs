@@ -11,8 +11,8 @@ pub(super) const FACTS: Facts = Facts {
     name: "exudyn",
     title: "Exudyn (ObjectContactSphereSphere)",
     aliases: &[],
-    law: "linear spring and damper until the gap has closed again: it pulls at the end",
-    combines: "nothing: the values are the pair's",
+    law: "linear spring and damper until the gap closes: pulls at the end",
+    combines: "none: the values apply to the pair",
     measured: &[Measurement {
         engine: "Exudyn 1.13.6",
         solver: "",
@@ -20,7 +20,8 @@ pub(super) const FACTS: Facts = Facts {
         worst: [Some(6e-4), Some(6e-4), Some(7e-4)],
         by_hand: None,
     }],
-    caution: "the textbook damping of the half period is right here; the iteration tolerance of contacts is 1 N by default; it takes no loop with redundant rows",
+    caution: "the half-period damping of textbooks is correct here; the iteration tolerance of contacts is 1 N \
+        by default; loops with redundant rows are not supported",
     sources: &[
         "Exudyn, main/src/Objects/CObjectContactSphereSphere.cpp: ComputeContactForces, PostNewtonStep",
         "Exudyn 1.13.6, SimulationSettings.timeIntegration.discontinuous",
@@ -33,10 +34,11 @@ pub(super) const FACTS: Facts = Facts {
 /// of the damped oscillation, e = exp(−πζ/√(1−ζ²)).
 ///
 /// Trapezoidal rule. In the steps in which the gap closes and opens, the damper force is present or absent, although
-/// the step is divided at the estimated closing of the gap. The error of each is half a step of 2ζω e v, together 2ζe ωh.
-/// Bound: 2.5ζe ωh + (ωh)²/2, the second term for the error without damping. Measured in 1.13.6, the worst |Δe|/(2ζe ωh) of
-/// fifteen phases at ωh = 0.03 and 0.004: 0.88, 0.92; 1.02, 1.03; 0.99, 0.76; 1.07, 0.99; 1.09, 0.90 for e = 0.1, 0.3, 0.5, 0.7,
-/// 0.9. With the default iteration tolerance of 1 N, a gap of 1 N/k counts as closed: 1.4 for e = 0.2.
+/// the step is divided at the estimated closing of the gap. The error of each is half a step of 2ζω e v, together 2ζe
+/// ωh. Bound: 2.5ζe ωh + (ωh)²/2, the second term for the error without damping. Measured in 1.13.6, the worst
+/// |Δe|/(2ζe ωh) of fifteen phases at ωh = 0.03 and 0.004: 0.88, 0.92; 1.02, 1.03; 0.99, 0.76; 1.07, 0.99; 1.09, 0.90
+/// for e = 0.1, 0.3, 0.5, 0.7, 0.9. With the default iteration tolerance of 1 N, a gap of 1 N/k counts as closed: 1.4
+/// for e = 0.2.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut linear = Linear::of(request, TOOL)?;
     if linear.restitution < 1.0 {

@@ -11,8 +11,8 @@ pub(super) const FACTS: Facts = Facts {
     name: "gazebo",
     title: "Gazebo (gz-sim, dartsim)",
     aliases: &["gz", "gz-sim", "ignition", "sdf", "sdformat", "dartsim"],
-    law: "rigid: the speed of separation is e times that of approach, if that is above 0.1 m/s, else 0",
-    combines: "restitution_coefficients multiplied, so that one side has e and the other 1",
+    law: "rigid: the speed of separation is e times the approach speed if the result is above 0.1 m/s, otherwise 0",
+    combines: "product of the restitution_coefficients: one side has e and the other 1",
     measured: &[Measurement {
         engine: "ign-physics 5.1.0",
         solver: "dartsim",
@@ -20,7 +20,7 @@ pub(super) const FACTS: Facts = Facts {
         worst: [None, Some(1.6e-5), Some(1.9e-5)],
         by_hand: None,
     }],
-    caution: "a rebound slower than 0.1 m/s is none: e times the speed must be above that",
+    caution: "no rebound below 0.1 m/s: e times the approach speed must be larger",
     sources: &[
         "DART 6.12, dart/constraint/ContactConstraint.cpp: DART_BOUNCING_VELOCITY_THRESHOLD, DART_CFM, mRestitutionCoeff",
         "gz-physics, dartsim/src/SDFFeatures.cc, bullet-featherstone/src/SDFFeatures.cc",
@@ -30,16 +30,16 @@ pub(super) const FACTS: Facts = Facts {
 
 /// `restitution_coefficient` = e on one side, 1 on the other: DART multiplies them.
 ///
-/// DART sets the speed after the step to e v where e v is above 0.1 m/s ([`limits::DART_SLOWEST_REBOUND`]) and to no more than
-/// 100 m/s ([`limits::DART_FASTEST_REBOUND`]); its constraint force mixing, 1e-5 of the contact's inverse mass, takes
-/// (1 + e)·1e-5 off. Measured at 1e-4, 1e-3 and 1e-2 s, for several m̄. With e on both sides the restitution is e²; at 0.3 m/s
-/// e = 0.2 does not rebound.
+/// DART sets the speed after the step to e v where e v is above 0.1 m/s ([`limits::DART_SLOWEST_REBOUND`]) and to no
+/// more than 100 m/s ([`limits::DART_FASTEST_REBOUND`]); its constraint force mixing, 1e-5 of the contact's inverse
+/// mass, takes (1 + e)·1e-5 off. Measured at 1e-4, 1e-3 and 1e-2 s, for several m̄. With e on both sides the
+/// restitution is e²; at 0.3 m/s e = 0.2 does not rebound.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     let mut export = Export::new(TOOL);
     match request.speed {
         Some(speed) => rebounds(e, speed)?,
-        None => export.missing.push("approach speed, m/s: rebounds slower than 0.1 m/s are none"),
+        None => export.missing.push("approach speed, m/s: there is no rebound below 0.1 m/s"),
     }
     export.time_step = rigid::time_step(request);
     let travel = request.speed.and_then(|_| rigid::travel_error(request, export.time_step));
@@ -51,11 +51,14 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         export.set("max_step_size", step, "s");
     }
     export.write("world", "xml", document(e, export.time_step));
-    export.assume("One collision of the pair has the one surface, the other the other; their shapes are placeholders for yours.");
+    export.assume(
+        "The two collisions of the pair have different surfaces; replace their shapes, which are \
+        placeholders.",
+    );
     export.assume("The physics engine is gz-physics' dartsim, the default of gz-sim.");
     export.assume(
-        "The restitution of a free body holds at any step. The bodies overlap by up to the travel of one step, and nothing of a spring is left: \
-         m̄ has no effect.",
+        "The restitution of a free body holds at any step. The bodies overlap by up to the travel of one step. \
+         The contact has no spring: m̄ has no effect.",
     );
     rigid::assume_travel(&mut export, request);
     export.cannot.push("stiffness, penetration, duration, peak force: gz-physics does not read kp and kd");
@@ -69,8 +72,8 @@ fn rebounds(e: f64, speed: f64) -> Result<(), ExportError> {
     let unreachable = |why, remedy| ExportError::Unreachable { tool: TOOL, restitution: e, why, remedy };
     if e > 0.0 && e * speed <= limits::DART_SLOWEST_REBOUND {
         return Err(unreachable(
-            "a rebound of 0.1 m/s or less is none (DART_BOUNCING_VELOCITY_THRESHOLD)",
-            "approach faster, or use a tool with a spring and damper",
+            "there is no rebound at 0.1 m/s or below (DART_BOUNCING_VELOCITY_THRESHOLD)",
+            "use a larger approach speed, or a tool with a spring and damper",
         ));
     }
     if e * speed > limits::DART_FASTEST_REBOUND {

@@ -28,8 +28,9 @@ pub(super) const FACTS: Facts = Facts {
 
 /// For each of two equal collisions kp = 2k, kd = c'/2: ODE gets the springs in series and the sum of the dampers.
 ///
-/// c' as for ODE: 2(ζ − ωh/2)√(k m̄). Measured in Gazebo Classic 11.1.0: to two digits as in ODE, at half and twice the step too. With the
-/// solver "quick" 1.2e-3, 1.7e-3, 1.0e-3. With 4k/3 and 4k, c'/4 and 3c'/4 on the two sides a ball rebounds as with equal ones.
+/// c' as for ODE: 2(ζ − ωh/2)√(k m̄). Measured in Gazebo Classic 11.1.0: to two digits as in ODE, at half and twice
+/// the step too. With the solver "quick" 1.2e-3, 1.7e-3, 1.0e-3. With 4k/3 and 4k, c'/4 and 3c'/4 on the two sides a
+/// ball rebounds as with equal ones.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
@@ -70,15 +71,16 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.assume("Both collisions have the <surface>; the sphere is a placeholder for your geometry.");
     export.assume(linear.implicit_words(step));
     export.assume(
-        "The solver is \"world\" (ODE's direct one): \"quick\", the default, is off by 1e-3 to 2e-3 whatever the step and the number \
-         of iterations.",
+        "The solver is \"world\" (ODE's direct one): \"quick\", the default, has an error of 1e-3 to 2e-3 for \
+         every step and number of iterations.",
     );
     export.assume(
         "Frictionless: with mu = 1 a pendulum rebounds by up to 0.04 too low. max_vel is for the solver \"quick\", where it caps the \
          spring's push (0.01 m/s by default); \"world\" was the same with it and without.",
     );
     export.cannot.push(
-        "a faithful rigid bounce: with the solver \"quick\" max_vel caps the rebound of restitution_coefficient, and above it the rebound \
+        "an accurate rigid bounce: with the solver \"quick\" max_vel caps the rebound of \
+         restitution_coefficient, and above it the rebound \
          depends on where within a step the contact begins",
     );
     Ok(export)

@@ -32,7 +32,7 @@ pub(super) fn assume(request: &Request, export: &mut Export) {
             (loss / accuracy).ceil()
         )
     } else {
-        "with gravity the body hardly rebounds: choose a faster impact or a stiffer contact".to_owned()
+        "with gravity there is almost no rebound: use a faster impact or a stiffer contact".to_owned()
     };
     export.assume(format!(
         "No gravity along the normal during the impact: at 9.81 m/s² the weight reduces e by about 1.2·ln(1/e)·g/(v·ω) = {loss:.1e}; {consequence}."

@@ -77,8 +77,8 @@ impl ImpactFunction {
         Err(endless(f64::NAN))
     }
 
-    /// Ratio of the greatest penetration to the undamped penetration. Errors: the damping is negative or not finite; the
-    /// motion does not reverse.
+    /// Ratio of the greatest penetration to the undamped penetration. Errors: the damping is negative or not finite;
+    /// the motion does not reverse.
     pub fn penetration(&self, damping: f64) -> Result<f64, ContactLawError> {
         let damping = not_negative("IMPACT's dimensionless damping", damping)?;
         let mut state = [0.0, 1.0];
@@ -111,8 +111,8 @@ impl ImpactFunction {
         None
     }
 
-    /// Damping ĉ of the restitution e; 0 for e = 1. Errors: e is out of 0 to 1, or so small that the mass nearly comes to
-    /// rest in the contact (including e = 0).
+    /// Damping ĉ of the restitution e; 0 for e = 1. Errors: e is out of 0 to 1, or so small that the mass nearly
+    /// comes to rest in the contact (including e = 0).
     pub fn damping(&self, restitution: f64) -> Result<f64, ContactLawError> {
         let e = unit_interval("restitution", restitution)?;
         if e == 1.0 {

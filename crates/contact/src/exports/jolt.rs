@@ -11,7 +11,7 @@ pub(super) const FACTS: Facts = Facts {
     name: "jolt",
     title: "Jolt Physics",
     aliases: &["jolt-physics", "joltphysics", "godot"],
-    law: "Newton's restitution: the speed of separation is e times that of approach",
+    law: "Newton's restitution: the speed of separation is e times the approach speed",
     combines: "the greater of the two restitutions; frictions by the root of their product",
     measured: &[
         Measurement {
@@ -29,7 +29,8 @@ pub(super) const FACTS: Facts = Facts {
             by_hand: None,
         },
     ],
-    caution: "mMinVelocityForRestitution is 1 m/s by default: slower impacts do not bounce at all; a body on a hinge needs the velocity steps exported for its m̄, and of chains and closed loops no error is stated",
+    caution: "mMinVelocityForRestitution is 1 m/s by default: slower impacts do not rebound; a body on a hinge \
+        needs the exported velocity steps for its m̄; no error is stated for chains and closed loops",
     sources: &[
         "Jolt Physics 5, Jolt/Physics/Constraints/ContactConstraintManager.cpp: CalculateFrictionAndNonPenetrationConstraintProperties",
         "Jolt Physics 5, Jolt/Physics/PhysicsSettings.h",
@@ -39,14 +40,14 @@ pub(super) const FACTS: Facts = Facts {
 
 /// `mRestitution` = e for both bodies, and `mMinVelocityForRestitution` half the speed.
 ///
-/// Jolt's contact row requires the separation speed e v if v is above the threshold and the gap closes within the step.
-/// A free body reaches this speed to single precision. The rows of joints and contacts are solved one after another,
-/// `mNumVelocitySteps` times (projected Gauss–Seidel). For a hinged body the remaining error of the change of speed
-/// decreases by ρ = 1 − m_f/m̄ per iteration, m_f the effective mass at the contact without the hinge: (1 + e) ρᴺ after N
-/// iterations. Measured on 14 levers with m̄/m = 0.15 to 49; for m̄ = 36 m the error after 50 iterations is 0.46. A
-/// four-bar (m̄ = 68.1 kg, bodies of 2 to 4.8 kg) converges more slowly: for e = 0.5 the restitution is 0.04 after 50
-/// iterations, 0.441 after 200, 0.4986 after 500, and 0.4996 from 1000, at 1e-3 and 1e-4 s. For other linkages the error
-/// is unknown, and none is stated.
+/// Jolt's contact row requires the separation speed e v if v is above the threshold and the gap closes within the
+/// step. A free body reaches this speed to single precision. The rows of joints and contacts are solved one after
+/// another, `mNumVelocitySteps` times (projected Gauss–Seidel). For a hinged body the remaining error of the change
+/// of speed decreases by ρ = 1 − m_f/m̄ per iteration, m_f the effective mass at the contact without the hinge: (1 +
+/// e) ρᴺ after N iterations. Measured on 14 levers with m̄/m = 0.15 to 49; for m̄ = 36 m the error after 50
+/// iterations is 0.46. A four-bar (m̄ = 68.1 kg, bodies of 2 to 4.8 kg) converges more slowly: for e = 0.5 the
+/// restitution is 0.04 after 50 iterations, 0.441 after 200, 0.4986 after 500, and 0.4996 from 1000, at 1e-3 and 1e-4
+/// s. For other linkages the error is unknown, and none is stated.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     let mut export = Export::new(TOOL);
@@ -97,7 +98,10 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
             let travel = rigid::travel_error(request, Some(step)).filter(|_| known && short);
             export.error_bound = travel.map(|travel| limits::JOLT_ERROR + travel);
         }
-        None => export.missing.push("approach speed, m/s: Jolt lets no impact bounce below a threshold, and step and bound depend on it"),
+        None => export.missing.push(
+            "approach speed, m/s: the threshold for a rebound, the step and the error \
+            bound depend on the speed",
+        ),
     }
     export.write("Jolt", "cpp", cpp);
     export.write("jolt-physics", "javascript", script);
@@ -105,18 +109,20 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         .assume("Both bodies have these values; the other may have a lower restitution: the greater counts.");
     if loops {
         export.assume(
-            "Closed loops: no error is stated. A four-bar (m̄ = 68.1 kg, its bodies 2 to 4.8 kg) was off by 2e-4, 4e-4, 7e-4 for 0.2, 0.5, 0.8 with \
-             these velocity steps; with 50 it rebounds with 0.04 for 0.5. Raise mNumVelocitySteps until the rebound stays the same.",
+            "Closed loops: no error is stated. A four-bar (m̄ = 68.1 kg, its bodies 2 to 4.8 kg) had errors of \
+             2e-4, 4e-4, 7e-4 for 0.2, 0.5, 0.8 with these velocity steps; with 50 velocity steps its \
+             restitution was 0.04 for 0.5. Raise mNumVelocitySteps until the rebound stays the same.",
         );
     } else if known {
         export.assume(
-            "A free body, or one on a hinge to the ground, which the error is for: mNumVelocitySteps is the number that m̄ over the mass \
-             of the body without its hinge needs.",
+            "The stated error is for a free body, or for a body on a hinge to the ground: mNumVelocitySteps \
+             follows from the ratio of m̄ to the effective mass without the hinge.",
         );
     } else {
         export.assume(
-            "No error is stated: a chain of several bodies, or a body whose mass without its joints is not known, needs more velocity steps \
-             than is known. Raise mNumVelocitySteps until the rebound stays the same.",
+            "No error is stated: the velocity steps that a chain of several bodies needs, or a body with an \
+             unknown effective mass without its joints, are unknown. Raise mNumVelocitySteps until the rebound \
+             stays the same.",
         );
     }
     rigid::assume_travel(&mut export, request);
@@ -147,7 +153,8 @@ fn velocity_steps(request: &Request) -> Result<(f64, bool), ExportError> {
         return Err(ExportError::Unreachable {
             tool: TOOL,
             restitution: request.restitution,
-            why: "m̄ is so many times the mass of the body without its joints that Jolt needs more than 10,000 velocity steps",
+            why: "the ratio of m̄ to the effective mass without joints is so large that Jolt needs more than \
+                10,000 velocity steps",
             remedy: "choose a tool that solves joints directly: mujoco, drake, ode, rapier, dart",
         });
     }

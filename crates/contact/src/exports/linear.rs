@@ -74,10 +74,10 @@ impl Linear {
     /// Error bound of e at a time step of semi-implicit Euler, for every start of the contact within a step:
     /// 2ζe ωh + (ωh)²/8.
     ///
-    /// First term: the first damper force is up to one step late. Second term: error without damping. Measured in MuJoCo 4.0.0 (Euler and implicitfast alike; ball and pendulum, m̄ = 1.5 … 6.2 kg)
-    /// as the worst |Δe|/(ωh) over fifteen phases: 0.207, 0.222, 0.158, 0.062, 0.015 for e = 0.1, 0.2, 0.5, 0.8,
-    /// 0.95, where 2ζe is 0.249, 0.292, 0.255, 0.119, 0.031; RK4 0.083, 0.098, 0.085, 0.040, 0.011, of first order
-    /// too; e = 1 at ωh = 0.1: 0.0011.
+    /// First term: the first damper force is up to one step late. Second term: error without damping. Measured in
+    /// MuJoCo 4.0.0 (Euler and implicitfast alike; ball and pendulum, m̄ = 1.5 … 6.2 kg) as the worst |Δe|/(ωh) over
+    /// fifteen phases: 0.207, 0.222, 0.158, 0.062, 0.015 for e = 0.1, 0.2, 0.5, 0.8, 0.95, where 2ζe is 0.249, 0.292,
+    /// 0.255, 0.119, 0.031; RK4 0.083, 0.098, 0.085, 0.040, 0.011, of first order too; e = 1 at ωh = 0.1: 0.0011.
     pub(super) fn error_bound(&self, time_step: f64) -> f64 {
         self.bound(self.slope(1.0), time_step)
     }
@@ -142,8 +142,8 @@ impl Linear {
             return Err(ExportError::Unreachable {
                 tool: self.tool,
                 restitution: self.restitution,
-                why: "its integrator damps the contact a little at every step",
-                remedy: "ask for a restitution below 1",
+                why: "the integrator has numerical damping at every step",
+                remedy: "use a restitution below 1",
             });
         }
         let own = self.frequency * time_step / 2.0;
@@ -163,7 +163,7 @@ impl Linear {
     pub(super) fn implicit_words(&self, time_step: f64) -> String {
         format!(
             "The damping is for the time step {time_step:?} s: implicit Euler adds ωh/2 = {:.3e} to the damping ratio, \
-             which is taken off beforehand. Another step needs another damping.",
+             which is subtracted in advance. A different step needs a different damping.",
             self.frequency * time_step / 2.0
         )
     }
@@ -187,8 +187,8 @@ impl Pulling {
     /// (4ζ + πζ²/√(1−ζ²)³) e ωh + (ωh)²/8.
     ///
     /// The damper force starts and ends up to one step late, 2ζe ωh each; the step changes ζ by about ζ² ωh, with the
-    /// sensitivity πe/√(1−ζ²)³ of e. Computed for 40 phases, accuracies of 1e-4 … 1e-2 and e = 0.005 … 0.99: the error is at
-    /// most 0.65 of the bound.
+    /// sensitivity πe/√(1−ζ²)³ of e. Computed for 40 phases, accuracies of 1e-4 … 1e-2 and e = 0.005 … 0.99: the
+    /// error is at most 0.65 of the bound.
     pub(super) fn error_bound(&self, time_step: f64) -> f64 {
         self.0.bound(self.slope(), time_step)
     }

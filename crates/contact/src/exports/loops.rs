@@ -1,32 +1,32 @@
-//! Closed loops: what came of an impact where a tool closes them by its own constraints.
+//! Closed loops: measured impacts in tools that close loops by constraints.
 
 use super::{Export, ExportError, Request, Tool};
 
-/// What is known of a tool's loops.
+/// Result of impacts with closed loops in a tool.
 enum Loops {
-    /// The export says it.
+    /// Stated in the export of the tool.
     Written,
-    /// Measured: within the error stated.
+    /// Measured: within the stated error bound.
     Hold(&'static str),
-    /// Measured: off by more than the error stated, which is left out.
+    /// Measured: error above the bound, so no bound is stated.
     Off(&'static str),
-    /// The restitution is not had at all.
+    /// Measured: the restitution is not reached at all.
     Refused { why: &'static str, remedy: &'static str },
     /// Not measured.
     NotExamined,
 }
 
-const OTHER_TOOL: &str =
-    "choose a tool whose loops hold the restitution: mujoco, ode, bullet, chrono, opensim, exudyn";
+const OTHER_TOOL: &str = "choose a tool that keeps the restitution with closed loops: mujoco, ode, bullet, chrono, opensim, exudyn";
 
-/// Of all tools.
+/// Entry of each tool.
 const KNOWN: [(Tool, Loops); Tool::ALL.len()] = [
     (Tool::MUJOCO, Loops::Written),
     (Tool::DRAKE, Loops::Written),
     (
         Tool::GAZEBO,
         Loops::Refused {
-            why: "its dartsim plugin leaves a model's loops open (gz-physics, issue 25, open in 2026); read there, not measured",
+            why: "the dartsim plugin does not close the loops of a model (gz-physics, issue 25, open in 2026); \
+                read there, not measured",
             remedy: OTHER_TOOL,
         },
     ),
@@ -53,8 +53,9 @@ const KNOWN: [(Tool, Loops); Tool::ALL.len()] = [
     (
         Tool::RAPIER,
         Loops::Refused {
-            why: "its loops do not rebound as asked: a four-bar of multibody joints closed by an impulse joint came back with 0.0, one of impulse \
-                  joints alone with 0.26 to 0.65, for 0.5 (0.36.1, steps from 1e-5 to 1e-3 s)",
+            why: "mechanisms with loops do not reach the restitution: a four-bar of multibody joints closed by \
+                an impulse joint had a restitution of 0.0, a four-bar of impulse joints alone 0.26 to 0.65, for \
+                0.5 (0.36.1, steps from 1e-5 to 1e-3 s)",
             remedy: OTHER_TOOL,
         },
     ),
@@ -92,14 +93,16 @@ const KNOWN: [(Tool, Loops); Tool::ALL.len()] = [
         Tool::NEWTON,
         Loops::Off(
             "Closed loops: no error is stated. XPBD (1.8.0) let a four-bar come back with 0.50 for 0.5, kept it for some steps, and with 50 and 500 \
-             iterations let it fall to 0.01 to 0.35 as the joints followed; Featherstone leaves the joint that \
-             closes a loop out without a word, and SemiImplicit takes it as the springs that all its joints are (Newton's documentation; not run).",
+             iterations let it fall to 0.01 to 0.35 as the joints followed; Featherstone ignores the joint that \
+             closes a loop, and gives no warning, and SemiImplicit takes it as the springs that all its joints \
+             are (Newton's documentation; not run).",
         ),
     ),
     (Tool::JOLT, Loops::Written),
 ];
 
-/// An export, for a mechanism with what simulators hold by constraints. Error: the tool's loops do not rebound as asked.
+/// Adjusts an export for a mechanism with constraints (loops, mimics, locks, held points). Error: impacts with loops
+/// do not reach the restitution in this tool.
 pub(super) fn apply(tool: Tool, request: &Request, mut export: Export) -> Result<Export, ExportError> {
     if !request.options.constrained && !request.options.closed_loops {
         return Ok(export);

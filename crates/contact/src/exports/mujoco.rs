@@ -49,12 +49,12 @@ pub(super) const FACTS: Facts = Facts {
 /// κ = −solref₀/d², b = −solref₁/d; Â is MuJoCo's estimate of A, α = Â m̄. The resulting contact has the stiffness m̄ κd²/f and
 /// the damping m̄ bd/f: f removes the error of the estimate. Equivalent standard format: timeconst 1/(ζωf), dampratio ζ√f.
 ///
-/// Measured in MuJoCo 4.0.0 at the recommended step ([`Linear::explicit_step`]) and accuracy 1e-3, the worst of 25 phases
-/// for e = 0.05, 0.2, 0.5, 0.8, 0.95, 0.99: 8.9e-4, 7.8e-4, 6.4e-4, 5.3e-4, 5.1e-4, 7.0e-4, ball and pendulum with armature
-/// alike, Euler and implicitfast alike; RK4 3.3e-4 … 3.9e-4. A four-bar (m̄ = 68.1 kg, α = 7.2) and a double wishbone on its
-/// bump stop (392.8 kg, α = 0.35), loops closed, e = 0.2, 0.5, 0.8: at most 6.5e-4. With the default equality settings
-/// the four-bar shows 0.084, 0.444, 0.789. With a wrong m̄ the restitution is correct and the penetration wrong: a factor of 0.27
-/// with the mass of the coupler, 4.8 kg.
+/// Measured in MuJoCo 4.0.0 at the recommended step ([`Linear::explicit_step`]) and accuracy 1e-3, the worst of 25
+/// phases for e = 0.05, 0.2, 0.5, 0.8, 0.95, 0.99: 8.9e-4, 7.8e-4, 6.4e-4, 5.3e-4, 5.1e-4, 7.0e-4, ball and pendulum
+/// with armature alike, Euler and implicitfast alike; RK4 3.3e-4 … 3.9e-4. A four-bar (m̄ = 68.1 kg, α = 7.2) and a
+/// double wishbone on its bump stop (392.8 kg, α = 0.35), loops closed, e = 0.2, 0.5, 0.8: at most 6.5e-4. With the
+/// default equality settings the four-bar shows 0.084, 0.444, 0.789. With a wrong m̄ the restitution is correct and
+/// the penetration wrong: a factor of 0.27 with the mass of the coupler, 4.8 kg.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let (solref, scale) = direct_format(&linear, request);
@@ -94,8 +94,8 @@ fn direct_format(linear: &Linear, request: &Request) -> ([f64; 2], f64) {
     ([0.0 - omega * omega * scale, 0.0 - 2.0 * zeta * omega * scale], scale)
 }
 
-/// Stop of a joint: `solreflimit` and `solimplimit`. The row is that of a contact with the inertia at the joint as m̄ and
-/// Â = `dof_invweight0`.
+/// Stop of a joint: `solreflimit` and `solimplimit`. The row is that of a contact with the inertia at the joint as m̄
+/// and Â = `dof_invweight0`.
 pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let (solref, _) = direct_format(&linear, request);
@@ -172,7 +172,7 @@ fn words(export: &mut Export, request: &Request, linear: &Linear) {
         "condim 3 with the default pyramidal cone multiplies α by μ²(1+μ²)/2; elliptic cones and condim 1 do not.",
     );
     export.assume(
-        "The standard format needs timeconst ≥ 2·timestep, else refsafe raises it; the direct format is left alone.",
+        "The standard format needs timeconst ≥ 2·timestep, else refsafe raises it; the direct format is not changed.",
     );
     match request.options.diagonal_ratio {
         Some(alpha) => export.assume(format!("α = Â·m̄ = {alpha:?}, Â at the model's reference pose qpos0.")),
@@ -197,12 +197,13 @@ fn words(export: &mut Export, request: &Request, linear: &Linear) {
              defaults are compliant during the contact and change the restitution.",
         );
         export.assume(
-            "Constraints with the integrator implicitfast need half this time step: at the whole one it was 1.3e-3 off \
-             where Euler and RK4 keep 1e-3.",
+            "Constraints with the integrator implicitfast need half this time step: with the full step the \
+             error was 1.3e-3; Euler and RK4 stay within 1e-3.",
         );
         export.assume(
-            "m̄ is that of one pose: where it changes while the contact lasts, the restitution does too; a stiffer \
-             contact or less speed changes it less. Those measured in docs/SIMULATORS.md changed by less than 1e-3.",
+            "m̄ belongs to one pose: if m̄ changes during the contact, the restitution changes too; a stiffer \
+             contact or a lower speed reduces the change. Those measured in docs/SIMULATORS.md changed by less \
+             than 1e-3.",
         );
     }
     if linear.ratio == 0.0 {

@@ -38,7 +38,8 @@ pub(super) const FACTS: Facts = Facts {
             by_hand: Some("2026-11-22"),
         },
     ],
-    caution: "single precision: have the contact near the origin; SemiImplicit and XPBD for free bodies only, XPBD with enable_restitution=True; Featherstone leaves closed loops open without a word",
+    caution: "single precision: place the contact near the origin; SemiImplicit and XPBD for free bodies only, \
+        XPBD with enable_restitution=True; Featherstone does not close loops, and gives no warning",
     sources: &[
         "Newton 1.8.0, newton/_src/solvers/semi_implicit/kernels_contact.py: _eval_body_contact",
         "Newton 1.8.0, newton/_src/solvers/xpbd/restitution_kernels.py: build_restitution_manifolds",
@@ -50,15 +51,15 @@ pub(super) const FACTS: Facts = Facts {
 
 /// For both shapes ke = k, kd = 2ζ√(k m̄) with the ζ of e², restitution = e.
 ///
-/// The force of SemiImplicit and Featherstone is k x + c max(0, ẋ) while x > 0: during approach a spring and
-/// damper with the depth x_m = (v/ω)√e_b(ζ) of the clamped contact of restitution e_b; during separation a spring alone,
+/// The force of SemiImplicit and Featherstone is k x + c max(0, ẋ) while x > 0: during approach a spring and damper
+/// with the depth x_m = (v/ω)√e_b(ζ) of the clamped contact of restitution e_b; during separation a spring alone,
 /// with the speed ω x_m. Hence e = √e_b(ζ). Newton takes the mean of the two sides.
 ///
 /// Semi-implicit Euler: the damper force is up to one step late, as in [`Linear::error_bound`] with this ζ.
 ///
-/// XPBD sets the speed of separation of a free body to e v for every mass and step. XPBD has no armature, and a body on a
-/// hinge rebounded with 0.29, 0.25, 0.17 for 0.2, 0.5, 0.8: the step of XPBD is exported for free bodies only. The joints
-/// of SemiImplicit are springs: a pendulum rebounded with 0.38 for 0.5.
+/// XPBD sets the speed of separation of a free body to e v for every mass and step. XPBD has no armature, and a body
+/// on a hinge rebounded with 0.29, 0.25, 0.17 for 0.2, 0.5, 0.8: the step of XPBD is exported for free bodies only.
+/// The joints of SemiImplicit are springs: a pendulum rebounded with 0.38 for 0.5.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut linear = Linear::of(request, TOOL)?;
     let e = linear.restitution;
@@ -107,7 +108,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.assume("Contacts are found anew at every step (model.collide), and no friction acts.");
     export.assume("Mechanisms in Featherstone, whose joints are exact.");
     export.assume(
-        "XPBD, for free bodies: the stiffness and the damping count for nothing; restitution does, with enable_restitution=True. Its step is \
+        "XPBD, for free bodies: stiffness and damping have no effect; restitution is used with \
+         enable_restitution=True. Its step is \
          dt_xpbd.",
     );
     single_precision::add(&mut export, TOOL, request, step, "m")?;
@@ -123,8 +125,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
 /// Featherstone adds limit_ke (limit − q) − limit_kd q̇ while q is past the limit, also during separation (unlike at
 /// contacts) and without a clamp: e = exp(−πζ/√(1−ζ²)). The force is that of the beginning of the step.
 ///
-/// Measured in Newton 1.8.0, hinges with and without a rotor and an elbow whose shoulder is free: within 6.6e-4, 3.7e-4, 3.4e-4. With the link's
-/// own inertia the elbow (0.107 for 0.0668 kg·m²) shows 0.118, 0.411, 0.754.
+/// Measured in Newton 1.8.0, hinges with and without a rotor and an elbow whose shoulder is free: within 6.6e-4,
+/// 3.7e-4, 3.4e-4. With the link's own inertia the elbow (0.107 for 0.0668 kg·m²) shows 0.118, 0.411, 0.754.
 pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
     let pulling = Pulling::of(request, TOOL)?;
     let (step, linear) = (pulling.explicit_step()?, pulling.0);
@@ -161,7 +163,10 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     single_precision::add(&mut export, TOOL, request, step, units.coordinate)?;
     export.assume("The joint is measured from its stop, where its coordinate is known best.");
     if request.options.closed_loops {
-        export.assume("Stops in closed loops were off by 0.02 to 0.26: Featherstone leaves the joint that closes a loop out.");
+        export.assume(
+            "Stops in closed loops had errors of 0.02 to 0.26: Featherstone ignores the joint that \
+            closes a loop.",
+        );
     }
     export.cannot.push(
         "stops in XPBD: it holds limits rigidly, without restitution, and does not read limit_ke and limit_kd; SemiImplicit: its joints are springs",

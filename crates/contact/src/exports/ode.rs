@@ -10,7 +10,7 @@ pub(super) const FACTS: Facts = Facts {
     title: "Open Dynamics Engine",
     aliases: &["open-dynamics-engine"],
     law: "linear spring and damper, never pulling, by implicit Euler",
-    combines: "nothing is combined: the near callback sets the pair's values",
+    combines: "none: the near callback sets the values of the pair",
     measured: &[
         Measurement {
             engine: "ODE 0.16.2",
@@ -27,7 +27,7 @@ pub(super) const FACTS: Facts = Facts {
             by_hand: None,
         },
     ],
-    caution: "soft_erp and soft_cfm are for one time step: computed again for another",
+    caution: "soft_erp and soft_cfm are for one time step; other time steps need other values",
     sources: &[
         "ODE 0.16.2, libode-dev of Debian 12: ode/contact.h",
         "ODE, ode/src/joints/joint.cpp: dxJointLimitMotor::addLimot",
@@ -40,9 +40,10 @@ pub(super) const FACTS: Facts = Facts {
 /// With these values the contact row of ODE is max(0, k (x − h v⁺) − c' v⁺): implicit Euler of the linear spring
 /// and damper, with v⁺ the speed of separation after the step. c' = 2ζ'√(k m̄), ζ' = ζ − ωh/2.
 ///
-/// Measured in ODE 0.16.2, e = 0.2, 0.5, 0.8, the worst of five phases, Step and QuickStep (20 iterations) alike: 4.9e-4, 4.0e-4,
-/// 3.4e-4, ball, pendulums and four-bar; at twice the step 9.9e-4, 8.0e-4, 6.7e-4. With the struck body's own mass: 0.280, 0.592, 0.848
-/// (2 kg for m̄ = 3.75 kg); 0.580, 0.815, 0.941 (four-bar, 4.8 kg for 68.1 kg).
+/// Measured in ODE 0.16.2, e = 0.2, 0.5, 0.8, the worst of five phases, Step and QuickStep (20 iterations) alike:
+/// 4.9e-4, 4.0e-4, 3.4e-4, ball, pendulums and four-bar; at twice the step 9.9e-4, 8.0e-4, 6.7e-4. With the mass of
+/// the contact link alone: 0.280, 0.592, 0.848 (2 kg for m̄ = 3.75 kg); 0.580, 0.815, 0.941 (four-bar, 4.8 kg for
+/// 68.1 kg).
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
@@ -70,7 +71,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     );
     export.assume(linear.implicit_words(step));
     export.assume(
-        "ODE is built in double precision, and dContactBounce is off: its bounce would come on top of the spring's.",
+        "ODE is built in double precision, and dContactBounce is off, because its bounce would add to the \
+         rebound of the spring.",
     );
     export.assume(
         "The world's contact settings are ODE's own: no cap on the correcting speed, no surface layer.",
@@ -92,9 +94,10 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
 /// 0.486, 0.798 for 0.2, 0.5, 0.8. With a CFM of 0 `dParamBounce` is the restitution of a rigid stop: 0.5 gave 0.499997
 /// on a hinge.
 ///
-/// Measured in ODE 0.16.2, Step and QuickStep alike: a hinge with and without a rotor, upper and lower end, an elbow whose shoulder is
-/// free, the crank of a four-bar (0.473 kg·m²), the slider of a slider-crank (2.77 kg): within 5.0e-4, 4.1e-4, 3.5e-4. With the link's own
-/// inertia: 0.150, 0.429, 0.757 (elbow, 0.107 for 0.0668 kg·m²); 0.494, 0.763, 0.921 (crank, 0.06 kg·m²); 0.351, 0.658, 0.878 (slider, 0.9 kg).
+/// Measured in ODE 0.16.2, Step and QuickStep alike: a hinge with and without a rotor, upper and lower end, an elbow
+/// whose shoulder is free, the crank of a four-bar (0.473 kg·m²), the slider of a slider-crank (2.77 kg): within
+/// 5.0e-4, 4.1e-4, 3.5e-4. With the link's own inertia: 0.150, 0.429, 0.757 (elbow, 0.107 for 0.0668 kg·m²); 0.494,
+/// 0.763, 0.921 (crank, 0.06 kg·m²); 0.351, 0.658, 0.878 (slider, 0.9 kg).
 pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
@@ -127,13 +130,14 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     );
     export.assume(linear.implicit_words(step));
     export.assume(
-        "dParamBounce and dParamFMax are 0, as by default: a bounce beside the spring takes up to 0.06 off the restitution, and a motor \
-         pushes along. dParamBounce alone, with dParamStopCFM 0, is the restitution of a rigid stop.",
+        "dParamBounce and dParamFMax are 0, as by default: a bounce in addition to the spring changes the \
+         restitution by up to 0.06, and a motor adds a force. dParamBounce alone, with dParamStopCFM 0, is the \
+         restitution of a rigid stop.",
     );
     export.assume("ODE is built in double precision. Both ends of the range have these values: ODE has but one pair for them.");
     export.assume(
-        "ODE's bodies have no rotor inertias: one of a joint with a fixed parent is added to the child's inertia about the axis; others \
-         change the inertia that the stop meets.",
+        "ODE's bodies have no rotor inertias: one of a joint with a fixed parent is added to the child's \
+         inertia about the axis; other rotors change the effective inertia at the stop.",
     );
     if request.options.constrained {
         export.assume(

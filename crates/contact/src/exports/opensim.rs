@@ -20,7 +20,8 @@ pub(super) const FACTS: Facts = Facts {
         worst: [Some(4e-5), Some(7e-5), Some(7e-5)],
         by_hand: None,
     }],
-    caution: "the dissipation is for one approach speed; the greatest step must be set, or the integrator notices the contact too late",
+    caution: "the dissipation is for one approach speed; the greatest step must be set, otherwise the \
+        integrator detects the contact too late",
     sources: &[
         "Simbody, Simbody/src/HuntCrossleyForce.cpp: calcForce",
         "OpenSim, OpenSim/Simulation/Model/HuntCrossleyForce.cpp",
@@ -52,7 +53,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.assume("No friction: static, dynamic and viscous friction 0.");
     let Some(speed) = request.speed else {
         export.missing.push(
-            "approach speed, m/s: the dissipation is a number over it, and the greatest step depends on it",
+            "approach speed, m/s: the dissipation is proportional to 1/speed, and the greatest step depends on \
+             the speed",
         );
         return Ok(export);
     };

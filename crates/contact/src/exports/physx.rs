@@ -13,7 +13,8 @@ pub(super) const FACTS: Facts = Facts {
     title: "PhysX and Isaac",
     aliases: &["isaac", "isaac-sim", "isaac-lab", "isaaclab"],
     law: "linear spring and damper, never pulling, by implicit Euler; of each position iteration with TGS",
-    combines: "by the combine mode, average where none is set; of a rigid and a compliant material the compliant one",
+    combines: "by the combine mode, average by default; of a rigid and a compliant material, the compliant one \
+        counts",
     measured: &[
         Measurement {
             engine: "ovphysx 0.7.0",
@@ -42,15 +43,14 @@ pub(super) const FACTS: Facts = Facts {
 
 /// Force mode: stiffness k, damping c' = 2ζ'√(k m̄).
 ///
-/// PhysX's compliant contact is a = h(c + h k), impulse scale 1/(1 + a/m̄): implicit Euler of the linear spring and damper. PGS
-/// uses the step of the scene: ζ' = ζ − ωh/2. TGS divides the step among N position iterations: ζ' = ζ − ωh/(2N).
-/// Velocity iterations apply the contact again: errors for e = 0.2, 0.5, 0.8 with the damping of PGS and 16 position
-/// iterations and 1 velocity iteration 1.4e-2, 1.8e-2, 4.9e-3, with 4 and 1 4.9e-2, 6.8e-2, 3.7e-2; with 0 velocity
-/// iterations and the damping of TGS 7e-4.
-/// A negative restitution of the material is a stiffness.
+/// PhysX's compliant contact is a = h(c + h k), impulse scale 1/(1 + a/m̄): implicit Euler of the linear spring and
+/// damper. PGS uses the step of the scene: ζ' = ζ − ωh/2. TGS divides the step among N position iterations: ζ' = ζ −
+/// ωh/(2N). Velocity iterations apply the contact again: errors for e = 0.2, 0.5, 0.8 with the damping of PGS and 16
+/// position iterations and 1 velocity iteration 1.4e-2, 1.8e-2, 4.9e-3, with 4 and 1 4.9e-2, 6.8e-2, 3.7e-2; with 0
+/// velocity iterations and the damping of TGS 7e-4. A negative restitution of the material is a stiffness.
 ///
-/// Closed loops have no bound: the error of a four-bar of revolute joints is 0.017 with PGS and 0.11 with TGS at 20 mm/s
-/// (single precision).
+/// Closed loops have no bound: the error of a four-bar of revolute joints is 0.017 with PGS and 0.11 with TGS at 20
+/// mm/s (single precision).
 ///
 /// The acceleration mode is not exported: PhysX multiplies stiffness and damping by the effective mass of the body
 /// without joints (a pendulum with 1.667 kg without the joint: 0.305 and 0.616 for 0.2 and 0.5).
@@ -137,12 +137,13 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
 
 /// A soft limit of a joint between rigid bodies: `PxSpring`'s stiffness k and damping c', which pull.
 ///
-/// PhysX has a row for a soft limit only if the joint is past the limit: implicit Euler of k x + c' ẋ in SI units (force
-/// mode, not the acceleration mode of a drive). Unlike a compliant contact the limit pulls, so ζ is that of a contact
-/// that ends at the closed gap, ζ' = ζ − ωh/2. Measured with the damper of a contact that does not pull: 0.0905, 0.436,
-/// 0.791 for 0.2, 0.5, 0.8, equal to exp(−πζ/√(1−ζ²)).
+/// PhysX has a row for a soft limit only if the joint is past the limit: implicit Euler of k x + c' ẋ in SI units
+/// (force mode, not the acceleration mode of a drive). Unlike a compliant contact the limit pulls, so ζ is that of a
+/// contact that ends at the closed gap, ζ' = ζ − ωh/2. Measured with the damper of a contact that does not pull:
+/// 0.0905, 0.436, 0.791 for 0.2, 0.5, 0.8, equal to exp(−πζ/√(1−ζ²)).
 ///
-/// Measured in ovphysx 0.7.0 with PGS, a hinge: within 1.6e-4, 2.2e-4, 4.2e-4. TGS, and mechanisms of several bodies, were not measured.
+/// Measured in ovphysx 0.7.0 with PGS, a hinge: within 1.6e-4, 2.2e-4, 4.2e-4. TGS, and mechanisms of several bodies,
+/// were not measured.
 pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
     let pulling = Pulling::of(request, TOOL)?;
     let (step, linear) = (pulling.implicit_step(), pulling.0);
@@ -186,8 +187,8 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     single_precision::add(&mut export, TOOL, request, step, units.coordinate)?;
     if export.error_bound.is_none() && request.speed.is_some() {
         export.assume(
-            "No error is stated for mechanisms of several bodies: the shoulder of an open chain was off by 2.2e-2, stops in closed loops by \
-             0.01 to 2.2. Choose mujoco or ode.",
+            "No error is stated for mechanisms of several bodies: the shoulder of an open chain had an error of \
+             2.2e-2, stops in closed loops 0.01 to 2.2. Choose mujoco or ode.",
         );
     }
     export.assume(

@@ -10,8 +10,9 @@ pub(super) const FACTS: Facts = Facts {
     name: "rapier",
     title: "Rapier",
     aliases: &["rapier3d"],
-    law: "rigid, Newton's restitution: the speed of separation is e times that of approach",
-    combines: "by the stronger of the two combine rules, average being the weakest: the mean of both sides where neither says otherwise",
+    law: "rigid, Newton's restitution: the speed of separation is e times the approach speed",
+    combines: "by the combine rule with the higher priority of the two; average has the lowest: the mean of \
+        both sides by default",
     measured: &[Measurement {
         engine: "Rapier 0.36.1",
         solver: "multibody joints",
@@ -19,7 +20,8 @@ pub(super) const FACTS: Facts = Facts {
         worst: [Some(1.0e-12), Some(1.0e-12), Some(1.0e-12)],
         by_hand: None,
     }],
-    caution: "articulated bodies as multibody joints, their damping set to 0 as written; impulse joints do not reach the restitution, and closed loops neither way",
+    caution: "articulated bodies as multibody joints, their damping set to 0 as written; impulse joints and \
+        closed loops do not reach the restitution",
     sources: &[
         "Rapier 0.36.1, src/dynamics/integration_parameters.rs",
         "Rapier 0.36.1, src/dynamics/coefficient_combine_rule.rs",
@@ -30,10 +32,11 @@ pub(super) const FACTS: Facts = Facts {
 /// `restitution` = e: Rapier changes the approach speed v to −e v in a pass at the end of each step. A mechanism moves
 /// within the step: error of a double pendulum at 1/60 s 1.2e-2 ([`rigid::travel_error`]).
 ///
-/// A multibody joint has a damping of 0.1 by default, 0.1 N·m·s/rad at a hinge, which slows the mechanism before and after the
-/// impact: the pendulum measured lost 1e-3 of e = 0.5 in eleven steps of 5e-4 s. Held by an impulse joint the pendulum of
-/// m̄ = 3.75 kg is off by 0.15 … 0.31 for e = 0.5, at every step from 1/60 to 5e-5 s. The four-bar (m̄ = 68.1 kg), by hand: multibody joints
-/// closed by an impulse joint do not rebound; with impulse joints alone the coupler rests for some steps and returns with 0.26 … 0.65. Restitution 0 with any contact softness: at most
+/// A multibody joint has a damping of 0.1 by default, 0.1 N·m·s/rad at a hinge, which slows the mechanism before and
+/// after the impact: the pendulum measured lost 1e-3 of e = 0.5 in eleven steps of 5e-4 s. Held by an impulse joint
+/// the pendulum of m̄ = 3.75 kg is off by 0.15 … 0.31 for e = 0.5, at every step from 1/60 to 5e-5 s. The four-bar
+/// (m̄ = 68.1 kg), by hand: multibody joints closed by an impulse joint do not rebound; with impulse joints alone the
+/// coupler rests for some steps and returns with 0.26 … 0.65. Restitution 0 with any contact softness: at most
 /// 1.5e-3.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;

@@ -42,12 +42,12 @@ pub struct Options {
     /// True if a mass is given without a mechanism, so that closed loops are possible. MuJoCo's parameters of equality
     /// constraints are exported too; without loops they have no effect.
     pub loops_unknown: bool,
-    /// Effective mass at the contact of the two bodies without joints, kg. Its ratio to m̄ determines the convergence of
-    /// iterative solvers; it is equal to m̄ if no joint takes part in the impact.
+    /// Effective mass at the contact of the two bodies without joints, kg. Its ratio to m̄ determines the convergence
+    /// of iterative solvers; it is equal to m̄ if no joint takes part in the impact.
     pub free_mass: Option<f64>,
-    /// Curvature of the motion of the impact, 1/m: acceleration of the contact point plus the largest acceleration of a
-    /// centre of mass, at constant joint rates and a closing speed of 1 m/s. For one hinge 1/l + r/l², l the distance from
-    /// the hinge to the contact, r that to the centre of mass. `None` stands for 10/m.
+    /// Curvature of the motion of the impact, 1/m: acceleration of the contact point plus the largest acceleration of
+    /// a centre of mass, at constant joint rates and a closing speed of 1 m/s. For one hinge 1/l + r/l², l the
+    /// distance from the hinge to the contact, r that to the centre of mass. `None` stands for 10/m.
     pub motion_curvature: Option<f64>,
     /// Number of moving rigid bodies of the mechanism.
     pub moving_bodies: Option<usize>,
@@ -101,7 +101,7 @@ impl StopMotion {
 
 impl Options {
     /// Text of [`ExportError::Missing`] for the own mass.
-    pub const OWN_MASS: &str = "the struck body's own mass, kg";
+    pub const OWN_MASS: &str = "the mass of the contact link alone, kg";
 }
 
 impl Default for Options {
@@ -152,8 +152,8 @@ impl Request {
         let optional = [
             ("approach speed, m/s", self.speed),
             ("time step, s", self.options.time_step),
-            ("struck body's own mass, kg", self.options.own_mass),
-            ("other body's own mass, kg", self.options.other_own_mass),
+            ("mass of the contact link alone, kg", self.options.own_mass),
+            ("mass of the other body alone, kg", self.options.other_own_mass),
             ("MuJoCo's diagonal ratio", self.options.diagonal_ratio),
             ("effective mass of the bodies without joints, kg", self.options.free_mass),
         ];

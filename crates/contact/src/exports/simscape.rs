@@ -11,7 +11,7 @@ pub(super) const FACTS: Facts = Facts {
     title: "Simscape Multibody",
     aliases: &["simscape-multibody", "matlab", "simulink"],
     law: "linear spring and damper, never pulling, faded in over a transition region",
-    combines: "nothing: the values are the pair's",
+    combines: "none: the values apply to the pair",
     measured: &[],
     caution: "for one approach speed; the automatic absolute tolerance is too large for small penetrations",
     sources: &[
@@ -21,14 +21,14 @@ pub(super) const FACTS: Facts = Facts {
 
 /// Stiffness k, damping c = 2ζ√(k m̄), transition region width w = accuracy/0.32 · v/ω.
 ///
-/// f = s(x, w)(k x + b ẋ), never pulling, s rising from 0 to 1 with level ends over w. The documentation of the block does
-/// not give s; integration with 3u²−2u³ gives a restitution that is too high by (0.12, 0.15, 0.15, 0.13, 0.06) w ω/v for e = 0.1, 0.2,
-/// 0.3, 0.5, 0.8, up to w = 0.1 v/ω. The width uses half of the accuracy.
+/// f = s(x, w)(k x + b ẋ), never pulling, s rising from 0 to 1 with level ends over w. The documentation of the block
+/// does not give s; integration with 3u²−2u³ gives a restitution that is too high by (0.12, 0.15, 0.15, 0.13, 0.06) w
+/// ω/v for e = 0.1, 0.2, 0.3, 0.5, 0.8, up to w = 0.1 v/ω. The width uses half of the accuracy.
 ///
-/// The other half is for the solver, at RelTol = accuracy/1000 and AbsTol = RelTol·v/ω. Not run in Simscape: SciPy's BDF (of the kind of ode15s) and
-/// a trapezoidal rule with error control (ode23t), both started at the contact as by zero-crossing detection, have an error of at most 5.4e-4,
-/// including the width, for e = 0.05 … 0.95, k = 1e5 and 1e8 N/m, 2 kg, 0.03 … 3 m/s; with AbsTol 1e-6 the latter by 1.8e-3
-/// (tests/external/contact/integrators.py).
+/// The other half is for the solver, at RelTol = accuracy/1000 and AbsTol = RelTol·v/ω. Not run in Simscape: SciPy's
+/// BDF (of the kind of ode15s) and a trapezoidal rule with error control (ode23t), both started at the contact as by
+/// zero-crossing detection, have an error of at most 5.4e-4, including the width, for e = 0.05 … 0.95, k = 1e5 and
+/// 1e8 N/m, 2 kg, 0.03 … 3 m/s; with AbsTol 1e-6 the latter by 1.8e-3 (tests/external/contact/integrators.py).
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let damping = linear.damping(linear.ratio);

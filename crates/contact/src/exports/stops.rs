@@ -1,11 +1,11 @@
-//! The stops of joints: which tools have a spring and a damper for them, and why the others have none.
+//! Joint stops: tools with a spring and a damper for joint limits, and reasons for the other tools.
 
 use super::{Export, ExportError, Request, StopMotion, Tool, mujoco, newton, ode, physx};
 
-/// What writes the stop of a joint for a tool.
+/// Function that exports a joint stop.
 type Write = fn(&Request, StopMotion) -> Result<Export, ExportError>;
 
-/// The tools that stop a joint by a spring and a damper of its own.
+/// Tools with a spring and a damper at joint limits.
 const WRITTEN: [(Tool, Write); 4] = [
     (Tool::MUJOCO, mujoco::stop),
     (Tool::ODE, ode::stop),
@@ -13,29 +13,31 @@ const WRITTEN: [(Tool, Write); 4] = [
     (Tool::PHYSX, physx::stop),
 ];
 
-/// What to do where a tool's limits cannot be used: the stop as a contact.
-const AS_CONTACT: &str = "let the two links collide at the stop, and ask for that contact with --link, --point, --normal and --against";
-/// Of the tools whose limits were not examined.
-const NOT_EXAMINED: &str = "percuss does not know what its joints' limits do in an impact";
+/// Remedy for tools without usable joint limits: a contact as the stop.
+const AS_CONTACT: &str = "let the two links collide at the stop, and export this contact with --link, --point, \
+    --normal and --against";
+/// Reason for tools with unexamined joint limits.
+const NOT_EXAMINED: &str = "the behaviour of its joint limits in an impact was not examined";
 
-/// (why, what to do) for each of the others.
+/// Reason and remedy for each of the other tools.
 const NOT_WRITTEN: [(Tool, &str, &str); Tool::ALL.len() - WRITTEN.len()] = [
     (
         Tool::DRAKE,
-        "discrete plants hold joint limits with a stiffness and a dissipation of their own that cannot be set (with SAP and \
-         lagged a joint stops dead), continuous plants ignore limits",
+        "discrete plants hold joint limits with a stiffness and a dissipation of their own that cannot be set \
+         (with SAP and lagged a joint stops without rebound), continuous plants ignore limits",
         AS_CONTACT,
     ),
     (
         Tool::BULLET,
-        "multibodies hold limits rigidly, and rebound by what the solver's erp makes of the depth in one step (by 0 to 0.6 of the \
+        "multibodies have rigid limits, and the rebound depends on the solver's erp and the depth in one step \
+         (by 0 to 0.6 of the \
          speed at an erp of 0.9, in PyBullet 3.2.7)",
         AS_CONTACT,
     ),
     (
         Tool::GAZEBO_CLASSIC,
         "its <physics><ode><limit> was not run with exported numbers",
-        "ask for --for ode, whose erp and cfm that element takes, and measure the rebound; or use a contact",
+        "use --for ode, whose erp and cfm apply to that element, and measure the rebound; or use a contact",
     ),
     (Tool::GAZEBO, NOT_EXAMINED, AS_CONTACT),
     (Tool::RAPIER, NOT_EXAMINED, AS_CONTACT),
@@ -48,7 +50,7 @@ const NOT_WRITTEN: [(Tool, &str, &str); Tool::ALL.len() - WRITTEN.len()] = [
     (Tool::JOLT, NOT_EXAMINED, AS_CONTACT),
 ];
 
-/// The stop of a joint for a tool. Error: the tool has no spring and damper for it.
+/// Exports a joint stop. Error: the tool has no spring and damper for joint limits.
 pub(super) fn export(tool: Tool, request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
     if let Some((_, write)) = WRITTEN.iter().find(|(of, _)| *of == tool) {
         return write(request, motion);

@@ -1,42 +1,43 @@
-//! The simulators: their names, and what is known of each whatever is asked.
+//! Simulators: names and constant facts.
 
-/// A simulator that contacts are written for.
+/// Simulator with an export of contacts.
 #[derive(Clone, Copy)]
 pub struct Tool(&'static Facts);
 
-/// What is known of a tool, whatever is asked.
+/// Facts of a tool that do not depend on the request.
 #[derive(Debug)]
 pub struct Facts {
-    /// As it is written in files and on the command line.
+    /// Name in files and on the command line.
     pub name: &'static str,
-    /// As its makers write it.
+    /// Name as written by its developers.
     pub title: &'static str,
-    /// Other names that [`Tool::from_name`](super::Tool::from_name) takes.
+    /// Other names that [`Tool::from_name`](super::Tool::from_name) accepts.
     pub aliases: &'static [&'static str],
-    /// What the tool integrates, in plain words.
+    /// Contact law and integration method, in words.
     pub law: &'static str,
-    /// How it makes one value of those of the two sides of a contact.
+    /// Rule that combines the values of the two sides of a contact.
     pub combines: &'static str,
-    /// What came out where the tool was run with exported parameters. Empty: it was not measured.
+    /// Measured restitutions with exported parameters. Empty: not measured.
     pub measured: &'static [Measurement],
-    /// What a user has to watch for, in one line.
+    /// Main limitation for users, in one line.
     pub caution: &'static str,
-    /// The documentation and source files on which this is based.
+    /// Documentation and source files that these facts are based on.
     pub sources: &'static [&'static str],
 }
 
-/// A tool run with the parameters that were exported for it, at the exported step and accuracy 1e-3.
+/// Measurement: the tool, run with exported parameters at the exported time step and accuracy 1e-3.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Measurement {
     /// Program and version.
     pub engine: &'static str,
-    /// Solver or mode, empty where there is but one.
+    /// Solver or mode; empty if there is only one.
     pub solver: &'static str,
-    /// What collided.
+    /// Colliding bodies.
     pub scenes: &'static str,
-    /// The worst error of e over all scenes and phases, rounded up, for e = 0.2, 0.5, 0.8; none where the export refuses it.
+    /// Largest error of e over all scenes and phases, rounded up, for e = 0.2, 0.5, 0.8; `None` if the export refuses
+    /// this e.
     pub worst: [Option<f64>; 3],
-    /// Whether the checks repeat it every time; else it was run by hand, on this day.
+    /// Repetition: with every run of the checks, or by hand on a date.
     pub by_hand: Option<&'static str>,
 }
 
@@ -45,22 +46,22 @@ impl Tool {
         Self(facts)
     }
 
-    /// What is known of it.
+    /// Facts of the tool.
     pub fn facts(self) -> &'static Facts {
         self.0
     }
 
-    /// As it is written in files and on the command line.
+    /// Name in files and on the command line.
     pub fn name(self) -> &'static str {
         self.0.name
     }
 
-    /// As its makers write it.
+    /// Name as written by its developers.
     pub fn title(self) -> &'static str {
         self.0.title
     }
 
-    /// Other names that [`Tool::from_name`](super::Tool::from_name) takes.
+    /// Other names that [`Tool::from_name`](super::Tool::from_name) accepts.
     pub fn aliases(self) -> &'static [&'static str] {
         self.0.aliases
     }

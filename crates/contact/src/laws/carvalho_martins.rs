@@ -1,6 +1,6 @@
 //! Carvalho and Martins 2019: an approximation of the Hunt–Crossley law's damping.
 //!
-//! It agrees with the exact law to third order in 1 − e, and stays finite towards e = 0.
+//! Agrees with the exact law to third order in 1 − e; finite for e → 0.
 
 use super::facts::Facts;
 
@@ -13,7 +13,7 @@ pub(super) const FACTS: Facts = Facts {
     approximation: Some(number),
 };
 
-/// a of the requested e.
+/// Dissipation number a for the required e.
 pub(super) fn number(e: f64) -> f64 {
     1.5 * (1.0 - e) * (11.0 - e) / (1.0 + 9.0 * e)
 }

@@ -1,6 +1,6 @@
-//! EXUDYN's mixture: an approximation of the Hunt–Crossley law's damping.
+//! Mixed formula of EXUDYN: an approximation of the Hunt–Crossley law's damping.
 //!
-//! The best of the approximations; it jumps at 1/3.
+//! The most accurate of the approximations; discontinuous at e = 1/3.
 
 use super::facts::Facts;
 use super::{carvalho_martins, gonthier};
@@ -14,7 +14,7 @@ pub(super) const FACTS: Facts = Facts {
     approximation: Some(number),
 };
 
-/// a of the requested e.
+/// Dissipation number a for the required e.
 pub(super) fn number(e: f64) -> f64 {
     if e > 1.0 / 3.0 { carvalho_martins::number(e) } else { gonthier::number(e) }
 }

@@ -1,11 +1,11 @@
-//! What the file of a contact law holds.
+//! Contents of the file of a contact law.
 
-/// The name, formula and source of a law, and its approximation.
+/// Name, formula and source of a law, and its approximation.
 pub(super) struct Facts {
     pub name: &'static str,
     pub title: &'static str,
     pub formula: &'static str,
     pub source: &'static str,
-    /// The dissipation number a = d v that it takes for the restitution e; none where the law is solved exactly.
+    /// Dissipation number a = d v of the law for the restitution e; `None` if the law is solved exactly.
     pub approximation: Option<fn(f64) -> f64>,
 }

@@ -1,6 +1,6 @@
 //! Flores and others 2011: an approximation of the Hunt–Crossley law's damping.
 //!
-//! A fifteenth too much near e = 1, 1.6 times the exact towards e = 0.
+//! Damping too large by 1/15 near e = 1, and by a factor of 1.6 for e → 0.
 
 use super::facts::Facts;
 
@@ -13,7 +13,7 @@ pub(super) const FACTS: Facts = Facts {
     approximation: Some(number),
 };
 
-/// a of the requested e.
+/// Dissipation number a for the required e.
 pub(super) fn number(e: f64) -> f64 {
     1.6 * (1.0 - e) / e
 }

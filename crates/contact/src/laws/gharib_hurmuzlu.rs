@@ -1,6 +1,6 @@
 //! Gharib and Hurmuzlu 2012: an approximation of the Hunt–Crossley law's damping.
 //!
-//! Right towards e = 0; made for that end. At e = 1 it still damps, to e = 0.59.
+//! Designed for small e, and exact for e → 0. For e = 1 the damping is not zero: the restitution is 0.59.
 
 use super::facts::Facts;
 
@@ -8,12 +8,11 @@ pub(super) const FACTS: Facts = Facts {
     name: "gharib-hurmuzlu",
     title: "Gharib and Hurmuzlu 2012",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 1/e",
-    source: "Gharib and Hurmuzlu (2012): formula and attribution from memory of the \
-             literature, not checked against the paper.",
+    source: "Gharib and Hurmuzlu (2012): formula and attribution cited from memory, not compared with the paper.",
     approximation: Some(number),
 };
 
-/// a of the requested e.
+/// Dissipation number a for the required e.
 pub(super) fn number(e: f64) -> f64 {
     1.0 / e
 }

@@ -1,6 +1,6 @@
 //! Gonthier and others 2004: an approximation of the Hunt–Crossley law's damping.
 //!
-//! Right towards e = 0; a third too much near e = 1.
+//! Exact for e → 0; damping too large by 1/3 near e = 1.
 
 use super::facts::Facts;
 
@@ -14,7 +14,7 @@ pub(super) const FACTS: Facts = Facts {
     approximation: Some(number),
 };
 
-/// a of the requested e.
+/// Dissipation number a for the required e.
 pub(super) fn number(e: f64) -> f64 {
     (1.0 - e) * (1.0 + e) / e
 }

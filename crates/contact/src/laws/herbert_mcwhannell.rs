@@ -1,6 +1,6 @@
 //! Herbert and McWhannell 1977: an approximation of the Hunt–Crossley law's damping.
 //!
-//! It agrees with the exact law to first order in 1 − e.
+//! Agrees with the exact law to first order in 1 − e.
 
 use super::facts::Facts;
 
@@ -12,7 +12,7 @@ pub(super) const FACTS: Facts = Facts {
     approximation: Some(number),
 };
 
-/// a of the requested e.
+/// Dissipation number a for the required e.
 pub(super) fn number(e: f64) -> f64 {
     6.0 * (1.0 - e) / ((2.0 * e - 1.0).powi(2) + 3.0)
 }

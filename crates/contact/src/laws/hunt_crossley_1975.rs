@@ -1,6 +1,6 @@
 //! Hunt and Crossley 1975, linearised: an approximation of the Hunt–Crossley law's damping.
 //!
-//! It agrees with the exact law to first order in 1 − e.
+//! Agrees with the exact law to first order in 1 − e.
 
 use super::facts::Facts;
 
@@ -10,11 +10,11 @@ pub(super) const FACTS: Facts = Facts {
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e)/2",
     source: "Hunt and Crossley (1975). Formula as in L. Škrinjar's contact_model.py and \
              EXUDYN's CObjectContactSphereSphere.cpp (impact model 1). Marhefka and Orin's \
-             (1999) is the same: from memory of the literature, not opened.",
+             (1999) is the same (cited from memory, not read).",
     approximation: Some(number),
 };
 
-/// a of the requested e.
+/// Dissipation number a for the required e.
 pub(super) fn number(e: f64) -> f64 {
     1.5 * (1.0 - e)
 }

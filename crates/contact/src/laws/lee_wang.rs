@@ -1,6 +1,6 @@
 //! Lee and Wang 1983: an approximation of the Hunt–Crossley law's damping.
 //!
-//! Half of the exact damping, even near e = 1.
+//! Half of the exact damping near e = 1.
 
 use super::facts::Facts;
 
@@ -12,7 +12,7 @@ pub(super) const FACTS: Facts = Facts {
     approximation: Some(number),
 };
 
-/// a of the requested e.
+/// Dissipation number a for the required e.
 pub(super) fn number(e: f64) -> f64 {
     0.75 * (1.0 - e)
 }

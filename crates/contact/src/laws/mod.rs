@@ -1,4 +1,4 @@
-//! The contact laws, one a file.
+//! Contact laws, one per file.
 
 mod carvalho_martins;
 mod exact;
@@ -21,14 +21,14 @@ use crate::{CompliantContact, ContactLawError, Damper, Separation};
 use facts::Facts;
 use serde::Serialize;
 
-/// A contact law: which damper gives the restitution asked for.
+/// Contact law: determines the damper from the required restitution.
 ///
-/// Adding one is a file, a variant, and a line in [`Law::ALL`] and in `facts`.
+/// A new law needs a file, a variant, and a line in [`Law::ALL`] and in `facts`.
 #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 pub enum Law {
-    /// A spring in parallel with a damper, solved exactly.
+    /// Spring in parallel with a damper, solved exactly.
     KelvinVoigt,
-    /// A damper that stiffens with the spring, solved exactly.
+    /// Damper force proportional to the spring force, solved exactly.
     HuntCrossley,
     /// Hunt and Crossley 1975, linearised.
     HuntCrossley1975,
@@ -52,48 +52,48 @@ pub enum Law {
     CarvalhoMartins,
     /// Safaeifar and Farshidianfar 2020.
     SafaeifarFarshidianfar,
-    /// EXUDYN's mixture.
+    /// Mixed formula of EXUDYN.
     ExudynMixed,
 }
 
-/// Another name under which a law is known.
+/// Alternative name of a law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Alias {
-    /// The other name.
+    /// Alternative name.
     pub name: &'static str,
-    /// The law.
+    /// Law.
     pub law: Law,
-    /// The exponent that the name stands for; none where the name fits every exponent.
+    /// Exponent implied by the name; `None` if the name applies to every exponent.
     pub exponent: Option<f64>,
-    /// The end of the contact that the name stands for.
+    /// End of the contact implied by the name.
     pub separation: Option<Separation>,
-    /// Under which condition they are the same.
+    /// Condition under which the name and the law are equivalent.
     pub note: &'static str,
 }
 
-/// A name as it is looked for.
+/// Normalises a name for the search.
 fn canonical(name: &str) -> String {
     name.trim().to_lowercase().replace(['_', ' '], "-")
 }
 
-/// The error of an approximation.
+/// Error of an approximation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ApproximationError {
-    /// The restitution asked for.
+    /// Required restitution.
     pub requested: f64,
-    /// The restitution that the law's damping gives.
+    /// Restitution that results from the damping of the law.
     pub achieved: f64,
 }
 
 impl ApproximationError {
-    /// achieved − requested.
+    /// Error: achieved − requested.
     pub fn error(self) -> f64 {
         self.achieved - self.requested
     }
 }
 
 impl Law {
-    /// All of them, the exact ones first.
+    /// All laws; the exact laws are first.
     pub const ALL: [Self; 14] = [
         Self::KelvinVoigt,
         Self::HuntCrossley,
@@ -111,7 +111,7 @@ impl Law {
         Self::ExudynMixed,
     ];
 
-    /// Other names.
+    /// Alternative names of all laws.
     pub const ALIASES: [Alias; 5] = [
         Alias {
             name: "tsuji",
@@ -125,22 +125,22 @@ impl Law {
             law: Self::KelvinVoigt,
             exponent: Some(1.0),
             separation: Some(Separation::GapCloses),
-            note: "Anagnostopoulos 1988, 2004: the same with the exponent 1 where the contact ends when the gap closes \
-                   (from memory of the literature, not opened)",
+            note: "Anagnostopoulos 1988, 2004: the same with the exponent 1 if the contact ends when the gap \
+                closes (cited from memory, not read)",
         },
         Alias {
             name: "zhang-sharf",
             law: Self::HuntCrossley,
             exponent: None,
             separation: None,
-            note: "Zhang and Sharf 2004, 2009: the same implicit relation (from memory of the literature, not opened)",
+            note: "Zhang and Sharf 2004, 2009: the same implicit relation (cited from memory, not read)",
         },
         Alias {
             name: "marhefka-orin",
             law: Self::HuntCrossley1975,
             exponent: None,
             separation: None,
-            note: "Marhefka and Orin 1999: the same (from memory of the literature, not opened)",
+            note: "Marhefka and Orin 1999: the same (cited from memory, not read)",
         },
         Alias {
             name: "ye",
@@ -151,14 +151,14 @@ impl Law {
         },
     ];
 
-    /// The alias of this name, upper and lower case alike.
+    /// Returns the alias with a name, ignoring case.
     pub fn alias(name: &str) -> Option<&'static Alias> {
         const ALIASES: &[Alias] = &Law::ALIASES;
         let wanted = canonical(name);
         ALIASES.iter().find(|alias| alias.name == wanted)
     }
 
-    /// The law of this name or alias, upper and lower case alike. Errors: [`ContactLawError::UnknownLaw`].
+    /// Returns the law with a name or alias, ignoring case. Errors: [`ContactLawError::UnknownLaw`].
     pub fn from_name(name: &str) -> Result<Self, ContactLawError> {
         let wanted = canonical(name);
         let names =
@@ -174,41 +174,41 @@ impl Law {
             })
     }
 
-    /// As it is written in files and on the command line.
+    /// Name in files and on the command line.
     pub fn name(self) -> &'static str {
         self.facts().name
     }
 
-    /// A title for display.
+    /// Title for display.
     pub fn title(self) -> &'static str {
         self.facts().title
     }
 
-    /// The force and how its damping follows from the restitution e, in plain text; v the approach speed.
+    /// Force, and formula for the damping from the restitution e, as plain text; v is the approach speed.
     pub fn formula(self) -> &'static str {
         self.facts().formula
     }
 
-    /// Author and year, and which documents were read.
+    /// Author and year, and the documents that were read.
     pub fn source(self) -> &'static str {
         self.facts().source
     }
 
-    /// Whether the damper gives the restitution asked for, or nearly.
+    /// True if the damper gives exactly the required restitution, false for an approximation.
     pub fn is_exact(self) -> bool {
         self.facts().approximation.is_none()
     }
 
-    /// Whether the damping depends on the approach speed, and so must be given it.
+    /// True if the damping depends on the approach speed, which is then required.
     pub fn needs_speed(self) -> bool {
         self != Self::KelvinVoigt
     }
 
-    /// The damper of this law for the restitution e on this contact, at the approach speed in m/s where the law
-    /// needs one ([`Law::needs_speed`]).
+    /// Damper of this law for the restitution e at a contact, for the approach speed in m/s if the law needs one
+    /// ([`Law::needs_speed`]).
     ///
-    /// `separation` matters to Kelvin–Voigt alone. Errors: e or the speed out of range, also where no speed is needed, the speed missing, an e that
-    /// the law does not reach, a damping beyond a 64-bit float.
+    /// `separation` affects only Kelvin–Voigt. Errors: e or the speed is out of range (also if the law needs no
+    /// speed); the speed is missing; the law does not reach e; overflow of the damping.
     pub fn damper(
         self,
         contact: CompliantContact,
@@ -231,9 +231,9 @@ impl Law {
         Damper::hunt_crossley(number / speed)
     }
 
-    /// The restitution that the law's damping gives where e is asked for: e itself of an exact law.
+    /// Restitution that results from the damping of the law for a required e; equal to e for an exact law.
     ///
-    /// Errors: e is not from 0 to 1, or one that the law does not reach.
+    /// Errors: e is not from 0 to 1; the law does not reach e.
     pub fn approximation_error(self, restitution: f64) -> Result<ApproximationError, ContactLawError> {
         let requested = unit_interval("restitution", restitution)?;
         let achieved =
@@ -241,7 +241,7 @@ impl Law {
         Ok(ApproximationError { requested, achieved })
     }
 
-    /// a = d v of the Hunt–Crossley family.
+    /// Dissipation number a = d v of a law of the Hunt–Crossley family.
     fn number(self, restitution: f64) -> Result<f64, ContactLawError> {
         let e = unit_interval("restitution", restitution)?;
         let Some(formula) = self.facts().approximation else {
@@ -254,8 +254,8 @@ impl Law {
         Err(ContactLawError::Unreachable {
             law: self.name(),
             restitution: e,
-            why: "its damping grows without bound towards 0",
-            remedy: "ask for a small restitution, such as 0.01",
+            why: "the damping becomes infinite for e → 0",
+            remedy: "use a small restitution, such as 0.01",
         })
     }
 

@@ -1,6 +1,6 @@
-//! Hunt–Crossley: F = k xᵖ (1 + d ẋ), d in s/m, solved exactly.
+//! Hunt–Crossley law F = k xᵖ (1 + d ẋ), d in s/m, solved exactly.
 //!
-//! The restitution depends on a = d v alone, v the approach speed, whatever p, k and m̄ are:
+//! The restitution depends only on a = d v, v the approach speed, and not on p, k and m̄:
 //!
 //! | quantity          | equation                                                |
 //! |-------------------|---------------------------------------------------------|
@@ -8,11 +8,11 @@
 //! | solved by h > 0   | e = (1 − 𝓛)/(1 + 𝓛), a = h (1 + 𝓛), e a = h (1 − 𝓛)  |
 //! | with Langevin's   | 𝓛(h) = coth h − 1/h, which rises from 0 to 1           |
 //!
-//! so that a(e) = 2h/(1 + e) where 𝓛(h) = (1 − e)/(1 + e). The rebound speed e v is below 1/d always. Near e = 1,
+//! so that a(e) = 2h/(1 + e) with 𝓛(h) = (1 − e)/(1 + e). The rebound speed e v is always below 1/d. Near e = 1,
 //! a ≈ (3/2)(1 − e); towards e = 0, a → 1/e.
 //!
 //! Source: u du/(1 + d u) = −(k/m̄) xᵖ dx integrated from v to −e v, derived here and tested against the integration of
-//! the motion. Zhang and Sharf (2004, 2009) give the same implicit relation: from memory of the literature, not opened.
+//! the motion. Zhang and Sharf (2004, 2009) give the same implicit relation (cited from memory, not read).
 //! The law itself is Hunt and Crossley's (1975).
 
 use crate::ContactLawError;
@@ -22,25 +22,25 @@ use crate::limits;
 /// Name of the law in messages and files.
 pub(crate) const NAME: &str = "hunt-crossley";
 
-/// The restitution of the dissipation number a = d v. Errors: a is negative, NaN or infinite.
+/// Restitution of the dissipation number a = d v. Errors: a is negative, NaN or infinite.
 pub fn restitution(dissipation_number: f64) -> Result<f64, ContactLawError> {
     Ok(Solution::of_number(not_negative("dissipation number", dissipation_number)?).restitution())
 }
 
-/// 1 − e of the dissipation number a = d v, without loss of digits where a is small. Errors: as [`restitution`].
+/// 1 − e of the dissipation number a = d v, without loss of digits for small a. Errors: as [`restitution`].
 pub fn restitution_loss(dissipation_number: f64) -> Result<f64, ContactLawError> {
     Ok(Solution::of_number(not_negative("dissipation number", dissipation_number)?).loss())
 }
 
-/// The dissipation number a = d v that gives the restitution e.
+/// Dissipation number a = d v that gives the restitution e.
 ///
-/// 0 for e = 1. Errors: e is not from 0 to 1; e = 0, which no dissipation reaches (a → 1/e).
+/// 0 for e = 1. Errors: e is not from 0 to 1; e = 0, because no dissipation reaches e = 0 (a → 1/e).
 pub fn dissipation_number(restitution: f64) -> Result<f64, ContactLawError> {
     let e = unit_interval("restitution", restitution)?;
     number(1.0 - e, e)
 }
 
-/// The dissipation number a = d v that gives the restitution e = 1 − loss, for a loss too small to be represented in e.
+/// Dissipation number a = d v that gives the restitution e = 1 − loss, for losses too small to be represented in e.
 ///
 /// Errors: the loss is not from 0 to 1; a loss of 1 as e = 0 of [`dissipation_number`].
 pub fn dissipation_number_of_loss(loss: f64) -> Result<f64, ContactLawError> {
@@ -49,19 +49,19 @@ pub fn dissipation_number_of_loss(loss: f64) -> Result<f64, ContactLawError> {
 }
 
 fn number(loss: f64, e: f64) -> Result<f64, ContactLawError> {
-    // Below it 1/e overflows.
+    // 1/e overflows for smaller e.
     if e < f64::MIN_POSITIVE {
         return Err(ContactLawError::Unreachable {
             law: NAME,
             restitution: e,
-            why: "the rebound speed nears 1/d as the dissipation d grows, and 0 only without bound",
-            remedy: "ask for a small restitution, such as 0.01",
+            why: "the rebound speed approaches 1/d for large dissipation d, and 0 only for d → ∞",
+            remedy: "use a small restitution, such as 0.01",
         });
     }
     Ok(2.0 * inverse_langevin(loss / (1.0 + e), 2.0 * e / (1.0 + e)) / (1.0 + e))
 }
 
-/// The exact solution, by the parameter h = ½ ln[(1 + a)/(1 − e a)].
+/// Exact solution, with the parameter h = ½ ln[(1 + a)/(1 − e a)].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Solution {
     pub(crate) h: f64,
@@ -122,10 +122,10 @@ fn langevin_slope(h: f64, langevin: f64) -> f64 {
     }
 }
 
-/// h where 𝓛(h) = value, given 1 − value too, by Newton's method from Cohen's rational estimate (1991).
+/// Solves 𝓛(h) = value, with 1 − value also given, by Newton's method from Cohen's rational estimate (1991).
 fn inverse_langevin(value: f64, complement: f64) -> f64 {
     if complement < limits::LANGEVIN_ASYMPTOTE {
-        // 1 − 𝓛 = 1/h − 2/(e^(2h) − 1), the last 1e-43 at h = 50.
+        // 1 − 𝓛 = 1/h − 2/(e^(2h) − 1), the last term 1e-43 at h = 50.
         return 1.0 / complement;
     }
     let mut h = value * (3.0 - value * value) / (complement * (1.0 + value));
@@ -135,7 +135,7 @@ fn inverse_langevin(value: f64, complement: f64) -> f64 {
         let next = if h < limits::LANGEVIN_FRACTION {
             h - excess / langevin_slope(h, at)
         } else {
-            // The complement is nearly 1/h: the step is taken in 1/h.
+            // 1 − 𝓛 is nearly 1/h, so Newton's step is in 1/h.
             let inverse = 1.0 / h;
             1.0 / (inverse + excess * inverse * inverse / langevin_slope(h, at))
         };

@@ -1,4 +1,4 @@
-//! Kelvin–Voigt: a spring in parallel with a damper, F = k x + c ẋ, and its generalisation to any exponent.
+//! Kelvin–Voigt law: spring in parallel with a damper, F = k x + c ẋ, and the generalisation to any exponent.
 //!
 //! With ζ = c/(2√(k m̄)) and C(ζ) = arccos ζ/√(1−ζ²), continued beyond ζ = 1 as arccosh ζ/√(ζ²−1):
 //!
@@ -8,11 +8,11 @@
 //! | when the gap closes       | e = exp(−πζ/√(1−ζ²)); 0 from ζ = 1 on | ζ = L/√(π²+L²), L = −ln e |
 //!
 //! For the exponent p the force k xᵖ + c x^((p−1)/2) ẋ with c = 2ζ√((p+1)/2)√(k m̄) has the same restitution at every
-//! speed: y = x^((p+1)/2) turns the motion into the linear oscillator's. With p = 3/2 that is the law of Tsuji,
-//! Tanaka and Ishida (1992).
+//! speed: the substitution y = x^((p+1)/2) gives the linear oscillator. For p = 3/2, this is the law of Tsuji, Tanaka
+//! and Ishida (1992).
 //!
 //! Source: derived here from the equation of motion and tested against its integration. The force-vanishes row is
-//! also in Schwager and Pöschel (2007): from memory of the literature, not opened.
+//! also in Schwager and Pöschel (2007) (cited from memory, not read).
 
 use crate::error::{not_negative, unit_interval};
 use crate::limits;
@@ -22,23 +22,23 @@ use std::f64::consts::PI;
 /// Name of the law in messages and files.
 pub(crate) const NAME: &str = "kelvin-voigt";
 
-/// The restitution of the damping ratio ζ, at every speed and for every exponent.
+/// Restitution of the damping ratio ζ, for every speed and every exponent.
 ///
-/// It falls below the smallest float, to 0, at ζ ≈ 1e162. Errors: ζ is negative, NaN or infinite.
+/// Underflows to 0 at ζ ≈ 1e162. Errors: ζ is negative, NaN or infinite.
 pub fn restitution(ratio: f64, separation: Separation) -> Result<f64, ContactLawError> {
     Ok((-decrement(not_negative("damping ratio", ratio)?, separation)).exp())
 }
 
-/// 1 − e of the damping ratio ζ, without loss of digits where ζ is small. Errors: as [`restitution`].
+/// 1 − e of the damping ratio ζ, without loss of digits for small ζ. Errors: as [`restitution`].
 pub fn restitution_loss(ratio: f64, separation: Separation) -> Result<f64, ContactLawError> {
     Ok(-(-decrement(not_negative("damping ratio", ratio)?, separation)).exp_m1())
 }
 
-/// The damping ratio ζ that gives the restitution e.
+/// Damping ratio ζ that gives the restitution e.
 ///
-/// 0 for e = 1. Where the contact ends when the gap closes, e = 0 is given by ζ = 1 (and by all above it), the
-/// critical damping: the gap then takes forever to close. Errors: e is not from 0 to 1; e = 0 where the contact
-/// ends when the force vanishes, which no ζ reaches (e ≈ 1/(4ζ²) for large ζ).
+/// 0 for e = 1. If the contact ends when the gap closes, e = 0 results from critical damping, ζ = 1 (and from every
+/// larger ζ): the gap then never closes. Errors: e is not from 0 to 1; e = 0 if the contact ends when the force
+/// vanishes, because no ζ reaches e = 0 (e ≈ 1/(4ζ²) for large ζ).
 pub fn ratio(restitution: f64, separation: Separation) -> Result<f64, ContactLawError> {
     let e = unit_interval("restitution", restitution)?;
     if e == 0.0 && separation == Separation::ForceVanishes {
@@ -47,7 +47,7 @@ pub fn ratio(restitution: f64, separation: Separation) -> Result<f64, ContactLaw
     Ok(ratio_of_decrement(0.0 - e.ln(), separation))
 }
 
-/// The damping ratio ζ that gives the restitution e = 1 − loss, for a loss too small to be represented in e.
+/// Damping ratio ζ that gives the restitution e = 1 − loss, for losses too small to be represented in e.
 ///
 /// Errors: the loss is not from 0 to 1; a loss of 1 as e = 0 of [`ratio`].
 pub fn ratio_of_loss(loss: f64, separation: Separation) -> Result<f64, ContactLawError> {
@@ -62,12 +62,12 @@ fn unreachable() -> ContactLawError {
     ContactLawError::Unreachable {
         law: NAME,
         restitution: 0.0,
-        why: "a contact that cannot pull nears 0 only as the damping grows without bound (e = 1/(4 ratio^2))",
-        remedy: "ask for a small restitution, such as 0.01 (ratio 4.8)",
+        why: "a contact that cannot pull approaches 0 only for infinite damping (e = 1/(4 ratio^2))",
+        remedy: "use a small restitution, such as 0.01 (ratio 4.8)",
     }
 }
 
-/// C(ζ) = arccos ζ/√(1−ζ²) = arccosh ζ/√(ζ²−1), C(1) = 1: the time from the first touch to the greatest penetration
+/// C(ζ) = arccos ζ/√(1−ζ²) = arccosh ζ/√(ζ²−1), C(1) = 1: the time from the first touch to the largest penetration
 /// of a linear contact, in units of √(m̄/k).
 ///
 /// Errors: ζ is negative, NaN or infinite.
@@ -82,7 +82,7 @@ pub(crate) fn compression(ratio: f64) -> f64 {
     } else if gap == 0.0 {
         1.0
     } else {
-        // arccosh ζ = ln(1 + (ζ−1) + √(ζ²−1)) does not lose digits near 1, and its root does not overflow.
+        // arccosh ζ = ln(1 + (ζ−1) + √(ζ²−1)) does not lose digits near 1, and its square root does not overflow.
         let root = (-gap).sqrt() * (1.0 + ratio).sqrt();
         (root - gap).ln_1p() / root
     }
@@ -105,7 +105,7 @@ fn ratio_of_decrement(decrement: f64, separation: Separation) -> f64 {
     }
 }
 
-/// The root of ζ C(ζ) = h, by Newton's method kept within a bracket: the left side rises from 0 with a falling slope.
+/// Solves ζ C(ζ) = h by Newton's method within a bracket: the left side increases from 0 with decreasing slope.
 fn root_of_compression(h: f64) -> f64 {
     let mut ratio = match h {
         _ if h < 0.75 => 2.0 * h / PI * (1.0 + 8.0 * h / (PI * PI)).min(1.5),

@@ -1,8 +1,8 @@
-//! The impact on a Hunt–Crossley contact with the dissipation number a = d v > 0.
+//! Impact on a Hunt–Crossley contact with the dissipation number a = d v > 0.
 //!
-//! With w = d ẋ, which falls from a to −e a, λ = ln(1 + w) and G = w − ln(1 + w) = e^λ − 1 − λ:
-//! x^(p+1) = 2 (G(a) − G)/a², the force is xᵖ e^λ and dt/ds = (1 − q) x⁻ᵖ/a with q = (p−1)/(p+1), where s is how far λ
-//! has fallen. λ falls by 2h in all, h the parameter of the exact solution.
+//! With w = d ẋ, which decreases from a to −e a, λ = ln(1 + w) and G = w − ln(1 + w) = e^λ − 1 − λ:
+//! x^(p+1) = 2 (G(a) − G)/a², the force is xᵖ e^λ and dt/ds = (1 − q) x⁻ᵖ/a with q = (p−1)/(p+1), where s is the
+//! decrease of λ since the touch. λ decreases by 2h in total, h the parameter of the exact solution.
 
 use super::{State, Trajectory};
 use crate::limits;
@@ -16,26 +16,26 @@ pub(crate) struct Dissipative {
     /// e a.
     end: f64,
     solution: Solution,
-    /// λ at the touch, above 0.
+    /// λ at the touch, > 0.
     first: f64,
-    /// −λ at the end, above 0.
+    /// −λ at the end, > 0.
     last: f64,
 }
 
 impl Dissipative {
     pub(crate) fn new(number: f64, exponent: f64) -> Self {
         let exact = Solution::of_number(number);
-        // Damping lighter than this shows in 1 − e alone; the rest would divide zero by zero.
+        // Smaller damping affects only 1 − e; other quantities would be 0/0.
         let number = number.max(limits::LEAST_DISSIPATION_NUMBER);
         let solution = Solution::of_number(number);
         let end = number * solution.restitution();
         let first = number.ln_1p();
-        // The span 2h less the compression, without their difference where both are small.
+        // 2h minus the compression, without cancellation if both are small.
         let last = if end < 0.5 { -(-end).ln_1p() } else { 2.0 * solution.h - first };
         Self { number, exponent, end, solution: exact, first, last }
     }
 
-    /// x from G(a) − G.
+    /// Penetration x from G(a) − G.
     fn penetration(&self, fallen: f64) -> f64 {
         (2.0 * (fallen.max(0.0) / self.number) / self.number).powf(1.0 / (self.exponent + 1.0))
     }
@@ -97,7 +97,7 @@ impl Trajectory for Dissipative {
         self.penetration(exp_m1_minus(self.first))
     }
 
-    /// The force is greatest where G(a) − G = p/(p+1) w, that is κ w − ln(1 + w) = G(a) with κ = (2p+1)/(p+1): the
+    /// Solves for the largest force, G(a) − G = p/(p+1) w, that is κ w − ln(1 + w) = G(a) with κ = (2p+1)/(p+1). The
     /// left side is convex in λ, and Newton's steps approach the root from above.
     fn peak(&self) -> (f64, f64) {
         let share = self.exponent / (self.exponent + 1.0);

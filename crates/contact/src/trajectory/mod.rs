@@ -1,4 +1,4 @@
-//! The motion of an impact in units of its own.
+//! Motion of an impact in dimensionless form.
 //!
 //! | quantity    | unit                                          |
 //! |-------------|-----------------------------------------------|
@@ -7,8 +7,8 @@
 //! | time        | X/v                                           |
 //! | force       | k Xᵖ                                          |
 //!
-//! Each law's motion is known in closed form along a parameter s; only the time needs an integral, ∫ (dt/ds) ds. The
-//! integrand dt/ds is singular, if at all, where the contact begins and where it ends, so s is measured from both.
+//! The motion of each law has a closed form in a parameter s; only the time needs an integral, ∫ (dt/ds) ds. The
+//! integrand dt/ds can be singular only at the start and at the end of the contact, so s is measured from both.
 
 mod dissipative;
 mod oscillator;
@@ -18,7 +18,7 @@ pub(crate) use oscillator::Oscillator;
 
 use crate::quadrature::from_singular_end;
 
-/// The state at one instant of the impact, in its units.
+/// Dimensionless state at one instant of an impact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct State {
     pub penetration: f64,
@@ -26,39 +26,39 @@ pub(crate) struct State {
     pub force: f64,
 }
 
-/// The motion of an impact.
+/// Motion of an impact.
 pub(crate) trait Trajectory {
-    /// 1 − e.
+    /// Loss 1 − e.
     fn loss(&self) -> f64;
-    /// e.
+    /// Restitution e.
     fn restitution(&self) -> f64;
-    /// The length in s from the first touch to the greatest penetration.
+    /// Interval of s from the first touch to the largest penetration.
     fn compression(&self) -> f64;
-    /// The length in s from there to the end of the contact, or to rest where it does not end.
+    /// Interval of s from the largest penetration to the end of the contact; to rest if the contact does not end.
     fn expansion(&self) -> f64;
-    /// Whether the contact ends in finite time.
+    /// True if the contact ends in finite time.
     fn ends(&self) -> bool;
-    /// The greatest penetration.
+    /// Largest penetration.
     fn greatest_penetration(&self) -> f64;
-    /// Where the force is greatest, as s from the first touch, and the force there.
+    /// Largest force, with its s from the first touch.
     fn peak(&self) -> (f64, f64);
-    /// The state s after the first touch, not beyond the greatest penetration.
+    /// State at s after the first touch, up to the largest penetration.
     fn after_touch(&self, s: f64) -> State;
-    /// The state s before the end, not before the greatest penetration.
+    /// State at s before the end, back to the largest penetration.
     fn before_end(&self, s: f64) -> State;
-    /// The α for which dt/ds is like s⁻ᵅ near the first touch, and near the end.
+    /// Exponents α of dt/ds ∼ s⁻ᵅ near the first touch and near the end.
     fn singularities(&self) -> [f64; 2];
-    /// dt/ds where [`Trajectory::after_touch`] gives the state.
+    /// dt/ds at the state of [`Trajectory::after_touch`].
     fn time_rate_after_touch(&self, s: f64) -> f64;
-    /// dt/ds where [`Trajectory::before_end`] gives the state.
+    /// dt/ds at the state of [`Trajectory::before_end`].
     fn time_rate_before_end(&self, s: f64) -> f64;
 
-    /// The time from the first touch to s after it.
+    /// Time from the first touch to s.
     fn time_after_touch(&self, s: f64) -> f64 {
         from_singular_end(s, |s| self.time_rate_after_touch(s))
     }
 
-    /// The time from s before the end to the end.
+    /// Time from s before the end to the end.
     fn time_before_end(&self, s: f64) -> f64 {
         from_singular_end(s, |s| self.time_rate_before_end(s))
     }

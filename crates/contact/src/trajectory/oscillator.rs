@@ -1,11 +1,11 @@
-//! The impact on a Kelvin–Voigt contact.
+//! Impact on a Kelvin–Voigt contact.
 //!
-//! In y = x^((p+1)/2) it is the linear oscillator y″ + 2ζ y′ + y = 0, y(0) = 0, y′(0) = 1, in its own time s; the
-//! speed is y′, the force y^q (y + 2ζ y′) and dt/ds = (1 − q) y^(−q), with q = (p−1)/(p+1).
+//! With y = x^((p+1)/2) the motion is that of the linear oscillator y″ + 2ζ y′ + y = 0, y(0) = 0, y′(0) = 1, in a
+//! transformed time s. The speed is y′, the force y^q (y + 2ζ y′) and dt/ds = (1 − q) y^(−q), with q = (p−1)/(p+1).
 //!
-//! With r = y′/y, which falls from ∞ at the touch through 0 at the greatest penetration, y = e^(−ζs)/√(r² + 2ζr + 1)
-//! and s = arccot((r + ζ)/√(1−ζ²))/√(1−ζ²): the peak of the force, where 2ζq r² + (1 + q − 4ζ²) r − 2ζ = 0, is closed
-//! too.
+//! With r = y′/y, which decreases from ∞ at the touch to 0 at the largest penetration, y = e^(−ζs)/√(r² + 2ζr + 1)
+//! and s = arccot((r + ζ)/√(1−ζ²))/√(1−ζ²): the largest force, at 2ζq r² + (1 + q − 4ζ²) r − 2ζ = 0, has a
+//! closed form too.
 
 use super::{State, Trajectory};
 use crate::Separation;
@@ -47,8 +47,9 @@ impl Oscillator {
         }
     }
 
-    /// y at s before the end. Under ζ = 1 its sine is that of the angle left to y = 0, which does not lose digits where
-    /// y is small: 0 at the end where the gap closes, π − 2 arccos ζ = 2 arcsin ζ where the force vanishes.
+    /// y at s before the end. For ζ < 1 the sine is computed from the remaining angle to y = 0, without loss of
+    /// digits for small y. This angle at the end is 0 if the gap closes, and π − 2 arccos ζ = 2 arcsin ζ if the force
+    /// vanishes.
     fn displacement_before_end(&self, s: f64) -> f64 {
         let at = self.compression + self.expansion - s;
         if self.ratio < 1.0 {
@@ -83,7 +84,7 @@ impl Oscillator {
         }
     }
 
-    /// y^q, 1 for the linear contact even at y = 0.
+    /// y^q; 1 for the linear contact, also at y = 0.
     fn y_to_q(&self, y: f64) -> f64 {
         if self.q == 0.0 { 1.0 } else { y.max(0.0).powf(self.q) }
     }
@@ -100,10 +101,10 @@ impl Oscillator {
         (1.0 - self.q) / self.y_to_q(y)
     }
 
-    /// r = y′/y where the force is greatest; infinite at the touch.
+    /// r = y′/y at the largest force; infinite at the touch.
     fn slope_at_peak(&self) -> f64 {
         let (double, q) = (2.0 * self.ratio, self.q);
-        // 1 + q − 4ζ² in factors: no overflow, and its sign is right near 0.
+        // 1 + q − 4ζ² as a product: no overflow, and the correct sign near 0.
         let half = (1.0 + q).sqrt();
         let middle = (half - double) * (half + double);
         let discriminant = middle.hypot(2.0 * double * q.sqrt());
@@ -114,17 +115,17 @@ impl Oscillator {
         }
     }
 
-    /// s where y′/y = r, r ≥ 0.
+    /// Solves y′/y = r for s, r ≥ 0.
     fn at_slope(&self, r: f64) -> f64 {
         let g = r + self.ratio;
         if self.root < limits::SMALL_ANGLE * g {
-            // arctan(√/g)/√ to the third order; artanh beyond ζ = 1.
+            // arctan(√/g)/√ to the third order; artanh for ζ > 1.
             let square = (1.0 - self.ratio) * (1.0 + self.ratio) / g / g;
             (1.0 - square / 3.0 + square * square / 5.0) / g
         } else if self.ratio < 1.0 {
             self.root.atan2(g) / self.root
         } else {
-            // g − √ = r + 1/(ζ + √) does not lose digits.
+            // g − √ = r + 1/(ζ + √), without loss of digits.
             (2.0 * self.root / (r + 1.0 / (self.ratio + self.root))).ln_1p() / (2.0 * self.root)
         }
     }
@@ -158,11 +159,11 @@ impl Trajectory for Oscillator {
     fn peak(&self) -> (f64, f64) {
         let slope = self.slope_at_peak();
         if !slope.is_finite() {
-            // A linear contact with ζ ≥ 1/2: the damper's jump at the touch.
+            // Linear contact with ζ ≥ 1/2: the jump of the damper force at the touch is the maximum.
             return (0.0, 2.0 * self.ratio);
         }
         let s = self.at_slope(slope);
-        // y = e^(−ζs)/√(r² + 2ζr + 1), the root without overflow.
+        // y = e^(−ζs)/√(r² + 2ζr + 1), with a square root that does not overflow.
         let across = ((slope + 2.0 * self.ratio) * slope).sqrt().hypot(1.0);
         let decay = (-self.ratio * s).exp();
         let force = (decay / across).powf(self.q) * decay * (1.0 + 2.0 * self.ratio * slope) / across;
@@ -183,7 +184,7 @@ impl Trajectory for Oscillator {
     }
 
     fn singularities(&self) -> [f64; 2] {
-        // Lightly damped, the force vanishes where the gap is nearly closed.
+        // With light damping, the gap is nearly closed when the force vanishes.
         let closes = match self.separation {
             Separation::ForceVanishes => self.ratio < limits::LIGHT_DAMPING,
             Separation::GapCloses => self.ratio < 1.0,

@@ -115,7 +115,11 @@ impl Pose {
     /// # Panics
     /// If the joint belongs to another mechanism: [`Mechanism::has_joint`] is false.
     pub fn joint(&self, joint: JointId) -> &[f64] {
-        assert!(self.mechanism().has_joint(joint), "joint number {} is of another mechanism", joint.index());
+        assert!(
+            self.mechanism().has_joint(joint),
+            "joint number {} belongs to another mechanism",
+            joint.index()
+        );
         &self.kinematics.q[self.assembly.model().joint_q[joint.index()].clone()]
     }
 
@@ -134,7 +138,7 @@ impl Pose {
     }
 
     fn refuse_foreign(&self, link: LinkId) {
-        assert!(self.mechanism().has_link(link), "link number {} is of another mechanism", link.index());
+        assert!(self.mechanism().has_link(link), "link number {} belongs to another mechanism", link.index());
     }
 
     /// Joints outside their limits, with position and limits.

@@ -143,7 +143,7 @@ pub enum ContactError {
     },
     /// The end point of the line coincides with the contact point.
     #[error(
-        "the line's point on \"{link}\" is the contact point (distance {distance:e} m): there is no direction"
+        "the line's point on \"{link}\" is the contact point (distance {distance:e} m): the direction is undefined"
     )]
     NoLine {
         /// The other link.
@@ -153,8 +153,9 @@ pub enum ContactError {
     },
     /// The line is too short at this pose to define a direction.
     #[error(
-        "the line towards \"{link}\" is {length:.3e} m long at this pose, less than a tenth of its {drawn:.3e} m as drawn: its \
-         direction is no normal. Give the direction as drawn as a fixed normal, {} in the frame of the {}",
+        "the line towards \"{link}\" is {length:.3e} m long at this pose, less than a tenth of its length \
+         {drawn:.3e} m in the design pose: its direction is not a normal. Give the direction of the design pose \
+         as a fixed normal, {} in the frame of the {}",
         triple(normal), side(*frame)
     )]
     LineShort {
@@ -171,8 +172,9 @@ pub enum ContactError {
     },
     /// The line of a stop has turned too far.
     #[error(
-        "the line towards \"{link}\" has turned by {:.1}° from its direction as drawn; up to 5° is the normal of a stop. Give the \
-         direction as drawn as a fixed normal, {} in the frame of the {}, or state that the line may turn, as of a spring",
+        "the line towards \"{link}\" has turned by {:.1}° from its direction in the design pose; the normal of \
+         a stop may turn by at most 5°. Give the direction of the design pose as a fixed normal, {} in the \
+         frame of the {}, or permit the line to turn, as for a spring",
         angle.to_degrees(), triple(normal), side(*frame)
     )]
     LineTurned {
@@ -187,7 +189,7 @@ pub enum ContactError {
     },
     /// A link handle of another mechanism.
     #[error(
-        "link number {index} is not of this mechanism, which has {links} links; ask it for the link by name"
+        "link number {index} is not in this mechanism, which has {links} links; look up the link by name"
     )]
     ForeignLink {
         /// Index of the handle.
@@ -220,7 +222,7 @@ fn triple(v: &Vector3<f64>) -> String {
 /// Name of the link or frame that defines a frame, for messages.
 fn side(frame: Frame) -> &'static str {
     match frame {
-        Frame::Link => "struck link",
+        Frame::Link => "contact link",
         Frame::World => "world",
         Frame::Against => "other side",
     }

@@ -69,11 +69,11 @@ pub enum CarefulReason {
 pub enum RouteError {
     /// A motion has a negative mass.
     #[error(
-        "the articulated route meets a motion of negative mass (accepted indefinite inertias); the dense route takes it"
+        "the articulated route found a motion with negative mass (accepted indefinite inertias); use the dense route"
     )]
     Indefinite,
     /// The mechanism has more coordinates than the dense route accepts.
-    #[error("the dense route takes up to {limit} coordinates; this mechanism has {coordinates}")]
+    #[error("the dense route is limited to {limit} coordinates; this mechanism has {coordinates}")]
     TooLarge {
         /// Number of coordinates.
         coordinates: usize,
@@ -106,8 +106,8 @@ pub enum RouteError {
     },
     /// Accepted indefinite inertias give no positive mass at the contact.
     #[error(
-        "the mass matrix is indefinite and the contact's effective mass comes out as {value} kg: \
-         inertias with negative moments have no meaning here"
+        "the mass matrix is indefinite and the effective mass is {value} kg: inertias with negative moments are \
+         not valid here"
     )]
     IndefiniteMass {
         /// The stationary value of the energy, kg.
@@ -120,7 +120,9 @@ pub enum RouteError {
         what: &'static str,
     },
     /// A joint moves no mass.
-    #[error("a joint moves no mass (least pivot {least_pivot:.1e} of its terms): its acceleration is open")]
+    #[error(
+        "a joint moves no mass (least pivot {least_pivot:.1e} of its terms): its acceleration is undetermined"
+    )]
     SingularPivot {
         /// Smallest pivot relative to the size of its terms.
         least_pivot: f64,
@@ -130,7 +132,7 @@ pub enum RouteError {
     Velocities(#[from] VelocityError),
     /// A link handle of another mechanism.
     #[error(
-        "link number {index} is not of this mechanism, which has {links} links; ask it for the link by name"
+        "link number {index} is not in this mechanism, which has {links} links; look up the link by name"
     )]
     ForeignLink {
         /// Index of the handle.
@@ -140,7 +142,8 @@ pub enum RouteError {
     },
     /// The accelerations belong to another mechanism.
     #[error(
-        "the accelerations are of {got} bodies, this mechanism has {expected}; ask a pose of its own for them"
+        "the accelerations are of {got} bodies, this mechanism has {expected}; compute them with a pose of this \
+         mechanism"
     )]
     ForeignAccelerations {
         /// Number of bodies of the accelerations.
@@ -149,7 +152,7 @@ pub enum RouteError {
         expected: usize,
     },
     /// Φ or 1/m̄ is infinite: a motion without mass responds to a wrench.
-    #[error("a motion without mass answers a wrench on this link: J M⁻¹ Jᵀ is infinite")]
+    #[error("a wrench on this link causes a motion without mass: J M⁻¹ Jᵀ is infinite")]
     MasslessMotion,
 }
 

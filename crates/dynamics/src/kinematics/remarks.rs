@@ -132,31 +132,39 @@ impl fmt::Display for Remark {
             }
             Self::MasslessMotions { directions } => write!(f, "{directions} motions have no mass"),
             Self::MasslessToRounding { up_to } => {
-                write!(f, "massless to rounding only: up to {up_to:.1e} kg")
+                write!(f, "massless within rounding: up to {up_to:.1e} kg")
             }
-            Self::UndeterminedMotion => write!(f, "a motion without mass leaves the velocities open"),
+            Self::UndeterminedMotion => write!(f, "a motion without mass leaves the velocities undetermined"),
             Self::UnclearRank { gap } => write!(f, "the rank of the constraints is unclear: gap {gap:.1e}"),
             Self::IndefiniteMassMatrix => write!(f, "the mass matrix is indefinite: a stationary value"),
             Self::OtherAssembly { starts } => write!(
                 f,
-                "another assembly mode than that of the first closed pose, found from {starts} of the seeded starts"
+                "a different assembly mode than that of the first closed pose, found from {starts} of the \
+                 seeded starts"
             ),
             Self::DrawnOpen { gap, size } => write!(
                 f,
-                "a loop is {gap:.3e} m open as drawn, {:.1} % of its size: a point may be mistyped",
+                "a loop is {gap:.3e} m open in the design pose, {:.1} % of its size: check its points for \
+                 typing errors",
                 100.0 * gap / size
             ),
             Self::InexactLoops { inexactness } => {
-                write!(f, "the loops fit to {inexactness:.2e} m only, closed in least squares")
+                write!(
+                    f,
+                    "the best fit of the loops leaves a gap of {inexactness:.2e} m, closed in the \
+                    least-squares sense"
+                )
             }
             Self::DriverOffZero { joint, value } => write!(
                 f,
-                "joint number {} drives and was not set; 0 is out of reach, so it is at {value:.9}",
+                "joint number {} is a driving joint without a given position; 0 cannot be reached, so it is at \
+                 {value:.9}",
                 joint.index()
             ),
             Self::OffTarget { joint, distance } => write!(
                 f,
-                "joint number {} was set to more numbers than its loops leave degrees of freedom: it is {distance:.6} off",
+                "joint number {} was set to more values than the loops leave degrees of freedom: the nearest \
+                 reachable position is used, {distance:.6} away",
                 joint.index()
             ),
             Self::OutsideLimits { joint, value } => {
@@ -164,7 +172,7 @@ impl fmt::Display for Remark {
             }
             Self::WeaklyConstrained { least } => write!(
                 f,
-                "weakly constrained: the least singular value that counts is {least:.1e} of the largest"
+                "weakly constrained: the least singular value counted as nonzero is {least:.1e} of the largest"
             ),
             Self::UnclearMobility { gap } => {
                 write!(f, "the generic rank of the constraints is unclear: gap {gap:.1e}")

@@ -140,7 +140,7 @@ impl Conditions {
             if let Some(&value) = numbers.into_iter().find(|x| !is_number(**x)) {
                 return Err(ConditionsError::BadHold {
                     link: name.clone(),
-                    why: format!("{value} is no coordinate"),
+                    why: format!("{value} is not a coordinate"),
                 });
             }
             if normal.is_some_and(|n| n.norm() < SHORTEST_DIRECTION) {

@@ -214,7 +214,11 @@ impl Configuration {
     /// # Panics
     /// If the joint belongs to another mechanism.
     pub fn get(&self, joint: JointId) -> &[f64] {
-        assert!(self.mechanism.has_joint(joint), "joint number {} is of another mechanism", joint.index());
+        assert!(
+            self.mechanism.has_joint(joint),
+            "joint number {} belongs to another mechanism",
+            joint.index()
+        );
         &self.values[joint.index()]
     }
 }

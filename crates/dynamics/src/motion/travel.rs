@@ -55,7 +55,7 @@ pub enum TravelError {
     },
     /// A link handle of another mechanism.
     #[error(
-        "link number {index} is not of this mechanism, which has {links} links; ask it for the link by name"
+        "link number {index} is not in this mechanism, which has {links} links; look up the link by name"
     )]
     ForeignLink {
         /// Index of the handle.
@@ -87,7 +87,7 @@ pub enum TravelError {
     },
     /// The travel exceeds the step limit of one pose.
     #[error(
-        "a travel of {requested} m is too far to follow in one go; reached: {reached:.6} m; go there by way of poses between"
+        "a travel of {requested} m is too far for one call; reached: {reached:.6} m; use intermediate poses"
     )]
     TooFar {
         /// Requested displacement, m.

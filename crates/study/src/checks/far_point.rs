@@ -33,7 +33,8 @@ pub(crate) fn doubt(
         format!("is it in another frame{frame}, or another unit?")
     };
     let message = format!(
-        "the contact point is {distance:.4} m from the origin of link \"{}\", which reaches about {reach:.4} m: {hint}",
+        "the contact point is {distance:.4} m from the origin of link \"{}\", which extends to about {reach:.4} m: \
+         {hint}",
         body.name()
     );
     Some(Finding::warning("far-point", Subject::Link(link), message))

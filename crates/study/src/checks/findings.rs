@@ -34,7 +34,7 @@ pub(crate) fn about_pose(system: &System, pose: &Pose, names: Names) -> Vec<Find
 /// Finding for a joint outside its limits.
 pub(crate) fn outside_limits(mechanism: &Mechanism, joint: JointId, value: f64, limits: Limits) -> Finding {
     let message = format!(
-        "joint \"{}\" stands at {value}, outside its limits {} to {}",
+        "joint \"{}\" is at {value}, outside its limits {} to {}",
         mechanism.joint(joint).name(),
         limits.lower,
         limits.upper
@@ -49,39 +49,40 @@ fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Findi
     let set = Field::Set.hint(names);
     for name in system.reversed_axes() {
         let message = format!(
-            "the axis of loop \"{name}\" points opposite ways in its two frames with all joints at 0; the successor's was \
-             taken reversed"
+            "the axis of loop \"{name}\" has opposite directions in its two frames with all joints at 0; the \
+             axis of the successor was reversed"
         );
         found.push(Finding::note("reversed-axis", Subject::Closure(name.to_string()), message));
     }
     if loops.inexactness > 0.0 {
         let part = loops.inexactness / mechanism.characteristic_length();
         let message = format!(
-            "the file's loops are inexact: they fit to {:.2e} m only ({part:.1e} of the size), closed in least squares; \
-             are its angles rounded (1.5708)?",
+            "the file's loops are inexact: the best fit leaves a gap of {:.2e} m ({part:.1e} of the size), \
+             closed in the least-squares sense; check for rounded angles (1.5708)",
             loops.inexactness
         );
         found.push(Finding::warning("inexact-loops", Subject::Answer, message));
     }
     for (joint, value) in &loops.off_zero {
         let message = format!(
-            "joint \"{}\" drives and was not set; 0 is out of reach, so it stands at {value:.9}; set it{set}",
+            "joint \"{}\" is a driving joint without a given position; 0 cannot be reached, so it is at \
+             {value:.9}; set it{set}",
             mechanism.joint(*joint).name()
         );
         found.push(Finding::warning("driver-off-zero", Subject::Joint(*joint), message));
     }
     for (joint, far) in &loops.off_target {
         let message = format!(
-            "joint \"{}\" was set{set} to more numbers than its loops leave degrees of freedom: it stands as near as they \
-             let it, {far:.6} off (rad or m)",
+            "joint \"{}\" was set{set} to more values than the loops leave degrees of freedom: the nearest \
+             reachable position is used, {far:.6} rad or m away",
             mechanism.joint(*joint).name()
         );
         found.push(Finding::warning("off-target", Subject::Joint(*joint), message));
     }
     if let Some(starts) = loops.starts_tried {
         let message = format!(
-            "the pose is on another assembly mode than the first closed pose: its branch ends before these positions, and \
-             they were found from {starts} other start(s)"
+            "the pose is on a different assembly mode than the first closed pose: the branch of that pose ends \
+             before these positions; this pose was found from {starts} other start(s)"
         );
         found.push(Finding::warning("other-assembly", Subject::Answer, message));
     }
@@ -92,7 +93,8 @@ fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Findi
         let drivers: Vec<String> =
             loops.drivers.iter().map(|j| format!("\"{}\"", mechanism.joint(*j).name())).collect();
         let message = format!(
-            "the loops are driven by {}: chosen by rank and by what looks driven, none is declared",
+            "the loops are driven by {}: chosen by the rank of the constraints and by joint limits and efforts, \
+             because the model declares none",
             listed(&drivers)
         );
         found.push(Finding::note("drivers-chosen", Subject::Answer, message));
@@ -111,12 +113,15 @@ fn about_gap(mechanism: &Mechanism, gap: &DrawnGap) -> Finding {
         };
         format!("; closed by {} {by}", joint.name())
     });
-    let message =
-        format!("loop \"{}\" is {} open as drawn{closed}", gap.constraint, length_in_words(gap.gap));
+    let message = format!(
+        "loop \"{}\" is {} open in the design pose{closed}",
+        gap.constraint,
+        length_in_words(gap.gap)
+    );
     let subject = Subject::Closure(gap.constraint.clone());
     if gap.is_wide {
         let part = 100.0 * gap.gap / gap.size;
-        let message = format!("{message}: {part:.1} % of its size; is a point mistyped?");
+        let message = format!("{message}: {part:.1} % of its size; check the points for typing errors");
         Finding::warning("drawn-open", subject, message)
     } else {
         Finding::note("drawn-open", subject, message)
@@ -133,15 +138,15 @@ fn about_rank(assembly: &Assembly, found: &mut Vec<Finding>) {
     if !assembly.rank_is_clear() {
         let gap = assembly.rank_gap().unwrap_or_default();
         let message =
-            format!("the rank of the constraints is unclear (gap {gap:.1e}): mobility may be another");
+            format!("the rank of the constraints is unclear (gap {gap:.1e}): the mobility may differ");
         found.push(Finding::warning("unclear-rank", Subject::Answer, message));
     }
     let least = assembly.least_singular_value();
     if assembly.is_weakly_constrained() {
         let message = format!(
-            "the mechanism is weakly constrained: the least singular value of the loops' rows that counts is {least:.1e} \
-             of the largest; if the file's figures are rounded by as much, there is a degree of freedom more than the {} \
-             counted",
+            "the mechanism is weakly constrained: the least singular value of the loops' rows counted as \
+             nonzero is {least:.1e} of the largest; if the numbers in the file are rounded by as much, there is \
+             one more degree of freedom than the {} counted",
             assembly.degrees_of_freedom()
         );
         found.push(Finding::warning("weakly-constrained", Subject::Answer, message));
@@ -165,7 +170,8 @@ fn about_rigid(mechanism: &Mechanism, rigid: &RigidLoops) -> Finding {
         let wanted = if axis.slides { "normal to" } else { "along" };
         let [x, y, z] = axis.direction.map(|c| if c.abs() < 5e-5 { 0.0 } else { c }).into();
         message += &format!(
-            "; in loop \"{}\" the axis of {whose} departs by {:.4}° from what the others share: it should lie {wanted} \
+            "; in loop \"{}\" the axis of {whose} deviates by {:.4}° from the common direction of the others: \
+             it should be {wanted} \
              ({x:.4}, {y:.4}, {z:.4}) in the root link's axes; correct its <axis>, or the rpy of the frames it is given in",
             axis.closure,
             axis.angle.to_degrees()
@@ -175,7 +181,7 @@ fn about_rigid(mechanism: &Mechanism, rigid: &RigidLoops) -> Finding {
         }
     }
     if rigid.departing.is_empty() {
-        message += "; where the linkage is meant to move, check its lengths, the directions of its axes, and whether a loop \
+        message += "; if the linkage should move, check its lengths, the directions of its axes, and whether a loop \
                     should leave more motions (spherical instead of revolute)";
     }
     Finding::warning("rigid-loops", subject, message)
@@ -208,12 +214,12 @@ pub(crate) fn about_guesses(
         let mut add = |code, message| found.push(Finding::warning(code, Subject::Joint(joint), message));
         if !system.is_bound(joint) {
             let message = format!(
-                "the guess{given} for joint \"{name}\" is not used: it is in no loop; {set} moves it"
+                "the guess{given} for joint \"{name}\" is not used: the joint is in no loop; use {set} instead"
             );
             add("unused-guess", message);
         } else if drives(joint) {
             let message = format!(
-                "the guess{given} for joint \"{name}\" is not used: it drives its loops; {set} moves it"
+                "the guess{given} for joint \"{name}\" is not used: the joint is a driving joint; use {set} instead"
             );
             add("unused-guess", message);
         } else if let (&[at], &[guess]) = (pose.joint(joint), guess) {
@@ -226,8 +232,8 @@ pub(crate) fn about_guesses(
             };
             if off > FAR_FROM_GUESS {
                 let message = format!(
-                    "joint \"{name}\" was guessed at {guess}{given} and stands at {at:.9}: no nearer way to close its \
-                     loops was found"
+                    "joint \"{name}\" was guessed at {guess}{given} and is at {at:.9}: no closer solution of \
+                     its loops was found"
                 );
                 add("far-from-guess", message);
             }
@@ -250,8 +256,8 @@ pub(crate) fn about_response(
     let reported = |r: &&Remark| finite || !matches!(r, Remark::MasslessMotions { .. });
     found.extend(response.remarks.iter().filter(reported).filter_map(remark));
     if let (EffectiveMass::Finite(_), None) = (response.effective_mass, response.effective_mass_error()) {
-        let message = "what the effective mass may be off by is not known: beside this pose the contact is not finite; do not \
-                       trust its digits";
+        let message = "the error of the effective mass is unknown: near this pose the effective mass is not \
+            finite; do not rely on its digits";
         found.push(Finding::warning("unknown-error", Subject::Answer, message));
     }
     if let (EffectiveMass::Finite(m), Some(error)) =
@@ -259,8 +265,8 @@ pub(crate) fn about_response(
         && error > UNCERTAIN * m
     {
         let message = format!(
-            "the effective mass has a relative error of up to {:.1e}: the pose is close to a singular one, or the mass \
-             matrix is; do not trust its digits beyond that",
+            "the effective mass has a relative error of up to {:.1e}: the pose is close to a singular one, or \
+             the mass matrix is nearly singular; do not rely on further digits",
             error / m
         );
         found.push(Finding::warning("uncertain-mass", Subject::Answer, message));
@@ -283,25 +289,26 @@ pub(crate) fn about_branches(
     let mut message = format!("{kind}: {here} degrees of freedom here, {generic} at a generic pose; ");
     message += match (limits.limits.is_empty(), limits.continuous, limits.complete) {
         (true, ..) if !loops => {
-            "what is held or locked constrains less here than beside it, and the value is a lower bound"
+            "held points or locked joints constrain less here than at nearby poses, and the value is a lower bound"
         }
         (true, _, false) => {
             "its branches were not followed, since there are too many or its loops are too large, and the value is a lower \
              bound"
         }
         (true, ..) => {
-            "no branch was found to lead away from it, and the value is a lower bound that a finite motion need not attain"
+            "no branch through this pose was found, and the value is a lower bound that a finite motion may not reach"
         }
         (false, true, _) => {
             "a continuum of branches meets here, the limit depends on the direction of approach, and the value is a lower \
-             bound: see the least and the greatest of the limits that were found"
+             bound: see the smallest and the largest of the limits found"
         }
         (false, false, true) => {
-            "branches cross, and the value is a lower bound that none of them need attain: see the limits along the branches"
+            "branches cross, and the value is a lower bound that no branch may reach: see the limits along the \
+             branches"
         }
         (false, false, false) => {
-            "many branches cross, and the value is a lower bound that none of them need attain: see the limits along those that \
-             were found; there may be more"
+            "many branches cross, and the value is a lower bound that no branch may reach: see the limits along \
+             the branches found; there may be more branches"
         }
     };
     Some(Finding::warning("singular-pose", Subject::Answer, message))
@@ -315,19 +322,20 @@ fn remark(remark: &Remark) -> Option<Finding> {
         Remark::NearlyImmovable { closing_speed, uncertainty } => warning(
             "nearly-immovable",
             format!(
-                "the gap hardly closes (closing speed {closing_speed:.1e} of its terms): the relative uncertainty of the \
+                "the gap is nearly constant (closing speed {closing_speed:.1e} of its terms): the relative \
+                 uncertainty of the \
                  effective mass is {uncertainty:.1e}"
             ),
         ),
         Remark::MasslessMotions { directions } => note(
             "massless-motions",
-            format!("{directions} motion(s) of the mechanism move no mass; they do not affect the answer"),
+            format!("{directions} motion(s) of the mechanism have no mass; they do not affect the result"),
         ),
         Remark::MasslessToRounding { up_to } => warning(
             "massless-to-rounding",
             format!(
-                "massless to rounding only: the masses involved differ by so many decades that an effective mass of up to \
-                 {up_to:.1e} kg would not show"
+                "massless within rounding: the masses differ by so many decades that an effective mass of up to \
+                 {up_to:.1e} kg cannot be distinguished from 0"
             ),
         ),
         Remark::UndeterminedMotion => note(
@@ -344,7 +352,7 @@ fn remark(remark: &Remark) -> Option<Finding> {
             "unclear-rank-here",
             format!(
                 "the rank of the constraints is unclear at this pose (gap {gap:.1e}): it is close to a change point, \
-                 where mobility is another"
+                 where the mobility differs"
             ),
         ),
         Remark::OtherAssembly { .. }

@@ -47,7 +47,8 @@ impl HeldContact {
         let hold = Field::Hold.hint(names);
         if lifts {
             let message = format!(
-                "the held contact of link \"{name}\"{hold} would have to pull: the impact lifts it off; without it {}",
+                "the held contact of link \"{name}\"{hold} would need a pulling force: the impact separates it; \
+                 without this held contact {}",
                 described(response, other)?
             );
             return Ok(Some(Finding::warning("hold-pulls", subject, message)));
@@ -55,8 +56,8 @@ impl HeldContact {
         let finite = matches!(response.effective_mass, EffectiveMass::Finite(_));
         Ok((!finite || velocity == Some(PointVelocity::Undetermined)).then(|| {
             let message = format!(
-                "without the held contact of link \"{name}\"{hold} the contact response is not determined: whether it \
-                 pulls cannot be decided"
+                "without the held contact of link \"{name}\"{hold} the contact response is undetermined, so the \
+                 sign of its force is unknown"
             );
             Finding::note("hold-undetermined", subject, message)
         }))

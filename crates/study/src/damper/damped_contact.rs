@@ -167,8 +167,8 @@ fn about_drift(
     }
     let over = drift.over_penetration.filter(|over| over.abs() > DRIFTING)?;
     let message = format!(
-        "the effective mass changes by {:+.1} % over the penetration: one number is no better than that here; a \
-         stiffer contact or a slower impact changes it less",
+        "the effective mass changes by {:+.1} % over the penetration: a single value has this uncertainty; a \
+         stiffer contact or a slower impact reduces it",
         100.0 * over
     );
     Some(DiagnosticRecord::about_answer(Severity::Warning, "mass-drifts", message))

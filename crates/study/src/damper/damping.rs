@@ -212,8 +212,8 @@ pub(crate) fn about_exports(question: &DampingQuestion) -> Option<DiagnosticReco
     let same = question.law == Law::KelvinVoigt && question.separation == Separation::ForceVanishes;
     (!same && !question.tools.is_empty()).then(|| {
         let message = format!(
-            "the simulators' parameters are for the laws that they integrate, and for the restitution {}; the law and \
-             the separation that were asked for are those of the damper above",
+            "the parameters of simulators are for the laws of the simulators and for the restitution {}; the \
+             requested law and separation apply only to the damper above",
             question.restitution
         );
         DiagnosticRecord::about_answer(Severity::Note, "exports-own-law", message)

@@ -211,7 +211,7 @@ impl<'a> Prepared<'a> {
         };
         if response.effective_mass == EffectiveMass::Immovable {
             let message = format!(
-                "the mechanism itself is immovable at this contact: only the other body's mass counts{}",
+                "the mechanism is immovable at this contact: the result is the mass of the other body alone{}",
                 Field::AgainstMass.hint(names)
             );
             findings.push(Finding::note("immovable-mechanism", Subject::Answer, message));

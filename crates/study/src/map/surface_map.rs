@@ -82,8 +82,8 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     }
     let rank = pose.rank();
     if rank.singular {
-        let message = "branches cross at this pose: every effective mass is a lower bound here, and the limits along the \
-                       branches may be far above; move off the pose, or ask percuss mass for the limits";
+        let message = "branches cross at this pose: every effective mass is a lower bound here, and the limits \
+            along the branches may be much larger; use a nearby pose, or percuss mass, which shows the limits";
         diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "singular-pose", message.into()));
     }
     let report = MapReport {

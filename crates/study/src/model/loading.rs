@@ -35,8 +35,8 @@ impl Input {
 }
 
 /// Error message for a study in the place of a model.
-const A_STUDY: &str = "this is a study, which names a model of its own: percuss run and percuss compare take it; give the model or \
-                       the suspension's sheet here";
+const A_STUDY: &str = "this is a study, which contains the path of its model: use percuss run or percuss \
+    compare; give a model or a suspension sheet here";
 
 /// Bytes in hexadecimal.
 pub(crate) fn hexadecimal(bytes: &[u8]) -> String {

@@ -80,7 +80,7 @@ fn together(
                 };
                 let percent = (100.0 * reached).floor();
                 return Err(StudyError::TravelNotReached {
-                    why: format!("the travels are not reached together; {percent} % of the way is{why}"),
+                    why: format!("the travels cannot be reached together; reached: {percent} %{why}"),
                 });
             }
             Err(_) => part *= 0.5,

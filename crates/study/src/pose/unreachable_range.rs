@@ -98,7 +98,9 @@ impl Reach {
     /// Counts a row that was not tried because of row `found_by`. Returns the message for the row.
     pub fn skip(&mut self, row: usize, found_by: usize) -> String {
         self.untried.get_or_insert(Untried { count: 0, first: row, found_by }).count += 1;
-        format!("not tried: it lies at least as far out as where row {found_by} ended")
+        format!(
+            "not tried: it is at least as far away as the end of the reachable range found by row {found_by}"
+        )
     }
 
     /// Records a row that was not reached.

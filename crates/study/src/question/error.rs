@@ -56,7 +56,7 @@ pub enum Fault {
         mass: f64,
     },
     /// Link listed twice in the estimate.
-    #[error("the estimate names link \"{link}\" twice; its mass counts once")]
+    #[error("the estimate names link \"{link}\" twice; name it once")]
     EstimateTwice {
         /// Link.
         link: String,
@@ -76,7 +76,8 @@ pub enum Fault {
         length: f64,
     },
     /// Joint stop of a joint without exactly one position.
-    #[error("joint \"{joint}\" is {}; expected a joint that turns or slides: only these have a stop", kind.name())]
+    #[error("joint \"{joint}\" is {}; expected a revolute, continuous or prismatic joint: only these have a \
+        stop", kind.name())]
     NoStop {
         /// Joint.
         joint: String,
@@ -84,7 +85,10 @@ pub enum Fault {
         kind: JointKind,
     },
     /// Joint without limits.
-    #[error("joint \"{joint}\" has no <limit>; leave the end away and set where it is stopped")]
+    #[error(
+        "joint \"{joint}\" has no <limit>; omit the end of the range and set the joint to the position of \
+        the stop"
+    )]
     NoLimit {
         /// Joint.
         joint: String,
@@ -128,8 +132,8 @@ pub enum Fault {
     },
     /// Travel that is not the last range, that is, not the fastest.
     #[error(
-        "\"{name}\" is not the last of the ranges; a travel starts where the joints stand, so it is varied fastest: give it \
-         last, and once"
+        "\"{name}\" is not the last of the ranges; a travel starts from the joint positions of the pose, so it \
+         must vary fastest: give it last, and only once"
     )]
     TravelNotLast {
         /// Name of the travel's column.
@@ -148,7 +152,7 @@ pub enum Fault {
         count: usize,
     },
     /// No free joint to sample: all joints are set or dependent.
-    #[error("no joint is left to sample: all that can move are set, or follow from others")]
+    #[error("no joint can be sampled: all movable joints are set, or depend on other joints")]
     NothingToSample,
     /// Joint without limits to sample between.
     #[error("{}", no_limits(joint, *kind, Names::Fields))]
@@ -236,14 +240,14 @@ pub enum Fault {
         value: f64,
     },
     /// Changes that give no valid mechanism.
-    #[error("with what was changed there is no mechanism: {message}")]
+    #[error("the changed model is invalid: {message}")]
     NoMechanism {
         /// Message of the builder.
         message: String,
     },
     /// Moved hardpoint of a model without hardpoints.
     #[error(
-        "{path} is a URDF, which has no hardpoints; give the suspension's sheet (.toml, .csv, .xlsx) in its place, or move \
+        "{path} is a URDF without hardpoints; give the suspension sheet (.toml, .csv, .xlsx) instead, or move \
          the joints' <origin> in the file"
     )]
     NoSheet {
@@ -262,8 +266,8 @@ pub enum Fault {
     /// Travel of the pose together with rows that exclude a travel: a varied travel, a file, random positions
     /// or a second travel.
     #[error(
-        "a travel of the pose goes with ranges of joints, once; it does not go with a varied travel, a file of positions, \
-         random positions, or another travel"
+        "a travel of the pose can be combined with ranges of joints only, not with a varied travel, a file of \
+         positions, random positions, or another travel"
     )]
     TravelOfRows,
     /// Unit of a linear spring for a nonlinear spring.
@@ -322,12 +326,13 @@ fn massless_base(link: &str, names: Names) -> String {
         Names::Keys => format!(" (model.link_mass: {link} = KG)"),
     };
     format!(
-        "the root link \"{link}\" has no mass; a body that floats needs one: give it its mass{given}, or leave the base fixed"
+        "the root link \"{link}\" has no mass; a floating root link needs a mass: set its mass{given}, or use a \
+         fixed base"
     )
 }
 
 fn varied_is_set(joint: &str, names: Names) -> String {
-    format!("\"{joint}\": it is set already{}; give it one or the other", Field::Set.hint(names))
+    format!("\"{joint}\": it is already set{}; use only one of the two", Field::Set.hint(names))
 }
 
 fn no_limits(joint: &str, kind: JointKind, names: Names) -> String {
@@ -356,8 +361,8 @@ fn no_reference_pose(source: &AssemblyError, names: Names) -> String {
     };
     let why = about_assembly(source, names);
     format!(
-        "a point in this frame is converted to the struck link where the varied joint stands at 0, and that pose cannot \
-         be reached ({why}); give the point in the frame of the struck link{how}"
+        "a point in this frame is converted to the frame of the contact link with the varied joint at 0, but \
+         this pose cannot be reached ({why}); give the point in the frame of the contact link{how}"
     )
 }
 
@@ -406,14 +411,14 @@ pub enum StudyError {
     NoMass,
     /// Safe speed of a contact with an unknown error of m̄.
     #[error(
-        "what the effective mass may be off by is not known: beside this pose the contact is not finite; no speed can be \
-         called safe there"
+        "the error of the effective mass is unknown: near this pose the effective mass is not finite; no safe \
+         speed can be stated"
     )]
     MassUnknown,
     /// Safe speed at a singular pose without a known upper bound of m̄.
     #[error(
-        "the pose is singular and no greatest mass of the robot is known there: {}; the effective mass is a lower bound, which \
-         allows too high a speed; ask for poses beside it",
+        "the pose is singular and the largest effective mass of the robot is unknown: {}; the effective mass is \
+         a lower bound, which would permit too high a speed; use poses near this one",
         of_branches(limits, *complete)
     )]
     NoGreatestMass {
@@ -424,8 +429,8 @@ pub enum StudyError {
     },
     /// Damper at a singular pose with different masses on different branches.
     #[error(
-        "the pose is singular: no damper gives the contact a restitution on every branch: {}; ask for a pose a little beside it, \
-         on the branch that is meant, or for the damper of its mass",
+        "the pose is singular: no damper gives the same restitution on every branch: {}; use a nearby pose on \
+         the required branch, or compute the damper for the mass of that branch",
         of_branches(limits, *complete)
     )]
     NoDamperOfAll {
@@ -435,7 +440,7 @@ pub enum StudyError {
         complete: bool,
     },
     /// Damper of a contact without a finite mass.
-    #[error("the contact is {status}: no damper gives it a restitution")]
+    #[error("the contact is {status}: a damper for a restitution does not exist")]
     NoDamper {
         /// `immovable` or `massless`.
         status: &'static str,
@@ -513,7 +518,8 @@ fn no_region(names: Names) -> String {
         Names::Fields | Names::Keys => "region",
     };
     format!(
-        "a force or a pressure belongs to a region of the body: give {region}; without one, an energy or a momentum"
+        "a limit of force or pressure requires a region of the body: give {region}; without a region, give an \
+         energy or a momentum"
     )
 }
 
@@ -522,9 +528,7 @@ fn no_mass(names: Names) -> String {
         Names::Flags => "--load",
         Names::Fields | Names::Keys => "load",
     };
-    format!(
-        "the contact is massless: no speed is too high for it; the load, if there is one, is given by {load}"
-    )
+    format!("the contact is massless: every speed is permitted; give the load, if any, by {load}")
 }
 
 /// Limits of m̄ along the branches, as text.

@@ -36,7 +36,7 @@ pub enum GivenPoseError {
         message: String,
     },
     /// Text that is not valid JSON.
-    #[error("{path}:{line}: not JSON ({message}); expected what --format json wrote, or {EXAMPLE}")]
+    #[error("{path}:{line}: not JSON ({message}); expected the output of --format json, or {EXAMPLE}")]
     NotJson {
         /// Path of the file.
         path: String,
@@ -46,7 +46,7 @@ pub enum GivenPoseError {
         message: String,
     },
     /// JSON without joint positions.
-    #[error("{path}: {got}; expected what percuss mass --format json wrote, or {EXAMPLE}")]
+    #[error("{path}: {got}; expected the output of percuss mass --format json, or {EXAMPLE}")]
     NoPositions {
         /// Path of the file.
         path: String,
@@ -63,7 +63,8 @@ pub enum GivenPoseError {
     },
     /// Result for another model: the file names a joint that is missing in this model.
     #[error(
-        "{path}: it is the pose of another model ({of}): joint \"{joint}\" is not in this one, which has {known}; expected a \
+        "{path}: this pose belongs to another model ({of}): joint \"{joint}\" is not in this one, which has \
+         {known}; expected a \
          pose of this model"
     )]
     OtherJoint {
@@ -78,7 +79,8 @@ pub enum GivenPoseError {
     },
     /// Result for another model: the file has no position for a joint of this model.
     #[error(
-        "{path}: it is the pose of another model ({of}): it has no joint \"{joint}\"; expected a pose of this model"
+        "{path}: this pose belongs to another model ({of}): it has no joint \"{joint}\"; expected a pose of \
+         this model"
     )]
     MissingJoint {
         /// Path of the file.
@@ -203,7 +205,7 @@ impl GivenPose {
                 (pose, Some(model.map_or_else(unknown, |i| Input { path: i.path, sha256: i.sha256 })))
             }
             _ if object.contains_key("rows") => {
-                return Err(none("it is a sweep, of many poses"));
+                return Err(none("it is a sweep with many poses"));
             }
             _ if object.contains_key("schema") => return Err(none("it has no \"pose\"")),
             _ => (Joints::deserialize(&value).map_err(wrong)?.0, None),
@@ -254,8 +256,8 @@ impl GivenPose {
         }
         let given = crate::question::field::Field::Pose.hint(names);
         Some(format!(
-            "the pose{given} in {} was found for {}, not for {} as it is now: the joints have the same names, the loops were \
-             closed again",
+            "the pose{given} in {} was computed for {}, not for the present {}: the joints have the same names, \
+             and the loops were closed again",
             self.input.path, of.path, own.path
         ))
     }

@@ -69,7 +69,7 @@ pub enum TableFault {
     #[error("its name ends in neither .csv nor .parquet; expected a table of one of these kinds")]
     Kind,
     /// File is not a Parquet file, or is incomplete.
-    #[error("it is no Parquet file, or not all of one: it does not begin and end with PAR1")]
+    #[error("it is not a complete Parquet file: it does not begin and end with PAR1")]
     NoParquet,
     /// Encrypted Parquet file.
     #[error("it is encrypted; expected a Parquet file that is not")]
@@ -132,7 +132,7 @@ pub enum TableFault {
         master: String,
     },
     /// Joint that the question sets as well.
-    #[error("joint \"{joint}\" is set already; give it one or the other")]
+    #[error("joint \"{joint}\" is already set; use only one of the two")]
     IsSet {
         /// Joint.
         joint: String,
@@ -162,7 +162,7 @@ pub enum TableFault {
         expected: Dimension,
     },
     /// Missing columns.
-    #[error("{} of no column: {}; nothing else determines where they stand", plural(columns.len()), quoted(columns))]
+    #[error("{} without a column: {}; their positions are undetermined", plural(columns.len()), quoted(columns))]
     Missing {
         /// Names of the columns.
         columns: Vec<String>,

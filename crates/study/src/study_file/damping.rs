@@ -101,7 +101,7 @@ impl DampingText {
             }
         }
         if self.output.is_some() && self.speed.is_none() {
-            return Err(Refusal::new("damping.output", "the force over time is that of a speed; give speed"));
+            return Err(Refusal::new("damping.output", "the force over time requires a speed; give speed"));
         }
         Ok(question)
     }

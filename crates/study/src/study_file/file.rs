@@ -315,7 +315,7 @@ impl Reading<'_> {
             Some(_) => false,
         };
         if stops && (!study.contact.is_empty() || of_contact) {
-            let why = "a joint's stop takes the place of a contact: leave [contact] with [sweep], [mass] and [[variant]] out";
+            let why = "a joint stop replaces the contact: remove [contact], [sweep], [mass] and [[variant]]";
             return Err(self.value("damping.limit", "damping.limit", why.to_owned()));
         }
         let mass = study.mass.as_ref().map(|mass| mass.asked()).transpose().map_err(refused)?;
@@ -432,7 +432,7 @@ fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) ->
     let mut diagnostics = model.diagnostics;
     for closure in closures.iter().filter(|c| c.kind == ClosureKind::Distance && c.distance.is_none()) {
         let message =
-            format!("loop \"{}\" has no distance: the distance with all joints at 0 is taken", closure.name);
+            format!("loop \"{}\" has no distance: the distance with all joints at 0 is used", closure.name);
         let record = DiagnosticRecord::about_answer(Severity::Note, "default-distance", message);
         diagnostics.push(DiagnosticRecord { path: Some(path.to_owned()), ..record });
     }

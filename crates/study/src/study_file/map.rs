@@ -82,7 +82,7 @@ impl MapText {
             return refuse("map", "give either link or all");
         }
         if links.is_empty() && !self.all {
-            return refuse("map", "name links (link), or take all = true");
+            return refuse("map", "give links (link), or all = true");
         }
         let shapes = match self.shapes.as_deref() {
             None | Some("auto") => MapShapes::Auto,
@@ -98,20 +98,23 @@ impl MapText {
         let question = match self.directions {
             Some(count) => {
                 let [link] = &links[..] else {
-                    return refuse("map.directions", "they are those at a point of one link; name one");
+                    return refuse(
+                        "map.directions",
+                        "directions apply to a point of one link; give one link",
+                    );
                 };
                 if self.all {
-                    return refuse("map.directions", "they are those at a point of one link; leave all out");
+                    return refuse("map.directions", "directions apply to a point of one link; remove all");
                 }
                 if self.point.is_none() && !self.link.is_empty() {
-                    return refuse("map.directions", "they are those at a point; give point");
+                    return refuse("map.directions", "directions require a point; give point");
                 }
                 conditions.link.clone_from(link);
                 conditions.point = self.point.unwrap_or(contact.point);
                 StudyMapQuestion::Directions(conditions, count)
             }
             None if self.point.is_some() => {
-                return refuse("map.point", "a surface has points of its own; give directions");
+                return refuse("map.point", "a point is not used for a surface; add directions");
             }
             None => StudyMapQuestion::Surfaces(MapQuestion {
                 conditions,

@@ -80,21 +80,21 @@ impl MassText {
                 }
             };
             if twice {
-                let why = "given twice for the same; write \"mass=2%,point=0.5mm\" as one";
+                let why = "given twice for the same quantity; write \"mass=2%,point=0.5mm\" as one";
                 return refuse("mass.tolerance", why);
             }
         }
         if asked.expect_tolerance.is_some() && asked.expect.is_none() {
-            let why = "a plain number is that of expect, which is missing; tolerances of the model's parts are written \
+            let why = "a single number requires expect; write tolerances of the model's data as \
                        \"mass=2%,point=0.5mm\"";
             return refuse("mass.tolerance", why);
         }
         if self.samples.is_some() && asked.tolerance.is_none() {
-            let why = "there is nothing to sample; give tolerance = \"mass=2%,point=0.5mm\"";
+            let why = "sampling requires tolerances; give tolerance = \"mass=2%,point=0.5mm\"";
             return refuse("mass.samples", why);
         }
         if self.seed.is_some() && self.samples.is_none() {
-            return refuse("mass.seed", "it is that of samples; give samples");
+            return refuse("mass.seed", "a seed requires samples; give samples");
         }
         let seed = self.seed.unwrap_or_default();
         asked.sampling = self.samples.map(|count| Sampling { count, seed });

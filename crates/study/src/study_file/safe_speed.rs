@@ -107,7 +107,7 @@ impl SafeSpeedText {
         let limit = StatedLimits { force, pressure, area, energy, momentum }.one();
         let limit = limit.map_err(|error| Refusal::new("safe_speed", error.to_string()))?;
         if self.input.is_none() && !self.ignore.is_empty() {
-            return refuse("safe_speed.ignore", "it leaves out columns of input; give input");
+            return refuse("safe_speed.ignore", "ignore removes columns of input; give input");
         }
         if self.input.is_some() && self.has_directions() {
             return refuse("safe_speed", "give either input or directions");

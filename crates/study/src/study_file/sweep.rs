@@ -114,10 +114,10 @@ impl SweepText {
     pub fn source(&self, folder: &Path, max_size: u64) -> Result<RowSource, Refusal> {
         let refuse = |why: &str| Err(Refusal::new("sweep", why));
         if self.input.is_none() && !self.ignore.is_empty() {
-            return refuse("ignore leaves out columns of input; give input");
+            return refuse("ignore removes columns of input; give input");
         }
         if self.random.is_none() && self.seed.is_some() {
-            return refuse("seed is that of random; give random");
+            return refuse("seed requires random; give random");
         }
         match (&self.vary[..], &self.input, self.random) {
             ([_, ..], None, None) => {

@@ -267,7 +267,7 @@ impl StudyText {
         };
         let normal = match (&contact.along_line, contact.normal) {
             (None, _) if contact.turning_normal => {
-                return Err(Refusal::new("contact.turning_normal", "it is of along_line, which is missing"));
+                return Err(Refusal::new("contact.turning_normal", "turning_normal requires along_line"));
             }
             (Some(line), None) if contact.turning_normal => {
                 Normal::TurningToward(line.link.clone(), line.point)

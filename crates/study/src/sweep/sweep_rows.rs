@@ -243,15 +243,12 @@ fn about_continuation(prepared: &Prepared, continuation: Continuation) -> Option
     }
     let message = match continuation {
         Continuation::Path => {
-            "each row was followed from the one before, the loops closed on the same branch: the rows are one path"
+            "each row starts from the previous row, with loops on the same branch: the rows are one path"
         }
         Continuation::Lines => {
-            "each line of the grid was followed from its own first row, along what is varied last; lines do not depend on one \
-             another"
+            "each line of the grid starts at its own first row and varies the last quantity; lines are independent"
         }
-        Continuation::Independent => {
-            "each row was answered by itself, the loops closed from the first closed pose: rows do not depend on one another"
-        }
+        Continuation::Independent => "each row starts from the first closed pose: rows are independent",
     };
     Some(Finding::note("rows-followed", Subject::Answer, message))
 }
@@ -260,8 +257,8 @@ fn about_continuation(prepared: &Prepared, continuation: Continuation) -> Option
 fn about_untried(untried: Untried) -> Finding {
     let Untried { count, first, found_by } = untried;
     let message = format!(
-        "{count} row(s) were not tried, row {first} the first: they lie at least as far out as where row {found_by} \
-         ended (its error has the reason)"
+        "{count} row(s) were not tried, row {first} the first: they are at least as far away as the end of the \
+         reachable range found by row {found_by} (the error of that row states the reason)"
     );
     Finding::note("rows-not-tried", Subject::Answer, message)
 }

@@ -168,7 +168,7 @@ impl Pages {
                     return wrong("a column has two dictionaries");
                 }
                 if !matches!(encoding, Encoding::PLAIN | Encoding::PLAIN_DICTIONARY) {
-                    return wrong("a dictionary is encoded as no dictionary is");
+                    return wrong("a dictionary has an invalid encoding");
                 }
                 return Ok(());
             }
@@ -201,7 +201,10 @@ impl Pages {
             Encoding::RLE_DICTIONARY | Encoding::PLAIN_DICTIONARY => {
                 wrong("a page refers to a dictionary that its column does not have")
             }
-            other => Err(ParquetError::General(format!("a page is encoded as {other}, as no numbers are"))),
+            other => Err(ParquetError::General(format!(
+                "a page is encoded as {other}, which is invalid for \
+                numbers"
+            ))),
         }
     }
 }

@@ -8,8 +8,8 @@ use crate::model::input::InputError;
 pub enum AssemblyError {
     /// No closed pose was found.
     #[error(
-        "the loops do not close: {} is {residual:.3e} m apart at best (a thousandth of the size, {allowed:.1e} m, \
-         would pass as rounding){}; check its frames and axes, or give a starting pose",
+        "the loops do not close: {} is {residual:.3e} m apart at best (permitted: a thousandth of the size, \
+         {allowed:.1e} m){}; check its frames and axes, or give a starting pose",
         quoted(loops),
         cut_search(*cut)
     )]
@@ -45,9 +45,10 @@ pub enum AssemblyError {
     /// The branch of the first closed pose ends before the requested positions of the drivers. The loops close there
     /// in another assembly mode.
     #[error(
-        "{} is on another assembly mode: the branch of the first closed pose ends at {}, and {} would open there (another mode \
-         was found from {starts} of the seeded starts); keep within the branch, or give a starting pose on the mode that is \
-         meant",
+        "{} is on another assembly mode: the branch of the first closed pose ends at {}, because {} would open \
+         (another mode \
+         was found from {starts} of the seeded starts); keep within the branch, or give a starting pose on the \
+         required mode",
         positions(requested),
         positions(nearest),
         quoted(loops)
@@ -67,8 +68,8 @@ pub enum AssemblyError {
     Base(#[from] InputError),
     /// The requested positions are too far for the step limit of the path follower.
     #[error(
-        "{} is too far to follow the loops there in one go: they still closed at {}; whole turns can be left out if the \
-         mechanism repeats after them, or give a starting pose there",
+        "{} is too far away to follow the loops in one call: they closed up to {}; omit whole turns if the \
+         mechanism repeats after a turn, or give a starting pose there",
         positions(requested),
         positions(reached)
     )]
@@ -80,8 +81,8 @@ pub enum AssemblyError {
     },
     /// Two branches on the path are too close to each other to be distinguished.
     #[error(
-        "branch uncertain: on the way to {} two assembly modes of {} meet within the closing tolerance at {}, and which of them \
-         goes on is not known; start on the other side with a guess",
+        "branch uncertain: on the way to {} two assembly modes of {} meet within the closing tolerance at {}, \
+         so the continuation is ambiguous; start beyond this point with a guess",
         positions(requested),
         quoted(loops),
         positions(reached)
@@ -95,10 +96,10 @@ pub enum AssemblyError {
         loops: Vec<String>,
     },
     /// The pose belongs to another system.
-    #[error("the pose was made by another system; ask it for a pose of its own")]
+    #[error("the pose belongs to another system; create the pose with this system")]
     ForeignPose,
     /// The configuration belongs to another mechanism.
-    #[error("the configuration was made for another mechanism, \"{got}\"; this one is \"{expected}\"")]
+    #[error("the configuration belongs to another mechanism, \"{got}\"; this one is \"{expected}\"")]
     ForeignConfiguration {
         /// Mechanism of the configuration.
         got: String,
@@ -117,7 +118,7 @@ pub enum AssemblyError {
     },
     /// The loops are too far from the root link for their positions to be resolved.
     #[error(
-        "the loops {} are {size:.3e} m in size and stand {far:.3e} m from the root link, where positions are known to \
+        "the loops {} are {size:.3e} m in size and {far:.3e} m away from the root link, where positions are known to \
          {known:.1e} m; expected: at most {farthest:.3e} m; correct the origins of their joints, or move the root link \
          to them",
         quoted(loops)
