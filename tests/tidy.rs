@@ -6,6 +6,8 @@ mod circles;
 mod imports;
 #[path = "tidy/imports_tests.rs"]
 mod imports_tests;
+#[path = "tidy/literals.rs"]
+mod literals;
 #[path = "tidy/modules.rs"]
 mod modules;
 #[path = "tidy/names.rs"]
@@ -190,21 +192,17 @@ fn files_keep_within_the_budget() {
     }
 }
 
-/// Whole numbers may be sizes of arrays; the others are thresholds.
 #[test]
 fn thresholds_of_dynamics_stand_in_one_file() {
     let inside = root().join("crates/dynamics/src");
     let (mut here, home) = (0, inside.join("tolerances.rs"));
     for path in files(".rs").into_iter().filter(|p| p.starts_with(&inside)) {
-        let text = fs::read_to_string(&path).unwrap();
-        for line in text.lines().filter(|l| l.starts_with("const ") || l.starts_with("pub(crate) const ")) {
-            if [": f64 ", ": [f64; ", ": u64 "].iter().any(|kind| line.contains(kind)) {
-                assert!(path == home, "{}: {line}", path.display());
-                here += 1;
-            }
+        for threshold in literals::thresholds(&fs::read_to_string(&path).unwrap()) {
+            assert!(path == home, "{}: {threshold}", path.display());
+            here += 1;
         }
     }
-    assert!(here > 50, "only {here} thresholds were found");
+    assert!(here > 150, "only {here} thresholds were found");
 }
 
 #[test]

@@ -480,3 +480,58 @@ pub(crate) const MATRIX_NOISE: f64 = 16.0;
 /// Magnitude, in roundings, of a negative eigenvalue of M scaled to unit diagonal above which the energy is negative
 /// (n roundings, and the entries' accuracy). Equal to the limit for pivots of the dense route.
 pub(crate) const NEGATIVE_MASS: f64 = 4e3;
+
+/// Largest last step of Newton's method, relative to the requested distance, for a pose beside a crossing.
+pub(crate) const TINY_STEP: f64 = 1e-6;
+/// Distance from a limit of a branch, relative to the size of the group, within which a target counts as the limit:
+/// rounding of positions.
+pub(crate) const LIMIT_OFFSET: f64 = 1e-13;
+/// Slope of the driver along the branch that counts as zero in the search for a limit, dimensionless.
+pub(crate) const FLAT_SLOPE: f64 = 1e-13;
+/// Width of the bracket that ends the search for a limit, relative to the size of the group.
+pub(crate) const BRACKET_WIDTH: f64 = 1e-15;
+/// Part of the closing tolerance below which a further correction is useless.
+pub(crate) const NEGLIGIBLE_GAP: f64 = 1e-3;
+/// First damping of a correction (Levenberg–Marquardt), relative to the scaled Jacobian.
+pub(crate) const FIRST_DAMPING: f64 = 1e-3;
+/// Damping of a correction below which undamped steps are taken again.
+pub(crate) const LEAST_DAMPING: f64 = 1e-5;
+/// Damping of a correction above which it ends without success.
+pub(crate) const MOST_DAMPING: f64 = 1e3;
+/// Part of the residual that a stalled correction keeps.
+pub(crate) const STALLED_REDUCTION: f64 = 0.99;
+/// Step of a stalled correction, relative to the size of the group.
+pub(crate) const STALLED_STEP: f64 = 1e-9;
+/// Step of a correction below the rounding of positions, relative to the size of the group.
+pub(crate) const ROUNDING_STEP: f64 = 1e-15;
+/// Distances along a branch at which a pose beside a crossing is sought, relative to the size of the group.
+pub(crate) const DEPARTURES: [f64; 4] = [0.1, 0.03, 0.01, 1e-3];
+/// Largest number of steps of driving joints to their requested positions.
+pub(crate) const MOST_SET_STEPS: f64 = 1e4;
+/// Correction of driving joints below the rounding of positions, relative to the size of the group.
+pub(crate) const SET_ROUNDING: f64 = 1e-14;
+/// Sine of the angle below which opposed axes count as exactly opposed: the direction of the residual is undefined
+/// there.
+pub(crate) const OPPOSED_AXES: f64 = 1e-9;
+/// Sine of a rotation angle below which the rotation vector is taken from its first-order term; the error is 1e-12,
+/// relative.
+pub(crate) const SMALL_SINE: f64 = 1e-6;
+/// Part of a column of G that remains after orthogonalisation if the column depends on the others: rounding.
+pub(crate) const DEPENDENT_RATES: f64 = 1e-14;
+/// Least relative singular value in the rounding of rates.
+pub(crate) const LEAST_SINGULAR: f64 = 1e-6;
+/// Largest factor |K⁻¹||A| in the rounding of rates.
+pub(crate) const MOST_GROWTH: f64 = 1e6;
+/// Magnitude of a negative pivot of M, in pivot tolerances, above which M is indefinite.
+pub(crate) const INDEFINITE_PIVOT: f64 = 1e3;
+/// Last correction of a pose moved along v*, relative to the distance moved.
+pub(crate) const ADVANCE_STEP: f64 = 1e-9;
+/// Slack of joint limits, relative to 1 + |position|: a limit typed with nine digits causes no violation.
+pub(crate) const LIMIT_SLACK: f64 = 1e-9;
+/// Least singular value or pivot in the denominator of a rank gap, relative to the largest.
+pub(crate) const GAP_ROUNDING: f64 = 1e-3 * f64::EPSILON;
+/// Inverse of the last decimal of a direction in messages. An error of 1e-6 rad changes m̄ by about 1e-12,
+/// relative.
+pub(crate) const DIRECTION_DECIMALS: f64 = 1e6;
+/// Bytes per megabyte.
+pub(crate) const MEGABYTE: f64 = 1e6;

@@ -8,7 +8,7 @@ use crate::kinematics::outcome::Remark;
 use crate::loops::assembling::LoopState;
 use crate::loops::singular::Surroundings;
 use crate::mobility::{GroupMobility, MobilityRoom};
-use crate::tolerances::{BESIDE, CONDITION_LIMIT};
+use crate::tolerances::{BESIDE, CONDITION_LIMIT, LIMIT_SLACK};
 use nalgebra::{DMatrix, Vector3};
 use percuss_mechanism::{JointId, Limits, LinkId, Mechanism};
 use percuss_spatial::Transform;
@@ -153,8 +153,7 @@ impl Pose {
 
     /// True if a position (rad or m) is outside the limits, with the slack used by poses.
     pub fn is_outside(value: f64, limits: Limits) -> bool {
-        // A limit typed with nine digits causes no violation.
-        let slack = 1e-9 * (1.0 + value.abs());
+        let slack = LIMIT_SLACK * (1.0 + value.abs());
         value < limits.lower - slack || value > limits.upper + slack
     }
 

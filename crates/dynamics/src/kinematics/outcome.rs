@@ -3,6 +3,7 @@
 use crate::kinematics::contact::ContactError;
 use crate::model::input::QUATERNION_TOLERANCE;
 use crate::model::velocities::VelocityError;
+use crate::tolerances::MEGABYTE;
 use percuss_mechanism::JointId;
 
 /// Resistance of the mechanism to the contact along its normal.
@@ -86,7 +87,7 @@ pub enum RouteError {
         "the bodies bound together by {} have {freedoms} freedoms over {coordinates} coordinates: the recursion's matrices \
          would take {:.0} MB and {work:.0e} multiplications in all, of at most {:.0} MB and {most_work:.0e}; lock joints \
          that hardly move (--lock), or model a long chain inside a loop with fewer links",
-        quoted(loops), bytes / 1e6, most_bytes / 1e6
+        quoted(loops), bytes / MEGABYTE, most_bytes / MEGABYTE
     )]
     ClusterTooLarge {
         /// Loops, couplings and held contacts of the largest cluster of bodies; empty if mimics bind the cluster.

@@ -6,7 +6,7 @@ use crate::kinematics::rows::GroupRows;
 use crate::linear::dense;
 use crate::linear::sparse::{self, SparseRows};
 use crate::model::{Group, Model};
-use crate::tolerances::{DENSE_LIMIT, RANK_MARGIN, SINGULAR_VALUES_LIMIT, SURE_PIVOT};
+use crate::tolerances::{DENSE_LIMIT, GAP_ROUNDING, RANK_MARGIN, SINGULAR_VALUES_LIMIT, SURE_PIVOT};
 use percuss_spatial::Scalar;
 
 /// Eliminated rows and columns of a group's A, in order. K = A[rows, columns] is regular, and the coordinates in
@@ -91,7 +91,7 @@ impl Model {
             && seen.last >= SURE_PIVOT * seen.first
             && seen.left <= floor / RANK_MARGIN * seen.first;
         decided.rank = if sure {
-            let left = seen.left.max(1e-3 * f64::EPSILON * seen.first);
+            let left = seen.left.max(GAP_ROUNDING * seen.first);
             let (gap, least) = if count > 0 {
                 (seen.last / left, seen.last / seen.first)
             } else {
@@ -150,7 +150,7 @@ fn eliminate_large(rows: &GroupRows<f64>, group: &Group, floor: f64) -> (Pivots,
     } else {
         Rank {
             rank: pivots.rows.len(),
-            gap: least / left.max(1e-3 * f64::EPSILON * scale),
+            gap: least / left.max(GAP_ROUNDING * scale),
             least: least / scale,
             clear: least > RANK_MARGIN * floor * scale && left < floor * scale / RANK_MARGIN,
         }

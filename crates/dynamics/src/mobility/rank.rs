@@ -1,6 +1,6 @@
 //! Rank of A, and the clarity of the rank decision.
 
-use crate::tolerances::{RANK_MARGIN, RANK_ROUNDING, SINGULAR_VALUES_LIMIT};
+use crate::tolerances::{GAP_ROUNDING, RANK_MARGIN, RANK_ROUNDING, SINGULAR_VALUES_LIMIT};
 use faer::Mat;
 use nalgebra::DMatrix;
 
@@ -67,7 +67,7 @@ pub(crate) fn decide(values: &[f64], floor: f64) -> Rank {
     let next = values.get(rank).copied().unwrap_or(0.0);
     Rank {
         rank,
-        gap: least / next.max(1e-3 * f64::EPSILON * largest),
+        gap: least / next.max(GAP_ROUNDING * largest),
         least: least / largest,
         clear: least > RANK_MARGIN * threshold && next < threshold / RANK_MARGIN,
     }

@@ -8,7 +8,7 @@ use crate::loops::closing::{Directions, Linearised};
 use crate::model::Group;
 use crate::model::tangent;
 use crate::model::velocities::{VelocityError, check_positions, check_velocities};
-use crate::tolerances::{ADVANCE_CORRECTIONS, MOST_CLOSING};
+use crate::tolerances::{ADVANCE_CORRECTIONS, ADVANCE_STEP, MOST_CLOSING};
 use nalgebra::Vector3;
 use percuss_mechanism::JointKind;
 use percuss_spatial::{Scalar, Transform, Twist, rotation_from_quaternion};
@@ -113,7 +113,7 @@ fn closed_again(
             return false;
         }
         model.advance_group(kinematics, group, &all.expand(group, |k| x[k]));
-        if length <= 1e-9 * distance {
+        if length <= ADVANCE_STEP * distance {
             break;
         }
     }

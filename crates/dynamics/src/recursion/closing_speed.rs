@@ -6,7 +6,7 @@ use crate::linear::dense::dot;
 use crate::mobility::GroupMobility;
 use crate::model::{Cluster, Follows, Model};
 use crate::recursion::Recursion;
-use crate::tolerances::{IMMOVABLE, RATE_ROUNDINGS};
+use crate::tolerances::{DEPENDENT_RATES, IMMOVABLE, LEAST_SINGULAR, MOST_GROWTH, RATE_ROUNDINGS};
 
 /// |j on ker A| / |size of the terms of j|, over coordinates scaled by the contact's length.
 ///
@@ -118,7 +118,7 @@ fn on_kernel(
         let norm = dot(column, column).sqrt();
         orthogonalise(known, column);
         let left = dot(column, column).sqrt();
-        if left <= 1e-14 * norm || left == 0.0 {
+        if left <= DEPENDENT_RATES * norm || left == 0.0 {
             room.basis.truncate(start);
             continue;
         }
@@ -182,8 +182,8 @@ fn off_rows(
         part.extend(own.coordinates.iter().map(|&c| j[c]));
         let before = dot(part, part).sqrt();
         orthogonalise(basis, part);
-        let rounding =
-            RATE_ROUNDINGS * f64::EPSILON * before * (count as f64 + 1.0) / known.rank.least.max(1e-6);
+        let rounding = RATE_ROUNDINGS * f64::EPSILON * before * (count as f64 + 1.0)
+            / known.rank.least.max(LEAST_SINGULAR);
         let nothing = dot(part, part).sqrt() <= rounding;
         for (&c, value) in own.coordinates.iter().zip(part.iter()) {
             j[c] = if nothing { 0.0 } else { *value };
@@ -198,5 +198,5 @@ fn growth_of(groups: &[GroupMobility], cluster: &Cluster) -> f64 {
         true => 0.0,
         false => known.sizes.iter().fold(known.size(0, 0), |most, s| most.max(*s)),
     };
-    cluster.groups.iter().map(|own| of_group(&groups[own.group])).fold(0.0, f64::max).min(1e6)
+    cluster.groups.iter().map(|own| of_group(&groups[own.group])).fold(0.0, f64::max).min(MOST_GROWTH)
 }

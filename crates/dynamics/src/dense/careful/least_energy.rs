@@ -1,6 +1,6 @@
 //! Solver of the dense route: the least kinetic energy at unit closing speed, for any positive semi-definite M.
 
-use crate::tolerances::{IMMOVABLE, ROOT_ENERGY, ROUTE_ROUNDINGS};
+use crate::tolerances::{IMMOVABLE, INDEFINITE_PIVOT, ROOT_ENERGY, ROUTE_ROUNDINGS};
 use faer::{Mat, MatRef, Side};
 use nalgebra::DMatrix;
 
@@ -192,7 +192,7 @@ impl LeastEnergy<'_> {
             }
             rows.push(row);
         }
-        let negative = (0..n).any(|k| !done[k] && remaining[k] < -1e3 * tolerance(k));
+        let negative = (0..n).any(|k| !done[k] && remaining[k] < -INDEFINITE_PIVOT * tolerance(k));
         Factor { transpose: Mat::from_fn(rows.len(), n, |r, c| rows[r][c]), negative }
     }
 }

@@ -8,8 +8,8 @@ use crate::loops::closing::{Correction, Directions, Linearised};
 use crate::mobility::{Drivers, Generic, Rank, independent_rows, rank_of_rows};
 use crate::model::{Group, Model};
 use crate::tolerances::{
-    CLOSED, ELSEWHERE, FARTHEST, FEWEST_FIRST_STARTS, FIRST_STARTS, FIRST_STARTS_ASIDE, FIRST_STARTS_WORK,
-    GENERIC_POSES, GENERIC_POSES_ENOUGH, LARGE_GROUP, ROUNDING, SAME_POSE, SETTLED,
+    CLOSED, DEPARTURES, ELSEWHERE, FARTHEST, FEWEST_FIRST_STARTS, FIRST_STARTS, FIRST_STARTS_ASIDE,
+    FIRST_STARTS_WORK, GENERIC_POSES, GENERIC_POSES_ENOUGH, LARGE_GROUP, ROUNDING, SAME_POSE, SETTLED,
 };
 use percuss_mechanism::{ClosureKind, JointId};
 
@@ -295,7 +295,7 @@ impl Model {
             // All corrections led back to a crossing of branches: follow the branches instead.
             let around = self.surroundings(reference, group, inexactness);
             for branch in &around.branches {
-                let beside = [0.1, 0.03, 0.01, 1e-3].into_iter().find_map(|reach| {
+                let beside = DEPARTURES.into_iter().find_map(|reach| {
                     self.restore_group(room, group, &home);
                     let size = reach * around.group.size;
                     let beside = self.go_beside(room, &around, &branch.along, size);

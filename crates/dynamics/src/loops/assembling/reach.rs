@@ -11,7 +11,7 @@ use crate::model::configuration::Configuration;
 use crate::model::{Group, Model};
 use crate::tolerances::{
     CORRECTIONS_SHRINK, FEWEST_SET_CORRECTIONS, MATCHED, MODE_STARTS, MODE_STARTS_ASIDE, MODE_STARTS_WORK,
-    SET_CORRECTIONS, SET_WORK, SETTLED,
+    MOST_SET_STEPS, SET_CORRECTIONS, SET_ROUNDING, SET_WORK, SETTLED,
 };
 use percuss_mechanism::JointId;
 
@@ -409,7 +409,7 @@ impl Closer<'_> {
             .collect();
         let far = self.still_to_go(group, &joints);
         let far = far.iter().zip(&group.lengths).map(|(l, length)| (l * length).abs()).fold(0.0, f64::max);
-        let steps = (10.0 * far / group.size).ceil().clamp(1.0, 1e4) as usize;
+        let steps = (10.0 * far / group.size).ceil().clamp(1.0, MOST_SET_STEPS) as usize;
         let directions = Directions::of(&unknown);
         let cubes = SET_WORK / group.coordinates.len().pow(3).max(1);
         let mut budget = cubes.clamp(FEWEST_SET_CORRECTIONS, SET_WORK);
@@ -440,7 +440,7 @@ impl Closer<'_> {
                 left.iter_mut().zip(&u).for_each(|(l, u)| *l -= u);
                 let gone = x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
                 let rounding = gone <= SETTLED * group.size && gone >= CORRECTIONS_SHRINK * before;
-                if gone <= 1e-14 * group.size || rounding {
+                if gone <= SET_ROUNDING * group.size || rounding {
                     break;
                 }
                 before = gone;

@@ -13,8 +13,8 @@ use crate::linear::dense::dot;
 use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
 use crate::tolerances::{
-    BESIDE_DRIFT, BRANCH_STEPS, FEWEST_BRANCH_STEPS, LEAST_MIDDLE_SLOPE, LONGEST_BRANCH_STEP,
-    NEARLY_SINGULAR, SHORTEST_BRANCH_STEP, STRAIGHT,
+    BESIDE_DRIFT, BRACKET_WIDTH, BRANCH_STEPS, FEWEST_BRANCH_STEPS, FLAT_SLOPE, LEAST_MIDDLE_SLOPE,
+    LIMIT_OFFSET, LONGEST_BRANCH_STEP, NEARLY_SINGULAR, SHORTEST_BRANCH_STEP, STRAIGHT,
 };
 
 /// Straight path of a group's drivers.
@@ -246,10 +246,10 @@ impl<'a> DriverPath<'a> {
                         continue;
                     };
                     let beyond = sign * (limit.gone - target);
-                    if beyond < -1e-13 * self.size() {
+                    if beyond < -LIMIT_OFFSET * self.size() {
                         return Arrival::short_of_end(Some(here.q), false);
                     }
-                    if beyond.abs() <= 1e-13 * self.size() {
+                    if beyond.abs() <= LIMIT_OFFSET * self.size() {
                         self.stand(kinematics, &limit.q);
                         return Arrival::at_end(Some(here.q));
                     }
@@ -453,7 +453,7 @@ impl<'a> DriverPath<'a> {
             let at = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
             let point = taken(at)?;
             let value = slope(&point);
-            let done = value.abs() < 1e-13 || (high.0 - low.0).abs() < 1e-15 * self.size();
+            let done = value.abs() < FLAT_SLOPE || (high.0 - low.0).abs() < BRACKET_WIDTH * self.size();
             best = point;
             if done {
                 break;

@@ -5,8 +5,9 @@ use crate::kinematics::rows::{GroupRows, largest};
 use crate::linear::jacobian::{Jacobian, NormalEquations};
 use crate::model::{Group, Model};
 use crate::tolerances::{
-    COMMENSURATE, CORRECTION_ITERATIONS, CORRECTION_WORK, FEWEST_CORRECTION_ITERATIONS, FOLLOWED,
-    KEPT_JACOBIAN, ROUNDING,
+    COMMENSURATE, CORRECTION_ITERATIONS, CORRECTION_WORK, FEWEST_CORRECTION_ITERATIONS, FIRST_DAMPING,
+    FOLLOWED, KEPT_JACOBIAN, LEAST_DAMPING, MOST_DAMPING, NEGLIGIBLE_GAP, ROUNDING, ROUNDING_STEP,
+    STALLED_REDUCTION, STALLED_STEP,
 };
 
 /// Directions in which a group may be moved.
@@ -158,7 +159,7 @@ impl Model {
         for _ in 0..affordable.clamp(FEWEST_CORRECTION_ITERATIONS, CORRECTION_ITERATIONS) {
             let cost = norm(&here.residuals);
             let worst = largest(&here.residuals).0;
-            if cost == 0.0 || worst <= 1e-3 * tolerance {
+            if cost == 0.0 || worst <= NEGLIGIBLE_GAP * tolerance {
                 break;
             }
             let small = worst <= ROUNDING * size;
@@ -187,7 +188,7 @@ impl Model {
             // shortened step of this length.
             let longest = 0.3 * size.max(worst) * (directions.count() as f64).sqrt();
             if length > longest && damping < 0.1 {
-                damping = f64::max(10.0 * damping, 1e-3);
+                damping = f64::max(10.0 * damping, FIRST_DAMPING);
                 continue;
             }
             let part = (longest / length).min(1.0);
@@ -199,7 +200,7 @@ impl Model {
             let left = norm(&next);
             let at_rounding = |residuals: &[f64]| largest(residuals).0 <= 0.01 * tolerance;
             if left < cost {
-                let stalled = left > 0.99 * cost && (length < 1e-9 * size || firm)
+                let stalled = left > STALLED_REDUCTION * cost && (length < STALLED_STEP * size || firm)
                     || left > 0.3 * cost && at_rounding(&next);
                 std::mem::swap(&mut here.residuals, &mut next);
                 rows_are_here = false;
@@ -216,7 +217,7 @@ impl Model {
                     } else {
                         2.0
                     };
-                    if damping < 1e-5 {
+                    if damping < LEAST_DAMPING {
                         damping = 0.0;
                     }
                     linear = None;
@@ -230,17 +231,17 @@ impl Model {
                 }
             } else {
                 self.restore_group(kinematics, group, &before);
-                if at_rounding(&here.residuals) || length <= 1e-15 * size {
+                if at_rounding(&here.residuals) || length <= ROUNDING_STEP * size {
                     break;
                 }
                 if std::mem::take(&mut is_kept) {
                     linear = None;
                     continue;
                 }
-                if firm || damping > 1e3 {
+                if firm || damping > MOST_DAMPING {
                     break;
                 }
-                damping = if damping == 0.0 { 1e-3 } else { damping * 10.0 };
+                damping = if damping == 0.0 { FIRST_DAMPING } else { damping * 10.0 };
             }
         }
         if !rows_are_here {

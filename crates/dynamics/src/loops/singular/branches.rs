@@ -10,7 +10,7 @@ use crate::model::{Group, Model};
 use crate::tolerances::{
     BESIDE_A_CROSSING, BRANCH_CORRECTIONS, BRANCH_DISTANCE, CONE_HALVINGS, DIRECTIONS_IN_A_PLANE,
     DIRECTIONS_WORK, DIRECTIONS_WORK_IN_ALL, FEWEST_DIRECTIONS, MOST_DIRECTIONS, SAME_TANGENT,
-    SAME_TANGENT_SPACE,
+    SAME_TANGENT_SPACE, TINY_STEP,
 };
 use faer::Mat;
 
@@ -170,7 +170,7 @@ impl Model {
             let x = bordered.shortest(&target, around.tolerance / group.size);
             let residuals = &here.residuals;
             let step = dot(&x, &x).sqrt();
-            let there = step <= 1e-6 * distance && residuals.iter().all(|r| r.abs() <= around.tolerance);
+            let there = step <= TINY_STEP * distance && residuals.iter().all(|r| r.abs() <= around.tolerance);
             let part = (0.5 * distance / step).min(1.0);
             self.advance_group(kinematics, group, &all.expand(group, |k| part * x[k]));
             if there {
