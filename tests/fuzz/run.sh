@@ -17,6 +17,8 @@ coverage="-Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=3 -Cllvm-
 host=$(rustc -vV | sed -n 's/^host: //p')
 # With a target given, build scripts and macros are compiled without the counters.
 RUSTFLAGS=$coverage cargo build --locked --release --quiet --manifest-path "$here/Cargo.toml" --target "$host" --target-dir "$target"
+# A frame of code that is not optimised can exceed the usual stack of a thread.
+export RUST_MIN_STACK=67108864
 mkdir -p "$here/found"
 folder=$(mktemp -d -p /dev/shm 2> /dev/null || mktemp -d)
 trap 'rm -rf "$folder"' EXIT
