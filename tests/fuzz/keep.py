@@ -2,7 +2,8 @@
 
     tests/fuzz/keep.py [--count 10] [--bytes 1024] [READER...]
 
-For each reader libFuzzer selects the files that together reach all code that was reached; the smallest of these are taken.
+For each reader libFuzzer selects the files that together reach all code that was reached. Of those with at most this number of bytes,
+some of every size are taken.
 """
 
 import argparse
@@ -28,11 +29,13 @@ def main() -> None:
             continue
         corpus = HERE / "corpus" / found.name
         with tempfile.TemporaryDirectory() as chosen:
-            command = [program, "-set_cover_merge=1", "-timeout=5", "-rss_limit_mb=1500", chosen, corpus, found]
+            command = [program, "-set_cover_merge=1", "-timeout=5", "-rss_limit_mb=1500", "-artifact_prefix=/dev/null", chosen, corpus, found]
             subprocess.run(command, check=True, capture_output=True, env={**os.environ, "PERCUSS_READER": found.name})
             here = {path.read_bytes() for path in corpus.iterdir()}
             new = {path.read_bytes() for path in pathlib.Path(chosen).iterdir()} - here
-        kept = sorted((data for data in new if len(data) <= arguments.bytes), key=lambda data: (len(data), data))[: arguments.count]
+        small = sorted((data for data in new if len(data) <= arguments.bytes), key=lambda data: (len(data), data))
+        count = min(arguments.count, len(small))
+        kept = [small[(number + 1) * len(small) // count - 1] for number in range(count)]
         for data in kept:
             (corpus / hashlib.sha256(data).hexdigest()[:12]).write_bytes(data)
         print(f"{found.name}: {len(kept)} of {len(new)} files taken, {sum(map(len, kept))} bytes")
