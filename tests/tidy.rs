@@ -336,14 +336,6 @@ fn actions_are_pinned_and_builds_are_locked() {
     assert!(builds >= 6, "only {builds} builds");
 }
 
-#[test]
-fn dependencies_have_allowed_licences_and_sources() {
-    let run = std::process::Command::new("python3").arg(root().join("tests/dependencies.py")).output();
-    let run = run.expect("python3 is there");
-    let said = String::from_utf8_lossy(&run.stdout);
-    assert!(run.status.success(), "{said}{}", String::from_utf8_lossy(&run.stderr));
-}
-
 /// Packs a folder twice, with other times and permissions of its files.
 #[test]
 fn archives_of_the_same_files_are_the_same() {

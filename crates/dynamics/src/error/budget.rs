@@ -105,6 +105,8 @@ pub(crate) struct BudgetRoom {
     transmitted: Vec<Wrench<f64>>,
     /// For every body: moment (kg·m²) and mass (kg) of the subtree with frozen joints. Filled on first use.
     composites: Vec<(f64, f64)>,
+    /// Result 1/m̄ of the recursion, a sum over all joints; with `composites`.
+    response: f64,
     /// Change of 1/m̄ due to motions dropped (frozen) as massless, 1/kg.
     frozen: f64,
     /// Forces of the tree on the coordinates of the current cluster, and the rates of the coordinates.

@@ -1,7 +1,7 @@
 //! Relative closing speed: |j restricted to ker A| relative to the size of its terms. Decides if any admissible
 //! motion closes the gap. The result depends on lengths, not on masses.
 
-use crate::kinematics::contact::ContactRow;
+use crate::kinematics::contact::{ContactRow, RowEntry};
 use crate::linear::dense::dot;
 use crate::mobility::GroupMobility;
 use crate::model::{Cluster, Follows, Model};
@@ -19,22 +19,26 @@ pub(crate) fn relative_closing_speed<const K: usize>(
     row: &ContactRow,
 ) -> f64 {
     let (mut along, mut size) = (0.0, 0.0);
-    let mut last = None;
-    for entry in &row.entries {
+    let mut members = std::mem::take(&mut room.members);
+    fill_members(&mut members, model, recursion, row);
+    for (number_of_entry, entry) in row.entries.iter().enumerate() {
         let length = if entry.turns { row.length } else { 1.0 };
         size += (entry.size / length).powi(2);
         let number = model.cluster_of[entry.body];
         match recursion.place[number] {
             None => along += (entry.value / length).powi(2),
             Some(place) => {
-                if last != Some(number) && !seen(model, row, number, entry.velocity) {
+                let own = &members[members.partition_point(|&(cluster, _)| cluster < number)..];
+                // The first entry of a cluster adds those of the whole cluster.
+                if own[0].1 == number_of_entry {
+                    let own = &own[..own.partition_point(|&(cluster, _)| cluster == number)];
                     let of = (&recursion.clusters[place].g[..], recursion.clusters[place].d);
-                    along += projected(room, model, groups, &model.clusters[number], of, row);
+                    along += projected(room, model, groups, &model.clusters[number], of, (row, own));
                 }
-                last = Some(number);
             }
         }
     }
+    room.members = members;
     if size > 0.0 { (along / size).sqrt() } else { 0.0 }
 }
 
@@ -55,10 +59,20 @@ pub(crate) fn closing_floor(model: &Model, groups: &[GroupMobility], row: &Conta
     floor
 }
 
-/// True if an earlier entry of the row lies in the same cluster.
-fn seen(model: &Model, row: &ContactRow, number: usize, velocity: usize) -> bool {
-    let before = row.entries.iter().take_while(|e| e.velocity != velocity);
-    before.into_iter().any(|e| model.cluster_of[e.body] == number)
+/// Fills in the clusters with constraints and the numbers of their entries of the row, in ascending order.
+fn fill_members<const K: usize>(
+    members: &mut Vec<(usize, usize)>,
+    model: &Model,
+    recursion: &Recursion<f64, K>,
+    row: &ContactRow,
+) {
+    let of_entry = |(entry, e): (usize, &RowEntry)| {
+        let cluster = model.cluster_of[e.body];
+        recursion.place[cluster].map(|_| (cluster, entry))
+    };
+    members.clear();
+    members.extend(row.entries.iter().enumerate().filter_map(of_entry));
+    members.sort_unstable();
 }
 
 /// Buffers for the projections; refilled in place.
@@ -69,22 +83,24 @@ pub(crate) struct ClosingRoom {
     basis: Vec<f64>,
     part: Vec<f64>,
     place: Vec<usize>,
+    /// Clusters with constraints, and the numbers of their entries of the row.
+    members: Vec<(usize, usize)>,
 }
 
 /// Squared norm of the projection of j on the kernel within a cluster, without rounding. `of`: G of the cluster and
-/// the number of its independent coordinates.
+/// the number of its independent coordinates. `own`: the entries of the cluster in the row.
 fn projected(
     room: &mut ClosingRoom,
     model: &Model,
     groups: &[GroupMobility],
     cluster: &Cluster,
     of: (&[f64], usize),
-    row: &ContactRow,
+    (row, own): (&ContactRow, &[(usize, usize)]),
 ) -> f64 {
     let scale = |c: usize| if model.coordinates[cluster.coordinates[c]].turns { row.length } else { 1.0 };
     room.j.clear();
     room.j.resize(cluster.coordinates.len(), 0.0);
-    for entry in &row.entries {
+    for entry in own.iter().map(|&(_, entry)| &row.entries[entry]) {
         if let Ok(at) = cluster.velocities.binary_search_by_key(&entry.velocity, |v| v.index) {
             let v = &cluster.velocities[at];
             room.j[v.coordinate] += entry.value * v.multiplier / scale(v.coordinate);
@@ -160,7 +176,7 @@ fn off_rows(
         }
         let (group, known) = (&model.groups[own.group], &groups[own.group]);
         let (n, count) = (own.coordinates.len(), known.pivots.rows.len());
-        let ClosingRoom { j, basis, part, place } = room;
+        let ClosingRoom { j, basis, part, place, .. } = room;
         place.clear();
         place.resize(group.rows, usize::MAX);
         known.pivots.rows.iter().enumerate().for_each(|(i, r)| place[*r] = i);

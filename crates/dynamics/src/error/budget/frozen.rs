@@ -23,7 +23,9 @@ impl UnitImpulse<'_> {
         let body = &self.model.bodies[i];
         if room.composites.is_empty() {
             self.fill_composites(&mut room.composites);
+            room.response = recursion.response(0, 0);
         }
+        let response = room.response;
         let (moment, mass) = room.composites[i];
         let arm = (self.kinematics.frames[i].translation - self.contact.point_root).norm();
         let mut twist = body.parent.map_or_else(Twist::zero, |p| self.twists[p]);
@@ -45,7 +47,7 @@ impl UnitImpulse<'_> {
             let is_resolved = about > noise * moment.sqrt() || along > noise * mass.sqrt();
             sum += 2.0
                 * if passed > noise * carried {
-                    frozen.max(recursion.response(0, 0))
+                    frozen.max(response)
                 } else {
                     let most = passed + SUM_ROUNDINGS * f64::EPSILON * own * carried;
                     // An unresolved U is zero, or as small as the rounding of D permits.
@@ -55,7 +57,6 @@ impl UnitImpulse<'_> {
                         e.d.abs().max(f64::EPSILON * own * own)
                     };
                     let change = most * most / least.max(f64::MIN_POSITIVE);
-                    let response = recursion.response(0, 0);
                     // A first-order estimate: a larger change alters the other free motions too.
                     if change < SMALL_CHANGE * response { change } else { frozen.max(response) }
                 };
