@@ -90,7 +90,7 @@ mod vary;
 /// Contact laws, simulators and safe speeds, for the interfaces that use them.
 pub use percuss_contact as contact;
 
-pub use answer_findings::{pose_findings, response_findings};
+pub use answer_findings::{pose_findings, response_findings, row_findings};
 pub use assumptions::Assumptions;
 pub use changes::Changes;
 pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
