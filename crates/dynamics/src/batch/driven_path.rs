@@ -1,14 +1,15 @@
 //! m̄ of one contact along a path of the drivers with closed loops: a SIMD kernel for linkages of few degrees of
 //! freedom.
 
-use crate::analysis::pose::Pose;
-use crate::kernels::linkage::Driven;
+use crate::loops::assembling::LoopState;
 use crate::kinematics::contact::Contact;
 use crate::kinematics::frames::Kinematics;
-use crate::kinematics::outcome::ResponseError;
-use crate::loops::assembling::LoopState;
+use crate::kernels::linkage::Driven;
+use crate::kinematics::outcome::{Remark, ResponseError};
+use crate::analysis::pose::Pose;
+use crate::kinematics::remarks::RemarkFlags;
 use crate::model::velocities::{VelocityError, check_positions};
-use percuss_mechanism::JointId;
+use percuss_mechanism::{JointId, Limits};
 
 /// Result of one row of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +19,9 @@ pub struct PathAnswer {
     pub mass: Option<(f64, f64)>,
     /// Largest residual of the loops, m.
     pub residual: f64,
+    /// Findings about the row: those of the branch, and joints outside their limits. A row without a result for m̄ has
+    /// further findings in the response of its pose.
+    pub remarks: RemarkFlags,
 }
 
 /// One contact of a linkage whose drivers follow a path. Newton's method closes the loops of each row, starting from
@@ -33,6 +37,11 @@ pub struct DrivenPath {
     from: Pose,
     driven: Driven,
     residual: f64,
+    contact: Contact,
+    /// Findings that hold for every row of the branch.
+    remarks: RemarkFlags,
+    /// Index of each limited position, with its limits.
+    limits: Vec<(usize, Limits)>,
 }
 
 impl Pose {
@@ -57,7 +66,27 @@ impl Pose {
         };
         let driven = Driven::of(&self.assembly, contact, self.positions(), &dependent, &given);
         let residual = self.loops.as_ref().map_or(0.0, |loops| loops.residual);
-        Ok(driven.map(|driven| DrivenPath { from: self.clone(), driven, residual }))
+        let mechanism = self.mechanism();
+        let limit = |joint: JointId| {
+            let q = &model.joint_q[joint.index()];
+            mechanism.joint(joint).limits().filter(|_| q.len() == 1).map(|limits| (q.start, limits))
+        };
+        Ok(driven.map(|driven| DrivenPath {
+            from: self.clone(),
+            driven,
+            residual,
+            contact: *contact,
+            remarks: self.branch_remarks(contact),
+            limits: mechanism.joint_ids().filter_map(limit).collect(),
+        }))
+    }
+
+    /// Findings about a contact that hold for every pose of the branch.
+    fn branch_remarks(&self, contact: &Contact) -> RemarkFlags {
+        let remarks = self.remarks();
+        let of_branch = remarks.iter().filter(|remark| !matches!(remark, Remark::OutsideLimits { .. }));
+        let base = self.assembly.base_remark(contact, self.base_is_given);
+        of_branch.chain(&base).collect()
     }
 
     /// Dependence flag of each coordinate; `None` if locks or held contacts change the groups, or the pose is
@@ -81,12 +110,15 @@ impl DrivenPath {
     /// `positions`.
     pub fn follow(&mut self, rows: &[f64], answers: &mut Vec<PathAnswer>, positions: &mut Vec<f64>) -> usize {
         let width = self.driven.positions().len();
-        let residual = &mut self.residual;
-        self.driven.follow(rows, &mut |followed, at| {
+        let Self { driven, residual, remarks, limits, .. } = self;
+        driven.follow(rows, &mut |followed, at| {
             *residual = followed.residual;
+            let outside = limits.iter().any(|(q, limits)| Pose::is_outside(at.at(*q), *limits));
+            let own = if outside { RemarkFlags::OUTSIDE_LIMITS } else { RemarkFlags::NONE };
             answers.push(PathAnswer {
                 mass: followed.mass.map(|clear| (clear.mass, clear.error)),
                 residual: followed.residual,
+                remarks: *remarks | own,
             });
             positions.extend((0..width).map(|q| at.at(q)));
         })
@@ -124,6 +156,7 @@ impl DrivenPath {
             && pose.dependent_coordinates() == self.from.dependent_coordinates();
         let stands = alike && self.driven.stand(pose.positions());
         if stands {
+            self.remarks = pose.branch_remarks(&self.contact);
             self.from = pose.clone();
         }
         stands

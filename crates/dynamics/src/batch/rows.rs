@@ -203,6 +203,11 @@ impl Batch {
         self.worker.in_lanes.is_some()
     }
 
+    /// Findings that hold at every configuration. The findings of a single result include these.
+    pub fn remarks(&self) -> RemarkFlags {
+        self.worker.remarks
+    }
+
     /// m̄ at one configuration: the positions of all joints one after another. Bitwise equal to the result of
     /// [`run`](Self::run). Allocates nothing if the result is not in doubt.
     ///
