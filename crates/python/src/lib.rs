@@ -20,6 +20,7 @@ mod reports;
 mod response;
 mod suspension;
 mod sweep;
+mod sweep_columns;
 mod system;
 mod threads;
 

@@ -6,14 +6,15 @@ use crate::diagnostic::Diagnostic;
 use crate::errors::{self, input};
 use crate::matrices::coded;
 use crate::model::Model;
+use crate::sweep_columns::{Columns, MASSLESS_TO_ROUNDING, zeros};
 use crate::system::{Assembly, System, in_root_axes, position_names, root_frame};
 use crate::threads::detached;
 use numpy::ndarray::{ArrayView2, s};
-use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use percuss::study::row_findings;
 use percuss::{
     Assembly as Assembled, Batch, BatchAnswer, BatchError, BatchPositions, Configuration,
-    Contact as Resolved, DrivenPath, JointId, PathAnswer, Pose as Posed, Remark, RemarkFlags, RouteChoice,
+    Contact as Resolved, DrivenPath, JointId, PathAnswer, Pose as Posed, RemarkFlags,
 };
 use percuss_render::{Figure, Panel, Series, Style};
 use pyo3::exceptions::PyTypeError;
@@ -66,46 +67,6 @@ pub struct Sweep {
 /// Arrays, link name and reason of a pickled sweep.
 type Parts =
     (Py<PyArray1<f64>>, Py<PyArray1<f64>>, Py<PyArray1<u8>>, Py<PyArray1<u32>>, String, Option<String>);
-
-/// Status of a contact that is massless to rounding only: its mass may be hidden by the rounding of larger masses.
-const MASSLESS_TO_ROUNDING: u8 = 4;
-
-/// Results by columns.
-struct Columns<'a> {
-    masses: &'a mut [f64],
-    errors: &'a mut [f64],
-    codes: &'a mut [u8],
-    remarks: &'a mut [u32],
-    /// True if the base pose is given; the poses of a path do not contain it.
-    base_is_given: bool,
-}
-
-/// Array of zeros in numpy's memory. numpy allocates large arrays in large pages, so the first write is almost free.
-/// Pages of 4 kB would cost a third of the solution time of an arm.
-fn zeros<T: Element>(py: Python<'_>, count: usize) -> (Bound<'_, PyArray1<T>>, PyReadwriteArray1<'_, T>) {
-    let array = PyArray1::zeros(py, count, false);
-    (array.clone(), array.readwrite())
-}
-
-impl Columns<'_> {
-    fn set(
-        &mut self,
-        at: usize,
-        mass: Option<percuss::EffectiveMass>,
-        error: Option<f64>,
-        remarks: RemarkFlags,
-    ) {
-        (self.masses[at], self.codes[at]) = coded(mass);
-        self.errors[at] = error.unwrap_or(f64::NAN);
-        self.remarks[at] = self.known(remarks);
-    }
-
-    /// Bits of the findings, without that of a missing base pose if the sweep has a base pose.
-    fn known(&self, remarks: RemarkFlags) -> u32 {
-        let base = if self.base_is_given { RemarkFlags::BASE_NOT_GIVEN.bits() } else { 0 };
-        remarks.bits() & !base
-    }
-}
 
 /// Model and assembly of a sweep.
 fn swept(over: &Bound<'_, PyAny>) -> PyResult<(Model, Arc<Assembled>)> {
@@ -518,7 +479,7 @@ impl<'a> Path<'a> {
                 None => driven
                     .pose_at(own, answer.residual)
                     .map_err(|error| error.to_string())
-                    .and_then(|pose| respond(&pose, &self.contact, at, columns)),
+                    .and_then(|pose| columns.respond(&pose, &self.contact, at)),
             };
             if let Err(reason) = done {
                 columns.set(at, None, None, RemarkFlags::NO_ANSWER);
@@ -545,7 +506,7 @@ impl<'a> Path<'a> {
             there.set(mechanism.joint(*joint).name(), &[*value]).map_err(|error| error.to_string())?;
         }
         let pose = self.assembly.pose_from(&self.stands, &there).map_err(|error| error.to_string())?;
-        let done = respond(&pose, &self.contact, at, columns);
+        let done = columns.respond(&pose, &self.contact, at);
         let goes_on = self.driven.as_mut().is_some_and(|driven| driven.restart(&pose));
         if !goes_on {
             self.driven = pose.driven_path(&self.contact, &self.joints).ok().flatten();
@@ -553,22 +514,6 @@ impl<'a> Path<'a> {
         self.stands = pose;
         done
     }
-}
-
-/// Solves one row at its pose.
-///
-/// # Errors
-/// The reason of a row without an answer.
-fn respond(pose: &Posed, contact: &Resolved, at: usize, columns: &mut Columns<'_>) -> Result<(), String> {
-    let response = pose.respond(contact, RouteChoice::Auto).map_err(|error| error.to_string())?;
-    let mass = Some(response.effective_mass);
-    columns.set(at, mass, response.effective_mass_error(), response.remark_flags());
-    for remark in &response.remarks {
-        if let Remark::MasslessToRounding { up_to } = remark {
-            (columns.codes[at], columns.errors[at]) = (MASSLESS_TO_ROUNDING, *up_to);
-        }
-    }
-    Ok(())
 }
 
 /// Rebuilds a pickled sweep in another process.
