@@ -197,7 +197,7 @@ impl Question<'_> {
     pub fn answer(&self, room: &mut RecursionRoom, choice: RouteChoice) -> Result<Found, RouteError> {
         let errors = self.recursion_errors(room);
         match choice {
-            RouteChoice::Only(Route::Dense) => self.careful(room),
+            RouteChoice::Only(Route::Dense) => self.careful_alone(room, errors),
             RouteChoice::Only(Route::Articulated) if room.deciding.indefinite => Err(RouteError::Indefinite),
             RouteChoice::Only(Route::Articulated) => Ok(self.recursive(room, errors)),
             RouteChoice::Auto => match room.careful_reason(&errors) {
@@ -322,6 +322,30 @@ impl Question<'_> {
             Ok(careful) if careful.errors.rounding.total_cmp(&recursive.errors.rounding).is_lt() => careful,
             _ => recursive,
         })
+    }
+
+    /// Result of the dense route with the doubts of the recursion: motions that both leave out, and masses that the
+    /// recursion finds where the dense route finds none.
+    fn careful_alone(&self, room: &mut RecursionRoom, errors: RelativeErrors) -> Result<Found, RouteError> {
+        if room.deciding.indefinite {
+            return self.better(room, errors);
+        }
+        let recursive = self.recursive(room, errors).mass;
+        let found = self.careful(room)?;
+        match (found.mass, recursive) {
+            (EffectiveMass::Massless, EffectiveMass::Finite(m)) => {
+                let most = m * (1.0 + errors.rounding);
+                let most = if most.is_finite() { most } else { total_mass(self.model) };
+                let up_to = &mut room.deciding.massless_to[0];
+                *up_to = up_to.max(most);
+                Ok(found)
+            }
+            (EffectiveMass::Finite(_), _) if found.left_out_motions() > 0 => {
+                let frozen = if recursive == EffectiveMass::Massless { 1.0 } else { errors.frozen };
+                Ok(Found { errors: found.errors.with_frozen(frozen), ..found })
+            }
+            _ => Ok(found),
+        }
     }
 
     /// Errors of a finite result of the recursion. Stores the motion in the workspace.
