@@ -1,13 +1,13 @@
 //! m̄ of one contact along a path of the drivers with closed loops: a SIMD kernel for linkages of few degrees of
 //! freedom.
 
-use crate::loops::assembling::LoopState;
+use crate::analysis::pose::Pose;
+use crate::kernels::linkage::Driven;
 use crate::kinematics::contact::Contact;
 use crate::kinematics::frames::Kinematics;
-use crate::kernels::linkage::Driven;
 use crate::kinematics::outcome::{Remark, ResponseError};
-use crate::analysis::pose::Pose;
 use crate::kinematics::remarks::RemarkFlags;
+use crate::loops::assembling::LoopState;
 use crate::model::velocities::{VelocityError, check_positions};
 use percuss_mechanism::{JointId, Limits};
 

@@ -43,7 +43,7 @@ pub(crate) struct Answers<'a> {
 
 impl Answers<'_> {
     /// Stores m̄ and errors for the lanes from `first` on. Input: 1/m̄ (1/kg), and its error in units of ε (1/kg).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn put<T: Lanes>(&mut self, first: usize, response: T, error: T) {
         let mass = T::one() / response;
         mass.store(&mut self.masses[first..]);
@@ -60,14 +60,14 @@ pub(crate) struct Columns<'a> {
 
 impl Columns<'_> {
     /// Loads position `q` of the configurations from `first` on, one per lane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn at<T: Lanes>(&self, q: usize, first: usize) -> T {
         T::load(&self.values[q * self.stride + first..])
     }
 }
 
 /// Deviation of a quaternion from unit norm, beyond rounding.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn off_unit<T: Lanes>(columns: Columns<'_>, q: usize, first: usize) -> T {
     let mut square = -T::one();
     for k in 0..4 {
@@ -78,7 +78,7 @@ pub(crate) fn off_unit<T: Lanes>(columns: Columns<'_>, q: usize, first: usize) -
 }
 
 /// Twice the excess of |x| over a limit; 0 below the limit.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn over<T: Lanes>(x: T, most: f64) -> T {
     let above = x.abs() - T::from_f64(most);
     above + above.abs()

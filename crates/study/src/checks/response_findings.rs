@@ -1,10 +1,10 @@
 //! Findings about poses and responses for programs that use the library directly; the reports list the same
 //! findings.
 
-use crate::question::field::Names;
 use crate::checks::finding::{Finding, Subject, Tally};
 use crate::checks::findings::{about_branches, about_pose, about_response};
 use crate::model::record::DiagnosticRecord;
+use crate::question::field::Names;
 use percuss_dynamics::{Contact, ContactResponse, Pose, RemarkFlags, System};
 use percuss_mechanism::Severity;
 

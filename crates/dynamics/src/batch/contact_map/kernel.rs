@@ -116,7 +116,7 @@ pub(super) struct Evaluate<'a> {
 }
 
 impl Work for Evaluate<'_> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<T: Lanes>(self) {
         let Self { constants, contacts, masses, errors, doubt } = self;
         let lanes = InLanes::<T>::of(constants);
@@ -167,7 +167,7 @@ impl Work for Evaluate<'_> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn load<T: Lanes>(columns: &[&[f64]; 3], at: usize) -> [T; 3] {
     [T::load(&columns[0][at..]), T::load(&columns[1][at..]), T::load(&columns[2][at..])]
 }
@@ -182,7 +182,7 @@ struct InLanes<T> {
 }
 
 impl<T: Lanes> InLanes<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of(constants: &Constants) -> Self {
         let mut factor = [T::zero(); 21];
         let mut i = 0;
@@ -201,7 +201,7 @@ impl<T: Lanes> InLanes<T> {
     }
 
     /// m̄ = |n|²/|R w|² and its relative error.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn answer(&self, point: [T; 3], n: [T; 3]) -> (T, T) {
         let c = &self.factor;
         let x = [point[0] - self.centre[0], point[1] - self.centre[1], point[2] - self.centre[2]];

@@ -475,7 +475,7 @@ struct Closing<'a> {
 }
 
 impl Work for Closing<'_> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<T: Lanes>(self) {
         let Self { plan, struck, following, positions, steps, closed, room, outcome } = self;
         for k in 0..plan.layout.count {
@@ -516,7 +516,7 @@ impl Work for Closing<'_> {
 }
 
 /// Adds the Newton steps to the positions of the dependent coordinates.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn go<T: Lanes>(plan: &Plan, following: &[Following], positions: &mut [f64], room: &[f64]) {
     let steps = plan.layout.steps;
     for one in following {
@@ -542,7 +542,7 @@ fn go<T: Lanes>(plan: &Plan, following: &[Following], positions: &mut [f64], roo
 
 /// Rotates a unit quaternion by a small rotation vector in the rotated axes; `h`: half the vector. q ← q ∘ (√(1 −
 /// |h|²), h).
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn turn_further<T: Lanes>(positions: &mut [f64], q: usize, h: &[T; 3]) {
     let (w, x) = (get::<T>(positions, q), get::<T>(positions, q + 1));
     let (y, z) = (get::<T>(positions, q + 2), get::<T>(positions, q + 3));

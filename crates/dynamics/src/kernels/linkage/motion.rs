@@ -52,7 +52,7 @@ pub(super) struct Answer<T> {
 }
 
 /// 1/m̄ of the configurations from `first` on.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn evaluate<T: Lanes>(
     plan: &Plan,
     struck: &Struck,
@@ -73,7 +73,7 @@ pub(super) fn evaluate<T: Lanes>(
 
 /// 1/m̄ after the elimination of A. First pair: excess of the angles beyond their accepted range, and distance of the
 /// farthest body (m). `rows`: errors of the entries of A, in roundings. `least`: the largest 1/|pivot|.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn answer<T: Lanes>(
     plan: &Plan,
     struck: &Struck,
@@ -98,7 +98,7 @@ pub(super) fn answer<T: Lanes>(
 }
 
 /// Twists of the bodies at their origins, root axes.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn fill_twists<T: Lanes>(plan: &Plan, room: &mut [f64]) {
     let f = plan.freedoms;
     for (i, body) in plan.bodies.iter().enumerate() {
@@ -146,7 +146,7 @@ fn fill_twists<T: Lanes>(plan: &Plan, room: &mut [f64]) {
 /// δd = (2 lost · all · √(weight · d) + roundings · |terms of d|) ε + (lost · all · ε)² weight
 /// δ(1/m̄) = Σ (2 |t/d| δt + (t/d)² δd)
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Answer<T> {
     const MOST: usize = LINKAGE_FREEDOMS;
     let f = plan.freedoms;
@@ -230,7 +230,7 @@ fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Ans
 }
 
 /// Sum of the absolute rates of all coordinates at a unit rate of one independent coordinate.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn all_rates<T: Lanes>(plan: &Plan, y: usize, room: &[f64]) -> T {
     let mut sum = T::one();
     let mut k = 0;
@@ -242,7 +242,7 @@ fn all_rates<T: Lanes>(plan: &Plan, y: usize, room: &[f64]) -> T {
 }
 
 /// Closing speed of a body's point, and the size of its terms.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn speed<T: Lanes>(plan: &Plan, body: usize, y: usize, at: &[T; 3], normal: &[T; 3], room: &[f64]) -> (T, T) {
     if !plan.bodies[body].moved[y] {
         return (T::zero(), T::zero());
@@ -255,7 +255,7 @@ fn speed<T: Lanes>(plan: &Plan, body: usize, y: usize, at: &[T; 3], normal: &[T;
 }
 
 /// Adds a body's part of D, on and below the diagonal, and the sizes of the terms of the diagonal.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn add_energy<T: Lanes>(
     plan: &Plan,
     i: usize,
@@ -320,7 +320,7 @@ fn add_energy<T: Lanes>(
 }
 
 /// Rᵀ x.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn back<T: Lanes>(turn: &[[T; 3]; 3], x: &[T; 3]) -> [T; 3] {
     along(&turn[2], x[2], &along(&turn[1], x[1], &times(&turn[0], x[0])))
 }

@@ -8,7 +8,7 @@ use percuss_spatial::{rotation_rows, splat};
 
 /// Stores the frames of the bodies. Returns the excess of the angles beyond their accepted range, and the distance of
 /// the farthest body from the centre.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn place<T: Lanes>(plan: &Plan, columns: Columns<'_>, first: usize, room: &mut [f64]) -> (T, T) {
     let (mut beyond, mut far) = (T::zero(), T::zero());
     for (i, body) in plan.bodies.iter().enumerate() {
@@ -53,13 +53,13 @@ pub(super) fn place<T: Lanes>(plan: &Plan, columns: Columns<'_>, first: usize, r
 }
 
 impl Position {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at<T: Lanes>(&self, columns: Columns<'_>, first: usize) -> T {
         columns.at::<T>(self.q, first).mul_add(T::from_f64(self.multiplier), T::from_f64(self.offset))
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn product<T: Lanes>(a: &[[T; 3]; 3], b: &[[T; 3]; 3]) -> [[T; 3]; 3] {
     let mut all = *a;
     let mut r = 0;
@@ -73,14 +73,14 @@ fn product<T: Lanes>(a: &[[T; 3]; 3], b: &[[T; 3]; 3]) -> [[T; 3]; 3] {
     all
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn of_quaternion<T: Lanes>(columns: Columns<'_>, q: usize, first: usize) -> [[T; 3]; 3] {
     let w: T = columns.at(q, first);
     rotation_rows([w, columns.at(q + 1, first), columns.at(q + 2, first), columns.at(q + 3, first)])
 }
 
 /// Rotation of a body, row by row, and its position.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn frame<T: Lanes>(room: &[f64], body: usize) -> ([[T; 3]; 3], [T; 3]) {
     let at = FRAME * body;
     let turn = [get_vector(room, at), get_vector(room, at + 3), get_vector(room, at + 6)];
@@ -88,13 +88,13 @@ pub(super) fn frame<T: Lanes>(room: &[f64], body: usize) -> ([[T; 3]; 3], [T; 3]
 }
 
 /// Axis `k` of a body: a column of its rotation.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn axis<T: Lanes>(room: &[f64], body: usize, k: usize) -> [T; 3] {
     let at = FRAME * body + k;
     [get(room, at), get(room, at + 3), get(room, at + 6)]
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn direction<T: Lanes>(room: &[f64], heading: &BodyDirection) -> [T; 3] {
     let own: [T; 3] = splat(&heading.e);
     match heading.body {
@@ -106,7 +106,7 @@ pub(super) fn direction<T: Lanes>(room: &[f64], heading: &BodyDirection) -> [T; 
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn point<T: Lanes>(room: &[f64], place: &BodyPoint) -> [T; 3] {
     let own: [T; 3] = splat(&place.at);
     match place.body {

@@ -39,23 +39,23 @@ impl Layout {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn get<T: Lanes>(room: &[f64], at: usize) -> T {
     T::load(&room[at * T::WIDTH..])
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn put<T: Lanes>(room: &mut [f64], at: usize, x: T) {
     x.store(&mut room[at * T::WIDTH..]);
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn get_vector<T: Lanes>(room: &[f64], at: usize) -> [T; 3] {
     let own = &room[at * T::WIDTH..][..3 * T::WIDTH];
     [T::load(own), T::load(&own[T::WIDTH..]), T::load(&own[2 * T::WIDTH..])]
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn put_vector<T: Lanes>(room: &mut [f64], at: usize, v: [T; 3]) {
     let own = &mut room[at * T::WIDTH..][..3 * T::WIDTH];
     v[0].store(own);
@@ -63,12 +63,12 @@ pub(super) fn put_vector<T: Lanes>(room: &mut [f64], at: usize, v: [T; 3]) {
     v[2].store(&mut own[2 * T::WIDTH..]);
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn dot<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
     a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn cross<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     [
         a[1].mul_add(b[2], -(a[2] * b[1])),
@@ -77,29 +77,29 @@ pub(super) fn cross<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     ]
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn minus<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn plus<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn times<T: Lanes>(a: &[T; 3], x: T) -> [T; 3] {
     [a[0] * x, a[1] * x, a[2] * x]
 }
 
 /// a·x + b.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn along<T: Lanes>(a: &[T; 3], x: T, b: &[T; 3]) -> [T; 3] {
     [a[0].mul_add(x, b[0]), a[1].mul_add(x, b[1]), a[2].mul_add(x, b[2])]
 }
 
 /// Σ |aᵢ|, an upper bound of the length.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn size<T: Lanes>(a: &[T; 3]) -> T {
     a[0].abs() + a[1].abs() + a[2].abs()
 }

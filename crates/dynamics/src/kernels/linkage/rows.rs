@@ -35,7 +35,7 @@ pub(super) struct RowRoundings<T> {
 }
 
 /// Fills A; with `KEPT`, also stores the residual of each row (m).
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64]) -> Seen<T> {
     for entry in &plan.filled_in {
         put(room, plan.layout.rows + entry, T::zero());
@@ -104,7 +104,7 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64
 }
 
 /// Axis of a term, and the vector from its body's origin to the point `at`; root axes.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn lever<T: Lanes>(term: &Term, bodies: &[Moving], at: &[T; 3], room: &[f64]) -> ([T; 3], [T; 3]) {
     let k = match bodies[term.body].motion {
         Motion::Ball(_) => term.component,
@@ -116,13 +116,13 @@ fn lever<T: Lanes>(term: &Term, bodies: &[Moving], at: &[T; 3], room: &[f64]) ->
 }
 
 /// Entry before a term is added: zero for the first term.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn before<T: Lanes>(term: &Term, entry: usize, room: &[f64]) -> T {
     if term.is_first { T::zero() } else { get(room, entry) }
 }
 
 /// Adds the three rows of the velocity of a point.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn add_point<T: Lanes>(plan: &Plan, block: &Block, rows: &[Option<usize>; 3], at: &[T; 3], room: &mut [f64]) {
     for term in &block.terms {
         let (a, arm) = lever(term, &plan.bodies, at, room);
@@ -139,7 +139,7 @@ fn add_point<T: Lanes>(plan: &Plan, block: &Block, rows: &[Option<usize>; 3], at
 }
 
 /// Adds one row: the power of a wrench about the point `at`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn add_row<T: Lanes>(
     plan: &Plan,
     block: &Block,
@@ -160,7 +160,7 @@ fn add_row<T: Lanes>(
 
 /// Eliminates the dependent coordinates in the order of the plan; with `KEPT`, also in the residuals. Returns the
 /// largest 1/|pivot|.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64]) -> T {
     let (n, rows) = (plan.columns, plan.layout.rows);
     let mut least = T::zero();
@@ -184,7 +184,7 @@ pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64
 }
 
 /// Newton steps of the dependent coordinates, m, after the elimination: A\[d\] δ = −r. Returns ‖δ‖.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn fill_steps<T: Lanes>(plan: &Plan, room: &mut [f64]) -> T {
     let (n, rank) = (plan.columns, plan.layout.count);
     let mut square = T::zero();
@@ -206,7 +206,7 @@ pub(super) fn fill_steps<T: Lanes>(plan: &Plan, room: &mut [f64]) -> T {
 }
 
 /// Rates of all coordinates for unit rates of the independent coordinates.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn fill_rates<T: Lanes>(plan: &Plan, room: &mut [f64]) {
     let (n, f, rank, rates) = (plan.columns, plan.freedoms, plan.layout.count, plan.layout.rates);
     let mut y = 0;

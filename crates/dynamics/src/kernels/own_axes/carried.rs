@@ -24,13 +24,13 @@ pub(super) struct Carried<T> {
     pub loss: T,
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn number<T: Lanes>(slot: &[f64], number: usize) -> T {
     T::load(&slot[number * T::WIDTH..])
 }
 
 /// Adds the remaining inertia to the parent's.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn pass<T: Lanes>(
     inertia: &mut PackedInertia<T>,
     above: &PackedInertia<f64>,
@@ -47,7 +47,7 @@ pub(super) fn pass<T: Lanes>(
 }
 
 impl Leaf {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn pivot<T: Lanes>(&self) -> Pivot<T> {
         let of = T::from_f64;
         Pivot { u: self.u.cast(), d: of(self.d), over: of(self.over), armature_part: of(self.armature_part) }
@@ -56,14 +56,14 @@ impl Leaf {
 
 impl<T: Lanes> Carried<T> {
     /// Zero wrench.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn none() -> Self {
         let (o, one) = (T::zero(), T::one());
         Self { wrench: PackedWrench::zero(), about: o, along: o, response: o, terms: o, loss: one }
     }
 
     /// Counts the ratio of a pivot's summed terms to the pivot. Returns that ratio.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn lose(&mut self, size: T, pivot: &Pivot<T>) -> T {
         let loss = size * pivot.over.abs();
         self.loss = self.loss.max(loss);
@@ -71,13 +71,13 @@ impl<T: Lanes> Carried<T> {
     }
 
     /// Number of roundings by which the terms of the response are in error.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn roundings(&self) -> T {
         T::from_f64(ROUTE_ROUNDINGS).max(self.loss * T::from_f64(LOSS_ROUNDINGS))
     }
 
     /// Adds t²/D and its terms. Returns t/D.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn respond(&mut self, size: T, t: T, test: T, over: T) -> T {
         let rate = t * over;
         let part = rate.abs();
@@ -88,7 +88,7 @@ impl<T: Lanes> Carried<T> {
 }
 
 /// Update of the contact wrench by the elimination of one velocity. `AXIS`: component of the twist, angular part first.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn spend<T: Lanes, const AXIS: usize>(step: &Step, pivot: &Pivot<T>, carried: &mut Carried<T>) {
     let of = T::from_f64;
     let size = of(if AXIS < 3 { step.moment } else { step.mass });

@@ -13,7 +13,7 @@ const RIGHT: u8 = 1;
 const PARALLEL: u8 = 2;
 
 /// Eliminates a hinge and adds the remaining inertia to the parent, whose numbers are in `slot`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn hinge<T: Lanes, const ON_PATH: bool>(
     form: HingeForm,
     placed: &Placed,
@@ -44,7 +44,7 @@ pub(super) fn hinge<T: Lanes, const ON_PATH: bool>(
 }
 
 /// A hinge with its transform. `BARE`: no armature, so that row z of the remaining inertia is zero.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn formed<
     T: Lanes,
     const ON_PATH: bool,

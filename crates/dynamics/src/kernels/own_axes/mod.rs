@@ -118,7 +118,7 @@ struct Groups<'a> {
 }
 
 impl Work for Groups<'_> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<T: Lanes>(self) {
         let Self { steps, selection, columns, first, room, mut answers } = self;
         let mut done = 0;

@@ -78,7 +78,7 @@ pub(super) struct Answer<T> {
 }
 
 /// 1/m̄ of the configurations from `first` on.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn evaluate<T: Lanes>(
     steps: &[Placed],
     selection: &Selection,
@@ -107,7 +107,7 @@ pub(super) fn evaluate<T: Lanes>(
 }
 
 /// Sines and cosines, the excess of angles and quaternions beyond their accepted range, and the largest travel (m).
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn place<T: Lanes>(
     steps: &[Placed],
     selection: &Selection,
@@ -174,7 +174,7 @@ fn place<T: Lanes>(
 }
 
 /// Zero if all positions are finite, otherwise NaN.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn off_numbers<T: Lanes>(columns: Columns<'_>, positions: Range<usize>, first: usize) -> T {
     let (mut q, mut sum) = (positions.start, T::zero());
     while q < positions.end {
@@ -186,7 +186,7 @@ fn off_numbers<T: Lanes>(columns: Columns<'_>, positions: Range<usize>, first: u
 }
 
 /// Unit force at the contact point.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn strike<T: Lanes>(steps: &[Placed], selection: &Selection, at: At<'_>, room: &[f64]) -> Carried<T> {
     let struck = &selection.struck;
     let n = match struck.normal {
@@ -220,7 +220,7 @@ fn strike<T: Lanes>(steps: &[Placed], selection: &Selection, at: At<'_>, room: &
 }
 
 /// Vector from the parent's frame to the body's.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn turn_back<T: Lanes>(step: &Step, n: &mut [T; 3], at: At<'_>, slot: &[f64]) {
     if let Some(turn) = step.way.last_turn_z {
         let (c, s) = back::<T>(turn);
@@ -254,13 +254,13 @@ fn turn_back<T: Lanes>(step: &Step, n: &mut [T; 3], at: At<'_>, slot: &[f64]) {
 }
 
 /// Cosine and sine of the opposite rotation.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn back<T: Lanes>(turn: Turn) -> (T, T) {
     (T::from_f64(turn.cos), T::from_f64(-turn.sin))
 }
 
 /// Eliminates the joint of a body and adds the remaining inertia to the parent.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn advance<T: Lanes, const ON_PATH: bool>(
     placed: &Placed,
     at: At<'_>,
@@ -290,7 +290,7 @@ fn advance<T: Lanes, const ON_PATH: bool>(
 
 /// A hinge on the ground needs one entry of its inertia. The other entries are not formed, so the size of this entry
 /// stands for all.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn top<T: Lanes>(step: &Step, carried: &mut Carried<T>, own: &[f64]) {
     let of = T::from_f64;
     let d = number::<T>(own, 5) + of(step.armature[2]);
@@ -298,7 +298,7 @@ fn top<T: Lanes>(step: &Step, carried: &mut Carried<T>, own: &[f64]) {
 }
 
 /// Any joint with any transform, on the contact path or not; one function, so it is long.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn any<T: Lanes>(
     placed: &Placed,
     on_path: bool,
@@ -320,7 +320,7 @@ fn any<T: Lanes>(
 }
 
 /// Remaining inertia of a body after the elimination of its joint, and the sizes of its terms.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn eliminated<T: Lanes>(
     step: &Step,
     on_path: bool,

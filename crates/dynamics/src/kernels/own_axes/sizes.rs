@@ -19,7 +19,7 @@ pub(super) struct Sizes<T> {
 
 impl<T: Lanes> Sizes<T> {
     /// Sizes of an inertia whose children's sizes are in `slot`; `carries`: true if children exist.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of(inertia: &PackedInertia<T>, carries: bool, slot: &[f64]) -> Self {
         let (moment, mass) = (inertia.moment_size(), inertia.mass_size());
         if !carries {
@@ -32,14 +32,14 @@ impl<T: Lanes> Sizes<T> {
     }
 
     /// Sizes after the elimination of a pivot with the given loss: errors of U D⁻¹ Uᵀ grow by the factor |U|/D.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn amplified(self, loss: T) -> Self {
         let factor = T::one().max(loss * T::from_f64(1.0 / COMMON_LOSS));
         Self { moment: self.moment * factor, mass: self.mass * factor }
     }
 
     /// Sizes about the parent's origin, at a distance of at most `reach` (m), added to the parent's.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn pass(self, reach: f64, is_first: bool, slot: &mut [f64]) {
         let mut moment = self.moment.max(self.mass * T::from_f64(reach * reach));
         let mut mass = self.mass;
@@ -54,7 +54,7 @@ impl<T: Lanes> Sizes<T> {
 
 impl Sizes<f64> {
     /// The same sizes in every lane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn cast<T: Lanes>(&self) -> Sizes<T> {
         Sizes { moment: T::from_f64(self.moment), mass: T::from_f64(self.mass) }
     }

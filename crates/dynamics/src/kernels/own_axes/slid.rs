@@ -37,7 +37,7 @@ fn in_the_carriers(placed: &Placed, inertia: PackedInertia<f64>) -> PackedInerti
 }
 
 /// Adds I₀ + q I₁ + q² I₂ to the parent's inertia; the first child brings the parent's own.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn pass<T: Lanes>(slid: &Slid, travel: T, is_first: bool, slot: &mut [f64]) {
     let of = T::from_f64;
     let Slid { constant, slope, bend, .. } = slid;

@@ -14,19 +14,19 @@ pub(super) struct At<'a> {
 }
 
 impl At<'_> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn position<T: Lanes>(&self, q: usize) -> T {
         self.columns.at(q, self.first)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn rotation<T: Lanes>(&self, q: usize) -> [[T; 3]; 3] {
         rotation_rows([self.position(q), self.position(q + 1), self.position(q + 2), self.position(q + 3)])
     }
 }
 
 /// Transform to the parent's frame.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn go<T: Lanes>(
     step: &Step,
     inertia: &mut PackedInertia<T>,
