@@ -5,7 +5,7 @@
 use crate::UNSTATED;
 use nalgebra::{UnitQuaternion, Vector3};
 use percuss_dynamics::{
-    CarefulReason, Conditions, Contact, Direction, EffectiveMass, Frame, Pose, ResponseError, RouteChoice,
+    Conditions, Contact, DenseReason, Direction, EffectiveMass, Frame, Pose, ResponseError, RouteChoice,
     System,
 };
 use percuss_mechanism::{
@@ -45,12 +45,12 @@ fn compare(name: &str, pose: &Pose, contact: &Contact, counts: &mut Counts) {
         EffectiveMass::Immovable => "immovable",
         EffectiveMass::Massless => "massless",
     };
-    let reason = match response.careful_reason {
+    let reason = match response.dense_reason {
         None => "",
-        Some(CarefulReason::NegativeMass) => ", a negative mass",
-        Some(CarefulReason::Massless) => ", massless",
-        Some(CarefulReason::Error { relative }) if relative > 1.0 => ", rounding alone",
-        Some(CarefulReason::Error { .. }) => ", an error",
+        Some(DenseReason::NegativeMass) => ", a negative mass",
+        Some(DenseReason::Massless) => ", massless",
+        Some(DenseReason::Error { relative }) if relative > 1.0 => ", rounding alone",
+        Some(DenseReason::Error { .. }) => ", an error",
     };
     *counts.entry(format!("{status}{reason}")).or_default() += 1;
 }

@@ -33,13 +33,13 @@ pub use percuss_contact as contact;
 #[doc(no_inline)]
 pub use percuss_dynamics::{
     Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchError, BatchPositions,
-    BranchLimits, CarefulReason, ConditionOfJoint, Conditions, ConditionsError, Configuration,
-    ConfigurationError, ConstraintRank, Contact, ContactColumns, ContactError, ContactMap, ContactPart,
-    ContactResponse, ContactStatus, Contributions, DepartingAxis, Direction, DrawnGap, DrivenPath,
-    EffectiveMass, ErrorBudget, Frame, InverseOperationalInertia, LayoutError, LocatedContact, LoopState,
-    MapAnswers, MapError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer,
-    PointForce, PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops,
-    Route, RouteChoice, RouteError, ScalarWorkspace, Singularity, System, Travel, TravelError, VelocityError,
+    BranchLimits, ConditionOfJoint, Conditions, ConditionsError, Configuration, ConfigurationError,
+    ConstraintRank, Contact, ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse,
+    ContactStatus, Contributions, DenseReason, DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass,
+    ErrorBudget, Frame, InverseOperationalInertia, LayoutError, LocatedContact, LoopState, MapAnswers,
+    MapError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer, PointForce,
+    PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops, Route,
+    RouteChoice, RouteError, ScalarWorkspace, Singularity, StateSizeError, System, Travel, TravelError,
     Workspace, effective_mass, input,
 };
 #[doc(no_inline)]

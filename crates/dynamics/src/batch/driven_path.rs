@@ -2,13 +2,13 @@
 //! freedom.
 
 use crate::analysis::pose::Pose;
-use crate::kernels::linkage::Driven;
+use crate::kernels::loop_kernel::LoopContinuation;
 use crate::kinematics::contact::Contact;
 use crate::kinematics::frames::Kinematics;
 use crate::kinematics::outcome::{Remark, ResponseError};
 use crate::kinematics::remarks::RemarkFlags;
 use crate::loops::assembling::LoopState;
-use crate::model::velocities::{VelocityError, check_positions};
+use crate::model::velocities::{StateSizeError, check_positions};
 use percuss_mechanism::{JointId, Limits};
 
 /// Result of one row of a path.
@@ -35,7 +35,7 @@ pub struct PathAnswer {
 pub struct DrivenPath {
     /// Start pose.
     from: Pose,
-    driven: Driven,
+    continuation: LoopContinuation,
     residual: f64,
     contact: Contact,
     /// Findings that hold for every row of the branch.
@@ -64,7 +64,7 @@ impl Pose {
         let Some(given) = given.map(|q| q.map(|q| q.start)).collect::<Option<Vec<usize>>>() else {
             return Ok(None);
         };
-        let driven = Driven::of(&self.assembly, contact, self.positions(), &dependent, &given);
+        let driven = LoopContinuation::of(&self.assembly, contact, self.positions(), &dependent, &given);
         let residual = self.loops.as_ref().map_or(0.0, |loops| loops.residual);
         let mechanism = self.mechanism();
         let limit = |joint: JointId| {
@@ -73,7 +73,7 @@ impl Pose {
         };
         Ok(driven.map(|driven| DrivenPath {
             from: self.clone(),
-            driven,
+            continuation: driven,
             residual,
             contact: *contact,
             remarks: self.branch_remarks(contact),
@@ -93,7 +93,7 @@ impl Pose {
     /// singular.
     fn dependent_coordinates(&self) -> Option<Vec<bool>> {
         let (model, loops) = (self.assembly.model(), self.loops.as_ref()?);
-        if !self.assembly.is_of_posing() || loops.anchors.iter().any(Option::is_some) {
+        if !self.assembly.has_single_model() || loops.anchors.iter().any(Option::is_some) {
             return None;
         }
         let mut dependent = vec![false; model.coordinates.len()];
@@ -109,8 +109,8 @@ impl DrivenPath {
     /// completed rows. Their results and the positions of all joints (row by row) are appended to `answers` and
     /// `positions`.
     pub fn follow(&mut self, rows: &[f64], answers: &mut Vec<PathAnswer>, positions: &mut Vec<f64>) -> usize {
-        let width = self.driven.positions().len();
-        let Self { driven, residual, remarks, limits, .. } = self;
+        let width = self.continuation.positions().len();
+        let Self { continuation: driven, residual, remarks, limits, .. } = self;
         driven.follow(rows, &mut |followed, at| {
             *residual = followed.residual;
             let outside = limits.iter().any(|(q, limits)| Pose::is_outside(at.at(*q), *limits));
@@ -126,21 +126,21 @@ impl DrivenPath {
 
     /// The current pose of the path.
     pub fn pose(&self) -> Pose {
-        self.made(self.driven.positions(), self.residual)
+        self.pose_from_positions(self.continuation.positions(), self.residual)
     }
 
     /// Pose of a completed row, from its positions (see [`follow`](Self::follow)) and its residual (m).
     ///
     /// # Errors
     /// [`VelocityError::Positions`]: a wrong number of positions.
-    pub fn pose_at(&self, positions: &[f64], residual: f64) -> Result<Pose, VelocityError> {
-        check_positions(positions.len(), self.driven.positions().len())?;
-        Ok(self.made(positions, residual))
+    pub fn pose_at(&self, positions: &[f64], residual: f64) -> Result<Pose, StateSizeError> {
+        check_positions(positions.len(), self.continuation.positions().len())?;
+        Ok(self.pose_from_positions(positions, residual))
     }
 
     /// Pose at given positions, with the given residual of the loops.
-    fn made(&self, positions: &[f64], residual: f64) -> Pose {
-        let model = self.from.assembly.posing();
+    fn pose_from_positions(&self, positions: &[f64], residual: f64) -> Pose {
+        let model = self.from.assembly.pose_model();
         let mut kinematics = Kinematics::new(model);
         kinematics.q.copy_from_slice(positions);
         kinematics.refill(model);
@@ -154,7 +154,7 @@ impl DrivenPath {
         let alike = std::sync::Arc::ptr_eq(&self.from.assembly, &pose.assembly)
             && pose.dependent_coordinates().is_some()
             && pose.dependent_coordinates() == self.from.dependent_coordinates();
-        let stands = alike && self.driven.stand(pose.positions());
+        let stands = alike && self.continuation.set_pose(pose.positions());
         if stands {
             self.remarks = pose.branch_remarks(&self.contact);
             self.from = pose.clone();

@@ -476,7 +476,7 @@ impl Model {
         let mut jacobian = DMatrix::zeros(3, self.coordinates.len());
         self.for_each_support(self.body_of(link), None, |i, _| {
             for (k, v) in self.bodies[i].v.clone().enumerate() {
-                if let Some(f) = self.follows[v] {
+                if let Some(f) = self.velocity_coordinates[v] {
                     let column = self.velocity_column(kinematics, i, k, &at).0 * f.multiplier;
                     let mut target = jacobian.column_mut(f.index);
                     target += column;

@@ -2,7 +2,7 @@
 
 use crate::kinematics::contact::ContactError;
 use crate::model::input::QUATERNION_TOLERANCE;
-use crate::model::velocities::VelocityError;
+use crate::model::velocities::StateSizeError;
 use crate::tolerances::MEGABYTE;
 use percuss_mechanism::JointId;
 
@@ -52,7 +52,7 @@ pub enum RouteChoice {
 
 /// Reason for running the dense route in addition to the recursion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum CarefulReason {
+pub enum DenseReason {
     /// The recursion finds a motion of negative mass (accepted indefinite inertias).
     NegativeMass,
     /// The recursion finds the contact massless. A sum of possibly large terms was classified as zero.
@@ -130,7 +130,7 @@ pub enum RouteError {
     },
     /// The velocities do not fit the mechanism.
     #[error(transparent)]
-    Velocities(#[from] VelocityError),
+    Velocities(#[from] StateSizeError),
     /// A link handle of another mechanism.
     #[error(
         "link number {index} is not in this mechanism, which has {links} links; look up the link by name"

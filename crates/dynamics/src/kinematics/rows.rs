@@ -44,7 +44,8 @@ impl<T: Scalar> GroupRows<T> {
                 }
                 Constraint::Coupling(i) => {
                     let scale = coupling_scale(model.couplings[i].turns, group);
-                    let entry = |t: &crate::model::Term| T::from_f64(scale * t.factor * t.multiplier);
+                    let entry =
+                        |t: &crate::model::ConstraintTerm| T::from_f64(scale * t.factor * t.multiplier);
                     self.values.extend(rows.terms.iter().map(entry));
                 }
                 Constraint::Hold(i) => {

@@ -4,7 +4,7 @@
 use crate::kinematics::contact::{ContactRow, RowEntry};
 use crate::linear::dense::dot;
 use crate::mobility::GroupMobility;
-use crate::model::{Cluster, Follows, Model};
+use crate::model::{Cluster, Model, VelocityCoordinate};
 use crate::recursion::Recursion;
 use crate::tolerances::{DEPENDENT_RATES, IMMOVABLE, LEAST_SINGULAR, MOST_GROWTH, RATE_ROUNDINGS};
 
@@ -12,7 +12,7 @@ use crate::tolerances::{DEPENDENT_RATES, IMMOVABLE, LEAST_SINGULAR, MOST_GROWTH,
 ///
 /// ker A is the product of the kernels of the clusters, so the squared projections of j on these kernels are summed.
 pub(crate) fn relative_closing_speed<const K: usize>(
-    room: &mut ClosingRoom,
+    room: &mut ClosingWorkspace,
     model: &Model,
     groups: &[GroupMobility],
     recursion: &Recursion<f64, K>,
@@ -25,7 +25,7 @@ pub(crate) fn relative_closing_speed<const K: usize>(
         let length = if entry.turns { row.length } else { 1.0 };
         size += (entry.size / length).powi(2);
         let number = model.cluster_of[entry.body];
-        match recursion.place[number] {
+        match recursion.cluster_index[number] {
             None => along += (entry.value / length).powi(2),
             Some(place) => {
                 let own = &members[members.partition_point(|&(cluster, _)| cluster < number)..];
@@ -50,8 +50,8 @@ pub(crate) fn closing_floor(model: &Model, groups: &[GroupMobility], row: &Conta
     for entry in &row.entries {
         for own in &model.clusters[model.cluster_of[entry.body]].groups {
             let higher = groups[own.group].floor > floor;
-            let moves = |f: &Follows| model.groups[own.group].column(f.index).is_some();
-            if higher && model.follows[entry.velocity].as_ref().is_some_and(moves) {
+            let moves = |f: &VelocityCoordinate| model.groups[own.group].column(f.index).is_some();
+            if higher && model.velocity_coordinates[entry.velocity].as_ref().is_some_and(moves) {
                 floor = groups[own.group].floor;
             }
         }
@@ -68,7 +68,7 @@ fn fill_members<const K: usize>(
 ) {
     let of_entry = |(entry, e): (usize, &RowEntry)| {
         let cluster = model.cluster_of[e.body];
-        recursion.place[cluster].map(|_| (cluster, entry))
+        recursion.cluster_index[cluster].map(|_| (cluster, entry))
     };
     members.clear();
     members.extend(row.entries.iter().enumerate().filter_map(of_entry));
@@ -77,12 +77,12 @@ fn fill_members<const K: usize>(
 
 /// Buffers for the projections; refilled in place.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct ClosingRoom {
+pub(crate) struct ClosingWorkspace {
     j: Vec<f64>,
     /// Orthonormal vectors, one after another.
     basis: Vec<f64>,
     part: Vec<f64>,
-    place: Vec<usize>,
+    positions: Vec<usize>,
     /// Clusters with constraints, and the numbers of their entries of the row.
     members: Vec<(usize, usize)>,
 }
@@ -90,7 +90,7 @@ pub(crate) struct ClosingRoom {
 /// Squared norm of the projection of j on the kernel within a cluster, without rounding. `of`: G of the cluster and
 /// the number of its independent coordinates. `own`: the entries of the cluster in the row.
 fn projected(
-    room: &mut ClosingRoom,
+    room: &mut ClosingWorkspace,
     model: &Model,
     groups: &[GroupMobility],
     cluster: &Cluster,
@@ -108,15 +108,15 @@ fn projected(
     }
     let rank: usize = cluster.groups.iter().map(|own| groups[own.group].pivots.rows.len()).sum();
     if rank < of.1 {
-        off_rows(room, model, groups, cluster, &scale)
+        row_complement_projection(room, model, groups, cluster, &scale)
     } else {
-        on_kernel(room, groups, cluster, of, &scale)
+        kernel_projection(room, groups, cluster, of, &scale)
     }
 }
 
 /// Projection on the columns of G, orthonormalised one after another.
-fn on_kernel(
-    room: &mut ClosingRoom,
+fn kernel_projection(
+    room: &mut ClosingWorkspace,
     groups: &[GroupMobility],
     cluster: &Cluster,
     (g, d): (&[f64], usize),
@@ -124,7 +124,7 @@ fn on_kernel(
 ) -> f64 {
     let n = room.j.len();
     let largest = room.j.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
-    let growth = growth_of(groups, cluster);
+    let growth = largest_growth(groups, cluster);
     let mut sum = 0.0;
     room.basis.clear();
     for y in 0..d {
@@ -163,8 +163,8 @@ fn orthogonalise(known: &[f64], vector: &mut [f64]) {
 
 /// Projection of j on the complement of the independent rows, for clusters with fewer rows than independent
 /// coordinates.
-fn off_rows(
-    room: &mut ClosingRoom,
+fn row_complement_projection(
+    room: &mut ClosingWorkspace,
     model: &Model,
     groups: &[GroupMobility],
     cluster: &Cluster,
@@ -176,7 +176,7 @@ fn off_rows(
         }
         let (group, known) = (&model.groups[own.group], &groups[own.group]);
         let (n, count) = (own.coordinates.len(), known.pivots.rows.len());
-        let ClosingRoom { j, basis, part, place, .. } = room;
+        let ClosingWorkspace { j, basis, part, positions: place, .. } = room;
         place.clear();
         place.resize(group.rows, usize::MAX);
         known.pivots.rows.iter().enumerate().for_each(|(i, r)| place[*r] = i);
@@ -209,7 +209,7 @@ fn off_rows(
 }
 
 /// Largest entry of |K⁻¹||A| over the groups of a cluster.
-fn growth_of(groups: &[GroupMobility], cluster: &Cluster) -> f64 {
+fn largest_growth(groups: &[GroupMobility], cluster: &Cluster) -> f64 {
     let of_group = |known: &GroupMobility| match known.pivots.rows.is_empty() {
         true => 0.0,
         false => known.sizes.iter().fold(known.size(0, 0), |most, s| most.max(*s)),

@@ -36,7 +36,7 @@ pub struct Pivot<T> {
     /// D = sᵀ I s + armature.
     pub d: T,
     /// D⁻¹.
-    pub over: T,
+    pub inverse_d: T,
     /// Armature / D: after the elimination, U times this factor remains along s.
     pub armature_part: T,
 }
@@ -51,7 +51,7 @@ impl<T: Lanes> Pivot<T> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(u: PackedWrench<T>, d: T, armature: T) -> Self {
         let over = T::one() / d;
-        Self { u, d, over, armature_part: armature * over }
+        Self { u, d, inverse_d: over, armature_part: armature * over }
     }
 }
 
@@ -67,7 +67,7 @@ impl PackedInertia<f64> {
     }
 
     /// Coefficients of d and d² of a shift by d (m) along axis `Z`: C changes linearly, A quadratically.
-    pub fn along<const Z: usize>(&self) -> [Self; 2] {
+    pub fn shift_coefficients<const Z: usize>(&self) -> [Self; 2] {
         let (x, y) = after(Z);
         let (c, l) = (&self.coupling, &self.linear);
         let [mut slope, mut bend] = [Self::zero(); 2];
@@ -531,11 +531,11 @@ mod tests {
         let d = -0.35;
         let mut shifted: PackedInertia<One> = at_rest.cast();
         let pivot = shifted.turn_pivot::<0>(One::from_f64(0.1));
-        let over_d = pivot.u.scaled(pivot.over);
+        let over_d = pivot.u.scaled(pivot.inverse_d);
         shifted.eliminate_turn::<0>(&pivot, &over_d);
         let left = shifted.plain();
         shifted.shift::<Z>(One::from_f64(d));
-        let [slope, bend] = left.along::<Z>();
+        let [slope, bend] = left.shift_coefficients::<Z>();
         let terms = [left, slope, bend].map(|term| numbers(&term.cast()).collect::<Vec<_>>());
         for (k, number) in numbers(&shifted).enumerate() {
             let sum = terms[0][k] + d * (terms[1][k] + d * terms[2][k]);
@@ -560,7 +560,7 @@ mod tests {
         }
         let (mut general, mut left_out) = (packed, packed);
         let pivot = packed.turn_pivot::<2>(of(0.0));
-        let over_d = pivot.u.scaled(pivot.over);
+        let over_d = pivot.u.scaled(pivot.inverse_d);
         general.eliminate_turn::<2>(&pivot, &over_d);
         left_out.eliminate_bare_turn::<2>(&pivot, &over_d);
         assert_eq!(general, left_out);

@@ -1,6 +1,6 @@
 //! Error due to dropped (frozen) pivots that still couple to the parent.
 
-use super::{BudgetRoom, UnitImpulse, components, energy_root};
+use super::{BudgetWorkspace, UnitImpulse, components, energy_root};
 use crate::model::Body;
 use crate::recursion::Recursion;
 use crate::tolerances::{RESOLVED, SMALL_CHANGE, SUM_ROUNDINGS};
@@ -16,9 +16,9 @@ impl UnitImpulse<'_> {
     ///
     /// The test wrench along a frozen motion adds to Uᵀ V. Of a motion with a mass even the rounding of this wrench counts; of a
     /// motion without a mass a wrench below its rounding is zero.
-    pub(super) fn of_frozen(
+    pub(super) fn frozen_change(
         &self,
-        room: &mut BudgetRoom,
+        room: &mut BudgetWorkspace,
         recursion: &Recursion<f64, 1>,
         i: usize,
         roots: &Vector6<f64>,

@@ -5,9 +5,9 @@ use crate::kinematics::rows::{GroupRows, largest};
 use crate::linear::jacobian::{Jacobian, NormalEquations};
 use crate::model::{Group, Model};
 use crate::tolerances::{
-    COMMENSURATE, CORRECTION_ITERATIONS, CORRECTION_WORK, FEWEST_CORRECTION_ITERATIONS, FIRST_DAMPING,
-    FOLLOWED, KEPT_JACOBIAN, LEAST_DAMPING, MOST_DAMPING, NEGLIGIBLE_GAP, ROUNDING, ROUNDING_STEP,
-    STALLED_REDUCTION, STALLED_STEP,
+    CLOSING_MOTION_FACTOR, CORRECTION_ITERATIONS, CORRECTION_WORK, FEWEST_CORRECTION_ITERATIONS,
+    FIRM_DIRECTION, FIRST_DAMPING, KEPT_JACOBIAN, LEAST_DAMPING, MOST_DAMPING, NEGLIGIBLE_GAP, ROUNDING,
+    ROUNDING_STEP, STALLED_REDUCTION, STALLED_STEP,
 };
 
 /// Directions in which a group may be moved.
@@ -27,12 +27,12 @@ pub(crate) struct Correction {
     /// Length of the motion from the start, m.
     pub moved: f64,
     /// Part of the motion along the path, m.
-    pub along: f64,
+    pub path_motion: f64,
     pub closed: bool,
     /// Row with the largest residual.
     pub worst: usize,
     /// Residuals and rows of the group at the end.
-    pub here: Linearised,
+    pub linearised: Linearised,
 }
 
 impl<'a> Directions<'a> {
@@ -100,7 +100,7 @@ impl Linearised {
 
 /// Weakest directions (in singular value) that a step may use.
 #[derive(Clone, Copy, PartialEq)]
-enum Followed {
+enum DirectionChoice {
     /// Only directions whose singular value is not caused by the residual itself.
     Firm,
     /// All directions above rounding.
@@ -121,14 +121,18 @@ impl Model {
         directions: Directions,
         tolerance: f64,
     ) -> Correction {
-        let firm = self.descend(kinematics, group, directions, tolerance, Followed::Firm);
+        let firm = self.minimise_residuals(kinematics, group, directions, tolerance, DirectionChoice::Firm);
         if firm.closed || firm.residual > ROUNDING * group.size {
             return firm;
         }
         let before = self.group_positions(group, &kinematics.q);
-        let all = self.descend(kinematics, group, directions, tolerance, Followed::All);
-        if all.closed && all.moved <= COMMENSURATE * firm.residual {
-            return Correction { moved: firm.moved + all.moved, along: firm.along + all.along, ..all };
+        let all = self.minimise_residuals(kinematics, group, directions, tolerance, DirectionChoice::All);
+        if all.closed && all.moved <= CLOSING_MOTION_FACTOR * firm.residual {
+            return Correction {
+                moved: firm.moved + all.moved,
+                path_motion: firm.path_motion + all.path_motion,
+                ..all
+            };
         }
         self.restore_group(kinematics, group, &before);
         firm
@@ -137,13 +141,13 @@ impl Model {
     /// Gauss–Newton steps of least norm, with Levenberg–Marquardt if a step fails. Stops without further improvement.
     /// The Jacobian is reused after a step with such a large reduction that another equal reduction leaves only
     /// rounding.
-    fn descend(
+    fn minimise_residuals(
         &self,
         kinematics: &mut Kinematics<f64>,
         group: &Group,
         directions: Directions,
         tolerance: f64,
-        followed: Followed,
+        followed: DirectionChoice,
     ) -> Correction {
         let size = group.size;
         let (mut moved, mut along) = (0.0, 0.0);
@@ -163,8 +167,8 @@ impl Model {
                 break;
             }
             let small = worst <= ROUNDING * size;
-            let firm = small && followed == Followed::Firm;
-            let floor = (tolerance / size).max(if firm { FOLLOWED * worst / size } else { 0.0 });
+            let firm = small && followed == DirectionChoice::Firm;
+            let floor = (tolerance / size).max(if firm { FIRM_DIRECTION * worst / size } else { 0.0 });
             let target: Vec<f64> = here.residuals.iter().map(|r| -r).collect();
             let (jacobian, equations) = linear.get_or_insert_with(|| {
                 if !rows_are_here {
@@ -248,7 +252,14 @@ impl Model {
             here.rows.fill(self, group, kinematics);
         }
         let (residual, worst) = largest(&here.residuals);
-        Correction { residual, moved, along, closed: residual <= tolerance, worst, here }
+        Correction {
+            residual,
+            moved,
+            path_motion: along,
+            closed: residual <= tolerance,
+            worst,
+            linearised: here,
+        }
     }
 }
 

@@ -10,8 +10,8 @@ use crate::mobility::{Drivers, Singularity};
 use crate::model::configuration::Configuration;
 use crate::model::{Group, Model};
 use crate::tolerances::{
-    CORRECTIONS_SHRINK, FEWEST_SET_CORRECTIONS, MATCHED, MODE_STARTS, MODE_STARTS_ASIDE, MODE_STARTS_WORK,
-    MOST_SET_STEPS, SET_CORRECTIONS, SET_ROUNDING, SET_WORK, SETTLED,
+    CONVERGED_STEP, CORRECTIONS_SHRINK, FEWEST_SET_CORRECTIONS, MATCHED, MODE_STARTS, MODE_STARTS_ASIDE,
+    MODE_STARTS_WORK, MOST_SET_STEPS, SET_CORRECTIONS, SET_ROUNDING, SET_WORK,
 };
 use percuss_mechanism::JointId;
 
@@ -32,7 +32,7 @@ struct Closed {
     /// Positions of a regular pose on the branch, if the pose is (nearly) singular.
     anchor: Option<Vec<f64>>,
     /// Residuals and rows of the group at the current pose, if known.
-    here: Option<Linearised>,
+    linearised: Option<Linearised>,
 }
 
 /// Closed pose from which a branch is followed.
@@ -58,7 +58,7 @@ impl Closer<'_> {
     pub fn close(&mut self, number: usize) -> Result<(), AssemblyError> {
         let (model, facts) = (self.model, &self.facts.groups[number]);
         let group = &model.groups[number];
-        let divided = self.divide(group, facts)?;
+        let divided = self.choose_drivers(group, facts)?;
         let misfit = facts.misfit_beyond(group, &self.kinematics, model);
         let tolerance = model.rounded_tolerance(&self.kinematics, group, misfit);
         let drivers = self.drivers(group, &divided);
@@ -66,12 +66,12 @@ impl Closer<'_> {
             Some(guess) => self.close_from_guess(group, &divided, &drivers, &guess, tolerance)?,
             None => match self.close_along_branch(number, &divided, &drivers, tolerance) {
                 Err(failed @ AssemblyError::Unreachable { .. }) if self.start.is_none() => {
-                    self.close_from_elsewhere(group, &divided, &drivers, tolerance, failed)?
+                    self.close_from_seeded_starts(group, &divided, &drivers, tolerance, failed)?
                 }
                 followed => followed?,
             },
         };
-        let here = closed.here.unwrap_or_else(|| Linearised::at(model, &self.kinematics, group));
+        let here = closed.linearised.unwrap_or_else(|| Linearised::at(model, &self.kinematics, group));
         let mode = model.mode_of(&here.rows, group, &facts.generic(), &divided);
         let state = &mut self.state;
         state.residual = state.residual.max(largest(&here.residuals).0);
@@ -91,19 +91,21 @@ impl Closer<'_> {
     }
 
     /// Drivers: the set coordinates, then declared coordinates, then coordinates that are probably actuated.
-    fn divide(&self, group: &Group, facts: &GroupFacts) -> Result<Drivers, AssemblyError> {
+    fn choose_drivers(&self, group: &Group, facts: &GroupFacts) -> Result<Drivers, AssemblyError> {
         let given = |at: usize| self.is_given(group, at);
-        facts.divide(self.model, group, || self.near(group), given).map_err(|Refused { at, drivers }| {
-            let name = |at: usize| group.joints[at].map(|id| self.model.joint_name(id).to_owned());
-            let names = |of: &mut dyn Iterator<Item = usize>| {
-                let mut names: Vec<String> = of.filter_map(name).collect();
-                names.dedup();
-                names
-            };
-            let set = names(&mut drivers.driving.iter().copied().filter(|&d| given(d)));
-            let drivers = names(&mut drivers.driving.iter().copied());
-            AssemblyError::Dependent { joint: name(at).unwrap_or_default(), drivers, set }
-        })
+        facts.choose_drivers(self.model, group, || self.search_frames(group), given).map_err(
+            |Refused { at, drivers }| {
+                let name = |at: usize| group.joints[at].map(|id| self.model.joint_name(id).to_owned());
+                let names = |of: &mut dyn Iterator<Item = usize>| {
+                    let mut names: Vec<String> = of.filter_map(name).collect();
+                    names.dedup();
+                    names
+                };
+                let set = names(&mut drivers.driving.iter().copied().filter(|&d| given(d)));
+                let drivers = names(&mut drivers.driving.iter().copied());
+                AssemblyError::Dependent { joint: name(at).unwrap_or_default(), drivers, set }
+            },
+        )
     }
 
     /// All positions with the guesses for the group inserted; `None` without guesses.
@@ -112,7 +114,7 @@ impl Closer<'_> {
     }
 
     /// Frames at which the search for the group begins.
-    fn near(&self, group: &Group) -> Kinematics<f64> {
+    fn search_frames(&self, group: &Group) -> Kinematics<f64> {
         let mut near = self.kinematics.clone();
         let guess = self.guess_for(group);
         let start = guess.as_deref().or(self.start.map(|s| s.positions)).unwrap_or(&self.facts.reference);
@@ -123,7 +125,7 @@ impl Closer<'_> {
     /// Sets the drivers to the requested positions and closes the dependent coordinates from seeded starts. Used if
     /// the branch of the first closed pose does not reach the positions. Returns an error if the configuration does
     /// not accept another assembly mode.
-    fn close_from_elsewhere(
+    fn close_from_seeded_starts(
         &mut self,
         group: &Group,
         divided: &Drivers,
@@ -141,8 +143,8 @@ impl Closer<'_> {
                 MODE_STARTS_ASIDE[attempt % MODE_STARTS_ASIDE.len()],
                 5000 + attempt as u64,
             );
-            self.put(group, drivers);
-            if self.correct(group, &divided.dependent, tolerance) && self.matches(group) {
+            self.set_drivers(group, drivers);
+            if self.correct(group, &divided.dependent, tolerance) && self.are_set_joints_at_target(group) {
                 if !self.configuration.other_assembly {
                     self.kinematics = before;
                     return Err(failed.on_other_assembly(attempt + 1));
@@ -187,41 +189,45 @@ impl Closer<'_> {
         let model = self.model;
         let begin = |closer: &mut Self| {
             model.set_group(&mut closer.kinematics, group, guess);
-            closer.put(group, drivers);
+            closer.set_drivers(group, drivers);
         };
         begin(self);
         if model.group_residual(&self.kinematics, group).0 <= tolerance {
             self.correct(group, &divided.dependent, tolerance);
-            self.set_beside_guess(group, divided, drivers, tolerance)?;
+            self.restore_set_joints(group, divided, drivers, tolerance)?;
             return Ok(Closed::default());
         }
         let all: Vec<&Driver> = drivers.iter().collect();
         let closed = self.correct(group, &group.movable, tolerance);
         // The shortest motion may have rotated driving spherical joints, which cannot be moved back along a path.
         if closed && drivers.len() == divided.driving.len() {
-            let driven = self.drive(group, divided, drivers, &all, tolerance);
+            let driven = self.move_drivers(group, divided, drivers, &all, tolerance);
             if let Ok(Closed { anchor, .. }) = driven {
-                self.set_beside_guess(group, divided, drivers, tolerance)?;
-                return Ok(Closed { anchor, here: None });
+                self.restore_set_joints(group, divided, drivers, tolerance)?;
+                return Ok(Closed { anchor, linearised: None });
             }
         }
         begin(self);
         if self.correct(group, &divided.dependent, tolerance) {
-            self.set_beside_guess(group, divided, drivers, tolerance)?;
+            self.restore_set_joints(group, divided, drivers, tolerance)?;
             return Ok(Closed::default());
         }
-        Err(self.unreachable(group, divided, drivers))
+        Err(self.unreachable_error(group, divided, drivers))
     }
 
     /// Moves joints with several set positions back to these positions, if closing from a guess has moved the joints.
-    fn set_beside_guess(
+    fn restore_set_joints(
         &mut self,
         group: &Group,
         divided: &Drivers,
         drivers: &[Driver],
         tolerance: f64,
     ) -> Result<(), AssemblyError> {
-        if self.matches(group) { Ok(()) } else { self.set_directly(group, divided, drivers, tolerance) }
+        if self.are_set_joints_at_target(group) {
+            Ok(())
+        } else {
+            self.move_set_joints(group, divided, drivers, tolerance)
+        }
     }
 
     /// Follows the branch of a known closed pose until the drivers reach the requested positions. Returns a regular
@@ -266,19 +272,19 @@ impl Closer<'_> {
                 }
             }
         }
-        self.set_directly(group, divided, drivers, tolerance)?;
+        self.move_set_joints(group, divided, drivers, tolerance)?;
         // First move drivers that were not set to 0: all together, or else each on its own as far as possible.
         let (given, idle): (Vec<&Driver>, Vec<&Driver>) = drivers.iter().partition(|d| d.given);
-        if !self.stands(&idle) {
+        if !self.are_drivers_at_target(&idle) {
             let positions = |closer: &Self| model.group_positions(group, &closer.kinematics.q);
             let before = positions(self);
-            match self.drive(group, divided, drivers, &idle, tolerance) {
+            match self.move_drivers(group, divided, drivers, &idle, tolerance) {
                 Ok(found) => anchor = found.anchor,
                 Err(_) => {
                     model.restore_group(&mut self.kinematics, group, &before);
                     for driver in &idle {
                         let before = positions(self);
-                        if self.drive(group, divided, drivers, &[driver], tolerance).is_err() {
+                        if self.move_drivers(group, divided, drivers, &[driver], tolerance).is_err() {
                             model.restore_group(&mut self.kinematics, group, &before);
                             self.state.off_zero.push((driver.joint, self.kinematics.q[driver.q]));
                         }
@@ -288,26 +294,27 @@ impl Closer<'_> {
             }
         }
         let mut here = None;
-        if !self.stands(&given) {
-            Closed { anchor, here } = self.drive(group, divided, drivers, &given, tolerance)?;
+        if !self.are_drivers_at_target(&given) {
+            Closed { anchor, linearised: here } =
+                self.move_drivers(group, divided, drivers, &given, tolerance)?;
         }
         let here = here.unwrap_or_else(|| Linearised::at(model, &self.kinematics, group));
         if largest(&here.residuals).0 <= tolerance {
-            Ok(Closed { anchor, here: Some(here) })
+            Ok(Closed { anchor, linearised: Some(here) })
         } else if self.correct(group, &divided.dependent, tolerance) {
-            Ok(Closed { anchor, here: None })
+            Ok(Closed { anchor, linearised: None })
         } else {
-            Err(self.unreachable(group, divided, drivers))
+            Err(self.unreachable_error(group, divided, drivers))
         }
     }
 
     /// True if all drivers are at the requested positions.
-    fn stands(&self, drivers: &[&Driver]) -> bool {
+    fn are_drivers_at_target(&self, drivers: &[&Driver]) -> bool {
         drivers.iter().all(|d| self.kinematics.q[d.q] == d.requested)
     }
 
     /// Sets drivers to the requested positions. Returns true if any driver moved.
-    fn put<'d>(&mut self, group: &Group, drivers: impl IntoIterator<Item = &'d Driver>) -> bool {
+    fn set_drivers<'d>(&mut self, group: &Group, drivers: impl IntoIterator<Item = &'d Driver>) -> bool {
         let mut moved = false;
         for driver in drivers {
             moved |= self.kinematics.q[driver.q] != driver.requested;
@@ -320,7 +327,7 @@ impl Closer<'_> {
     }
 
     /// Moves some drivers to the requested positions along a straight line.
-    fn drive(
+    fn move_drivers(
         &mut self,
         group: &Group,
         divided: &Drivers,
@@ -341,23 +348,23 @@ impl Closer<'_> {
         ) else {
             return Ok(Closed::default());
         };
-        let arrival = path.go(&mut self.kinematics);
+        let arrival = path.follow(&mut self.kinematics);
         if arrival.too_far {
-            return Err(self.too_far(group, drivers));
+            return Err(self.too_far_error(group, drivers));
         }
         if arrival.uncertain {
-            return Err(self.uncertain(group, drivers));
+            return Err(self.uncertain_error(group, drivers));
         }
-        if !arrival.there {
-            return Err(self.unreachable(group, divided, drivers));
+        if !arrival.is_reached {
+            return Err(self.unreachable_error(group, divided, drivers));
         }
-        let moved = self.put(group, moving.iter().copied());
+        let moved = self.set_drivers(group, moving.iter().copied());
         let anchor = arrival.anchor.map(|anchor| self.model.group_positions(group, &anchor));
-        Ok(Closed { anchor, here: arrival.here.filter(|_| !moved) })
+        Ok(Closed { anchor, linearised: arrival.linearised.filter(|_| !moved) })
     }
 
     /// Joints of a group with several positions that were set.
-    fn set_directly_joints(&self, group: &Group) -> Vec<JointId> {
+    fn multi_position_joints(&self, group: &Group) -> Vec<JointId> {
         let several = |id: &JointId| self.model.joint_q[id.index()].len() > 1;
         let given = group.joints.iter().copied().flatten().filter(|id| self.configuration.given[id.index()]);
         let mut joints: Vec<JointId> = given.filter(several).collect();
@@ -366,7 +373,7 @@ impl Closer<'_> {
     }
 
     /// Remaining displacement of the set joints with several positions, over the group's coordinates.
-    fn still_to_go(&self, group: &Group, joints: &[JointId]) -> Vec<f64> {
+    fn remaining_displacement(&self, group: &Group, joints: &[JointId]) -> Vec<f64> {
         let mut goal = self.kinematics.q.clone();
         for id in joints {
             let requested = &self.configuration.values[id.index()];
@@ -382,15 +389,15 @@ impl Closer<'_> {
     }
 
     /// True if the set joints with several positions are at these positions.
-    fn matches(&self, group: &Group) -> bool {
-        let left = self.still_to_go(group, &self.set_directly_joints(group));
+    fn are_set_joints_at_target(&self, group: &Group) -> bool {
+        let left = self.remaining_displacement(group, &self.multi_position_joints(group));
         left.iter().zip(&group.lengths).all(|(l, length)| (l * length).abs() <= MATCHED * group.size)
     }
 
     /// Moves set joints with several positions to these positions, in steps of a tenth of the group's size. Each step
     /// solves the closure equations and the remaining displacement together in least squares, because the joints may
     /// have fewer degrees of freedom than positions.
-    fn set_directly(
+    fn move_set_joints(
         &mut self,
         group: &Group,
         divided: &Drivers,
@@ -398,7 +405,7 @@ impl Closer<'_> {
         tolerance: f64,
     ) -> Result<(), AssemblyError> {
         let model = self.model;
-        let joints = self.set_directly_joints(group);
+        let joints = self.multi_position_joints(group);
         if joints.is_empty() {
             return Ok(());
         }
@@ -407,7 +414,7 @@ impl Closer<'_> {
         let set: Vec<usize> = (0..unknown.len())
             .filter(|k| group.joints[unknown[*k]].is_some_and(|id| joints.contains(&id)))
             .collect();
-        let far = self.still_to_go(group, &joints);
+        let far = self.remaining_displacement(group, &joints);
         let far = far.iter().zip(&group.lengths).map(|(l, length)| (l * length).abs()).fold(0.0, f64::max);
         let steps = (10.0 * far / group.size).ceil().clamp(1.0, MOST_SET_STEPS) as usize;
         let directions = Directions::of(&unknown);
@@ -415,16 +422,17 @@ impl Closer<'_> {
         let mut budget = cubes.clamp(FEWEST_SET_CORRECTIONS, SET_WORK);
         for step in 0..steps {
             let part = 1.0 / (steps - step) as f64;
-            let mut left: Vec<f64> = self.still_to_go(group, &joints).iter().map(|l| l * part).collect();
+            let mut left: Vec<f64> =
+                self.remaining_displacement(group, &joints).iter().map(|l| l * part).collect();
             let mut before = f64::INFINITY;
             for _ in 0..SET_CORRECTIONS {
                 if budget == 0 {
-                    return Err(self.too_far(group, drivers));
+                    return Err(self.too_far_error(group, drivers));
                 }
                 budget -= 1;
                 if step + 1 == steps {
                     // Rotations do not add; in the last step the remaining displacement is measured, not summed.
-                    left = self.still_to_go(group, &joints);
+                    left = self.remaining_displacement(group, &joints);
                 }
                 let here = Linearised::at(model, &self.kinematics, group);
                 let mut jacobian = directions.jacobian(group, &here.rows);
@@ -439,7 +447,7 @@ impl Closer<'_> {
                 model.advance_group(&mut self.kinematics, group, &u);
                 left.iter_mut().zip(&u).for_each(|(l, u)| *l -= u);
                 let gone = x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-                let rounding = gone <= SETTLED * group.size && gone >= CORRECTIONS_SHRINK * before;
+                let rounding = gone <= CONVERGED_STEP * group.size && gone >= CORRECTIONS_SHRINK * before;
                 if gone <= SET_ROUNDING * group.size || rounding {
                     break;
                 }
@@ -457,16 +465,16 @@ impl Closer<'_> {
         model.refill_group(&mut self.kinematics, group);
         let closed = self.correct(group, &divided.dependent, tolerance);
         let depends = |id: &JointId| divided.dependent.iter().any(|&at| group.joints[at] == Some(*id));
-        if closed && (self.matches(group) || joints.iter().all(depends)) {
-            self.note_what_is_left(group, &joints);
+        if closed && (self.are_set_joints_at_target(group) || joints.iter().all(depends)) {
+            self.record_off_target(group, &joints);
             return Ok(());
         }
-        Err(self.unreachable(group, divided, drivers))
+        Err(self.unreachable_error(group, divided, drivers))
     }
 
     /// Records the joints with more set values than degrees of freedom, and their remaining distance.
-    fn note_what_is_left(&mut self, group: &Group, joints: &[JointId]) {
-        let left = self.still_to_go(group, joints);
+    fn record_off_target(&mut self, group: &Group, joints: &[JointId]) {
+        let left = self.remaining_displacement(group, joints);
         for id in joints {
             let own = left.iter().zip(&group.joints).filter(|(_, joint)| **joint == Some(*id));
             let far = own.map(|(l, _)| l * l).sum::<f64>().sqrt();
@@ -477,12 +485,12 @@ impl Closer<'_> {
     }
 
     /// Error with the positions of drivers, then those of set joints with several positions.
-    fn too_far(&self, group: &Group, drivers: &[Driver]) -> AssemblyError {
+    fn too_far_error(&self, group: &Group, drivers: &[Driver]) -> AssemblyError {
         let name = |id: JointId| self.model.joint_name(id).to_owned();
         let numbers = |id: &JointId, values: &[f64]| -> Vec<(String, f64)> {
             values.iter().enumerate().map(|(k, value)| (format!("{}[{k}]", name(*id)), *value)).collect()
         };
-        let several = self.set_directly_joints(group);
+        let several = self.multi_position_joints(group);
         let requested = several.iter().flat_map(|id| numbers(id, &self.configuration.values[id.index()]));
         let reached = |id: &JointId| numbers(id, &self.kinematics.q[self.model.joint_q[id.index()].clone()]);
         AssemblyError::TooFar {
@@ -496,7 +504,7 @@ impl Closer<'_> {
     }
 
     /// Error with the requested and the current positions of the drivers.
-    fn uncertain(&self, group: &Group, drivers: &[Driver]) -> AssemblyError {
+    fn uncertain_error(&self, group: &Group, drivers: &[Driver]) -> AssemblyError {
         let name = |id: JointId| self.model.joint_name(id).to_owned();
         AssemblyError::BranchUncertain {
             requested: drivers.iter().map(|d| (name(d.joint), d.requested)).collect(),
@@ -506,7 +514,7 @@ impl Closer<'_> {
     }
 
     /// Error with the current positions of drivers, then of dependent joints.
-    fn unreachable(&self, group: &Group, divided: &Drivers, drivers: &[Driver]) -> AssemblyError {
+    fn unreachable_error(&self, group: &Group, divided: &Drivers, drivers: &[Driver]) -> AssemblyError {
         let name = |id: JointId| self.model.joint_name(id).to_owned();
         let follower = |&at: &usize| {
             let id = group.joints[at]?;

@@ -15,7 +15,7 @@ use std::ops::Range;
 
 /// Motion of a body relative to its parent.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Motion {
+pub(super) enum TreeMotion {
     /// Rotation about z by a position.
     Turn { q: usize },
     /// Translation along z.
@@ -30,7 +30,7 @@ pub(super) enum Motion {
     Base,
 }
 
-impl Motion {
+impl TreeMotion {
     /// Component of the twist for each velocity, angular part first.
     fn components(&self) -> &'static [usize] {
         match self {
@@ -69,12 +69,12 @@ impl Default for Turn {
 /// Transform from a body's frame to its parent's, after the joint's own motion: rotation about z, shift along z,
 /// rotation about x, shifts along x, y, z, rotation about z, in this order. Identity parts are omitted.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Way {
+pub(super) struct ParentTransform {
     pub turn_z: Option<Turn>,
     pub along_z: f64,
     /// Rotation about x.
     pub tilt: Turn,
-    pub along: [f64; 3],
+    pub shift: [f64; 3],
     pub last_turn_z: Option<Turn>,
     /// Largest distance between the origins, m, without the travel of a slide.
     pub length: f64,
@@ -97,17 +97,17 @@ pub(super) enum Shape {
 
 /// Body with its joint.
 #[derive(Clone, Debug)]
-pub(super) struct Step {
+pub(super) struct TreeStep {
     pub parent: Option<usize>,
-    pub motion: Motion,
+    pub motion: TreeMotion,
     /// True for the free components of the twist, angular part first; all false if the joint is locked.
     pub free: [bool; 6],
     /// True if the body has children with a remaining inertia.
-    pub carries: bool,
+    pub has_child_inertia: bool,
     /// Armature along these components.
     pub armature: [f64; 6],
     pub own: Box<Own>,
-    pub way: Way,
+    pub parent_transform: ParentTransform,
     /// Largest distance of the origin from the parent's origin, with travels up to [`Plan::travel`], m.
     pub reach: f64,
     /// Largest moment of inertia (kg·m²) and mass (kg) of the rigid subtree about the body's origin, over all joint
@@ -115,7 +115,7 @@ pub(super) struct Step {
     pub moment: f64,
     pub mass: f64,
     /// Constant elimination of a leaf.
-    pub leaf: Option<Box<Leaf>>,
+    pub leaf: Option<Box<LeafElimination>>,
 }
 
 /// Rarely read data of a body, kept apart: long chains are faster with compact hot data.
@@ -126,36 +126,37 @@ pub(super) struct Own {
     pub frame: Transform<f64>,
 }
 
-impl Step {
+impl TreeStep {
     /// Shape of the transform if the joint is a hinge.
-    fn hinge(&self) -> Option<Shape> {
-        (self.free[2] && matches!(self.motion, Motion::Turn { .. })).then_some(self.way.shape)
+    fn hinge_shape(&self) -> Option<Shape> {
+        (self.free[2] && matches!(self.motion, TreeMotion::Turn { .. }))
+            .then_some(self.parent_transform.shape)
     }
 
     /// True for six freedoms without armature: the remaining inertia is exactly zero.
-    pub fn lets_go(&self) -> bool {
+    pub fn transmits_nothing(&self) -> bool {
         self.free == [true; 6] && self.armature == [0.0; 6]
     }
 
     /// Positions of the joint.
     pub fn positions(&self) -> Range<usize> {
         match self.motion {
-            Motion::Turn { q } | Motion::Slide { q } => q..q + 1,
-            Motion::Planar { q } => q..q + 3,
-            Motion::Ball { q } => q..q + 4,
-            Motion::Floating { q } => q..q + 7,
-            Motion::Base => 0..0,
+            TreeMotion::Turn { q } | TreeMotion::Slide { q } => q..q + 1,
+            TreeMotion::Planar { q } => q..q + 3,
+            TreeMotion::Ball { q } => q..q + 4,
+            TreeMotion::Floating { q } => q..q + 7,
+            TreeMotion::Base => 0..0,
         }
     }
 }
 
 /// Elimination of a leaf: constant in its own axes.
 #[derive(Clone, Debug)]
-pub(super) struct Leaf {
+pub(super) struct LeafElimination {
     pub left: PackedInertia<f64>,
     pub u: PackedWrench<f64>,
     pub d: f64,
-    pub over: f64,
+    pub inverse_d: f64,
     pub armature_part: f64,
     /// Loss of the pivot: size of its inertia divided by the pivot.
     pub loss: f64,
@@ -165,7 +166,7 @@ pub(super) struct Leaf {
 
 /// Remaining inertia of a prismatic leaf in the parent's frame: I₀ + q I₁ + q² I₂.
 #[derive(Clone, Debug)]
-pub(super) struct Slid {
+pub(super) struct PrismaticLeaf {
     /// I₀, plus the parent's own inertia if this is the first child.
     pub constant: PackedInertia<f64>,
     /// I₁; its linear part is zero.
@@ -180,15 +181,15 @@ pub(super) struct Slid {
 
 /// Form of a step: consecutive steps of one form run without a branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Form {
+pub(super) enum StepForm {
     /// Hinge on the ground with children.
-    Top,
+    GroundHinge,
     /// Hinge with a transform other than [`Shape::General`].
     Hinge(HingeForm),
     /// Prismatic leaf.
-    Slid,
+    PrismaticLeaf,
     /// Any other joint.
-    Any,
+    General,
 }
 
 /// Parameters of the compiled hinge code.
@@ -201,35 +202,35 @@ pub(super) struct HingeForm {
     /// True for a leaf.
     pub leaf: bool,
     /// True if the parent is a hinge on the ground: only one entry of the remaining inertia is needed.
-    pub next_to_last: bool,
+    pub is_parent_on_ground: bool,
 }
 
 /// Step with its position in the sequence.
 #[derive(Clone, Debug)]
-pub(super) struct Placed {
+pub(super) struct ScheduledStep {
     /// Number of its body.
     pub number: usize,
-    pub step: Step,
+    pub step: TreeStep,
     /// Own inertia of the parent.
-    pub above: PackedInertia<f64>,
+    pub parent_inertia: PackedInertia<f64>,
     /// True for the first child of the parent: it starts the parent's sum.
     pub is_first: bool,
     /// Nearest ancestor on the ground or with a zero remaining inertia: bodies outside its subtree do not affect this
     /// step.
-    pub top: usize,
-    pub form: Form,
-    pub slid: Option<Box<Slid>>,
+    pub subtree_root: usize,
+    pub form: StepForm,
+    pub prismatic_leaf: Option<Box<PrismaticLeaf>>,
 }
 
 /// Bodies of a tree in the order of the model.
 #[derive(Clone, Debug)]
-pub(super) struct Plan {
-    pub steps: Vec<Step>,
+pub(super) struct TreePlan {
+    pub steps: Vec<TreeStep>,
     /// Travels of slides (m) in the bounds of sizes. For larger travels, sizes grow at most with the square.
     pub travel: f64,
 }
 
-impl Plan {
+impl TreePlan {
     /// `None` if bodies are bound together or have negative masses.
     pub fn of(model: &Model) -> Option<Self> {
         let bound = model.clusters.iter().any(|cluster| cluster.is_bound);
@@ -239,30 +240,30 @@ impl Plan {
         let length = model.mechanism.characteristic_length();
         let travel = SLIDE_REACH * if length > 0.0 { length } else { 1.0 };
         let mut frames: Vec<Option<Transform<f64>>> = vec![None; model.bodies.len()];
-        let mut steps: Vec<Step> = Vec::with_capacity(model.bodies.len());
+        let mut steps: Vec<TreeStep> = Vec::with_capacity(model.bodies.len());
         // Parents before children: the first child may fix the free parts of its parent's frame.
         for (i, body) in model.bodies.iter().enumerate() {
-            let frame = *frames[i].get_or_insert_with(|| own_frame(model, i));
+            let frame = *frames[i].get_or_insert_with(|| joint_aligned_frame(model, i));
             let carrier = body.parent.map_or(Transform::identity(), |p| steps[p].own.frame);
             let k = carrier.inverse() * body.origin * frame;
-            let way = Way::of(&k);
+            let way = ParentTransform::of(&k);
             let motion = motion_of(body);
             let reach = way.length + motion.travel(travel);
             let (mut free, mut armature) = ([false; 6], [0.0; 6]);
             for ((&component, own), _) in motion.components().iter().zip(&body.armature).zip(body.v.clone()) {
                 (free[component], armature[component]) = (true, *own);
             }
-            steps.push(Step {
+            steps.push(TreeStep {
                 parent: body.parent,
                 motion,
                 free,
-                carries: false,
+                has_child_inertia: false,
                 armature,
                 own: Box::new(Own {
                     inertia: PackedInertia::of_body(&frame.inverse().inertia(&body.inertia)),
                     frame,
                 }),
-                way,
+                parent_transform: way,
                 reach,
                 moment: 0.0,
                 mass: 0.0,
@@ -276,39 +277,45 @@ impl Plan {
     }
 
     /// All steps, children before parents.
-    pub fn placed(self) -> Vec<Placed> {
+    pub fn into_schedule(self) -> Vec<ScheduledStep> {
         let mut tops: Vec<usize> = Vec::with_capacity(self.steps.len());
         for (i, step) in self.steps.iter().enumerate() {
-            tops.push(step.parent.filter(|_| !step.lets_go()).map_or(i, |p| tops[p]));
+            tops.push(step.parent.filter(|_| !step.transmits_nothing()).map_or(i, |p| tops[p]));
         }
         let mut met = vec![false; self.steps.len()];
         let place = |number: usize| {
             let step = &self.steps[number];
-            Placed {
+            ScheduledStep {
                 number,
-                above: step.parent.map_or(step.own.inertia, |p| self.steps[p].own.inertia),
+                parent_inertia: step.parent.map_or(step.own.inertia, |p| self.steps[p].own.inertia),
                 is_first: step
                     .parent
-                    .filter(|_| !step.lets_go())
+                    .filter(|_| !step.transmits_nothing())
                     .is_some_and(|p| !std::mem::replace(&mut met[p], true)),
-                top: tops[number],
+                subtree_root: tops[number],
                 form: self.form(step),
-                slid: None,
+                prismatic_leaf: None,
                 step: step.clone(),
             }
         };
         (0..self.steps.len()).rev().map(place).collect()
     }
 
-    fn form(&self, step: &Step) -> Form {
+    fn form(&self, step: &TreeStep) -> StepForm {
         let Some(parent) = step.parent else {
-            return if step.hinge().is_some() && step.leaf.is_none() { Form::Top } else { Form::Any };
+            return if step.hinge_shape().is_some() && step.leaf.is_none() {
+                StepForm::GroundHinge
+            } else {
+                StepForm::General
+            };
         };
-        let Some(shape) = step.hinge().filter(|shape| *shape != Shape::General) else { return Form::Any };
+        let Some(shape) = step.hinge_shape().filter(|shape| *shape != Shape::General) else {
+            return StepForm::General;
+        };
         let above = &self.steps[parent];
-        let next_to_last = above.parent.is_none() && above.hinge().is_some();
+        let next_to_last = above.parent.is_none() && above.hinge_shape().is_some();
         let (bare, leaf) = (step.armature[2] == 0.0, step.leaf.is_some());
-        Form::Hinge(HingeForm { shape, bare, leaf, next_to_last })
+        StepForm::Hinge(HingeForm { shape, bare, leaf, is_parent_on_ground: next_to_last })
     }
 
     /// Sizes of every subtree's inertia, over all joint positions.
@@ -321,7 +328,7 @@ impl Plan {
             step.mass += own.linear[0];
             first[i] += Vector3::new(h[1][2], h[2][0], h[0][1]).norm();
             let (moment, mass, h, r) = (step.moment, step.mass, first[i], step.reach);
-            let lets_go = step.lets_go();
+            let lets_go = step.transmits_nothing();
             if let Some(parent) = step.parent.filter(|_| !lets_go) {
                 self.steps[parent].moment += moment + r * (2.0 * h + r * mass);
                 self.steps[parent].mass += mass;
@@ -332,36 +339,39 @@ impl Plan {
 
     fn fill_leaves(&mut self) {
         for i in 0..self.steps.len() {
-            if let Some(parent) = self.steps[i].parent.filter(|_| !self.steps[i].lets_go()) {
-                self.steps[parent].carries = true;
+            if let Some(parent) = self.steps[i].parent.filter(|_| !self.steps[i].transmits_nothing()) {
+                self.steps[parent].has_child_inertia = true;
             }
         }
-        for step in self.steps.iter_mut().filter(|step| !step.carries && step.free != [false; 6]) {
-            step.leaf = Leaf::of(step).map(Box::new);
+        for step in self.steps.iter_mut().filter(|step| !step.has_child_inertia && step.free != [false; 6]) {
+            step.leaf = LeafElimination::of(step).map(Box::new);
         }
     }
 }
 
-impl Leaf {
-    fn of(step: &Step) -> Option<Self> {
+impl LeafElimination {
+    fn of(step: &TreeStep) -> Option<Self> {
         type One = Portable<1>;
         let value = One::number;
         let mut left: PackedInertia<One> = step.own.inertia.cast();
         let pivot = match step.motion {
-            Motion::Turn { .. } => left.turn_pivot::<2>(One::from_f64(step.armature[2])),
-            Motion::Slide { .. } => left.slide_pivot::<2>(One::from_f64(step.armature[5])),
-            Motion::Planar { .. } | Motion::Ball { .. } | Motion::Floating { .. } | Motion::Base => {
+            TreeMotion::Turn { .. } => left.turn_pivot::<2>(One::from_f64(step.armature[2])),
+            TreeMotion::Slide { .. } => left.slide_pivot::<2>(One::from_f64(step.armature[5])),
+            TreeMotion::Planar { .. }
+            | TreeMotion::Ball { .. }
+            | TreeMotion::Floating { .. }
+            | TreeMotion::Base => {
                 return None;
             }
         };
-        let turns = matches!(step.motion, Motion::Turn { .. });
+        let turns = matches!(step.motion, TreeMotion::Turn { .. });
         let sizes = Sizes::of(&left, false, &[]);
         let size = value(if turns { sizes.moment } else { sizes.mass });
         // A body without mass leaves a zero inertia and no loss. Its own m̄ would be NaN.
         let is_massless = size == 0.0 && value(pivot.d) == 0.0;
-        let loss = if is_massless { 1.0 } else { size * value(pivot.over).abs() };
+        let loss = if is_massless { 1.0 } else { size * value(pivot.inverse_d).abs() };
         let sizes = sizes.amplified(One::from_f64(loss));
-        let over_d = pivot.u.scaled(pivot.over);
+        let over_d = pivot.u.scaled(pivot.inverse_d);
         match turns {
             _ if is_massless => {}
             true => left.eliminate_turn::<2>(&pivot, &over_d),
@@ -373,7 +383,7 @@ impl Leaf {
             left: left.plain(),
             u: wrench(&pivot.u),
             d: value(pivot.d),
-            over: value(pivot.over),
+            inverse_d: value(pivot.inverse_d),
             loss,
             sizes: Sizes { moment: value(sizes.moment), mass: value(sizes.mass) },
             armature_part: value(pivot.armature_part),
@@ -386,22 +396,22 @@ fn is_plain(body: &Body) -> bool {
     body.mimic.is_none() && body.motion.kind != JointKind::Fixed && is_positive(&body.inertia)
 }
 
-fn motion_of(body: &Body) -> Motion {
+fn motion_of(body: &Body) -> TreeMotion {
     let q = body.q.start;
     match body.motion.kind {
-        JointKind::Floating if body.joint.is_none() => Motion::Base,
+        JointKind::Floating if body.joint.is_none() => TreeMotion::Base,
         // Fixed joints are merged into their parent and have no entry here.
-        JointKind::Revolute | JointKind::Continuous | JointKind::Fixed => Motion::Turn { q },
-        JointKind::Prismatic => Motion::Slide { q },
-        JointKind::Planar => Motion::Planar { q },
-        JointKind::Spherical => Motion::Ball { q },
-        JointKind::Floating => Motion::Floating { q },
+        JointKind::Revolute | JointKind::Continuous | JointKind::Fixed => TreeMotion::Turn { q },
+        JointKind::Prismatic => TreeMotion::Slide { q },
+        JointKind::Planar => TreeMotion::Planar { q },
+        JointKind::Spherical => TreeMotion::Ball { q },
+        JointKind::Floating => TreeMotion::Floating { q },
     }
 }
 
 /// Frame of a body: z along its joint axis; x and the origin follow from the axis of its first child, as far as the
 /// joint leaves them free.
-fn own_frame(model: &Model, i: usize) -> Transform<f64> {
+fn joint_aligned_frame(model: &Model, i: usize) -> Transform<f64> {
     let body = &model.bodies[i];
     let Some(z) = axis_of(&body.motion) else { return Transform::identity() };
     if body.motion.kind == JointKind::Planar {
@@ -446,7 +456,7 @@ fn common_normal(
     (x.map(|x| x.normalize()), z * z.dot(point))
 }
 
-impl Way {
+impl ParentTransform {
     /// From X_po with the joint at 0.
     fn of(k: &Transform<f64>) -> Self {
         let (r, p) = (&k.rotation, &k.translation);
@@ -479,7 +489,7 @@ impl Way {
         let small = |d: f64| if d.abs() <= f64::EPSILON * p.norm() { 0.0 } else { d };
         let (along, along_z) = (along.map(small), small(along_z));
         let length = along_z.abs() + Vector3::from(along).norm();
-        let last_turn_z = first.unless_none();
+        let last_turn_z = first.unless_identity();
         let shape = if along[1] != 0.0 || along[2] != 0.0 || last_turn_z.is_some() {
             Shape::General
         } else if tilt == Turn::NONE {
@@ -489,7 +499,7 @@ impl Way {
         } else {
             Shape::Skew
         };
-        Self { turn_z: second.unless_none(), along_z, tilt, along, last_turn_z, length, shape }
+        Self { turn_z: second.unless_identity(), along_z, tilt, shift: along, last_turn_z, length, shape }
     }
 }
 
@@ -504,7 +514,7 @@ impl Turn {
         if cos.abs() <= NO_TURN { Self { cos: 0.0, sin: sin.signum() } } else { Self { cos, sin } }
     }
 
-    fn unless_none(self) -> Option<Self> {
+    fn unless_identity(self) -> Option<Self> {
         (self.sin.abs() > NO_TURN || self.cos < 0.0).then_some(self)
     }
 }

@@ -1,15 +1,20 @@
 //! Poses of the bodies of a linkage, root axes, relative to a centre near the bodies.
 
-use super::plan::{BodyDirection, BodyPoint, Motion, Plan, Position};
-use super::room::{FRAME, along, dot, get, get_vector, plus, put_vector, size, times};
-use crate::kernels::estimate::Columns;
+use super::layout::{FRAME, add_scaled, dot, get, get_vector, plus, put_vector, size, times};
+use super::plan::{BodyDirection, BodyPoint, JointPosition, LoopMotion, LoopPlan};
+use crate::kernels::estimate::PositionColumns;
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{rotation_rows, splat};
 
 /// Stores the frames of the bodies. Returns the excess of the angles beyond their accepted range, and the distance of
 /// the farthest body from the centre.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn place<T: Lanes>(plan: &Plan, columns: Columns<'_>, first: usize, room: &mut [f64]) -> (T, T) {
+pub(super) fn fill_frames<T: Lanes>(
+    plan: &LoopPlan,
+    columns: PositionColumns<'_>,
+    first: usize,
+    room: &mut [f64],
+) -> (T, T) {
     let (mut beyond, mut far) = (T::zero(), T::zero());
     for (i, body) in plan.bodies.iter().enumerate() {
         let fixed = [splat(&body.rotation[0]), splat(&body.rotation[1]), splat(&body.rotation[2])];
@@ -24,8 +29,8 @@ pub(super) fn place<T: Lanes>(plan: &Plan, columns: Columns<'_>, first: usize, r
             turn = product(&carrier, &fixed);
         }
         match body.motion {
-            Motion::Fixed | Motion::Free => {}
-            Motion::Turn(position) => {
+            LoopMotion::Fixed | LoopMotion::Free => {}
+            LoopMotion::Turn(position) => {
                 let angle: T = position.at(columns, first);
                 let over = angle.abs() - T::from_f64(LARGEST_ANGLE);
                 beyond += over + over.abs();
@@ -37,11 +42,11 @@ pub(super) fn place<T: Lanes>(plan: &Plan, columns: Columns<'_>, first: usize, r
                     r += 1;
                 }
             }
-            Motion::Slide(position) => {
+            LoopMotion::Slide(position) => {
                 let travel: T = position.at(columns, first);
-                shift = along(&[turn[0][2], turn[1][2], turn[2][2]], travel, &shift);
+                shift = add_scaled(&[turn[0][2], turn[1][2], turn[2][2]], travel, &shift);
             }
-            Motion::Ball(q) => turn = product(&turn, &of_quaternion(columns, q, first)),
+            LoopMotion::Ball(q) => turn = product(&turn, &of_quaternion(columns, q, first)),
         }
         put_vector(room, FRAME * i, turn[0]);
         put_vector(room, FRAME * i + 3, turn[1]);
@@ -52,9 +57,9 @@ pub(super) fn place<T: Lanes>(plan: &Plan, columns: Columns<'_>, first: usize, r
     (beyond, far)
 }
 
-impl Position {
+impl JointPosition {
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn at<T: Lanes>(&self, columns: Columns<'_>, first: usize) -> T {
+    fn at<T: Lanes>(&self, columns: PositionColumns<'_>, first: usize) -> T {
         columns.at::<T>(self.q, first).mul_add(T::from_f64(self.multiplier), T::from_f64(self.offset))
     }
 }
@@ -66,15 +71,15 @@ fn product<T: Lanes>(a: &[[T; 3]; 3], b: &[[T; 3]; 3]) -> [[T; 3]; 3] {
     while r < 3 {
         let row = &a[r];
         let mut sum = times(&b[0], row[0]);
-        sum = along(&b[1], row[1], &sum);
-        all[r] = along(&b[2], row[2], &sum);
+        sum = add_scaled(&b[1], row[1], &sum);
+        all[r] = add_scaled(&b[2], row[2], &sum);
         r += 1;
     }
     all
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn of_quaternion<T: Lanes>(columns: Columns<'_>, q: usize, first: usize) -> [[T; 3]; 3] {
+fn of_quaternion<T: Lanes>(columns: PositionColumns<'_>, q: usize, first: usize) -> [[T; 3]; 3] {
     let w: T = columns.at(q, first);
     rotation_rows([w, columns.at(q + 1, first), columns.at(q + 2, first), columns.at(q + 3, first)])
 }

@@ -1,19 +1,19 @@
 //! Transform from a body's frame to its parent's, with the joint's motion first.
 
-use super::carried::{COSINE, Carried, SINE, number};
-use super::plan::{Motion, Step};
-use crate::kernels::estimate::Columns;
+use super::plan::{TreeMotion, TreeStep};
+use super::propagation::{COSINE, PropagatedWrench, SINE, number};
+use crate::kernels::estimate::PositionColumns;
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{PackedInertia, rotation_rows};
 
 /// Location of the positions of the lanes.
 #[derive(Clone, Copy)]
-pub(super) struct At<'a> {
-    pub columns: Columns<'a>,
+pub(super) struct LanePositions<'a> {
+    pub columns: PositionColumns<'a>,
     pub first: usize,
 }
 
-impl At<'_> {
+impl LanePositions<'_> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn position<T: Lanes>(&self, q: usize) -> T {
         self.columns.at(q, self.first)
@@ -27,16 +27,16 @@ impl At<'_> {
 
 /// Transform to the parent's frame.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn go<T: Lanes>(
-    step: &Step,
+pub(super) fn propagate_to_parent<T: Lanes>(
+    step: &TreeStep,
     inertia: &mut PackedInertia<T>,
     on_path: bool,
-    at: At<'_>,
-    carried: &mut Carried<T>,
+    at: LanePositions<'_>,
+    carried: &mut PropagatedWrench<T>,
     own: &[f64],
 ) {
     let of = T::from_f64;
-    let (way, wrench) = (&step.way, &mut carried.wrench);
+    let (way, wrench) = (&step.parent_transform, &mut carried.wrench);
     macro_rules! both {
         ($what:ident::<$axis:literal>($($by:expr),*)) => {
             inertia.$what::<$axis>($($by),*);
@@ -56,39 +56,39 @@ pub(super) fn go<T: Lanes>(
     }
     let along_z = of(way.along_z);
     match step.motion {
-        Motion::Turn { .. } => {
+        TreeMotion::Turn { .. } => {
             let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
             both!(screw::<2>(c, s, along_z));
         }
-        Motion::Slide { .. } => {
+        TreeMotion::Slide { .. } => {
             both!(shift::<2>(number::<T>(own, SINE) + along_z));
         }
-        Motion::Planar { q } => {
+        TreeMotion::Planar { q } => {
             both!(shift::<0>(at.position(q)));
             both!(shift::<1>(at.position(q + 1)));
             both!(shift::<2>(along_z));
         }
-        Motion::Ball { q } => {
+        TreeMotion::Ball { q } => {
             rotate!(q);
             both!(shift::<2>(along_z));
         }
-        Motion::Floating { q } => {
+        TreeMotion::Floating { q } => {
             rotate!(q + 3);
             both!(shift::<0>(at.position(q)));
             both!(shift::<1>(at.position(q + 1)));
             both!(shift::<2>(at.position::<T>(q + 2) + along_z));
         }
-        Motion::Base => {}
+        TreeMotion::Base => {}
     }
     match (step.motion, way.turn_z) {
-        (Motion::Turn { .. }, _) | (_, None) => {}
+        (TreeMotion::Turn { .. }, _) | (_, None) => {}
         (_, Some(turn)) => {
             both!(turn::<2>(of(turn.cos), of(turn.sin)));
         }
     }
-    both!(screw::<0>(of(way.tilt.cos), of(way.tilt.sin), of(way.along[0])));
-    both!(shift::<1>(of(way.along[1])));
-    both!(shift::<2>(of(way.along[2])));
+    both!(screw::<0>(of(way.tilt.cos), of(way.tilt.sin), of(way.shift[0])));
+    both!(shift::<1>(of(way.shift[1])));
+    both!(shift::<2>(of(way.shift[2])));
     if let Some(turn) = way.last_turn_z {
         both!(turn::<2>(of(turn.cos), of(turn.sin)));
     }

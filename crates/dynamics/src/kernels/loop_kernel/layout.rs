@@ -8,7 +8,7 @@ pub(super) struct Layout {
     /// A, rows × columns.
     pub rows: usize,
     /// 1 over each pivot.
-    pub over: usize,
+    pub inverse_pivots: usize,
     /// Rates of the coordinates, columns × freedoms.
     pub rates: usize,
     /// Twists of the bodies at their origins, root axes: bodies × freedoms × 6.
@@ -35,7 +35,7 @@ impl Layout {
         let twists = rates + columns * freedoms;
         let residuals = twists + 6 * bodies * freedoms;
         let steps = residuals + count;
-        Self { rows, over, rates, twists, residuals, steps, total: steps + columns, count }
+        Self { rows, inverse_pivots: over, rates, twists, residuals, steps, total: steps + columns, count }
     }
 }
 
@@ -45,7 +45,7 @@ pub(super) fn get<T: Lanes>(room: &[f64], at: usize) -> T {
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn put<T: Lanes>(room: &mut [f64], at: usize, x: T) {
+pub(super) fn store<T: Lanes>(room: &mut [f64], at: usize, x: T) {
     x.store(&mut room[at * T::WIDTH..]);
 }
 
@@ -94,7 +94,7 @@ pub(super) fn times<T: Lanes>(a: &[T; 3], x: T) -> [T; 3] {
 
 /// a·x + b.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn along<T: Lanes>(a: &[T; 3], x: T, b: &[T; 3]) -> [T; 3] {
+pub(super) fn add_scaled<T: Lanes>(a: &[T; 3], x: T, b: &[T; 3]) -> [T; 3] {
     [a[0].mul_add(x, b[0]), a[1].mul_add(x, b[1]), a[2].mul_add(x, b[2])]
 }
 

@@ -9,26 +9,26 @@
 //! inertias. [`crate::recursion`] computes the same m̄ cluster by cluster; for few degrees of freedom the energy is
 //! cheaper. A test compares the two.
 
-use super::place::{direction, frame, place, point};
-use super::plan::{BodyDirection, BodyPoint, Motion, Moving, Plan};
-use super::room::{FRAME, along, cross, dot, get, get_vector, minus, plus, put_vector, size, times};
+use super::frames::{direction, fill_frames, frame, point};
+use super::layout::{FRAME, add_scaled, cross, dot, get, get_vector, minus, plus, put_vector, size, times};
+use super::plan::{BodyDirection, BodyPoint, LoopBody, LoopMotion, LoopPlan};
 use super::rows::{RowRoundings, eliminate, fill_rates, fill_rows};
-use crate::kernels::estimate::{Columns, off_unit};
+use crate::kernels::estimate::{PositionColumns, quaternion_norm_excess};
 use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
 
 /// Contact in the frames of the plan.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Struck {
+pub(super) struct LoopContact {
     pub on: BodyPoint,
     /// Body on the other side; `None` for the ground.
     pub against: Option<usize>,
-    pub normal: Normal,
+    pub normal: LoopNormal,
 }
 
 /// Unit normal.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Normal {
+pub(super) enum LoopNormal {
     Along(BodyDirection),
     /// Direction to a point, close to the line as drawn.
     Toward {
@@ -44,7 +44,7 @@ pub(super) enum Normal {
 
 /// Results of some lanes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Answer<T> {
+pub(super) struct LoopResponse<T> {
     /// 1/m̄, 1/kg.
     pub response: T,
     /// Error of the response in units of ε, 1/kg.
@@ -54,34 +54,34 @@ pub(super) struct Answer<T> {
 /// 1/m̄ of the configurations from `first` on.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn evaluate<T: Lanes>(
-    plan: &Plan,
-    struck: &Struck,
-    columns: Columns<'_>,
+    plan: &LoopPlan,
+    struck: &LoopContact,
+    columns: PositionColumns<'_>,
     first: usize,
     room: &mut [f64],
-) -> Answer<T> {
-    let (mut beyond, far): (T, T) = place(plan, columns, first, room);
+) -> LoopResponse<T> {
+    let (mut beyond, far): (T, T) = fill_frames(plan, columns, first, room);
     for body in &plan.bodies {
-        if let Motion::Ball(q) = body.motion {
-            beyond += off_unit(columns, q, first);
+        if let LoopMotion::Ball(q) = body.motion {
+            beyond += quaternion_norm_excess(columns, q, first);
         }
     }
     let rows: RowRoundings<T> = fill_rows::<T, false>(plan, room).roundings;
     let least: T = eliminate::<T, false>(plan, room);
-    answer(plan, struck, (beyond, far), rows, least, room)
+    response_after_elimination(plan, struck, (beyond, far), rows, least, room)
 }
 
 /// 1/m̄ after the elimination of A. First pair: excess of the angles beyond their accepted range, and distance of the
 /// farthest body (m). `rows`: errors of the entries of A, in roundings. `least`: the largest 1/|pivot|.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn answer<T: Lanes>(
-    plan: &Plan,
-    struck: &Struck,
+pub(super) fn response_after_elimination<T: Lanes>(
+    plan: &LoopPlan,
+    struck: &LoopContact,
     (beyond, far): (T, T),
     rows: RowRoundings<T>,
     least: T,
     room: &mut [f64],
-) -> Answer<T> {
+) -> LoopResponse<T> {
     fill_rates::<T>(plan, room);
     fill_twists::<T>(plan, room);
     // Error of each rate in units of ε times the sum of all rates: the roundings of the entries of A, divided by its
@@ -92,14 +92,14 @@ pub(super) fn answer<T: Lanes>(
     // Error of the positions: the residual of the loops divided by the pivots, and at least the residual itself.
     let open = rows.open * amplified.max(T::one());
     let entries = rows.rods + open + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
-    let mut answer: Answer<T> = respond(plan, struck, entries * amplified, room);
+    let mut answer: LoopResponse<T> = solve_response(plan, struck, entries * amplified, room);
     answer.error = beyond.mul_add(T::from_f64(f64::MAX), answer.error);
     answer
 }
 
 /// Twists of the bodies at their origins, root axes.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn fill_twists<T: Lanes>(plan: &Plan, room: &mut [f64]) {
+fn fill_twists<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) {
     let f = plan.freedoms;
     for (i, body) in plan.bodies.iter().enumerate() {
         let (turn, origin) = frame::<T>(room, i);
@@ -109,26 +109,32 @@ fn fill_twists<T: Lanes>(plan: &Plan, room: &mut [f64]) {
             let to = plan.layout.twists + 6 * (i * f + y);
             let (mut angular, mut linear) = ([T::zero(); 3], [T::zero(); 3]);
             if let (Some(parent), Some(arm)) = (body.parent, &arm)
-                && plan.bodies[parent].moved[y]
+                && plan.bodies[parent].moved_by[y]
             {
                 let from = plan.layout.twists + 6 * (parent * f + y);
                 angular = get_vector(room, from);
                 linear = plus(&get_vector(room, from + 3), &cross(&angular, arm));
             }
             for (k, velocity) in body.velocities.iter().enumerate() {
-                if !plan.follows[velocity.column * f + y] {
+                if !plan.depends_on[velocity.column * f + y] {
                     continue;
                 }
                 let rate: T = get(room, plan.layout.rates + velocity.column * f + y);
                 let rate = rate * T::from_f64(velocity.factor);
                 match body.motion {
-                    Motion::Fixed => {}
-                    Motion::Turn(_) => angular = along(&[turn[0][2], turn[1][2], turn[2][2]], rate, &angular),
-                    Motion::Slide(_) => linear = along(&[turn[0][2], turn[1][2], turn[2][2]], rate, &linear),
-                    Motion::Ball(_) => angular = along(&[turn[0][k], turn[1][k], turn[2][k]], rate, &angular),
+                    LoopMotion::Fixed => {}
+                    LoopMotion::Turn(_) => {
+                        angular = add_scaled(&[turn[0][2], turn[1][2], turn[2][2]], rate, &angular)
+                    }
+                    LoopMotion::Slide(_) => {
+                        linear = add_scaled(&[turn[0][2], turn[1][2], turn[2][2]], rate, &linear)
+                    }
+                    LoopMotion::Ball(_) => {
+                        angular = add_scaled(&[turn[0][k], turn[1][k], turn[2][k]], rate, &angular)
+                    }
                     // The axes of the floating base are the root axes.
-                    Motion::Free if k < 3 => angular[k] += rate,
-                    Motion::Free => linear[k - 3] += rate,
+                    LoopMotion::Free if k < 3 => angular[k] += rate,
+                    LoopMotion::Free => linear[k - 3] += rate,
                 }
             }
             put_vector(room, to, angular);
@@ -147,7 +153,7 @@ fn fill_twists<T: Lanes>(plan: &Plan, room: &mut [f64]) {
 /// δ(1/m̄) = Σ (2 |t/d| δt + (t/d)² δd)
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Answer<T> {
+fn solve_response<T: Lanes>(plan: &LoopPlan, struck: &LoopContact, lost: T, room: &[f64]) -> LoopResponse<T> {
     const MOST: usize = LINKAGE_FREEDOMS;
     let f = plan.freedoms;
     let (mut d, mut sizes) = ([[T::zero(); MOST]; MOST], [T::zero(); MOST]);
@@ -158,8 +164,8 @@ fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Ans
     let at: [T; 3] = point(room, &struck.on);
     let (mut turned, mut refused) = (T::one(), T::zero());
     let normal = match &struck.normal {
-        Normal::Along(heading) => direction(room, heading),
-        Normal::Toward { end, drawn, shortest, least_cosine } => {
+        LoopNormal::Along(heading) => direction(room, heading),
+        LoopNormal::Toward { end, drawn, shortest, least_cosine } => {
             let end = point(room, end);
             let line = minus(&end, &at);
             let over = T::one() / dot(&line, &line).sqrt();
@@ -194,7 +200,7 @@ fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Ans
     let roundings = T::from_f64(ROUTE_ROUNDINGS);
     let mut k = 0;
     while k < f {
-        let off: T = lost * all_rates::<T>(plan, k, room);
+        let off: T = lost * rate_sum::<T>(plan, k, room);
         tests[k] = turned * off.mul_add(arms, tests[k] * roundings);
         let square = off * off * T::from_f64(plan.weight);
         let cross = (square * d[k][k].abs()).sqrt();
@@ -202,7 +208,7 @@ fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Ans
         sizes[k] = sizes[k].mul_add(roundings, cross + cross + second);
         k += 1;
     }
-    let mut answer = Answer { response: T::zero(), error: T::zero() };
+    let mut answer = LoopResponse { response: T::zero(), error: T::zero() };
     k = 0;
     while k < f {
         let over = T::one() / d[k][k];
@@ -231,7 +237,7 @@ fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Ans
 
 /// Sum of the absolute rates of all coordinates at a unit rate of one independent coordinate.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn all_rates<T: Lanes>(plan: &Plan, y: usize, room: &[f64]) -> T {
+fn rate_sum<T: Lanes>(plan: &LoopPlan, y: usize, room: &[f64]) -> T {
     let mut sum = T::one();
     let mut k = 0;
     while k < plan.layout.count {
@@ -243,8 +249,15 @@ fn all_rates<T: Lanes>(plan: &Plan, y: usize, room: &[f64]) -> T {
 
 /// Closing speed of a body's point, and the size of its terms.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn speed<T: Lanes>(plan: &Plan, body: usize, y: usize, at: &[T; 3], normal: &[T; 3], room: &[f64]) -> (T, T) {
-    if !plan.bodies[body].moved[y] {
+fn speed<T: Lanes>(
+    plan: &LoopPlan,
+    body: usize,
+    y: usize,
+    at: &[T; 3],
+    normal: &[T; 3],
+    room: &[f64],
+) -> (T, T) {
+    if !plan.bodies[body].moved_by[y] {
         return (T::zero(), T::zero());
     }
     let from = plan.layout.twists + 6 * (body * plan.freedoms + y);
@@ -257,9 +270,9 @@ fn speed<T: Lanes>(plan: &Plan, body: usize, y: usize, at: &[T; 3], normal: &[T;
 /// Adds a body's part of D, on and below the diagonal, and the sizes of the terms of the diagonal.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn add_energy<T: Lanes>(
-    plan: &Plan,
+    plan: &LoopPlan,
     i: usize,
-    body: &Moving,
+    body: &LoopBody,
     room: &[f64],
     d: &mut [[T; LINKAGE_FREEDOMS]; LINKAGE_FREEDOMS],
     sizes: &mut [T; LINKAGE_FREEDOMS],
@@ -295,7 +308,7 @@ fn add_energy<T: Lanes>(
     let mut known = [[[T::zero(); 3]; 2]; LINKAGE_FREEDOMS];
     let mut y = 0;
     while y < f {
-        if body.moved[y] {
+        if body.moved_by[y] {
             let from = plan.layout.twists + 6 * (i * f + y);
             let angular = back(&turn, &get_vector(room, from));
             let linear = back(&turn, &get_vector(room, from + 3));
@@ -309,7 +322,7 @@ fn add_energy<T: Lanes>(
             );
             let mut z = 0;
             while z <= y {
-                if body.moved[z] {
+                if body.moved_by[z] {
                     d[y][z] += dot(&known[z][0], &about) + dot(&known[z][1], &momentum);
                 }
                 z += 1;
@@ -322,5 +335,5 @@ fn add_energy<T: Lanes>(
 /// Rᵀ x.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn back<T: Lanes>(turn: &[[T; 3]; 3], x: &[T; 3]) -> [T; 3] {
-    along(&turn[2], x[2], &along(&turn[1], x[1], &times(&turn[0], x[0])))
+    add_scaled(&turn[2], x[2], &add_scaled(&turn[1], x[1], &times(&turn[0], x[0])))
 }

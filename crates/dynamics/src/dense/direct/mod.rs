@@ -4,7 +4,7 @@
 mod least_energy;
 mod mass_matrix;
 
-pub(crate) use least_energy::{LeastEnergy, Minimum, Solution, condition_of};
+pub(crate) use least_energy::{LeastEnergy, LeastEnergySolution, Minimum, condition_of};
 
 use crate::kinematics::contact::LocatedContact;
 use crate::kinematics::frames::Kinematics;
@@ -33,7 +33,11 @@ impl Model {
     /// Independent rows of A as decided for each group, group after group. Each row is scaled to a largest entry of 1
     /// over the group's scaled coordinates. Groups share no coordinates, so all rows together are as independent as
     /// the rows of each group.
-    fn counting_rows(&self, kinematics: &Kinematics<f64>, groups: &[GroupMobility]) -> DMatrix<f64> {
+    fn independent_constraint_rows(
+        &self,
+        kinematics: &Kinematics<f64>,
+        groups: &[GroupMobility],
+    ) -> DMatrix<f64> {
         let count = groups.iter().map(|known| known.pivots.rows.len()).sum();
         let mut matrix = DMatrix::zeros(count, self.coordinates.len());
         let mut next = 0;
@@ -64,16 +68,17 @@ impl Model {
         kinematics: &Kinematics<f64>,
         groups: &[GroupMobility],
         contact: &LocatedContact,
-    ) -> Solution {
+    ) -> LeastEnergySolution {
         let row = self.contact_row(kinematics, contact);
-        let (mut values, mut sizes) = (vec![0.0; self.follows.len()], vec![0.0; self.follows.len()]);
+        let (mut values, mut sizes) =
+            (vec![0.0; self.velocity_coordinates.len()], vec![0.0; self.velocity_coordinates.len()]);
         for entry in &row.entries {
             (values[entry.velocity], sizes[entry.velocity]) = (entry.value, entry.size);
         }
         LeastEnergy {
             mass: &self.mass_matrix(kinematics),
             mass_size: &self.mass_sizes(kinematics),
-            constraints: &self.counting_rows(kinematics, groups),
+            constraints: &self.independent_constraint_rows(kinematics, groups),
             row: &self.reduce_vector(&values, |multiplier| multiplier),
             row_size: &self.reduce_vector(&sizes, f64::abs),
             lengths: &self.coordinate_lengths(row.length),

@@ -1,13 +1,13 @@
 //! Compiled form of a mechanism of few degrees of freedom: bodies with the joint axis as the z axis of their frames,
 //! the rows that close the loops, and the order in which dependent coordinates are eliminated.
 
-use super::room::Layout;
+use super::layout::Layout;
 use nalgebra::Vector3;
 use percuss_spatial::Transform;
 
 /// A position that moves a joint: `multiplier · positions[q] + offset`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Position {
+pub(super) struct JointPosition {
     pub q: usize,
     pub multiplier: f64,
     pub offset: f64,
@@ -15,13 +15,13 @@ pub(super) struct Position {
 
 /// Motion of a body relative to its parent.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Motion {
+pub(super) enum LoopMotion {
     /// No motion.
     Fixed,
     /// Rotation about z.
-    Turn(Position),
+    Turn(JointPosition),
     /// Translation along z.
-    Slide(Position),
+    Slide(JointPosition),
     /// Rotation by the quaternion that starts at a position index.
     Ball(usize),
     /// Floating base: its pose is the reference frame.
@@ -40,17 +40,17 @@ pub(super) struct Velocity {
 
 /// A body and its joint.
 #[derive(Clone, Debug)]
-pub(super) struct Moving {
+pub(super) struct LoopBody {
     pub parent: Option<usize>,
     /// Frame of the joint in the parent's frame.
     pub rotation: [[f64; 3]; 3],
     pub translation: [f64; 3],
-    pub motion: Motion,
+    pub motion: LoopMotion,
     pub velocities: Vec<Velocity>,
     /// Mass, first moment, moments and products of inertia (xx, xy, xz, yy, yz, zz); `None` if all are zero.
     pub inertia: Option<[f64; 10]>,
     /// For each independent coordinate: true if the coordinate can move the body.
-    pub moved: Vec<bool>,
+    pub moved_by: Vec<bool>,
     /// X_bo: frame of the plan (o) in the body frame of the model.
     pub frame: Transform<f64>,
     /// Upper bound of the distance from the body's origin to the joint of any ancestor, without travels of slides, m.
@@ -73,7 +73,7 @@ pub(super) struct BodyDirection {
 
 /// Form of one row or of three rows of A, from the relative motion of successor and predecessor.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Form {
+pub(super) enum RowForm {
     /// Velocity of the successor's point, root axes: three rows.
     Point,
     /// Velocity of the successor's point along a direction.
@@ -89,7 +89,7 @@ pub(super) enum Form {
 
 /// Joint velocity that occurs in the rows of a block.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Term {
+pub(super) struct BlockTerm {
     pub body: usize,
     /// Index among the velocities of the body's joint.
     pub component: usize,
@@ -107,27 +107,27 @@ pub(super) struct Block {
     pub predecessor: Option<BodyPoint>,
     pub successor: BodyPoint,
     /// Forms with the row numbers of each; `None` for an unused or redundant row.
-    pub forms: Vec<(Form, [Option<usize>; 3])>,
-    pub terms: Vec<Term>,
+    pub forms: Vec<(RowForm, [Option<usize>; 3])>,
+    pub terms: Vec<BlockTerm>,
 }
 
 /// Pivot of A on the diagonal, with the nonzero rows below it and the nonzero columns to its right.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Pivot {
+pub(super) struct RowPivot {
     pub rows: Vec<usize>,
     pub columns: Vec<usize>,
 }
 
 /// Mechanism of few degrees of freedom.
 #[derive(Clone, Debug)]
-pub(super) struct Plan {
-    pub bodies: Vec<Moving>,
+pub(super) struct LoopPlan {
+    pub bodies: Vec<LoopBody>,
     pub blocks: Vec<Block>,
-    pub pivots: Vec<Pivot>,
+    pub pivots: Vec<RowPivot>,
     /// Fill-in: entries of A, row by row, without a term of their own that become nonzero in the elimination.
     pub filled_in: Vec<usize>,
     /// For each coordinate and each independent one: true if the rate can be nonzero.
-    pub follows: Vec<bool>,
+    pub depends_on: Vec<bool>,
     /// Largest pivot at the pose of compilation.
     pub scale: f64,
     /// Smallest length of a rotational coordinate, m.
@@ -144,7 +144,7 @@ pub(super) struct Plan {
     pub centre: Vector3<f64>,
 }
 
-impl Plan {
+impl LoopPlan {
     /// Converts a point from the body frame of the model, or from the root frame, to the frame of the plan.
     pub fn point(&self, body: Option<usize>, at: &Vector3<f64>) -> BodyPoint {
         let at = body.map_or_else(|| at - self.centre, |b| self.bodies[b].frame.inverse_point(at));

@@ -1,23 +1,23 @@
 //! Shared parts of the recursion's steps: propagation of the contact wrench to the ground, and the layout of the
 //! workspace.
 
-use super::plan::{Leaf, Step};
+use super::plan::{LeafElimination, TreeStep};
 use super::sizes::SIZES;
 use crate::tolerances::{LOSS_ROUNDINGS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{PackedInertia, PackedWrench, Pivot};
 
 /// Numbers of workspace per step and lane: inertia, sine and cosine (or travel), sizes of terms.
-pub(super) const ROOM: usize = SIZES + 2;
+pub(super) const SCRATCH_NUMBERS: usize = SIZES + 2;
 pub(super) const SINE: usize = 21;
 pub(super) const COSINE: usize = 22;
 
 /// Contact wrench during its propagation to the ground.
-pub(super) struct Carried<T> {
+pub(super) struct PropagatedWrench<T> {
     pub wrench: PackedWrench<T>,
     /// Sizes of the terms of the wrench's moment (N·m) and force (N).
-    pub about: T,
-    pub along: T,
+    pub moment_size: T,
+    pub force_size: T,
     /// 1/m̄, 1/kg, and the sum of the sizes of its terms.
     pub response: T,
     pub terms: T,
@@ -31,7 +31,7 @@ pub(super) fn number<T: Lanes>(slot: &[f64], number: usize) -> T {
 
 /// Adds the remaining inertia to the parent's.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn pass<T: Lanes>(
+pub(super) fn add_to_parent<T: Lanes>(
     inertia: &mut PackedInertia<T>,
     above: &PackedInertia<f64>,
     is_first: bool,
@@ -46,26 +46,31 @@ pub(super) fn pass<T: Lanes>(
     }
 }
 
-impl Leaf {
+impl LeafElimination {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn pivot<T: Lanes>(&self) -> Pivot<T> {
         let of = T::from_f64;
-        Pivot { u: self.u.cast(), d: of(self.d), over: of(self.over), armature_part: of(self.armature_part) }
+        Pivot {
+            u: self.u.cast(),
+            d: of(self.d),
+            inverse_d: of(self.inverse_d),
+            armature_part: of(self.armature_part),
+        }
     }
 }
 
-impl<T: Lanes> Carried<T> {
+impl<T: Lanes> PropagatedWrench<T> {
     /// Zero wrench.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn none() -> Self {
         let (o, one) = (T::zero(), T::one());
-        Self { wrench: PackedWrench::zero(), about: o, along: o, response: o, terms: o, loss: one }
+        Self { wrench: PackedWrench::zero(), moment_size: o, force_size: o, response: o, terms: o, loss: one }
     }
 
     /// Counts the ratio of a pivot's summed terms to the pivot. Returns that ratio.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn lose(&mut self, size: T, pivot: &Pivot<T>) -> T {
-        let loss = size * pivot.over.abs();
+    pub fn record_loss(&mut self, size: T, pivot: &Pivot<T>) -> T {
+        let loss = size * pivot.inverse_d.abs();
         self.loss = self.loss.max(loss);
         loss
     }
@@ -78,7 +83,7 @@ impl<T: Lanes> Carried<T> {
 
     /// Adds t²/D and its terms. Returns t/D.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn respond(&mut self, size: T, t: T, test: T, over: T) -> T {
+    pub fn add_response(&mut self, size: T, t: T, test: T, over: T) -> T {
         let rate = t * over;
         let part = rate.abs();
         self.response = t.mul_add(rate, self.response);
@@ -89,18 +94,22 @@ impl<T: Lanes> Carried<T> {
 
 /// Update of the contact wrench by the elimination of one velocity. `AXIS`: component of the twist, angular part first.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn spend<T: Lanes, const AXIS: usize>(step: &Step, pivot: &Pivot<T>, carried: &mut Carried<T>) {
+pub(super) fn update_wrench<T: Lanes, const AXIS: usize>(
+    step: &TreeStep,
+    pivot: &Pivot<T>,
+    carried: &mut PropagatedWrench<T>,
+) {
     let of = T::from_f64;
     let size = of(if AXIS < 3 { step.moment } else { step.mass });
     let (t, test) = if AXIS < 3 {
-        (carried.wrench.moment[AXIS], carried.about)
+        (carried.wrench.moment[AXIS], carried.moment_size)
     } else {
-        (carried.wrench.force[AXIS - 3], carried.along)
+        (carried.wrench.force[AXIS - 3], carried.force_size)
     };
-    let rate = carried.respond(size, t, test, pivot.over);
+    let rate = carried.add_response(size, t, test, pivot.inverse_d);
     let part = rate.abs();
     let (m, f) = (&pivot.u.moment, &pivot.u.force);
-    carried.about = (m[0].abs() + m[1].abs() + m[2].abs()).mul_add(part, carried.about);
-    carried.along = (f[0].abs() + f[1].abs() + f[2].abs()).mul_add(part, carried.along);
+    carried.moment_size = (m[0].abs() + m[1].abs() + m[2].abs()).mul_add(part, carried.moment_size);
+    carried.force_size = (f[0].abs() + f[1].abs() + f[2].abs()).mul_add(part, carried.force_size);
     carried.wrench.subtract(&pivot.u, rate);
 }

@@ -1,25 +1,25 @@
 //! Rows of A, their elimination in the order of the plan, and the rates of the dependent coordinates.
 
-use super::place::{axis, direction, place, point};
-use super::plan::{Block, Form, Motion, Moving, Plan, Term};
-use super::room::{FRAME, cross, dot, get, get_vector, minus, plus, put, size, times};
-use crate::kernels::estimate::Columns;
+use super::frames::{axis, direction, fill_frames, point};
+use super::layout::{FRAME, cross, dot, get, get_vector, minus, plus, size, store, times};
+use super::plan::{Block, BlockTerm, LoopBody, LoopMotion, LoopPlan, RowForm};
+use crate::kernels::estimate::PositionColumns;
 use crate::tolerances::{FAR_ROUNDINGS, OPEN_ROUNDINGS};
 use percuss_spatial::lanes::{Lanes, Portable};
 
 /// Entries of A at the given positions, row by row; used before the rows are ordered.
-pub(super) fn rows_at(plan: &Plan, positions: &[f64]) -> Vec<f64> {
+pub(super) fn matrix_at(plan: &LoopPlan, positions: &[f64]) -> Vec<f64> {
     let mut room = vec![0.0; plan.layout.total];
-    place::<Portable<1>>(plan, Columns { values: positions, stride: 1 }, 0, &mut room);
+    fill_frames::<Portable<1>>(plan, PositionColumns { values: positions, stride: 1 }, 0, &mut room);
     fill_rows::<Portable<1>, false>(plan, &mut room);
-    room[plan.layout.rows..plan.layout.over].to_vec()
+    room[plan.layout.rows..plan.layout.inverse_pivots].to_vec()
 }
 
 /// Quantities of the loops, computed with their rows.
 #[derive(Clone, Copy)]
-pub(super) struct Seen<T> {
+pub(super) struct LoopResiduals<T> {
     /// Largest residual of a row, m.
-    pub open: T,
+    pub residual: T,
     /// Errors of the entries of A from the residual and from short rods.
     pub roundings: RowRoundings<T>,
 }
@@ -36,14 +36,14 @@ pub(super) struct RowRoundings<T> {
 
 /// Fills A; with `KEPT`, also stores the residual of each row (m).
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64]) -> Seen<T> {
+pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut [f64]) -> LoopResiduals<T> {
     for entry in &plan.filled_in {
-        put(room, plan.layout.rows + entry, T::zero());
+        store(room, plan.layout.rows + entry, T::zero());
     }
     macro_rules! keep {
         ($row:expr, $residual:expr) => {
             if KEPT && let Some(row) = $row {
-                put(room, plan.layout.residuals + row, $residual);
+                store(room, plan.layout.residuals + row, $residual);
             }
         };
     }
@@ -57,21 +57,21 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64
         };
         for (form, rows) in &block.forms {
             match form {
-                Form::Point => {
+                RowForm::Point => {
                     open = open.max(size(&apart));
                     keep!(rows[0], apart[0]);
                     keep!(rows[1], apart[1]);
                     keep!(rows[2], apart[2]);
                     add_point(plan, block, rows, &at, room);
                 }
-                Form::Along(e) => {
+                RowForm::Along(e) => {
                     let force = direction(room, e);
                     let gap = dot(&apart, &force);
                     open = open.max(gap.abs());
                     keep!(rows[0], gap);
                     add_row(plan, block, rows[0], &still, &force, &at, room);
                 }
-                Form::Cosine(e, b, length) => {
+                RowForm::Cosine(e, b, length) => {
                     let (e, b): ([T; 3], [T; 3]) = (direction(room, e), direction(room, b));
                     let length = T::from_f64(*length);
                     let gap = dot(&b, &e) * length;
@@ -79,7 +79,7 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64
                     keep!(rows[0], gap);
                     add_row(plan, block, rows[0], &times(&cross(&b, &e), length), &still, &at, room);
                 }
-                Form::Distance(distance) => {
+                RowForm::Distance(distance) => {
                     let square: T = dot(&apart, &apart);
                     let length = square.sqrt();
                     let gap = length - T::from_f64(*distance);
@@ -89,27 +89,30 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64
                     rods = rods.max((size(&at) + size(&apart)) * over);
                     add_row(plan, block, rows[0], &still, &times(&apart, over), &at, room);
                 }
-                Form::Constant => {
+                RowForm::Constant => {
                     let Some(row) = rows[0] else { continue };
                     for term in &block.terms {
                         let to = plan.layout.rows + row * plan.columns + term.column;
-                        put(room, to, before::<T>(term, to, room) + T::from_f64(term.factor));
+                        store(room, to, entry_before::<T>(term, to, room) + T::from_f64(term.factor));
                     }
                 }
             }
         }
     }
     let of_open = open * T::from_f64(OPEN_ROUNDINGS / (f64::EPSILON * plan.length));
-    Seen { open, roundings: RowRoundings { rods: rods * T::from_f64(FAR_ROUNDINGS), open: of_open } }
+    LoopResiduals {
+        residual: open,
+        roundings: RowRoundings { rods: rods * T::from_f64(FAR_ROUNDINGS), open: of_open },
+    }
 }
 
 /// Axis of a term, and the vector from its body's origin to the point `at`; root axes.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn lever<T: Lanes>(term: &Term, bodies: &[Moving], at: &[T; 3], room: &[f64]) -> ([T; 3], [T; 3]) {
+fn lever<T: Lanes>(term: &BlockTerm, bodies: &[LoopBody], at: &[T; 3], room: &[f64]) -> ([T; 3], [T; 3]) {
     let k = match bodies[term.body].motion {
-        Motion::Ball(_) => term.component,
-        Motion::Free => term.component % 3,
-        Motion::Fixed | Motion::Turn(_) | Motion::Slide(_) => 2,
+        LoopMotion::Ball(_) => term.component,
+        LoopMotion::Free => term.component % 3,
+        LoopMotion::Fixed | LoopMotion::Turn(_) | LoopMotion::Slide(_) => 2,
     };
     let place: [T; 3] = get_vector(room, FRAME * term.body + 9);
     (axis(room, term.body, k), minus(at, &place))
@@ -117,13 +120,19 @@ fn lever<T: Lanes>(term: &Term, bodies: &[Moving], at: &[T; 3], room: &[f64]) ->
 
 /// Entry before a term is added: zero for the first term.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn before<T: Lanes>(term: &Term, entry: usize, room: &[f64]) -> T {
+fn entry_before<T: Lanes>(term: &BlockTerm, entry: usize, room: &[f64]) -> T {
     if term.is_first { T::zero() } else { get(room, entry) }
 }
 
 /// Adds the three rows of the velocity of a point.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn add_point<T: Lanes>(plan: &Plan, block: &Block, rows: &[Option<usize>; 3], at: &[T; 3], room: &mut [f64]) {
+fn add_point<T: Lanes>(
+    plan: &LoopPlan,
+    block: &Block,
+    rows: &[Option<usize>; 3],
+    at: &[T; 3],
+    room: &mut [f64],
+) {
     for term in &block.terms {
         let (a, arm) = lever(term, &plan.bodies, at, room);
         let velocity = if term.slides { a } else { cross(&a, &arm) };
@@ -131,7 +140,7 @@ fn add_point<T: Lanes>(plan: &Plan, block: &Block, rows: &[Option<usize>; 3], at
         while k < 3 {
             if let Some(row) = rows[k] {
                 let to = plan.layout.rows + row * plan.columns + term.column;
-                put(room, to, velocity[k].mul_add(T::from_f64(term.factor), before(term, to, room)));
+                store(room, to, velocity[k].mul_add(T::from_f64(term.factor), entry_before(term, to, room)));
             }
             k += 1;
         }
@@ -141,7 +150,7 @@ fn add_point<T: Lanes>(plan: &Plan, block: &Block, rows: &[Option<usize>; 3], at
 /// Adds one row: the power of a wrench about the point `at`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn add_row<T: Lanes>(
-    plan: &Plan,
+    plan: &LoopPlan,
     block: &Block,
     row: Option<usize>,
     moment: &[T; 3],
@@ -154,29 +163,29 @@ fn add_row<T: Lanes>(
         let (a, arm) = lever(term, &plan.bodies, at, room);
         let power = if term.slides { dot(&a, force) } else { dot(&a, &plus(moment, &cross(&arm, force))) };
         let to = plan.layout.rows + row * plan.columns + term.column;
-        put(room, to, power.mul_add(T::from_f64(term.factor), before(term, to, room)));
+        store(room, to, power.mul_add(T::from_f64(term.factor), entry_before(term, to, room)));
     }
 }
 
 /// Eliminates the dependent coordinates in the order of the plan; with `KEPT`, also in the residuals. Returns the
 /// largest 1/|pivot|.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64]) -> T {
+pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut [f64]) -> T {
     let (n, rows) = (plan.columns, plan.layout.rows);
     let mut least = T::zero();
     for (k, pivot) in plan.pivots.iter().enumerate() {
         let over = T::one() / get::<T>(room, rows + k * n + k);
         least = least.max(over.abs());
-        put(room, plan.layout.over + k, over);
+        store(room, plan.layout.inverse_pivots + k, over);
         for &r in &pivot.rows {
             let factor = -(get::<T>(room, rows + r * n + k) * over);
             for &c in &pivot.columns {
                 let to = rows + r * n + c;
-                put(room, to, get::<T>(room, rows + k * n + c).mul_add(factor, get(room, to)));
+                store(room, to, get::<T>(room, rows + k * n + c).mul_add(factor, get(room, to)));
             }
             if KEPT {
                 let to = plan.layout.residuals + r;
-                put(room, to, get::<T>(room, plan.layout.residuals + k).mul_add(factor, get(room, to)));
+                store(room, to, get::<T>(room, plan.layout.residuals + k).mul_add(factor, get(room, to)));
             }
         }
     }
@@ -185,7 +194,7 @@ pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64
 
 /// Newton steps of the dependent coordinates, m, after the elimination: A\[d\] δ = −r. Returns ‖δ‖.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn fill_steps<T: Lanes>(plan: &Plan, room: &mut [f64]) -> T {
+pub(super) fn fill_steps<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) -> T {
     let (n, rank) = (plan.columns, plan.layout.count);
     let mut square = T::zero();
     let mut k = rank;
@@ -198,40 +207,40 @@ pub(super) fn fill_steps<T: Lanes>(plan: &Plan, room: &mut [f64]) -> T {
                 sum = entry.mul_add(get(room, plan.layout.steps + c), sum);
             }
         }
-        let step = -(sum * get::<T>(room, plan.layout.over + k));
+        let step = -(sum * get::<T>(room, plan.layout.inverse_pivots + k));
         square = step.mul_add(step, square);
-        put(room, plan.layout.steps + k, step);
+        store(room, plan.layout.steps + k, step);
     }
     square.sqrt()
 }
 
 /// Rates of all coordinates for unit rates of the independent coordinates.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn fill_rates<T: Lanes>(plan: &Plan, room: &mut [f64]) {
+pub(super) fn fill_rates<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) {
     let (n, f, rank, rates) = (plan.columns, plan.freedoms, plan.layout.count, plan.layout.rates);
     let mut y = 0;
     while y < f {
         let mut free = 0;
         while free < f {
             let unit = if free == y { T::one() } else { T::zero() };
-            put(room, rates + (rank + free) * f + y, unit);
+            store(room, rates + (rank + free) * f + y, unit);
             free += 1;
         }
         let mut k = rank;
         while k > 0 {
             k -= 1;
-            if !plan.follows[k * f + y] {
-                put(room, rates + k * f + y, T::zero());
+            if !plan.depends_on[k * f + y] {
+                store(room, rates + k * f + y, T::zero());
                 continue;
             }
             let mut sum = T::zero();
             for &c in &plan.pivots[k].columns {
-                if plan.follows[c * f + y] {
+                if plan.depends_on[c * f + y] {
                     let entry: T = get(room, plan.layout.rows + k * n + c);
                     sum = entry.mul_add(get(room, rates + c * f + y), sum);
                 }
             }
-            put(room, rates + k * f + y, -(sum * get::<T>(room, plan.layout.over + k)));
+            store(room, rates + k * f + y, -(sum * get::<T>(room, plan.layout.inverse_pivots + k)));
         }
         y += 1;
     }

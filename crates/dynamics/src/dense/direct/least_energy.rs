@@ -35,23 +35,23 @@ pub(crate) enum Minimum {
 
 /// Solution of [`LeastEnergy`].
 #[derive(Clone, Debug)]
-pub(crate) struct Solution {
+pub(crate) struct LeastEnergySolution {
     pub minimum: Minimum,
     /// v* (zero if immovable).
     pub velocity: Vec<f64>,
     /// True if a massless motion that does not close the gap makes v* ambiguous.
-    pub is_open: bool,
+    pub has_massless_motion: bool,
     /// |j on ker A| relative to the size of its terms.
     pub closing_speed: f64,
     /// Number of massless directions.
     pub massless_directions: usize,
     /// True if a direction with an energy below rounding couples to the solution. Such a direction, if not dropped,
     /// may reduce m̄ to zero.
-    pub couples: bool,
+    pub massless_couples: bool,
 }
 
 /// Factorisation M = L Lᵀ with pivoting, up to the first zero pivot.
-struct Factor {
+struct MassFactor {
     /// Lᵀ, rank×n.
     transpose: Mat<f64>,
     negative: bool,
@@ -59,35 +59,37 @@ struct Factor {
 
 impl LeastEnergy<'_> {
     /// Solves v = v₀ + Z z by least squares with M = L Lᵀ, without pseudo-inverse or regularisation.
-    pub fn solve(&self) -> Solution {
+    pub fn solve(&self) -> LeastEnergySolution {
         let n = self.row.len();
         let scales = self.scales();
-        let kernel = self.kernel(&scales);
+        let kernel = self.constraint_kernel(&scales);
         let mass = Mat::from_fn(n, n, |r, c| {
             if self.has_mass(r) && self.has_mass(c) { self.mass[(r, c)] * scales[r] * scales[c] } else { 0.0 }
         });
         let factor = self.factor(&mass);
         let rank = factor.transpose.nrows();
-        let mut solution = Solution {
+        let mut solution = LeastEnergySolution {
             minimum: Minimum::Immovable,
             velocity: vec![0.0; n],
-            is_open: false,
+            has_massless_motion: false,
             closing_speed: self.closing_speed(&kernel, &scales),
             massless_directions: n - rank,
-            couples: false,
+            massless_couples: false,
         };
         if solution.closing_speed <= IMMOVABLE {
             return solution;
         }
         let row = Mat::from_fn(1, n, |_, c| self.row[c] * scales[c]);
         let (minimum, scaled) = if factor.negative {
-            stationary(&mass, &kernel, &row)
+            stationary_minimum(&mass, &kernel, &row)
         } else if self.constraints.nrows() == 0 && rank == n {
             formula(&mass, &row)
         } else {
             let found = least_squares(&factor.transpose, &kernel, &row);
-            solution.is_open = found.is_open && matches!(found.minimum, Minimum::Finite(_));
-            solution.couples = solution.is_open && self.couples(&scales, &found);
+            solution.has_massless_motion =
+                found.has_massless_motion && matches!(found.minimum, Minimum::Finite(_));
+            solution.massless_couples =
+                solution.has_massless_motion && self.massless_couples(&scales, &found);
             (found.minimum, found.velocity)
         };
         solution.minimum = minimum;
@@ -97,15 +99,15 @@ impl LeastEnergy<'_> {
 
     /// True if the energy changes along a direction classified as massless: its gradient zᵀMv exceeds the rounding of
     /// the entries of M, including entries omitted from the factor.
-    fn couples(&self, scales: &[f64], found: &Found) -> bool {
+    fn massless_couples(&self, scales: &[f64], found: &LeastSquaresResult) -> bool {
         let n = self.row.len();
         let momentum: Vec<f64> = (0..n)
             .map(|r| (0..n).map(|c| self.mass[(r, c)] * scales[r] * scales[c] * found.velocity[(c, 0)]).sum())
             .collect();
         let roots: Vec<f64> = (0..n).map(|k| scales[k] * self.mass_size[k].abs().sqrt()).collect();
         let moving: f64 = (0..n).map(|k| roots[k] * found.velocity[(k, 0)].abs()).sum();
-        (0..found.open.ncols()).any(|i| {
-            let z = found.open.col(i);
+        (0..found.massless_motions.ncols()).any(|i| {
+            let z = found.massless_motions.col(i);
             let gradient: f64 = (0..n).map(|k| z[k] * momentum[k]).sum();
             // Every component of z is rounded relative to the largest.
             let size: f64 = roots.iter().sum::<f64>() * z.iter().fold(0.0, |most: f64, z| most.max(z.abs()));
@@ -137,7 +139,7 @@ impl LeastEnergy<'_> {
     }
 
     /// Orthonormal basis of ker A in the scaled coordinates.
-    fn kernel(&self, scales: &[f64]) -> Mat<f64> {
+    fn constraint_kernel(&self, scales: &[f64]) -> Mat<f64> {
         let (m, n) = self.constraints.shape();
         // The pivoted QR of faer returns NaN for a zero matrix.
         if m == 0 || self.constraints.amax() == 0.0 {
@@ -167,7 +169,7 @@ impl LeastEnergy<'_> {
 
     /// Cholesky factorisation with diagonal pivoting. A pivot counts as zero below the rounding of its own diagonal
     /// entry: n ε, or more if the entry is a small difference of large terms.
-    fn factor(&self, mass: &Mat<f64>) -> Factor {
+    fn factor(&self, mass: &Mat<f64>) -> MassFactor {
         let n = mass.nrows();
         let tolerance = |k: usize| {
             let cancelled = if self.has_mass(k) { self.mass_size[k] / self.mass[(k, k)].abs() } else { 1.0 };
@@ -193,7 +195,7 @@ impl LeastEnergy<'_> {
             rows.push(row);
         }
         let negative = (0..n).any(|k| !done[k] && remaining[k] < -INDEFINITE_PIVOT * tolerance(k));
-        Factor { transpose: Mat::from_fn(rows.len(), n, |r, c| rows[r][c]), negative }
+        MassFactor { transpose: Mat::from_fn(rows.len(), n, |r, c| rows[r][c]), negative }
     }
 }
 
@@ -208,12 +210,12 @@ fn formula(mass: &Mat<f64>, row: &Mat<f64>) -> (Minimum, Mat<f64>) {
             (Minimum::Finite(1.0 / inverse), response)
         }
         // The pivoted factorisation was complete, so only the last bits differ.
-        Err(_) => stationary(mass, &Mat::identity(mass.nrows(), mass.nrows()), row),
+        Err(_) => stationary_minimum(mass, &Mat::identity(mass.nrows(), mass.nrows()), row),
     }
 }
 
 /// Stationary value 1/(j_N (NᵀMN)⁻¹ j_Nᵀ) for an indefinite M.
-fn stationary(mass: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> (Minimum, Mat<f64>) {
+fn stationary_minimum(mass: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> (Minimum, Mat<f64>) {
     use faer::linalg::solvers::Solve;
     let reduced = kernel.transpose() * mass * kernel;
     let reduced_row = row * kernel;
@@ -224,17 +226,17 @@ fn stationary(mass: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> (Minimum, M
 }
 
 /// Result of the least-squares problem, in scaled coordinates.
-struct Found {
+struct LeastSquaresResult {
     minimum: Minimum,
     velocity: Mat<f64>,
     /// True if some motion has zero energy.
-    is_open: bool,
+    has_massless_motion: bool,
     /// Motions with zero energy, in scaled coordinates.
-    open: Mat<f64>,
+    massless_motions: Mat<f64>,
 }
 
 /// min ‖Lᵀ(v₀ + Z z)‖² with v₀ along j, and Z the admissible motions that do not close the gap.
-fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> Found {
+fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> LeastSquaresResult {
     let along = (row * kernel).transpose().to_owned();
     let norm = along.norm_l2();
     let particular = kernel * &along * faer::Scale(1.0 / (norm * norm));
@@ -245,7 +247,12 @@ fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> Found 
     // No free motions, or only massless ones (the pivoted QR of faer returns NaN for a zero matrix).
     if energies.norm_max() == 0.0 {
         let minimum = minimum(target.squared_norm_l2(), norm, rows);
-        return Found { minimum, velocity: particular, is_open: motions.ncols() > 0, open: motions };
+        return LeastSquaresResult {
+            minimum,
+            velocity: particular,
+            has_massless_motion: motions.ncols() > 0,
+            massless_motions: motions,
+        };
     }
     let qr = energies.col_piv_qr();
     let r = qr.R();
@@ -270,7 +277,12 @@ fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> Found 
         }
     }
     let open = motions * follow;
-    Found { minimum: minimum(energy, norm, rows), velocity, is_open: open.ncols() > 0, open }
+    LeastSquaresResult {
+        minimum: minimum(energy, norm, rows),
+        velocity,
+        has_massless_motion: open.ncols() > 0,
+        massless_motions: open,
+    }
 }
 
 /// Classifies `energy` at unit closing speed; `norm` is the closing speed of a unit motion along j.
@@ -301,7 +313,7 @@ fn condition(mass: MatRef<'_, f64>) -> Option<f64> {
 mod tests {
     use super::*;
 
-    fn solve(mass: DMatrix<f64>, constraints: DMatrix<f64>, row: &[f64]) -> Solution {
+    fn solve(mass: DMatrix<f64>, constraints: DMatrix<f64>, row: &[f64]) -> LeastEnergySolution {
         let constraints = independent(&constraints);
         let mass_size: Vec<f64> = (0..row.len()).map(|k| mass[(k, k)].abs().max(1e-3)).collect();
         let row_size: Vec<f64> = row.iter().map(|x: &f64| x.abs().max(1e-3)).collect();
@@ -337,7 +349,7 @@ mod tests {
         DMatrix::from_row_slice(3, 3, &[4.0, 1.0, -0.5, 1.0, 3.0, 0.7, -0.5, 0.7, 2.0])
     }
 
-    fn finite(solution: &Solution) -> f64 {
+    fn finite(solution: &LeastEnergySolution) -> f64 {
         match solution.minimum {
             Minimum::Finite(m) => m,
             other => panic!("{other:?}"),
@@ -366,7 +378,7 @@ mod tests {
         for (a, b) in general_way.velocity.iter().zip(&by_formula.velocity) {
             assert!((a - b).abs() < 1e-14);
         }
-        assert!(!general_way.is_open);
+        assert!(!general_way.has_massless_motion);
     }
 
     #[test]
@@ -374,7 +386,7 @@ mod tests {
         let point = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.0]);
         assert_eq!(solve(point.clone(), none(2), &[0.0, 1.0]).minimum, Minimum::Massless);
         let beside = solve(point.clone(), none(2), &[2.0, 0.0]);
-        assert!((finite(&beside) - 0.25).abs() < 1e-16 && beside.is_open);
+        assert!((finite(&beside) - 0.25).abs() < 1e-16 && beside.has_massless_motion);
         assert_eq!(solve(point, none(2), &[0.0, 0.0]).minimum, Minimum::Immovable);
         assert_eq!(solve(DMatrix::zeros(0, 0), none(0), &[]).minimum, Minimum::Immovable);
         let held = solve(general(), DMatrix::identity(3, 3), &[1.0, 2.0, 3.0]);
@@ -387,7 +399,7 @@ mod tests {
         // Two collinear prismatic joints: the first moves no mass of its own, the second 3 kg. M = 3 [1 1; 1 1].
         let mass = DMatrix::from_element(2, 2, 3.0);
         let tip = solve(mass.clone(), none(2), &[1.0, 1.0]);
-        assert!((finite(&tip) - 3.0).abs() < 1e-14 && tip.is_open);
+        assert!((finite(&tip) - 3.0).abs() < 1e-14 && tip.has_massless_motion);
         assert_eq!(solve(mass, none(2), &[1.0, 0.0]).minimum, Minimum::Massless);
     }
 

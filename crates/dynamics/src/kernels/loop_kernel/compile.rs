@@ -1,10 +1,11 @@
 //! Compiles a mechanism of few degrees of freedom, and orders its elimination at the assembly's first closed pose.
 
+use super::layout::Layout;
 use super::plan::{
-    Block, BodyDirection, BodyPoint, Form, Motion, Moving, Pivot, Plan, Position, Term, Velocity,
+    Block, BlockTerm, BodyDirection, BodyPoint, JointPosition, LoopBody, LoopMotion, LoopPlan, RowForm,
+    RowPivot, Velocity,
 };
-use super::room::Layout;
-use super::rows::rows_at;
+use super::rows::matrix_at;
 use crate::analysis::assembly::Assembly;
 use crate::kernels::estimate::is_positive;
 use crate::model::{Body, CompiledClosure, Constraint, ConstraintRows, LinkFrame, Model};
@@ -13,7 +14,7 @@ use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::{ClosureKind, JointKind};
 use percuss_spatial::{SpatialInertia, Transform, plane_basis};
 
-impl Plan {
+impl LoopPlan {
     /// `None` for joints other than hinges, slides and balls, redundant rows, many degrees of freedom, several
     /// independent subtrees, or negative inertias.
     pub fn of(assembly: &Assembly) -> Option<Self> {
@@ -22,7 +23,11 @@ impl Plan {
 
     /// Same plan, ordered at the given positions; only coordinates with `may(coordinate)` can be dependent. Also
     /// `None` if the mechanism has couplings or held contacts.
-    pub fn driven(assembly: &Assembly, positions: &[f64], may: &dyn Fn(usize) -> bool) -> Option<Self> {
+    pub fn compile_driven(
+        assembly: &Assembly,
+        positions: &[f64],
+        may: &dyn Fn(usize) -> bool,
+    ) -> Option<Self> {
         let plan = Self::at(assembly, positions, may)?;
         plan.blocks.iter().all(|block| block.predecessor.is_some()).then_some(plan)
     }
@@ -53,7 +58,7 @@ impl Plan {
             blocks: Vec::new(),
             pivots: Vec::new(),
             filled_in: Vec::new(),
-            follows: Vec::new(),
+            depends_on: Vec::new(),
             scale: 0.0,
             length,
             weight: 0.0,
@@ -107,21 +112,22 @@ impl Plan {
                 let terms = self.terms(model, constraint, scale)?;
                 let row = *rows;
                 *rows += 1;
-                let forms = vec![(Form::Constant, [Some(row), None, None])];
+                let forms = vec![(RowForm::Constant, [Some(row), None, None])];
                 return Some(Block { predecessor: None, successor: ground, forms, terms });
             }
             Constraint::Hold(i) => {
                 let hold = &model.holds[i];
                 let on = &model.link_frames[hold.link.index()];
                 let at = self.point(on.body, &on.frame.point(&hold.point));
-                let forms = hold.directions().map(|d| Form::Along(BodyDirection { body: None, e: d.into() }));
+                let forms =
+                    hold.directions().map(|d| RowForm::Along(BodyDirection { body: None, e: d.into() }));
                 let forms = forms.into_iter().take(constraint.count).collect();
                 (None, at, forms)
             }
         };
         let terms = self.terms(model, constraint, 1.0)?;
-        let mut number = |form: Form| {
-            let count = if matches!(form, Form::Point) { 3 } else { 1 };
+        let mut number = |form: RowForm| {
+            let count = if matches!(form, RowForm::Point) { 3 } else { 1 };
             let first = *rows;
             *rows += count;
             (form, std::array::from_fn(|k| (k < count).then_some(first + k)))
@@ -130,12 +136,12 @@ impl Plan {
         Some(Block { predecessor, successor, forms, terms })
     }
 
-    fn terms(&self, model: &Model, constraint: &ConstraintRows, scale: f64) -> Option<Vec<Term>> {
+    fn terms(&self, model: &Model, constraint: &ConstraintRows, scale: f64) -> Option<Vec<BlockTerm>> {
         let mut seen = vec![false; self.columns];
-        let term = |term: &crate::model::Term| {
+        let term = |term: &crate::model::ConstraintTerm| {
             let body = &model.bodies[term.body];
             let velocity = self.bodies[term.body].velocities.get(term.component)?;
-            Some(Term {
+            Some(BlockTerm {
                 body: term.body,
                 component: term.component,
                 slides: !body.motion.turns(term.component),
@@ -149,24 +155,24 @@ impl Plan {
 
     /// Rows of a closure, as in [`crate::kinematics::rows::closure_wrenches`], but with a point's rows in root axes. `None` for
     /// closures that bind the full orientation.
-    fn forms(&self, closure: &CompiledClosure, size: f64) -> Option<Vec<Form>> {
+    fn forms(&self, closure: &CompiledClosure, size: f64) -> Option<Vec<RowForm>> {
         let (p, s) = (&closure.predecessor, &closure.successor);
         let direction = |e: &Vector3<f64>| self.direction(p.body, &p.frame.vector(e));
-        let along = |e: &Vector3<f64>| Form::Along(direction(e));
+        let along = |e: &Vector3<f64>| RowForm::Along(direction(e));
         let cosine = |e: &Vector3<f64>, b: &Vector3<f64>| {
-            Form::Cosine(direction(e), self.direction(s.body, &s.frame.vector(b)), size)
+            RowForm::Cosine(direction(e), self.direction(s.body, &s.frame.vector(b)), size)
         };
         let [n1, n2] = &closure.normals;
         let b = &closure.successor_axis;
         let [first, second] = [cosine(n1, b), cosine(n2, b)];
         Some(match closure.kind {
             ClosureKind::Fixed | ClosureKind::Prismatic => return None,
-            ClosureKind::Revolute => vec![Form::Point, first, second],
+            ClosureKind::Revolute => vec![RowForm::Point, first, second],
             ClosureKind::Cylindrical => vec![along(n1), along(n2), first, second],
-            ClosureKind::Universal => vec![Form::Point, cosine(&closure.axis, &closure.axis2)],
+            ClosureKind::Universal => vec![RowForm::Point, cosine(&closure.axis, &closure.axis2)],
             ClosureKind::Planar => vec![along(&closure.axis), first, second],
-            ClosureKind::Spherical => vec![Form::Point],
-            ClosureKind::Distance => vec![Form::Distance(closure.distance)],
+            ClosureKind::Spherical => vec![RowForm::Point],
+            ClosureKind::Distance => vec![RowForm::Distance(closure.distance)],
         })
     }
 
@@ -181,7 +187,7 @@ impl Plan {
     ) -> Option<()> {
         let columns = self.columns;
         self.layout = Layout::of(self.bodies.len(), rows, columns, self.freedoms);
-        let mut matrix = rows_at(self, positions);
+        let mut matrix = matrix_at(self, positions);
         let (mut row_at, mut column_at) = (vec![None; rows], vec![None; columns]);
         for k in 0..rank {
             let open = (0..rows * columns)
@@ -237,7 +243,7 @@ impl Plan {
             for r in &rows {
                 columns.iter().for_each(|c| filled[r * n + c] = true);
             }
-            self.pivots.push(Pivot { rows, columns });
+            self.pivots.push(RowPivot { rows, columns });
         }
         self.filled_in = (0..rank * n).filter(|&entry| filled[entry] && !given[entry]).collect();
         let mut follows = vec![false; n * f];
@@ -249,11 +255,11 @@ impl Plan {
         }
         for i in 0..self.bodies.len() {
             let carried =
-                self.bodies[i].parent.map_or_else(|| vec![false; f], |p| self.bodies[p].moved.clone());
+                self.bodies[i].parent.map_or_else(|| vec![false; f], |p| self.bodies[p].moved_by.clone());
             let own = |y: usize| self.bodies[i].velocities.iter().any(|v| follows[v.column * f + y]);
-            self.bodies[i].moved = (0..f).map(|y| carried[y] || own(y)).collect();
+            self.bodies[i].moved_by = (0..f).map(|y| carried[y] || own(y)).collect();
         }
-        self.follows = follows;
+        self.depends_on = follows;
     }
 }
 
@@ -274,7 +280,7 @@ fn shortest(model: &Model, lengths: &[f64]) -> f64 {
 }
 
 /// Upper bound of twice the kinetic energy of a body at unit rates (m/s).
-fn weight(body: &Moving, length: f64) -> f64 {
+fn weight(body: &LoopBody, length: f64) -> f64 {
     let rotors: f64 = body.velocities.iter().map(|v| v.armature * v.factor * v.factor).sum();
     let own = body.inertia.map_or(0.0, |i| {
         let arm = 1.0 + body.reach / length;
@@ -283,43 +289,43 @@ fn weight(body: &Moving, length: f64) -> f64 {
     rotors + own
 }
 
-fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64]) -> Option<Moving> {
+fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64]) -> Option<LoopBody> {
     let q = body.q.start;
     let position = match body.mimic {
-        Some(mimic) => Position { q: mimic.master, multiplier: mimic.multiplier, offset: mimic.offset },
-        None => Position { q, multiplier: 1.0, offset: 0.0 },
+        Some(mimic) => JointPosition { q: mimic.master, multiplier: mimic.multiplier, offset: mimic.offset },
+        None => JointPosition { q, multiplier: 1.0, offset: 0.0 },
     };
     let motion = match body.motion.kind {
-        JointKind::Fixed => Motion::Fixed,
-        JointKind::Revolute | JointKind::Continuous => Motion::Turn(position),
-        JointKind::Prismatic => Motion::Slide(position),
-        JointKind::Spherical => Motion::Ball(q),
-        JointKind::Floating if body.joint.is_none() => Motion::Free,
+        JointKind::Fixed => LoopMotion::Fixed,
+        JointKind::Revolute | JointKind::Continuous => LoopMotion::Turn(position),
+        JointKind::Prismatic => LoopMotion::Slide(position),
+        JointKind::Spherical => LoopMotion::Ball(q),
+        JointKind::Floating if body.joint.is_none() => LoopMotion::Free,
         JointKind::Planar | JointKind::Floating => return None,
     };
     let frame = match motion {
-        Motion::Turn(_) | Motion::Slide(_) => {
+        LoopMotion::Turn(_) | LoopMotion::Slide(_) => {
             let axis = body.motion.axis();
             let (x, y) = plane_basis(&axis);
             Transform::new(Matrix3::from_columns(&[x, y, axis]), Vector3::zeros())
         }
-        Motion::Fixed | Motion::Ball(_) | Motion::Free => Transform::identity(),
+        LoopMotion::Fixed | LoopMotion::Ball(_) | LoopMotion::Free => Transform::identity(),
     };
     let origin = carrier.inverse() * body.origin * frame;
     let velocity = |(v, armature): (usize, &f64)| {
-        let follows = model.follows[v]?;
+        let follows = model.velocity_coordinates[v]?;
         let factor = follows.multiplier / lengths[follows.index];
         Some(Velocity { column: follows.index, factor, armature: *armature })
     };
     let inertia = frame.inverse().inertia(&body.inertia);
-    Some(Moving {
+    Some(LoopBody {
         parent: body.parent,
         rotation: std::array::from_fn(|r| std::array::from_fn(|c| origin.rotation[(r, c)])),
         translation: origin.translation.into(),
         motion,
         velocities: body.v.clone().zip(&body.armature).map(velocity).collect::<Option<_>>()?,
         inertia: components(&inertia),
-        moved: Vec::new(),
+        moved_by: Vec::new(),
         frame,
         reach: 0.0,
     })

@@ -6,56 +6,56 @@
 //! massless or immovable contacts and contacts near either) are left to [`crate::analysis::routes`].
 
 mod compile;
-mod driven;
-mod motion;
-mod place;
+mod continuation;
+mod energy;
+mod frames;
+mod layout;
 mod plan;
-mod room;
 mod rows;
 
-pub(crate) use driven::Driven;
+pub(crate) use continuation::LoopContinuation;
 
 use crate::analysis::assembly::Assembly;
 use crate::kernels::aligned::Aligned;
-use crate::kernels::estimate::{Answered, Answers, Columns, WIDEST};
+use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDEST};
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::model::Model;
 use crate::tolerances::SHORTEST_LINE;
-use motion::{Answer, Normal, Struck, evaluate};
+use energy::{LoopContact, LoopNormal, LoopResponse, evaluate};
 use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
-use plan::{BodyDirection, BodyPoint, Motion, Plan};
+use plan::{BodyDirection, BodyPoint, LoopMotion, LoopPlan};
 use std::sync::Arc;
 
 /// Compiled linkage, its contact, and a workspace.
 #[derive(Clone, Debug)]
-pub(crate) struct Linkage {
-    plan: Arc<Plan>,
-    struck: Option<Struck>,
-    room: Aligned,
+pub(crate) struct LoopKernel {
+    plan: Arc<LoopPlan>,
+    contact: Option<LoopContact>,
+    scratch: Aligned,
     pub instructions: Instructions,
 }
 
-impl Linkage {
+impl LoopKernel {
     /// `None` if the assembly is not a supported linkage.
-    pub fn of(assembly: &Assembly) -> Option<Self> {
-        Some(Self::with(Plan::of(assembly)?))
+    pub fn compile(assembly: &Assembly) -> Option<Self> {
+        Some(Self::from_plan(LoopPlan::of(assembly)?))
     }
 
-    fn with(plan: Plan) -> Self {
+    fn from_plan(plan: LoopPlan) -> Self {
         let room = Aligned::zeros(plan.layout.total * WIDEST);
-        Self { plan: Arc::new(plan), struck: None, room, instructions: Instructions::best() }
+        Self { plan: Arc::new(plan), contact: None, scratch: room, instructions: Instructions::best() }
     }
 
     /// Sets a checked contact, also between two links or along a line. Allocates nothing.
-    pub fn aim(&mut self, model: &Model, contact: &Contact) {
+    pub fn set_contact(&mut self, model: &Model, contact: &Contact) {
         let on = self.point(model, contact.link, &contact.point);
         let against = contact.against.and_then(|link| model.body_of(link));
         let normal = match contact.normal {
             Direction::Along(n, frame) => {
                 let n = n.normalize();
-                Normal::Along(match (frame, contact.against) {
+                LoopNormal::Along(match (frame, contact.against) {
                     (Frame::Link, _) => self.direction(model, contact.link, &n),
                     (Frame::Against, Some(other)) => self.direction(model, other, &n),
                     (Frame::World, _) | (Frame::Against, None) => BodyDirection { body: None, e: n.into() },
@@ -65,7 +65,7 @@ impl Linkage {
                 let drawn = model.drawn_line(contact);
                 let length = drawn.map_or(f64::INFINITY, |drawn| drawn.length);
                 let unit = drawn.map_or_else(Vector3::x, |drawn| drawn.unit);
-                Normal::Toward {
+                LoopNormal::Toward {
                     end: self.point(model, link, &to),
                     drawn: match contact.against {
                         Some(other) => self.direction(model, other, &unit),
@@ -76,7 +76,7 @@ impl Linkage {
                 }
             }
         };
-        self.struck = Some(Struck { on, against, normal });
+        self.contact = Some(LoopContact { on, against, normal });
     }
 
     fn point(&self, model: &Model, link: LinkId, at: &nalgebra::Vector3<f64>) -> BodyPoint {
@@ -90,9 +90,9 @@ impl Linkage {
     }
 
     /// m̄ at one configuration for the current contact.
-    pub fn one(&mut self, positions: &[f64]) -> Option<Answered> {
-        Answered::of_one(|answers| {
-            let columns = Columns { values: positions, stride: 1 };
+    pub fn effective_mass(&mut self, positions: &[f64]) -> Option<CertifiedMass> {
+        CertifiedMass::of_one(|answers| {
+            let columns = PositionColumns { values: positions, stride: 1 };
             let instructions = self.instructions;
             if let Some(groups) = self.groups(columns, 0, answers) {
                 instructions.run_one(groups);
@@ -102,7 +102,7 @@ impl Linkage {
 
     /// m̄ at the configurations from `first` on, one per element of the output: a multiple of the instruction set's
     /// lanes.
-    pub fn lanes(&mut self, columns: Columns<'_>, first: usize, answers: Answers<'_>) {
+    pub fn effective_masses(&mut self, columns: PositionColumns<'_>, first: usize, answers: MassColumns<'_>) {
         let instructions = self.instructions;
         if let Some(groups) = self.groups(columns, first, answers) {
             instructions.run(groups);
@@ -110,43 +110,43 @@ impl Linkage {
     }
 
     /// Positions that are read.
-    pub fn read(&self) -> impl Iterator<Item = usize> + '_ {
+    pub fn read_positions(&self) -> impl Iterator<Item = usize> + '_ {
         self.plan.bodies.iter().flat_map(|body| match body.motion {
-            Motion::Fixed | Motion::Free => 0..0,
-            Motion::Turn(position) | Motion::Slide(position) => position.q..position.q + 1,
-            Motion::Ball(q) => q..q + 4,
+            LoopMotion::Fixed | LoopMotion::Free => 0..0,
+            LoopMotion::Turn(position) | LoopMotion::Slide(position) => position.q..position.q + 1,
+            LoopMotion::Ball(q) => q..q + 4,
         })
     }
 
     fn groups<'a>(
         &'a mut self,
-        columns: Columns<'a>,
+        columns: PositionColumns<'a>,
         first: usize,
-        answers: Answers<'a>,
-    ) -> Option<Groups<'a>> {
-        let Self { plan, struck, room, .. } = self;
-        Some(Groups { plan, struck: struck.as_ref()?, columns, first, room, answers })
+        answers: MassColumns<'a>,
+    ) -> Option<LoopLaneWork<'a>> {
+        let Self { plan, contact: struck, scratch: room, .. } = self;
+        Some(LoopLaneWork { plan, contact: struck.as_ref()?, columns, first, scratch: room, answers })
     }
 }
 
 /// Configurations, one per lane.
-struct Groups<'a> {
-    plan: &'a Plan,
-    struck: &'a Struck,
-    columns: Columns<'a>,
+struct LoopLaneWork<'a> {
+    plan: &'a LoopPlan,
+    contact: &'a LoopContact,
+    columns: PositionColumns<'a>,
     first: usize,
-    room: &'a mut [f64],
-    answers: Answers<'a>,
+    scratch: &'a mut [f64],
+    answers: MassColumns<'a>,
 }
 
-impl Work for Groups<'_> {
+impl Work for LoopLaneWork<'_> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<T: Lanes>(self) {
-        let Self { plan, struck, columns, first, room, mut answers } = self;
+        let Self { plan, contact: struck, columns, first, scratch: room, mut answers } = self;
         let mut done = 0;
         while done < answers.masses.len() {
-            let answer: Answer<T> = evaluate(plan, struck, columns, first + done, room);
-            answers.put(done, answer.response, answer.error);
+            let answer: LoopResponse<T> = evaluate(plan, struck, columns, first + done, room);
+            answers.store(done, answer.response, answer.error);
             done += T::WIDTH;
         }
     }

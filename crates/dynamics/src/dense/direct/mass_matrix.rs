@@ -9,9 +9,9 @@ use percuss_spatial::{Scalar, SpatialInertia};
 ///
 /// Featherstone 2008, table 6.2: the composite inertias Iᶜ are summed towards the root. The force of column i, Iᶜᵢ
 /// Sᵢ, is propagated up the chain, M_ji = Sⱼᵀ ʲF.
-fn over_tree<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> DMatrix<T> {
+fn tree_mass_matrix<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> DMatrix<T> {
     let composites = composites(model, kinematics);
-    let n = model.follows.len();
+    let n = model.velocity_coordinates.len();
     let mut mass = DMatrix::from_element(n, n, T::zero());
     for (i, body) in model.bodies.iter().enumerate() {
         for (k, column) in body.v.clone().enumerate() {
@@ -22,7 +22,7 @@ fn over_tree<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> DMatrix<T>
             mass[(column, column)] += T::from_f64(body.armature[k]);
             let mut j = i;
             while let Some(parent) = model.bodies[j].parent {
-                force = kinematics.steps[j].wrench(&force);
+                force = kinematics.parent_transforms[j].wrench(&force);
                 j = parent;
                 for (l, row) in model.bodies[j].v.clone().enumerate() {
                     let entry = force.power(&kinematics.column(model, j, l));
@@ -39,7 +39,7 @@ fn over_tree<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> DMatrix<T>
 /// rounding.
 fn diagonal_sizes(model: &Model, kinematics: &Kinematics<f64>) -> Vec<f64> {
     let composites = composites(model, kinematics);
-    let mut sizes = vec![0.0; model.follows.len()];
+    let mut sizes = vec![0.0; model.velocity_coordinates.len()];
     for (i, body) in model.bodies.iter().enumerate() {
         for (k, v) in body.v.clone().enumerate() {
             let s = kinematics.column(model, i, k);
@@ -59,7 +59,7 @@ fn composites<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> Vec<Spati
     let mut composites: Vec<SpatialInertia<T>> = model.bodies.iter().map(|b| b.inertia.cast()).collect();
     for i in (0..composites.len()).rev() {
         if let Some(parent) = model.bodies[i].parent {
-            let carried = kinematics.steps[i].inertia(&composites[i]);
+            let carried = kinematics.parent_transforms[i].inertia(&composites[i]);
             composites[parent] += carried;
         }
     }
@@ -74,8 +74,8 @@ impl Model {
         }
         let n = self.coordinates.len();
         let mut reduced = DMatrix::from_element(n, n, T::zero());
-        for (c, to_c) in self.follows.iter().enumerate() {
-            for (r, to_r) in self.follows.iter().enumerate() {
+        for (c, to_c) in self.velocity_coordinates.iter().enumerate() {
+            for (r, to_r) in self.velocity_coordinates.iter().enumerate() {
                 if let (Some(a), Some(b)) = (to_r, to_c) {
                     let factor = T::from_f64(a.multiplier * b.multiplier);
                     reduced[(a.index, b.index)] += tree[(r, c)] * factor;
@@ -87,7 +87,7 @@ impl Model {
 
     /// M over the coordinates, n×n.
     pub fn mass_matrix<T: Scalar>(&self, kinematics: &Kinematics<T>) -> DMatrix<T> {
-        self.reduce(over_tree(self, kinematics))
+        self.reduce(tree_mass_matrix(self, kinematics))
     }
 
     /// For every coordinate: sum of the term magnitudes of the diagonal entry of M.

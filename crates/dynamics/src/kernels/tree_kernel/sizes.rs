@@ -40,7 +40,7 @@ impl<T: Lanes> Sizes<T> {
 
     /// Sizes about the parent's origin, at a distance of at most `reach` (m), added to the parent's.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn pass(self, reach: f64, is_first: bool, slot: &mut [f64]) {
+    pub fn add_to_parent(self, reach: f64, is_first: bool, slot: &mut [f64]) {
         let mut moment = self.moment.max(self.mass * T::from_f64(reach * reach));
         let mut mass = self.mass;
         if !is_first {
