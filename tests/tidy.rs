@@ -238,7 +238,7 @@ fn assert_exists(place: &str, from: &str) {
 
 #[test]
 fn every_formula_has_its_code_and_its_test() {
-    let text = fs::read_to_string(root().join("docs/FORMULAS.md")).unwrap();
+    let text = fs::read_to_string(root().join("docs/reference/FORMULAS.md")).unwrap();
     let rows: Vec<Vec<&str>> = text
         .lines()
         .filter(|line| line.starts_with("| F"))

@@ -260,7 +260,7 @@ fn flags_that_mean_nothing_are_refused() {
     assert_eq!(percuss(&format!("import {file}")).code, 2, "an output is required");
 }
 
-/// Commands of README and docs/SUSPENSIONS.md, and the value printed in README.
+/// Commands of README and docs/reference/SUSPENSIONS.md, and the value printed in README.
 #[test]
 fn a_sheet_of_ones_own_becomes_a_model_that_answers() {
     let folder = Scratch::new("import-sheet");

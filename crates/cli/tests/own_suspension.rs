@@ -446,11 +446,11 @@ fn samples_of_hardpoints_are_those_of_the_first_order() {
     }
 }
 
-/// Commands of docs/SUSPENSIONS.md for a user's suspension, in sequence in an empty folder.
+/// Commands of docs/reference/SUSPENSIONS.md for a user's suspension, in sequence in an empty folder.
 #[test]
 fn the_page_of_suspensions_runs_as_printed() {
     let folder = Scratch::new("own-page");
-    let page = fs::read_to_string(support::root().join("docs/SUSPENSIONS.md")).expect("the page");
+    let page = fs::read_to_string(support::root().join("docs/reference/SUSPENSIONS.md")).expect("the page");
     let part = page.split("## A suspension of one's own").nth(1).expect("a heading");
     let part = part.split("The sheet that `percuss template` writes").next().expect("its commands");
     let blocks: String =

@@ -124,7 +124,7 @@ Examples:
 Then fill it in, and turn it into a model:
   percuss import my.toml -o my.urdf
 
-docs/SUSPENSIONS.md has every key.";
+docs/reference/SUSPENSIONS.md has every key.";
 
 pub const IMPORT: &str = "\
 Examples:
@@ -143,7 +143,7 @@ Examples:
 What was understood is printed, to be checked against the drawing. percuss
 template writes a sheet to fill in. Chrono's templates: DoubleWishbone,
 DoubleWishboneReduced, MacPhersonStrut, SemiTrailingArm, ThreeLinkIRS,
-MultiLink. docs/SUSPENSIONS.md has bodies, joints and frames of all.";
+MultiLink. docs/reference/SUSPENSIONS.md has bodies, joints and frames of all.";
 
 pub const DAMP: &str = "\
 Examples:
@@ -187,7 +187,7 @@ Examples:
     percuss init models/suspensions/double-wishbone.toml -o stop.toml
 
 The model is named relative to the study. What else can be asked stands in the
-study, commented out; docs/STUDIES.md has every key.";
+study, commented out; docs/reference/STUDIES.md has every key.";
 
 pub const RUN: &str = "\
 Examples:

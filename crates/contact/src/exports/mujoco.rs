@@ -202,7 +202,7 @@ fn words(export: &mut Export, request: &Request, linear: &Linear) {
         );
         export.assume(
             "m̄ is that of one pose: where it changes while the contact lasts, the restitution does too; a stiffer \
-             contact or less speed changes it less. Those measured in docs/SIMULATORS.md changed by less than 1e-3.",
+             contact or less speed changes it less. Those measured in docs/reference/SIMULATORS.md changed by less than 1e-3.",
         );
     }
     if linear.ratio == 0.0 {
