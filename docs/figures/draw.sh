@@ -31,7 +31,6 @@ TOML
 cp models/suspensions/double-wishbone.toml "$work/model.toml"
 drawing "$work/corner.toml" $figures/double-wishbone.svg
 drawing models/massless_arm_suspension.toml $figures/massless-arms.svg
-drawing models/four_bar.toml $figures/four-bar.svg
 # shellcheck disable=SC2086 # several flags
 "$percuss" sweep models/suspensions/double-wishbone.toml $stop --vary travel:wheel_centre:0,0,0:0,0,1=-50mm:50mm:21 \
   --unit mm --output $figures/travel.svg --title "Effective mass at the bump stop" --force
