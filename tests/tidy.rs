@@ -342,7 +342,8 @@ fn pages_that_the_sources_name_exist() {
     let mut named = 0;
     for ending in [".rs", ".py", ".sh", ".toml", ".urdf", ".md", ".h"] {
         for path in files(ending).into_iter().filter(|p| !p.ends_with("CHANGELOG.md")) {
-            let text = fs::read_to_string(&path).unwrap();
+            let bytes = fs::read(&path).unwrap();
+            let text = String::from_utf8_lossy(&bytes);
             for rest in text.split("docs/").skip(1) {
                 let end = rest.find(|c: char| !(c.is_ascii_alphanumeric() || "/_.".contains(c)));
                 let page = rest[..end.unwrap_or(rest.len())].trim_end_matches('.');
