@@ -14,7 +14,7 @@ const PAGES: [(&str, usize); 31] = [
     ("docs/explanation/DECISIONS.md", 0),
     ("docs/explanation/EFFECTIVE_MASS.md", 1),
     ("docs/explanation/FIGURE3.md", 6),
-    ("docs/explanation/HELD_CONTACTS.md", 0),
+    ("docs/explanation/HELD_CONTACTS.md", 2),
     ("docs/explanation/LIMITS.md", 1),
     ("docs/explanation/SIMULATOR_ERRORS.md", 0),
     ("docs/howto/C.md", 0),
