@@ -1,4 +1,4 @@
-/* percuss: the effective mass of a mechanism at a contact. Made by cbindgen from crates/capi/src; not written by hand. docs/C.md says how it is used. */
+/* percuss: the effective mass of a mechanism at a contact. Made by cbindgen from crates/capi/src; not written by hand. docs/howto/C.md says how it is used. */
 
 #ifndef PERCUSS_H
 #define PERCUSS_H

@@ -155,7 +155,7 @@ fn studies_follow_their_closed_forms() {
     }
 }
 
-/// The reference of the double wishbone has no wheel; see the values in docs/SUSPENSIONS.md.
+/// The reference of the double wishbone has no wheel; see the values in docs/reference/SUSPENSIONS.md.
 #[test]
 fn the_double_wishbone_without_its_wheel_is_the_reference() {
     let text = std::fs::read_to_string(root().join("models/double_wishbone.urdf")).expect("a text file");

@@ -7,7 +7,7 @@
 //!
 //! Sheets use the templates of [`template_names`]; [`template_sheet`] writes a sheet to fill in. Templates of Chrono
 //! are `DoubleWishbone`, `DoubleWishboneReduced`, `MacPhersonStrut`, `SemiTrailingArm`, `ThreeLinkIRS`, `MultiLink`.
-//! Bodies, joints and inertia axes follow Chrono's classes of the same names; `docs/SUSPENSIONS.md` has a table of
+//! Bodies, joints and inertia axes follow Chrono's classes of the same names; `docs/reference/SUSPENSIONS.md` has a table of
 //! them, with the deviations.
 //!
 //! The mechanism contains no springs, dampers and stops, only their seats: `spring_seat` on the moving link,

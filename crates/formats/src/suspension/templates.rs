@@ -1,7 +1,7 @@
 //! The six Chrono templates: keys, links, joints.
 //!
 //! Each function reads all sections first and builds only if no error was found. The functions follow `Construct` and
-//! `InitializeSide` of Chrono's classes of the same names; `docs/SUSPENSIONS.md` has the table.
+//! `InitializeSide` of Chrono's classes of the same names; `docs/reference/SUSPENSIONS.md` has the table.
 
 use super::corner::{Body, CHASSIS, Corner};
 use super::frames;
