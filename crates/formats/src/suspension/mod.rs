@@ -102,7 +102,7 @@ fn import_sheet(source: &Source, text: &str, options: &ImportOptions) -> Result<
         }
         let described = Described {
             name: &sheet.name,
-            template: sheet.template.name,
+            template: &sheet.template.name,
             kind: "sheet",
             side: sheet.side,
             rack: sheet.rack,

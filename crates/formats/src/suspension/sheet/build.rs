@@ -5,9 +5,9 @@ use super::super::findings::{Findings, Spot};
 use super::super::frames;
 use super::super::parts::{ball, hooke, spanned};
 use super::super::spindle::Spindle;
-use super::catalogue::{BAR_PARTS, SEATS};
-use super::parts::Part;
+use super::catalogue::{SEATS, keys};
 use super::read::{Sheet, Stated};
+use super::template::Part;
 use percuss_mechanism::JointKind;
 use percuss_spatial::{Matrix3, Vector3};
 
@@ -31,7 +31,7 @@ pub(in super::super) fn build(sheet: &Sheet, findings: &mut Findings) -> Option<
         left.share(AXLE, at);
     }
     let with_bar = sheet.at("drop_link_bar").is_some();
-    let bar = BAR_PARTS.iter().filter(|_| with_bar);
+    let bar = keys().anti_roll_bar.iter().filter(|_| with_bar);
     for part in sheet.template.parts.iter().chain(bar) {
         let corner = match &mut middle {
             Some(middle) if is_central(sheet, part) => {
@@ -138,9 +138,9 @@ impl Building<'_> {
                 let body = self.body(link);
                 let spot = self.sheet.spot(at);
                 self.corner.link(link, self.at(at), body.as_ref(), format!("frame at {at}"));
-                let joint = (*joint, JointKind::Spherical);
+                let joint = (&**joint, JointKind::Spherical);
                 self.corner.joint(joint, [parent, link], Vector3::x(), &spot, "a ball joint");
-                if *parent == CHASSIS {
+                if parent == CHASSIS {
                     let ends = [self.at(at), self.at("wheel_centre")];
                     self.corner.drawing.rod(link, ends, &spot);
                 }
@@ -169,11 +169,11 @@ impl Building<'_> {
                 self.corner.joint(joint, [on, link], Vector3::x(), &body.spot, "fixed");
             }
             Part::Wheel { on } => spindle.attach(self.findings, self.corner, on),
-            Part::Rod { link, ends } => self.rod(link, *ends),
-            Part::Strut { link, on, line } => self.strut(link, on, *line),
+            Part::Rod { link, ends } => self.rod(link, ends),
+            Part::Strut { link, on, line } => self.strut(link, on, line),
             Part::Close { joint, links, at } => {
                 let spot = self.sheet.spot(at);
-                ball(self.corner, joint, *links, self.at(at), &spot);
+                ball(self.corner, joint, links.each_ref().map(|link| &**link), self.at(at), &spot);
             }
         }
     }
@@ -196,10 +196,10 @@ impl Building<'_> {
     /// Draws a hinged arm from its hinge to its next joint: the first ball joint, rod or wheel on the link.
     fn draw_hinge(&mut self, link: &str, hinge: [Vector3<f64>; 2]) {
         let on_it = |part: &&Part| match part {
-            Part::Ball { parent, .. } => *parent == link,
-            Part::Close { links, .. } => links.contains(&link),
-            Part::Wheel { on } => *on == link,
-            Part::Rod { ends, .. } => ends.iter().any(|(on, _)| *on == link),
+            Part::Ball { parent, .. } => parent == link,
+            Part::Close { links, .. } => links.iter().any(|on| on == link),
+            Part::Wheel { on } => on == link,
+            Part::Rod { ends, .. } => ends.iter().any(|(on, _)| on == link),
             Part::Hinge { .. }
             | Part::Swivel { .. }
             | Part::Free { .. }
@@ -207,12 +207,11 @@ impl Building<'_> {
             | Part::Fixed { .. }
             | Part::Strut { .. } => false,
         };
-        let all = self.sheet.template.parts.iter().chain(&BAR_PARTS);
-        let outer = match all.clone().find(on_it) {
+        let outer: &str = match self.sheet.template.parts_with_bar().find(on_it) {
             Some(Part::Ball { at, .. } | Part::Close { at, .. }) => at,
             Some(Part::Wheel { .. }) => "wheel_centre",
             Some(Part::Rod { ends, .. }) => {
-                ends.iter().find(|(on, _)| *on == link).map_or("", |(_, point)| point)
+                ends.iter().find(|(on, _)| on == link).map_or("", |(_, point)| point)
             }
             Some(_) | None => return,
         };
@@ -220,7 +219,7 @@ impl Building<'_> {
         self.corner.drawing.arm(link, hinge, *outer, spot);
     }
 
-    fn rod(&mut self, link: &str, ends: [(&str, &str); 2]) {
+    fn rod(&mut self, link: &str, ends: &[(String, String); 2]) {
         let [(from, a), (to, b)] = ends;
         let points = [self.at(a), self.at(b)];
         let (from, to) = (self.link(from).to_owned(), self.link(to).to_owned());
@@ -255,7 +254,7 @@ impl Building<'_> {
         self.corner.drawing.rod(link, points, &spot);
     }
 
-    fn strut(&mut self, link: &str, on: &str, [bottom, top]: [&str; 2]) {
+    fn strut(&mut self, link: &str, on: &str, [bottom, top]: &[String; 2]) {
         let spot = self.sheet.spot(top);
         let (low, high) = (self.at(bottom), self.at(top));
         let axis = spanned(self.findings, frames::unit(high - low), &spot, "the strut's two points coincide");
