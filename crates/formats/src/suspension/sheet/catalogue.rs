@@ -1,7 +1,8 @@
 //! All templates of sheets and the descriptions of their keys, read from the data files in `templates`. Reading,
 //! building, writing and the tables of the documentation use these data.
 
-use super::template::{Keys, Part, Template};
+use super::super::design::{Part, SEATS, is_central};
+use super::template::{Keys, Template};
 use std::sync::LazyLock;
 
 /// Texts of the data files, in the order of the list of templates.
@@ -39,14 +40,6 @@ pub(crate) fn keys() -> &'static Keys {
     &KEYS
 }
 
-/// Optional pairs of points between two bodies: section, points. A pair is given or left out as a whole.
-pub(crate) const SEATS: [(&str, [&str; 2]); 4] = [
-    ("spring", ["spring_seat", "spring_chassis_seat"]),
-    ("damper", ["damper_seat", "damper_chassis_seat"]),
-    ("bump_stop", ["bump_stop_pad", "bump_stop"]),
-    ("rebound_stop", ["rebound_stop_pad", "rebound_stop"]),
-];
-
 /// Points of the anti-roll bar, optional as a whole.
 pub(crate) const BAR: [&str; 4] =
     ["anti_roll_bar_outer", "anti_roll_bar_inner", "drop_link_bar", "drop_link_end"];
@@ -69,7 +62,7 @@ impl Template {
 
     /// True if a hardpoint belongs to the axle as a whole, not to one side.
     pub fn is_central(&self, point: &str) -> bool {
-        self.axle && ["middle_link", "panhard", "watt"].iter().any(|start| point.starts_with(start))
+        is_central(self.axle, point)
     }
 
     /// Points that are optional together with this point; `None` for a mandatory point.
@@ -106,7 +99,8 @@ mod tests {
             for point in points {
                 assert!(has(&point), "{}: {point}", template.name);
             }
-            for key in SEATS.iter().flat_map(|(_, pair)| pair).chain(&BAR) {
+            let seats = SEATS.iter().filter(|(section, _)| *section != "shock").flat_map(|(_, pair)| pair);
+            for key in seats.chain(&BAR) {
                 assert!(has(key), "{}: the example lacks {key}", template.name);
             }
             for section in ["spring", "damper", "bump_stop", "rebound_stop", "drop_link"] {

@@ -1,7 +1,7 @@
 //! Import of hardpoint sheets: TOML, a table (CSV or XLSX), or TOML with a table, to a mechanism.
 //!
-//! The templates are data files in `templates`, which `catalogue` reads. `read` reads the entries of a sheet according to the
-//! template, `build` creates links, joints and loops, and `write` writes the sheet to fill in and the tables of the
+//! The templates are data files in `templates`, which `catalogue` reads. `read` reads the entries of a sheet according
+//! to the template, `build` builds its corner, and `write` writes the sheet to fill in and the tables of the
 //! documentation.
 
 mod build;

@@ -1,30 +1,21 @@
 //! Reader of the entries of a sheet according to its template.
 
+use super::super::design::{Design, Part, Stated};
 use super::super::findings::{Findings, Spot};
 use super::super::options::{ImportOptions, Rack, Side, Wheel};
-use super::super::reader::check_size;
-use super::super::units::{Frame, LengthUnit, VehicleAxes};
+use super::super::units::{Frame, LengthUnit, VehicleAxes, check_size};
 use super::catalogue;
 use super::entries::{Cell, Entries, INERTIA_UNITS, Kind, inertia_unit};
 use super::point_table::{self, Files};
-use super::template::{ExampleBody, Part, Shape, Template, symmetric_matrix};
+use super::template::{ExampleBody, Shape, Template, symmetric_matrix};
 use super::{table, toml_text};
 use crate::Source;
 use crate::reading::limits::{LONGEST_NAME, MOST_SHEET_KEYS};
-use crate::reading::report::{cut, quoted, shortened};
+use crate::reading::report::{cut, quoted};
 use crate::suspension::corner;
 use percuss_mechanism::near_names;
 use percuss_spatial::{Matrix3, Vector3};
 use std::collections::BTreeMap;
-
-/// Description of a body in a sheet.
-#[derive(Clone, Debug)]
-pub(super) enum Stated {
-    /// Complete body, in metres and the axes of ISO 8855.
-    Body(corner::Body),
-    /// A slender rod of this mass, kg.
-    Rod(f64, Spot),
-}
 
 /// Content of a sheet in metres and the axes of ISO 8855. Points of a side are those of the left side.
 pub(in super::super) struct Sheet {
@@ -33,8 +24,7 @@ pub(in super::super) struct Sheet {
     pub frame: Frame,
     pub side: Side,
     pub rack: Rack,
-    pub points: BTreeMap<&'static str, (Vector3<f64>, Spot)>,
-    pub(super) bodies: BTreeMap<&'static str, Stated>,
+    pub design: Design,
     pub wheel: Option<Wheel>,
     /// rad.
     pub camber: f64,
@@ -42,8 +32,6 @@ pub(in super::super) struct Sheet {
     pub toe: f64,
     /// Inertia that the axle adds to the spindle about the spin axis, kg·m².
     pub axle_inertia: f64,
-    /// Links with spring, damper or bar mounts, by section.
-    pub on: BTreeMap<&'static str, (String, Spot)>,
 }
 
 /// Reads a sheet; `None` after an error in the report.
@@ -155,8 +143,17 @@ impl Taking<'_> {
             self.scalar("spindle.axle_inertia", Kind::Inertia(inertia_over)).map_or(0.0, |(x, _)| x);
         let on = self.on(template);
         let rack = self.rack(template);
-        let mut sheet =
-            Sheet { template, name, frame, side, rack, points, bodies, wheel, camber, toe, axle_inertia, on };
+        let bar = catalogue::keys().anti_roll_bar.iter().filter(|_| points.contains_key("drop_link_bar"));
+        let design = Design {
+            parts: template.parts.iter().chain(bar).collect(),
+            axle: template.axle,
+            points,
+            bodies,
+            on,
+            hinge_comment: "about the line through its two points, first to second",
+            ..Design::default()
+        };
+        let mut sheet = Sheet { template, name, frame, side, rack, design, wheel, camber, toe, axle_inertia };
         self.moved(&mut sheet);
         Some(sheet)
     }
@@ -508,10 +505,10 @@ impl Taking<'_> {
             if given_right && !central {
                 by.y = 0.0 - by.y;
             }
-            match sheet.points.iter_mut().find(|(key, _)| **key == name) {
+            match sheet.design.points.iter_mut().find(|(key, _)| **key == name) {
                 Some((_, (at, _))) => *at += by,
                 None => {
-                    let near = near_names(name, sheet.points.keys().copied());
+                    let near = near_names(name, sheet.design.points.keys().copied());
                     let near = near.first().map_or_else(String::new, |n| format!("; did you mean {n}?"));
                     let message = format!("no hardpoint {} in the sheet{near} (--move)", quoted(name));
                     self.findings.error("unknown-point", &Spot::default(), message);
@@ -523,18 +520,4 @@ impl Taking<'_> {
 
 fn names() -> Vec<&'static str> {
     catalogue::templates().map(|t| &*t.name).collect()
-}
-
-impl Sheet {
-    /// Position of a point; `None` if the sheet does not contain the point.
-    pub fn at(&self, key: &str) -> Option<Vector3<f64>> {
-        self.points.get(key).map(|(at, _)| *at)
-    }
-
-    /// Location of a point in the file.
-    pub fn spot(&self, key: &str) -> Spot {
-        self.points
-            .get(key)
-            .map_or_else(|| Spot { path: Some(shortened(key)), ..Spot::default() }, |(_, spot)| spot.clone())
-    }
 }

@@ -1,5 +1,6 @@
 //! Template of a sheet, as read from its data file in `templates`.
 
+use super::super::design::Part;
 use percuss_spatial::Matrix3;
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -73,32 +74,6 @@ pub(crate) enum Shape {
     Spindle,
     /// Optional.
     Optional,
-}
-
-/// Step in building a mechanism. The link name `SECTION.on` stands for the link chosen in the sheet.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "lowercase")]
-pub(crate) enum Part {
-    /// Link on a hinge through two points; the link frame is at the first.
-    Hinge { link: String, parent: String, points: [String; 2] },
-    /// Link on a hinge parallel to the vehicle's x axis.
-    Swivel { link: String, parent: String, at: String },
-    /// Link on a ball joint.
-    Ball { link: String, joint: String, parent: String, at: String },
-    /// Link constrained only by its closures.
-    Free { link: String, at: String },
-    /// Free body of the axle, with its frame half way between the wheels.
-    Axle,
-    /// Link fixed to another.
-    Fixed { link: String, on: String, at: String },
-    /// Spindle and wheel.
-    Wheel { on: String },
-    /// Link between two points: a massless rod or a body. An end: link and point.
-    Rod { link: String, ends: [(String, String); 2] },
-    /// Strut on a universal joint at the top; slides along its axis.
-    Strut { link: String, on: String, line: [String; 2] },
-    /// Ball joint that closes a loop.
-    Close { joint: String, links: [String; 2], at: String },
 }
 
 /// Entries of a TOML table in the order of the file; the parser sorts them by key.

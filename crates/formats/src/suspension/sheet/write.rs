@@ -1,9 +1,10 @@
 //! Writer of sheets to fill in, and of the tables in the documentation.
 
+use super::super::design::Part;
 use super::super::units::{LengthUnit, VehicleAxes};
 use super::catalogue::{keys, templates, text_of};
 use super::table::HEAD;
-use super::template::{Part, Shape, Template, symmetric_matrix};
+use super::template::{Shape, Template, symmetric_matrix};
 use percuss_spatial::Vector3;
 use std::fmt::Write;
 
@@ -165,7 +166,7 @@ impl Sheet<'_> {
     /// axis.
     fn held(&mut self, template: &Template, rod: &str) {
         let first = template.parts_with_bar().find_map(|part| match part {
-            Part::Rod { link, ends: [(_, first), _] } if link == rod => Some(first),
+            Part::Rod { link, ends: [(_, first), _], .. } if link == rod => Some(first),
             _ => None,
         });
         if let Some(first) = first {
