@@ -1,11 +1,11 @@
 //! Typed access to the keys of a file; every finding has its key path and its position.
 
-use super::findings::{Findings, Spot};
+use super::super::findings::{Findings, Spot};
+use super::super::text::offset_of;
+use super::super::units::{Frame, check_size};
 use super::json::{Array, Object};
-use super::text::offset_of;
-use super::units::{Frame, LengthUnit};
 use crate::Diagnostic;
-use crate::reading::limits::{FARTHEST_HARDPOINT, MOST_KEYS, NEAREST_HARDPOINT};
+use crate::reading::limits::MOST_KEYS;
 use crate::reading::report::{quoted, shortened};
 use percuss_mechanism::near_names;
 use percuss_spatial::Vector3;
@@ -19,7 +19,7 @@ struct Entry<'t> {
 }
 
 /// Object of the file. All reads from an absent section return zeros, because its absence is already an error.
-pub(super) struct Section<'t> {
+pub(in super::super) struct Section<'t> {
     pub spot: Spot,
     entries: Option<Vec<Entry<'t>>>,
 }
@@ -32,7 +32,7 @@ impl Section<'_> {
 }
 
 /// Reads values and collects findings.
-pub(super) struct Reader<'t> {
+pub(in super::super) struct Reader<'t> {
     clean: &'t str,
     findings: Findings,
     /// Unit and axes of the file.
@@ -296,29 +296,5 @@ impl<'t> Reader<'t> {
         {
             check_size(&mut self.findings, far, &spot, self.frame.unit);
         }
-    }
-}
-
-/// Refuses a vehicle with a farthest coordinate (m) beyond the limit: the lengths are in another unit.
-pub(super) fn check_size(findings: &mut Findings, far: f64, spot: &Spot, unit: LengthUnit) {
-    let (size, name) = (unit.of_metres(far), unit.name());
-    if far > FARTHEST_HARDPOINT {
-        let mend = match unit {
-            LengthUnit::Metre => "if the file is in millimetres, give --unit mm",
-            LengthUnit::Centimetre | LengthUnit::Millimetre | LengthUnit::Inch => {
-                "give the file's unit by --unit"
-            }
-        };
-        let message = format!(
-            "a coordinate of {size} {name}, read in {name}: no hardpoint lies {far} m out. {mend}; if only this \
-             number is wrong, correct it"
-        );
-        findings.error("wrong-unit", spot, message);
-    } else if far < NEAREST_HARDPOINT {
-        let message = format!(
-            "the coordinate farthest from the vehicle's origin is {size} {name}, read in {name}: no vehicle is so \
-             small. If the file is in metres, give --unit m"
-        );
-        findings.error("wrong-unit", spot, message);
     }
 }
