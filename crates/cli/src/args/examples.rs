@@ -144,7 +144,8 @@ Examples:
 The imported data are printed for comparison with the drawing. percuss
 template writes a blank sheet. Supported templates of Chrono: DoubleWishbone,
 DoubleWishboneReduced, MacPhersonStrut, SemiTrailingArm, ThreeLinkIRS,
-MultiLink. docs/reference/SUSPENSIONS.md lists the bodies, joints and frames of each.";
+MultiLink. docs/reference/SUSPENSIONS.md lists the bodies, joints and frames
+of each.";
 
 pub const DAMP: &str = "\
 Examples:

@@ -203,7 +203,7 @@ impl RouteInput<'_> {
     ) -> Result<RouteResult, RouteError> {
         let errors = self.recursion_errors(room);
         match choice {
-            RouteChoice::Only(Route::Dense) => self.careful_alone(room, errors),
+            RouteChoice::Only(Route::Dense) => self.dense_result_checked(room, errors),
             RouteChoice::Only(Route::Articulated) if room.deciding.indefinite => Err(RouteError::Indefinite),
             RouteChoice::Only(Route::Articulated) => Ok(self.recursion_result(room, errors)),
             RouteChoice::Auto => match room.dense_reason(&errors) {
@@ -344,7 +344,7 @@ impl RouteInput<'_> {
 
     /// Result of the dense route with the doubts of the recursion: motions that both leave out, and masses that the
     /// recursion finds where the dense route finds none.
-    fn careful_alone(
+    fn dense_result_checked(
         &self,
         room: &mut RecursionWorkspace,
         errors: RelativeErrors,

@@ -2,7 +2,7 @@
 //!
 //! Each template is a data file in `templates`: the sections of the file in the order of reading, their points, the
 //! axes of their inertias, and the construction steps. They follow `Construct` and `InitializeSide` of Chrono's
-//! classes of the same names; `docs/SUSPENSIONS.md` has the table.
+//! classes of the same names; `docs/reference/SUSPENSIONS.md` has the table.
 
 mod corner_reader;
 mod json;
