@@ -20,7 +20,7 @@ import mujoco_scenes
 import snippets
 import stop_family
 from impacts import RADIUS, Contact, answer, damp, linear_impact, parameters
-from scenes import BALLS, DOUBLE_PENDULUM, Pendulum, levers
+from scenes import BALLS, DOUBLE_PENDULUM, TWO_BODIES, Pendulum, levers
 from tally import Tally
 
 RESTITUTIONS = (0.2, 0.5, 0.8)
@@ -255,8 +255,8 @@ class Check:
                 self.right("MuJoCo", scene, report, theirs.impact(given, speed)[0])
 
     def further(self, folder, count):
-        """Runs balls, an oblique double pendulum, a slider-crank and compound levers, one restitution each, within the error bound of
-        the export."""
+        """Runs balls, a lever against a free ball, an oblique double pendulum, a slider-crank and compound levers, one restitution each,
+        within the error bound of the export."""
         scenes = [(f"double pendulum, e = {e}", DOUBLE_PENDULUM.contact(folder), None, e) for e in (0.3, 0.9)]
         scenes += [(f"slider-crank, e = {e}", SLIDER_CRANK, None, e) for e in (0.15, 0.6)]
         scenes += [(f"lever {i}", lever.contact(folder), lever, e) for i, (lever, e) in enumerate(levers(count))]
@@ -266,6 +266,13 @@ class Check:
             for mode in drake_scenes.MODES:
                 outcome = drake_scenes.ball(parameters(report, "drake"), mode, ball.mass, ball.speed)
                 self.bound(f"Drake {mode}", f"ball {i}", report, outcome)
+        for i, (bodies, e) in enumerate(TWO_BODIES):
+            report = self.damp(bodies.contact(folder), e)
+            where = f"two moving bodies {i}"
+            self.tally.within("effective mass of two bodies", where, abs(report["effective_mass"] / bodies.effective_mass - 1), MASS)
+            self.bound("MuJoCo", where, report, mujoco_scenes.two_bodies(parameters(report, "mujoco"), bodies))
+            for mode in drake_scenes.MODES:
+                self.bound(f"Drake {mode}", where, report, drake_scenes.two_bodies(parameters(report, "drake"), mode, bodies))
         for scene, contact, lever, e in scenes:
             if lever:
                 lever.contact(folder)  # writes the model again: all levers have one file name

@@ -52,6 +52,12 @@ def pendulum(parameters, solver, pendulum, speed):
     return impacts(parameters, speed, joint=solver, **body)
 
 
+def two_bodies(parameters, solver, bodies, speed):
+    p, other = bodies.lever, {"mass": bodies.mass, "radius": bodies.radius, "speed": (1 - bodies.share) * speed}
+    body = {"mass": p.mass, "radius": p.radius, "inertia": p.inertia, "centre": p.centre, "offset": p.offset, "lever": p.lever, "rotor": p.rotor}
+    return impacts(parameters, speed, joint=solver, other=other, **body)
+
+
 def compiles(text, parameters):
     """As a module of the project, in a copy of it."""
     copy = (_built.BUILT / "rapier-pasted").absolute()

@@ -1,7 +1,8 @@
 //! Impacts in Rapier: one JSON request on the standard input, `[[rebound over speed, penetration], …]` on the output.
 //!
 //! `{"restitution": e, "dt": s, "speed": v, "gaps": […], "mass": m, "radius": r, "inertia": about the centre,
-//!   "centre": x, "lever": l, "rotor": I, "joint": null | "multibody" | "impulse", "damping": of the multibody}`
+//!   "centre": x, "lever": l, "rotor": I, "joint": null | "multibody" | "impulse", "damping": of the multibody,
+//!   "other": null | {"mass", "radius", "speed"} of a free ball instead of the wall; `speed` is its part of v}`
 //!
 //! `centre` and `lever` are 0 where nothing holds the body; else they are on x, from a hinge along −y. With "multibody" the
 //! rotor is an armature, else it is added to the inertia.
@@ -35,13 +36,26 @@ fn impact(request: &Value, gap: f64) -> [f64; 2] {
             .restitution(number("restitution"))
             .restitution_combine_rule(CoefficientCombineRule::Average)
     };
-    let below = Vector::new(0.0, 0.0, -radius - gap - 1.0);
-    let floor = RigidBodyBuilder::fixed().translation(below);
-    world.insert(floor, surface(ColliderBuilder::cuboid(9.0, 9.0, 1.0)));
+    let of_ball = |name: &str| request["other"][name].as_f64();
+    let ball = of_ball("mass").map(|mass| {
+        let radius = of_ball("radius").expect("a radius");
+        let inertia = 0.4 * mass * radius * radius;
+        let body = RigidBodyBuilder::dynamic()
+            .translation(Vector::new(lever, 0.0, -number("radius") - gap - radius))
+            .additional_mass_properties(MassProperties::new(Vector::ZERO, mass, Vector::new(inertia, inertia, inertia)))
+            .can_sleep(false)
+            .linvel(Vector::new(0.0, 0.0, of_ball("speed").expect("a speed")));
+        world.insert(body, surface(ColliderBuilder::ball(radius))).0
+    });
+    if ball.is_none() {
+        let below = Vector::new(0.0, 0.0, -radius - gap - 1.0);
+        let floor = RigidBodyBuilder::fixed().translation(below);
+        world.insert(floor, surface(ColliderBuilder::cuboid(9.0, 9.0, 1.0)));
+    }
 
     let inertia = number("inertia") + if multibody { 0.0 } else { number("rotor") };
     let centre = Vector::new(number("centre"), 0.0, number("offset"));
-    let rate = if joint.is_some() { speed / lever } else { 0.0 };
+    let rate = if joint.is_some() { (speed - of_ball("speed").unwrap_or(0.0)) / lever } else { 0.0 };
     let mass = MassProperties::new(centre, number("mass"), Vector::new(inertia, inertia, inertia));
     let velocity = if joint.is_some() {
         Vector::new(rate * number("offset"), 0.0, -rate * number("centre"))
@@ -79,8 +93,14 @@ fn impact(request: &Value, gap: f64) -> [f64; 2] {
         world.step();
         let body = &world.bodies[struck];
         let at = body.position().transform_point(Vector::new(lever, 0.0, 0.0));
-        depth = depth.max(-at.z - gap);
         rebound = if joint.is_some() { -body.angvel().y * lever } else { body.linvel().z };
+        let mut height = at.z + gap;
+        if let Some(ball) = ball {
+            let ball = &world.bodies[ball];
+            height = at.z - ball.translation().z - radius - of_ball("radius").expect("a radius");
+            rebound -= ball.linvel().z;
+        }
+        depth = depth.max(-height);
         back = if rebound > 0.0 { back + 1 } else { 0 };
         if back > 10 || rebound.abs() < 1e-9 {
             break;
