@@ -69,7 +69,8 @@ fn impact_of_chain(request: &Value, gap: f64) -> [f64; 2] {
         let at = body.position().transform_point(point - origin);
         depth = depth.max(point.y - gap - at.y);
         rebound = body.velocity_at_point(at).y;
-        if rebound > 0.0 {
+        // The step before the restitution can end with a speed of 0, rounded.
+        if rebound > 1e-6 * speed {
             break;
         }
     }
