@@ -136,15 +136,19 @@ class Watch:
     """Monitors each step, and ends the run after the gap has opened again."""
 
     def __init__(self, plant, row):
-        self.plant, self.row = plant, row
+        self.plant, self.context, self.nothing = plant, None, EventStatus.DidNothing()
+        # Height and opening speed of positions and velocities.
+        self.rows = np.kron(np.eye(2), row)
         self.depth, self.rebound = 0.0, None
 
     def __call__(self, root):
-        context = self.plant.GetMyContextFromRoot(root)
-        height = self.row @ self.plant.GetPositions(context)
-        opening = self.row @ self.plant.GetVelocities(context)
-        self.depth = max(self.depth, -height)
+        # The simulator has one context for all steps.
+        if self.context is None:
+            self.context = self.plant.GetMyContextFromRoot(root)
+        height, opening = self.rows.dot(self.plant.GetPositionsAndVelocities(self.context)).tolist()
+        if -height > self.depth:
+            self.depth = -height
         if opening > 0 and height > 0:
             self.rebound = opening
             return EventStatus.ReachedTermination(self.plant, "the gap has opened")
-        return EventStatus.DidNothing()
+        return self.nothing
