@@ -69,8 +69,8 @@ fn impact_of_chain(request: &Value, gap: f64) -> [f64; 2] {
         let at = body.position().transform_point(point - origin);
         depth = depth.max(point.y - gap - at.y);
         rebound = body.velocity_at_point(at).y;
-        // The step before the restitution can end with a speed of 0, rounded.
-        if rebound > 1e-6 * speed {
+        // The step before that of the restitution can end with a speed of about 0.
+        if rebound > 0.5 * number("restitution") * speed {
             break;
         }
     }
