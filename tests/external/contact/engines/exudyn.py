@@ -127,8 +127,8 @@ linkage = four_bar
 
 
 def impacts(build, parameters, mass, radius, speed, opposite=None):
-    """A plane is a sphere of 1 m; mass: for the duration only. `opposite(system, height)` builds another body and its sphere's radius. The speed is that shortly after the gap has opened: a linkage's
-    changes as it moves on."""
+    """A plane is a sphere of 1 m; mass: for the duration only. `opposite(system, height)` builds another body instead and returns it with
+    its sphere's radius. The speed is that shortly after the gap has opened: a linkage's changes as it moves on."""
     step = parameters["stepSize"]
     steps = FLIGHT + math.ceil(LONGEST * math.pi * math.sqrt(mass / parameters["contactStiffness"]) / step)
 

@@ -206,7 +206,7 @@ def two_bodies(parameters, solver, bodies, speed):
         }
 
     def opening(read):
-        # By their names, each lever is followed by its ball.
+        # In the order of the names, each lever is followed by its ball.
         return -read("angularVelocity")[0::2, 1] * bodies.lever.lever - read("linearVelocity")[1::2, 2]
 
     return impacts(body, HINGE, parameters, solver, None, bodies.effective_mass, speed, opening, ball)
