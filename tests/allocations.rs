@@ -95,7 +95,7 @@ fn assert_allocates_nothing(name: &str, allocated: usize, response: &ContactResp
     let error = response.effective_mass_error().unwrap_or(0.0);
     let in_doubt = matches!(response.effective_mass, EffectiveMass::Finite(m) if error > 5e-12 * m);
     assert!(
-        allocated == 0 || response.careful_reason.is_some() || response.held_to_energy || in_doubt,
+        allocated == 0 || response.dense_reason.is_some() || response.is_energy_value || in_doubt,
         "{name}: {allocated} allocations, {response:?}"
     );
 }

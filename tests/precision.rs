@@ -125,7 +125,7 @@ mod percuss {
                 let mass =
                     |response: Option<ContactResponse>| response.and_then(|r| finite(r.effective_mass));
                 let auto = by(RouteChoice::Auto);
-                let is_alone = auto.as_ref().is_some_and(|r| r.careful_reason.is_none() && !r.held_to_energy);
+                let is_alone = auto.as_ref().is_some_and(|r| r.dense_reason.is_none() && !r.is_energy_value);
                 let recursion = by(RouteChoice::Only(Route::Articulated));
                 let rounding =
                     recursion.as_ref().and_then(|r| Some(r.error?.rounding? / finite(r.effective_mass)?));

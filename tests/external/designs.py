@@ -13,7 +13,7 @@ Jacobians. Checked flags:
                               region μ = m_R or M + m_L; the slowest of several directions, of all directions, and of
                               the rows of a table
 
-The meaning of the flags is taken from docs/DESIGNS.md alone; m_H and k are from crates/contact/data.
+The meaning of the flags is taken from docs/howto/DESIGNS.md alone; m_H and k are from crates/contact/data.
 """
 
 import argparse

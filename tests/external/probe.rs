@@ -262,7 +262,7 @@ fn response(answer: Result<ContactResponse, ResponseError>, condition: Option<f6
         effective_mass,
         effective_mass_error: response.effective_mass_error(),
         route: Some(route),
-        careful_reason: response.careful_reason.as_ref().map(reason),
+        careful_reason: response.dense_reason.as_ref().map(reason),
         condition,
         error: None,
     }

@@ -120,8 +120,9 @@ def main() -> None:
     readers = list(COMMANDS)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        model = (ROOT / "models/planar_2r.urdf").read_bytes()
-        (folder / "planar_2r.urdf").write_bytes(model)
+        # Studies of the corpus name these models.
+        for model in (ROOT / "models").glob("*.urdf"):
+            (folder / model.name).write_bytes(model.read_bytes())
         for number in range(arguments.count):
             reader = readers[number % len(readers)]
             path = folder / ("file.urdf" if reader == "urdf" else f"file.{reader}")

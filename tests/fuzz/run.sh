@@ -2,8 +2,8 @@
 # Coverage-guided fuzzing of every reader of files, each in turn:
 #   tests/fuzz/run.sh [SECONDS] [READER...]
 # SECONDS is the time for each reader (300: an hour for all twelve). Exit 1 on a panic, on a file that takes more than 5 s or more
-# than 1.5 GB; the file is then in tests/fuzz/found. What is new by its coverage is in target/fuzz/corpus; keep.py takes the
-# smallest files of it into tests/fuzz/corpus, which tests/readers.rs reads in every test run.
+# than 1.5 GB; the file is then in tests/fuzz/found. What is new by its coverage is in target/fuzz/corpus; keep.py takes
+# small files of it into tests/fuzz/corpus, which tests/readers.rs reads in every test run.
 # Needs a C++ compiler (libFuzzer is compiled from the crate libfuzzer-sys) and no sanitizer: percuss has no unsafe code in its readers.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -17,6 +17,8 @@ coverage="-Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=3 -Cllvm-
 host=$(rustc -vV | sed -n 's/^host: //p')
 # With a target given, build scripts and macros are compiled without the counters.
 RUSTFLAGS=$coverage cargo build --locked --release --quiet --manifest-path "$here/Cargo.toml" --target "$host" --target-dir "$target"
+# A frame of code that is not optimised can exceed the usual stack of a thread.
+export RUST_MIN_STACK=67108864
 mkdir -p "$here/found"
 folder=$(mktemp -d -p /dev/shm 2> /dev/null || mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,6 +1,7 @@
 //! Many configurations at once: each lane agrees with a pose within the errors stated by both, and is bitwise equal to
 //! a single configuration for every instruction set.
 
+use crate::UNSTATED;
 use nalgebra::Vector3;
 use percuss_dynamics::{
     Base, Batch, BatchAnswer, BatchError, BatchPositions, Conditions, Contact, Direction, EffectiveMass,
@@ -138,6 +139,8 @@ fn same(a: &BatchAnswer, b: &BatchAnswer) -> bool {
 struct Seen {
     answers: usize,
     by_lanes: usize,
+    /// Poses without a stated error.
+    unstated: usize,
     /// Largest difference as a fraction of the sum of both errors.
     worst: f64,
     /// Largest relative error stated by a lane.
@@ -157,9 +160,10 @@ fn check(name: &str, system: &System, contact: &Contact, rows: &[f64], seen: &mu
         let (Some(EffectiveMass::Finite(m)), Some(error)) = (answer.mass, answer.error) else {
             match (answer.mass, response.effective_mass) {
                 (Some(EffectiveMass::Finite(a)), EffectiveMass::Finite(b)) => {
-                    // Twice the error of a pose, plus 1e-11, below which a workspace omits terms; an unknown error
-                    // counts as m̄.
-                    let allowed = 2.0 * response.effective_mass_error().unwrap_or(b) + 1e-11 * b;
+                    // Twice the error of a pose, plus 1e-11, below which a workspace omits terms.
+                    let error = response.effective_mass_error();
+                    seen.unstated += usize::from(error.is_none());
+                    let allowed = 2.0 * error.unwrap_or(UNSTATED * b) + 1e-11 * b;
                     assert!((a - b).abs() <= allowed, "{name}, asked again: {a} {b}, allowed {allowed:e}");
                 }
                 (a, b) => assert_eq!(a, Some(b), "{name}, asked again"),

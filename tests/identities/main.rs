@@ -14,3 +14,7 @@ mod outcomes;
 mod routes;
 mod scalars;
 mod workspaces;
+
+/// Largest relative difference of two results without a stated error: these are near a singular pose or a massless
+/// motion, where six digits are left.
+const UNSTATED: f64 = 1e-6;

@@ -1,5 +1,6 @@
 //! Contacts by Φ agree with individual responses of the pose: the same status, and m̄ within the errors stated by both.
 
+use crate::UNSTATED;
 use nalgebra::Vector3;
 use percuss_dynamics::{
     Contact, ContactColumns, ContactMap, ContactStatus, EffectiveMass, MapAnswers, Pose, RouteChoice,
@@ -95,8 +96,11 @@ fn compare(
         match response.effective_mass {
             EffectiveMass::Finite(m) => {
                 assert_eq!(statuses[i], ContactStatus::Finite, "{}: {m} kg", name());
-                let own = if errors[i].is_finite() { errors[i] * masses[i] } else { m };
-                let allowed = own + known.unwrap_or(m);
+                if !errors[i].is_finite() || known.is_none() {
+                    *counts.entry("without a stated error").or_default() += 1;
+                }
+                let own = if errors[i].is_finite() { errors[i] } else { UNSTATED };
+                let allowed = own * masses[i] + known.unwrap_or(UNSTATED * m);
                 assert!(
                     (masses[i] - m).abs() <= allowed,
                     "{}: {} {m}, allowed {allowed:e}",

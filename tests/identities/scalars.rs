@@ -170,7 +170,7 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
         let in_lanes = pose.assembly().batch(contact).is_ok_and(|batch| batch.has_lanes());
         // The lanes follow the recursion, even if the dense route is preferred.
         let response = pose.respond(contact, RouteChoice::Auto);
-        let by_recursion = response.as_ref().is_ok_and(|r| r.careful_reason.is_none() && !r.held_to_energy);
+        let by_recursion = response.as_ref().is_ok_and(|r| r.dense_reason.is_none() && !r.is_energy_value);
         for (lane, positions) in four.iter().enumerate() {
             scalar.set_positions(positions).expect("positions that fit");
             let plain = scalar.mass_matrix();

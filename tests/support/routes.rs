@@ -1,6 +1,6 @@
 //! Statistics of the routes: the recursion or the dense route, with the reasons.
 
-use percuss_dynamics::{CarefulReason, ContactResponse, EffectiveMass, Route};
+use percuss_dynamics::{ContactResponse, DenseReason, EffectiveMass, Route};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -18,11 +18,11 @@ pub struct Routes {
 }
 
 /// Reason for the dense route as text; errors by their decade.
-pub fn reason(reason: &CarefulReason) -> String {
+pub fn reason(reason: &DenseReason) -> String {
     match reason {
-        CarefulReason::NegativeMass => "negative mass".into(),
-        CarefulReason::Massless => "massless".into(),
-        CarefulReason::Error { relative } => format!("error 1e{:.0}", relative.log10().floor()),
+        DenseReason::NegativeMass => "negative mass".into(),
+        DenseReason::Massless => "massless".into(),
+        DenseReason::Error { relative } => format!("error 1e{:.0}", relative.log10().floor()),
     }
 }
 
@@ -32,12 +32,12 @@ impl Routes {
         if !matches!(response.effective_mass, EffectiveMass::Finite(_)) {
             return;
         }
-        match (response.route, response.careful_reason) {
+        match (response.route, response.dense_reason) {
             (Route::Dense, _) => self.careful += 1,
             (Route::Articulated, Some(_)) => self.kept += 1,
             (Route::Articulated, None) => self.recursion += 1,
         }
-        if let Some(why) = &response.careful_reason {
+        if let Some(why) = &response.dense_reason {
             *self.reasons.entry(reason(why)).or_default() += 1;
         }
     }

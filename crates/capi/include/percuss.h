@@ -1,4 +1,4 @@
-/* percuss: the effective mass of a mechanism at a contact. Made by cbindgen from crates/capi/src; not written by hand. docs/C.md says how it is used. */
+/* percuss: the effective mass of a mechanism at a contact. Made by cbindgen from crates/capi/src; not written by hand. docs/howto/C.md says how it is used. */
 
 #ifndef PERCUSS_H
 #define PERCUSS_H
@@ -149,6 +149,11 @@
  F = k xᵖ (1 + d ẋ).
  */
 #define PERCUSS_DAMPER_HUNT_CROSSLEY 1
+
+/*
+ Value of an option of percuss_matrix_options for its default.
+ */
+#define PERCUSS_DEFAULT -1.0
 
 /*
  A system with assembled loops. Immutable, so that threads can share it.
@@ -494,13 +499,33 @@ typedef struct percuss_matrix_options {
    */
   size_t length_count;
   /*
-   Singular values of A below this fraction of the largest count as zero; above 0, at most 0.1. Default 1e-10.
+   Singular values of A below this fraction of the largest count as zero; above 0, at most 0.1.
+   PERCUSS_DEFAULT: 1e-10, or 10 times the accuracy of A if larger; a dropped singular value above rounding then
+   makes the rank unclear.
    */
   double rank_floor;
   /*
-   Relative error of every entry of M, A and j, 0 to 1e-3; part of the stated error. Default 2.2e-16.
+   Relative error of every entry of M, A and j, 0 to 1e-3; part of the stated error. Default 2.2e-16; matrices stored
+   in single precision have 6e-8.
    */
   double accuracy;
+  /*
+   Relative error of every entry of M. PERCUSS_DEFAULT: accuracy.
+   */
+  double accuracy_of_mass;
+  /*
+   Relative error of every entry of A. PERCUSS_DEFAULT: accuracy.
+   */
+  double accuracy_of_constraints;
+  /*
+   Relative error of every entry of j. PERCUSS_DEFAULT: accuracy.
+   */
+  double accuracy_of_contact_row;
+  /*
+   Rows of A with all entries, divided by lengths, at or below this level count as zero; at least 0; 0: every
+   nonzero row counts. PERCUSS_DEFAULT: 1e-14 of the largest entry of the rows that share coordinates.
+   */
+  double row_noise;
 } percuss_matrix_options;
 
 /*

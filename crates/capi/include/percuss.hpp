@@ -368,6 +368,8 @@ class Pose {
   std::size_t coordinates_;
 };
 
+class Batch;
+
 /// Workspace for one configuration after another. One thread at a time.
 class Workspace {
  public:
@@ -397,12 +399,16 @@ class Workspace {
   void set_base(const Vector3 &position, const std::array<double, 4> &quaternion) {
     check(percuss_workspace_set_base(handle_.get(), position.data(), quaternion.data()));
   }
+  /// One contact at many configurations, with the assembly and the base of this workspace. threads: 1: the calling
+  /// thread alone; 0: one per processor of the machine.
+  Batch batch(const Contact &contact, std::size_t threads = 0);
   percuss_workspace *get() const noexcept { return handle_.get(); }
 
  private:
   friend class Assembly;
-  explicit Workspace(percuss_workspace *handle) : handle_(handle) {}
+  Workspace(percuss_workspace *handle, std::size_t positions) : handle_(handle), positions_(positions) {}
   detail::Owner<percuss_workspace, percuss_workspace_free> handle_;
+  std::size_t positions_;
 };
 
 /// One contact at many configurations.
@@ -443,6 +449,7 @@ class Batch {
 
  private:
   friend class Assembly;
+  friend class Workspace;
   struct Watching {
     const Watch *watch;
     std::exception_ptr thrown;
@@ -460,6 +467,12 @@ class Batch {
   detail::Owner<percuss_batch, percuss_batch_free> handle_;
   std::size_t positions_;
 };
+
+inline Batch Workspace::batch(const Contact &contact, std::size_t threads) {
+  percuss_batch *handle = nullptr;
+  check(percuss_workspace_batch(get(), &contact, threads, &handle));
+  return Batch(handle, positions_);
+}
 
 /// A system with assembled loops.
 class Assembly {
@@ -480,7 +493,7 @@ class Assembly {
   Workspace workspace() const {
     percuss_workspace *handle = nullptr;
     check(percuss_workspace_new(get(), &handle));
-    return Workspace(handle);
+    return Workspace(handle, counts_.positions);
   }
   /// threads: 1: the calling thread alone; 0: one per processor of the machine.
   Batch batch(const Contact &contact, std::size_t threads = 0) const {
@@ -538,8 +551,13 @@ class System {
 struct MatrixOptions {
   /// Displacement per unit rate of each coordinate; empty: 1 for all.
   std::vector<double> lengths{};
-  double rank_floor = 1e-10;
+  double rank_floor = PERCUSS_DEFAULT;
   double accuracy = 2.220446049250313e-16;
+  /// Of M, A and j; PERCUSS_DEFAULT: accuracy.
+  double accuracy_of_mass = PERCUSS_DEFAULT;
+  double accuracy_of_constraints = PERCUSS_DEFAULT;
+  double accuracy_of_contact_row = PERCUSS_DEFAULT;
+  double row_noise = PERCUSS_DEFAULT;
 };
 
 /// Result for matrices of the caller.
@@ -557,7 +575,13 @@ inline MatrixResponse effective_mass(const percuss_matrix &mass, const std::vect
                                      const percuss_matrix *constraints = nullptr,
                                      const MatrixOptions &options = {}) {
   const percuss_matrix_options given{options.lengths.empty() ? nullptr : options.lengths.data(),
-                                     options.lengths.size(), options.rank_floor, options.accuracy};
+                                     options.lengths.size(),
+                                     options.rank_floor,
+                                     options.accuracy,
+                                     options.accuracy_of_mass,
+                                     options.accuracy_of_constraints,
+                                     options.accuracy_of_contact_row,
+                                     options.row_noise};
   MatrixResponse response;
   response.velocities.resize(contact_row.size());
   response.redundant_rows.resize(constraints == nullptr ? 0 : constraints->rows);

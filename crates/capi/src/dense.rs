@@ -7,7 +7,7 @@ use crate::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
 use crate::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_MATRIX, guarded, percuss_status,
 };
-use percuss::{LayoutError, MatrixError, MatrixOptions, MatrixView, effective_mass};
+use percuss::{LayoutError, MatrixError, MatrixName, MatrixOptions, MatrixView, effective_mass};
 
 /// A matrix of the caller, read in place.
 #[repr(C)]
@@ -39,11 +39,26 @@ pub struct percuss_matrix_options {
     pub lengths: *const f64,
     /// Number of lengths: one per coordinate, or 0.
     pub length_count: usize,
-    /// Singular values of A below this fraction of the largest count as zero; above 0, at most 0.1. Default 1e-10.
+    /// Singular values of A below this fraction of the largest count as zero; above 0, at most 0.1.
+    /// PERCUSS_DEFAULT: 1e-10, or 10 times the accuracy of A if larger; a dropped singular value above rounding then
+    /// makes the rank unclear.
     pub rank_floor: f64,
-    /// Relative error of every entry of M, A and j, 0 to 1e-3; part of the stated error. Default 2.2e-16.
+    /// Relative error of every entry of M, A and j, 0 to 1e-3; part of the stated error. Default 2.2e-16; matrices stored
+    /// in single precision have 6e-8.
     pub accuracy: f64,
+    /// Relative error of every entry of M. PERCUSS_DEFAULT: accuracy.
+    pub accuracy_of_mass: f64,
+    /// Relative error of every entry of A. PERCUSS_DEFAULT: accuracy.
+    pub accuracy_of_constraints: f64,
+    /// Relative error of every entry of j. PERCUSS_DEFAULT: accuracy.
+    pub accuracy_of_contact_row: f64,
+    /// Rows of A with all entries, divided by lengths, at or below this level count as zero; at least 0; 0: every
+    /// nonzero row counts. PERCUSS_DEFAULT: 1e-14 of the largest entry of the rows that share coordinates.
+    pub row_noise: f64,
 }
+
+/// Value of an option of percuss_matrix_options for its default.
+pub const PERCUSS_DEFAULT: f64 = -1.0;
 
 /// Rank report of A.
 #[repr(C)]
@@ -71,11 +86,41 @@ pub unsafe extern "C" fn percuss_matrix_options_init(options: *mut percuss_matri
         *place(options, "options")? = percuss_matrix_options {
             lengths: std::ptr::null(),
             length_count: 0,
-            rank_floor: 1e-10,
+            rank_floor: PERCUSS_DEFAULT,
             accuracy: f64::EPSILON,
+            accuracy_of_mass: PERCUSS_DEFAULT,
+            accuracy_of_constraints: PERCUSS_DEFAULT,
+            accuracy_of_contact_row: PERCUSS_DEFAULT,
+            row_noise: PERCUSS_DEFAULT,
         };
         Ok(())
     })
+}
+
+impl percuss_matrix_options {
+    /// Options without lengths. Values out of range are refused by [`effective_mass`].
+    #[allow(clippy::float_cmp, reason = "the default is one certain number")]
+    fn without_lengths<'a>(&self) -> MatrixOptions<'a> {
+        let given = |value: f64| (value != PERCUSS_DEFAULT).then_some(value);
+        let mut options = MatrixOptions::new().accuracy(self.accuracy);
+        if let Some(floor) = given(self.rank_floor) {
+            options = options.rank_floor(floor);
+        }
+        let accuracies = [
+            (MatrixName::Mass, self.accuracy_of_mass),
+            (MatrixName::Constraints, self.accuracy_of_constraints),
+            (MatrixName::ContactRow, self.accuracy_of_contact_row),
+        ];
+        for (matrix, accuracy) in accuracies {
+            if let Some(accuracy) = given(accuracy) {
+                options = options.accuracy_of(matrix, accuracy);
+            }
+        }
+        if let Some(noise) = given(self.row_noise) {
+            options = options.row_noise(noise);
+        }
+        options
+    }
 }
 
 fn view<'a>(matrix: &percuss_matrix, name: &str) -> Result<MatrixView<'a>, Failure> {
@@ -136,7 +181,7 @@ pub unsafe extern "C" fn percuss_effective_mass(
         expect_length(count, mass.rows, "contact_row")?;
         let mut asked = MatrixOptions::new();
         if let Some(options) = given {
-            asked = asked.rank_floor(options.rank_floor).accuracy(options.accuracy);
+            asked = options.without_lengths();
             if !options.lengths.is_null() {
                 asked = asked.lengths(input(options.lengths, options.length_count, "lengths")?);
             }

@@ -3,7 +3,7 @@
 //!
 //! Functions return a status, 0 on success, except for a few functions that cannot fail. The message of the last
 //! failure is kept per thread. There is no other global state. Handles are opaque. Immutable objects may be shared
-//! between threads; concurrent use of a mutable object is an error. User guide: docs/C.md.
+//! between threads; concurrent use of a mutable object is an error. User guide: docs/howto/C.md.
 //!
 //! Every pointer argument must be null or point to the stated number of values. Null is reported as an error; other
 //! violations cannot be checked.

@@ -14,7 +14,7 @@ fn here() -> &'static Path {
 }
 
 const NOTICE: &str = "/* percuss: the effective mass of a mechanism at a contact. Made by cbindgen from crates/capi/src; not written by \
-                      hand. docs/C.md says how it is used. */";
+                      hand. docs/howto/C.md says how it is used. */";
 
 fn versions() -> String {
     let (major, minor, patch) =

@@ -83,7 +83,7 @@ unpacked() {
   else
     tar -xzf "$out/$name.tar.gz" -C "$room/user"
   fi
-  for file in README.md LICENSE-MIT LICENSE-APACHE LICENSES-OF-PARTS.txt docs/OUTPUTS.md models/four_bar.urdf \
+  for file in README.md LICENSE-MIT LICENSE-APACHE LICENSES-OF-PARTS.txt docs/reference/OUTPUTS.md models/four_bar.urdf \
     models/suspensions/double-wishbone.toml; do
     [ -s "$room/user/$name/$file" ] || fails "$name has no $file"
   done

@@ -260,7 +260,7 @@ fn flags_that_mean_nothing_are_refused() {
     assert_eq!(percuss(&format!("import {file}")).code, 2, "an output is required");
 }
 
-/// Commands of README and docs/SUSPENSIONS.md, and the value printed in README.
+/// Commands of README and docs/howto/SUSPENSIONS.md, and the value printed in README.
 #[test]
 fn a_sheet_of_ones_own_becomes_a_model_that_answers() {
     let folder = Scratch::new("import-sheet");
@@ -293,7 +293,7 @@ fn a_sheet_of_ones_own_becomes_a_model_that_answers() {
     assert!(percuss("template --list").stdout.contains("swing-axle"));
 }
 
-/// README's file in Chrono's format describes the car of the sheet, except for the anti-roll bar, which the format
+/// The file in Chrono's format describes the car of the sheet, except for the anti-roll bar, which the format
 /// lacks.
 #[test]
 fn the_shipped_file_of_chrono_is_the_car_of_the_sheet() {

@@ -446,23 +446,15 @@ fn samples_of_hardpoints_are_those_of_the_first_order() {
     }
 }
 
-/// Commands of docs/SUSPENSIONS.md for a user's suspension, in sequence in an empty folder.
+/// Commands of docs/howto/SUSPENSIONS.md for a user's suspension, in sequence in an empty folder, write these files.
 #[test]
 fn the_page_of_suspensions_runs_as_printed() {
     let folder = Scratch::new("own-page");
-    let page = fs::read_to_string(support::root().join("docs/SUSPENSIONS.md")).expect("the page");
-    let part = page.split("## A suspension of one's own").nth(1).expect("a heading");
-    let part = part.split("The sheet that `percuss template` writes").next().expect("its commands");
-    let blocks: String =
-        part.split("```text\n").skip(1).filter_map(|block| block.split("```").next()).collect();
+    let page = fs::read_to_string(support::root().join("docs/howto/SUSPENSIONS.md")).expect("the page");
+    let part = page.split("The same car from a hardpoint file").next().expect("its commands");
     let mut commands = 0;
-    for line in blocks.replace("\\\n", " ").lines() {
-        let words: Vec<&str> = line.split_whitespace().collect();
-        assert_eq!(words.first(), Some(&"percuss"), "{line}");
-        done(&folder, &words[1..]);
-        if words[1] == "template" && words.contains(&"-o") {
-            fs::copy(folder.path("my.toml"), folder.path("other.toml")).expect("copied");
-        }
+    for line in part.replace("\\\n", " ").lines().filter_map(|line| line.strip_prefix("$ percuss ")) {
+        done(&folder, &line.split_whitespace().collect::<Vec<_>>());
         commands += 1;
     }
     assert_eq!(commands, 8);

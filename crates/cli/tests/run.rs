@@ -87,8 +87,10 @@ fn a_study_with_a_sweep_sweeps_and_with_a_format_does_not() {
     assert_eq!((rows.code, rows.stdout), (0, by_flags.stdout));
     let one = percuss("run models/four_bar.toml --format json");
     assert!((mass_of(&one.stdout) / 68.13126530612244 - 1.0).abs() < 1e-13);
-    // Warnings of a model are errors with --strict.
-    let strict = percuss("run models/double_wishbone.toml --strict");
+    // Warnings of a model are errors with --strict, also those that the file marks as known.
+    assert_eq!(percuss("run models/double_wishbone.toml --strict").code, 0);
+    assert_eq!(percuss("run models/macpherson_strut.toml").code, 0);
+    let strict = percuss("run models/macpherson_strut.toml --strict");
     assert_eq!((strict.code, strict.stdout.as_str()), (2, ""));
 }
 

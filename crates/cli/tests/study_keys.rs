@@ -190,10 +190,10 @@ fn keys_of_other_tables_and_of_no_table_say_what_there_is() {
     }
 }
 
-/// Block of all keys in docs/STUDIES.md.
+/// Block of all keys in docs/reference/STUDIES.md.
 #[test]
 fn the_page_has_every_key() {
-    let page = std::fs::read_to_string(root().join("docs/STUDIES.md")).expect("the page");
+    let page = std::fs::read_to_string(root().join("docs/reference/STUDIES.md")).expect("the page");
     let block = page.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a block");
     let folder = Scratch::new("page");
     let path = folder.write("study.toml", block);

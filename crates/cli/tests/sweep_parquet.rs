@@ -226,6 +226,41 @@ fn every_kind_of_number_and_file_is_read_as_the_csv_is() {
     assert_eq!(piped.stdout, percuss(&format!("{COUPLER} --input {text}")).stdout);
 }
 
+/// A Parquet file is recognised by its first bytes; a CSV file whose first joint is named `PAR1` is no Parquet file.
+#[test]
+fn parquet_files_are_recognised_by_content() {
+    let scratch = Scratch::new("parquet-content");
+    let table = scratch.path("table.parquet");
+    let columns = [("crank_hinge", Values::Double(angles(10)))];
+    write(&table, &columns, false, None, 4, WriterProperties::builder());
+    let expected = percuss(&format!("{COUPLER} --input {table}"));
+    assert_eq!(expected.code, 0, "{}", expected.stderr);
+    for name in ["table.csv", "table.CSV", "table.pq", "table"] {
+        let path = scratch.path(name);
+        std::fs::copy(&table, &path).expect("a copy");
+        let outcome = percuss(&format!("{COUPLER} --input {path}"));
+        assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
+        assert_eq!(outcome.stdout, expected.stdout, "{name}");
+    }
+    let bytes = std::fs::read(&table).expect("a file");
+    let cut = scratch.path("cut.csv");
+    std::fs::write(&cut, &bytes[..bytes.len() / 2]).expect("a file");
+    let encrypted = scratch.path("encrypted.csv");
+    std::fs::write(&encrypted, b"PARE\x40\0\0\0................\x10\0\0\0PARE").expect("a file");
+    let text = scratch.write("text.csv", "PAR1,PAR1 [deg]\n0,0\n");
+    let other = scratch.write("text.pq", "crank_hinge\n0\n");
+    for (path, words) in [
+        (&cut, "it is no Parquet file, or not all of one"),
+        (&encrypted, "it is encrypted"),
+        (&text, "no joint is named \"PAR1\""),
+        (&other, "and it does not begin as a Parquet file"),
+    ] {
+        let outcome = percuss(&format!("{COUPLER} --input {path}"));
+        assert_eq!(outcome.code, 2, "{path}: {}", outcome.stderr);
+        assert!(outcome.stderr.contains(words), "{path}: {}", outcome.stderr);
+    }
+}
+
 #[test]
 fn what_is_wrong_is_said_with_its_place() {
     let scratch = Scratch::new("parquet-wrong");

@@ -41,7 +41,7 @@ pub use dense::matrices::{
 pub use error::budget::ErrorBudget;
 pub use kinematics::contact::{Contact, ContactError, ContactPart, Direction, Frame, LocatedContact};
 pub use kinematics::outcome::{
-    CarefulReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError,
+    DenseReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError,
 };
 pub use kinematics::remarks::RemarkFlags;
 pub use loops::assembling::{AssemblyError, LoopState};
@@ -49,7 +49,7 @@ pub use mobility::Singularity;
 pub use model::conditions::{Base, ConditionOfJoint, Conditions, ConditionsError};
 pub use model::configuration::{Configuration, ConfigurationError};
 pub use model::input;
-pub use model::velocities::VelocityError;
+pub use model::velocities::StateSizeError;
 pub use motion::forward_dynamics::{Accelerations, PointForce};
 pub use motion::limits::BranchLimits;
 pub use motion::operational_inertia::InverseOperationalInertia;

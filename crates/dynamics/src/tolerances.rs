@@ -33,7 +33,7 @@ pub(crate) const TRUSTED_ERROR: f64 = 1e-11;
 /// Smallest mass of a free body on the other side, kg. Its inverse, and sums of such inverses, do not overflow.
 pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
 /// Largest number of coordinates for the dense route: O(n³) time, and 8n² bytes per matrix.
-pub(crate) const CAREFUL_LIMIT: usize = 1000;
+pub(crate) const DENSE_ROUTE_LIMIT: usize = 1000;
 /// Largest memory, in bytes, of the matrices of all clusters in one run of the recursion. An error estimate needs two
 /// runs at the same time, which together with the model stay within 1.5 GB. Sufficient for a loop of 1,800 free
 /// links.
@@ -70,14 +70,14 @@ pub(crate) const ROUNDING: f64 = 1e-3;
 pub(crate) const ROUNDED: f64 = 10.0;
 /// Largest residual of a pose near the first one in the search for the generic rank, as a multiple of the inexactness
 /// at the first pose.
-pub(crate) const ELSEWHERE: f64 = 2.0;
+pub(crate) const OTHER_POSE_RESIDUAL: f64 = 2.0;
 /// Smallest singular value of directions used by a step, as a multiple of the relative residual. A smaller singular
 /// value may be caused by the residual itself.
-pub(crate) const FOLLOWED: f64 = 10.0;
+pub(crate) const FIRM_DIRECTION: f64 = 10.0;
 /// Smallest relative zero threshold for pivots in least-norm steps.
 pub(crate) const STEP_RANK: f64 = 1e-9;
 /// Largest Newton step, relative to the size, at a converged pose.
-pub(crate) const SETTLED: f64 = 1e-8;
+pub(crate) const CONVERGED_STEP: f64 = 1e-8;
 /// Gap of a loop as drawn, relative to its size, above which a warning is given: not rounding, but a mistyped point.
 pub(crate) const DRAWN_OPEN: f64 = 0.01;
 
@@ -106,7 +106,7 @@ pub(crate) const TRAVEL_STEPS: usize = 60;
 /// Largest number of steps within a bracket: bisections from the longest step down to rounding.
 pub(crate) const ENCLOSED_STEPS: usize = 60;
 /// Accuracy of a displacement relative to the size: equal to the closing tolerance of loops.
-pub(crate) const MET: f64 = 1e-12;
+pub(crate) const DISPLACEMENT_ACCURACY: f64 = 1e-12;
 /// Error of a displacement, relative to the size, above which one more Newton step is taken.
 pub(crate) const POLISHED: f64 = 1e-14;
 /// Error of a displacement, relative to the size, that is accepted as rounding of the pose, if the point is far from
@@ -236,7 +236,7 @@ pub(crate) const CORRECTION_WORK: usize = 60_000_000;
 pub(crate) const FEWEST_CORRECTION_ITERATIONS: usize = 20;
 /// Largest closing motion of a loop, as a multiple of its residual as drawn. A longer motion follows a direction that
 /// is caused by the residual itself.
-pub(crate) const COMMENSURATE: f64 = 100.0;
+pub(crate) const CLOSING_MOTION_FACTOR: f64 = 100.0;
 /// Predicted residual, relative to the size, below which a correction's Jacobian is reused. The prediction assumes
 /// the same reduction as in the last step; the result is below rounding, as with a new Jacobian.
 pub(crate) const KEPT_JACOBIAN: f64 = 1e-17;
@@ -361,7 +361,7 @@ pub(crate) const BRANCH_COMBINATIONS: usize = 256;
 pub(crate) const VANISHING_LIMIT: f64 = 1e-7;
 /// Smallest cosine between a branch and the displacement at these places; a smaller cosine means that the branch is
 /// too curved.
-pub(crate) const BENT: f64 = 0.9;
+pub(crate) const LEAST_BRANCH_COSINE: f64 = 0.9;
 
 /// Largest total correction that closes a group after a displacement, relative to the displacement. Corrections are
 /// of second order, and far shorter unless the branch is lost.
@@ -370,7 +370,7 @@ pub(crate) const MOST_CLOSING: f64 = 1.0;
 pub(crate) const LIMIT_PLACES: usize = 8 * LIMIT_STEPS.len();
 /// Largest work of the dense route at the places for limits, in cubes of the coordinates: two branches of a mechanism
 /// of 160 coordinates, some seconds. For more work, the recursion is used.
-pub(crate) const LIMITS_BY_CAREFUL_ROUTE: usize = 300_000_000;
+pub(crate) const LIMITS_BY_DENSE_ROUTE: usize = 300_000_000;
 /// Largest work of the recursion at these places, in bodies: 256 combinations for a mechanism of 1,000 bodies, some
 /// ten seconds. For more work, fewer combinations are computed.
 pub(crate) const LIMITS_BY_RECURSION: usize = 10_000_000;
@@ -389,7 +389,7 @@ pub(crate) const DOUBTFUL_LIMIT: f64 = 1e-3;
 /// Largest number of bodies for keeping a workspace in the pool: some hundred kilobytes.
 pub(crate) const KEPT_BODIES: usize = 256;
 /// Largest number of workspaces in the pool: the number of concurrent threads.
-pub(crate) const KEPT_ROOMS: usize = 64;
+pub(crate) const POOLED_WORKSPACES: usize = 64;
 /// Largest number of coordinates and bodies of a linkage with a compiled kernel.
 pub(crate) const LINKAGE_COORDINATES: usize = 64;
 /// Largest number of degrees of freedom of such a linkage, whose energy is a full matrix over these.
@@ -417,7 +417,7 @@ pub(crate) const OPEN_ROUNDINGS: f64 = 8.0;
 pub(crate) const FAR_ROUNDINGS: f64 = 4.0;
 /// Largest distance of positions from those of a pose (rad, or lengths of the mechanism) for reuse of its pivots: far
 /// too small to move a nonzero singular value to zero.
-pub(crate) const BESIDE: f64 = 1e-9;
+pub(crate) const SAME_PIVOTS_DISTANCE: f64 = 1e-9;
 /// Largest number of values in the clusters of a workspace kept in the pool: some hundred kilobytes.
 pub(crate) const KEPT_NUMBERS: usize = 1 << 15;
 
@@ -480,3 +480,58 @@ pub(crate) const MATRIX_NOISE: f64 = 16.0;
 /// Magnitude, in roundings, of a negative eigenvalue of M scaled to unit diagonal above which the energy is negative
 /// (n roundings, and the entries' accuracy). Equal to the limit for pivots of the dense route.
 pub(crate) const NEGATIVE_MASS: f64 = 4e3;
+
+/// Largest last step of Newton's method, relative to the requested distance, for a pose beside a crossing.
+pub(crate) const TINY_STEP: f64 = 1e-6;
+/// Distance from a limit of a branch, relative to the size of the group, within which a target counts as the limit:
+/// rounding of positions.
+pub(crate) const LIMIT_OFFSET: f64 = 1e-13;
+/// Slope of the driver along the branch that counts as zero in the search for a limit, dimensionless.
+pub(crate) const FLAT_SLOPE: f64 = 1e-13;
+/// Width of the bracket that ends the search for a limit, relative to the size of the group.
+pub(crate) const BRACKET_WIDTH: f64 = 1e-15;
+/// Part of the closing tolerance below which a further correction is useless.
+pub(crate) const NEGLIGIBLE_GAP: f64 = 1e-3;
+/// First damping of a correction (Levenberg–Marquardt), relative to the scaled Jacobian.
+pub(crate) const FIRST_DAMPING: f64 = 1e-3;
+/// Damping of a correction below which undamped steps are taken again.
+pub(crate) const LEAST_DAMPING: f64 = 1e-5;
+/// Damping of a correction above which it ends without success.
+pub(crate) const MOST_DAMPING: f64 = 1e3;
+/// Part of the residual that a stalled correction keeps.
+pub(crate) const STALLED_REDUCTION: f64 = 0.99;
+/// Step of a stalled correction, relative to the size of the group.
+pub(crate) const STALLED_STEP: f64 = 1e-9;
+/// Step of a correction below the rounding of positions, relative to the size of the group.
+pub(crate) const ROUNDING_STEP: f64 = 1e-15;
+/// Distances along a branch at which a pose beside a crossing is sought, relative to the size of the group.
+pub(crate) const DEPARTURES: [f64; 4] = [0.1, 0.03, 0.01, 1e-3];
+/// Largest number of steps of driving joints to their requested positions.
+pub(crate) const MOST_SET_STEPS: f64 = 1e4;
+/// Correction of driving joints below the rounding of positions, relative to the size of the group.
+pub(crate) const SET_ROUNDING: f64 = 1e-14;
+/// Sine of the angle below which opposed axes count as exactly opposed: the direction of the residual is undefined
+/// there.
+pub(crate) const OPPOSED_AXES: f64 = 1e-9;
+/// Sine of a rotation angle below which the rotation vector is taken from its first-order term; the error is 1e-12,
+/// relative.
+pub(crate) const SMALL_SINE: f64 = 1e-6;
+/// Part of a column of G that remains after orthogonalisation if the column depends on the others: rounding.
+pub(crate) const DEPENDENT_RATES: f64 = 1e-14;
+/// Least relative singular value in the rounding of rates.
+pub(crate) const LEAST_SINGULAR: f64 = 1e-6;
+/// Largest factor |K⁻¹||A| in the rounding of rates.
+pub(crate) const MOST_GROWTH: f64 = 1e6;
+/// Magnitude of a negative pivot of M, in pivot tolerances, above which M is indefinite.
+pub(crate) const INDEFINITE_PIVOT: f64 = 1e3;
+/// Last correction of a pose moved along v*, relative to the distance moved.
+pub(crate) const ADVANCE_STEP: f64 = 1e-9;
+/// Slack of joint limits, relative to 1 + |position|: a limit typed with nine digits causes no violation.
+pub(crate) const LIMIT_SLACK: f64 = 1e-9;
+/// Least singular value or pivot in the denominator of a rank gap, relative to the largest.
+pub(crate) const GAP_ROUNDING: f64 = 1e-3 * f64::EPSILON;
+/// Inverse of the last decimal of a direction in messages. An error of 1e-6 rad changes m̄ by about 1e-12,
+/// relative.
+pub(crate) const DIRECTION_DECIMALS: f64 = 1e6;
+/// Bytes per megabyte.
+pub(crate) const MEGABYTE: f64 = 1e6;

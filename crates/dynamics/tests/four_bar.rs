@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use percuss_dynamics::{
     AssemblyError, Conditions, Contact, ContactError, ContactResponse, EffectiveMass, PointForce, Pose,
-    RouteChoice, RouteError, System, VelocityError,
+    RouteChoice, RouteError, StateSizeError, System,
 };
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, Mechanism,
@@ -284,8 +284,8 @@ fn what_does_not_fit_a_mechanism_is_refused() {
     for (velocities, joints) in [(vec![], true), (vec![vec![]], false), (vec![vec![0.0, 0.0]], false)] {
         let error = accelerations(&velocities, &[]).expect_err("not the mechanism's");
         match error {
-            RouteError::Velocities(VelocityError::Joints { got: 0, expected: 1 }) => assert!(joints),
-            RouteError::Velocities(VelocityError::Count { expected: 1, .. }) => assert!(!joints),
+            RouteError::Velocities(StateSizeError::Joints { got: 0, expected: 1 }) => assert!(joints),
+            RouteError::Velocities(StateSizeError::VelocityCount { expected: 1, .. }) => assert!(!joints),
             other => panic!("{other}"),
         }
     }
@@ -307,7 +307,7 @@ fn what_does_not_fit_a_mechanism_is_refused() {
     ));
 
     let contact = Contact::new(link, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
-    let count = |got| Err(VelocityError::Positions { got, expected: 1 });
+    let count = |got| Err(StateSizeError::PositionCount { got, expected: 1 });
     let mut workspace = system.workspace();
     assert_eq!(workspace.set_positions(&[]), count(0));
     assert_eq!(workspace.set_positions(&[0.0; 7]), count(7));

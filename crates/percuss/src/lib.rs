@@ -1,10 +1,37 @@
-#![doc = include_str!("../../../README.md")]
+//! Effective mass of a mechanism at a contact: a mechanism, a [`Contact`], a [`Pose`], a number in kilograms.
 //!
-//! # The crate
-//! Public interface of the library, re-exported from the crates of the workspace; every type has exactly one
-//! name. Matrices and vectors are those of [`nalgebra`], which is re-exported too.
+//! ```
+//! use percuss::{Conditions, Contact, EffectiveMass, Inertial, JointDescription, JointKind};
+//! use percuss::{LinkDescription, MechanismBuilder, RouteChoice, System};
 //!
-//! A model is loaded from a path or from text:
+//! fn main() -> Result<(), Box<dyn std::error::Error>> {
+//!     let mechanism = MechanismBuilder::new("pendulum")
+//!         .link(LinkDescription::massless("ground"))
+//!         .link(LinkDescription::new("rod", Inertial::point(2.0, [0.0, 0.0, -0.5])))
+//!         .joint(JointDescription::new("hinge", JointKind::Continuous, "ground", "rod").axis([0.0, 1.0, 0.0]))
+//!         .build()?
+//!         .mechanism;
+//!     let contact = Contact::new(mechanism.find_link("rod")?, [0.0, 0.0, -0.8], [1.0, 0.0, 0.0]);
+//!     let system = System::new(mechanism, &Conditions::new())?;
+//!     let pose = system.pose(&system.configuration())?;
+//!     let response = pose.respond(&contact, RouteChoice::Auto)?;
+//!     let EffectiveMass::Finite(m) = response.effective_mass else { panic!("the pendulum can move") };
+//!     assert!((m - 0.78125).abs() < 1e-15);
+//!     Ok(())
+//! }
+//! ```
+//!
+//! A point mass of 2 kg on a massless rod, 0.5 m from the hinge, is struck 0.8 m from the hinge: m̄ = 2 · (0.5/0.8)² kg. In
+//! general, with the mass matrix M, the constraint rows A and the closing speed per joint rate j,
+//!
+//! ```text
+//! m̄ = min { vᵀ M v :  A v = 0,  j v = 1 }
+//! ```
+//!
+//! Lengths are in metres, angles in radians, masses in kilograms. The normal of a contact points out of the struck link into
+//! the other side; its length and sign do not change m̄.
+//!
+//! # Models from files
 //!
 //! ```
 //! use percuss::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
@@ -19,12 +46,17 @@
 //! # Ok::<(), percuss::LoadError>(())
 //! ```
 //!
-//! [`suspension::import`] reads hardpoints from the same [`Source`]. The computation continues with values,
-//! each computed from the previous one: [`System`] → [`Assembly`] → [`Pose`] → [`ContactResponse`].
-//! `examples/own_solver.rs` computes m̄ from the matrices of a pose with a separate solver.
+//! [`suspension::import`] reads hardpoints from the same [`Source`].
 //!
-//! [`study`] provides the analyses of the command line with the same JSON output; [`contact`] provides the
-//! contact laws.
+//! # Steps of the computation
+//!
+//! Each step is an immutable value: [`System`] (a mechanism under [`Conditions`]) → [`Assembly`] (loops closed) → [`Pose`] →
+//! [`ContactResponse`] (m̄, its error, velocities, shares of the links). For many configurations or contacts:
+//! [`Workspace`], [`Batch`], [`ContactMap`]. For matrices of another solver: [`effective_mass()`].
+//!
+//! [`study`] has the analyses of the command line with the same JSON output, [`contact`] the contact laws and the parameters of
+//! simulators. Matrices and vectors are those of [`nalgebra`], which is re-exported. Every type has exactly one name. The
+//! guide `docs/howto/RUST.md` of the repository has more examples.
 
 // Links to the pages of the crates, not copies: a copy shows `Matrix<f64, Const<3>, Const<1>, ArrayStorage<f64, 3, 1>>` where the
 // crate's own page has `Vector3<f64>`, since compiled crates do not keep the names of type aliases.
@@ -33,13 +65,13 @@ pub use percuss_contact as contact;
 #[doc(no_inline)]
 pub use percuss_dynamics::{
     Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchError, BatchPositions,
-    BranchLimits, CarefulReason, ConditionOfJoint, Conditions, ConditionsError, Configuration,
-    ConfigurationError, ConstraintRank, Contact, ContactColumns, ContactError, ContactMap, ContactPart,
-    ContactResponse, ContactStatus, Contributions, DepartingAxis, Direction, DrawnGap, DrivenPath,
-    EffectiveMass, ErrorBudget, Frame, InverseOperationalInertia, LayoutError, LocatedContact, LoopState,
-    MapAnswers, MapError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer,
-    PointForce, PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops,
-    Route, RouteChoice, RouteError, ScalarWorkspace, Singularity, System, Travel, TravelError, VelocityError,
+    BranchLimits, ConditionOfJoint, Conditions, ConditionsError, Configuration, ConfigurationError,
+    ConstraintRank, Contact, ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse,
+    ContactStatus, Contributions, DenseReason, DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass,
+    ErrorBudget, Frame, InverseOperationalInertia, LayoutError, LocatedContact, LoopState, MapAnswers,
+    MapError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer, PointForce,
+    PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops, Route,
+    RouteChoice, RouteError, ScalarWorkspace, Singularity, StateSizeError, System, Travel, TravelError,
     Workspace, effective_mass, input,
 };
 #[doc(no_inline)]

@@ -8,7 +8,7 @@ use percuss::{
     ConfigurationError, Contact, ContactError, ContactResponse, Contributions, Diagnostic, DrawnGap,
     EffectiveMass, ErrorBudget, InverseOperationalInertia, JointId, LinkId, LoadError, LoadOptions, Loaded,
     LocatedContact, LoopState, Mechanism, PointVelocity, Pose, PoseRank, ResponseError, Route, RouteChoice,
-    RouteError, ScalarWorkspace, Severity, Singularity, Source, System, UnknownName, VelocityError,
+    RouteError, ScalarWorkspace, Severity, Singularity, Source, StateSizeError, System, UnknownName,
     Workspace, load,
 };
 use std::sync::Arc;
@@ -103,7 +103,7 @@ fn everything_at_a_pose() {
     let Some(PointVelocity::Known(velocity)) = velocity else { panic!("{velocity:?}") };
     assert!((velocity.dot(&located.normal_world) - 1.0).abs() < 1e-12);
     let base: &Twist<f64> = &response.base_velocity;
-    let later: Result<Pose, VelocityError> = pose.advanced(&response.joint_velocities, base, 1e-3);
+    let later: Result<Pose, StateSizeError> = pose.advanced(&response.joint_velocities, base, 1e-3);
     let frame: Transform<f64> = later.unwrap().link(contact.link);
     let moved: Vector3<f64> = frame.point(&contact.point) - located.point_world;
     assert!((moved.dot(&located.normal_world) - 1e-3).abs() < 1e-5);

@@ -32,7 +32,7 @@ pub fn damp(
     let report = match (contact, stop) {
         (Some(contact), None) => {
             let question = conditions.of_contact(&model.read.mechanism, contact)?;
-            detached(py, || study::damp_contact(&model.read, &question, &damping))
+            detached(py, || study::damp_contact(&model.read, &question, &damping))?
         }
         (None, Some((joint, end))) => {
             let end = match end.as_deref() {
@@ -44,7 +44,7 @@ pub fn damp(
                 }
             };
             let (question, stop) = (conditions.question()?, JointStop { joint, end });
-            detached(py, || study::damp_stop(&model.read, &stop, question, &damping))
+            detached(py, || study::damp_stop(&model.read, &stop, question, &damping))?
         }
         _ => return Err(input("give one of contact and stop")),
     };

@@ -1,5 +1,5 @@
 //! Extension module `percuss._percuss` of the Python package: conversion of arrays, names and messages between Python
-//! and the Rust façade, which does all computation. User guide: docs/PYTHON.md; types: `python/percuss/_percuss.pyi`.
+//! and the Rust façade, which does all computation. User guide: docs/howto/PYTHON.md; types: `python/percuss/_percuss.pyi`.
 
 mod arrays;
 mod command;
@@ -20,6 +20,7 @@ mod reports;
 mod response;
 mod suspension;
 mod sweep;
+mod sweep_columns;
 mod system;
 mod threads;
 

@@ -102,7 +102,7 @@ pub fn contact_map<'py>(
             points: [&points[0], &points[1], &points[2]],
             normals: [&normals[0], &normals[1], &normals[2]],
         };
-        detached(py, || map.fill_answers(contacts, &mut answers)).map_err(input)?;
+        detached(py, || map.fill_answers(contacts, &mut answers))?.map_err(input)?;
         py.check_signals()?;
     }
     for ((mass, error), status) in masses.iter_mut().zip(&mut errors).zip(&statuses) {

@@ -337,7 +337,7 @@ pub fn effective_masses<'py>(
     for first in (0..count).step_by(256) {
         let part = detached(py, || {
             (first..count.min(first + 256)).into_par_iter().map(one).collect::<PyResult<Vec<_>>>()
-        })?;
+        })??;
         for (mass, error, code) in part {
             masses.push(mass);
             errors.push(error);

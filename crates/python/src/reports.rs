@@ -32,13 +32,13 @@ fn asked<R: Serialize + Send>(
     answer: impl FnOnce(&study::Model, &MassQuestion) -> Result<R, StudyError> + Send,
 ) -> PyResult<String> {
     let question = conditions.of_contact(&model.read.mechanism, contact)?;
-    json(&detached(py, || answer(&model.read, &question)).map_err(errors::study)?)
+    json(&detached(py, || answer(&model.read, &question))?.map_err(errors::study)?)
 }
 
 /// Summary of a model.
 #[pyfunction]
 pub fn check(py: Python<'_>, model: &Model) -> PyResult<String> {
-    json(&detached(py, || study::check(&model.read)).map_err(errors::study)?)
+    json(&detached(py, || study::check(&model.read))?.map_err(errors::study)?)
 }
 
 /// Report on one contact of a model, with the damper if damping is given.
@@ -124,7 +124,7 @@ fn watched<'a>(
         })?;
         let diagnostics = model.diagnostics.iter().cloned().chain(end.diagnostics).collect();
         Ok(study::SweepReport { heading, rows, diagnostics })
-    });
+    })?;
     match interrupted {
         Some(interrupt) => Err(interrupt),
         None => report.map_err(errors::study),
@@ -183,12 +183,12 @@ pub fn map_report<'py>(
         }
     };
     (question.edge, question.packages) = (edge, packages);
-    let answer = detached(py, || study::map(&model.read, &question)).map_err(errors::study)?;
+    let answer = detached(py, || study::map(&model.read, &question))?.map_err(errors::study)?;
     let by_link = PyDict::new(py);
     for skin in &answer.skins {
         by_link.set_item(&skin.link, facets(py, skin)?)?;
     }
-    let picture = detached(py, || percuss_cli::map_skin(&answer).to_svg());
+    let picture = detached(py, || percuss_cli::map_skin(&answer).to_svg())?;
     Ok((json(&answer.report)?, by_link, picture))
 }
 
@@ -279,13 +279,13 @@ pub fn compare(
 #[pyfunction]
 pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<String> {
     let path = path.to_string_lossy().into_owned();
-    let study = detached(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE)).map_err(errors::study_file)?;
+    let study = detached(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
     errors::warn(py, &study.model.diagnostics)?;
     compared(py, &study.designs(name))
 }
 
 fn compared(py: Python<'_>, designs: &[study::Design]) -> PyResult<String> {
-    let report = detached(py, || study::compare(designs));
+    let report = detached(py, || study::compare(designs))?;
     json(&report.map_err(|error| input(error.message(Names::Fields)))?)
 }
 
@@ -299,14 +299,14 @@ pub fn study_schema() -> PyResult<String> {
 #[pyfunction]
 pub fn starting_study(py: Python<'_>, model: &Model, path: PathBuf) -> PyResult<String> {
     let path = path.to_string_lossy();
-    detached(py, || study::starting_study(&model.read, &path)).map_err(errors::study)
+    detached(py, || study::starting_study(&model.read, &path))?.map_err(errors::study)
 }
 
 /// Runs a study and returns the report of its sweep, or of its contact if the study has no sweep.
 #[pyfunction]
 pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
     let path = path.to_string_lossy().into_owned();
-    let study = detached(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE)).map_err(errors::study_file)?;
+    let study = detached(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
     errors::warn(py, &study.model.diagnostics)?;
     match (&study.question, &study.sweep) {
         (Some(question), Some(sweep)) => {
@@ -317,7 +317,7 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
             let report = detached(py, || match &study.damping {
                 Some(damping) => study::mass_with_damper(&study.model, question, &damping.question),
                 None => study::mass(&study.model, question),
-            });
+            })?;
             json(&report.map_err(errors::study)?)
         }
         (None, _) => without_contact(py, &study),
@@ -327,18 +327,18 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
 /// Runs a study without a contact: a stop, a map, a safe speed.
 fn without_contact(py: Python<'_>, study: &StudyFile) -> PyResult<String> {
     if let Some(study::StudyDamping { question, stop: Some((stop, conditions)), .. }) = &study.damping {
-        let report = detached(py, || study::damp_stop(&study.model, stop, conditions.clone(), question));
+        let report = detached(py, || study::damp_stop(&study.model, stop, conditions.clone(), question))?;
         return json(&report.map_err(errors::study)?);
     }
     match (study.map.as_ref().map(|map| &map.question), &study.safe_speed) {
         (Some(study::StudyMapQuestion::Surfaces(question)), _) => {
-            json(&detached(py, || study::map(&study.model, question)).map_err(errors::study)?.report)
+            json(&detached(py, || study::map(&study.model, question))?.map_err(errors::study)?.report)
         }
         (Some(study::StudyMapQuestion::Directions(question, count)), _) => {
-            let report = detached(py, || study::map_point(&study.model, question, *count));
+            let report = detached(py, || study::map_point(&study.model, question, *count))?;
             json(&report.map_err(errors::study)?)
         }
-        (None, Some(asked)) => json(&detached(py, || asked.reports(&study.model)).map_err(errors::study)?),
+        (None, Some(asked)) => json(&detached(py, || asked.reports(&study.model))?.map_err(errors::study)?),
         (None, None) => Err(errors::input("the study asks for nothing")),
     }
 }

@@ -2,16 +2,19 @@
 
 use crate::arrays::{float64_matrix as matrix, shape};
 use crate::contact::Contact;
+use crate::diagnostic::Diagnostic;
 use crate::errors::{self, input};
 use crate::matrices::coded;
 use crate::model::Model;
+use crate::sweep_columns::{Columns, MASSLESS_TO_ROUNDING, zeros};
 use crate::system::{Assembly, System, in_root_axes, position_names, root_frame};
 use crate::threads::detached;
 use numpy::ndarray::{ArrayView2, s};
-use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use percuss::study::row_findings;
 use percuss::{
     Assembly as Assembled, Batch, BatchAnswer, BatchError, BatchPositions, Configuration,
-    Contact as Resolved, DrivenPath, JointId, PathAnswer, Pose as Posed, Remark, RouteChoice,
+    Contact as Resolved, DrivenPath, JointId, PathAnswer, Pose as Posed, RemarkFlags,
 };
 use percuss_render::{Figure, Panel, Series, Style};
 use pyo3::exceptions::PyTypeError;
@@ -52,33 +55,18 @@ pub struct Sweep {
     /// rounding only: error is then the largest possible m̄ of the contact; uint8, (N,).
     #[pyo3(get)]
     status: Py<PyArray1<u8>>,
+    /// Findings about each row: RemarkFlags added together; uint32, (N,). Joint limits are checked with joints only.
+    #[pyo3(get)]
+    remarks: Py<PyArray1<u32>>,
     /// Link name in the title of the picture.
     link: String,
+    /// Reason of the first row of a path without an answer.
+    no_answer: Option<String>,
 }
 
-/// Status of a contact that is massless to rounding only: its mass may be hidden by the rounding of larger masses.
-const MASSLESS_TO_ROUNDING: u8 = 4;
-
-/// Results by columns.
-struct Columns<'a> {
-    masses: &'a mut [f64],
-    errors: &'a mut [f64],
-    codes: &'a mut [u8],
-}
-
-/// Array of zeros in numpy's memory. numpy allocates large arrays in large pages, so the first write is almost free.
-/// Pages of 4 kB would cost a third of the solution time of an arm.
-fn zeros<T: Element>(py: Python<'_>, count: usize) -> (Bound<'_, PyArray1<T>>, PyReadwriteArray1<'_, T>) {
-    let array = PyArray1::zeros(py, count, false);
-    (array.clone(), array.readwrite())
-}
-
-impl Columns<'_> {
-    fn set(&mut self, at: usize, mass: Option<percuss::EffectiveMass>, error: Option<f64>) {
-        (self.masses[at], self.codes[at]) = coded(mass);
-        self.errors[at] = error.unwrap_or(f64::NAN);
-    }
-}
+/// Arrays, link name and reason of a pickled sweep.
+type Parts =
+    (Py<PyArray1<f64>>, Py<PyArray1<f64>>, Py<PyArray1<u8>>, Py<PyArray1<u32>>, String, Option<String>);
 
 /// Model and assembly of a sweep.
 fn swept(over: &Bound<'_, PyAny>) -> PyResult<(Model, Arc<Assembled>)> {
@@ -142,10 +130,14 @@ pub fn sweep(
     let (effective_mass, mut masses) = zeros(py, count);
     let (error, mut errors) = zeros(py, count);
     let (status, mut codes) = zeros(py, count);
+    let (remarks, mut flags) = zeros(py, count);
+    let mut no_answer = None;
     let columns = Columns {
         masses: masses.as_slice_mut()?,
         errors: errors.as_slice_mut()?,
         codes: codes.as_slice_mut()?,
+        remarks: flags.as_slice_mut()?,
+        base_is_given: base.is_some(),
     };
     match joints {
         None => {
@@ -166,17 +158,19 @@ pub fn sweep(
                 true => of_tree(py, &batch, &model, &q, &places, columns)?,
                 false => {
                     let path = Path::new(&model, &assembly, resolved, &places, other_assembly)?;
-                    path.follow(py, &q, columns)?;
+                    no_answer = path.follow(py, &q, columns)?;
                 }
             }
         }
     }
-    drop((masses, errors, codes));
+    drop((masses, errors, codes, flags));
     Ok(Sweep {
         effective_mass: effective_mass.unbind(),
         error: error.unbind(),
         status: status.unbind(),
+        remarks: remarks.unbind(),
         link: contact.link.clone(),
+        no_answer,
     })
 }
 
@@ -240,7 +234,7 @@ fn portions(
     while first < count {
         let here = size.min(count - first);
         let begun = Instant::now();
-        detached(py, || portion(first..first + here))?;
+        detached(py, || portion(first..first + here))??;
         py.check_signals()?;
         first += here;
         let spent = begun.elapsed().as_secs_f64().max(1e-9);
@@ -257,7 +251,7 @@ fn fixed_portions(
     mut portion: impl FnMut(Range<usize>) -> PyResult<()> + Send,
 ) -> PyResult<()> {
     for first in (0..count).step_by(PATH_PORTION) {
-        detached(py, || portion(first..count.min(first + PATH_PORTION)))?;
+        detached(py, || portion(first..count.min(first + PATH_PORTION)))??;
         py.check_signals()?;
     }
     Ok(())
@@ -290,22 +284,30 @@ fn answer(
     // Pool of position buffers.
     let rooms = Mutex::new(Vec::new());
     let rooms = || rooms.lock().unwrap_or_else(PoisonError::into_inner);
-    let threads = rayon::current_num_threads();
+    let of_all = columns.known(batch.remarks());
     portions(py, count, |rows| {
+        // Of the pool of this process.
+        let threads = rayon::current_num_threads();
         let block = rows.len().div_ceil(threads * SHARES).clamp(AT_ONCE.0, AT_ONCE.1);
         let masses = columns.masses[rows.clone()].par_chunks_mut(block);
         let errors = columns.errors[rows.clone()].par_chunks_mut(block);
         let codes = columns.codes[rows.clone()].par_chunks_mut(block);
-        let blocks = masses.zip(errors).zip(codes).enumerate();
-        let done = blocks.try_for_each(|(number, ((masses, errors), codes))| {
+        let remarks = columns.remarks[rows.clone()].par_chunks_mut(block);
+        let base = if columns.base_is_given { RemarkFlags::BASE_NOT_GIVEN.bits() } else { 0 };
+        let blocks = masses.zip(errors).zip(codes.zip(remarks)).enumerate();
+        let done = blocks.try_for_each(|(number, ((masses, errors), (codes, remarks)))| {
             let first = rows.start + number * block;
             let own = first..first + masses.len();
             let mut room = rooms().pop().unwrap_or_default();
             let Some(positions) = stand.of_block(q, own.clone(), &mut room) else {
                 return Err(Stopped::NotFinite);
             };
-            // `codes` already holds the code of finite masses.
+            // `codes` already holds the code of finite masses, and `remarks` no finding.
+            if of_all != 0 {
+                remarks.fill(of_all);
+            }
             let other = |at: usize, answer: BatchAnswer| {
+                remarks[at] = answer.remarks.bits() & !base;
                 let rounding = answer.is_massless_to_rounding();
                 codes[at] = if rounding { MASSLESS_TO_ROUNDING } else { coded(answer.mass).1 };
             };
@@ -408,6 +410,8 @@ struct Path<'a> {
     driven: Option<DrivenPath>,
     /// True if rows on another assembly mode are solved.
     other_assembly: bool,
+    /// Reason of the first row without an answer.
+    no_answer: Option<String>,
 }
 
 impl<'a> Path<'a> {
@@ -421,15 +425,16 @@ impl<'a> Path<'a> {
         let joints = places.iter().map(|(joint, _)| *joint).collect();
         let zero = Configuration::zero(&model.read.mechanism);
         let stands = assembly.pose(&zero).map_err(errors::assembly)?;
-        Ok(Self { model, assembly, contact, joints, stands, driven: None, other_assembly })
+        Ok(Self { model, assembly, contact, joints, stands, driven: None, other_assembly, no_answer: None })
     }
 
+    /// Solves all rows; returns the reason of the first row without an answer.
     fn follow(
         mut self,
         py: Python<'_>,
         q: &PyReadonlyArray2<'_, f64>,
         mut columns: Columns<'_>,
-    ) -> PyResult<()> {
+    ) -> PyResult<Option<String>> {
         let (count, width) = (q.shape()[0], self.joints.len());
         let view = q.as_array();
         let mut values = Vec::new();
@@ -444,14 +449,17 @@ impl<'a> Path<'a> {
             while done < here {
                 done += self.in_lanes(&values[done * width..], first + done, &mut columns);
                 if done < here {
-                    // "No answer" until `by_itself` succeeds.
-                    columns.set(first + done, None, None);
-                    self.by_itself(&values[done * width..(done + 1) * width], first + done, &mut columns);
+                    let row = &values[done * width..(done + 1) * width];
+                    if let Err(reason) = self.by_itself(row, first + done, &mut columns) {
+                        columns.set(first + done, None, None, RemarkFlags::NO_ANSWER);
+                        self.no_answer.get_or_insert(reason);
+                    }
                     done += 1;
                 }
             }
             Ok(())
-        })
+        })?;
+        Ok(self.no_answer)
     }
 
     /// Solves rows in SIMD lanes while the branch is certain. Returns their number.
@@ -460,18 +468,22 @@ impl<'a> Path<'a> {
         let (mut answers, mut positions): (Vec<PathAnswer>, Vec<f64>) = (Vec::new(), Vec::new());
         let reached = driven.follow(rows, &mut answers, &mut positions);
         let width = positions.len() / reached.max(1);
-        (first..first + reached).for_each(|row| columns.set(row, None, None));
         for (number, answer) in answers.iter().enumerate() {
-            let own = &positions[number * width..(number + 1) * width];
-            match answer.mass {
+            let (at, own) = (first + number, &positions[number * width..(number + 1) * width]);
+            let done = match answer.mass {
                 Some((mass, error)) => {
-                    columns.set(first + number, Some(percuss::EffectiveMass::Finite(mass)), Some(error));
+                    let mass = Some(percuss::EffectiveMass::Finite(mass));
+                    columns.set(at, mass, Some(error), answer.remarks);
+                    Ok(())
                 }
-                None => {
-                    if let Ok(pose) = driven.pose_at(own, answer.residual) {
-                        respond(&pose, &self.contact, first + number, columns);
-                    }
-                }
+                None => driven
+                    .pose_at(own, answer.residual)
+                    .map_err(|error| error.to_string())
+                    .and_then(|pose| columns.respond(&pose, &self.contact, at)),
+            };
+            if let Err(reason) = done {
+                columns.set(at, None, None, RemarkFlags::NO_ANSWER);
+                self.no_answer.get_or_insert(reason);
             }
         }
         if reached > 0 {
@@ -481,35 +493,26 @@ impl<'a> Path<'a> {
     }
 
     /// Solves one row. If the row is not reached, the path continues from the last pose.
-    fn by_itself(&mut self, row: &[f64], at: usize, columns: &mut Columns<'_>) {
+    ///
+    /// # Errors
+    /// The reason of a row without an answer.
+    fn by_itself(&mut self, row: &[f64], at: usize, columns: &mut Columns<'_>) -> Result<(), String> {
         let mechanism = &self.model.read.mechanism;
         let mut there = Configuration::zero(mechanism);
         if self.other_assembly {
             there.allow_other_assembly();
         }
         for (joint, value) in self.joints.iter().zip(row) {
-            if there.set(mechanism.joint(*joint).name(), &[*value]).is_err() {
-                return;
-            }
+            there.set(mechanism.joint(*joint).name(), &[*value]).map_err(|error| error.to_string())?;
         }
-        let Ok(pose) = self.assembly.pose_from(&self.stands, &there) else { return };
-        respond(&pose, &self.contact, at, columns);
+        let pose = self.assembly.pose_from(&self.stands, &there).map_err(|error| error.to_string())?;
+        let done = columns.respond(&pose, &self.contact, at);
         let goes_on = self.driven.as_mut().is_some_and(|driven| driven.restart(&pose));
         if !goes_on {
             self.driven = pose.driven_path(&self.contact, &self.joints).ok().flatten();
         }
         self.stands = pose;
-    }
-}
-
-fn respond(pose: &Posed, contact: &Resolved, at: usize, columns: &mut Columns<'_>) {
-    if let Ok(response) = pose.respond(contact, RouteChoice::Auto) {
-        columns.set(at, Some(response.effective_mass), response.effective_mass_error());
-        for remark in &response.remarks {
-            if let Remark::MasslessToRounding { up_to } = remark {
-                (columns.codes[at], columns.errors[at]) = (MASSLESS_TO_ROUNDING, *up_to);
-            }
-        }
+        done
     }
 }
 
@@ -519,9 +522,11 @@ pub fn sweep_of_arrays(
     effective_mass: Py<PyArray1<f64>>,
     error: Py<PyArray1<f64>>,
     status: Py<PyArray1<u8>>,
+    remarks: Py<PyArray1<u32>>,
     link: String,
+    no_answer: Option<String>,
 ) -> Sweep {
-    Sweep { effective_mass, error, status, link }
+    Sweep { effective_mass, error, status, remarks, link, no_answer }
 }
 
 #[pymethods]
@@ -530,15 +535,22 @@ impl Sweep {
         self.status.bind(py).len()
     }
 
+    /// Findings about the rows: one per kind of remark, with the first row and the number of further rows. Pose.respond
+    /// at a row has the numbers.
+    #[getter]
+    fn findings(&self, py: Python<'_>) -> Vec<Diagnostic> {
+        let flags = self.remarks.bind(py).readonly();
+        let rows = flags.as_array();
+        let rows = rows.iter().map(|bits| RemarkFlags::from_bits(*bits));
+        row_findings(rows, self.no_answer.as_deref()).into_iter().map(Diagnostic).collect()
+    }
+
     /// Arrays of the sweep, for pickle.
-    #[allow(clippy::type_complexity, reason = "what pickle calls, and with what")]
-    fn __reduce__<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(Bound<'py, PyAny>, (Py<PyArray1<f64>>, Py<PyArray1<f64>>, Py<PyArray1<u8>>, String))> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts)> {
         let [effective_mass, error] = [&self.effective_mass, &self.error].map(|array| array.clone_ref(py));
-        let arrays = (effective_mass, error, self.status.clone_ref(py), self.link.clone());
-        Ok((py.import("percuss")?.getattr("_sweep")?, arrays))
+        let (status, remarks) = (self.status.clone_ref(py), self.remarks.clone_ref(py));
+        let parts = (effective_mass, error, status, remarks, self.link.clone(), self.no_answer.clone());
+        Ok((py.import("percuss")?.getattr("_sweep")?, parts))
     }
 
     fn __repr__(&self, py: Python<'_>) -> String {

@@ -1,8 +1,9 @@
 //! Thread pools of sweeps, maps and reports. A forked process (Python's multiprocessing on Linux) has none of its
 //! parent's threads and would wait for them forever; it therefore starts its own pool.
 
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::process;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
@@ -19,23 +20,31 @@ pub fn begin() {
 }
 
 /// Runs `work` without the interpreter, on the thread pool of this process.
-pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> T {
+///
+/// # Errors
+/// RuntimeError: a forked process cannot start threads. `work` would wait for the threads of the parent process.
+pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
     py.detach(|| match forked() {
-        None => work(),
-        Some(pool) => pool.install(work),
+        Ok(None) => Ok(work()),
+        Ok(Some(pool)) => Ok(pool.install(work)),
+        Err(error) => Err(PyRuntimeError::new_err(format!(
+            "this process was forked and cannot start threads of its own: {error}; raise its limits of memory and \
+             processes"
+        ))),
     })
 }
 
-fn forked() -> Option<&'static ThreadPool> {
+/// Pool of a forked process; `None` in the process that loaded this module.
+fn forked() -> Result<Option<&'static ThreadPool>, ThreadPoolBuildError> {
     let own = process::id();
     if *FIRST.get_or_init(|| own) == own {
-        return None;
+        return Ok(None);
     }
     let mut kept = FORKED.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, pool)) = kept.filter(|(process, _)| *process == own) {
-        return Some(pool);
+        return Ok(Some(pool));
     }
-    let pool: &'static ThreadPool = Box::leak(Box::new(ThreadPoolBuilder::new().build().ok()?));
+    let pool: &'static ThreadPool = Box::leak(Box::new(ThreadPoolBuilder::new().build()?));
     *kept = Some((own, pool));
-    Some(pool)
+    Ok(Some(pool))
 }

@@ -1,4 +1,4 @@
-"""The Python blocks of docs/PYTHON.md run in order; the examples and the notebook run too."""
+"""The Python blocks of docs/howto/PYTHON.md run in order; the examples and the notebook run too."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 
 def test_the_blocks_of_the_page(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
-    blocks = re.findall(r"```python\n(.*?)```", (ROOT / "docs/PYTHON.md").read_text(), flags=re.S)
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / "docs/howto/PYTHON.md").read_text(), flags=re.S)
     assert len(blocks) >= 6
     names: dict[str, object] = {}
     for block in blocks:

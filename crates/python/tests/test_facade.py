@@ -1,4 +1,4 @@
-"""docs/PYTHON_NAMES.md lists every public item of the Rust façade, with its Python name or the reason for omission."""
+"""docs/reference/PYTHON_NAMES.md lists every public item of the Rust façade, with its Python name or the reason for omission."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from cases import ROOT
 
 import percuss
 
-PAGE = ROOT / "docs/PYTHON_NAMES.md"
+PAGE = ROOT / "docs/reference/PYTHON_NAMES.md"
 #: Sections of the page, and the source files of their public names.
 SECTIONS = {
     "percuss": "crates/percuss/src/lib.rs",
@@ -76,6 +76,6 @@ def test_the_names_of_python_are_there(names: list[str], cell: str) -> None:
 
 def test_everything_of_python_stands_on_the_page() -> None:
     """The reverse: every export of the package is on a documentation page."""
-    text = PAGE.read_text() + (ROOT / "docs/PYTHON.md").read_text()
+    text = PAGE.read_text() + (ROOT / "docs/howto/PYTHON.md").read_text()
     for name in percuss.__all__:
         assert re.search(rf"\b{name}\b", text), f"{name} stands on neither page"

@@ -414,10 +414,10 @@ def test_paths_are_the_same_to_the_last_bit() -> None:
 
 
 def test_a_mass_alone_has_the_parameters_of_loops() -> None:
-    asked = percuss.Damping(restitution=0.2, stiffness=1e5, speed=1.0, tools=["mujoco"])
+    asked = percuss.Damping(restitution=0.2, stiffness=1e5, speed=0.05, tools=["mujoco"])
     found = percuss.damp(68.0, asked).exports["mujoco"]
     assert "equality_solref" in str(found) and "<equality" in str(found)
     of_loop = percuss.damp_contact(LOOP, COUPLER, asked).exports["mujoco"]
     assert "<equality" in str(of_loop)
-    tree = percuss.Damping(restitution=0.2, stiffness=1e5, speed=1.0, tools=["mujoco"], closed_loops=False)
+    tree = percuss.Damping(restitution=0.2, stiffness=1e5, speed=0.05, tools=["mujoco"], closed_loops=False)
     assert "<equality" not in str(percuss.damp(68.0, tree).exports["mujoco"])

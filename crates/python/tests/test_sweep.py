@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import os
 import pickle
+import re
 import signal
 import subprocess
 import sys
@@ -208,8 +209,88 @@ def test_a_sweep_comes_from_another_process() -> None:
     swept = percuss.sweep(model, contact, np.random.default_rng(0).uniform(-1, 1, (9, 6)))
     for found in (pickle.loads(pickle.dumps(swept)), copy.deepcopy(swept)):
         assert repr(found) == repr(swept) and found.to_svg() == swept.to_svg()
-        for name in ("effective_mass", "error", "status"):
+        for name in ("effective_mass", "error", "status", "remarks"):
             assert np.array_equal(getattr(found, name), getattr(swept, name))
+
+
+def codes(swept: percuss.Sweep) -> list[str]:
+    return sorted(finding.code for finding in swept.findings)
+
+
+def test_remarks_are_those_of_the_c_interface() -> None:
+    header = (ROOT / "crates/capi/include/percuss.h").read_text()
+    in_c = {name: int(bits) for name, bits in re.findall(r"#define PERCUSS_REMARK_(\w+) (\d+)", header)}
+    assert len(in_c) == 20
+    assert {flag.name: flag.value for flag in percuss.RemarkFlags} == in_c
+
+
+def test_every_row_of_a_path_has_its_findings() -> None:
+    model = percuss.load(ROOT / "models/double_wishbone.urdf")
+    contact = percuss.Contact("wheel_centre", [0, 0, 0], [0, 0, -1])
+    driver = model.assemble().drivers[0]
+    there = np.concatenate([np.linspace(0, 0.1, 50), [3.0, -3.0], np.linspace(0.1, 0, 50)])[:, None]
+    swept = percuss.sweep(model, contact, there, joints=[driver])
+    assert swept.remarks.dtype == np.uint32 and len(swept.remarks) == len(swept)
+    missing = swept.remarks & percuss.RemarkFlags.NO_ANSWER != 0
+    assert np.array_equal(missing, swept.status == percuss.NO_ANSWER) and missing.sum() == 2
+    told = next(finding for finding in swept.findings if finding.code == "no-answer")
+    assert told.severity == "warning" and told.message.endswith("(row 50, and 1 more)")
+    assert "the pose does not exist, or" not in told.message
+    copied = pickle.loads(pickle.dumps(swept))
+    assert [str(f) for f in copied.findings] == [str(f) for f in swept.findings]
+
+
+def test_limits_are_found_on_a_path_and_a_wide_gap_in_every_row() -> None:
+    text = (ROOT / "models/four_bar.urdf").read_text()
+    contact = percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
+    plain = percuss.loads(text)
+    angles = np.linspace(0, 0.4, 41)[:, None]
+    path = percuss.sweep(plain, contact, angles, joints=["crank_hinge"])
+    assert not path.remarks.any() and path.findings == []
+    q = np.array([plain.pose({"crank_hinge": angle}).positions for angle in angles[:, 0]])
+    whole = percuss.sweep(plain, contact, q)
+    assert not whole.remarks.any() and whole.findings == []
+
+    limited = re.sub(
+        r'(<joint name="crank_hinge" type=")continuous("[^>]*>)',
+        r'\1revolute\2<limit lower="-1" upper="0.2005" effort="1" velocity="1"/>',
+        text,
+    )
+    assert limited != text
+    path = percuss.sweep(percuss.loads(limited), contact, angles, joints=["crank_hinge"])
+    outside = path.remarks & percuss.RemarkFlags.OUTSIDE_LIMITS != 0
+    assert np.array_equal(outside, angles[:, 0] > 0.2005) and 0 < outside.sum() < len(outside)
+    assert codes(path) == ["outside-limits"] and "row 21" in path.findings[0].message
+    report = percuss.sweep_report(percuss.loads(limited), contact, vary=("crank_hinge", 0.0, 0.4, 41))
+    assert "outside-limits" in [finding["code"] for finding in report.diagnostics]
+
+
+def test_findings_of_positions() -> None:
+    model = percuss.load(ROOT / "models/four_bar.urdf")
+    contact = percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
+    closed = model.pose({"crank_hinge": 0.3}).positions
+    swept = percuss.sweep(model, contact, [closed, closed + [0.1, 0, 0]])
+    assert list(swept.remarks) == [0, percuss.RemarkFlags.OPEN_LOOPS] and codes(swept) == ["open-loops"]
+    assert list(swept.status) == [percuss.FINITE, percuss.NO_ANSWER]
+
+    arm = percuss.load(ROOT / "models/six_r_arm.urdf")
+    world = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0], normal_frame="world")
+    system = arm.system(base="floating")
+    q = np.random.default_rng(3).uniform(-1, 1, (300, 6))
+    lost = percuss.sweep(system, world, q)
+    assert (lost.remarks & percuss.RemarkFlags.BASE_NOT_GIVEN != 0).all() and "base-not-given" in codes(lost)
+    given = percuss.sweep(system, world, q, base_pose=[0, 0, 1, 1, 0, 0, 0])
+    assert not (given.remarks & percuss.RemarkFlags.BASE_NOT_GIVEN).any() and "base-not-given" not in codes(given)
+    assert np.array_equal(given.effective_mass, lost.effective_mass)
+
+
+def test_a_nearly_immovable_row_says_so() -> None:
+    model = percuss.load(ROOT / "models/physical_pendulum.urdf")
+    contact = percuss.Contact("body", [0, 0, -0.5], [1, 0, 0], normal_frame="world")
+    swept = percuss.sweep(model, contact, [[0.0], [np.pi / 2 - 1e-9], [0.3]])
+    assert swept.remarks[1] == percuss.RemarkFlags.NEARLY_IMMOVABLE and not swept.remarks[[0, 2]].any()
+    assert codes(swept) == ["nearly-immovable"]
+    assert percuss.RemarkFlags(int(swept.remarks[1])).name == "NEARLY_IMMOVABLE"
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="processes are not forked on Windows")
@@ -237,6 +318,44 @@ def test_forked_processes_have_threads_of_their_own() -> None:
         [sys.executable, "-W", "ignore", "-c", program], capture_output=True, text=True, timeout=300
     )
     assert ran.stdout == "all answered\n", ran.stderr
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="limits of memory end the start of threads on Linux")
+def test_a_forked_process_without_threads_is_an_error() -> None:
+    program = textwrap.dedent(f"""
+        import os, re, resource, numpy as np, percuss
+        model = percuss.load({str(ROOT / "models/six_r_arm.urdf")!r})
+        contact = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
+        q = np.zeros((2000, 6))
+        child = os.fork()
+        if child == 0:
+            # Less than the stack of a thread is left, and no stack of an earlier thread can be used again.
+            size = int(re.search(r"VmSize:\\s+(\\d+)", open("/proc/self/status").read())[1]) * 1024
+            resource.setrlimit(resource.RLIMIT_AS, (size + (1 << 20), size + (1 << 20)))
+            calls = [
+                lambda: percuss.sweep(model, contact, q),
+                lambda: percuss.sweep_report(model, contact, random=5),
+                lambda: percuss.mass(model, contact),
+            ]
+            for call in calls:
+                try:
+                    call()
+                except RuntimeError as error:
+                    assert "was forked and cannot start threads" in str(error), error
+                else:
+                    os._exit(3)
+            os._exit(7)
+        print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+    """)
+    # Well above the required seconds; a process that waits for threads never ends.
+    ran = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", program],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"},
+    )
+    assert ran.stdout == "7\n", ran.stderr
 
 
 def test_other_threads_run_meanwhile() -> None:

@@ -3,7 +3,7 @@
 //! All types are generic over a [`Scalar`]: `f64`, dual numbers (feature `dual`), SIMD lanes. No operation
 //! branches on a value, so a recursion with these types runs unchanged on any scalar.
 //!
-//! Conventions (`docs/NOTATION.md`): `X_ab` maps b-coordinates to a-coordinates; the angular part comes first;
+//! Conventions (`docs/reference/NOTATION.md`): `X_ab` maps b-coordinates to a-coordinates; the angular part comes first;
 //! twist and wrench refer to the origin of the frame in which they are expressed. This crate contains no
 //! bodies, joints or files.
 

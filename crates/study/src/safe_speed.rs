@@ -264,7 +264,7 @@ fn speed_of(
 /// Safe speed in several world directions, and in the worst direction if `worst`.
 ///
 /// The worst direction is the direction with the largest effective mass at the point, one of the axes with
-/// stationary m̄ (docs/FORMULAS.md, F36).
+/// stationary m̄ (docs/reference/FORMULAS.md, F36).
 ///
 /// # Errors
 /// [`StudyError`], as for [`safe_speed`].

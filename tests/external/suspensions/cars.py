@@ -1,4 +1,4 @@
-"""Meaning of a suspension's sheet, from docs/SUSPENSIONS.md alone: bodies and joints of each template.
+"""Meaning of a suspension's sheet, from docs/reference/SUSPENSIONS.md alone: bodies and joints of each template.
 
 A car is in metres and kilograms, in axes of ISO 8855 (x forward, y left, z up), and describes its left side:
 

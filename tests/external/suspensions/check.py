@@ -6,7 +6,7 @@ For each template N random sheets: all numbers different, sections omitted at ra
 either side described, one or both sides built. Three results are compared at the wheel's centre, the contact patch, the
 stops and the seats: percuss with the sheet; a URDF+ file of the same car, with a random spanning tree and other link
 axes; and a program that shares neither code nor method with percuss (velocities of all bodies, every joint as rows).
-The last two interpret a sheet by docs/SUSPENSIONS.md. Mobilities are compared too, and hardpoints moved by --move,
+The last two interpret a sheet by docs/reference/SUSPENSIONS.md. Mobilities are compared too, and hardpoints moved by --move,
 masses and centres of mass given by --link-mass and --link-com. With both sides built, each left contact has the same
 mass as the right contact if the car is symmetric.
 """

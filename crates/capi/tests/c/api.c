@@ -2,6 +2,8 @@
    matrices. */
 #include "check.h"
 
+#include <float.h>
+
 static void the_model(void)
 {
   percuss_model *model = loaded(PENDULUM);
@@ -321,6 +323,61 @@ static void laws(void)
   CHECK(near_to(damper.ratio, 0.215454, 1e-5));
 }
 
+/* Options for matrices: defaults, noise of rows, an accuracy for each matrix. */
+static void options_of_matrices(void)
+{
+  const double m[4] = {1.0, 0.0, 0.0, 3.0}, j[2] = {1.0, 1.0}, a[2] = {1e-15, 0.0};
+  const percuss_matrix mass = {m, 4, 2, 2, 2, PERCUSS_ROW_MAJOR, 0}, rows = {a, 2, 1, 2, 2, PERCUSS_ROW_MAJOR, 0};
+  percuss_matrix_options options;
+  percuss_mass found;
+  percuss_rank rank;
+  OK(percuss_matrix_options_init(&options));
+  CHECK(options.rank_floor == PERCUSS_DEFAULT && options.row_noise == PERCUSS_DEFAULT);
+  CHECK(options.accuracy_of_mass == PERCUSS_DEFAULT && options.accuracy == DBL_EPSILON);
+  /* A small row counts, unless it is declared as noise. */
+  OK(percuss_effective_mass(&mass, j, 2, &rows, &options, &found, NULL, &rank, NULL));
+  CHECK(near_to(found.effective_mass, 3.0, 1e-14) && rank.rank == 1);
+  options.row_noise = 1e-12;
+  OK(percuss_effective_mass(&mass, j, 2, &rows, &options, &found, NULL, &rank, NULL));
+  CHECK(near_to(found.effective_mass, 0.75, 1e-14) && rank.rank == 0);
+  options.row_noise = 0.0;
+  OK(percuss_effective_mass(&mass, j, 2, &rows, &options, &found, NULL, &rank, NULL));
+  CHECK(near_to(found.effective_mass, 3.0, 1e-14) && rank.rank == 1);
+  /* The error follows the accuracy of the matrix that has it. */
+  OK(percuss_matrix_options_init(&options));
+  OK(percuss_effective_mass(&mass, j, 2, NULL, &options, &found, NULL, NULL, NULL));
+  CHECK(found.error > 0.0 && found.error < 1e-14);
+  options.accuracy_of_mass = 1e-6;
+  OK(percuss_effective_mass(&mass, j, 2, NULL, &options, &found, NULL, NULL, NULL));
+  CHECK(found.error > 1e-7 && found.error < 1e-5);
+  options.accuracy = 1e-6;
+  OK(percuss_effective_mass(&mass, j, 2, NULL, &options, &found, NULL, NULL, NULL));
+  CHECK(found.error > 1e-6 && found.error < 1e-5);
+  options.accuracy_of_mass = options.accuracy_of_constraints = options.accuracy_of_contact_row = 0.0;
+  OK(percuss_effective_mass(&mass, j, 2, NULL, &options, &found, NULL, NULL, NULL));
+  CHECK(found.error < 1e-14);
+  /* Without a floor of its own, the rank of rows in single precision is decided by their accuracy. */
+  const double single[4] = {1.0, 1.0, 1.0, 1.0 + 5e-8};
+  const percuss_matrix alike = {single, 4, 2, 2, 2, PERCUSS_ROW_MAJOR, 0};
+  OK(percuss_matrix_options_init(&options));
+  options.accuracy_of_constraints = 6e-8;
+  OK(percuss_effective_mass(&mass, (const double[2]){1.0, 2.0}, 2, &alike, &options, &found, NULL, &rank, NULL));
+  CHECK(rank.rank == 1 && found.outcome == PERCUSS_FINITE);
+  /* Values out of range. */
+  double *const fields[] = {&options.rank_floor, &options.accuracy, &options.accuracy_of_mass,
+                            &options.accuracy_of_constraints, &options.accuracy_of_contact_row, &options.row_noise};
+  const char *const names[] = {"rank", "accuracy", "accuracy", "accuracy", "accuracy", "noise"};
+  for (size_t k = 0; k < COUNT(fields); k++) {
+    const double bad[] = {NAN, -0.5, 1e101};
+    for (size_t b = 0; b < COUNT(bad); b++) {
+      OK(percuss_matrix_options_init(&options));
+      *fields[k] = bad[b];
+      FAILS(percuss_effective_mass(&mass, j, 2, &rows, &options, &found, NULL, NULL, NULL), PERCUSS_ERROR_ARGUMENT,
+            names[k]);
+    }
+  }
+}
+
 int main(void)
 {
   CHECK(strcmp(percuss_version(), PERCUSS_VERSION) == 0);
@@ -329,6 +386,7 @@ int main(void)
   the_pendulum();
   conditions();
   the_four_bar();
+  options_of_matrices();
   laws();
   puts("every function answered as it should");
   return 0;

@@ -121,6 +121,50 @@ static void rules() {
   throws(PERCUSS_ERROR_LENGTH, "positions", [&] { batch.run({}, 1); });
 }
 
+/* A batch of a workspace has the base of the workspace; the options of matrices have the defaults of percuss.h. */
+static void workspaces_and_matrices() {
+  using namespace percuss;
+  const Model model = Model::load_text(PENDULUM);
+  const System system(model, Conditions().floating_base());
+  const Assembly assembly = system.assemble();
+  Contact contact = model.contact("rod", {0.1, 0, -0.8}, {1, 0, 0});
+  contact.normal_given = PERCUSS_NORMAL_WORLD;
+  Workspace workspace = assembly.workspace();
+  Batch batch = workspace.batch(contact, 1);
+  Batch::Answers answers = batch.run({0.3}, 1);
+  CHECK((answers.remarks[0] & PERCUSS_REMARK_BASE_NOT_GIVEN) != 0);
+  const Vector3 place{5.0, 6.0, 7.0};
+  const std::array<double, 4> turned{0.5, 0.5, -0.5, 0.5};
+  workspace.set_base(place, turned);
+  batch = workspace.batch(contact, 2);
+  answers = batch.run({0.3, -0.4}, 2);
+  const double angles[] = {0.3, -0.4};
+  for (std::size_t row = 0; row < 2; row++) {
+    CHECK((answers.remarks[row] & PERCUSS_REMARK_BASE_NOT_GIVEN) == 0);
+    const Pose pose = assembly.pose(Configuration(model).set("hinge", angles[row]).set_base(place, turned));
+    const Mass mass = pose.effective_mass(contact);
+    CHECK(answers.outcomes[row] == mass.outcome);
+    CHECK(mass.outcome != PERCUSS_FINITE || near_to(answers.effective_masses[row], mass.effective_mass, 1e-11));
+  }
+  throws(PERCUSS_ERROR_CONTACT, "length", [&] { workspace.batch(model.contact("rod", {0, 0, 0}, {0, 0, 0})); });
+  throws(PERCUSS_ERROR_ARGUMENT, "threads", [&] { workspace.batch(contact, 5000); });
+
+  percuss_matrix_options plain;
+  check(percuss_matrix_options_init(&plain));
+  const MatrixOptions own;
+  CHECK(own.rank_floor == plain.rank_floor && own.accuracy == plain.accuracy && own.row_noise == plain.row_noise);
+  CHECK(own.accuracy_of_mass == plain.accuracy_of_mass && own.accuracy_of_constraints == plain.accuracy_of_constraints);
+  CHECK(own.accuracy_of_contact_row == plain.accuracy_of_contact_row);
+  const double m[] = {1.0, 0.0, 0.0, 3.0}, a[] = {1e-15, 0.0};
+  const percuss_matrix mass{m, 4, 2, 2, 2, PERCUSS_ROW_MAJOR, 0}, rows{a, 2, 1, 2, 2, PERCUSS_ROW_MAJOR, 0};
+  CHECK(near_to(effective_mass(mass, {1.0, 1.0}, &rows).mass.effective_mass, 3.0, 1e-14));
+  MatrixOptions options;
+  options.row_noise = 1e-12;
+  CHECK(near_to(effective_mass(mass, {1.0, 1.0}, &rows, options).mass.effective_mass, 0.75, 1e-14));
+  options.accuracy_of_mass = 1e-6;
+  CHECK(effective_mass(mass, {1.0, 1.0}, nullptr, options).mass.error > 1e-7);
+}
+
 static void laws() {
   using namespace percuss;
   const Spring spring{2.0, 1e5, 1.5};
@@ -136,6 +180,7 @@ int main() {
   pendulum();
   four_bar();
   rules();
+  workspaces_and_matrices();
   laws();
   puts("C++");
   return 0;

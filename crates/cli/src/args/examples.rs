@@ -125,7 +125,7 @@ Examples:
 Complete the sheet, then convert it to a model:
   percuss import my.toml -o my.urdf
 
-docs/SUSPENSIONS.md explains every key.";
+docs/reference/SUSPENSIONS.md explains every key.";
 
 pub const IMPORT: &str = "\
 Examples:
@@ -144,7 +144,7 @@ Examples:
 The imported data are printed for comparison with the drawing. percuss
 template writes a blank sheet. Supported templates of Chrono: DoubleWishbone,
 DoubleWishboneReduced, MacPhersonStrut, SemiTrailingArm, ThreeLinkIRS,
-MultiLink. docs/SUSPENSIONS.md lists the bodies, joints and frames of each.";
+MultiLink. docs/reference/SUSPENSIONS.md lists the bodies, joints and frames of each.";
 
 pub const DAMP: &str = "\
 Examples:
@@ -188,7 +188,7 @@ Examples:
     percuss init models/suspensions/double-wishbone.toml -o stop.toml
 
 The path of the model is relative to the study. The study contains all other
-keys as comments; docs/STUDIES.md explains every key.";
+keys as comments; docs/reference/STUDIES.md explains every key.";
 
 pub const RUN: &str = "\
 Examples:

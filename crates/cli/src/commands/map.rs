@@ -150,7 +150,7 @@ fn text(answer: &MapAnswer) -> String {
         out += &fact("relative errors", &format!("below {}", bound(worst)));
     }
     out + "\nNot included: friction, compliance of the links, several impacts at once.\n\
-           See docs/LIMITS.md and docs/MAPS.md.\n"
+           See docs/explanation/LIMITS.md and docs/howto/MAPS.md.\n"
 }
 
 /// Number of contacts without a finite mass, by status.
@@ -225,7 +225,7 @@ pub fn point_text(report: &PointMapReport) -> String {
         }
     }
     out + "\n1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹.\n\
-           See docs/MAPS.md.\n"
+           See docs/howto/MAPS.md.\n"
 }
 
 fn mass(d: &DirectionMass) -> String {

@@ -182,7 +182,7 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     out += &report.tolerance.as_ref().map_or_else(String::new, crate::terminal::explanation::tolerances);
     out += "\nNot included: friction, compliance of the links, several impacts at once.\n\
             Gravity, springs, dampers and speed have no effect: a finite force does no work\n\
-            in an instantaneous impact. See docs/LIMITS.md.\n";
+            in an instantaneous impact. See docs/explanation/LIMITS.md.\n";
     if let Some(damper) = &report.damper {
         out += &crate::commands::damp::exports(damper);
     }

@@ -1,5 +1,5 @@
 //! Recognition of files that percuss wrote: a mark in the head or at the end of the file, in a place that the format
-//! provides. docs/OUTPUTS.md lists the marks.
+//! provides. docs/reference/OUTPUTS.md lists the marks.
 
 use percuss_formats::{DEFAULT_MAX_SIZE, Source};
 use percuss_render::MADE_BY;

@@ -78,34 +78,82 @@ pub fn refused(line: &str, words: &[&str]) {
 }
 
 /// Asserts that every line under a `$ percuss …` of a page occurs in the output of the command, in the same order.
+///
+/// The commands of a page run one after another in a temporary folder with a copy of `models`. A command with no line
+/// under it prints nothing to stdout. Commands are in `console` blocks only, so that none is left out.
 pub fn assert_page_shows_what_is_printed(page: &str, expected: usize) {
-    let page = std::fs::read_to_string(root().join(page)).expect("the page");
-    let mut commands = 0;
-    for block in page.split("```console\n").skip(1) {
-        let block = block.split("```").next().unwrap_or("");
-        let mut lines = block.lines();
-        let command = lines.next().and_then(|l| l.strip_prefix("$ percuss ")).expect("a command");
-        let outcome = percuss(command);
-        assert_eq!(outcome.code, 0, "{command}: {}", outcome.stderr);
-        let mut rest = outcome.stdout.as_str();
-        let mut shown = 0;
-        for line in lines {
-            shown += 1;
-            if line.is_empty() {
-                continue;
+    let text = std::fs::read_to_string(root().join(page)).expect("the page");
+    let folder = Scratch::new(&page.replace(['/', '.'], "-"));
+    let mut blocks = Vec::new();
+    let mut language = None;
+    for line in text.lines() {
+        match (language, line.strip_prefix("```")) {
+            (None, Some(name)) => {
+                language = Some(name);
+                blocks.push(String::new());
             }
-            let mut end = 0;
-            let found = rest.split_inclusive('\n').find(|printed| {
-                end += printed.len();
-                is_shown(line, printed)
-            });
-            assert!(found.is_some(), "{line:?} is not, or not there, in\n{}", outcome.stdout);
-            rest = &rest[end..];
+            (Some(_), Some(_)) => language = None,
+            (Some("console"), None) => *blocks.last_mut().expect("a block") += &format!("{line}\n"),
+            (Some(_), None) => {
+                assert!(!line.starts_with("percuss "), "{page}: {line}: not in a console block")
+            }
+            (None, None) => {
+                assert!(!line.starts_with("    percuss "), "{page}: {line}: not in a console block")
+            }
         }
-        assert!(shown > 0, "{command} shows nothing");
-        commands += 1;
     }
-    assert_eq!(commands, expected);
+    assert!(language.is_none(), "{page}: a block has no end");
+    let mut commands = 0;
+    for block in blocks {
+        let mut parts = block.split("$ percuss ");
+        assert_eq!(parts.next(), Some(""), "{page}: a block starts without a command: {block}");
+        for part in parts {
+            if commands == 0 {
+                copy_folder(&root().join("models"), Path::new(&folder.path("models")));
+            }
+            commands += 1;
+            let part = part.replace("\\\n", " ");
+            let (line, shown) = part.split_once('\n').expect("a line");
+            let outcome: Outcome = command(line.split_whitespace())
+                .current_dir(folder.path(""))
+                .output()
+                .expect("it runs")
+                .into();
+            assert_eq!(outcome.code, 0, "{page}: {line}: {}", outcome.stderr);
+            assert_lines_are_printed(&format!("{page}: {line}"), shown, &outcome.stdout);
+        }
+    }
+    assert_eq!(commands, expected, "commands on {page}");
+}
+
+/// Asserts that the lines occur in the printed text, in the same order; without lines, that nothing is printed.
+fn assert_lines_are_printed(at: &str, lines: &str, printed: &str) {
+    let mut rest = printed;
+    let mut shown = 0;
+    for line in lines.lines().filter(|line| !line.is_empty()) {
+        shown += 1;
+        let mut end = 0;
+        let found = rest.split_inclusive('\n').find(|printed| {
+            end += printed.len();
+            is_shown(line, printed)
+        });
+        assert!(found.is_some(), "{at}: {line:?} is not, or not there, in\n{printed}");
+        rest = &rest[end..];
+    }
+    assert!(shown > 0 || printed.is_empty(), "{at}: the page shows nothing of\n{printed}");
+}
+
+/// Copies a folder with all files below it.
+fn copy_folder(from: &Path, to: &Path) {
+    std::fs::create_dir_all(to).expect("a folder");
+    for entry in std::fs::read_dir(from).expect("a readable folder").flatten() {
+        let target = to.join(entry.file_name());
+        if entry.path().is_dir() {
+            copy_folder(&entry.path(), &target);
+        } else {
+            std::fs::copy(entry.path(), target).expect("a copy");
+        }
+    }
 }
 
 /// True if a line of a page equals a printed line. Numbers may differ by 1e-12 of their value, because the

@@ -202,7 +202,7 @@ fn words(export: &mut Export, request: &Request, linear: &Linear) {
         );
         export.assume(
             "m̄ belongs to one pose: if m̄ changes during the contact, the restitution changes too; a stiffer \
-             contact or a lower speed reduces the change. Those measured in docs/SIMULATORS.md changed by less \
+             contact or a lower speed reduces the change. Those measured in docs/reference/SIMULATORS.md changed by less \
              than 1e-3.",
         );
     }

@@ -1,14 +1,14 @@
 //! Assembly of the loops of a system, computed once from a given guess: a first closed pose, a generic pose, the
 //! driving joints and the mobility. The assembly is an immutable value.
 
-use crate::analysis::routes::Rooms;
+use crate::analysis::routes::WorkspacePool;
 use crate::kinematics::contact::Contact;
 use crate::kinematics::frames::Kinematics;
 use crate::kinematics::outcome::{Remark, ResponseError};
 use crate::kinematics::rows::{GroupRows, largest};
 use crate::loops::assembling::{Facts, GroupFacts};
 use crate::loops::singular::Surroundings;
-use crate::mobility::{GroupMobility, MobilityRoom, Rank, Redundancy, rank_of_rows};
+use crate::mobility::{GroupMobility, MobilityWorkspace, Rank, Redundancy, rank_of_rows};
 use crate::model::conditions::Base;
 use crate::model::{Constraint, ConstraintRows, Group, Model};
 use crate::tolerances::{
@@ -33,7 +33,7 @@ pub struct Assembly {
     generic_kinematics: Kinematics<f64>,
     /// Computed on first use from the other fields.
     redundant: OnceLock<Vec<Vec<String>>>,
-    rooms: Rooms,
+    workspaces: WorkspacePool,
     remarks: Vec<Remark>,
 }
 
@@ -41,8 +41,8 @@ pub struct Assembly {
 /// contacts constrain velocities, not the pose: loops are closed with every joint free.
 #[derive(Clone, Debug)]
 pub(crate) struct Models {
-    pub answering: Arc<Model>,
-    pub posing: Arc<Model>,
+    pub mass_model: Arc<Model>,
+    pub pose_model: Arc<Model>,
 }
 
 /// Gap of a loop in the configuration as drawn: all joints at 0, or at their guesses.
@@ -63,9 +63,13 @@ pub struct DrawnGap {
 impl Assembly {
     pub(crate) fn new(models: Models, facts: Facts) -> Self {
         let generic_kinematics = generic_kinematics(&models, &facts);
-        let model = &models.answering;
+        let model = &models.mass_model;
         let of_groups = |of: fn(&GroupFacts) -> f64| {
-            model.groups.iter().map(|g| (g, greatest(&models, &facts, g, of))).collect::<Vec<(&Group, f64)>>()
+            model
+                .groups
+                .iter()
+                .map(|g| (g, largest_fact(&models, &facts, g, of)))
+                .collect::<Vec<(&Group, f64)>>()
         };
         let inexactness = of_groups(|facts| facts.inexactness);
         let floors: Vec<f64> =
@@ -78,7 +82,7 @@ impl Assembly {
             rank_of_rows(&rows, group, *floor).explained_by(ROUNDED * misfit)
         };
         let generic: Vec<Rank> = model.groups.iter().zip(&floors).zip(&misfits).map(rank).collect();
-        let remarks = remarks_on(&models.posing, &facts, &generic);
+        let remarks = assembly_remarks(&models.pose_model, &facts, &generic);
         Self {
             models,
             facts,
@@ -87,29 +91,29 @@ impl Assembly {
             misfits,
             generic_kinematics,
             redundant: OnceLock::new(),
-            rooms: Rooms::default(),
+            workspaces: WorkspacePool::default(),
             remarks,
         }
     }
 
     /// Returns the same loops under other conditions of the same mechanism.
-    pub(crate) fn under(&self, models: Models) -> Arc<Self> {
+    pub(crate) fn with_models(&self, models: Models) -> Arc<Self> {
         Arc::new(Self::new(models, self.facts.clone()))
     }
 
     /// Pool of recursion workspaces.
-    pub(crate) fn rooms(&self) -> &Rooms {
-        &self.rooms
+    pub(crate) fn workspaces(&self) -> &WorkspacePool {
+        &self.workspaces
     }
 
     /// Model with locks and held contacts, used for effective masses.
     pub(crate) fn model(&self) -> &Model {
-        &self.models.answering
+        &self.models.mass_model
     }
 
     /// Model without locks and held contacts, used for poses.
-    pub(crate) fn posing(&self) -> &Model {
-        &self.models.posing
+    pub(crate) fn pose_model(&self) -> &Model {
+        &self.models.pose_model
     }
 
     /// Facts about the loops.
@@ -118,8 +122,8 @@ impl Assembly {
     }
 
     /// True if both assemblies belong to the same system.
-    pub(crate) fn is_like(&self, other: &Self) -> bool {
-        self.is_of(&other.models.answering)
+    pub(crate) fn is_same_system(&self, other: &Self) -> bool {
+        self.is_for_model(&other.models.mass_model)
     }
 
     /// Facts about a group of loops.
@@ -128,13 +132,13 @@ impl Assembly {
     }
 
     /// True if the assembly was made for the model.
-    pub(crate) fn is_of(&self, model: &Arc<Model>) -> bool {
-        Arc::ptr_eq(&self.models.answering, model)
+    pub(crate) fn is_for_model(&self, model: &Arc<Model>) -> bool {
+        Arc::ptr_eq(&self.models.mass_model, model)
     }
 
     /// True if both models are the same; then their groups are the same.
-    pub(crate) fn is_of_posing(&self) -> bool {
-        Arc::ptr_eq(&self.models.answering, &self.models.posing)
+    pub(crate) fn has_single_model(&self) -> bool {
+        Arc::ptr_eq(&self.models.mass_model, &self.models.pose_model)
     }
 
     /// Threshold for singular values of A of a group, relative to the largest; smaller values count as zero.
@@ -153,9 +157,9 @@ impl Assembly {
     }
 
     /// Decides the rank and the dependent coordinates of each group at the given frames.
-    pub(crate) fn decide(&self, kinematics: &Kinematics<f64>) -> Vec<GroupMobility> {
+    pub(crate) fn decide_mobility(&self, kinematics: &Kinematics<f64>) -> Vec<GroupMobility> {
         let model = self.model();
-        let mut room = MobilityRoom::default();
+        let mut room = MobilityWorkspace::default();
         let decide = |(number, group): (usize, &Group)| {
             let mut decided = GroupMobility::default();
             let expected = Some(self.generic[number].rank);
@@ -217,7 +221,7 @@ impl Assembly {
 
     /// Joints that drive the loops by default, in joint order.
     pub fn drivers(&self) -> Vec<JointId> {
-        let groups = self.facts.groups.iter().zip(&self.posing().groups);
+        let groups = self.facts.groups.iter().zip(&self.pose_model().groups);
         let of_group = groups.flat_map(|(f, g)| f.drivers.driving.iter().filter_map(|&at| g.joints[at]));
         let mut drivers: Vec<JointId> = of_group.collect();
         drivers.sort_unstable();
@@ -265,7 +269,7 @@ impl Assembly {
         kinematics: &Kinematics<f64>,
         residuals: &mut Vec<f64>,
     ) -> Result<(), ResponseError> {
-        let model = self.posing();
+        let model = self.pose_model();
         for (number, group) in model.groups.iter().enumerate() {
             model.group_residuals_into(kinematics, group, residuals);
             let (gap, worst) = largest(residuals);
@@ -288,7 +292,7 @@ impl Assembly {
 
     /// Gap of each loop in the configuration as drawn, if larger than rounding.
     pub fn drawn_gaps(&self) -> Vec<DrawnGap> {
-        let model = self.posing();
+        let model = self.pose_model();
         let mut gaps = Vec::new();
         for (group, facts) in model.groups.iter().zip(&self.facts.groups) {
             let least = (CLOSED_AS_DRAWN * group.size).max(2.0 * facts.inexactness);
@@ -309,7 +313,7 @@ impl Assembly {
 
     /// True if a group of loops has less than its generic rank at the given frames.
     pub(crate) fn has_lost_rank(&self, kinematics: &Kinematics<f64>, number: usize) -> bool {
-        let (model, facts) = (self.posing(), &self.facts.groups[number]);
+        let (model, facts) = (self.pose_model(), &self.facts.groups[number]);
         let group = &model.groups[number];
         let mut rows = GroupRows::default();
         rows.fill(model, group, kinematics);
@@ -317,14 +321,14 @@ impl Assembly {
     }
 
     /// Surroundings of a pose of a group of loops: the branches near the pose.
-    pub(crate) fn around(&self, kinematics: &Kinematics<f64>, number: usize) -> Surroundings {
-        let model = self.posing();
+    pub(crate) fn surroundings(&self, kinematics: &Kinematics<f64>, number: usize) -> Surroundings {
+        let model = self.pose_model();
         model.surroundings(kinematics, &model.groups[number], self.facts.groups[number].inexactness)
     }
 
     /// Residual at which a group counts as closed, m.
     pub(crate) fn tolerance(&self, kinematics: &Kinematics<f64>, number: usize) -> f64 {
-        let model = self.posing();
+        let model = self.pose_model();
         let group = &model.groups[number];
         let misfit = self.facts.groups[number].misfit_beyond(group, kinematics, model);
         model.rounded_tolerance(kinematics, group, misfit)
@@ -332,7 +336,7 @@ impl Assembly {
 }
 
 /// Findings about loops that hold at every pose.
-fn remarks_on(posing: &Model, facts: &Facts, generic: &[Rank]) -> Vec<Remark> {
+fn assembly_remarks(posing: &Model, facts: &Facts, generic: &[Rank]) -> Vec<Remark> {
     let mut remarks = Vec::new();
     let gaps = posing.groups.iter().zip(&facts.groups).flat_map(|(group, facts)| {
         let closes = |c: &&ConstraintRows| !matches!(c.constraint, Constraint::Hold(_));
@@ -358,22 +362,22 @@ fn remarks_on(posing: &Model, facts: &Facts, generic: &[Rank]) -> Vec<Remark> {
 }
 
 /// Largest value of a fact over the posed groups that share constraints with a group of the answering model.
-fn greatest(models: &Models, facts: &Facts, group: &Group, of: fn(&GroupFacts) -> f64) -> f64 {
+fn largest_fact(models: &Models, facts: &Facts, group: &Group, of: fn(&GroupFacts) -> f64) -> f64 {
     let shares = |posed: &Group| {
         posed.constraints.iter().any(|c| group.constraints.iter().any(|own| own.constraint == c.constraint))
     };
-    let same = Arc::ptr_eq(&models.answering, &models.posing);
+    let same = Arc::ptr_eq(&models.mass_model, &models.pose_model);
     let meant = |posed: &Group| if same { std::ptr::eq(posed, group) } else { shares(posed) };
-    let meant = models.posing.groups.iter().zip(&facts.groups).filter(|(posed, _)| meant(posed));
+    let meant = models.pose_model.groups.iter().zip(&facts.groups).filter(|(posed, _)| meant(posed));
     meant.map(|(_, facts)| of(facts)).fold(0.0, f64::max)
 }
 
 /// Kinematics with every group at its generic pose. With held contacts, the joints outside loops are moved away from
 /// zero.
 fn generic_kinematics(models: &Models, facts: &Facts) -> Kinematics<f64> {
-    let posing = &models.posing;
+    let posing = &models.pose_model;
     let mut kinematics = Kinematics::zero(posing);
-    if models.answering.groups.iter().any(|g| g.is_held) {
+    if models.mass_model.groups.iter().any(|g| g.is_held) {
         let bound = |c: &usize| posing.groups.iter().any(|g| g.column(*c).is_some());
         let coordinates: Vec<usize> = (0..posing.coordinates.len()).filter(|c| !bound(c)).collect();
         let size = posing.mechanism.characteristic_length();
@@ -390,6 +394,6 @@ fn generic_kinematics(models: &Models, facts: &Facts) -> Kinematics<f64> {
     for (group, facts) in posing.groups.iter().zip(&facts.groups) {
         posing.restore_group(&mut kinematics, group, &facts.generic);
     }
-    kinematics.refill(&models.answering);
+    kinematics.refill(&models.mass_model);
     kinematics
 }

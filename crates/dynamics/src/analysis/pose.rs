@@ -1,14 +1,14 @@
 //! A mechanism at one configuration.
 
 use crate::analysis::assembly::Assembly;
-use crate::dense::careful::condition_of;
+use crate::dense::direct::condition_of;
 use crate::kinematics::contact::{Contact, ContactError, Frame, LocatedContact};
 use crate::kinematics::frames::Kinematics;
 use crate::kinematics::outcome::Remark;
 use crate::loops::assembling::LoopState;
 use crate::loops::singular::Surroundings;
-use crate::mobility::{GroupMobility, MobilityRoom};
-use crate::tolerances::{BESIDE, CONDITION_LIMIT};
+use crate::mobility::{GroupMobility, MobilityWorkspace};
+use crate::tolerances::{CONDITION_LIMIT, LIMIT_SLACK, SAME_PIVOTS_DISTANCE};
 use nalgebra::{DMatrix, Vector3};
 use percuss_mechanism::{JointId, Limits, LinkId, Mechanism};
 use percuss_spatial::Transform;
@@ -51,23 +51,23 @@ impl Pose {
         base: Transform<f64>,
         loops: Option<LoopState>,
     ) -> Self {
-        let groups = assembly.decide(&kinematics);
+        let groups = assembly.decide_mobility(&kinematics);
         Self { assembly, kinematics, base, base_is_given: false, loops, groups, crossings: OnceLock::new() }
     }
 
     /// Decisions about the groups at frames near this pose. Ranks are kept for groups that moved very little, and
     /// decided anew for the others.
-    pub(crate) fn groups_beside(&self, kinematics: &Kinematics<f64>) -> Vec<GroupMobility> {
+    pub(crate) fn groups_near(&self, kinematics: &Kinematics<f64>) -> Vec<GroupMobility> {
         let (model, mut groups) = (self.assembly.model(), self.groups.clone());
         let (here, there) = (&self.kinematics.q, &kinematics.q);
         for (number, (known, group)) in groups.iter_mut().zip(&model.groups).enumerate() {
-            let near = BESIDE * group.size.min(1.0);
+            let near = SAME_PIVOTS_DISTANCE * group.size.min(1.0);
             let mut moved = group.bodies.iter().flat_map(|&b| model.bodies[b].q.clone());
             if moved.all(|q| (here[q] - there[q]).abs() <= near) {
-                known.move_to(model, group, kinematics);
+                known.update_rates(model, group, kinematics);
             } else {
                 let (floor, expected) = (self.assembly.floor(number), Some(known.rank.rank));
-                let room = &mut MobilityRoom::default();
+                let room = &mut MobilityWorkspace::default();
                 model.decide_mobility(room, kinematics, group, floor, expected, known);
             }
         }
@@ -153,8 +153,7 @@ impl Pose {
 
     /// True if a position (rad or m) is outside the limits, with the slack used by poses.
     pub fn is_outside(value: f64, limits: Limits) -> bool {
-        // A limit typed with nine digits causes no violation.
-        let slack = 1e-9 * (1.0 + value.abs());
+        let slack = LIMIT_SLACK * (1.0 + value.abs());
         value < limits.lower - slack || value > limits.upper + slack
     }
 
@@ -184,9 +183,9 @@ impl Pose {
     /// Surroundings of the pose in the groups of loops with less than their generic rank here.
     pub(crate) fn crossings(&self) -> &[(usize, Surroundings)] {
         self.crossings.get_or_init(|| {
-            let all = 0..self.assembly.posing().groups.len();
+            let all = 0..self.assembly.pose_model().groups.len();
             let lost = all.filter(|&number| self.assembly.has_lost_rank(&self.kinematics, number));
-            lost.map(|number| (number, self.assembly.around(&self.kinematics, number))).collect()
+            lost.map(|number| (number, self.assembly.surroundings(&self.kinematics, number))).collect()
         })
     }
 
@@ -209,7 +208,7 @@ impl Pose {
     /// coordinates.
     pub fn condition(&self) -> Option<f64> {
         // M is formed over the tree velocities; mimics are folded afterwards.
-        let small = self.assembly.model().follows.len() <= CONDITION_LIMIT;
+        let small = self.assembly.model().velocity_coordinates.len() <= CONDITION_LIMIT;
         small.then(|| condition_of(&self.mass_matrix())).flatten()
     }
 
@@ -251,7 +250,7 @@ impl Pose {
     /// rotations, 1 for translations). Joints that move both sides equally are left out.
     pub fn contact_row(&self, contact: &LocatedContact) -> Vec<f64> {
         let model = self.assembly.model();
-        let mut values = vec![0.0; model.follows.len()];
+        let mut values = vec![0.0; model.velocity_coordinates.len()];
         for entry in model.contact_row(&self.kinematics, contact).entries {
             values[entry.velocity] = entry.value;
         }

@@ -31,7 +31,7 @@ impl Assembly {
         from: &Pose,
         configuration: &Configuration,
     ) -> Result<Pose, AssemblyError> {
-        if !self.is_like(&from.assembly) {
+        if !self.is_same_system(&from.assembly) {
             return Err(AssemblyError::ForeignPose);
         }
         self.pose_along(configuration, Some(from))
@@ -43,7 +43,7 @@ impl Assembly {
         configuration: &Configuration,
         from: Option<&Pose>,
     ) -> Result<Pose, AssemblyError> {
-        let model = self.posing();
+        let model = self.pose_model();
         if !Arc::ptr_eq(configuration.mechanism(), &model.mechanism) {
             return Err(AssemblyError::ForeignConfiguration {
                 got: configuration.mechanism().name().to_owned(),
@@ -96,15 +96,15 @@ impl Assembly {
 
     /// Frames of a pose moved by its closing uncertainty, in the direction of `sign`. `None` for a tree, or if the
     /// uncertainty cannot be found.
-    pub(crate) fn doubtful_pose(&self, pose: &Pose, sign: f64) -> Option<Kinematics<f64>> {
-        let model = self.posing();
+    pub(crate) fn pose_within_uncertainty(&self, pose: &Pose, sign: f64) -> Option<Kinematics<f64>> {
+        let model = self.pose_model();
         let state = pose.loops.as_ref()?;
         let mut moved = pose.kinematics.clone();
         for (number, group) in model.groups.iter().enumerate() {
             let inexactness = self.facts().groups[number].misfit_beyond(group, &pose.kinematics, model);
             let dependent = &state.dependent[number];
-            let known = self.is_of_posing().then(|| &pose.groups[number].rows);
-            let mut u = model.closing_doubt(&pose.kinematics, group, dependent, inexactness, known)?;
+            let known = self.has_single_model().then(|| &pose.groups[number].rows);
+            let mut u = model.closing_uncertainty(&pose.kinematics, group, dependent, inexactness, known)?;
             u.iter_mut().for_each(|u| *u *= sign);
             model.advance_group(&mut moved, group, &u);
         }

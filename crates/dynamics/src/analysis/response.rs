@@ -2,12 +2,12 @@
 
 use crate::analysis::assembly::Assembly;
 use crate::analysis::pose::Pose;
-use crate::analysis::routes::{Found, Question, RecursionRoom};
-use crate::dense::careful::Minimum;
+use crate::analysis::routes::{RecursionWorkspace, RouteInput, RouteResult};
+use crate::dense::direct::Minimum;
 use crate::error::budget::ErrorBudget;
 use crate::kinematics::contact::{Contact, ContactError, LocatedContact};
 use crate::kinematics::outcome::{
-    CarefulReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError,
+    DenseReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError,
 };
 use crate::kinematics::remarks::RemarkFlags;
 use crate::recursion::Decisions;
@@ -26,9 +26,9 @@ pub struct ContactResponse {
     pub route: Route,
     /// Reason for running the dense route in addition to the recursion; `None` if only one route ran. The result is
     /// still the recursion's unless the dense route is more accurate.
-    pub careful_reason: Option<CarefulReason>,
+    pub dense_reason: Option<DenseReason>,
     /// True if m̄ is the stationary value of the energy, used if the sum over the pivots loses too much accuracy.
-    pub held_to_energy: bool,
+    pub is_energy_value: bool,
     /// Error budget of m̄, kg; `None` unless m̄ is finite.
     pub error: Option<ErrorBudget>,
     /// dim ker A at the pose, including the 6 of a floating base.
@@ -61,7 +61,7 @@ pub struct Contributions {
 
 impl ContactResponse {
     /// True if the mechanism itself moves: v* is not zero.
-    pub fn gives_way(&self) -> bool {
+    pub fn mechanism_moves(&self) -> bool {
         self.joint_velocities.iter().flatten().any(|v| *v != 0.0)
             || self.base_velocity.linear.norm() > 0.0
             || self.base_velocity.angular.norm() > 0.0
@@ -132,16 +132,16 @@ impl Pose {
     /// [`ResponseError`]: an invalid contact; a requested route that refuses the mechanism.
     pub fn respond(&self, contact: &Contact, choice: RouteChoice) -> Result<ContactResponse, ResponseError> {
         let located = self.locate(contact)?;
-        let room = self.assembly.rooms().take(self.assembly.model());
-        let mut asked = Asked { pose: self, contact, located: &located, room };
-        let answer = asked.answer(choice);
-        self.assembly.rooms().put(asked.room);
+        let room = self.assembly.workspaces().acquire(self.assembly.model());
+        let mut asked = ContactQuery { pose: self, contact, located: &located, workspace: room };
+        let answer = asked.respond(choice);
+        self.assembly.workspaces().release(asked.workspace);
         Ok(answer?)
     }
 
     /// The contact at the frames of this pose.
-    fn question<'a>(&'a self, located: &'a LocatedContact) -> Question<'a> {
-        Question {
+    fn question<'a>(&'a self, located: &'a LocatedContact) -> RouteInput<'a> {
+        RouteInput {
             model: self.assembly.model(),
             kinematics: &self.kinematics,
             groups: &self.groups,
@@ -152,28 +152,28 @@ impl Pose {
 }
 
 /// A contact query at a pose, with the workspace of its routes.
-struct Asked<'a> {
+struct ContactQuery<'a> {
     pose: &'a Pose,
     contact: &'a Contact,
     located: &'a LocatedContact,
-    room: RecursionRoom,
+    workspace: RecursionWorkspace,
 }
 
-impl Asked<'_> {
+impl ContactQuery<'_> {
     /// Runs the recursion, selects the result, and adds motion, contributions and errors.
-    fn answer(&mut self, choice: RouteChoice) -> Result<ContactResponse, RouteError> {
+    fn respond(&mut self, choice: RouteChoice) -> Result<ContactResponse, RouteError> {
         let question = self.pose.question(self.located);
         question.model.refuse_large_clusters::<f64>(&self.pose.groups)?;
-        question.run(&mut self.room);
-        let found = question.answer(&mut self.room, choice)?;
-        let up_to = question.massless_to_rounding(&self.room, found.mass);
-        let mut response = self.finish(found);
+        question.run_recursion(&mut self.workspace);
+        let found = question.select_result(&mut self.workspace, choice)?;
+        let up_to = question.massless_limit(&self.workspace, found.mass);
+        let mut response = self.build_response(found);
         response.remarks.extend(up_to.map(|up_to| Remark::MasslessToRounding { up_to }));
         Ok(response)
     }
 
     /// Converts the result of a route to a contact response.
-    fn finish(&mut self, mut found: Found) -> ContactResponse {
+    fn build_response(&mut self, mut found: RouteResult) -> ContactResponse {
         let pose = self.pose;
         let model = pose.assembly.model();
         let rank = pose.rank();
@@ -186,7 +186,7 @@ impl Asked<'_> {
             contributions = Some(self.contributions(&found.velocities, m));
             error = Some(self.budget(m, &found));
             // The misfit of loops that do not close exactly may account for the whole closing speed.
-            let floor = closing_floor(model, &pose.groups, &self.room.row);
+            let floor = closing_floor(model, &pose.groups, &self.workspace.row);
             if found.closing_speed < NEARLY_IMMOVABLE.max(floor) {
                 let open = if floor > IMMOVABLE { floor } else { 2.0 * f64::EPSILON };
                 let uncertainty = open / found.closing_speed;
@@ -212,8 +212,8 @@ impl Asked<'_> {
         ContactResponse {
             effective_mass: found.mass,
             route: found.route,
-            careful_reason: found.careful_reason,
-            held_to_energy: found.route == Route::Articulated && found.errors.stationary.is_some(),
+            dense_reason: found.dense_reason,
+            is_energy_value: found.route == Route::Articulated && found.errors.stationary.is_some(),
             error,
             degrees_of_freedom: model.coordinates.len() - rank.rank,
             singular_pose: rank.singular,
@@ -226,7 +226,7 @@ impl Asked<'_> {
     }
 
     /// Error budget of a finite m̄.
-    fn budget(&mut self, m: f64, found: &Found) -> ErrorBudget {
+    fn budget(&mut self, m: f64, found: &RouteResult) -> ErrorBudget {
         let (closing_speed, errors) = (found.closing_speed, &found.errors);
         let own = errors.rounding + 2.0 * f64::EPSILON / closing_speed;
         if self.pose.loops().is_none() {
@@ -241,15 +241,15 @@ impl Asked<'_> {
 
     /// Relative change of m̄ between the pose and the nearby poses within the closing error of its loops. `None` if
     /// such a pose cannot be computed. Uses the method of the result: a route, or the energy.
-    fn closing_error(&mut self, m: f64, found: &Found) -> Option<f64> {
+    fn closing_error(&mut self, m: f64, found: &RouteResult) -> Option<f64> {
         let assembly: &Assembly = &self.pose.assembly;
         let mut most = 0.0_f64;
         for sign in [1.0, -1.0] {
-            let moved = assembly.doubtful_pose(self.pose, sign)?;
-            let groups = self.pose.groups_beside(&moved);
+            let moved = assembly.pose_within_uncertainty(self.pose, sign)?;
+            let groups = self.pose.groups_near(&moved);
             let model = assembly.model();
             let located = model.locate(&moved, self.pose.base(), self.contact).ok()?;
-            let beside = Question {
+            let beside = RouteInput {
                 model,
                 kinematics: &moved,
                 groups: &groups,
@@ -258,10 +258,10 @@ impl Asked<'_> {
             };
             let other = match found.route {
                 Route::Articulated => {
-                    beside.eliminate(&mut self.room);
-                    let EffectiveMass::Finite(own) = self.room.mass() else { return None };
+                    beside.eliminate(&mut self.workspace);
+                    let EffectiveMass::Finite(own) = self.workspace.mass() else { return None };
                     let by_energy =
-                        found.errors.stationary.and_then(|_| beside.response_by_energy(&mut self.room));
+                        found.errors.stationary.and_then(|_| beside.response_by_energy(&mut self.workspace));
                     by_energy.map_or(own, |response| 1.0 / response)
                 }
                 Route::Dense => match model.least_energy(&moved, &groups, &located).minimum {
@@ -286,8 +286,9 @@ impl Asked<'_> {
         let mut motions = vec![Twist::zero(); model.bodies.len()];
         let mut rotors = Vec::new();
         for (i, body) in model.bodies.iter().enumerate() {
-            let mut motion =
-                body.parent.map_or_else(Twist::zero, |p| kinematics.steps[i].inverse_twist(&motions[p]));
+            let mut motion = body
+                .parent
+                .map_or_else(Twist::zero, |p| kinematics.parent_transforms[i].inverse_twist(&motions[p]));
             let mut rotor = 0.0;
             for (k, index) in body.v.clone().enumerate() {
                 motion += kinematics.column(model, i, k) * v[index];
@@ -316,9 +317,9 @@ impl Pose {
     /// # Errors
     /// If 1/m̄ is not defined: a motion of negative mass, or a motion without mass that closes the gap.
     pub(crate) fn decisions(&self, located: &LocatedContact) -> Result<Decisions, RouteError> {
-        let mut room = RecursionRoom::new(self.assembly.model());
+        let mut room = RecursionWorkspace::new(self.assembly.model());
         let question = self.question(located);
-        question.run(&mut room);
+        question.run_recursion(&mut room);
         if room.deciding.indefinite {
             return Err(RouteError::Indefinite);
         }

@@ -39,13 +39,13 @@ struct Axis {
     joint: Option<JointId>,
     slides: bool,
     /// Unit vector in root axes.
-    along: Vector3<f64>,
+    direction: Vector3<f64>,
 }
 
 impl Assembly {
     /// Loops without any mobility, irrespective of locks and held contacts: a structure, or a linkage with an error.
     pub fn rigid_loops(&self) -> Vec<RigidLoops> {
-        let (model, facts) = (self.posing(), self.facts());
+        let (model, facts) = (self.pose_model(), self.facts());
         let is_rigid = |(number, group): &(usize, &crate::model::Group)| {
             let all = group.coordinates.len();
             all > 0 && all == group.movable.len() && facts.groups[*number].rank.rank == all
@@ -84,7 +84,7 @@ fn departing_axis(
         }
     };
     let along = kinematics.frame_of(&closure.predecessor).vector(&closure.axis).normalize();
-    let mut axes = vec![Axis { joint: None, slides, along }];
+    let mut axes = vec![Axis { joint: None, slides, direction: along }];
     let mut is_planar = true;
     model.for_each_support(closure.successor.body, closure.predecessor.body, |i, _| {
         let Some(id) = model.bodies[i].joint else { return is_planar = false };
@@ -95,29 +95,32 @@ fn departing_axis(
             JointKind::Fixed => return,
             JointKind::Planar | JointKind::Spherical | JointKind::Floating => return is_planar = false,
         };
-        axes.push(Axis { joint: Some(id), slides, along: kinematics.frames[i].vector(&own).normalize() });
+        axes.push(Axis { joint: Some(id), slides, direction: kinematics.frames[i].vector(&own).normalize() });
     });
     if !is_planar {
         return None;
     }
-    let (k, angle, direction) = departing(&axes)?;
+    let (k, angle, direction) = outlier_axis(&axes)?;
     let Axis { joint, slides, .. } = axes[k];
     Some(DepartingAxis { closure: closure.name.clone(), joint, slides, angle, direction })
 }
 
 /// The axis whose omission improves the fit of the other axes at least tenfold: its index, its deviation (rad), and
 /// the direction of the others.
-fn departing(axes: &[Axis]) -> Option<(usize, f64, Vector3<f64>)> {
+fn outlier_axis(axes: &[Axis]) -> Option<(usize, f64, Vector3<f64>)> {
     let mut best: Option<(f64, usize, f64, Vector3<f64>)> = None;
     for k in 0..axes.len() {
         let rest = || axes.iter().enumerate().filter(|(i, _)| *i != k).map(|(_, axis)| axis);
         let hinges: Vec<&Axis> = rest().filter(|axis| !axis.slides).collect();
         let [first, _, ..] = hinges[..] else { continue };
-        let aligned =
-            |axis: &&Axis| if axis.along.dot(&first.along) < 0.0 { -axis.along } else { axis.along };
+        let aligned = |axis: &&Axis| {
+            if axis.direction.dot(&first.direction) < 0.0 { -axis.direction } else { axis.direction }
+        };
         let direction = hinges.iter().map(aligned).sum::<Vector3<f64>>().normalize();
-        let (own, spread) =
-            (off(&axes[k], &direction), rest().map(|a| off(a, &direction)).fold(0.0, f64::max));
+        let (own, spread) = (
+            axis_deviation(&axes[k], &direction),
+            rest().map(|a| axis_deviation(a, &direction)).fold(0.0, f64::max),
+        );
         let part = spread / own;
         if own > CLOSED_AS_DRAWN && part < DEPARTING_AXIS && best.as_ref().is_none_or(|b| part < b.0) {
             best = Some((part, k, own, direction));
@@ -127,7 +130,7 @@ fn departing(axes: &[Axis]) -> Option<(usize, f64, Vector3<f64>)> {
 }
 
 /// Angle of a revolute axis from the direction, or of a prismatic axis from the normal plane, rad.
-fn off(axis: &Axis, direction: &Vector3<f64>) -> f64 {
-    let (along, across) = (axis.along.dot(direction).abs(), axis.along.cross(direction).norm());
+fn axis_deviation(axis: &Axis, direction: &Vector3<f64>) -> f64 {
+    let (along, across) = (axis.direction.dot(direction).abs(), axis.direction.cross(direction).norm());
     if axis.slides { along.atan2(across) } else { across.atan2(along) }
 }

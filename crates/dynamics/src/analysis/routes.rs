@@ -1,25 +1,25 @@
 //! The two routes to m̄ and the choice between them, shared by poses and workspaces.
 
-use crate::dense::careful::{Minimum, Solution};
-use crate::error::budget::{BudgetRoom, RelativeErrors, UnitImpulse};
+use crate::dense::direct::{LeastEnergySolution, Minimum};
+use crate::error::budget::{BudgetWorkspace, RelativeErrors, UnitImpulse};
 use crate::kinematics::contact::{ContactRow, LocatedContact};
 use crate::kinematics::frames::Kinematics;
-use crate::kinematics::outcome::{CarefulReason, EffectiveMass, Remark, Route, RouteChoice, RouteError};
+use crate::kinematics::outcome::{DenseReason, EffectiveMass, Remark, Route, RouteChoice, RouteError};
 use crate::kinematics::remarks::RemarkFlags;
 use crate::mobility::GroupMobility;
 use crate::model::Model;
-use crate::recursion::closing_speed::{ClosingRoom, closing_floor, relative_closing_speed};
-use crate::recursion::{ClusterElimination, Deciding, Motion, Recursion};
+use crate::recursion::closing_speed::{ClosingWorkspace, closing_floor, relative_closing_speed};
+use crate::recursion::{ClusterElimination, DecidingPivoting, Recursion, RecursionMotion};
 use crate::tolerances::{
-    CAREFUL_LIMIT, IMMOVABLE, KEPT_BODIES, KEPT_NUMBERS, KEPT_ROOMS, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS,
-    NOTHING_LEFT, ROUTE_ROUNDINGS, TRUSTED_ERROR,
+    DENSE_ROUTE_LIMIT, IMMOVABLE, KEPT_BODIES, KEPT_NUMBERS, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, NOTHING_LEFT,
+    POOLED_WORKSPACES, ROUTE_ROUNDINGS, TRUSTED_ERROR,
 };
 use nalgebra::Vector3;
 use percuss_spatial::{Twist, Wrench};
 use std::sync::Mutex;
 
 /// A contact at given frames: the input of both routes.
-pub(crate) struct Question<'a> {
+pub(crate) struct RouteInput<'a> {
     pub model: &'a Model,
     pub kinematics: &'a Kinematics<f64>,
     pub groups: &'a [GroupMobility],
@@ -29,11 +29,11 @@ pub(crate) struct Question<'a> {
 }
 
 /// Result of a route.
-pub(crate) struct Found {
+pub(crate) struct RouteResult {
     pub mass: EffectiveMass,
     pub route: Route,
     /// Reason for running the dense route.
-    pub careful_reason: Option<CarefulReason>,
+    pub dense_reason: Option<DenseReason>,
     pub closing_speed: f64,
     /// Relative errors of m̄.
     pub errors: RelativeErrors,
@@ -42,9 +42,9 @@ pub(crate) struct Found {
     pub remarks: Vec<Remark>,
 }
 
-impl Found {
+impl RouteResult {
     /// Number of motions left out as massless.
-    fn left_out_motions(&self) -> usize {
+    fn massless_motion_count(&self) -> usize {
         let directions = |remark: &Remark| match remark {
             Remark::MasslessMotions { directions } => *directions,
             _ => 0,
@@ -60,22 +60,22 @@ fn total_mass(model: &Model) -> f64 {
 
 /// Pool of reusable recursion workspaces. Results do not depend on their contents.
 #[derive(Debug, Default)]
-pub(crate) struct Rooms(Mutex<Vec<RecursionRoom>>);
+pub(crate) struct WorkspacePool(Mutex<Vec<RecursionWorkspace>>);
 
-impl Rooms {
+impl WorkspacePool {
     /// Takes a workspace from the pool, or allocates a new one.
-    pub fn take(&self, model: &Model) -> RecursionRoom {
+    pub fn acquire(&self, model: &Model) -> RecursionWorkspace {
         let kept = self.0.try_lock().ok().and_then(|mut rooms| rooms.pop());
-        kept.unwrap_or_else(|| RecursionRoom::new(model))
+        kept.unwrap_or_else(|| RecursionWorkspace::new(model))
     }
 
     /// Returns a workspace to the pool, unless the workspace is large or the pool is full.
-    pub fn put(&self, room: RecursionRoom) {
-        let numbers: usize = room.recursion.clusters.iter().map(ClusterElimination::numbers).sum();
+    pub fn release(&self, room: RecursionWorkspace) {
+        let numbers: usize = room.recursion.clusters.iter().map(ClusterElimination::stored_count).sum();
         if room.recursion.inertias.len() <= KEPT_BODIES
             && numbers <= KEPT_NUMBERS
             && let Ok(mut rooms) = self.0.try_lock()
-            && rooms.len() < KEPT_ROOMS
+            && rooms.len() < POOLED_WORKSPACES
         {
             rooms.push(room);
         }
@@ -84,29 +84,29 @@ impl Rooms {
 
 /// Workspace of the recursion, with its results at the frames of the last question; refilled in place.
 #[derive(Clone, Debug)]
-pub(crate) struct RecursionRoom {
+pub(crate) struct RecursionWorkspace {
     pub recursion: Recursion<f64, 1>,
-    pub deciding: Deciding<1>,
+    pub deciding: DecidingPivoting<1>,
     pub closing_speed: f64,
     /// 1/m̄ from the pivots alone, 1/kg.
     response: f64,
     pub row: ContactRow,
-    closing: ClosingRoom,
-    motion: Motion<f64>,
-    budget: BudgetRoom,
+    closing: ClosingWorkspace,
+    motion: RecursionMotion<f64>,
+    budget: BudgetWorkspace,
 }
 
-impl RecursionRoom {
+impl RecursionWorkspace {
     pub fn new(model: &Model) -> Self {
         Self {
             recursion: Recursion::new(model),
-            deciding: Deciding::new(model),
+            deciding: DecidingPivoting::new(model),
             closing_speed: 0.0,
             response: 0.0,
             row: ContactRow::default(),
-            closing: ClosingRoom::default(),
-            motion: Motion::new(model),
-            budget: BudgetRoom::default(),
+            closing: ClosingWorkspace::default(),
+            motion: RecursionMotion::new(model),
+            budget: BudgetWorkspace::default(),
         }
     }
 
@@ -125,17 +125,19 @@ impl RecursionRoom {
     /// True if the rounding of the recursion is negligible, before errors are estimated. The remaining error is
     /// caused by the data and affects every route.
     fn is_clear(&self) -> bool {
-        !self.deciding.felt && !self.deciding.closes_faintly && self.is_small(self.deciding.roundings)
+        !self.deciding.couples_to_parent
+            && !self.deciding.closes_faintly
+            && self.has_small_rounding(self.deciding.roundings)
     }
 
     /// Upper limit of m̄ (kg) for a contact found massless; `None` if negligible.
-    pub fn massless_to(&self, model: &Model) -> Option<f64> {
-        let up_to = self.deciding.massless_to[0];
+    pub fn massless_limit(&self, model: &Model) -> Option<f64> {
+        let up_to = self.deciding.massless_limit[0];
         (up_to > 0.0 && up_to > NEGLIGIBLE_MASS * total_mass(model)).then_some(up_to)
     }
 
     /// True if a finite result keeps its accuracy with the given number of roundings, 1/kg.
-    fn is_small(&self, roundings: f64) -> bool {
+    fn has_small_rounding(&self, roundings: f64) -> bool {
         let most = f64::EPSILON * roundings;
         !self.deciding.indefinite
             && matches!(self.mass(), EffectiveMass::Finite(_))
@@ -145,95 +147,99 @@ impl RecursionRoom {
 
     /// Part of the error that the dense route could avoid. The dense route is less sensitive to constraint rows near
     /// a dead centre, and equally sensitive to frames.
-    fn own_error(&self, errors: &RelativeErrors) -> f64 {
+    fn avoidable_error(&self, errors: &RelativeErrors) -> f64 {
         if self.recursion.clusters.is_empty() { errors.route } else { errors.rounding }
     }
 
     /// Reason to run the dense route, given the errors of the recursion; `None` if the recursion is accurate enough.
-    fn careful_reason(&self, errors: &RelativeErrors) -> Option<CarefulReason> {
+    fn dense_reason(&self, errors: &RelativeErrors) -> Option<DenseReason> {
         if self.deciding.indefinite {
-            return Some(CarefulReason::NegativeMass);
+            return Some(DenseReason::NegativeMass);
         }
         if self.is_clear() {
             return None;
         }
-        let relative = self.own_error(errors);
+        let relative = self.avoidable_error(errors);
         match self.mass() {
             // After the correction by the energy, the remaining error is caused by the data and affects every route.
             EffectiveMass::Finite(_) if relative <= TRUSTED_ERROR || errors.stationary.is_some() => None,
             // An error of NaN also reaches this arm.
-            EffectiveMass::Finite(_) => Some(CarefulReason::Error { relative }),
+            EffectiveMass::Finite(_) => Some(DenseReason::Error { relative }),
             EffectiveMass::Immovable => None,
             // The recursion classified a sum of possibly large terms as zero; the dense route checks the
             // classification.
-            EffectiveMass::Massless => Some(CarefulReason::Massless),
+            EffectiveMass::Massless => Some(DenseReason::Massless),
         }
     }
 }
 
-impl Question<'_> {
+impl RouteInput<'_> {
     /// Runs the recursion and computes the relative closing speed.
-    pub fn run(&self, room: &mut RecursionRoom) {
+    pub fn run_recursion(&self, room: &mut RecursionWorkspace) {
         self.eliminate(room);
-        let RecursionRoom { recursion, closing_speed, row, closing, .. } = room;
+        let RecursionWorkspace { recursion, closing_speed, row, closing, .. } = room;
         self.model.contact_row_into(self.kinematics, self.located, row);
         *closing_speed = relative_closing_speed(closing, self.model, self.groups, recursion, row);
     }
 
     /// Runs the recursion; the closing speed of the last question is kept.
-    pub fn eliminate(&self, room: &mut RecursionRoom) {
+    pub fn eliminate(&self, room: &mut RecursionWorkspace) {
         let (model, located) = (self.model, self.located);
-        let RecursionRoom { recursion, deciding, response, .. } = room;
+        let RecursionWorkspace { recursion, deciding, response, .. } = room;
         recursion.clear();
         let unit = Wrench::new(Vector3::zeros(), located.normal_root);
         recursion.add_wrench(model.body_of(located.link), 0, unit);
         recursion.add_wrench(located.against.and_then(|link| model.body_of(link)), 0, -unit);
-        deciding.restart();
+        deciding.reset();
         recursion.eliminate(model, self.kinematics, self.groups, &located.point_root, deciding);
         *response = recursion.response(0, 0);
     }
 
     /// Selects the result after the recursion ran.
-    pub fn answer(&self, room: &mut RecursionRoom, choice: RouteChoice) -> Result<Found, RouteError> {
+    pub fn select_result(
+        &self,
+        room: &mut RecursionWorkspace,
+        choice: RouteChoice,
+    ) -> Result<RouteResult, RouteError> {
         let errors = self.recursion_errors(room);
         match choice {
-            RouteChoice::Only(Route::Dense) => self.careful(room),
+            RouteChoice::Only(Route::Dense) => self.careful_alone(room, errors),
             RouteChoice::Only(Route::Articulated) if room.deciding.indefinite => Err(RouteError::Indefinite),
-            RouteChoice::Only(Route::Articulated) => Ok(self.recursive(room, errors)),
-            RouteChoice::Auto => match room.careful_reason(&errors) {
-                None => Ok(self.recursive(room, errors)),
+            RouteChoice::Only(Route::Articulated) => Ok(self.recursion_result(room, errors)),
+            RouteChoice::Auto => match room.dense_reason(&errors) {
+                None => Ok(self.recursion_result(room, errors)),
                 Some(reason) => {
-                    let found = self.better(room, errors)?;
-                    Ok(Found { careful_reason: Some(reason), ..found })
+                    let found = self.more_accurate_result(room, errors)?;
+                    Ok(RouteResult { dense_reason: Some(reason), ..found })
                 }
             },
         }
     }
 
     /// m̄ of the recursion alone, after the recursion ran.
-    pub fn recursive_mass(&self, room: &mut RecursionRoom) -> EffectiveMass {
+    pub fn recursive_mass(&self, room: &mut RecursionWorkspace) -> EffectiveMass {
         let errors = self.recursion_errors(room);
-        self.recursive(room, errors).mass
+        self.recursion_result(room, errors).mass
     }
 
     /// m̄ after the recursion ran, as [`Self::answer`] with the automatic choice. Allocates nothing if the recursion
     /// is accurate enough.
     pub fn effective_mass(
         &self,
-        room: &mut RecursionRoom,
+        room: &mut RecursionWorkspace,
     ) -> Result<(EffectiveMass, RemarkFlags), RouteError> {
         // The errors are estimated at least once, so that the error buffers are allocated before they are needed.
-        if room.budget.is_filled() && (room.is_clear() || self.is_trusted(room)) {
+        if room.budget.is_filled() && (room.is_clear() || self.is_recursion_trusted(room)) {
             return Ok((room.mass(), self.recursive_flags(room, room.mass())));
         }
         let errors = self.recursion_errors(room);
-        match room.careful_reason(&errors) {
+        match room.dense_reason(&errors) {
             None => {
-                let mass = held(room.mass(), &errors);
+                let mass = apply_energy_value(room.mass(), &errors);
                 Ok((mass, self.recursive_flags(room, mass)))
             }
             Some(_) => {
-                let found = self.better(room, errors)?;
+                let found = self.more_accurate_result(room, errors)?;
                 let own = found.remarks.iter().collect::<RemarkFlags>();
                 Ok((found.mass, own | self.remark_flags(room, found.mass, found.closing_speed)))
             }
@@ -241,7 +247,7 @@ impl Question<'_> {
     }
 
     /// [`remark_flags`](Self::remark_flags) of the recursion's result.
-    fn recursive_flags(&self, room: &RecursionRoom, mass: EffectiveMass) -> RemarkFlags {
+    fn recursive_flags(&self, room: &RecursionWorkspace, mass: EffectiveMass) -> RemarkFlags {
         let mut flags = self.remark_flags(room, mass, room.closing_speed);
         if room.deciding.dropped > 0 {
             flags |= RemarkFlags::MASSLESS_MOTIONS;
@@ -254,13 +260,18 @@ impl Question<'_> {
 
     /// Upper limit of m̄ (kg) for a contact that is massless only within rounding; `None` if negligible compared with
     /// the mass of the mechanism.
-    pub fn massless_to_rounding(&self, room: &RecursionRoom, mass: EffectiveMass) -> Option<f64> {
-        room.massless_to(self.model).filter(|_| mass == EffectiveMass::Massless)
+    pub fn massless_limit(&self, room: &RecursionWorkspace, mass: EffectiveMass) -> Option<f64> {
+        room.massless_limit(self.model).filter(|_| mass == EffectiveMass::Massless)
     }
 
     /// Kinds of findings about a result, as in [`Pose::respond`](crate::Pose::respond), without the findings of the
     /// route. Allocates nothing.
-    fn remark_flags(&self, room: &RecursionRoom, mass: EffectiveMass, closing_speed: f64) -> RemarkFlags {
+    fn remark_flags(
+        &self,
+        room: &RecursionWorkspace,
+        mass: EffectiveMass,
+        closing_speed: f64,
+    ) -> RemarkFlags {
         let mut flags = RemarkFlags::NONE;
         let is_finite = matches!(mass, EffectiveMass::Finite(_));
         if is_finite
@@ -268,7 +279,7 @@ impl Question<'_> {
         {
             flags |= RemarkFlags::NEARLY_IMMOVABLE;
         }
-        if self.massless_to_rounding(room, mass).is_some() {
+        if self.massless_limit(room, mass).is_some() {
             flags |= RemarkFlags::MASSLESS_TO_ROUNDING;
         }
         if self.groups.iter().any(|group| !group.rank.clear) {
@@ -278,43 +289,50 @@ impl Question<'_> {
     }
 
     /// True if the recursion's own error is small, for a tree only. Stores the motion in the workspace.
-    fn is_trusted(&self, room: &mut RecursionRoom) -> bool {
+    fn is_recursion_trusted(&self, room: &mut RecursionWorkspace) -> bool {
         let finite = !room.deciding.indefinite && matches!(room.mass(), EffectiveMass::Finite(_));
-        let RecursionRoom { recursion, motion, budget, .. } = room;
+        let RecursionWorkspace { recursion, motion, budget, .. } = room;
         if !finite || !recursion.clusters.is_empty() {
             return false;
         }
         recursion.velocities(self.model, &self.located.point_root, motion);
         let impulse = self.impulse(&motion.twists, &motion.velocities);
-        impulse.of_route(budget, recursion) <= TRUSTED_ERROR && !room.deciding.closes_faintly
+        impulse.route_error(budget, recursion) <= TRUSTED_ERROR && !room.deciding.closes_faintly
     }
 
     /// Result of the dense route if more accurate than the recursion, otherwise the result of the recursion. Used if
     /// the recursion is in doubt.
-    fn better(&self, room: &mut RecursionRoom, errors: RelativeErrors) -> Result<Found, RouteError> {
+    fn more_accurate_result(
+        &self,
+        room: &mut RecursionWorkspace,
+        errors: RelativeErrors,
+    ) -> Result<RouteResult, RouteError> {
         if room.deciding.indefinite {
-            let found = self.careful(room)?;
-            if found.left_out_motions() > 0 {
+            let found = self.dense_result(room)?;
+            if found.massless_motion_count() > 0 {
                 // The recursion has no result, so no bound for the mass of the left-out motions.
-                room.deciding.massless_to[0] = total_mass(self.model);
-                return Ok(Found { errors: found.errors.with_frozen(1.0), ..found });
+                room.deciding.massless_limit[0] = total_mass(self.model);
+                return Ok(RouteResult { errors: found.errors.with_frozen(1.0), ..found });
             }
             return Ok(found);
         }
-        let recursive = self.recursive(room, errors);
-        let careful = self.careful(room).map(|found| {
+        let recursive = self.recursion_result(room, errors);
+        let careful = self.dense_result(room).map(|found| {
             // Both routes leave out a massless motion: the bound for the frozen motions of the recursion holds for both.
             let frozen = if recursive.mass == EffectiveMass::Massless { 1.0 } else { errors.frozen };
-            let errors =
-                if found.left_out_motions() > 0 { found.errors.with_frozen(frozen) } else { found.errors };
-            Found { errors, ..found }
+            let errors = if found.massless_motion_count() > 0 {
+                found.errors.with_frozen(frozen)
+            } else {
+                found.errors
+            };
+            RouteResult { errors, ..found }
         });
         Ok(match careful {
             Ok(careful) if recursive.mass == EffectiveMass::Massless => careful,
             // A motion whose pivot the recursion keeps has a mass, even if an uncertain one.
             Ok(careful)
                 if careful.mass == EffectiveMass::Massless
-                    || careful.left_out_motions() > recursive.left_out_motions() =>
+                    || careful.massless_motion_count() > recursive.massless_motion_count() =>
             {
                 recursive
             }
@@ -324,50 +342,77 @@ impl Question<'_> {
         })
     }
 
+    /// Result of the dense route with the doubts of the recursion: motions that both leave out, and masses that the
+    /// recursion finds where the dense route finds none.
+    fn careful_alone(
+        &self,
+        room: &mut RecursionWorkspace,
+        errors: RelativeErrors,
+    ) -> Result<RouteResult, RouteError> {
+        if room.deciding.indefinite {
+            return self.more_accurate_result(room, errors);
+        }
+        let recursive = self.recursion_result(room, errors).mass;
+        let found = self.dense_result(room)?;
+        match (found.mass, recursive) {
+            (EffectiveMass::Massless, EffectiveMass::Finite(m)) => {
+                let most = m * (1.0 + errors.rounding);
+                let most = if most.is_finite() { most } else { total_mass(self.model) };
+                let up_to = &mut room.deciding.massless_limit[0];
+                *up_to = up_to.max(most);
+                Ok(found)
+            }
+            (EffectiveMass::Finite(_), _) if found.massless_motion_count() > 0 => {
+                let frozen = if recursive == EffectiveMass::Massless { 1.0 } else { errors.frozen };
+                Ok(RouteResult { errors: found.errors.with_frozen(frozen), ..found })
+            }
+            _ => Ok(found),
+        }
+    }
+
     /// Errors of a finite result of the recursion. Stores the motion in the workspace.
-    fn recursion_errors(&self, room: &mut RecursionRoom) -> RelativeErrors {
+    fn recursion_errors(&self, room: &mut RecursionWorkspace) -> RelativeErrors {
         if room.deciding.indefinite || !matches!(room.mass(), EffectiveMass::Finite(_)) {
             return RelativeErrors::default();
         }
         let is_clear = room.is_clear();
-        let RecursionRoom { recursion, motion, budget, deciding, .. } = room;
+        let RecursionWorkspace { recursion, motion, budget, deciding, .. } = room;
         recursion.velocities(self.model, &self.located.point_root, motion);
         let errors =
-            self.impulse(&motion.twists, &motion.velocities).of_recursion(budget, recursion, is_clear);
+            self.impulse(&motion.twists, &motion.velocities).recursion_errors(budget, recursion, is_clear);
         if deciding.closes_faintly { errors.with_frozen(1.0) } else { errors }
     }
 
     /// 1/m̄ as the stationary value of the energy, after the recursion ran; `None` if motions have no mass.
-    pub fn response_by_energy(&self, room: &mut RecursionRoom) -> Option<f64> {
-        let RecursionRoom { recursion, motion, .. } = room;
+    pub fn response_by_energy(&self, room: &mut RecursionWorkspace) -> Option<f64> {
+        let RecursionWorkspace { recursion, motion, .. } = room;
         recursion.velocities(self.model, &self.located.point_root, motion);
         let value = self.impulse(&motion.twists, &motion.velocities).stationary(recursion).value();
         value.map(|(response, _)| response).filter(|response| *response > 0.0)
     }
 
     /// Result of the recursion, corrected according to its errors.
-    fn recursive(&self, room: &mut RecursionRoom, errors: RelativeErrors) -> Found {
-        let mut mass = held(room.mass(), &errors);
-        let mut velocities = vec![0.0; self.model.follows.len()];
+    fn recursion_result(&self, room: &mut RecursionWorkspace, errors: RelativeErrors) -> RouteResult {
+        let mut mass = apply_energy_value(room.mass(), &errors);
+        let mut velocities = vec![0.0; self.model.velocity_coordinates.len()];
         match mass {
             EffectiveMass::Finite(m) => {
                 velocities.iter_mut().zip(&room.motion.velocities).for_each(|(to, v)| *to = v * m);
-                if room.own_error(&errors) - errors.frozen > NOTHING_LEFT
-                    && !room.is_small(ROUTE_ROUNDINGS * room.deciding.terms)
+                if room.avoidable_error(&errors) - errors.frozen > NOTHING_LEFT
+                    && !room.has_small_rounding(ROUTE_ROUNDINGS * room.deciding.terms)
                 {
                     // The remaining energy is only rounding.
                     mass = EffectiveMass::Massless;
-                    let most = m * (1.0 + room.own_error(&errors));
-                    let up_to = &mut room.deciding.massless_to[0];
+                    let most = m * (1.0 + room.avoidable_error(&errors));
+                    let up_to = &mut room.deciding.massless_limit[0];
                     *up_to = up_to.max(most);
                 }
             }
             EffectiveMass::Massless => {
-                let free = room
-                    .deciding
-                    .best_free
-                    .map(|free| room.recursion.free_motion(self.model, &self.located.point_root, free));
-                velocities = free.and_then(|free| at_unit_speed(&room.row, free)).unwrap_or(velocities);
+                let free = room.deciding.best_free.map(|free| {
+                    room.recursion.massless_velocities(self.model, &self.located.point_root, free)
+                });
+                velocities = free.and_then(|free| scale_to_unit_speed(&room.row, free)).unwrap_or(velocities);
             }
             EffectiveMass::Immovable => {}
         }
@@ -378,10 +423,10 @@ impl Question<'_> {
                 remarks.push(Remark::UndeterminedMotion);
             }
         }
-        Found {
+        RouteResult {
             mass,
             route: Route::Articulated,
-            careful_reason: None,
+            dense_reason: None,
             closing_speed: room.closing_speed,
             errors,
             velocities,
@@ -403,12 +448,12 @@ impl Question<'_> {
     }
 
     /// Result of the dense route.
-    fn careful(&self, room: &mut RecursionRoom) -> Result<Found, RouteError> {
+    fn dense_result(&self, room: &mut RecursionWorkspace) -> Result<RouteResult, RouteError> {
         let model = self.model;
         // M is formed over the tree velocities; mimics are folded afterwards.
-        let coordinates = model.follows.len();
-        if coordinates > CAREFUL_LIMIT {
-            return Err(RouteError::TooLarge { coordinates, limit: CAREFUL_LIMIT });
+        let coordinates = model.velocity_coordinates.len();
+        if coordinates > DENSE_ROUTE_LIMIT {
+            return Err(RouteError::TooLarge { coordinates, limit: DENSE_ROUTE_LIMIT });
         }
         let solution = model.least_energy(self.kinematics, self.groups, self.located);
         let mut remarks = Vec::new();
@@ -425,18 +470,18 @@ impl Question<'_> {
             }
             Minimum::Stationary(value) => return Err(RouteError::IndefiniteMass { value }),
         };
-        if solution.is_open && matches!(mass, EffectiveMass::Finite(_)) {
+        if solution.has_massless_motion && matches!(mass, EffectiveMass::Finite(_)) {
             remarks.push(Remark::UndeterminedMotion);
         }
         let velocities = model.expand(&solution.velocity);
         let errors = match mass {
-            EffectiveMass::Finite(m) => self.careful_errors(room, &solution, m),
+            EffectiveMass::Finite(m) => self.dense_errors(room, &solution, m),
             EffectiveMass::Immovable | EffectiveMass::Massless => RelativeErrors::default(),
         };
-        Ok(Found {
+        Ok(RouteResult {
             mass,
             route: Route::Dense,
-            careful_reason: None,
+            dense_reason: None,
             closing_speed: solution.closing_speed,
             errors,
             velocities,
@@ -445,16 +490,20 @@ impl Question<'_> {
     }
 
     /// Errors of the dense route, from its motion scaled to a unit impulse.
-    fn careful_errors(&self, room: &mut RecursionRoom, solution: &Solution, m: f64) -> RelativeErrors {
+    fn dense_errors(
+        &self,
+        room: &mut RecursionWorkspace,
+        solution: &LeastEnergySolution,
+        m: f64,
+    ) -> RelativeErrors {
         let model = self.model;
         let u: Vec<f64> = solution.velocity.iter().map(|v| v / m).collect();
         let velocities = model.expand(&u);
         let twists = self.twists(&velocities);
         let sizes = model.mass_sizes(self.kinematics);
-        let RecursionRoom { recursion, budget, .. } = room;
-        let errors =
-            self.impulse(&twists, &velocities).of_least_energy(budget, recursion, &sizes, &u, 1.0 / m);
-        if solution.couples { errors.with_frozen(1.0) } else { errors }
+        let RecursionWorkspace { recursion, budget, .. } = room;
+        let errors = self.impulse(&twists, &velocities).dense_errors(budget, recursion, &sizes, &u, 1.0 / m);
+        if solution.massless_couples { errors.with_frozen(1.0) } else { errors }
     }
 
     /// Twists of the bodies, in root axes at the contact point.
@@ -473,7 +522,7 @@ impl Question<'_> {
 }
 
 /// Replaces a finite m̄ by the stationary value of the energy, if one was computed.
-fn held(mass: EffectiveMass, errors: &RelativeErrors) -> EffectiveMass {
+fn apply_energy_value(mass: EffectiveMass, errors: &RelativeErrors) -> EffectiveMass {
     match (mass, errors.stationary) {
         (EffectiveMass::Finite(_), Some(response)) => EffectiveMass::Finite(1.0 / response),
         _ => mass,
@@ -481,7 +530,7 @@ fn held(mass: EffectiveMass, errors: &RelativeErrors) -> EffectiveMass {
 }
 
 /// Scales a motion to unit closing speed; `None` if the motion does not close the gap.
-fn at_unit_speed(row: &ContactRow, mut velocities: Vec<f64>) -> Option<Vec<f64>> {
+fn scale_to_unit_speed(row: &ContactRow, mut velocities: Vec<f64>) -> Option<Vec<f64>> {
     let speed: f64 = row.entries.iter().map(|e| e.value * velocities[e.velocity]).sum();
     velocities.iter_mut().for_each(|v| *v /= speed);
     (speed != 0.0).then_some(velocities)

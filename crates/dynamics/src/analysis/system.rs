@@ -20,7 +20,7 @@ pub struct System {
     /// Assembly found from all joints at 0, computed on first use from the models alone.
     reference: Arc<OnceLock<Result<Arc<Assembly>, AssemblyError>>>,
     /// Assembly with the loops left open as drawn, for loops that do not close.
-    open: Arc<OnceLock<Arc<Assembly>>>,
+    open_assembly: Arc<OnceLock<Arc<Assembly>>>,
 }
 
 impl System {
@@ -38,7 +38,11 @@ impl System {
             false => Arc::clone(&answering),
             true => Arc::new(Model::compile(&mechanism, &conditions.clone().without_holds())?),
         };
-        Ok(Self { models: Models { answering, posing }, reference: Arc::default(), open: Arc::default() })
+        Ok(Self {
+            models: Models { mass_model: answering, pose_model: posing },
+            reference: Arc::default(),
+            open_assembly: Arc::default(),
+        })
     }
 
     /// The mechanism from which the system was compiled.
@@ -53,7 +57,7 @@ impl System {
 
     /// Model with locks and held contacts.
     pub(crate) fn model(&self) -> &Arc<Model> {
-        &self.models.answering
+        &self.models.mass_model
     }
 
     /// Number of coordinates: independent velocities of the tree. A floating base counts 6.
@@ -74,13 +78,13 @@ impl System {
 
     /// True if a loop or a coupling constrains the joint.
     pub fn is_bound(&self, joint: JointId) -> bool {
-        self.models.posing.groups.iter().any(|group| group.joints.contains(&Some(joint)))
+        self.models.pose_model.groups.iter().any(|group| group.joints.contains(&Some(joint)))
     }
 
     /// Closures whose axis in the predecessor's loop frame is opposite to the axis in the successor's frame, with all
     /// joints at 0. The constraint uses the reversed axis of the successor.
     pub fn reversed_axes(&self) -> impl Iterator<Item = &str> {
-        self.models.posing.closures.iter().filter(|l| l.successor_axis != l.axis).map(|l| l.name.as_str())
+        self.models.pose_model.closures.iter().filter(|l| l.successor_axis != l.axis).map(|l| l.name.as_str())
     }
 
     /// Mass of the rigid body of a link, including all links attached by fixed joints, kg. `None` for the ground and
@@ -101,7 +105,8 @@ impl System {
     /// # Errors
     /// [`AssemblyError`]: the loops do not close from this start.
     pub fn reference(&self) -> Result<&Arc<Assembly>, AssemblyError> {
-        let found = self.reference.get_or_init(|| self.put_together(Kinematics::zero(&self.models.posing)));
+        let found =
+            self.reference.get_or_init(|| self.assemble_from(Kinematics::zero(&self.models.pose_model)));
         found.as_ref().map_err(Clone::clone)
     }
 
@@ -110,7 +115,7 @@ impl System {
     /// # Errors
     /// [`AssemblyError`]: the loops do not close from this start.
     pub fn assemble(&self, guesses: &Configuration) -> Result<Arc<Assembly>, AssemblyError> {
-        let posing = &self.models.posing;
+        let posing = &self.models.pose_model;
         let mut start = Kinematics::zero(posing);
         for group in &posing.groups {
             if let Some(guess) = guesses.guess_for(&posing.joint_q, &group.joints) {
@@ -118,12 +123,12 @@ impl System {
             }
         }
         start.refill(posing);
-        self.put_together(start)
+        self.assemble_from(start)
     }
 
     /// Closes the loops from a start, and collects the facts about the loops.
-    fn put_together(&self, start: Kinematics<f64>) -> Result<Arc<Assembly>, AssemblyError> {
-        let facts = self.models.posing.put_together(start)?;
+    fn assemble_from(&self, start: Kinematics<f64>) -> Result<Arc<Assembly>, AssemblyError> {
+        let facts = self.models.pose_model.find_loop_facts(start)?;
         Ok(Arc::new(Assembly::new(self.models.clone(), facts)))
     }
 
@@ -147,7 +152,7 @@ impl System {
     /// # Errors
     /// [`AssemblyError`], as for [`pose`](Self::pose); a pose of another system.
     pub fn pose_from(&self, from: &Pose, configuration: &Configuration) -> Result<Pose, AssemblyError> {
-        if !from.assembly.is_of(self.model()) {
+        if !from.assembly.is_for_model(self.model()) {
             return Err(AssemblyError::ForeignPose);
         }
         from.assembly.pose_from(from, configuration)
@@ -166,7 +171,7 @@ impl System {
         {
             return Err(AssemblyError::ForeignPose);
         }
-        Ok(pose.assembly.under(self.models.clone()).pose_at(
+        Ok(pose.assembly.with_models(self.models.clone()).pose_at(
             pose.kinematics.clone(),
             pose.base,
             pose.loops.clone(),
@@ -179,9 +184,9 @@ impl System {
     pub fn reference_or_open(&self) -> &Arc<Assembly> {
         match self.reference() {
             Ok(assembly) => assembly,
-            Err(_) => self.open.get_or_init(|| {
-                let zero = Kinematics::zero(&self.models.posing);
-                let facts: Facts = self.models.posing.left_open(zero);
+            Err(_) => self.open_assembly.get_or_init(|| {
+                let zero = Kinematics::zero(&self.models.pose_model);
+                let facts: Facts = self.models.pose_model.open_loop_facts(zero);
                 Arc::new(Assembly::new(self.models.clone(), facts))
             }),
         }

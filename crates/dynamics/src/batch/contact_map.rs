@@ -20,12 +20,12 @@ mod scale;
 pub use self::kernel::ContactColumns;
 use self::kernel::{Constants, Evaluate};
 pub use self::scale::PrincipalMass;
-use self::scale::{Factor, FreeWrenches};
+use self::scale::{FreeWrenches, InertiaFactor};
 use crate::analysis::pose::Pose;
 use crate::batch::rows::BatchAnswer;
 use crate::kinematics::contact::{Contact, ContactError, ContactPart};
 use crate::kinematics::outcome::{EffectiveMass, RouteChoice};
-use crate::recursion::{Deciding, Recursion};
+use crate::recursion::{DecidingPivoting, Recursion};
 use crate::tolerances::{MAP_FREE_CLEAR, MAP_PORTION, MAP_STILL, MAP_TRUSTED_ERROR, MASSLESS_CLOSING};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use percuss_mechanism::LinkId;
@@ -79,10 +79,10 @@ pub struct ContactMap<'a> {
     link: LinkId,
     against: Option<LinkId>,
     constants: Constants,
-    free: FreeWrenches,
+    massless_wrenches: FreeWrenches,
     /// True if no eigenvalue of Φ is ambiguous: what Φ leaves of a wrench is either rounding or clearly larger.
     is_clear: bool,
-    in_lanes: bool,
+    uses_inertia: bool,
     instructions: Instructions,
 }
 
@@ -117,12 +117,12 @@ impl Pose {
             link,
             against,
             constants: Constants::new(centre, reach),
-            free: FreeWrenches::default(),
+            massless_wrenches: FreeWrenches::default(),
             is_clear: false,
-            in_lanes: false,
+            uses_inertia: false,
             instructions: Instructions::best(),
         };
-        map.fill();
+        map.compute_inertia();
         Ok(map)
     }
 }
@@ -142,7 +142,7 @@ impl ContactMap<'_> {
     /// True if contacts are computed from Φ. Otherwise, with fewer than eight correct digits in Φ or a negative mass,
     /// each contact is computed separately by [`Pose::respond`].
     pub fn is_by_inertia(&self) -> bool {
-        self.in_lanes
+        self.uses_inertia
     }
 
     /// Computes m̄ for contacts given by columns: points (m) and normals (any nonzero length) in the frame of the
@@ -165,13 +165,13 @@ impl ContactMap<'_> {
         let mut first = 0;
         while first < expected {
             let end = (first + MAP_PORTION).min(expected);
-            let portion = contacts.part(first, end);
+            let portion = contacts.slice(first, end);
             let masses = &mut answers.masses[first..end];
             let errors = &mut answers.errors[first..end];
             let statuses = &mut answers.statuses[first..end];
             statuses.fill(ContactStatus::Finite);
-            if !self.in_lanes || self.evaluate(portion, masses, errors) || !portion.has_points() {
-                self.settle(portion, masses, errors, statuses);
+            if !self.uses_inertia || self.evaluate(portion, masses, errors) || !portion.has_points() {
+                self.resolve_uncertain(portion, masses, errors, statuses);
             }
             first = end;
         }
@@ -206,7 +206,7 @@ impl ContactMap<'_> {
     /// memory).
     pub fn principal_masses(&self, point: &Vector3<f64>) -> Option<[PrincipalMass; 3]> {
         let arm = point - self.constants.centre();
-        let free = self.free.of_forces(&arm);
+        let free = self.massless_wrenches.of_forces(&arm);
         let free_part = free.transpose() * free;
         let strength = free_part.trace();
         let matrix = self.inverse_mass(point);
@@ -259,7 +259,7 @@ impl ContactMap<'_> {
     }
 
     /// Computes Φ and calibrates its errors.
-    fn fill(&mut self) {
+    fn compute_inertia(&mut self) {
         let pose = self.pose;
         let model = pose.assembly.model();
         if model.refuse_large_clusters::<f64>(&pose.groups).is_err() {
@@ -268,7 +268,7 @@ impl ContactMap<'_> {
         let x_rl = pose.kinematics.link_frame(model, self.link);
         let centre = x_rl.point(&self.constants.centre());
         let mut recursion = Recursion::<f64, 6>::new(model);
-        let mut deciding = Deciding::<6>::new(model);
+        let mut deciding = DecidingPivoting::<6>::new(model);
         for (link, sign) in [(Some(self.link), 1.0), (self.against, -1.0)] {
             let body = link.and_then(|link| model.body_of(link));
             for axis in 0..3 {
@@ -280,11 +280,11 @@ impl ContactMap<'_> {
             }
         }
         recursion.eliminate(model, &pose.kinematics, &pose.groups, &centre, &mut deciding);
-        let mut factor = Factor::new(self.constants.reach());
+        let mut factor = InertiaFactor::new(self.constants.reach());
         let is_sum = recursion.for_each_pivot(|t, pivot, motion| match pivot {
             Some(d) => factor.add(t, d),
             None => {
-                factor.add_free(t, motion);
+                factor.add_massless_motion(t, motion);
                 true
             }
         });
@@ -293,8 +293,8 @@ impl ContactMap<'_> {
         }
         self.is_clear = factor.is_clear();
         self.constants.set_factor(&factor);
-        self.free = factor.free();
-        self.in_lanes = self.scale_errors();
+        self.massless_wrenches = factor.into_massless_wrenches();
+        self.uses_inertia = self.calibrate_errors();
     }
 
     /// Computes m̄ and relative errors from Φ. Returns true if some contacts need a second check.
@@ -302,11 +302,11 @@ impl ContactMap<'_> {
         let mut doubt = false;
         let work = Evaluate { constants: &self.constants, contacts, masses, errors, doubt: &mut doubt };
         self.instructions.run(work);
-        doubt || !self.free.is_empty()
+        doubt || !self.massless_wrenches.is_empty()
     }
 
     /// Checks each contact again; contacts that Φ does not decide are computed separately.
-    fn settle(
+    fn resolve_uncertain(
         &self,
         contacts: ContactColumns<'_>,
         masses: &mut [f64],
@@ -314,11 +314,11 @@ impl ContactMap<'_> {
         statuses: &mut [ContactStatus],
     ) {
         for i in 0..masses.len() {
-            let known = self.in_lanes.then(|| self.known_status(contacts, i, errors[i])).flatten();
+            let known = self.uses_inertia.then(|| self.known_status(contacts, i, errors[i])).flatten();
             match known {
                 Some(ContactStatus::Finite) => {}
                 Some(status) => (statuses[i], masses[i], errors[i]) = (status, number_of(status), f64::NAN),
-                None => (statuses[i], masses[i], errors[i]) = self.by_itself(contacts, i),
+                None => (statuses[i], masses[i], errors[i]) = self.respond_separately(contacts, i),
             }
         }
     }
@@ -328,9 +328,9 @@ impl ContactMap<'_> {
         if !contacts.is_direction(i) {
             return None;
         }
-        if !self.free.is_empty() {
+        if !self.massless_wrenches.is_empty() {
             let (point, normal) = contacts.at(i);
-            let part = self.free.part(&(point - self.constants.centre()), &normal);
+            let part = self.massless_wrenches.fraction(&(point - self.constants.centre()), &normal);
             if part > MAP_FREE_CLEAR {
                 return Some(ContactStatus::Massless);
             }
@@ -347,7 +347,7 @@ impl ContactMap<'_> {
     }
 
     /// Computes status, m̄ and relative error of contact `i` by [`Pose::respond`].
-    fn by_itself(&self, contacts: ContactColumns<'_>, i: usize) -> (ContactStatus, f64, f64) {
+    fn respond_separately(&self, contacts: ContactColumns<'_>, i: usize) -> (ContactStatus, f64, f64) {
         let (point, normal) = contacts.at(i);
         let contact = Contact { against: self.against, ..Contact::new(self.link, point, normal) };
         let Ok(response) = self.pose.respond(&contact, RouteChoice::Auto) else {

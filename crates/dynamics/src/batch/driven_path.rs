@@ -2,13 +2,14 @@
 //! freedom.
 
 use crate::analysis::pose::Pose;
-use crate::kernels::linkage::Driven;
+use crate::kernels::loop_kernel::LoopContinuation;
 use crate::kinematics::contact::Contact;
 use crate::kinematics::frames::Kinematics;
-use crate::kinematics::outcome::ResponseError;
+use crate::kinematics::outcome::{Remark, ResponseError};
+use crate::kinematics::remarks::RemarkFlags;
 use crate::loops::assembling::LoopState;
-use crate::model::velocities::{VelocityError, check_positions};
-use percuss_mechanism::JointId;
+use crate::model::velocities::{StateSizeError, check_positions};
+use percuss_mechanism::{JointId, Limits};
 
 /// Result of one row of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +19,9 @@ pub struct PathAnswer {
     pub mass: Option<(f64, f64)>,
     /// Largest residual of the loops, m.
     pub residual: f64,
+    /// Findings about the row: those of the branch, and joints outside their limits. A row without a result for m̄ has
+    /// further findings in the response of its pose.
+    pub remarks: RemarkFlags,
 }
 
 /// One contact of a linkage whose drivers follow a path. Newton's method closes the loops of each row, starting from
@@ -31,8 +35,13 @@ pub struct PathAnswer {
 pub struct DrivenPath {
     /// Start pose.
     from: Pose,
-    driven: Driven,
+    continuation: LoopContinuation,
     residual: f64,
+    contact: Contact,
+    /// Findings that hold for every row of the branch.
+    remarks: RemarkFlags,
+    /// Index of each limited position, with its limits.
+    limits: Vec<(usize, Limits)>,
 }
 
 impl Pose {
@@ -55,16 +64,36 @@ impl Pose {
         let Some(given) = given.map(|q| q.map(|q| q.start)).collect::<Option<Vec<usize>>>() else {
             return Ok(None);
         };
-        let driven = Driven::of(&self.assembly, contact, self.positions(), &dependent, &given);
+        let driven = LoopContinuation::of(&self.assembly, contact, self.positions(), &dependent, &given);
         let residual = self.loops.as_ref().map_or(0.0, |loops| loops.residual);
-        Ok(driven.map(|driven| DrivenPath { from: self.clone(), driven, residual }))
+        let mechanism = self.mechanism();
+        let limit = |joint: JointId| {
+            let q = &model.joint_q[joint.index()];
+            mechanism.joint(joint).limits().filter(|_| q.len() == 1).map(|limits| (q.start, limits))
+        };
+        Ok(driven.map(|driven| DrivenPath {
+            from: self.clone(),
+            continuation: driven,
+            residual,
+            contact: *contact,
+            remarks: self.branch_remarks(contact),
+            limits: mechanism.joint_ids().filter_map(limit).collect(),
+        }))
+    }
+
+    /// Findings about a contact that hold for every pose of the branch.
+    fn branch_remarks(&self, contact: &Contact) -> RemarkFlags {
+        let remarks = self.remarks();
+        let of_branch = remarks.iter().filter(|remark| !matches!(remark, Remark::OutsideLimits { .. }));
+        let base = self.assembly.base_remark(contact, self.base_is_given);
+        of_branch.chain(&base).collect()
     }
 
     /// Dependence flag of each coordinate; `None` if locks or held contacts change the groups, or the pose is
     /// singular.
     fn dependent_coordinates(&self) -> Option<Vec<bool>> {
         let (model, loops) = (self.assembly.model(), self.loops.as_ref()?);
-        if !self.assembly.is_of_posing() || loops.anchors.iter().any(Option::is_some) {
+        if !self.assembly.has_single_model() || loops.anchors.iter().any(Option::is_some) {
             return None;
         }
         let mut dependent = vec![false; model.coordinates.len()];
@@ -80,13 +109,16 @@ impl DrivenPath {
     /// completed rows. Their results and the positions of all joints (row by row) are appended to `answers` and
     /// `positions`.
     pub fn follow(&mut self, rows: &[f64], answers: &mut Vec<PathAnswer>, positions: &mut Vec<f64>) -> usize {
-        let width = self.driven.positions().len();
-        let residual = &mut self.residual;
-        self.driven.follow(rows, &mut |followed, at| {
+        let width = self.continuation.positions().len();
+        let Self { continuation: driven, residual, remarks, limits, .. } = self;
+        driven.follow(rows, &mut |followed, at| {
             *residual = followed.residual;
+            let outside = limits.iter().any(|(q, limits)| Pose::is_outside(at.at(*q), *limits));
+            let own = if outside { RemarkFlags::OUTSIDE_LIMITS } else { RemarkFlags::NONE };
             answers.push(PathAnswer {
                 mass: followed.mass.map(|clear| (clear.mass, clear.error)),
                 residual: followed.residual,
+                remarks: *remarks | own,
             });
             positions.extend((0..width).map(|q| at.at(q)));
         })
@@ -94,21 +126,21 @@ impl DrivenPath {
 
     /// The current pose of the path.
     pub fn pose(&self) -> Pose {
-        self.made(self.driven.positions(), self.residual)
+        self.pose_from_positions(self.continuation.positions(), self.residual)
     }
 
     /// Pose of a completed row, from its positions (see [`follow`](Self::follow)) and its residual (m).
     ///
     /// # Errors
     /// [`VelocityError::Positions`]: a wrong number of positions.
-    pub fn pose_at(&self, positions: &[f64], residual: f64) -> Result<Pose, VelocityError> {
-        check_positions(positions.len(), self.driven.positions().len())?;
-        Ok(self.made(positions, residual))
+    pub fn pose_at(&self, positions: &[f64], residual: f64) -> Result<Pose, StateSizeError> {
+        check_positions(positions.len(), self.continuation.positions().len())?;
+        Ok(self.pose_from_positions(positions, residual))
     }
 
     /// Pose at given positions, with the given residual of the loops.
-    fn made(&self, positions: &[f64], residual: f64) -> Pose {
-        let model = self.from.assembly.posing();
+    fn pose_from_positions(&self, positions: &[f64], residual: f64) -> Pose {
+        let model = self.from.assembly.pose_model();
         let mut kinematics = Kinematics::new(model);
         kinematics.q.copy_from_slice(positions);
         kinematics.refill(model);
@@ -122,8 +154,9 @@ impl DrivenPath {
         let alike = std::sync::Arc::ptr_eq(&self.from.assembly, &pose.assembly)
             && pose.dependent_coordinates().is_some()
             && pose.dependent_coordinates() == self.from.dependent_coordinates();
-        let stands = alike && self.driven.stand(pose.positions());
+        let stands = alike && self.continuation.set_pose(pose.positions());
         if stands {
+            self.remarks = pose.branch_remarks(&self.contact);
             self.from = pose.clone();
         }
         stands

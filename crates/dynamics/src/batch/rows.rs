@@ -6,15 +6,15 @@
 //! configuration. Every result equals that of [`Batch::effective_mass`] at the same configuration, bit for bit.
 
 use crate::analysis::assembly::Assembly;
-use crate::batch::pool::Idle;
+use crate::batch::pool::WorkerPool;
 use crate::batch::workspace::Workspace;
 use crate::kernels::aligned::Aligned;
-use crate::kernels::estimate::{Answered, Answers, Columns};
-use crate::kernels::lanes::InLanes;
+use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns};
+use crate::kernels::lane_kernel::LaneKernel;
 use crate::kinematics::contact::Contact;
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
 use crate::kinematics::remarks::RemarkFlags;
-use crate::model::velocities::{VelocityError, check_positions};
+use crate::model::velocities::{StateSizeError, check_positions};
 use percuss_spatial::lanes::Instructions;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -120,13 +120,13 @@ pub struct Batch {
     contact: Contact,
     instructions: Instructions,
     worker: Worker,
-    idle: Idle<Worker>,
+    pool: WorkerPool<Worker>,
 }
 
 /// Workspace of one thread.
 #[derive(Clone, Debug)]
 struct Worker {
-    in_lanes: Option<InLanes>,
+    kernel: Option<LaneKernel>,
     /// Indices of the positions that the SIMD kernel reads.
     read: Vec<usize>,
     /// Positions of a block by columns, [`BLOCK`] apart.
@@ -158,17 +158,17 @@ impl Workspace {
         let assembly = Arc::clone(self.assembly());
         let model = assembly.model();
         model.check_contact(contact)?;
-        let (contact, remarks) = self.prepare(contact);
+        let (contact, remarks) = self.contact_in_root(contact);
         let contact = &contact;
         let mut workspace = self.clone();
         let in_lanes =
-            workspace.take_lanes().and_then(|mut lanes| lanes.aim(model, contact).then_some(lanes));
+            workspace.take_kernel().and_then(|mut lanes| lanes.set_contact(model, contact).then_some(lanes));
         let worker = Worker {
-            read: in_lanes.iter().flat_map(InLanes::read).collect(),
+            read: in_lanes.iter().flat_map(LaneKernel::read_positions).collect(),
             columns: Aligned::zeros(if in_lanes.is_some() { model.positions.max(1) * BLOCK } else { 0 }),
             row: vec![0.0; model.positions],
             workspace,
-            in_lanes,
+            kernel: in_lanes,
             remarks,
         };
         let instructions = Instructions::best();
@@ -177,7 +177,7 @@ impl Workspace {
             contact: *contact,
             instructions,
             worker,
-            idle: Idle::default(),
+            pool: WorkerPool::default(),
         })
     }
 }
@@ -191,16 +191,21 @@ impl Batch {
     /// Selects another instruction set; the baseline if this processor does not support `set`.
     pub fn with_instructions(mut self, set: Instructions) -> Self {
         self.instructions = if set.is_available() { set } else { Instructions::Baseline };
-        if let Some(lanes) = &mut self.worker.in_lanes {
+        if let Some(lanes) = &mut self.worker.kernel {
             lanes.set_instructions(self.instructions);
         }
-        self.idle = Idle::default();
+        self.pool = WorkerPool::default();
         self
     }
 
     /// True if the mechanism has a SIMD kernel; otherwise each configuration is computed separately.
     pub fn has_lanes(&self) -> bool {
-        self.worker.in_lanes.is_some()
+        self.worker.kernel.is_some()
+    }
+
+    /// Findings that hold at every configuration. The findings of a single result include these.
+    pub fn remarks(&self) -> RemarkFlags {
+        self.worker.remarks
     }
 
     /// m̄ at one configuration: the positions of all joints one after another. Bitwise equal to the result of
@@ -208,13 +213,13 @@ impl Batch {
     ///
     /// # Errors
     /// [`VelocityError::Positions`]: a wrong number of positions.
-    pub fn effective_mass(&mut self, positions: &[f64]) -> Result<BatchAnswer, VelocityError> {
+    pub fn effective_mass(&mut self, positions: &[f64]) -> Result<BatchAnswer, StateSizeError> {
         check_positions(positions.len(), self.assembly.model().positions)?;
-        if let Some(clear) = self.worker.in_lanes.as_mut().and_then(|lanes| lanes.one(positions)) {
+        if let Some(clear) = self.worker.kernel.as_mut().and_then(|lanes| lanes.effective_mass(positions)) {
             let mass = Some(EffectiveMass::Finite(clear.mass));
             return Ok(BatchAnswer { mass, error: Some(clear.error), remarks: self.worker.remarks });
         }
-        Ok(by_itself(&mut self.worker.workspace, &self.contact, positions, self.worker.remarks))
+        Ok(compute_one(&mut self.worker.workspace, &self.contact, positions, self.worker.remarks))
     }
 
     /// Computes m̄ at `answers.len()` configurations on all threads of rayon's pool. The results do not depend on the
@@ -237,7 +242,8 @@ impl Batch {
         answers: &mut [BatchAnswer],
     ) -> Result<(), BatchError> {
         self.check(positions, answers.len())?;
-        self.idle.with(&self.worker, |worker| worker.portion(&self.contact, positions, 0, answers));
+        self.pool
+            .with_worker(&self.worker, |worker| worker.compute_portion(&self.contact, positions, 0, answers));
         Ok(())
     }
 
@@ -260,7 +266,9 @@ impl Batch {
         }
         self.check(positions, masses.len())?;
         let mut columns = AnswerColumns { masses, errors, other };
-        self.idle.with(&self.worker, |worker| worker.portion(&self.contact, positions, 0, &mut columns));
+        self.pool.with_worker(&self.worker, |worker| {
+            worker.compute_portion(&self.contact, positions, 0, &mut columns)
+        });
         Ok(())
     }
 
@@ -283,7 +291,9 @@ impl Batch {
                 return;
             }
             let first = number * PORTION;
-            self.idle.with(&self.worker, |worker| worker.portion(&self.contact, positions, first, portion));
+            self.pool.with_worker(&self.worker, |worker| {
+                worker.compute_portion(&self.contact, positions, first, portion)
+            });
             let done = done.fetch_add(portion.len(), Ordering::Relaxed) + portion.len();
             if watch(done).is_break() {
                 stopped.store(true, Ordering::Relaxed);
@@ -318,30 +328,30 @@ impl Batch {
 }
 
 /// Destination of the results.
-trait Places {
+trait ResultSink {
     /// Number of results.
     fn count(&self) -> usize;
 
     /// Stores the lane results from index `first` on, certain or not.
-    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags);
+    fn store_lanes(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags);
 
     /// Stores the result of a configuration computed separately.
-    fn put_one(&mut self, at: usize, answer: BatchAnswer);
+    fn store_one(&mut self, at: usize, answer: BatchAnswer);
 }
 
-impl Places for [BatchAnswer] {
+impl ResultSink for [BatchAnswer] {
     fn count(&self) -> usize {
         self.len()
     }
 
     #[inline]
-    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags) {
+    fn store_lanes(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags) {
         for ((answer, mass), error) in self[first..].iter_mut().zip(masses).zip(errors) {
             *answer = BatchAnswer { mass: Some(EffectiveMass::Finite(*mass)), error: Some(*error), remarks };
         }
     }
 
-    fn put_one(&mut self, at: usize, answer: BatchAnswer) {
+    fn store_one(&mut self, at: usize, answer: BatchAnswer) {
         self[at] = answer;
     }
 }
@@ -353,18 +363,18 @@ struct AnswerColumns<'a, F> {
     other: F,
 }
 
-impl<F: FnMut(usize, BatchAnswer)> Places for AnswerColumns<'_, F> {
+impl<F: FnMut(usize, BatchAnswer)> ResultSink for AnswerColumns<'_, F> {
     fn count(&self) -> usize {
         self.masses.len()
     }
 
     #[inline]
-    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64], _: RemarkFlags) {
+    fn store_lanes(&mut self, first: usize, masses: &[f64], errors: &[f64], _: RemarkFlags) {
         self.masses[first..][..masses.len()].copy_from_slice(masses);
         self.errors[first..][..errors.len()].copy_from_slice(errors);
     }
 
-    fn put_one(&mut self, at: usize, answer: BatchAnswer) {
+    fn store_one(&mut self, at: usize, answer: BatchAnswer) {
         let finite = |mass| if let EffectiveMass::Finite(m) = mass { m } else { f64::NAN };
         self.masses[at] = answer.mass.map_or(f64::NAN, finite);
         self.errors[at] = answer.error.unwrap_or(f64::NAN);
@@ -374,14 +384,14 @@ impl<F: FnMut(usize, BatchAnswer)> Places for AnswerColumns<'_, F> {
 
 impl Worker {
     /// Computes `places.count()` configurations, starting at configuration `first`.
-    fn portion(
+    fn compute_portion(
         &mut self,
         contact: &Contact,
         positions: BatchPositions<'_>,
         first: usize,
-        places: &mut (impl Places + ?Sized),
+        places: &mut (impl ResultSink + ?Sized),
     ) {
-        let Worker { in_lanes, read, columns, row, workspace, remarks } = self;
+        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks } = self;
         let count = places.count();
         for block in (0..count).step_by(BLOCK) {
             let (start, here) = (first + block, BLOCK.min(count - block));
@@ -390,32 +400,36 @@ impl Worker {
                 let width = lanes.width();
                 let mut ask = |columns, first, from: usize, count: usize| {
                     let (masses, errors) = (&mut masses[from..][..count], &mut errors[from..][..count]);
-                    lanes.lanes(columns, first, Answers { masses, errors });
+                    lanes.effective_masses(columns, first, MassColumns { masses, errors });
                 };
                 let mut done = 0;
                 if let BatchPositions::Columns { values, stride } = positions {
                     done = here - here % width;
-                    ask(Columns { values, stride }, start, 0, done);
+                    ask(PositionColumns { values, stride }, start, 0, done);
                 }
                 if done < here {
                     let left = here - done;
                     let padded = left.next_multiple_of(width);
                     // Unused lanes repeat the last configuration.
                     for lane in 0..padded {
-                        positions.put(start + done + lane.min(left - 1), read, &mut columns[lane..]);
+                        positions.copy_to_columns(
+                            start + done + lane.min(left - 1),
+                            read,
+                            &mut columns[lane..],
+                        );
                     }
-                    ask(Columns { values: columns, stride: BLOCK }, 0, done, padded);
+                    ask(PositionColumns { values: columns, stride: BLOCK }, 0, done, padded);
                 }
             }
             let (masses, errors) = (&masses[..here], &errors[..here]);
-            places.put(block, masses, errors, *remarks);
-            let clear = |lane: usize| Answered { mass: masses[lane], error: errors[lane] }.is_clear();
+            places.store_lanes(block, masses, errors, *remarks);
+            let clear = |lane: usize| CertifiedMass { mass: masses[lane], error: errors[lane] }.is_clear();
             if (0..here).fold(true, |all, lane| all & clear(lane)) {
                 continue;
             }
             for lane in (0..here).filter(|lane| !clear(*lane)) {
                 row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
-                places.put_one(block + lane, by_itself(workspace, contact, row, *remarks));
+                places.store_one(block + lane, compute_one(workspace, contact, row, *remarks));
             }
         }
     }
@@ -432,7 +446,7 @@ impl BatchPositions<'_> {
     }
 
     /// Writes the positions with indices `read` of a configuration to `to`, [`BLOCK`] apart.
-    fn put(&self, configuration: usize, read: &[usize], to: &mut [f64]) {
+    fn copy_to_columns(&self, configuration: usize, read: &[usize], to: &mut [f64]) {
         match self {
             BatchPositions::Rows { values, stride } => {
                 let row = &values[configuration * stride..];
@@ -446,7 +460,7 @@ impl BatchPositions<'_> {
 }
 
 /// Computes one configuration by the workspace.
-fn by_itself(
+fn compute_one(
     workspace: &mut Workspace,
     contact: &Contact,
     positions: &[f64],
@@ -455,9 +469,9 @@ fn by_itself(
     if workspace.set_positions(positions).is_err() {
         return BatchAnswer { remarks: RemarkFlags::NO_ANSWER, ..BatchAnswer::NONE };
     }
-    match workspace.by_recursion_with(contact, remarks) {
+    match workspace.recursion_mass_with(contact, remarks) {
         Ok(mass) => {
-            let error = if mass == EffectiveMass::Massless { workspace.massless_to() } else { None };
+            let error = if mass == EffectiveMass::Massless { workspace.massless_limit() } else { None };
             BatchAnswer { mass: Some(mass), error, remarks: workspace.remarks() }
         }
         Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },

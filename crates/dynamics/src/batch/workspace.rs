@@ -3,20 +3,20 @@
 
 use crate::analysis::assembly::Assembly;
 use crate::analysis::pose::Pose;
-use crate::analysis::routes::{Question, RecursionRoom};
+use crate::analysis::routes::{RecursionWorkspace, RouteInput};
 use crate::analysis::system::System;
-use crate::kernels::lanes::InLanes;
+use crate::kernels::lane_kernel::LaneKernel;
 use crate::kinematics::contact::{Contact, ContactError, ContactPoint, Direction, Frame};
 use crate::kinematics::frames::Kinematics;
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
 use crate::kinematics::remarks::RemarkFlags;
-use crate::mobility::{GroupMobility, MobilityRoom};
+use crate::mobility::{GroupMobility, MobilityWorkspace};
 use crate::model::Model;
 use crate::model::input::{
     InputError, foreign_link, is_number, normalise_quaternion, quaternion_of, rigid_base_pose,
 };
-use crate::model::velocities::{VelocityError, check_positions};
-use crate::recursion::{Decisions, Following, Recursion};
+use crate::model::velocities::{StateSizeError, check_positions};
+use crate::recursion::{Decisions, Recursion, RepeatedPivoting};
 use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId};
 use percuss_spatial::{Scalar, SpatialInertia, Transform, Wrench};
@@ -30,16 +30,16 @@ pub struct Workspace {
     assembly: Arc<Assembly>,
     kinematics: Kinematics<f64>,
     groups: Vec<GroupMobility>,
-    room: MobilityRoom,
-    recursion: RecursionRoom,
+    mobility_workspace: MobilityWorkspace,
+    recursion: RecursionWorkspace,
     /// SIMD kernel for trees without mimics and for linkages of few degrees of freedom.
-    in_lanes: Option<InLanes>,
+    kernel: Option<LaneKernel>,
     /// Contact for which the SIMD kernel is prepared.
-    aimed: Option<Contact>,
+    kernel_contact: Option<Contact>,
     /// True if `kinematics` is out of date.
     stale: bool,
     /// True if the buffers of the recursion are already allocated.
-    has_room: bool,
+    is_allocated: bool,
     /// Ranges of the quaternions among the positions.
     quaternions: Vec<(JointId, Range<usize>)>,
     /// Residuals of a group of loops; a reusable buffer.
@@ -71,18 +71,18 @@ impl Assembly {
             assembly: Arc::clone(self),
             kinematics,
             groups: vec![GroupMobility::default(); model.groups.len()],
-            room: MobilityRoom::default(),
-            recursion: RecursionRoom::new(model),
-            in_lanes: InLanes::of(self),
-            aimed: None,
+            mobility_workspace: MobilityWorkspace::default(),
+            recursion: RecursionWorkspace::new(model),
+            kernel: LaneKernel::compile(self),
+            kernel_contact: None,
             stale: false,
-            has_room: false,
+            is_allocated: false,
             quaternions: quaternions(model),
             residuals: Vec::new(),
             base: None,
             remarks: RemarkFlags::NONE,
         };
-        workspace.refill();
+        workspace.update_frames();
         workspace
     }
 }
@@ -95,7 +95,7 @@ impl Workspace {
     ///
     /// # Errors
     /// [`VelocityError::Positions`]: a wrong number of positions. The workspace keeps its previous positions.
-    pub fn set_positions(&mut self, positions: &[f64]) -> Result<(), VelocityError> {
+    pub fn set_positions(&mut self, positions: &[f64]) -> Result<(), StateSizeError> {
         check_positions(positions.len(), self.kinematics.q.len())?;
         self.kinematics.q.copy_from_slice(positions);
         self.stale = true;
@@ -119,7 +119,7 @@ impl Workspace {
 
     /// Converts a normal given in the world to the root frame, and returns the findings that hold for the contact at
     /// every configuration.
-    pub(crate) fn prepare(&self, contact: &Contact) -> (Contact, RemarkFlags) {
+    pub(crate) fn contact_in_root(&self, contact: &Contact) -> (Contact, RemarkFlags) {
         let mut flags: RemarkFlags = self.assembly.remarks().iter().collect();
         if let Some(remark) = self.assembly.base_remark(contact, self.base.is_some()) {
             flags |= RemarkFlags::from(&remark);
@@ -134,20 +134,27 @@ impl Workspace {
     }
 
     /// Removes and returns the SIMD kernel; afterwards the workspace uses the recursion.
-    pub(crate) fn take_lanes(&mut self) -> Option<InLanes> {
-        self.aimed = None;
-        self.in_lanes.take()
+    pub(crate) fn take_kernel(&mut self) -> Option<LaneKernel> {
+        self.kernel_contact = None;
+        self.kernel.take()
     }
 
     /// Updates the frames and the mobility decisions.
-    fn refill(&mut self) {
+    fn update_frames(&mut self) {
         self.stale = false;
         let model = self.assembly.model();
         self.kinematics.refill(model);
         for (number, group) in model.groups.iter().enumerate() {
             let (floor, expected) = (self.assembly.floor(number), self.assembly.expected_rank(number));
             let decided = &mut self.groups[number];
-            model.decide_mobility(&mut self.room, &self.kinematics, group, floor, Some(expected), decided);
+            model.decide_mobility(
+                &mut self.mobility_workspace,
+                &self.kinematics,
+                group,
+                floor,
+                Some(expected),
+                decided,
+            );
         }
     }
 
@@ -162,31 +169,32 @@ impl Workspace {
     /// or open loops, if m̄ depends on them; motions of negative mass without a positive effective mass; a cluster of
     /// bodies that is too large.
     pub fn effective_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
-        let (contact, flags) = self.prepare(contact);
+        let (contact, flags) = self.contact_in_root(contact);
         self.remarks = flags;
         let contact = &contact;
-        if self.aimed.as_ref() != Some(contact) {
-            self.aimed = None;
+        if self.kernel_contact.as_ref() != Some(contact) {
+            self.kernel_contact = None;
             let model = self.assembly.model();
             model.check_contact(contact)?;
-            if self.in_lanes.as_mut().is_none_or(|lanes| !lanes.aim(model, contact)) {
-                return self.by_recursion(contact);
+            if self.kernel.as_mut().is_none_or(|lanes| !lanes.set_contact(model, contact)) {
+                return self.recursion_mass(contact);
             }
-            self.aimed = Some(*contact);
+            self.kernel_contact = Some(*contact);
         }
-        let Some(clear) = self.in_lanes.as_mut().and_then(|lanes| lanes.one(&self.kinematics.q)) else {
-            return self.by_recursion(contact);
+        let Some(clear) = self.kernel.as_mut().and_then(|lanes| lanes.effective_mass(&self.kinematics.q))
+        else {
+            return self.recursion_mass(contact);
         };
-        if !self.has_room {
+        if !self.is_allocated {
             // Allocate the buffers of the recursion once, for configurations with uncertain lanes.
-            let _ = self.by_recursion(contact);
+            let _ = self.recursion_mass(contact);
             self.remarks = flags;
         }
         Ok(EffectiveMass::Finite(clear.mass))
     }
 
     /// Index of the first position that is read and not finite.
-    fn not_finite(&self) -> Option<usize> {
+    fn first_not_finite(&self) -> Option<usize> {
         let (q, bodies) = (&self.kinematics.q, &self.assembly.model().bodies);
         let is_mimic = |at: usize| bodies.iter().any(|body| body.mimic.is_some() && body.q.start == at);
         (0..q.len()).find(|&at| !is_number(q[at]) && !is_mimic(at))
@@ -198,25 +206,25 @@ impl Workspace {
     }
 
     /// Computes m̄ by the recursion, starting from findings that hold at every configuration.
-    pub(crate) fn by_recursion_with(
+    pub(crate) fn recursion_mass_with(
         &mut self,
         contact: &Contact,
         remarks: RemarkFlags,
     ) -> Result<EffectiveMass, ResponseError> {
         self.remarks = remarks;
-        self.by_recursion(contact)
+        self.recursion_mass(contact)
     }
 
     /// Upper limit of m̄ (kg) of the contact that the recursion last found massless; `None` if negligible.
-    pub(crate) fn massless_to(&self) -> Option<f64> {
-        self.recursion.massless_to(self.assembly.model())
+    pub(crate) fn massless_limit(&self) -> Option<f64> {
+        self.recursion.massless_limit(self.assembly.model())
     }
 
     /// Computes m̄ by the recursion, without the SIMD kernel.
-    pub(crate) fn by_recursion(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
+    pub(crate) fn recursion_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
         // The SIMD kernel never certifies a result from such values. Without this check the recursion would find no
         // moving body.
-        if let Some(index) = self.not_finite() {
+        if let Some(index) = self.first_not_finite() {
             return Err(ResponseError::NotFinite { index, value: self.kinematics.q[index] });
         }
         for (joint, range) in &self.quaternions {
@@ -225,22 +233,22 @@ impl Workspace {
                 ResponseError::Quaternion { joint, norm }
             })?;
         }
-        self.has_room = true;
+        self.is_allocated = true;
         if self.stale {
-            self.refill();
+            self.update_frames();
         }
         self.assembly.refuse_open_loops(&self.kinematics, &mut self.residuals)?;
         let model = self.assembly.model();
         let located = model.locate(&self.kinematics, &Transform::identity(), contact)?;
         model.refuse_large_clusters::<f64>(&self.groups)?;
-        let question = Question {
+        let question = RouteInput {
             model,
             kinematics: &self.kinematics,
             groups: &self.groups,
             misfits: self.assembly.misfits(),
             located: &located,
         };
-        question.run(&mut self.recursion);
+        question.run_recursion(&mut self.recursion);
         let (mass, flags) = question.effective_mass(&mut self.recursion)?;
         self.remarks |= flags;
         Ok(mass)
@@ -305,7 +313,7 @@ impl<T: Scalar> ScalarWorkspace<T> {
     ///
     /// # Errors
     /// [`VelocityError::Positions`]: a wrong number of positions. The workspace keeps its previous positions.
-    pub fn set_positions(&mut self, positions: &[T]) -> Result<(), VelocityError> {
+    pub fn set_positions(&mut self, positions: &[T]) -> Result<(), StateSizeError> {
         check_positions(positions.len(), self.kinematics.q.len())?;
         self.kinematics.q.copy_from_slice(positions);
         self.kinematics.refill(self.assembly.model());
@@ -338,7 +346,7 @@ impl<T: Scalar> ScalarWorkspace<T> {
         self.recursion.add_wrench(model.body_of(self.contact.link), 0, unit);
         let against = self.contact.against.and_then(|link| model.body_of(link));
         self.recursion.add_wrench(against, 0, -unit);
-        let mut following = Following(&self.decisions);
+        let mut following = RepeatedPivoting(&self.decisions);
         self.recursion.eliminate(model, &self.kinematics, &self.groups, &point, &mut following);
         self.recursion.response(0, 0)
     }

@@ -1,4 +1,4 @@
 //! The definition solved as dense matrices, for a mechanism and for matrices of the caller.
 
-pub(crate) mod careful;
+pub(crate) mod direct;
 pub(crate) mod matrices;

@@ -17,7 +17,7 @@ mod frozen;
 mod multipliers;
 mod rows;
 
-use self::multipliers::MultiplierRoom;
+use self::multipliers::MultiplierWorkspace;
 use crate::error::stationary::Stationary;
 use crate::kinematics::contact::LocatedContact;
 use crate::kinematics::frames::Kinematics;
@@ -58,7 +58,7 @@ impl ErrorBudget {
 #[derive(Clone, Debug, Default)]
 struct FrameErrors {
     /// For every body: orientation (rad) and position (m).
-    of: Vec<(f64, f64)>,
+    bounds: Vec<(f64, f64)>,
     /// For every body: squared random walks of orientation and position, and the number of joints from the root.
     walks: Vec<(f64, f64, f64)>,
 }
@@ -66,17 +66,17 @@ struct FrameErrors {
 impl FrameErrors {
     /// Accumulates the error bounds from the root to the tips.
     fn fill(&mut self, model: &Model, kinematics: &Kinematics<f64>) {
-        self.of.clear();
+        self.bounds.clear();
         self.walks.clear();
         for (i, body) in model.bodies.iter().enumerate() {
             let (turn, place, depth) = body.parent.map_or((0.0, 0.0, 0.0), |p| self.walks[p]);
             let (carried, from) =
-                body.parent.map_or((0.0, 0.0), |p| (self.of[p].0, self.of[p].1 - place.sqrt()));
-            let step = kinematics.steps[i].translation.norm();
+                body.parent.map_or((0.0, 0.0), |p| (self.bounds[p].0, self.bounds[p].1 - place.sqrt()));
+            let step = kinematics.parent_transforms[i].translation.norm();
             let position = kinematics.frames[i].translation.norm();
             let own = SUM_ROUNDINGS * step + 2.0 * position;
             let walk = (turn + TURN_ROUNDINGS * TURN_ROUNDINGS, place + own * own, depth + 1.0);
-            self.of
+            self.bounds
                 .push((walk.0.sqrt() + REPEATED_ROUNDINGS * walk.2, from + carried * step + walk.1.sqrt()));
             self.walks.push(walk);
         }
@@ -84,27 +84,29 @@ impl FrameErrors {
 
     /// Error bounds of a body: orientation (rad) and position (m); zero for the ground.
     fn at(&self, body: Option<usize>) -> (f64, f64) {
-        body.map_or((0.0, 0.0), |b| self.of[b])
+        body.map_or((0.0, 0.0), |b| self.bounds[b])
     }
 }
 
 /// Accumulation of frame position errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Places {
+enum FrameErrorMode {
     /// Summed from the root to each body.
-    Added,
+    Accumulated,
     /// Per joint, weighted by the transmitted wrench. The errors of a long chain are then not summed.
     ByJoint,
 }
 
 /// Buffers for the terms of an error budget; refilled in place.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct BudgetRoom {
+pub(crate) struct BudgetWorkspace {
     frames: FrameErrors,
     /// Wrench transmitted by each body's joint. Within a cluster with constraints, constraint wrenches are excluded.
     transmitted: Vec<Wrench<f64>>,
     /// For every body: moment (kg·m²) and mass (kg) of the subtree with frozen joints. Filled on first use.
     composites: Vec<(f64, f64)>,
+    /// Result 1/m̄ of the recursion, a sum over all joints; with `composites`.
+    response: f64,
     /// Change of 1/m̄ due to motions dropped (frozen) as massless, 1/kg.
     frozen: f64,
     /// Forces of the tree on the coordinates of the current cluster, and the rates of the coordinates.
@@ -115,15 +117,15 @@ pub(crate) struct BudgetRoom {
     /// Sum of the terms and largest entry of each row of the current group.
     terms: Vec<f64>,
     largest: Vec<f64>,
-    multipliers: MultiplierRoom,
+    multipliers: MultiplierWorkspace,
     /// Constraint wrenches on each body of the current cluster.
     closing: Vec<Wrench<f64>>,
 }
 
-impl BudgetRoom {
+impl BudgetWorkspace {
     /// True if errors were computed before, so that the buffers are allocated.
     pub fn is_filled(&self) -> bool {
-        !self.frames.of.is_empty()
+        !self.frames.bounds.is_empty()
     }
 }
 
@@ -171,13 +173,13 @@ impl RelativeErrors {
 
 impl UnitImpulse<'_> {
     /// Errors of the recursion's result. `is_clear`: the rounding of the recursion is known to be negligible.
-    pub fn of_recursion(
+    pub fn recursion_errors(
         &self,
-        room: &mut BudgetRoom,
+        room: &mut BudgetWorkspace,
         recursion: &Recursion<f64, 1>,
         is_clear: bool,
     ) -> RelativeErrors {
-        let (mut route, mut stationary) = (self.of_eliminations(room, recursion), None);
+        let (mut route, mut stationary) = (self.elimination_error(room, recursion), None);
         let response = recursion.response(0, 0);
         // Pivots of a tree contain only inertia transmitted from below the joint, so the energy is not needed.
         if !is_clear && !recursion.clusters.is_empty() && f64::EPSILON * route > VAGUE_RESPONSE * response {
@@ -189,8 +191,8 @@ impl UnitImpulse<'_> {
                 stationary = Some(value);
             }
         }
-        let places = if stationary.is_some() { Places::ByJoint } else { Places::Added };
-        let mut sum = self.of_data(room, recursion, places);
+        let places = if stationary.is_some() { FrameErrorMode::ByJoint } else { FrameErrorMode::Accumulated };
+        let mut sum = self.data_errors(room, recursion, places);
         sum.rounding += route;
         sum.route = route;
         sum.frozen = room.frozen;
@@ -200,17 +202,19 @@ impl UnitImpulse<'_> {
 
     /// Relative error of the recursion itself, from its eliminations alone. Equal to `route` of
     /// [`of_recursion`](Self::of_recursion), if small.
-    pub fn of_route(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>) -> f64 {
-        f64::EPSILON * self.of_eliminations(room, recursion) / recursion.response(0, 0)
+    pub fn route_error(&self, room: &mut BudgetWorkspace, recursion: &Recursion<f64, 1>) -> f64 {
+        f64::EPSILON * self.elimination_error(room, recursion) / recursion.response(0, 0)
     }
 
     /// Sum of the errors of all eliminations, in units of ε.
-    fn of_eliminations(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>) -> f64 {
+    fn elimination_error(&self, room: &mut BudgetWorkspace, recursion: &Recursion<f64, 1>) -> f64 {
         room.composites.clear();
         room.frozen = 0.0;
-        let of_cluster = |(number, cluster): (usize, &Cluster)| match recursion.place[number] {
-            None => self.of_joint(room, recursion, cluster.bodies[0]),
-            Some(place) => self.of_cluster(room, recursion, cluster, &recursion.clusters[place]),
+        let of_cluster = |(number, cluster): (usize, &Cluster)| match recursion.cluster_index[number] {
+            None => self.joint_elimination_error(room, recursion, cluster.bodies[0]),
+            Some(place) => {
+                self.cluster_elimination_error(room, recursion, cluster, &recursion.clusters[place])
+            }
         };
         self.model.clusters.iter().enumerate().map(of_cluster).sum()
     }
@@ -243,7 +247,9 @@ impl UnitImpulse<'_> {
 
     /// Wrench transmitted by the joint of every body, accumulated along the tree within clusters with constraints.
     fn fill_transmitted(&self, transmitted: &mut Vec<Wrench<f64>>, recursion: &Recursion<f64, 1>) {
-        let own = |i: usize| recursion.wrenches[i][0] - self.carried(recursion, i).apply(&self.twists[i]);
+        let own = |i: usize| {
+            recursion.wrenches[i][0] - self.propagated_inertia(recursion, i).apply(&self.twists[i])
+        };
         transmitted.clear();
         transmitted.extend((0..self.model.bodies.len()).map(own));
         for cluster in self.model.clusters.iter().filter(|c| c.is_bound) {
@@ -257,18 +263,18 @@ impl UnitImpulse<'_> {
     }
 
     /// Errors common to all routes: frames, body inertias, joint columns, the contact, rows of A.
-    fn of_data(
+    fn data_errors(
         &self,
-        room: &mut BudgetRoom,
+        room: &mut BudgetWorkspace,
         recursion: &Recursion<f64, 1>,
-        places: Places,
+        places: FrameErrorMode,
     ) -> RelativeErrors {
         let (model, kinematics) = (self.model, self.kinematics);
         self.fill_transmitted(&mut room.transmitted, recursion);
         room.frames.fill(model, kinematics);
         let mut sum = RelativeErrors::default();
-        self.add_rows(room, places, &mut sum);
-        let BudgetRoom { frames, transmitted, .. } = &*room;
+        self.add_row_errors(room, places, &mut sum);
+        let BudgetWorkspace { frames, transmitted, .. } = &*room;
         let on = frames.at(model.body_of(self.contact.link));
         let against = frames.at(self.contact.against.and_then(|l| model.body_of(l)));
         let point = &self.contact.point_root;
@@ -285,15 +291,15 @@ impl UnitImpulse<'_> {
             let off = far.1 + 2.0 * position.norm() + (far.0 + SUM_ROUNDINGS) * at.norm();
             let length = (position - point).norm();
             sum.rounding += 2.0 * (struck.1 + off) / length * relative;
-            sum.file += 2.0 * self.misfit_of([self.contact.link, end]) / length * relative;
+            sum.file += 2.0 * self.largest_misfit([self.contact.link, end]) / length * relative;
         }
-        let by_joint = places == Places::ByJoint;
+        let by_joint = places == FrameErrorMode::ByJoint;
         if let Some(other) = self.contact.against.and_then(|l| model.body_of(l)).filter(|_| by_joint) {
             // The contact point belongs to the contact link; relative to the other link it has a position error.
-            sum.rounding += 2.0 * self.off_between(frames) * self.twists[other].angular.norm();
+            sum.rounding += 2.0 * self.position_error_between(frames) * self.twists[other].angular.norm();
         }
         for (i, body) in model.bodies.iter().enumerate() {
-            let (turn, place) = frames.of[i];
+            let (turn, place) = frames.bounds[i];
             let arm = kinematics.frames[i].translation - point;
             let off = if by_joint {
                 own_struck + 2.0 * kinematics.frames[i].translation.norm() + arm.norm()
@@ -312,7 +318,7 @@ impl UnitImpulse<'_> {
             sum.rounding += 2.0 * (turn + TURN_ROUNDINGS) * own_root * own_root;
             sum.rounding += 2.0 * omega * off * own.momentum(twist).force.norm();
             if by_joint {
-                sum.rounding += self.of_place(i, turn, off, &transmitted[i]);
+                sum.rounding += self.joint_frame_error(i, turn, off, &transmitted[i]);
                 continue;
             }
             // A free base has no frame error: all frames are relative to the base.
@@ -330,7 +336,7 @@ impl UnitImpulse<'_> {
     }
 
     /// Position error of the contact point on the other side, caused by the joints between the two sides.
-    fn off_between(&self, frames: &FrameErrors) -> f64 {
+    fn position_error_between(&self, frames: &FrameErrors) -> f64 {
         let (model, kinematics, point) = (self.model, self.kinematics, &self.contact.point_root);
         let (mut alike, mut squares) = (0.0, 0.0);
         let on = model.body_of(self.contact.link);
@@ -339,7 +345,8 @@ impl UnitImpulse<'_> {
             let place = &kinematics.frames[i].translation;
             let arm = (place - point).norm();
             // Products of rotations accumulate scaling errors as large as the orientation errors.
-            let own = (SUM_ROUNDINGS + frames.walks[i].0.sqrt()) * kinematics.steps[i].translation.norm()
+            let own = (SUM_ROUNDINGS + frames.walks[i].0.sqrt())
+                * kinematics.parent_transforms[i].translation.norm()
                 + 2.0 * place.norm();
             alike += REPEATED_ROUNDINGS * arm;
             squares += (TURN_ROUNDINGS * arm).powi(2) + own * own;
@@ -349,7 +356,7 @@ impl UnitImpulse<'_> {
 
     /// Error of 1/m̄ due to the frame error of one joint. The frame error moves the subtree rigidly, so only the
     /// transmitted wrench matters.
-    fn of_place(&self, i: usize, turn: f64, off: f64, transmitted: &Wrench<f64>) -> f64 {
+    fn joint_frame_error(&self, i: usize, turn: f64, off: f64, transmitted: &Wrench<f64>) -> f64 {
         let (model, kinematics, point) = (self.model, self.kinematics, &self.contact.point_root);
         let body = &model.bodies[i];
         // A free base has no frame error: all frames are relative to the base.
@@ -362,7 +369,7 @@ impl UnitImpulse<'_> {
         let (own, carrier) = (&self.twists[i], body.parent.map_or_else(Twist::zero, |p| self.twists[p]));
         let turning = own.angular.norm() + carrier.angular.norm();
         let moving = own.velocity_at(&arm).norm() + carrier.velocity_at(&arm).norm();
-        let shift = (SUM_ROUNDINGS + turn) * kinematics.steps[i].translation.norm()
+        let shift = (SUM_ROUNDINGS + turn) * kinematics.parent_transforms[i].translation.norm()
             + 2.0 * kinematics.frames[i].translation.norm();
         let mut sum = TURN_ROUNDINGS * (turning * moment + moving * force) + shift * turning * force;
         for (k, v) in body.v.clone().enumerate() {
@@ -382,7 +389,7 @@ impl UnitImpulse<'_> {
     }
 
     /// Largest misfit, m, of the loops that contain an ancestor of one of the links.
-    fn misfit_of(&self, links: [LinkId; 2]) -> f64 {
+    fn largest_misfit(&self, links: [LinkId; 2]) -> f64 {
         let mut carriers = vec![false; self.model.bodies.len()];
         for body in links.into_iter().filter_map(|link| self.model.body_of(link)) {
             std::iter::successors(Some(body), |&b| self.model.bodies[b].parent)
@@ -394,9 +401,9 @@ impl UnitImpulse<'_> {
     }
 
     /// Iᴬ propagated to a body, before the elimination of the body's own joint.
-    fn carried(&self, recursion: &Recursion<f64, 1>, i: usize) -> ArticulatedInertia<f64> {
+    fn propagated_inertia(&self, recursion: &Recursion<f64, 1>, i: usize) -> ArticulatedInertia<f64> {
         let mut inertia = recursion.inertias[i];
-        if recursion.place[self.model.cluster_of[i]].is_none() {
+        if recursion.cluster_index[self.model.cluster_of[i]].is_none() {
             for e in self.model.bodies[i].v.clone().map(|v| &recursion.joints[v]).filter(|e| e.counts) {
                 inertia.subtract_dyad(&(e.u * (-1.0 / e.d)), &e.u);
             }
@@ -407,7 +414,12 @@ impl UnitImpulse<'_> {
     /// Error of the elimination of a plain joint. The inertia left after each pivot is weighted by the motion of the
     /// body with the eliminated velocities at zero. This motion can be much faster than the motion of the body and
     /// its parent.
-    fn of_joint(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>, i: usize) -> f64 {
+    fn joint_elimination_error(
+        &self,
+        room: &mut BudgetWorkspace,
+        recursion: &Recursion<f64, 1>,
+        i: usize,
+    ) -> f64 {
         let body = &self.model.bodies[i];
         let mut squares = diagonal(&recursion.inertias[i]);
         let mut twist = body.parent.map_or_else(Twist::zero, |p| self.twists[p]);
@@ -431,7 +443,7 @@ impl UnitImpulse<'_> {
         let own = energy_root(&roots, &components(&self.twists[i]));
         sum += SUM_ROUNDINGS * own * own;
         if body.v.clone().any(|v| !recursion.joints[v].counts) {
-            let frozen = self.of_frozen(room, recursion, i, &roots);
+            let frozen = self.frozen_change(room, recursion, i, &roots);
             room.frozen += frozen;
             sum += frozen / f64::EPSILON;
         }
@@ -439,9 +451,9 @@ impl UnitImpulse<'_> {
     }
 
     /// Error of the elimination of a cluster with constraints.
-    fn of_cluster(
+    fn cluster_elimination_error(
         &self,
-        room: &mut BudgetRoom,
+        room: &mut BudgetWorkspace,
         recursion: &Recursion<f64, 1>,
         cluster: &Cluster,
         eliminated: &ClusterElimination<f64, 1>,
@@ -474,15 +486,15 @@ impl UnitImpulse<'_> {
 
     /// Errors of the dense route: a backward error of n ε in M scaled to unit diagonal. `mass_size`: term sizes of
     /// the diagonal entries of M.
-    pub fn of_least_energy(
+    pub fn dense_errors(
         &self,
-        room: &mut BudgetRoom,
+        room: &mut BudgetWorkspace,
         recursion: &Recursion<f64, 1>,
         mass_size: &[f64],
         coordinates: &[f64],
         response: f64,
     ) -> RelativeErrors {
-        let mut sum = self.of_data(room, recursion, Places::Added);
+        let mut sum = self.data_errors(room, recursion, FrameErrorMode::Accumulated);
         let root: f64 = mass_size.iter().zip(coordinates).map(|(m, v)| m.abs().sqrt() * v.abs()).sum();
         sum.route = SUM_ROUNDINGS * coordinates.len() as f64 * root * root;
         sum.rounding += sum.route;

@@ -34,12 +34,12 @@ pub(crate) struct Stationary<'a> {
 }
 
 /// Residuals of the equations.
-struct Residuals {
+struct EnergyResiduals {
     /// θ on the tree velocities of plain joints, and on the coordinates of every cluster with constraints.
     joints: Vec<f64>,
     clusters: Vec<Vec<f64>>,
     /// 2 λᵀA u.
-    held: f64,
+    constraint_term: f64,
     /// δ over the tree velocities.
     change: Vec<f64>,
     /// Sum of |θᵢ δᵢ|, a bound for |θᵀδ|.
@@ -54,16 +54,16 @@ impl Stationary<'_> {
             None => model.bodies[cluster.bodies[0]].v.clone().all(|v| recursion.joints[v].is_positive()),
             Some(place) => recursion.clusters[*place].is_positive(),
         };
-        if !model.clusters.iter().zip(&recursion.place).all(counts) {
+        if !model.clusters.iter().zip(&recursion.cluster_index).all(counts) {
             return None;
         }
-        let (twists, slack) = self.twists_of(self.velocities, Some(self.twists));
+        let (twists, slack) = self.body_twists(self.velocities, Some(self.twists));
         let inertias: Vec<SpatialInertia<f64>> = (0..model.bodies.len()).map(|i| self.inertia(i)).collect();
         let transmitted = self.transmitted(&inertias, &twists);
         let left = self.residuals(&transmitted);
         let mut value = Compensated::default();
         value.add(2.0 * self.closing_speed(&twists));
-        value.add(-left.held);
+        value.add(-left.constraint_term);
         let mut rounding = 0.0;
         for (i, body) in model.bodies.iter().enumerate() {
             let momentum = inertias[i].momentum(&twists[i]);
@@ -85,7 +85,7 @@ impl Stationary<'_> {
 
     /// Twists of the bodies from the root to the tips, and the sum of the magnitudes of the terms of each twist. The
     /// twist of an unconstrained free base is taken from `base`, or zero.
-    fn twists_of(&self, rates: &[f64], base: Option<&[Twist<f64>]>) -> (Vec<Twist<f64>>, Vec<Twist<f64>>) {
+    fn body_twists(&self, rates: &[f64], base: Option<&[Twist<f64>]>) -> (Vec<Twist<f64>>, Vec<Twist<f64>>) {
         let model = self.model;
         let (mut twists, mut slack): (Vec<Twist<f64>>, Vec<Twist<f64>>) = (Vec::new(), Vec::new());
         for (i, body) in model.bodies.iter().enumerate() {
@@ -108,7 +108,8 @@ impl Stationary<'_> {
 
     /// True for a floating base without constraints.
     fn is_free_base(&self, i: usize) -> bool {
-        self.model.bodies[i].joint.is_none() && self.recursion.place[self.model.cluster_of[i]].is_none()
+        self.model.bodies[i].joint.is_none()
+            && self.recursion.cluster_index[self.model.cluster_of[i]].is_none()
     }
 
     /// Inertia of a body, in root axes at the contact point.
@@ -148,17 +149,17 @@ impl Stationary<'_> {
     }
 
     /// Residuals of the equations for given transmitted wrenches.
-    fn residuals(&self, transmitted: &[Wrench<f64>]) -> Residuals {
+    fn residuals(&self, transmitted: &[Wrench<f64>]) -> EnergyResiduals {
         let model = self.model;
-        let mut left = Residuals {
+        let mut left = EnergyResiduals {
             joints: vec![0.0; self.velocities.len()],
             clusters: vec![Vec::new(); self.recursion.clusters.len()],
-            held: 0.0,
+            constraint_term: 0.0,
             change: vec![0.0; self.velocities.len()],
             work: 0.0,
         };
         for (number, cluster) in model.clusters.iter().enumerate() {
-            let Some(place) = self.recursion.place[number] else {
+            let Some(place) = self.recursion.cluster_index[number] else {
                 let i = cluster.bodies[0];
                 for v in model.bodies[i].v.clone() {
                     let inertial = if self.is_free_base(i) {
@@ -194,8 +195,8 @@ impl Stationary<'_> {
                         open[i] += a * rates[own.coordinates[c]];
                     }
                 });
-                left.held += 2.0 * multipliers.iter().zip(&open).map(|(l, o)| l * o).sum::<f64>();
-                for (step, &c) in pivots.step(&open).iter().zip(&known.pivots.columns) {
+                left.constraint_term += 2.0 * multipliers.iter().zip(&open).map(|(l, o)| l * o).sum::<f64>();
+                for (step, &c) in pivots.solve_closing_step(&open).iter().zip(&known.pivots.columns) {
                     change[own.coordinates[c]] = -step / group.lengths[c];
                 }
             }
@@ -211,7 +212,7 @@ impl Stationary<'_> {
 
     /// Twice the kinetic energy of a motion of the tree.
     fn energy(&self, inertias: &[SpatialInertia<f64>], rates: &[f64]) -> f64 {
-        let (twists, _) = self.twists_of(rates, None);
+        let (twists, _) = self.body_twists(rates, None);
         let bodies: f64 = inertias.iter().zip(&twists).map(|(i, t)| i.twice_energy(t).abs()).sum();
         bodies + self.recursion.armature.iter().zip(rates).map(|(a, v)| a * v * v).sum::<f64>()
     }
@@ -247,7 +248,7 @@ impl Pivoted {
     }
 
     /// Solves K x = open.
-    pub fn step(&self, open: &[f64]) -> Vec<f64> {
+    pub fn solve_closing_step(&self, open: &[f64]) -> Vec<f64> {
         self.solve(self.entries.clone(), open)
     }
 

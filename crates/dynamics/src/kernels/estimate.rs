@@ -10,14 +10,14 @@ pub(crate) const WIDEST: usize = 8;
 
 /// m̄ with its rounding error.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Answered {
+pub(crate) struct CertifiedMass {
     /// m̄, kg.
     pub mass: f64,
     /// Rounding error, kg.
     pub error: f64,
 }
 
-impl Answered {
+impl CertifiedMass {
     /// True if m̄ is finite and the rounding error is small. False for NaN.
     #[inline]
     pub fn is_clear(&self) -> bool {
@@ -26,25 +26,25 @@ impl Answered {
 
     /// Result of `work` on one lane, if certified.
     #[inline]
-    pub fn of_one(work: impl FnOnce(Answers<'_>)) -> Option<Self> {
+    pub fn of_one(work: impl FnOnce(MassColumns<'_>)) -> Option<Self> {
         let (mut mass, mut error) = ([f64::NAN], [f64::NAN]);
-        work(Answers { masses: &mut mass, errors: &mut error });
+        work(MassColumns { masses: &mut mass, errors: &mut error });
         Some(Self { mass: mass[0], error: error[0] }).filter(Self::is_clear)
     }
 }
 
 /// Results of lanes, certified or not.
-pub(crate) struct Answers<'a> {
+pub(crate) struct MassColumns<'a> {
     /// m̄, kg.
     pub masses: &'a mut [f64],
     /// Rounding errors, kg.
     pub errors: &'a mut [f64],
 }
 
-impl Answers<'_> {
+impl MassColumns<'_> {
     /// Stores m̄ and errors for the lanes from `first` on. Input: 1/m̄ (1/kg), and its error in units of ε (1/kg).
-    #[inline(always)]
-    pub fn put<T: Lanes>(&mut self, first: usize, response: T, error: T) {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn store<T: Lanes>(&mut self, first: usize, response: T, error: T) {
         let mass = T::one() / response;
         mass.store(&mut self.masses[first..]);
         (T::from_f64(f64::EPSILON) * error * mass * mass).store(&mut self.errors[first..]);
@@ -53,33 +53,33 @@ impl Answers<'_> {
 
 /// Positions by columns: position `q` of configuration `c` has index `q · stride + c`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Columns<'a> {
+pub(crate) struct PositionColumns<'a> {
     pub values: &'a [f64],
     pub stride: usize,
 }
 
-impl Columns<'_> {
+impl PositionColumns<'_> {
     /// Loads position `q` of the configurations from `first` on, one per lane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn at<T: Lanes>(&self, q: usize, first: usize) -> T {
         T::load(&self.values[q * self.stride + first..])
     }
 }
 
 /// Deviation of a quaternion from unit norm, beyond rounding.
-#[inline(always)]
-pub(crate) fn off_unit<T: Lanes>(columns: Columns<'_>, q: usize, first: usize) -> T {
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn quaternion_norm_excess<T: Lanes>(columns: PositionColumns<'_>, q: usize, first: usize) -> T {
     let mut square = -T::one();
     for k in 0..4 {
         let part: T = columns.at(q + k, first);
         square = part.mul_add(part, square);
     }
-    over(square, UNIT_QUATERNION)
+    excess_beyond(square, UNIT_QUATERNION)
 }
 
 /// Twice the excess of |x| over a limit; 0 below the limit.
-#[inline(always)]
-pub(crate) fn over<T: Lanes>(x: T, most: f64) -> T {
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn excess_beyond<T: Lanes>(x: T, most: f64) -> T {
     let above = x.abs() - T::from_f64(most);
     above + above.abs()
 }

@@ -2,6 +2,6 @@
 
 pub(crate) mod aligned;
 pub(crate) mod estimate;
-pub(crate) mod lanes;
-pub(crate) mod linkage;
-pub(crate) mod own_axes;
+pub(crate) mod lane_kernel;
+pub(crate) mod loop_kernel;
+pub(crate) mod tree_kernel;

@@ -4,7 +4,7 @@ use crate::kinematics::frames::Kinematics;
 use crate::model::Model;
 use crate::model::input::{foreign_link, is_number};
 use crate::model::tangent;
-use crate::tolerances::{LINE_TURNED, SHORTEST_DIRECTION, SHORTEST_LINE};
+use crate::tolerances::{DIRECTION_DECIMALS, LINE_TURNED, SHORTEST_DIRECTION, SHORTEST_LINE};
 use nalgebra::{DMatrix, Vector3};
 use percuss_mechanism::LinkId;
 use percuss_spatial::{Scalar, Transform};
@@ -213,9 +213,9 @@ pub enum ContactError {
     },
 }
 
-/// Formats a direction with six decimals. An error of 1e-6 rad changes m̄ by about 1e-12, relative.
+/// Formats a direction with six decimals.
 fn triple(v: &Vector3<f64>) -> String {
-    let [x, y, z] = [v.x, v.y, v.z].map(|x| (x * 1e6).round() / 1e6 + 0.0);
+    let [x, y, z] = [v.x, v.y, v.z].map(|x| (x * DIRECTION_DECIMALS).round() / DIRECTION_DECIMALS + 0.0);
     format!("({x}, {y}, {z})")
 }
 
@@ -476,7 +476,7 @@ impl Model {
         let mut jacobian = DMatrix::zeros(3, self.coordinates.len());
         self.for_each_support(self.body_of(link), None, |i, _| {
             for (k, v) in self.bodies[i].v.clone().enumerate() {
-                if let Some(f) = self.follows[v] {
+                if let Some(f) = self.velocity_coordinates[v] {
                     let column = self.velocity_column(kinematics, i, k, &at).0 * f.multiplier;
                     let mut target = jacobian.column_mut(f.index);
                     target += column;

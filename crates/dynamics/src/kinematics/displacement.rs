@@ -27,7 +27,7 @@ impl Model {
             return;
         }
         let q = &mut kinematics.q[body.q.clone()];
-        let of = |v: usize| self.follows[v].map_or(0.0, |f| f.multiplier * rate(f.index));
+        let of = |v: usize| self.velocity_coordinates[v].map_or(0.0, |f| f.multiplier * rate(f.index));
         if q.len() == 1 {
             q[0] += of(body.v.start);
             return;
@@ -57,7 +57,7 @@ impl Model {
             }
             let rates = tangent::displacement(body.motion.kind, own, &to[body.q.clone()]);
             for (v, rate) in body.v.clone().zip(rates) {
-                let at = self.follows[v].and_then(|f| group.column(f.index));
+                let at = self.velocity_coordinates[v].and_then(|f| group.column(f.index));
                 if let Some(at) = at {
                     u[at] = rate;
                 }

@@ -14,7 +14,7 @@ pub(crate) struct Kinematics<T: Scalar> {
     /// X_rb of every body: body frame in the frame of the root link.
     pub frames: Vec<Transform<T>>,
     /// X_pb of every body: body frame in its parent body (in the root, for bodies on the ground).
-    pub steps: Vec<Transform<T>>,
+    pub parent_transforms: Vec<Transform<T>>,
 }
 
 impl Kinematics<f64> {
@@ -35,38 +35,38 @@ impl<T: Scalar> Kinematics<T> {
         Self {
             q: vec![T::zero(); model.positions],
             frames: vec![Transform::identity(); bodies],
-            steps: vec![Transform::identity(); bodies],
+            parent_transforms: vec![Transform::identity(); bodies],
         }
     }
 
     /// Updates all frames from the positions in `q`. Positions of mimics are overwritten by their masters.
     pub fn refill(&mut self, model: &Model) {
         for i in 0..model.bodies.len() {
-            self.place(model, i);
+            self.update_frame(model, i);
         }
     }
 
     /// Like [`refill`](Self::refill), for the given bodies only (parents first). Their ancestors are not updated.
     pub fn refill_bodies(&mut self, model: &Model, bodies: &[usize]) {
         for &i in bodies {
-            self.place(model, i);
+            self.update_frame(model, i);
         }
     }
 
     /// Updates the frames of body `i` from the positions and the frame of its parent.
     #[inline]
-    fn place(&mut self, model: &Model, i: usize) {
+    fn update_frame(&mut self, model: &Model, i: usize) {
         let body = &model.bodies[i];
         if let Some(mimic) = body.mimic {
             self.q[body.q.start] =
                 T::from_f64(mimic.multiplier) * self.q[mimic.master] + T::from_f64(mimic.offset);
         }
         if body.joint.is_some() {
-            self.steps[i] = body.origin.cast() * body.motion.transform(&self.q[body.q.clone()]);
+            self.parent_transforms[i] = body.origin.cast() * body.motion.transform(&self.q[body.q.clone()]);
         }
         self.frames[i] = match body.parent {
-            Some(parent) => self.frames[parent] * self.steps[i],
-            None => self.steps[i],
+            Some(parent) => self.frames[parent] * self.parent_transforms[i],
+            None => self.parent_transforms[i],
         };
     }
 

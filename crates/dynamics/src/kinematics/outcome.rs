@@ -2,7 +2,8 @@
 
 use crate::kinematics::contact::ContactError;
 use crate::model::input::QUATERNION_TOLERANCE;
-use crate::model::velocities::VelocityError;
+use crate::model::velocities::StateSizeError;
+use crate::tolerances::MEGABYTE;
 use percuss_mechanism::JointId;
 
 /// Resistance of the mechanism to the contact along its normal.
@@ -51,7 +52,7 @@ pub enum RouteChoice {
 
 /// Reason for running the dense route in addition to the recursion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum CarefulReason {
+pub enum DenseReason {
     /// The recursion finds a motion of negative mass (accepted indefinite inertias).
     NegativeMass,
     /// The recursion finds the contact massless. A sum of possibly large terms was classified as zero.
@@ -86,7 +87,7 @@ pub enum RouteError {
         "the bodies bound together by {} have {freedoms} freedoms over {coordinates} coordinates: the recursion's matrices \
          would take {:.0} MB and {work:.0e} multiplications in all, of at most {:.0} MB and {most_work:.0e}; lock joints \
          that hardly move (--lock), or model a long chain inside a loop with fewer links",
-        quoted(loops), bytes / 1e6, most_bytes / 1e6
+        quoted(loops), bytes / MEGABYTE, most_bytes / MEGABYTE
     )]
     ClusterTooLarge {
         /// Loops, couplings and held contacts of the largest cluster of bodies; empty if mimics bind the cluster.
@@ -129,7 +130,7 @@ pub enum RouteError {
     },
     /// The velocities do not fit the mechanism.
     #[error(transparent)]
-    Velocities(#[from] VelocityError),
+    Velocities(#[from] StateSizeError),
     /// A link handle of another mechanism.
     #[error(
         "link number {index} is not in this mechanism, which has {links} links; look up the link by name"

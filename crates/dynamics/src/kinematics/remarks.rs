@@ -58,6 +58,11 @@ impl RemarkFlags {
         self.0
     }
 
+    /// Flags from [`bits`](Self::bits).
+    pub const fn from_bits(bits: u32) -> Self {
+        Self(bits)
+    }
+
     /// True without findings.
     pub const fn is_empty(self) -> bool {
         self.0 == 0

@@ -3,6 +3,7 @@
 
 use crate::kinematics::frames::Kinematics;
 use crate::model::{CompiledClosure, Constraint, Group, Model};
+use crate::tolerances::{OPPOSED_AXES, SMALL_SINE};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use percuss_mechanism::ClosureKind;
 use percuss_spatial::{Scalar, Transform, Wrench};
@@ -43,7 +44,8 @@ impl<T: Scalar> GroupRows<T> {
                 }
                 Constraint::Coupling(i) => {
                     let scale = coupling_scale(model.couplings[i].turns, group);
-                    let entry = |t: &crate::model::Term| T::from_f64(scale * t.factor * t.multiplier);
+                    let entry =
+                        |t: &crate::model::ConstraintTerm| T::from_f64(scale * t.factor * t.multiplier);
                     self.values.extend(rows.terms.iter().map(entry));
                 }
                 Constraint::Hold(i) => {
@@ -266,7 +268,7 @@ fn misalignment(
     if x_rp.vector(&closure.axis).dot(&b) < 0.0 {
         let size = residuals[0].hypot(residuals[1]);
         // sin θ is replaced by 2 − sin θ, which increases up to the opposite direction.
-        let stretch = if size > 1e-9 * length { (2.0 * length - size) / size } else { 0.0 };
+        let stretch = if size > OPPOSED_AXES * length { (2.0 * length - size) / size } else { 0.0 };
         if stretch > 0.0 {
             residuals.iter_mut().for_each(|r| *r *= stretch);
         } else {
@@ -281,7 +283,7 @@ fn rotation_vector(r: &Matrix3<f64>) -> Vector3<f64> {
     let skew = Vector3::new(r[(2, 1)] - r[(1, 2)], r[(0, 2)] - r[(2, 0)], r[(1, 0)] - r[(0, 1)]) / 2.0;
     let (sine, cosine) = (skew.norm(), (r.trace() - 1.0) / 2.0);
     let angle = sine.atan2(cosine);
-    if sine > 1e-6 {
+    if sine > SMALL_SINE {
         return skew * (angle / sine);
     }
     if cosine > 0.0 {

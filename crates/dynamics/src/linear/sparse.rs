@@ -10,12 +10,12 @@ use std::collections::BTreeSet;
 pub(crate) struct SparseRows<T: Scalar> {
     rows: Vec<Vec<(usize, T)>>,
     /// For each column: rows with an entry in the column. May contain outdated or repeated rows.
-    holders: Vec<Vec<usize>>,
+    column_rows: Vec<Vec<usize>>,
 }
 
 impl<T: Scalar> Default for SparseRows<T> {
     fn default() -> Self {
-        Self { rows: Vec::new(), holders: Vec::new() }
+        Self { rows: Vec::new(), column_rows: Vec::new() }
     }
 }
 
@@ -25,13 +25,13 @@ impl<T: Scalar> SparseRows<T> {
         self.rows.clear();
         self.rows.resize(rows, Vec::new());
         each(&mut |row, column, value| self.rows[row].push((column, value)));
-        self.holders.clear();
-        self.holders.resize(columns, Vec::new());
-        self.sum_up();
+        self.column_rows.clear();
+        self.column_rows.resize(columns, Vec::new());
+        self.merge_entries();
     }
 
     /// Sorts the rows, sums repeated entries, and records the rows of each column.
-    fn sum_up(&mut self) {
+    fn merge_entries(&mut self) {
         for row in &mut self.rows {
             row.sort_by_key(|(column, _)| *column);
             // Mimics cause repeated entries.
@@ -45,7 +45,7 @@ impl<T: Scalar> SparseRows<T> {
             *row = sums;
         }
         for (r, row) in self.rows.iter().enumerate() {
-            row.iter().for_each(|(c, _)| self.holders[*c].push(r));
+            row.iter().for_each(|(c, _)| self.column_rows[*c].push(r));
         }
     }
 
@@ -75,7 +75,7 @@ impl<T: Scalar> SparseRows<T> {
                 Some((_, a)) => sum.push((*c, *a - factor * *value)),
                 None => {
                     sum.push((*c, -(factor * *value)));
-                    self.holders[*c].push(row);
+                    self.column_rows[*c].push(row);
                 }
             }
         }
@@ -88,7 +88,7 @@ impl<T: Scalar> SparseRows<T> {
         let mut place = vec![usize::MAX; self.rows.len()];
         rows.iter().enumerate().for_each(|(i, r)| place[*r] = i);
         for (i, (&r, &c)) in rows.iter().zip(columns).enumerate() {
-            let mut holders = std::mem::take(&mut self.holders[c]);
+            let mut holders = std::mem::take(&mut self.column_rows[c]);
             holders.sort_unstable();
             holders.dedup();
             for other in holders {
@@ -110,7 +110,7 @@ impl<T: Scalar> SparseRows<T> {
 }
 
 /// Result of an elimination.
-pub(crate) struct Eliminated {
+pub(crate) struct SparseElimination {
     /// Rows and columns of the pivots, in order.
     pub rows: Vec<usize>,
     pub columns: Vec<usize>,
@@ -130,12 +130,16 @@ pub(crate) fn pivot_ratio(rows: usize, columns: usize, entries: &[(usize, usize,
 }
 
 /// Chooses pivots above `floor` times the largest entry, and eliminates with these pivots.
-pub(crate) fn eliminate(sparse: &mut SparseRows<f64>, floor: f64) -> Eliminated {
-    eliminate_by_class(sparse, floor, &vec![0; sparse.holders.len()])
+pub(crate) fn eliminate(sparse: &mut SparseRows<f64>, floor: f64) -> SparseElimination {
+    eliminate_by_class(sparse, floor, &vec![0; sparse.column_rows.len()])
 }
 
 /// Like [`eliminate`], with pivots in columns of the lowest class first.
-pub(crate) fn eliminate_by_class(sparse: &mut SparseRows<f64>, floor: f64, class: &[u8]) -> Eliminated {
+pub(crate) fn eliminate_by_class(
+    sparse: &mut SparseRows<f64>,
+    floor: f64,
+    class: &[u8],
+) -> SparseElimination {
     let scale = sparse.rows.iter().map(|row| largest(row)).fold(0.0, f64::max);
     let (mut rows, mut columns) = (Vec::new(), Vec::new());
     let (mut least, mut left) = (f64::INFINITY, 0.0_f64);
@@ -154,7 +158,7 @@ pub(crate) fn eliminate_by_class(sparse: &mut SparseRows<f64>, floor: f64, class
             least = least.min(sparse.entry(r, c).map_or(0.0, f64::abs));
             rows.push(r);
             columns.push(c);
-            let mut holders = std::mem::take(&mut sparse.holders[c]);
+            let mut holders = std::mem::take(&mut sparse.column_rows[c]);
             holders.sort_unstable();
             holders.dedup();
             for other in holders.into_iter().filter(|o| is_open[*o]) {
@@ -166,7 +170,7 @@ pub(crate) fn eliminate_by_class(sparse: &mut SparseRows<f64>, floor: f64, class
             }
         }
     }
-    Eliminated { rows, columns, scale, least, left }
+    SparseElimination { rows, columns, scale, least, left }
 }
 
 fn largest(row: &[(usize, f64)]) -> f64 {
@@ -194,7 +198,7 @@ fn next_pivot(
                 continue;
             }
             for (c, a) in row.filter(|(_, a)| a.abs() >= SPARSE_PIVOT * largest) {
-                let fill = (count - 1) * (sparse.holders[*c].len().saturating_sub(1));
+                let fill = (count - 1) * (sparse.column_rows[*c].len().saturating_sub(1));
                 if best.is_none_or(|(least, size, ..)| fill < least || fill == least && a.abs() > size) {
                     best = Some((fill, a.abs(), r, *c));
                 }

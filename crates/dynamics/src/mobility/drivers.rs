@@ -1,6 +1,6 @@
 //! Division of a group's coordinates into driving and dependent ones.
 
-use super::rank::{decide, singular_values};
+use super::rank::{decide_rank, singular_values};
 use crate::kinematics::rows::GroupRows;
 use crate::linear::jacobian::Jacobian;
 use crate::linear::sparse::{SparseRows, eliminate_by_class};
@@ -44,11 +44,11 @@ impl Model {
     pub fn default_drivers(&self, group: &Group, rows: &GroupRows<f64>, floor: f64) -> Drivers {
         let jacobian = of_movable(group, rows);
         let count = if group.movable.len() <= DENSE_LIMIT {
-            decide(&singular_values(&dense(&jacobian), &vec![1.0; jacobian.columns]), floor).rank
+            decide_rank(&singular_values(&dense(&jacobian), &vec![1.0; jacobian.columns]), floor).rank
         } else {
             usize::MAX
         };
-        let mut drivers = self.divide(group, jacobian, count, floor, |_| false);
+        let mut drivers = self.divide_coordinates(group, jacobian, count, floor, |_| false);
         let declared = |at: &usize| self.priority(group, *at, |_| false) == Priority::Declared;
         let all = group.movable.iter().filter(|at| declared(at)).count();
         drivers.declared = drivers.driving.iter().all(declared) && all == drivers.driving.len();
@@ -69,7 +69,7 @@ impl Model {
         if default.declared || !default.dependent.iter().any(|&at| given(at)) {
             return default.clone();
         }
-        self.divide(group, of_movable(group, rows), default.dependent.len(), floor, given)
+        self.divide_coordinates(group, of_movable(group, rows), default.dependent.len(), floor, given)
     }
 
     /// Priority of a coordinate for driving.
@@ -89,7 +89,7 @@ impl Model {
     /// Divides the movable coordinates of a group; `count` of the coordinates become dependent. Coordinates of the
     /// lowest priority come first. Among equal priorities, well-conditioned coordinates far from the root are
     /// preferred.
-    fn divide(
+    fn divide_coordinates(
         &self,
         group: &Group,
         jacobian: Jacobian,

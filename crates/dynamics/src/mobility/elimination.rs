@@ -1,12 +1,12 @@
 //! Pivot rows and dependent coordinates of a group, by complete pivoting, and the resulting rates.
 
-use super::rank::{Rank, decide, singular_values};
+use super::rank::{Rank, decide_rank, singular_values};
 use crate::kinematics::frames::Kinematics;
 use crate::kinematics::rows::GroupRows;
 use crate::linear::dense;
 use crate::linear::sparse::{self, SparseRows};
 use crate::model::{Group, Model};
-use crate::tolerances::{DENSE_LIMIT, RANK_MARGIN, SINGULAR_VALUES_LIMIT, SURE_PIVOT};
+use crate::tolerances::{DENSE_LIMIT, GAP_ROUNDING, RANK_MARGIN, SINGULAR_VALUES_LIMIT, SURE_PIVOT};
 use percuss_spatial::Scalar;
 
 /// Eliminated rows and columns of a group's A, in order. K = A[rows, columns] is regular, and the coordinates in
@@ -44,7 +44,7 @@ impl GroupMobility {
     }
 
     /// Recomputes rows and rates at other frames, with the same pivots.
-    pub fn move_to(&mut self, model: &Model, group: &Group, kinematics: &Kinematics<f64>) {
+    pub fn update_rates(&mut self, model: &Model, group: &Group, kinematics: &Kinematics<f64>) {
         self.rows.fill(model, group, kinematics);
         if !self.rates.is_empty() {
             let mut rates = Rates::default();
@@ -56,7 +56,7 @@ impl GroupMobility {
 
 /// Buffers for mobility decisions; refilled in place.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct MobilityRoom {
+pub(crate) struct MobilityWorkspace {
     dense: Vec<f64>,
     sizes: Vec<f64>,
     done: Vec<bool>,
@@ -71,7 +71,7 @@ impl Model {
     /// largest singular value. `expected`: the generic rank, if known.
     pub fn decide_mobility(
         &self,
-        room: &mut MobilityRoom,
+        room: &mut MobilityWorkspace,
         kinematics: &Kinematics<f64>,
         group: &Group,
         floor: f64,
@@ -91,7 +91,7 @@ impl Model {
             && seen.last >= SURE_PIVOT * seen.first
             && seen.left <= floor / RANK_MARGIN * seen.first;
         decided.rank = if sure {
-            let left = seen.left.max(1e-3 * f64::EPSILON * seen.first);
+            let left = seen.left.max(GAP_ROUNDING * seen.first);
             let (gap, least) = if count > 0 {
                 (seen.last / left, seen.last / seen.first)
             } else {
@@ -101,7 +101,7 @@ impl Model {
         } else {
             room.fill_scaled(group, &decided.rows);
             dense::singular_values(&mut room.dense, n, &mut room.values);
-            decide(&room.values, floor)
+            decide_rank(&room.values, floor)
         };
         if decided.rank.rank != count {
             room.eliminate(group, 0.0, decided.rank.rank, decided);
@@ -121,7 +121,7 @@ pub(crate) fn rank_of_rows(rows: &GroupRows<f64>, group: &Group, floor: f64) -> 
     }
     let mut matrix = nalgebra::DMatrix::zeros(group.rows, group.coordinates.len());
     rows.for_each(group, |row, column, value| matrix[(row, column)] += value);
-    decide(&singular_values(&matrix, &group.lengths), floor)
+    decide_rank(&singular_values(&matrix, &group.lengths), floor)
 }
 
 /// Decides rank and pivots of a large group by sparse pivots.
@@ -143,14 +143,15 @@ fn eliminate_large(rows: &GroupRows<f64>, group: &Group, floor: f64) -> (Pivots,
     scaled.load(group.rows, group.coordinates.len(), |add| {
         rows.for_each(group, |r, c, a| add(r, c, a / group.lengths[c]));
     });
-    let sparse::Eliminated { rows, columns, scale, least, left } = sparse::eliminate(&mut scaled, floor);
+    let sparse::SparseElimination { rows, columns, scale, least, left } =
+        sparse::eliminate(&mut scaled, floor);
     let pivots = Pivots { rows, columns };
     let rank = if pivots.rows.is_empty() {
         Rank::NONE
     } else {
         Rank {
             rank: pivots.rows.len(),
-            gap: least / left.max(1e-3 * f64::EPSILON * scale),
+            gap: least / left.max(GAP_ROUNDING * scale),
             least: least / scale,
             clear: least > RANK_MARGIN * floor * scale && left < floor * scale / RANK_MARGIN,
         }
@@ -159,14 +160,14 @@ fn eliminate_large(rows: &GroupRows<f64>, group: &Group, floor: f64) -> (Pivots,
 }
 
 /// Pivot sizes of a complete pivoting.
-struct Seen {
+struct PivotSizes {
     first: f64,
     last: f64,
     /// Largest remaining entry.
     left: f64,
 }
 
-impl MobilityRoom {
+impl MobilityWorkspace {
     /// Fills A over coordinates scaled by lengths.
     fn fill_scaled(&mut self, group: &Group, rows: &GroupRows<f64>) {
         rows.dense_into(group, &mut self.dense);
@@ -178,7 +179,13 @@ impl MobilityRoom {
     /// Gauss–Jordan elimination with complete pivoting over coordinates scaled by lengths. Stops after `limit`
     /// pivots, or at a pivot below `floor` times the first. Stores the pivots, the independent coordinates and the
     /// rates.
-    fn eliminate(&mut self, group: &Group, floor: f64, limit: usize, decided: &mut GroupMobility) -> Seen {
+    fn eliminate(
+        &mut self,
+        group: &Group,
+        floor: f64,
+        limit: usize,
+        decided: &mut GroupMobility,
+    ) -> PivotSizes {
         let (m, n) = (group.rows, group.coordinates.len());
         let GroupMobility { pivots, independent, rates, rows, .. } = decided;
         pivots.rows.clear();
@@ -199,7 +206,7 @@ impl MobilityRoom {
         self.largest.clear();
         self.largest.resize(m, (0.0, 0));
         (0..m).for_each(|r| self.find_largest(r, n));
-        let mut seen = Seen { first: 0.0, last: 0.0, left: 0.0 };
+        let mut seen = PivotSizes { first: 0.0, last: 0.0, left: 0.0 };
         loop {
             let mut best = (0.0, 0, 0);
             for r in (0..m).filter(|r| !self.done[*r]) {

@@ -1,6 +1,6 @@
 //! Rank of A, and the clarity of the rank decision.
 
-use crate::tolerances::{RANK_MARGIN, RANK_ROUNDING, SINGULAR_VALUES_LIMIT};
+use crate::tolerances::{GAP_ROUNDING, RANK_MARGIN, RANK_ROUNDING, SINGULAR_VALUES_LIMIT};
 use faer::Mat;
 use nalgebra::DMatrix;
 
@@ -54,7 +54,7 @@ pub(crate) fn singular_values(matrix: &DMatrix<f64>, lengths: &[f64]) -> Vec<f64
 }
 
 /// Decides the rank: the number of values above `floor` times the largest value.
-pub(crate) fn decide(values: &[f64], floor: f64) -> Rank {
+pub(crate) fn decide_rank(values: &[f64], floor: f64) -> Rank {
     let largest = values.first().copied().unwrap_or(0.0);
     if largest == 0.0 {
         return Rank::NONE;
@@ -67,7 +67,7 @@ pub(crate) fn decide(values: &[f64], floor: f64) -> Rank {
     let next = values.get(rank).copied().unwrap_or(0.0);
     Rank {
         rank,
-        gap: least / next.max(1e-3 * f64::EPSILON * largest),
+        gap: least / next.max(GAP_ROUNDING * largest),
         least: least / largest,
         clear: least > RANK_MARGIN * threshold && next < threshold / RANK_MARGIN,
     }
@@ -79,17 +79,17 @@ mod tests {
 
     #[test]
     fn the_gap_is_clear_or_not() {
-        let clear = decide(&[2.0, 0.5, 1e-16], 1e-10);
+        let clear = decide_rank(&[2.0, 0.5, 1e-16], 1e-10);
         assert_eq!((clear.rank, clear.clear), (2, true));
         assert!(clear.gap > 1e15);
-        assert!(!decide(&[2.0, 1e-9, 1e-16], 1e-10).clear);
-        assert_eq!(decide(&[2.0, 1e-9], 1e-10).rank, 2);
-        assert!(!decide(&[2.0, 1e-11], 1e-10).clear);
-        assert_eq!(decide(&[0.0, 0.0], 1e-10).rank, 0);
-        assert_eq!(decide(&[], 1e-10).rank, 0);
+        assert!(!decide_rank(&[2.0, 1e-9, 1e-16], 1e-10).clear);
+        assert_eq!(decide_rank(&[2.0, 1e-9], 1e-10).rank, 2);
+        assert!(!decide_rank(&[2.0, 1e-11], 1e-10).clear);
+        assert_eq!(decide_rank(&[0.0, 0.0], 1e-10).rank, 0);
+        assert_eq!(decide_rank(&[], 1e-10).rank, 0);
         // A floor above all values, and NaN values.
         for (values, floor) in [([2.0, 0.5], 1.0), ([2.0, 0.5], f64::INFINITY), ([f64::NAN; 2], 1e-10)] {
-            let nothing = decide(&values, floor);
+            let nothing = decide_rank(&values, floor);
             assert_eq!((nothing.rank, nothing.clear), (0, false));
         }
     }

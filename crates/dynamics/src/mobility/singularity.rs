@@ -3,7 +3,7 @@
 use super::drivers::Drivers;
 use super::elimination::rank_of_rows;
 use super::rank::Rank;
-use super::{decide, singular_values};
+use super::{decide_rank, singular_values};
 use crate::kinematics::rows::GroupRows;
 use crate::linear::dense::determinant_sign;
 use crate::linear::jacobian::Jacobian;
@@ -101,7 +101,7 @@ fn scaled(group: &Group, rows: &GroupRows<f64>, columns: &[usize]) -> Jacobian {
 /// Kind of singularity behind weak columns of the dependent coordinates. `None` near a change point at which A still
 /// has full rank.
 fn singularity(group: &Group, rows: &GroupRows<f64>, generic: &Generic) -> Singularity {
-    let (here, least) = rank_beside(rows, group, generic);
+    let (here, least) = rank_near(rows, group, generic);
     if here < generic.rank.rank {
         Singularity::ChangePoint
     } else if least > NEAR_CHANGE_POINT {
@@ -113,7 +113,7 @@ fn singularity(group: &Group, rows: &GroupRows<f64>, generic: &Generic) -> Singu
 
 /// Rank of a group's rows, and the singular value at the index of the generic rank, relative to the largest. Large
 /// groups use sparse pivots.
-fn rank_beside(rows: &GroupRows<f64>, group: &Group, generic: &Generic) -> (usize, f64) {
+fn rank_near(rows: &GroupRows<f64>, group: &Group, generic: &Generic) -> (usize, f64) {
     if group.coordinates.len() > SINGULAR_VALUES_LIMIT {
         let rank = rank_of_rows(rows, group, generic.floor);
         return (rank.rank, rank.least);
@@ -123,5 +123,5 @@ fn rank_beside(rows: &GroupRows<f64>, group: &Group, generic: &Generic) -> (usiz
     let values = singular_values(&matrix, &group.lengths);
     let last = generic.rank.rank.checked_sub(1).and_then(|last| values.get(last));
     let largest = values.first().copied().unwrap_or(0.0);
-    (decide(&values, generic.floor).rank, last.map_or(f64::INFINITY, |last| last / largest))
+    (decide_rank(&values, generic.floor).rank, last.map_or(f64::INFINITY, |last| last / largest))
 }

@@ -44,7 +44,7 @@ pub(crate) struct LinkFrame {
 
 /// Coordinate of a tree velocity: v = multiplier · u[index]. Mimics share the coordinate of their master.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Follows {
+pub(crate) struct VelocityCoordinate {
     pub index: usize,
     pub multiplier: f64,
 }

@@ -2,7 +2,7 @@
 
 use super::Model;
 use super::cluster::{Cluster, ClusterGroup, ClusterVelocity};
-use crate::model::union::Partition;
+use crate::model::partition::Partition;
 use std::collections::BTreeMap;
 
 impl Model {
@@ -64,7 +64,7 @@ impl Model {
     fn bound_bodies(&self) -> Vec<Vec<usize>> {
         let mut of_coordinate: Vec<Vec<usize>> = vec![Vec::new(); self.coordinates.len()];
         for (i, body) in self.bodies.iter().enumerate() {
-            for f in body.v.clone().filter_map(|v| self.follows[v]) {
+            for f in body.v.clone().filter_map(|v| self.velocity_coordinates[v]) {
                 if of_coordinate[f.index].last() != Some(&i) {
                     of_coordinate[f.index].push(i);
                 }
@@ -109,15 +109,15 @@ impl Model {
         for (at, &body) in cluster.bodies.iter().enumerate() {
             let parent = self.bodies[body].parent;
             cluster.parents.push(parent.and_then(|p| cluster.bodies[..at].binary_search(&p).ok()));
-            cluster
-                .coordinates
-                .extend(self.bodies[body].v.clone().filter_map(|v| self.follows[v]).map(|f| f.index));
+            cluster.coordinates.extend(
+                self.bodies[body].v.clone().filter_map(|v| self.velocity_coordinates[v]).map(|f| f.index),
+            );
         }
         cluster.coordinates.sort_unstable();
         cluster.coordinates.dedup();
         for (at, &body) in cluster.bodies.iter().enumerate() {
             for (component, v) in self.bodies[body].v.clone().enumerate() {
-                let Some(f) = self.follows[v] else { continue };
+                let Some(f) = self.velocity_coordinates[v] else { continue };
                 cluster.velocities.push(ClusterVelocity {
                     body: at,
                     component,

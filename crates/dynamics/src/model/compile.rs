@@ -1,7 +1,7 @@
 //! Compilation of a mechanism and its conditions to the model: bodies, coordinates, then constraints.
 
 use super::Model;
-use super::body::{Body, Coordinate, Follows, LinkFrame, MimicPosition};
+use super::body::{Body, Coordinate, LinkFrame, MimicPosition, VelocityCoordinate};
 use crate::model::conditions::{Base, Conditions, ConditionsError};
 use crate::model::joint_motion::JointMotion;
 use crate::model::tangent;
@@ -30,7 +30,7 @@ impl Model {
             base: conditions.base,
             bodies: Vec::new(),
             link_frames: vec![ground; mechanism.links().len()],
-            follows: Vec::new(),
+            velocity_coordinates: Vec::new(),
             locked,
             joint_q,
             body_of_joint: vec![None; mechanism.joints().len()],
@@ -75,7 +75,7 @@ impl Model {
                     armature: vec![0.0; 6],
                     mimic: None,
                 });
-                self.follows.extend([None; 6]);
+                self.velocity_coordinates.extend([None; 6]);
             }
             return;
         };
@@ -89,9 +89,9 @@ impl Model {
             self.link_frames[link.index()] = LinkFrame { body: parent, frame: origin };
             return;
         }
-        let first = self.follows.len();
+        let first = self.velocity_coordinates.len();
         let dofs = if self.locked[id.index()] { 0 } else { joint.kind().dofs() };
-        self.follows.extend(std::iter::repeat_n(None, dofs));
+        self.velocity_coordinates.extend(std::iter::repeat_n(None, dofs));
         self.link_frames[link.index()] =
             LinkFrame { body: Some(self.bodies.len()), frame: Transform::identity() };
         self.body_of_joint[id.index()] = Some(self.bodies.len());
@@ -128,7 +128,8 @@ impl Model {
             }
             let joint = body.joint.map(|id| mechanism.joint(id));
             for (component, v) in body.v.clone().enumerate() {
-                self.follows[v] = Some(Follows { index: self.coordinates.len(), multiplier: 1.0 });
+                self.velocity_coordinates[v] =
+                    Some(VelocityCoordinate { index: self.coordinates.len(), multiplier: 1.0 });
                 self.coordinates.push(Coordinate {
                     joint: body.joint,
                     component,
@@ -144,8 +145,8 @@ impl Model {
             let Some(mimic) = mimic else { continue };
             self.has_active_mimics = true;
             for v in body.v.clone() {
-                self.follows[v] = first_of[mimic.master.index()]
-                    .map(|index| Follows { index, multiplier: mimic.multiplier });
+                self.velocity_coordinates[v] = first_of[mimic.master.index()]
+                    .map(|index| VelocityCoordinate { index, multiplier: mimic.multiplier });
             }
         }
     }

@@ -5,7 +5,7 @@ use percuss_mechanism::JointId;
 
 /// Tree velocity that a constraint restricts.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Term {
+pub(crate) struct ConstraintTerm {
     pub body: usize,
     /// Index of the velocity within the body's joint.
     pub component: usize,
@@ -36,7 +36,7 @@ pub(crate) struct ConstraintRows {
     pub first: usize,
     pub count: usize,
     /// Restricted velocities.
-    pub terms: Vec<Term>,
+    pub terms: Vec<ConstraintTerm>,
 }
 
 /// Constraints and coordinates that are coupled with one another.

@@ -2,8 +2,8 @@
 
 use super::Model;
 use super::compile::ZeroFrames;
-use super::group::{Constraint, ConstraintRows, Group, Term};
-use crate::model::union::Partition;
+use super::group::{Constraint, ConstraintRows, ConstraintTerm, Group};
+use crate::model::partition::Partition;
 use nalgebra::Vector3;
 use percuss_mechanism::JointId;
 
@@ -39,7 +39,7 @@ impl Model {
         if constraints.is_empty() {
             return;
         }
-        let terms: Vec<Vec<Term>> = constraints.iter().map(|c| self.terms(*c)).collect();
+        let terms: Vec<Vec<ConstraintTerm>> = constraints.iter().map(|c| self.terms(*c)).collect();
         let mut partition = Partition::new(self.coordinates.len());
         for bound in &terms {
             for pair in bound.windows(2) {
@@ -82,13 +82,13 @@ impl Model {
     }
 
     /// Velocities that a constraint restricts; columns are coordinates of the model.
-    fn terms(&self, constraint: Constraint) -> Vec<Term> {
+    fn terms(&self, constraint: Constraint) -> Vec<ConstraintTerm> {
         let mut terms = Vec::new();
         let mut add = |body: usize, factor: f64| {
             for (component, v) in self.bodies[body].v.clone().enumerate() {
-                if let Some(f) = self.follows[v] {
+                if let Some(f) = self.velocity_coordinates[v] {
                     let (column, multiplier) = (f.index, f.multiplier);
-                    terms.push(Term { body, component, factor, column, multiplier });
+                    terms.push(ConstraintTerm { body, component, factor, column, multiplier });
                 }
             }
         };

@@ -12,14 +12,14 @@ mod group;
 mod groups;
 pub mod input;
 pub(crate) mod joint_motion;
+pub(crate) mod partition;
 pub(crate) mod tangent;
-pub(crate) mod union;
 pub(crate) mod velocities;
 
-pub(crate) use body::{Body, Coordinate, Follows, LinkFrame};
+pub(crate) use body::{Body, Coordinate, LinkFrame, VelocityCoordinate};
 pub(crate) use cluster::{Cluster, ClusterGroup};
 pub(crate) use constraint::{CompiledClosure, CompiledCoupling};
-pub(crate) use group::{Constraint, ConstraintRows, Group, Term};
+pub(crate) use group::{Constraint, ConstraintRows, ConstraintTerm, Group};
 
 use crate::model::conditions::{Base, CompiledHold};
 use percuss_mechanism::{JointId, LinkId, Mechanism};
@@ -36,7 +36,7 @@ pub(crate) struct Model {
     /// Frame of every link.
     pub link_frames: Vec<LinkFrame>,
     /// Coordinate of every tree velocity; always `Some` after the compilation.
-    pub follows: Vec<Option<Follows>>,
+    pub velocity_coordinates: Vec<Option<VelocityCoordinate>>,
     /// Lock flag of every joint.
     pub locked: Vec<bool>,
     /// Range of positions of every joint.
@@ -94,14 +94,14 @@ impl Model {
 
     /// Tree velocities at the coordinates `u`: G u.
     pub fn expand(&self, u: &[f64]) -> Vec<f64> {
-        self.follows.iter().map(|f| f.map_or(0.0, |f| f.multiplier * u[f.index])).collect()
+        self.velocity_coordinates.iter().map(|f| f.map_or(0.0, |f| f.multiplier * u[f.index])).collect()
     }
 
     /// Sums entries over tree velocities into entries over coordinates. Each entry is multiplied by
     /// `weight(multiplier)`; with the identity the result is Gᵀ x.
     pub fn reduce_vector(&self, tree: &[f64], weight: impl Fn(f64) -> f64) -> Vec<f64> {
         let mut reduced = vec![0.0; self.coordinates.len()];
-        for (value, follows) in tree.iter().zip(&self.follows) {
+        for (value, follows) in tree.iter().zip(&self.velocity_coordinates) {
             if let Some(f) = follows {
                 reduced[f.index] += value * weight(f.multiplier);
             }

@@ -5,7 +5,7 @@ use percuss_mechanism::Mechanism;
 /// Error of positions or velocities that do not fit the mechanism.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum VelocityError {
+pub enum StateSizeError {
     /// The number of lists differs from the number of joints.
     #[error(
         "velocities of {got} joints are given, the mechanism has {expected}: one list a joint, in joint order"
@@ -18,7 +18,7 @@ pub enum VelocityError {
     },
     /// A list has the wrong length.
     #[error("joint \"{joint}\" has {expected} velocities; {got} are given")]
-    Count {
+    VelocityCount {
         /// The joint.
         joint: String,
         /// Number of given velocities.
@@ -28,7 +28,7 @@ pub enum VelocityError {
     },
     /// The number of positions is wrong.
     #[error("{got} positions are given, the mechanism has {expected}")]
-    Positions {
+    PositionCount {
         /// Number of given positions.
         got: usize,
         /// Number of positions of the mechanism.
@@ -37,21 +37,24 @@ pub enum VelocityError {
 }
 
 /// Checks for one list of velocities per joint, each of the correct length.
-pub(crate) fn check_velocities<T>(mechanism: &Mechanism, velocities: &[Vec<T>]) -> Result<(), VelocityError> {
+pub(crate) fn check_velocities<T>(
+    mechanism: &Mechanism,
+    velocities: &[Vec<T>],
+) -> Result<(), StateSizeError> {
     let (got, expected) = (velocities.len(), mechanism.joints().len());
     if got != expected {
-        return Err(VelocityError::Joints { got, expected });
+        return Err(StateSizeError::Joints { got, expected });
     }
     for (joint, v) in mechanism.joints().iter().zip(velocities) {
         let (got, expected) = (v.len(), joint.kind().dofs());
         if got != expected {
-            return Err(VelocityError::Count { joint: joint.name().to_owned(), got, expected });
+            return Err(StateSizeError::VelocityCount { joint: joint.name().to_owned(), got, expected });
         }
     }
     Ok(())
 }
 
 /// Checks the number of positions.
-pub(crate) fn check_positions(got: usize, expected: usize) -> Result<(), VelocityError> {
-    if got == expected { Ok(()) } else { Err(VelocityError::Positions { got, expected }) }
+pub(crate) fn check_positions(got: usize, expected: usize) -> Result<(), StateSizeError> {
+    if got == expected { Ok(()) } else { Err(StateSizeError::PositionCount { got, expected }) }
 }

@@ -7,8 +7,8 @@ use crate::kinematics::frames::Kinematics;
 use crate::loops::closing::{Directions, Linearised};
 use crate::model::Group;
 use crate::model::tangent;
-use crate::model::velocities::{VelocityError, check_positions, check_velocities};
-use crate::tolerances::{ADVANCE_CORRECTIONS, MOST_CLOSING};
+use crate::model::velocities::{StateSizeError, check_positions, check_velocities};
+use crate::tolerances::{ADVANCE_CORRECTIONS, ADVANCE_STEP, MOST_CLOSING};
 use nalgebra::Vector3;
 use percuss_mechanism::JointKind;
 use percuss_spatial::{Scalar, Transform, Twist, rotation_from_quaternion};
@@ -22,7 +22,7 @@ impl System {
         &self,
         positions: &[T],
         velocities: &[Vec<T>],
-    ) -> Result<Vec<T>, VelocityError> {
+    ) -> Result<Vec<T>, StateSizeError> {
         let model = self.model();
         check_velocities(&model.mechanism, velocities)?;
         check_positions(positions.len(), model.positions)?;
@@ -46,8 +46,8 @@ impl Pose {
         velocities: &[Vec<f64>],
         base: &Twist<f64>,
         h: f64,
-    ) -> Result<Pose, VelocityError> {
-        let model = self.assembly.posing();
+    ) -> Result<Pose, StateSizeError> {
+        let model = self.assembly.pose_model();
         check_velocities(&model.mechanism, velocities)?;
         let mut kinematics = Kinematics::new(model);
         for ((joint, range), v) in model.mechanism.joints().iter().zip(&model.joint_q).zip(velocities) {
@@ -75,14 +75,14 @@ impl Pose {
     /// Every joint moves at its rate of the response. Then the loops are closed by the shortest motion. The result is
     /// exact to second order in the distance. `None` if the loops do not close, or v* is zero.
     pub fn advanced_along(&self, response: &ContactResponse, distance: f64) -> Option<Pose> {
-        if !response.gives_way() {
+        if !response.mechanism_moves() {
             return None;
         }
         let mut pose = self.advanced(&response.joint_velocities, &response.base_velocity, distance).ok()?;
-        let model = self.assembly.posing();
+        let model = self.assembly.pose_model();
         for (number, group) in model.groups.iter().enumerate() {
             let tolerance = self.assembly.tolerance(&pose.kinematics, number);
-            if !closed_again(&mut pose.kinematics, self, group, tolerance, distance.abs()) {
+            if !close_after_advance(&mut pose.kinematics, self, group, tolerance, distance.abs()) {
                 return None;
             }
         }
@@ -94,14 +94,14 @@ impl Pose {
 
 /// Closes a group by plain Gauss–Newton steps of least norm. Contradictions of a rounded file are not corrected,
 /// because the damped steps of `Model::correct` would follow them.
-fn closed_again(
+fn close_after_advance(
     kinematics: &mut Kinematics<f64>,
     from: &Pose,
     group: &Group,
     tolerance: f64,
     distance: f64,
 ) -> bool {
-    let model = from.assembly.posing();
+    let model = from.assembly.pose_model();
     let all = Directions::of(&group.movable);
     let floor = tolerance / group.size;
     let mut moved = 0.0;
@@ -113,7 +113,7 @@ fn closed_again(
             return false;
         }
         model.advance_group(kinematics, group, &all.expand(group, |k| x[k]));
-        if length <= 1e-9 * distance {
+        if length <= ADVANCE_STEP * distance {
             break;
         }
     }

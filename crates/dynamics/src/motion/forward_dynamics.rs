@@ -33,7 +33,7 @@ pub struct Accelerations {
 
 /// Intermediate values of the recursion for one velocity.
 #[derive(Clone)]
-struct Step {
+struct ForwardStep {
     s: Twist<f64>,
     u: Wrench<f64>,
     d: f64,
@@ -88,8 +88,9 @@ impl Pose {
         let mut inertias = Vec::with_capacity(n);
         let mut wrenches = Vec::with_capacity(n);
         for (i, body) in model.bodies.iter().enumerate() {
-            let carried =
-                body.parent.map_or_else(Twist::zero, |p| kinematics.steps[i].inverse_twist(&motions[p]));
+            let carried = body
+                .parent
+                .map_or_else(Twist::zero, |p| kinematics.parent_transforms[i].inverse_twist(&motions[p]));
             let own = match body.joint {
                 None => *base,
                 Some(id) => body.v.clone().enumerate().fold(Twist::zero(), |sum, (k, _)| {
@@ -121,10 +122,12 @@ impl Pose {
         biases: &[Twist<f64>],
         inertias: &mut [ArticulatedInertia<f64>],
         wrenches: &mut [Wrench<f64>],
-    ) -> Result<Vec<Step>, RouteError> {
+    ) -> Result<Vec<ForwardStep>, RouteError> {
         let model = self.assembly.model();
-        let mut steps =
-            vec![Step { s: Twist::zero(), u: Wrench::zero(), d: 0.0, t: 0.0 }; model.follows.len()];
+        let mut steps = vec![
+            ForwardStep { s: Twist::zero(), u: Wrench::zero(), d: 0.0, t: 0.0 };
+            model.velocity_coordinates.len()
+        ];
         // Size of the subtree inertia about each body's origin: bound for the trace of the rotational part, and mass.
         let mut sizes: Vec<(f64, f64)> =
             model.bodies.iter().map(|b| (b.inertia.rotational.trace().abs(), b.inertia.mass)).collect();
@@ -145,10 +148,10 @@ impl Pose {
                 let t = -wrenches[i].power(&s);
                 wrenches[i] += u * (t / d);
                 inertias[i].subtract_dyad(&(u * (1.0 / d)), &u);
-                steps[v] = Step { s, u, d, t };
+                steps[v] = ForwardStep { s, u, d, t };
             }
             if let Some(parent) = body.parent {
-                let step = &self.kinematics.steps[i];
+                let step = &self.kinematics.parent_transforms[i];
                 let carried = transformed(step, &inertias[i]);
                 inertias[parent] += &carried;
                 let wrench = step.wrench(&wrenches[i]);
@@ -166,7 +169,7 @@ impl Pose {
     /// Accelerations of all joints and bodies, from the root to the tips.
     fn root_to_tips(
         &self,
-        steps: &[Step],
+        steps: &[ForwardStep],
         motions: Vec<Twist<f64>>,
         biases: &[Twist<f64>],
         gravity: &Vector3<f64>,
@@ -178,7 +181,7 @@ impl Pose {
         let mut accelerations = vec![Twist::zero(); model.bodies.len()];
         for (i, body) in model.bodies.iter().enumerate() {
             let from = body.parent.map_or(ground, |p| accelerations[p]);
-            let mut a = self.kinematics.steps[i].inverse_twist(&from);
+            let mut a = self.kinematics.parent_transforms[i].inverse_twist(&from);
             for (k, v) in body.v.clone().enumerate().rev() {
                 let step = &steps[v];
                 let rate = (step.t - step.u.power(&a)) / step.d;

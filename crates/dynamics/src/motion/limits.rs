@@ -2,8 +2,8 @@
 
 use crate::analysis::assembly::Assembly;
 use crate::analysis::pose::Pose;
-use crate::analysis::routes::{Question, RecursionRoom};
-use crate::dense::careful::Minimum;
+use crate::analysis::routes::{RecursionWorkspace, RouteInput};
+use crate::dense::direct::Minimum;
 use crate::kinematics::contact::{Contact, LocatedContact};
 use crate::kinematics::frames::Kinematics;
 use crate::kinematics::outcome::EffectiveMass;
@@ -11,8 +11,8 @@ use crate::linear::dense::dot;
 use crate::loops::singular::Surroundings;
 use crate::model::Model;
 use crate::tolerances::{
-    BENT, BRANCH_COMBINATIONS, DOUBTFUL_LIMIT, LIMIT_PLACES, LIMIT_STEPS, LIMITS_AGREE,
-    LIMITS_BY_CAREFUL_ROUTE, LIMITS_BY_RECURSION, VANISHING_LIMIT,
+    BRANCH_COMBINATIONS, DOUBTFUL_LIMIT, LEAST_BRANCH_COSINE, LIMIT_PLACES, LIMIT_STEPS, LIMITS_AGREE,
+    LIMITS_BY_DENSE_ROUTE, LIMITS_BY_RECURSION, VANISHING_LIMIT,
 };
 
 /// Limits of m̄ at a crossing of branches.
@@ -62,7 +62,7 @@ impl Pose {
 #[derive(Clone, Copy, PartialEq)]
 enum LimitRoute {
     /// Dense route, for small mechanisms.
-    Careful,
+    Dense,
     /// Recursion, with the mobility decided by the assembly at each place.
     Recursion,
 }
@@ -70,14 +70,15 @@ enum LimitRoute {
 impl LimitRoute {
     /// Chooses the dense route if its total work is within the limit.
     fn of(model: &Model, combinations: usize) -> Self {
-        let work = model.follows.len().saturating_pow(3).saturating_mul(LIMIT_PLACES * combinations);
-        if work <= LIMITS_BY_CAREFUL_ROUTE { LimitRoute::Careful } else { LimitRoute::Recursion }
+        let work =
+            model.velocity_coordinates.len().saturating_pow(3).saturating_mul(LIMIT_PLACES * combinations);
+        if work <= LIMITS_BY_DENSE_ROUTE { LimitRoute::Dense } else { LimitRoute::Recursion }
     }
 
     /// Largest number of combinations of branches within the work limit.
     fn most_combinations(self, model: &Model) -> usize {
         match self {
-            LimitRoute::Careful => BRANCH_COMBINATIONS,
+            LimitRoute::Dense => BRANCH_COMBINATIONS,
             LimitRoute::Recursion => {
                 (LIMITS_BY_RECURSION / (LIMIT_PLACES * model.bodies.len().max(1))).max(1)
             }
@@ -92,9 +93,9 @@ impl LimitRoute {
         located: &LocatedContact,
     ) -> Option<EffectiveMass> {
         let model = assembly.model();
-        let groups = assembly.decide(kinematics);
+        let groups = assembly.decide_mobility(kinematics);
         match self {
-            LimitRoute::Careful => match model.least_energy(kinematics, &groups, located).minimum {
+            LimitRoute::Dense => match model.least_energy(kinematics, &groups, located).minimum {
                 Minimum::Finite(m) => Some(EffectiveMass::Finite(m)),
                 Minimum::Immovable => Some(EffectiveMass::Immovable),
                 Minimum::Massless => Some(EffectiveMass::Massless),
@@ -103,9 +104,9 @@ impl LimitRoute {
             LimitRoute::Recursion => {
                 model.refuse_large_clusters::<f64>(&groups).ok()?;
                 let question =
-                    Question { model, kinematics, groups: &groups, misfits: assembly.misfits(), located };
-                let mut room = RecursionRoom::new(model);
-                question.run(&mut room);
+                    RouteInput { model, kinematics, groups: &groups, misfits: assembly.misfits(), located };
+                let mut room = RecursionWorkspace::new(model);
+                question.run_recursion(&mut room);
                 (!room.deciding.indefinite).then(|| room.mass())
             }
         }
@@ -124,7 +125,7 @@ struct Crossings<'a> {
 fn crossings_of<'a>(pose: &'a Pose, contact: &Contact) -> Crossings<'a> {
     let known = pose.crossings();
     let of_group = |number| known.iter().find(|(n, _)| *n == number).map(|(_, around)| around);
-    let coupled = coupled_groups(pose.assembly().posing(), contact).into_iter();
+    let coupled = coupled_groups(pose.assembly().pose_model(), contact).into_iter();
     let all: Vec<&Surroundings> = coupled.filter_map(of_group).filter(|a| !a.regular).collect();
     let complete = all.iter().all(|a| a.complete);
     Crossings { crossings: all.into_iter().filter(|a| !a.branches.is_empty()).collect(), complete }
@@ -173,13 +174,13 @@ fn limit_along(
         for around in crossings {
             let along = &around.branches[number % around.branches.len()].along;
             number /= around.branches.len();
-            let displaced = assembly.posing().go_beside(
+            let displaced = assembly.pose_model().close_at_distance(
                 &mut kinematics,
                 around,
                 along,
                 f64::from(places) * apart * around.group.size,
             )?;
-            if dot(&displaced, along) < BENT * dot(&displaced, &displaced).sqrt() {
+            if dot(&displaced, along) < LEAST_BRANCH_COSINE * dot(&displaced, &displaced).sqrt() {
                 return None;
             }
         }
@@ -188,7 +189,7 @@ fn limit_along(
     };
     let mut best: Option<(f64, EffectiveMass)> = None;
     for apart in LIMIT_STEPS {
-        let Some((doubt, limit)) = carried_on(&|places| at(places, apart)) else { continue };
+        let Some((doubt, limit)) = extrapolate_limit(&|places| at(places, apart)) else { continue };
         if best.is_none_or(|(least, _)| doubt < least) {
             best = Some((doubt, limit));
         }
@@ -210,7 +211,7 @@ fn value(limit: &EffectiveMass) -> f64 {
 
 /// Limit from the values at one to four places on each side, and the difference between two orders of the
 /// interpolation. A branch is immovable or massless if all places are.
-fn carried_on(at: &dyn Fn(i32) -> Option<EffectiveMass>) -> Option<(f64, EffectiveMass)> {
+fn extrapolate_limit(at: &dyn Fn(i32) -> Option<EffectiveMass>) -> Option<(f64, EffectiveMass)> {
     const EIGHT: [f64; 4] = [4.0 / 5.0, -2.0 / 5.0, 4.0 / 35.0, -1.0 / 70.0];
     const SIX: [f64; 4] = [3.0 / 4.0, -3.0 / 10.0, 1.0 / 20.0, 0.0];
     let (mut mobility, mut coarse, mut most_mobile) = (0.0, 0.0, 0.0_f64);
@@ -253,7 +254,7 @@ mod tests {
     #[test]
     fn a_smooth_branch_is_carried_on() {
         let Some((doubt, EffectiveMass::Finite(m))) =
-            carried_on(&|place| Some(EffectiveMass::Finite(2.0 + 0.01 * f64::from(place))))
+            extrapolate_limit(&|place| Some(EffectiveMass::Finite(2.0 + 0.01 * f64::from(place))))
         else {
             panic!("a limit")
         };
@@ -262,23 +263,23 @@ mod tests {
 
     #[test]
     fn a_state_is_one_of_all_places() {
-        let all = carried_on(&|_| Some(EffectiveMass::Immovable));
+        let all = extrapolate_limit(&|_| Some(EffectiveMass::Immovable));
         assert_eq!(all, Some((0.0, EffectiveMass::Immovable)));
         for odd in [-4, -1, 1, 4] {
             let but_one =
                 |place| Some(if place == odd { EffectiveMass::Massless } else { EffectiveMass::Finite(2.0) });
-            assert_eq!(carried_on(&but_one), None, "{odd}");
+            assert_eq!(extrapolate_limit(&but_one), None, "{odd}");
             let but_one = |place| {
                 Some(if place == odd { EffectiveMass::Finite(2.0) } else { EffectiveMass::Immovable })
             };
-            assert_eq!(carried_on(&but_one), None, "{odd}");
+            assert_eq!(extrapolate_limit(&but_one), None, "{odd}");
         }
     }
 
     #[test]
     fn values_that_jump_have_no_limit() {
         let jumps = |place: i32| Some(EffectiveMass::Finite(if place % 2 == 0 { 1.0 } else { 7.0 }));
-        let (doubt, _) = carried_on(&jumps).expect("numbers");
+        let (doubt, _) = extrapolate_limit(&jumps).expect("numbers");
         assert!(doubt > DOUBTFUL_LIMIT, "{doubt:e}");
     }
 }

@@ -4,7 +4,7 @@ use crate::analysis::pose::Pose;
 use crate::analysis::response::ContactResponse;
 use crate::kinematics::outcome::{EffectiveMass, Remark};
 use crate::model::input::foreign_link;
-use crate::recursion::{Deciding, Recursion};
+use crate::recursion::{DecidingPivoting, Recursion};
 use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 use percuss_spatial::Wrench;
@@ -55,7 +55,7 @@ impl Pose {
             return None;
         }
         let at = self.kinematics.link_frame(model, link).point(point);
-        let mut columns = vec![Vector3::zeros(); model.follows.len()];
+        let mut columns = vec![Vector3::zeros(); model.velocity_coordinates.len()];
         let against = against.and_then(|link| model.body_of(link));
         model.for_each_support(model.body_of(link), against, |i, sign| {
             for (k, v) in model.bodies[i].v.clone().enumerate() {
@@ -63,7 +63,9 @@ impl Pose {
             }
         });
         let velocity = |tree: &[f64]| columns.iter().zip(tree).map(|(c, v)| c * *v).sum::<Vector3<f64>>();
-        if response.remarks.contains(&Remark::UndeterminedMotion) && self.is_open(link, against, &at) {
+        if response.remarks.contains(&Remark::UndeterminedMotion)
+            && self.has_massless_motion_at(link, against, &at)
+        {
             return Some(PointVelocity::Undetermined);
         }
         Some(PointVelocity::Known(velocity(&self.tree_velocities(response))))
@@ -71,14 +73,14 @@ impl Pose {
 
     /// True if a motion without mass moves a point (root frame) of a link relative to a body: a test force at the
     /// point has a massless response.
-    fn is_open(&self, link: LinkId, against: Option<usize>, at: &Vector3<f64>) -> bool {
+    fn has_massless_motion_at(&self, link: LinkId, against: Option<usize>, at: &Vector3<f64>) -> bool {
         let model = self.assembly.model();
         // The response may belong to another pose; then nothing is known.
         if model.refuse_large_clusters::<f64>(&self.groups).is_err() {
             return true;
         }
         let mut recursion = Recursion::<f64, 3>::new(model);
-        let mut deciding = Deciding::<3>::new(model);
+        let mut deciding = DecidingPivoting::<3>::new(model);
         for axis in 0..3 {
             let mut force = Vector3::zeros();
             force[axis] = 1.0;
@@ -91,7 +93,7 @@ impl Pose {
 
     /// v* over the tree velocities.
     fn tree_velocities(&self, response: &ContactResponse) -> Vec<f64> {
-        let mut tree = vec![0.0; self.assembly.model().follows.len()];
+        let mut tree = vec![0.0; self.assembly.model().velocity_coordinates.len()];
         for body in self.assembly.model().bodies.iter().filter(|b| !b.v.is_empty()) {
             match body.joint {
                 Some(id) => tree[body.v.clone()].copy_from_slice(&response.joint_velocities[id.index()]),

@@ -10,8 +10,10 @@ use crate::model::Model;
 use crate::model::configuration::Configuration;
 use crate::model::input::{foreign_link, is_number};
 use crate::model::joint_motion::turns;
-use crate::motion::travel_search::{Missed, Place, Scale, Search, Stop};
-use crate::tolerances::{FIRST_STEP, MET, SAME_RATE, SHORTEST_DIRECTION, UNMOVED, WEAK_DRIVER};
+use crate::motion::travel_search::{Scale, Search, SearchError, TravelPoint, VisitError};
+use crate::tolerances::{
+    DISPLACEMENT_ACCURACY, FIRST_STEP, SAME_RATE, SHORTEST_DIRECTION, UNMOVED, WEAK_DRIVER,
+};
 use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId, Mechanism};
 use percuss_spatial::Transform;
@@ -101,13 +103,13 @@ pub enum TravelError {
 }
 
 /// Effect of a joint on the point.
-enum Drive {
+enum DriveEffect {
     /// The joint cannot be set: it depends on other joints that are declared or set.
     None,
     /// Not determined to first order: the pose is a change point, or a dead centre of the joint.
-    Open { weak: bool },
+    Undetermined { weak: bool },
     /// Determined rate; `weak`: near a dead centre of the joint.
-    At { rate: f64, motion: f64, weak: bool },
+    Determined { rate: f64, motion: f64, weak: bool },
 }
 
 /// Joint that may drive the point.
@@ -146,7 +148,7 @@ impl Travel {
         if length < SHORTEST_DIRECTION {
             return Err(TravelError::NoDirection { length });
         }
-        let origin = pose.kinematics.link_frame(pose.assembly.posing(), link).point(&point);
+        let origin = pose.kinematics.link_frame(pose.assembly.pose_model(), link).point(&point);
         Ok(Self { link, point, direction: direction / length, base: pose.base, origin })
     }
 
@@ -167,7 +169,7 @@ impl Travel {
 
     /// Displacement of the point at a pose of the same mechanism, m.
     pub fn displacement(&self, pose: &Pose) -> f64 {
-        let at = pose.kinematics.link_frame(pose.assembly.posing(), self.link).point(&self.point);
+        let at = pose.kinematics.link_frame(pose.assembly.pose_model(), self.link).point(&self.point);
         let mut moved = pose.base.vector(&(at - self.origin));
         if pose.base != self.base {
             moved += pose.base.point(&self.origin) - self.base.point(&self.origin);
@@ -186,15 +188,15 @@ impl Travel {
         if !is_driver(pose.mechanism(), driver) {
             return None;
         }
-        let drive = match (drives_at(pose, driver), group_of(pose, driver), &pose.loops) {
+        let drive = match (is_independent_at(pose, driver), group_of(pose, driver), &pose.loops) {
             (true, Some(number), Some(loops)) => {
-                self.through(pose, driver, number, &loops.dependent[number], 0.0)
+                self.effect_through_loops(pose, driver, number, &loops.dependent[number], 0.0)
             }
-            _ => self.beside(pose, driver, &|_| false),
+            _ => self.joint_effect(pose, driver, &|_| false),
         };
         match drive {
-            Drive::At { rate, .. } => Some(rate),
-            Drive::None | Drive::Open { .. } => None,
+            DriveEffect::Determined { rate, .. } => Some(rate),
+            DriveEffect::None | DriveEffect::Undetermined { .. } => None,
         }
     }
 
@@ -214,19 +216,19 @@ impl Travel {
         let mechanism = pose.mechanism();
         let (mut known, mut resting) = (Vec::new(), Vec::new());
         for joint in mechanism.joint_ids().filter(|id| is_driver(mechanism, *id) && !is_set(*id)) {
-            match self.beside(pose, joint, is_set) {
-                Drive::None => {}
-                Drive::Open { weak } => {
-                    known.extend(self.step_of(pose, joint, is_set, weak));
+            match self.joint_effect(pose, joint, is_set) {
+                DriveEffect::None => {}
+                DriveEffect::Undetermined { weak } => {
+                    known.extend(self.effect_by_step(pose, joint, is_set, weak));
                 }
-                Drive::At { rate, motion, weak } => {
+                DriveEffect::Determined { rate, motion, weak } => {
                     known.push(Candidate { joint, rate, motion, weak });
                     resting.push((joint, weak));
                 }
             }
         }
         let stepped = || {
-            let stepped = |(joint, weak)| self.step_of(pose, joint, is_set, weak);
+            let stepped = |(joint, weak)| self.effect_by_step(pose, joint, is_set, weak);
             best(mechanism, resting.into_iter().filter_map(stepped))
         };
         best(mechanism, known)
@@ -265,69 +267,79 @@ impl Travel {
         let mut visit = |from: &Pose, value: f64| {
             configuration.values[driver.index()] = vec![value];
             match from.assembly.pose_from(from, &configuration) {
-                Ok(pose) => Ok(self.place(pose, driver)),
-                Err(error) if error.is_bad_input() => Err(Stop::Fault(error)),
-                Err(error) => Err(Stop::NoPose { end: end_of(&error, name), error }),
+                Ok(pose) => Ok(self.travel_point(pose, driver)),
+                Err(error) if error.is_bad_input() => Err(VisitError::Fault(error)),
+                Err(error) => Err(VisitError::NoPose { end: driver_limit(&error, name), error }),
             }
         };
         let scale = Scale { size: mechanism.characteristic_length(), unit: unit(mechanism, driver) };
-        let mut start = self.place(from.clone(), driver);
+        let mut start = self.travel_point(from.clone(), driver);
         // The start pose may belong to another configuration, with other drivers.
-        if !drives_at(from, driver) || (requested - start.gone).abs() <= MET * scale.size {
+        if !is_independent_at(from, driver)
+            || (requested - start.displacement).abs() <= DISPLACEMENT_ACCURACY * scale.size
+        {
             start = visit(from, start.driver).map_err(|stop| match stop {
-                Stop::Fault(error) | Stop::NoPose { error, .. } => error,
+                VisitError::Fault(error) | VisitError::NoPose { error, .. } => error,
             })?;
         }
-        let found = Search { scale, requested, visit: &mut visit }.go(start);
+        let found = Search { scale, requested, visit: &mut visit }.run(start);
         found.map(|place| place.pose).map_err(|missed| match missed {
-            Missed::Unreachable { nearest } => TravelError::Unreachable { requested, nearest },
-            Missed::TooFar { reached } => TravelError::TooFar { requested, reached },
-            Missed::Assembly(error) => TravelError::Assembly(error),
+            SearchError::Unreachable { nearest } => TravelError::Unreachable { requested, nearest },
+            SearchError::TooFar { reached } => TravelError::TooFar { requested, reached },
+            SearchError::Assembly(error) => TravelError::Assembly(error),
         })
     }
 
     /// Displacement and rate at a pose.
-    fn place(&self, pose: Pose, driver: JointId) -> Place<Pose> {
+    fn travel_point(&self, pose: Pose, driver: JointId) -> TravelPoint<Pose> {
         let (gone, rate) = (self.displacement(&pose), self.rate(&pose, driver));
-        Place { driver: pose.joint(driver)[0], gone, rate, pose }
+        TravelPoint { driver: pose.joint(driver)[0], displacement: gone, rate, pose }
     }
 
     /// Effect of a joint on the point, if the joint is set in addition to other joints.
-    fn beside(&self, pose: &Pose, joint: JointId, is_set: &dyn Fn(JointId) -> bool) -> Drive {
+    fn joint_effect(&self, pose: &Pose, joint: JointId, is_set: &dyn Fn(JointId) -> bool) -> DriveEffect {
         let Some(number) = group_of(pose, joint) else {
-            let model = pose.assembly.posing();
+            let model = pose.assembly.pose_model();
             let mut u = vec![0.0; model.coordinates.len()];
             return match coordinate(model, joint) {
-                None => Drive::None,
+                None => DriveEffect::None,
                 Some(c) => {
                     u[c] = 1.0;
-                    Drive::At { rate: self.speed(pose, &u), motion: motion(pose, &u), weak: false }
+                    DriveEffect::Determined {
+                        rate: self.speed(pose, &u),
+                        motion: motion(pose, &u),
+                        weak: false,
+                    }
                 }
             };
         };
-        let (model, facts) = (pose.assembly.posing(), pose.assembly.group_facts(number));
+        let (model, facts) = (pose.assembly.pose_model(), pose.assembly.group_facts(number));
         let group = &model.groups[number];
         let given = |at: usize| group.joints[at].is_some_and(|id| id == joint || is_set(id));
-        match facts.divide(model, group, || pose.kinematics.clone(), given) {
-            Ok(divided) => self.through(pose, joint, number, &divided.dependent, divided.conditioning),
-            Err(_) => Drive::None,
+        match facts.choose_drivers(model, group, || pose.kinematics.clone(), given) {
+            Ok(divided) => {
+                self.effect_through_loops(pose, joint, number, &divided.dependent, divided.conditioning)
+            }
+            Err(_) => DriveEffect::None,
         }
     }
 
     /// Effect of a joint on the point through its group of loops: u_d = −K⁻¹ a. K are the columns of A of the
     /// dependent coordinates, a is the column of the joint. `conditioning`: ratio of the smallest to the largest
     /// pivot of K at the generic pose.
-    fn through(
+    fn effect_through_loops(
         &self,
         pose: &Pose,
         joint: JointId,
         number: usize,
         dependent: &[usize],
         conditioning: f64,
-    ) -> Drive {
-        let (model, floor) = (pose.assembly.posing(), pose.assembly.group_facts(number).floor);
+    ) -> DriveEffect {
+        let (model, floor) = (pose.assembly.pose_model(), pose.assembly.group_facts(number).floor);
         let group = &model.groups[number];
-        let Some(at) = coordinate(model, joint).and_then(|c| group.column(c)) else { return Drive::None };
+        let Some(at) = coordinate(model, joint).and_then(|c| group.column(c)) else {
+            return DriveEffect::None;
+        };
         let mut rows = GroupRows::default();
         rows.fill(model, group, &pose.kinematics);
         let directions = Directions::of(dependent);
@@ -336,7 +348,7 @@ impl Travel {
         let singularity = pose.loops.as_ref().map(|loops| loops.singularities[number]);
         let weak = pivots < WEAK_DRIVER * conditioning && singularity != Some(Singularity::ChangePoint);
         if pivots <= floor {
-            return Drive::Open { weak };
+            return DriveEffect::Undetermined { weak };
         }
         let mut target = vec![0.0; group.rows];
         rows.for_each(group, |row, column, value| {
@@ -350,12 +362,12 @@ impl Travel {
             u[*c] = rate;
         }
         u[group.coordinates[at]] = 1.0;
-        Drive::At { rate: self.speed(pose, &u), motion: motion(pose, &u), weak }
+        DriveEffect::Determined { rate: self.speed(pose, &u), motion: motion(pose, &u), weak }
     }
 
     /// Speed of the point along the direction at given rates of the coordinates, m/s.
     fn speed(&self, pose: &Pose, u: &[f64]) -> f64 {
-        let jacobian = pose.assembly.posing().point_jacobian(&pose.kinematics, self.link, &self.point);
+        let jacobian = pose.assembly.pose_model().point_jacobian(&pose.kinematics, self.link, &self.point);
         let along = pose.base.inverse_vector(&self.direction);
         jacobian
             .column_iter()
@@ -366,7 +378,7 @@ impl Travel {
     }
 
     /// Effect of a joint on the point from a small step, with all other drivers fixed; `None` if no pose is found.
-    fn step_of(
+    fn effect_by_step(
         &self,
         pose: &Pose,
         joint: JointId,
@@ -399,7 +411,7 @@ impl Travel {
 /// Σ u², with rates of translations relative to the size of the mechanism.
 fn motion(pose: &Pose, u: &[f64]) -> f64 {
     let size = pose.mechanism().characteristic_length();
-    let coordinates = &pose.assembly.posing().coordinates;
+    let coordinates = &pose.assembly.pose_model().coordinates;
     let scaled = coordinates.iter().zip(u).map(|(c, u)| if c.turns { *u } else { *u / size });
     scaled.map(|u| u * u).sum()
 }
@@ -417,20 +429,20 @@ fn unit(mechanism: &Mechanism, joint: JointId) -> f64 {
 
 /// Group of loops that contains a joint.
 fn group_of(pose: &Pose, joint: JointId) -> Option<usize> {
-    pose.assembly.posing().groups.iter().position(|group| group.joints.contains(&Some(joint)))
+    pose.assembly.pose_model().groups.iter().position(|group| group.joints.contains(&Some(joint)))
 }
 
 /// True if a joint does not depend on other joints at a pose.
-fn drives_at(pose: &Pose, joint: JointId) -> bool {
+fn is_independent_at(pose: &Pose, joint: JointId) -> bool {
     let Some((number, loops)) = group_of(pose, joint).zip(pose.loops.as_ref()) else { return true };
-    let group = &pose.assembly.posing().groups[number];
+    let group = &pose.assembly.pose_model().groups[number];
     loops.dependent[number].iter().all(|&at| group.joints[at] != Some(joint))
 }
 
 /// Coordinate of the first velocity of a joint.
 fn coordinate(model: &Model, joint: JointId) -> Option<usize> {
     let body = &model.bodies[model.body_of_joint[joint.index()]?];
-    model.follows[body.v.clone().next()?].map(|follows| follows.index)
+    model.velocity_coordinates[body.v.clone().next()?].map(|follows| follows.index)
 }
 
 /// Candidate that moves the point most relative to all motion, and fast enough to drive the point.
@@ -454,7 +466,7 @@ fn best(mechanism: &Mechanism, candidates: impl IntoIterator<Item = Candidate>) 
 }
 
 /// Position at which the driver reached its limit.
-fn end_of(error: &AssemblyError, driver: &str) -> Option<f64> {
+fn driver_limit(error: &AssemblyError, driver: &str) -> Option<f64> {
     let AssemblyError::Unreachable { nearest, .. } = error else { return None };
     nearest.iter().find(|(name, _)| name == driver).map(|(_, value)| *value)
 }

@@ -6,24 +6,25 @@
 
 use crate::loops::assembling::AssemblyError;
 use crate::tolerances::{
-    ENCLOSED_STEPS, FIRST_STEP, LONGEST_STEP, MET, MET_TO_ROUNDING, POLISHED, STATIONARY, TRAVEL_STEPS,
+    DISPLACEMENT_ACCURACY, ENCLOSED_STEPS, FIRST_STEP, LONGEST_STEP, MET_TO_ROUNDING, POLISHED, STATIONARY,
+    TRAVEL_STEPS,
 };
 
 /// A pose along the motion of a driver.
 #[derive(Clone, Debug)]
-pub(crate) struct Place<P> {
+pub(crate) struct TravelPoint<P> {
     pub pose: P,
     /// Position of the driver, rad or m.
     pub driver: f64,
     /// Displacement of the point, m.
-    pub gone: f64,
+    pub displacement: f64,
     /// Rate of the displacement; `None` if not determined.
     pub rate: Option<f64>,
 }
 
 /// Reason for a missing pose at a driver position.
 #[derive(Clone, Debug)]
-pub(crate) enum Stop {
+pub(crate) enum VisitError {
     /// No pose exists there; `end` is the limit of the driver, if found.
     NoPose { error: AssemblyError, end: Option<f64> },
     /// The input is invalid.
@@ -32,7 +33,7 @@ pub(crate) enum Stop {
 
 /// Reason for not reaching a displacement.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Missed {
+pub(crate) enum SearchError {
     /// The driver reached its limit, or the point reversed. `nearest`: displacement nearest to the requested one, m.
     Unreachable { nearest: f64 },
     /// The step limit was reached. `reached`: displacement of the point, m.
@@ -51,29 +52,31 @@ pub(crate) struct Scale {
 }
 
 /// Far end of the bracket around the solution.
-enum Far<P> {
+enum BracketEnd<P> {
     /// A place beyond the requested displacement.
-    Over(Place<P>),
+    Beyond(TravelPoint<P>),
     /// A place after the reversal of the point.
-    Turned(Place<P>),
+    Reversed(TravelPoint<P>),
     /// The limit of the driver, short of the displacement. The point may have reversed before the limit.
-    End(Place<P>),
+    DriverLimit(TravelPoint<P>),
     /// A driver position without a pose, or the limit of the driver, at which a pose may exist.
-    Barred { driver: f64, is_end: bool },
+    NoPose { driver: f64, is_end: bool },
 }
 
-impl<P> Far<P> {
+impl<P> BracketEnd<P> {
     /// Position of the driver at this end.
     fn driver(&self) -> f64 {
         match self {
-            Far::Over(place) | Far::Turned(place) | Far::End(place) => place.driver,
-            Far::Barred { driver, .. } => *driver,
+            BracketEnd::Beyond(place) | BracketEnd::Reversed(place) | BracketEnd::DriverLimit(place) => {
+                place.driver
+            }
+            BracketEnd::NoPose { driver, .. } => *driver,
         }
     }
 }
 
 /// Place at a driver position, or the reason for its absence.
-type Visited<P> = Result<Place<P>, Stop>;
+type VisitResult<P> = Result<TravelPoint<P>, VisitError>;
 
 /// Search for one displacement.
 pub(crate) struct Search<'a, P> {
@@ -81,53 +84,53 @@ pub(crate) struct Search<'a, P> {
     /// Requested displacement, m.
     pub requested: f64,
     /// Returns the place at a driver position, followed from another pose.
-    pub visit: &'a mut (dyn FnMut(&P, f64) -> Visited<P> + 'a),
+    pub visit: &'a mut (dyn FnMut(&P, f64) -> VisitResult<P> + 'a),
 }
 
 impl<P> Search<'_, P> {
     /// Remaining displacement to the requested one, m.
-    fn miss(&self, place: &Place<P>) -> f64 {
-        self.requested - place.gone
+    fn remaining_displacement(&self, place: &TravelPoint<P>) -> f64 {
+        self.requested - place.displacement
     }
 
     /// True if the requested displacement is reached.
-    fn is_met(&self, place: &Place<P>) -> bool {
-        self.miss(place).abs() <= MET * self.scale.size
+    fn is_reached(&self, place: &TravelPoint<P>) -> bool {
+        self.remaining_displacement(place).abs() <= DISPLACEMENT_ACCURACY * self.scale.size
     }
 
     /// The rate, if its sign is determined.
-    fn rate(&self, place: &Place<P>) -> Option<f64> {
+    fn rate(&self, place: &TravelPoint<P>) -> Option<f64> {
         let Scale { size, unit } = self.scale;
         place.rate.filter(|rate| rate.is_finite() && (rate * unit).abs() > STATIONARY * size)
     }
 
     /// Searches the requested displacement, starting at a known place.
-    pub fn go(mut self, start: Place<P>) -> Result<Place<P>, Missed> {
-        if self.is_met(&start) {
+    pub fn run(mut self, start: TravelPoint<P>) -> Result<TravelPoint<P>, SearchError> {
+        if self.is_reached(&start) {
             return Ok(start);
         }
-        let start = if self.rate(&start).is_some() { start } else { self.leave(&start)? };
-        if self.is_met(&start) {
+        let start = if self.rate(&start).is_some() { start } else { self.step_from_undetermined(&start)? };
+        if self.is_reached(&start) {
             return Ok(start);
         }
         let Some(rate) = self.rate(&start) else {
-            return Err(Missed::Unreachable { nearest: start.gone });
+            return Err(SearchError::Unreachable { nearest: start.displacement });
         };
         // Direction of the driver towards the requested displacement.
-        let ahead = self.miss(&start).signum() * rate.signum();
-        let found = self.march(start, ahead)?;
-        Ok(self.polished(found))
+        let ahead = self.remaining_displacement(&start).signum() * rate.signum();
+        let found = self.step_until_bracketed(start, ahead)?;
+        Ok(self.polish(found))
     }
 
     /// One more Newton step, if the remaining error is above rounding.
-    fn polished(&mut self, found: Place<P>) -> Place<P> {
-        let miss = self.miss(&found);
+    fn polish(&mut self, found: TravelPoint<P>) -> TravelPoint<P> {
+        let miss = self.remaining_displacement(&found);
         let Some(rate) = self.rate(&found).filter(|_| miss.abs() > POLISHED * self.scale.size) else {
             return found;
         };
         match (self.visit)(&found.pose, found.driver + miss / rate) {
             Ok(place)
-                if self.miss(&place).abs() < miss.abs()
+                if self.remaining_displacement(&place).abs() < miss.abs()
                     && self.rate(&place).is_some_and(|other| other * rate > 0.0) =>
             {
                 place
@@ -137,124 +140,151 @@ impl<P> Search<'_, P> {
     }
 
     /// A step away from a place with an undetermined rate.
-    fn leave(&mut self, start: &Place<P>) -> Result<Place<P>, Missed> {
+    fn step_from_undetermined(&mut self, start: &TravelPoint<P>) -> Result<TravelPoint<P>, SearchError> {
         let step = FIRST_STEP * self.scale.unit;
         let mut first = None;
         for step in [step, -step] {
             match (self.visit)(&start.pose, start.driver + step) {
                 Ok(place) => return Ok(place),
-                Err(Stop::Fault(error)) => return Err(Missed::Assembly(error)),
-                Err(Stop::NoPose { error, .. }) => {
+                Err(VisitError::Fault(error)) => return Err(SearchError::Assembly(error)),
+                Err(VisitError::NoPose { error, .. }) => {
                     first.get_or_insert(error);
                 }
             }
         }
-        Err(first.map_or(Missed::Unreachable { nearest: start.gone }, Missed::Assembly))
+        Err(first.map_or(SearchError::Unreachable { nearest: start.displacement }, SearchError::Assembly))
     }
 
     /// Newton steps of limited length, until the displacement is reached or bracketed.
-    fn march(&mut self, mut near: Place<P>, ahead: f64) -> Result<Place<P>, Missed> {
+    fn step_until_bracketed(
+        &mut self,
+        mut near: TravelPoint<P>,
+        ahead: f64,
+    ) -> Result<TravelPoint<P>, SearchError> {
         let longest = LONGEST_STEP * self.scale.unit;
         for _ in 0..TRAVEL_STEPS {
             let step = match self.rate(&near) {
-                Some(rate) => (self.miss(&near) / rate).abs().min(longest),
+                Some(rate) => (self.remaining_displacement(&near) / rate).abs().min(longest),
                 None => FIRST_STEP * self.scale.unit,
             };
-            match self.next(&near, near.driver + ahead * step, ahead)? {
-                Next::Met(place) => return Ok(place),
-                Next::Nearer(place) => near = place,
-                Next::Enclosed(far) => return self.enclosed(near, far, ahead),
+            match self.classify_position(&near, near.driver + ahead * step, ahead)? {
+                PositionClass::Reached(place) => return Ok(place),
+                PositionClass::Nearer(place) => near = place,
+                PositionClass::Bracketed(far) => return self.narrow_bracket(near, far, ahead),
             }
         }
-        Err(Missed::TooFar { reached: near.gone })
+        Err(SearchError::TooFar { reached: near.displacement })
     }
 
     /// Classifies a driver position as seen from a place short of the displacement.
-    fn next(&mut self, near: &Place<P>, driver: f64, ahead: f64) -> Result<Next<P>, Missed> {
+    fn classify_position(
+        &mut self,
+        near: &TravelPoint<P>,
+        driver: f64,
+        ahead: f64,
+    ) -> Result<PositionClass<P>, SearchError> {
         let place = match (self.visit)(&near.pose, driver) {
             Ok(place) => place,
-            Err(Stop::Fault(error)) => return Err(Missed::Assembly(error)),
-            Err(Stop::NoPose { end, .. }) => {
+            Err(VisitError::Fault(error)) => return Err(SearchError::Assembly(error)),
+            Err(VisitError::NoPose { end, .. }) => {
                 let between = |end: &f64| ahead * (end - near.driver) > 0.0 && ahead * (driver - end) > 0.0;
-                return Ok(Next::Enclosed(match end.filter(between) {
-                    Some(end) => Far::Barred { driver: end, is_end: true },
-                    None => Far::Barred { driver, is_end: false },
+                return Ok(PositionClass::Bracketed(match end.filter(between) {
+                    Some(end) => BracketEnd::NoPose { driver: end, is_end: true },
+                    None => BracketEnd::NoPose { driver, is_end: false },
                 }));
             }
         };
-        let (miss, left) = (self.miss(near), self.miss(&place));
+        let (miss, left) = (self.remaining_displacement(near), self.remaining_displacement(&place));
         let over = left * miss < 0.0;
         let turned = match (self.rate(&place), place.rate) {
             (Some(rate), _) => rate * ahead * miss < 0.0,
             // At the reversal itself. A place before the reversal has a rate that leads back.
             (None, Some(_)) => true,
-            (None, None) => (place.gone - near.gone) * miss < 0.0,
+            (None, None) => (place.displacement - near.displacement) * miss < 0.0,
         };
         // A place beyond the reversal is a different pose, even if close.
-        Ok(match (turned, self.is_met(&place)) {
-            (false, true) => Next::Met(place),
-            _ if over => Next::Enclosed(Far::Over(place)),
-            (true, _) => Next::Enclosed(Far::Turned(place)),
-            (false, false) => Next::Nearer(place),
+        Ok(match (turned, self.is_reached(&place)) {
+            (false, true) => PositionClass::Reached(place),
+            _ if over => PositionClass::Bracketed(BracketEnd::Beyond(place)),
+            (true, _) => PositionClass::Bracketed(BracketEnd::Reversed(place)),
+            (false, false) => PositionClass::Nearer(place),
         })
     }
 
     /// Narrows the bracket between a place short of the displacement and its far end.
-    fn enclosed(&mut self, mut near: Place<P>, mut far: Far<P>, ahead: f64) -> Result<Place<P>, Missed> {
+    fn narrow_bracket(
+        &mut self,
+        mut near: TravelPoint<P>,
+        mut far: BracketEnd<P>,
+        ahead: f64,
+    ) -> Result<TravelPoint<P>, SearchError> {
         let mut last = f64::INFINITY;
         for _ in 0..ENCLOSED_STEPS {
             let gap = (far.driver() - near.driver).abs();
             let rounding = 2.0 * f64::EPSILON * near.driver.abs().max(f64::EPSILON * self.scale.unit);
-            if gap <= rounding || self.is_turn(&near, &far, gap) {
+            if gap <= rounding || self.is_reversal(&near, &far, gap) {
                 break;
             }
-            if let Far::Barred { driver, is_end: true } = far {
-                match self.end(&near, driver)? {
+            if let BracketEnd::NoPose { driver, is_end: true } = far {
+                match self.visit_limit(&near, driver)? {
                     Ok(place) => return Ok(place),
                     Err(end) => far = end,
                 }
                 continue;
             }
-            let (from, step) = self.step(&near, &far, gap, last, ahead);
+            let (from, step) = self.bracket_step(&near, &far, gap, last, ahead);
             last = step.abs();
-            match self.next(&near, from + ahead * step, ahead)? {
-                Next::Met(place) => return Ok(place),
-                Next::Nearer(place) => near = place,
-                Next::Enclosed(enclosed) => far = enclosed,
+            match self.classify_position(&near, from + ahead * step, ahead)? {
+                PositionClass::Reached(place) => return Ok(place),
+                PositionClass::Nearer(place) => near = place,
+                PositionClass::Bracketed(enclosed) => far = enclosed,
             }
         }
-        self.ended(near, far)
+        self.bracket_result(near, far)
     }
 
     /// Visits the exact limit of the driver. Its rate there may have either sign.
-    fn end(&mut self, near: &Place<P>, driver: f64) -> Result<Result<Place<P>, Far<P>>, Missed> {
+    fn visit_limit(
+        &mut self,
+        near: &TravelPoint<P>,
+        driver: f64,
+    ) -> Result<Result<TravelPoint<P>, BracketEnd<P>>, SearchError> {
         match (self.visit)(&near.pose, driver) {
-            Ok(place) if self.is_met(&place) => Ok(Ok(place)),
+            Ok(place) if self.is_reached(&place) => Ok(Ok(place)),
             Ok(mut place) => {
                 place.rate = None;
-                let over = self.miss(&place) * self.miss(near) < 0.0;
-                Ok(Err(if over { Far::Over(place) } else { Far::End(place) }))
+                let over = self.remaining_displacement(&place) * self.remaining_displacement(near) < 0.0;
+                Ok(Err(if over { BracketEnd::Beyond(place) } else { BracketEnd::DriverLimit(place) }))
             }
-            Err(Stop::NoPose { .. }) => Ok(Err(Far::Barred { driver, is_end: false })),
-            Err(Stop::Fault(error)) => Err(Missed::Assembly(error)),
+            Err(VisitError::NoPose { .. }) => Ok(Err(BracketEnd::NoPose { driver, is_end: false })),
+            Err(VisitError::Fault(error)) => Err(SearchError::Assembly(error)),
         }
     }
 
     /// Start and length of the next step inside the bracket: a Newton step from one end, the estimated zero of the
     /// rate, or bisection.
-    fn step(&self, near: &Place<P>, far: &Far<P>, gap: f64, last: f64, ahead: f64) -> (f64, f64) {
-        let tangent = |place: &Place<P>| {
-            let step = ahead * self.miss(place) / self.rate(place)?;
+    fn bracket_step(
+        &self,
+        near: &TravelPoint<P>,
+        far: &BracketEnd<P>,
+        gap: f64,
+        last: f64,
+        ahead: f64,
+    ) -> (f64, f64) {
+        let tangent = |place: &TravelPoint<P>| {
+            let step = ahead * self.remaining_displacement(place) / self.rate(place)?;
             // Accept only steps that converge at least as fast as bisection.
             (step.abs() < gap && step.abs() <= 0.5 * last).then_some((place.driver, step))
         };
         let forwards = || tangent(near).filter(|(_, step)| *step > 0.0);
         let guess = match far {
-            Far::Over(place) if self.miss(place).abs() < self.miss(near).abs() => {
+            BracketEnd::Beyond(place)
+                if self.remaining_displacement(place).abs() < self.remaining_displacement(near).abs() =>
+            {
                 tangent(place).filter(|(_, step)| *step < 0.0).or_else(forwards)
             }
-            Far::Over(_) | Far::End(_) | Far::Barred { .. } => forwards(),
-            Far::Turned(place) => forwards().or_else(|| {
+            BracketEnd::Beyond(_) | BracketEnd::DriverLimit(_) | BracketEnd::NoPose { .. } => forwards(),
+            BracketEnd::Reversed(place) => forwards().or_else(|| {
                 let (here, there) = (self.rate(near)?, self.rate(place)?);
                 let step = gap * here / (here - there);
                 (step > 0.0 && step < gap && step <= 0.5 * last).then_some((near.driver, step))
@@ -265,23 +295,37 @@ impl<P> Search<'_, P> {
 
     /// True if the point reverses between two places so close to one of them that the displacement cannot improve in
     /// between. To first order, the rate at that place falls to zero over its part of the bracket.
-    fn is_turn(&self, near: &Place<P>, far: &Far<P>, gap: f64) -> bool {
-        let Far::Turned(place) = far else { return false };
+    fn is_reversal(&self, near: &TravelPoint<P>, far: &BracketEnd<P>, gap: f64) -> bool {
+        let BracketEnd::Reversed(place) = far else { return false };
         let (Some(here), Some(there)) = (near.rate, place.rate) else { return false };
         let (here, there) = (here.abs(), there.abs());
         let gain = |rate: f64| rate * gap * rate / (here + there);
-        let met = MET * self.scale.size;
+        let met = DISPLACEMENT_ACCURACY * self.scale.size;
         // If a place beyond the reversal is close enough, so is a place before the reversal.
-        gain(here) <= met || gain(there) <= met && self.miss(place).abs() > MET_TO_ROUNDING * self.scale.size
+        gain(here) <= met
+            || gain(there) <= met
+                && self.remaining_displacement(place).abs() > MET_TO_ROUNDING * self.scale.size
     }
 
     /// Result for a bracket reduced to rounding.
-    fn ended(&self, near: Place<P>, far: Far<P>) -> Result<Place<P>, Missed> {
-        let is_close = |place: &Place<P>| self.miss(place).abs() <= MET_TO_ROUNDING * self.scale.size;
+    fn bracket_result(
+        &self,
+        near: TravelPoint<P>,
+        far: BracketEnd<P>,
+    ) -> Result<TravelPoint<P>, SearchError> {
+        let is_close = |place: &TravelPoint<P>| {
+            self.remaining_displacement(place).abs() <= MET_TO_ROUNDING * self.scale.size
+        };
         let best = match far {
-            Far::Over(place) if self.miss(&place).abs() < self.miss(&near).abs() => place,
-            Far::Turned(place) | Far::End(place)
-                if !is_close(&near) && (place.gone - near.gone) * self.miss(&near) > 0.0 =>
+            BracketEnd::Beyond(place)
+                if self.remaining_displacement(&place).abs() < self.remaining_displacement(&near).abs() =>
+            {
+                place
+            }
+            BracketEnd::Reversed(place) | BracketEnd::DriverLimit(place)
+                if !is_close(&near)
+                    && (place.displacement - near.displacement) * self.remaining_displacement(&near)
+                        > 0.0 =>
             {
                 place
             }
@@ -290,16 +334,16 @@ impl<P> Search<'_, P> {
         if is_close(&best) {
             return Ok(best);
         }
-        Err(Missed::Unreachable { nearest: best.gone })
+        Err(SearchError::Unreachable { nearest: best.displacement })
     }
 }
 
 /// Classification of a driver position.
-enum Next<P> {
-    Met(Place<P>),
+enum PositionClass<P> {
+    Reached(TravelPoint<P>),
     /// Short of the displacement, and closer.
-    Nearer(Place<P>),
-    Enclosed(Far<P>),
+    Nearer(TravelPoint<P>),
+    Bracketed(BracketEnd<P>),
 }
 
 #[cfg(test)]
@@ -317,13 +361,13 @@ mod tests {
     }
 
     impl Motion {
-        fn place(&self, driver: f64) -> Place<()> {
+        fn place(&self, driver: f64) -> TravelPoint<()> {
             let (gone, rate) = (self.of)(driver);
-            Place { pose: (), driver, gone, rate: rate.is_finite().then_some(rate) }
+            TravelPoint { pose: (), driver, displacement: gone, rate: rate.is_finite().then_some(rate) }
         }
 
         /// The result, and the number of places visited.
-        fn go(&self, start: f64, requested: f64) -> (Result<Place<()>, Missed>, usize) {
+        fn go(&self, start: f64, requested: f64) -> (Result<TravelPoint<()>, SearchError>, usize) {
             let mut visits = 0;
             let mut visit = |_: &(), driver: f64| {
                 visits += 1;
@@ -332,9 +376,12 @@ mod tests {
                     return Ok(self.place(driver));
                 }
                 let end = if driver > high { high } else { low };
-                Err(Stop::NoPose { error: AssemblyError::ForeignPose, end: self.says_ends.then_some(end) })
+                Err(VisitError::NoPose {
+                    error: AssemblyError::ForeignPose,
+                    end: self.says_ends.then_some(end),
+                })
             };
-            let found = Search { scale: SCALE, requested, visit: &mut visit }.go(self.place(start));
+            let found = Search { scale: SCALE, requested, visit: &mut visit }.run(self.place(start));
             (found, visits)
         }
     }
@@ -349,7 +396,8 @@ mod tests {
             let (found, visits) = CRANK.go(0.3, requested);
             let place = found.expect("in reach");
             assert!(
-                (place.gone - requested).abs() <= MET && (place.driver - requested.asin()).abs() < 1e-10,
+                (place.displacement - requested).abs() <= DISPLACEMENT_ACCURACY
+                    && (place.driver - requested.asin()).abs() < 1e-10,
                 "{requested}"
             );
             assert!(visits <= 20, "{requested}: {visits}");
@@ -376,13 +424,13 @@ mod tests {
     fn beyond_the_turns_the_nearest_is_told() {
         for (start, requested, nearest) in [(0.3, 1.2, 1.0), (0.3, -1e12, -1.0), (2.0, 1.0 + 1e-6, 1.0)] {
             let (found, visits) = CRANK.go(start, requested);
-            let Err(Missed::Unreachable { nearest: got }) = found else { panic!("{found:?}") };
+            let Err(SearchError::Unreachable { nearest: got }) = found else { panic!("{found:?}") };
             assert!((got - nearest).abs() < 1e-11 && visits <= 40, "{requested}: {got} {visits}");
         }
         // From the reversal itself to one side.
         let (found, _) = CRANK.go(FRAC_PI_2, 0.5);
         assert!((found.expect("in reach").driver - PI * 5.0 / 6.0).abs() < 1e-11);
-        let Err(Missed::Unreachable { nearest }) = CRANK.go(FRAC_PI_2, 1.5).0 else { panic!() };
+        let Err(SearchError::Unreachable { nearest }) = CRANK.go(FRAC_PI_2, 1.5).0 else { panic!() };
         assert!((nearest - 1.0).abs() < 1e-11);
     }
 
@@ -395,9 +443,13 @@ mod tests {
             let motion = Motion { of, ends: [-9.0, 1.0], says_ends };
             for (requested, within) in [(-0.5, 1e-12), (-1e-3, 1e-12), (-1e-7, 1e-9), (0.0, 1e-9)] {
                 let place = motion.go(0.0, requested).0.expect("in reach");
-                assert!((place.gone - requested).abs() <= within, "{requested}: {}", place.gone);
+                assert!(
+                    (place.displacement - requested).abs() <= within,
+                    "{requested}: {}",
+                    place.displacement
+                );
             }
-            let Err(Missed::Unreachable { nearest }) = motion.go(0.0, 0.1).0 else { panic!() };
+            let Err(SearchError::Unreachable { nearest }) = motion.go(0.0, 0.1).0 else { panic!() };
             assert!(nearest.abs() < 2e-8, "{nearest}");
         }
     }
@@ -416,11 +468,11 @@ mod tests {
             for requested in [0.5, 0.74, 0.9, 0.999, 1.0] {
                 let place = motion.go(0.0, requested).0.expect("in reach");
                 assert!(
-                    (place.gone - requested).abs() <= MET && place.driver < 0.75,
+                    (place.displacement - requested).abs() <= DISPLACEMENT_ACCURACY && place.driver < 0.75,
                     "{requested}: {place:?}"
                 );
             }
-            let Err(Missed::Unreachable { nearest }) = motion.go(0.0, 1.1).0 else { panic!() };
+            let Err(SearchError::Unreachable { nearest }) = motion.go(0.0, 1.1).0 else { panic!() };
             assert!((nearest - 1.0).abs() < 1e-11, "{nearest}");
         }
     }
@@ -430,11 +482,11 @@ mod tests {
         let line = Motion { of: |t| (t, 1.0), ends: FREE, says_ends: true };
         let (found, visits) = line.go(0.0, 1e12);
         assert!(
-            matches!(found, Err(Missed::TooFar { reached }) if (reached - 12.0).abs() < 1e-9),
+            matches!(found, Err(SearchError::TooFar { reached }) if (reached - 12.0).abs() < 1e-9),
             "{found:?}"
         );
         assert_eq!(visits, TRAVEL_STEPS);
         let rests = Motion { of: |_| (0.0, 0.0), ends: FREE, says_ends: true };
-        assert_eq!(rests.go(0.0, 1.0).0.err(), Some(Missed::Unreachable { nearest: 0.0 }));
+        assert_eq!(rests.go(0.0, 1.0).0.err(), Some(SearchError::Unreachable { nearest: 0.0 }));
     }
 }

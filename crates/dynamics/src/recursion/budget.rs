@@ -22,7 +22,7 @@ impl Model {
         let (mut bytes, mut work) = (0.0, 0.0);
         let mut most: Option<(&Cluster, Cost)> = None;
         for cluster in self.clusters.iter().filter(|cluster| cluster.is_bound) {
-            let cost = cost_of::<T>(cluster, groups);
+            let cost = cluster_cost::<T>(cluster, groups);
             bytes += cost.bytes;
             work += cost.work;
             if most.is_none_or(|(_, known)| cost.bytes > known.bytes) {
@@ -48,7 +48,7 @@ impl Model {
 }
 
 /// Cost of `eliminate_cluster`, its decisions and the closing speed for one cluster.
-fn cost_of<T: Scalar>(cluster: &Cluster, groups: &[GroupMobility]) -> Cost {
+fn cluster_cost<T: Scalar>(cluster: &Cluster, groups: &[GroupMobility]) -> Cost {
     let bodies = cluster.bodies.len() as f64;
     let n = cluster.coordinates.len() as f64;
     let bound: usize = cluster.groups.iter().map(|own| own.coordinates.len()).sum();

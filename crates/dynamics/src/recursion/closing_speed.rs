@@ -1,40 +1,44 @@
 //! Relative closing speed: |j restricted to ker A| relative to the size of its terms. Decides if any admissible
 //! motion closes the gap. The result depends on lengths, not on masses.
 
-use crate::kinematics::contact::ContactRow;
+use crate::kinematics::contact::{ContactRow, RowEntry};
 use crate::linear::dense::dot;
 use crate::mobility::GroupMobility;
-use crate::model::{Cluster, Follows, Model};
+use crate::model::{Cluster, Model, VelocityCoordinate};
 use crate::recursion::Recursion;
-use crate::tolerances::{IMMOVABLE, RATE_ROUNDINGS};
+use crate::tolerances::{DEPENDENT_RATES, IMMOVABLE, LEAST_SINGULAR, MOST_GROWTH, RATE_ROUNDINGS};
 
 /// |j on ker A| / |size of the terms of j|, over coordinates scaled by the contact's length.
 ///
 /// ker A is the product of the kernels of the clusters, so the squared projections of j on these kernels are summed.
 pub(crate) fn relative_closing_speed<const K: usize>(
-    room: &mut ClosingRoom,
+    room: &mut ClosingWorkspace,
     model: &Model,
     groups: &[GroupMobility],
     recursion: &Recursion<f64, K>,
     row: &ContactRow,
 ) -> f64 {
     let (mut along, mut size) = (0.0, 0.0);
-    let mut last = None;
-    for entry in &row.entries {
+    let mut members = std::mem::take(&mut room.members);
+    fill_members(&mut members, model, recursion, row);
+    for (number_of_entry, entry) in row.entries.iter().enumerate() {
         let length = if entry.turns { row.length } else { 1.0 };
         size += (entry.size / length).powi(2);
         let number = model.cluster_of[entry.body];
-        match recursion.place[number] {
+        match recursion.cluster_index[number] {
             None => along += (entry.value / length).powi(2),
             Some(place) => {
-                if last != Some(number) && !seen(model, row, number, entry.velocity) {
+                let own = &members[members.partition_point(|&(cluster, _)| cluster < number)..];
+                // The first entry of a cluster adds those of the whole cluster.
+                if own[0].1 == number_of_entry {
+                    let own = &own[..own.partition_point(|&(cluster, _)| cluster == number)];
                     let of = (&recursion.clusters[place].g[..], recursion.clusters[place].d);
-                    along += projected(room, model, groups, &model.clusters[number], of, row);
+                    along += projected(room, model, groups, &model.clusters[number], of, (row, own));
                 }
-                last = Some(number);
             }
         }
     }
+    room.members = members;
     if size > 0.0 { (along / size).sqrt() } else { 0.0 }
 }
 
@@ -46,8 +50,8 @@ pub(crate) fn closing_floor(model: &Model, groups: &[GroupMobility], row: &Conta
     for entry in &row.entries {
         for own in &model.clusters[model.cluster_of[entry.body]].groups {
             let higher = groups[own.group].floor > floor;
-            let moves = |f: &Follows| model.groups[own.group].column(f.index).is_some();
-            if higher && model.follows[entry.velocity].as_ref().is_some_and(moves) {
+            let moves = |f: &VelocityCoordinate| model.groups[own.group].column(f.index).is_some();
+            if higher && model.velocity_coordinates[entry.velocity].as_ref().is_some_and(moves) {
                 floor = groups[own.group].floor;
             }
         }
@@ -55,36 +59,48 @@ pub(crate) fn closing_floor(model: &Model, groups: &[GroupMobility], row: &Conta
     floor
 }
 
-/// True if an earlier entry of the row lies in the same cluster.
-fn seen(model: &Model, row: &ContactRow, number: usize, velocity: usize) -> bool {
-    let before = row.entries.iter().take_while(|e| e.velocity != velocity);
-    before.into_iter().any(|e| model.cluster_of[e.body] == number)
+/// Fills in the clusters with constraints and the numbers of their entries of the row, in ascending order.
+fn fill_members<const K: usize>(
+    members: &mut Vec<(usize, usize)>,
+    model: &Model,
+    recursion: &Recursion<f64, K>,
+    row: &ContactRow,
+) {
+    let of_entry = |(entry, e): (usize, &RowEntry)| {
+        let cluster = model.cluster_of[e.body];
+        recursion.cluster_index[cluster].map(|_| (cluster, entry))
+    };
+    members.clear();
+    members.extend(row.entries.iter().enumerate().filter_map(of_entry));
+    members.sort_unstable();
 }
 
 /// Buffers for the projections; refilled in place.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct ClosingRoom {
+pub(crate) struct ClosingWorkspace {
     j: Vec<f64>,
     /// Orthonormal vectors, one after another.
     basis: Vec<f64>,
     part: Vec<f64>,
-    place: Vec<usize>,
+    positions: Vec<usize>,
+    /// Clusters with constraints, and the numbers of their entries of the row.
+    members: Vec<(usize, usize)>,
 }
 
 /// Squared norm of the projection of j on the kernel within a cluster, without rounding. `of`: G of the cluster and
-/// the number of its independent coordinates.
+/// the number of its independent coordinates. `own`: the entries of the cluster in the row.
 fn projected(
-    room: &mut ClosingRoom,
+    room: &mut ClosingWorkspace,
     model: &Model,
     groups: &[GroupMobility],
     cluster: &Cluster,
     of: (&[f64], usize),
-    row: &ContactRow,
+    (row, own): (&ContactRow, &[(usize, usize)]),
 ) -> f64 {
     let scale = |c: usize| if model.coordinates[cluster.coordinates[c]].turns { row.length } else { 1.0 };
     room.j.clear();
     room.j.resize(cluster.coordinates.len(), 0.0);
-    for entry in &row.entries {
+    for entry in own.iter().map(|&(_, entry)| &row.entries[entry]) {
         if let Ok(at) = cluster.velocities.binary_search_by_key(&entry.velocity, |v| v.index) {
             let v = &cluster.velocities[at];
             room.j[v.coordinate] += entry.value * v.multiplier / scale(v.coordinate);
@@ -92,15 +108,15 @@ fn projected(
     }
     let rank: usize = cluster.groups.iter().map(|own| groups[own.group].pivots.rows.len()).sum();
     if rank < of.1 {
-        off_rows(room, model, groups, cluster, &scale)
+        row_complement_projection(room, model, groups, cluster, &scale)
     } else {
-        on_kernel(room, groups, cluster, of, &scale)
+        kernel_projection(room, groups, cluster, of, &scale)
     }
 }
 
 /// Projection on the columns of G, orthonormalised one after another.
-fn on_kernel(
-    room: &mut ClosingRoom,
+fn kernel_projection(
+    room: &mut ClosingWorkspace,
     groups: &[GroupMobility],
     cluster: &Cluster,
     (g, d): (&[f64], usize),
@@ -108,7 +124,7 @@ fn on_kernel(
 ) -> f64 {
     let n = room.j.len();
     let largest = room.j.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
-    let growth = growth_of(groups, cluster);
+    let growth = largest_growth(groups, cluster);
     let mut sum = 0.0;
     room.basis.clear();
     for y in 0..d {
@@ -118,7 +134,7 @@ fn on_kernel(
         let norm = dot(column, column).sqrt();
         orthogonalise(known, column);
         let left = dot(column, column).sqrt();
-        if left <= 1e-14 * norm || left == 0.0 {
+        if left <= DEPENDENT_RATES * norm || left == 0.0 {
             room.basis.truncate(start);
             continue;
         }
@@ -147,8 +163,8 @@ fn orthogonalise(known: &[f64], vector: &mut [f64]) {
 
 /// Projection of j on the complement of the independent rows, for clusters with fewer rows than independent
 /// coordinates.
-fn off_rows(
-    room: &mut ClosingRoom,
+fn row_complement_projection(
+    room: &mut ClosingWorkspace,
     model: &Model,
     groups: &[GroupMobility],
     cluster: &Cluster,
@@ -160,7 +176,7 @@ fn off_rows(
         }
         let (group, known) = (&model.groups[own.group], &groups[own.group]);
         let (n, count) = (own.coordinates.len(), known.pivots.rows.len());
-        let ClosingRoom { j, basis, part, place } = room;
+        let ClosingWorkspace { j, basis, part, positions: place, .. } = room;
         place.clear();
         place.resize(group.rows, usize::MAX);
         known.pivots.rows.iter().enumerate().for_each(|(i, r)| place[*r] = i);
@@ -182,8 +198,8 @@ fn off_rows(
         part.extend(own.coordinates.iter().map(|&c| j[c]));
         let before = dot(part, part).sqrt();
         orthogonalise(basis, part);
-        let rounding =
-            RATE_ROUNDINGS * f64::EPSILON * before * (count as f64 + 1.0) / known.rank.least.max(1e-6);
+        let rounding = RATE_ROUNDINGS * f64::EPSILON * before * (count as f64 + 1.0)
+            / known.rank.least.max(LEAST_SINGULAR);
         let nothing = dot(part, part).sqrt() <= rounding;
         for (&c, value) in own.coordinates.iter().zip(part.iter()) {
             j[c] = if nothing { 0.0 } else { *value };
@@ -193,10 +209,10 @@ fn off_rows(
 }
 
 /// Largest entry of |K⁻¹||A| over the groups of a cluster.
-fn growth_of(groups: &[GroupMobility], cluster: &Cluster) -> f64 {
+fn largest_growth(groups: &[GroupMobility], cluster: &Cluster) -> f64 {
     let of_group = |known: &GroupMobility| match known.pivots.rows.is_empty() {
         true => 0.0,
         false => known.sizes.iter().fold(known.size(0, 0), |most, s| most.max(*s)),
     };
-    cluster.groups.iter().map(|own| of_group(&groups[own.group])).fold(0.0, f64::max).min(1e6)
+    cluster.groups.iter().map(|own| of_group(&groups[own.group])).fold(0.0, f64::max).min(MOST_GROWTH)
 }

@@ -1,7 +1,7 @@
 //! Elimination of one bound cluster: rates G over its independent coordinates, then block elimination.
 
 use super::Recursion;
-use super::elimination::{ClusterElimination, Motion};
+use super::elimination::{ClusterElimination, RecursionMotion};
 use super::pivoting::Pivoting;
 use crate::kinematics::frames::Kinematics;
 use crate::mobility::{GroupMobility, Rates};
@@ -27,18 +27,18 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         room.fill_rates(model, kinematics, groups, cluster, pivoting);
         room.fill_motions(model, kinematics, cluster, point);
         room.fill_blocks(self, cluster);
-        pivoting.cluster(model, number, groups, &room, &self.armature);
+        pivoting.start_cluster(model, number, groups, &room, &self.armature);
         room.order.clear();
         room.dropped.clear();
         room.open.clear();
         room.open.resize(room.d, true);
-        while let Some(pivot) = pivoting.next(place, &room) {
+        while let Some(pivot) = pivoting.next_pivot(place, &room) {
             room.eliminate(pivot);
         }
         let d = room.d;
         let ClusterElimination { open, dropped, .. } = &mut room;
         dropped.extend((0..d).filter(|y| open[*y]));
-        pivoting.dropped(place, &room);
+        pivoting.record_dropped(place, &room);
         if let Some(parent) = cluster.parent {
             for &b in &cluster.bodies {
                 let (lower, upper) = self.inertias.split_at_mut(b);
@@ -47,7 +47,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
                     let f = self.wrenches[b][k];
                     self.wrenches[parent][k] += f;
                 }
-                pivoting.carry(b, parent);
+                pivoting.propagate_sizes(b, parent);
             }
             for &y in &room.order {
                 let over_d = room.u[y] * (T::one() / room.factor[y * d + y]);
@@ -55,7 +55,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
                 for k in 0..K {
                     self.wrenches[parent][k] -= over_d * room.t[y][k];
                 }
-                pivoting.carry_change(parent, &room, y);
+                pivoting.propagate_wrench_change(parent, &room, y);
             }
         }
         self.clusters[place] = room;
@@ -301,7 +301,13 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
     }
 
     /// Adds tᵀ D⁻¹ t for wrenches on the bodies and forces on the coordinates; returns the wrench passed to the parent.
-    pub fn push(&self, cluster: &Cluster, wrenches: &[Wrench<T>], forces: &[T], sum: &mut T) -> Wrench<T> {
+    pub fn propagate_wrench(
+        &self,
+        cluster: &Cluster,
+        wrenches: &[Wrench<T>],
+        forces: &[T],
+        sum: &mut T,
+    ) -> Wrench<T> {
         let d = self.d;
         let mut t = vec![T::zero(); d];
         let mut passed = Wrench::zero();
@@ -351,17 +357,23 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
     }
 
     /// Velocities and twists of the cluster; with `free`, those of a massless motion instead of the response.
-    pub fn velocities(&self, cluster: &Cluster, motion: &mut Motion<T>, free: Option<usize>) {
-        self.spread(cluster, motion, free.is_none(), free);
+    pub fn velocities(&self, cluster: &Cluster, motion: &mut RecursionMotion<T>, free: Option<usize>) {
+        self.distribute_velocities(cluster, motion, free.is_none(), free);
     }
 
     /// Velocities and twists without a load: the cluster follows its parent.
-    pub fn follows(&self, cluster: &Cluster, motion: &mut Motion<T>) {
-        self.spread(cluster, motion, false, None);
+    pub fn follow_parent(&self, cluster: &Cluster, motion: &mut RecursionMotion<T>) {
+        self.distribute_velocities(cluster, motion, false, None);
     }
 
-    fn spread(&self, cluster: &Cluster, motion: &mut Motion<T>, loaded: bool, free: Option<usize>) {
-        let Motion { velocities, twists, rates } = motion;
+    fn distribute_velocities(
+        &self,
+        cluster: &Cluster,
+        motion: &mut RecursionMotion<T>,
+        loaded: bool,
+        free: Option<usize>,
+    ) {
+        let RecursionMotion { velocities, twists, rates } = motion;
         let carried = cluster.parent.map_or_else(Twist::zero, |p| twists[p]);
         self.fill_independent_rates(&carried, loaded, free, rates);
         let d = self.d;

@@ -6,7 +6,7 @@ use percuss_spatial::{Scalar, Twist, Wrench};
 
 /// Workspace for the motion computed from the recursion; refilled in place.
 #[derive(Clone, Debug)]
-pub(crate) struct Motion<T: Scalar> {
+pub(crate) struct RecursionMotion<T: Scalar> {
     /// Velocities of the tree.
     pub velocities: Vec<T>,
     /// Twists of the bodies, root axes at the contact point.
@@ -15,10 +15,10 @@ pub(crate) struct Motion<T: Scalar> {
     pub(super) rates: Vec<T>,
 }
 
-impl<T: Scalar> Motion<T> {
+impl<T: Scalar> RecursionMotion<T> {
     pub fn new(model: &Model) -> Self {
         Self {
-            velocities: vec![T::zero(); model.follows.len()],
+            velocities: vec![T::zero(); model.velocity_coordinates.len()],
             twists: vec![Twist::zero(); model.bodies.len()],
             rates: Vec::new(),
         }
@@ -41,7 +41,7 @@ pub(crate) struct JointElimination<T: Scalar, const K: usize> {
 }
 
 impl<T: Scalar, const K: usize> JointElimination<T, K> {
-    pub fn blank() -> Self {
+    pub fn zero() -> Self {
         Self { s: Twist::zero(), u: Wrench::zero(), d: T::zero(), t: [T::zero(); K], counts: false }
     }
 }
@@ -94,7 +94,7 @@ impl<T: Scalar, const K: usize> Default for ClusterElimination<T, K> {
 
 impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
     /// Number of stored numbers.
-    pub fn numbers(&self) -> usize {
+    pub fn stored_count(&self) -> usize {
         self.g.capacity() + 6 * (self.s.capacity() + self.psi.capacity()) + 2 * self.factor.capacity()
     }
 }

@@ -2,7 +2,7 @@
 //! pivots come last. A floating base is a plain joint.
 
 use super::Recursion;
-use super::elimination::{JointElimination, Motion};
+use super::elimination::{JointElimination, RecursionMotion};
 use super::pivoting::Pivoting;
 use crate::kinematics::frames::Kinematics;
 use crate::model::Model;
@@ -58,7 +58,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
                 let d = u.power(&s) + self.armature[v];
                 let t = self.wrenches[i].map(|f| f.power(&s));
                 let step = JointElimination { s, u, d, t, counts: true };
-                if pivoting.takes(i, v, done, candidate, dofs, &step) {
+                if pivoting.eliminates_next(i, v, done, candidate, dofs, &step) {
                     chosen = Some((candidate, step));
                     break;
                 }
@@ -67,7 +67,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
             let Some((candidate, mut step)) = chosen else { break };
             self.order.swap(first + done, first + candidate);
             let v = self.order[first + done];
-            step.counts = pivoting.joint(i, v, &step, &self.inertias[i]);
+            step.counts = pivoting.counts_pivot(i, v, &step, &self.inertias[i]);
             if step.counts {
                 let over_d = step.u * (T::one() / step.d);
                 for (f, t) in self.wrenches[i].iter_mut().zip(step.t) {
@@ -84,14 +84,20 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
             for (sum, f) in self.wrenches[parent].iter_mut().zip(wrenches) {
                 *sum += f;
             }
-            pivoting.carry(i, parent);
+            pivoting.propagate_sizes(i, parent);
         }
     }
 
     /// u̇ = D⁻¹ (t − Uᵀ V), in reverse order of elimination. Without `loaded`, the joint follows its parent.
     #[inline]
-    pub(super) fn joint_velocities(&self, model: &Model, i: usize, loaded: bool, motion: &mut Motion<T>) {
-        let Motion { velocities, twists, .. } = motion;
+    pub(super) fn joint_velocities(
+        &self,
+        model: &Model,
+        i: usize,
+        loaded: bool,
+        motion: &mut RecursionMotion<T>,
+    ) {
+        let RecursionMotion { velocities, twists, .. } = motion;
         let body = &model.bodies[i];
         let mut twist = body.parent.map_or_else(Twist::zero, |p| twists[p]);
         for &v in self.order[body.v.clone()].iter().rev() {

@@ -40,7 +40,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         let zero = T::from_f64(PIVOT);
         let mut loss = T::zero();
         for (number, cluster) in model.clusters.iter().enumerate() {
-            match self.place[number] {
+            match self.cluster_index[number] {
                 None => {
                     let i = cluster.bodies[0];
                     for e in &self.joints[model.bodies[i].v.clone()] {
@@ -50,7 +50,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
                         loss += part * part;
                     }
                 }
-                Some(place) => loss += self.loss_of_cluster(model, number, place, groups, &sizes),
+                Some(place) => loss += self.cluster_pivot_loss(model, number, place, groups, &sizes),
             }
             if let Some(parent) = cluster.parent {
                 for &b in &cluster.bodies {
@@ -63,7 +63,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         loss
     }
 
-    fn loss_of_cluster(
+    fn cluster_pivot_loss(
         &self,
         model: &Model,
         number: usize,

@@ -23,8 +23,8 @@ mod joint;
 mod loss;
 mod pivoting;
 
-pub(crate) use elimination::{ClusterElimination, JointElimination, Motion};
-pub(crate) use pivoting::{Deciding, Decisions, Following, FreeMotion, Pivoting};
+pub(crate) use elimination::{ClusterElimination, JointElimination, RecursionMotion};
+pub(crate) use pivoting::{DecidingPivoting, Decisions, FreeMotion, Pivoting, RepeatedPivoting};
 
 use crate::kinematics::frames::Kinematics;
 use crate::mobility::GroupMobility;
@@ -50,13 +50,13 @@ pub(crate) struct Recursion<T: Scalar, const K: usize> {
     /// Elimination of every bound cluster.
     pub clusters: Vec<ClusterElimination<T, K>>,
     /// Index in `clusters` for every cluster; `None` if the cluster is a plain joint.
-    pub place: Vec<Option<usize>>,
+    pub cluster_index: Vec<Option<usize>>,
 }
 
 impl<T: Scalar, const K: usize> Recursion<T, K> {
     pub fn new(model: &Model) -> Self {
         let bodies = model.bodies.len();
-        let mut armature = vec![T::zero(); model.follows.len()];
+        let mut armature = vec![T::zero(); model.velocity_coordinates.len()];
         for body in &model.bodies {
             for (v, a) in body.v.clone().zip(&body.armature) {
                 armature[v] = T::from_f64(*a);
@@ -69,10 +69,10 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
             armature,
             inertias: vec![ArticulatedInertia::zero(); bodies],
             wrenches: vec![[Wrench::zero(); K]; bodies],
-            joints: vec![JointElimination::blank(); model.follows.len()],
-            order: (0..model.follows.len()).collect(),
+            joints: vec![JointElimination::zero(); model.velocity_coordinates.len()],
+            order: (0..model.velocity_coordinates.len()).collect(),
             clusters: (0..bound).map(|_| ClusterElimination::default()).collect(),
-            place,
+            cluster_index: place,
         }
     }
 
@@ -100,11 +100,11 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
     ) {
         for (i, frame) in kinematics.frames.iter().enumerate() {
             let x = Transform::new(frame.rotation, frame.translation - point);
-            pivoting.body(i, &x, &self.wrenches[i]);
+            pivoting.start_body(i, &x, &self.wrenches[i]);
             self.inertias[i] = ArticulatedInertia::from(&x.inertia(&self.bodies[i]));
         }
         for (number, cluster) in model.clusters.iter().enumerate() {
-            match self.place[number] {
+            match self.cluster_index[number] {
                 None => self.eliminate_joint(model, kinematics, cluster.bodies[0], point, pivoting),
                 Some(place) => {
                     self.eliminate_cluster(model, kinematics, groups, number, place, point, pivoting);
@@ -127,7 +127,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         let mut wrenches = vec![Wrench::zero(); model.bodies.len()];
         let mut sum = T::zero();
         for (number, cluster) in model.clusters.iter().enumerate() {
-            let passed = match self.place[number] {
+            let passed = match self.cluster_index[number] {
                 None => {
                     let i = cluster.bodies[0];
                     let mut f = wrenches[i];
@@ -139,7 +139,9 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
                     }
                     f
                 }
-                Some(place) => self.clusters[place].push(cluster, &wrenches, &clusters[place], &mut sum),
+                Some(place) => {
+                    self.clusters[place].propagate_wrench(cluster, &wrenches, &clusters[place], &mut sum)
+                }
             };
             if let Some(parent) = cluster.parent {
                 wrenches[parent] += passed;
@@ -150,9 +152,9 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
 
     /// Velocities of the tree and twists of the bodies (root axes, at the contact point) after a unit impulse of test
     /// wrench 0: M⁻¹ jᵀ. Computed from the root to the tips.
-    pub fn velocities(&self, model: &Model, point: &Vector3<T>, motion: &mut Motion<T>) {
+    pub fn velocities(&self, model: &Model, point: &Vector3<T>, motion: &mut RecursionMotion<T>) {
         for (number, cluster) in model.clusters.iter().enumerate().rev() {
-            match self.place[number] {
+            match self.cluster_index[number] {
                 None => self.joint_velocities(model, cluster.bodies[0], true, motion),
                 Some(place) => self.clusters[place].velocities(cluster, motion, None),
             }
@@ -161,10 +163,10 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
     }
 
     /// The velocities of a floating base refer to its own origin, the root's.
-    fn base_velocities(&self, model: &Model, point: &Vector3<T>, motion: &mut Motion<T>) {
-        let Motion { velocities, twists, .. } = motion;
+    fn base_velocities(&self, model: &Model, point: &Vector3<T>, motion: &mut RecursionMotion<T>) {
+        let RecursionMotion { velocities, twists, .. } = motion;
         let Some(body) = model.bodies.first().filter(|b| b.joint.is_none()) else { return };
-        if self.place[model.cluster_of[0]].is_none() {
+        if self.cluster_index[model.cluster_of[0]].is_none() {
             let at_origin = twists[0].velocity_at(&-point);
             velocities[body.v.clone()][..3].copy_from_slice(twists[0].angular.as_slice());
             velocities[body.v.clone()][3..].copy_from_slice(at_origin.as_slice());
@@ -173,11 +175,11 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
 
     /// Velocities of the tree in a massless motion: ancestors are at rest, and the subtree follows without
     /// energy.
-    pub fn free_motion(&self, model: &Model, point: &Vector3<T>, free: FreeMotion) -> Vec<T> {
-        let mut motion = Motion::new(model);
+    pub fn massless_velocities(&self, model: &Model, point: &Vector3<T>, free: FreeMotion) -> Vec<T> {
+        let mut motion = RecursionMotion::new(model);
         let number = match free {
             FreeMotion::Joint(body, v) => {
-                let Motion { velocities, twists, .. } = &mut motion;
+                let RecursionMotion { velocities, twists, .. } = &mut motion;
                 // Velocities of the same joint that were eliminated earlier follow.
                 velocities[v] = T::one();
                 let mut twist = self.joints[v].s;
@@ -192,8 +194,8 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
                 twists[body] = twist;
                 model.cluster_of[body]
             }
-            FreeMotion::Bound(place, y) => {
-                let number = self.place.iter().position(|p| *p == Some(place)).unwrap_or(0);
+            FreeMotion::Cluster(place, y) => {
+                let number = self.cluster_index.iter().position(|p| *p == Some(place)).unwrap_or(0);
                 self.clusters[place].velocities(&model.clusters[number], &mut motion, Some(y));
                 number
             }
@@ -206,9 +208,9 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
                 continue;
             }
             cluster.bodies.iter().for_each(|&b| moved[b] = true);
-            match self.place[carried] {
+            match self.cluster_index[carried] {
                 None => self.joint_velocities(model, cluster.bodies[0], false, &mut motion),
-                Some(place) => self.clusters[place].follows(cluster, &mut motion),
+                Some(place) => self.clusters[place].follow_parent(cluster, &mut motion),
             }
         }
         self.base_velocities(model, point, &mut motion);

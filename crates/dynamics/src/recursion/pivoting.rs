@@ -12,10 +12,10 @@ use percuss_spatial::{ArticulatedInertia, Scalar, Transform, Twist, Wrench};
 /// Makes or repeats decisions during the recursion.
 pub(crate) trait Pivoting<T: Scalar, const K: usize> {
     /// Starts a body with its frame (root axes, at the contact point), its own rigid inertia and test wrenches.
-    fn body(&mut self, body: usize, x: &Transform<T>, wrenches: &[Wrench<T>; K]);
+    fn start_body(&mut self, body: usize, x: &Transform<T>, wrenches: &[Wrench<T>; K]);
     /// True if a velocity of a plain joint is eliminated next: candidate number `candidate`, with `done` of `dofs`
     /// eliminated.
-    fn takes(
+    fn eliminates_next(
         &mut self,
         body: usize,
         velocity: usize,
@@ -25,7 +25,7 @@ pub(crate) trait Pivoting<T: Scalar, const K: usize> {
         step: &JointElimination<T, K>,
     ) -> bool;
     /// True if the pivot of a plain joint's velocity counts, for this articulated inertia.
-    fn joint(
+    fn counts_pivot(
         &mut self,
         body: usize,
         velocity: usize,
@@ -35,7 +35,7 @@ pub(crate) trait Pivoting<T: Scalar, const K: usize> {
     /// G of a group if known; otherwise G follows from the group's pivots.
     fn rates<'a>(&self, known: &'a GroupMobility) -> Option<&'a [T]>;
     /// Called when the blocks of a cluster are formed.
-    fn cluster(
+    fn start_cluster(
         &mut self,
         model: &Model,
         number: usize,
@@ -44,13 +44,13 @@ pub(crate) trait Pivoting<T: Scalar, const K: usize> {
         armature: &[T],
     );
     /// Next pivot of the cluster; `None` if the remaining motions are massless.
-    fn next(&mut self, place: usize, cluster: &ClusterElimination<T, K>) -> Option<usize>;
+    fn next_pivot(&mut self, place: usize, cluster: &ClusterElimination<T, K>) -> Option<usize>;
     /// Records the dropped motions after the last pivot.
-    fn dropped(&mut self, place: usize, cluster: &ClusterElimination<T, K>);
+    fn record_dropped(&mut self, place: usize, cluster: &ClusterElimination<T, K>);
     /// Adds the sizes of a body's articulated inertia and test wrenches to another body's.
-    fn carry(&mut self, from: usize, to: usize);
+    fn propagate_sizes(&mut self, from: usize, to: usize);
     /// Records the change of the parent's wrench by a pivot of a cluster.
-    fn carry_change(&mut self, to: usize, cluster: &ClusterElimination<T, K>, pivot: usize);
+    fn propagate_wrench_change(&mut self, to: usize, cluster: &ClusterElimination<T, K>, pivot: usize);
 }
 
 /// Massless motion: a pivot that does not count.
@@ -59,7 +59,7 @@ pub(crate) enum FreeMotion {
     /// Body with a plain joint, and index of the tree velocity.
     Joint(usize, usize),
     /// Bound cluster, and index of its independent coordinate.
-    Bound(usize, usize),
+    Cluster(usize, usize),
 }
 
 /// Recorded decisions, repeated for another scalar type.
@@ -68,14 +68,14 @@ pub(crate) struct Decisions {
     /// For every tree velocity of a plain joint: true if its pivot counts, and its position in the order of
     /// elimination.
     joints: Vec<bool>,
-    place: Vec<usize>,
+    position: Vec<usize>,
     /// Pivots of every bound cluster, in order.
     clusters: Vec<Vec<usize>>,
 }
 
 /// Decisions in f64.
 #[derive(Clone, Debug)]
-pub(crate) struct Deciding<const K: usize> {
+pub(crate) struct DecidingPivoting<const K: usize> {
     /// Size of the terms of every body's articulated inertia: moment (kg·m²) and mass (kg).
     inertia: Vec<(f64, f64)>,
     /// Sizes of every body's own inertia: trace of the rotational inertia, first moment, mass.
@@ -99,7 +99,7 @@ pub(crate) struct Deciding<const K: usize> {
     /// True if a massless motion closes the gap, for each test wrench.
     pub massless: [bool; K],
     /// Largest effective mass (kg) hidden by rounding in a massless result, for each test wrench.
-    pub massless_to: [f64; K],
+    pub massless_limit: [f64; K],
     /// Massless motion with the largest relative closing speed for test wrench 0.
     pub best_free: Option<FreeMotion>,
     best_closing: f64,
@@ -120,14 +120,14 @@ pub(crate) struct Deciding<const K: usize> {
     /// `loss` of the current cluster.
     cluster_loss: f64,
     /// True if a direction classified as massless still couples to its parent: its pivot is small, not zero.
-    pub felt: bool,
+    pub couples_to_parent: bool,
     /// True if a massless motion of a plain joint closes the gap beyond rounding, but by less than
     /// [`MASSLESS_CLOSING`]: the true m̄ can be any value below the result.
     pub closes_faintly: bool,
     pub decisions: Decisions,
 }
 
-impl<const K: usize> Deciding<K> {
+impl<const K: usize> DecidingPivoting<K> {
     pub fn new(model: &Model) -> Self {
         let bodies = model.bodies.len();
         let bound = model.clusters.iter().filter(|c| c.is_bound).count();
@@ -149,7 +149,7 @@ impl<const K: usize> Deciding<K> {
             motion_size: Vec::new(),
             rate_size: Vec::new(),
             massless: [false; K],
-            massless_to: [0.0; K],
+            massless_limit: [0.0; K],
             best_free: None,
             best_closing: 0.0,
             dropped: 0,
@@ -158,27 +158,27 @@ impl<const K: usize> Deciding<K> {
             roundings: 0.0,
             loss: vec![ROUTE_ROUNDINGS; bodies],
             cluster_loss: ROUTE_ROUNDINGS,
-            felt: false,
+            couples_to_parent: false,
             closes_faintly: false,
             decisions: Decisions {
-                joints: vec![false; model.follows.len()],
-                place: vec![0; model.follows.len()],
+                joints: vec![false; model.velocity_coordinates.len()],
+                position: vec![0; model.velocity_coordinates.len()],
                 clusters: vec![Vec::new(); bound],
             },
         }
     }
 
     /// Resets the decisions; called before every elimination.
-    pub fn restart(&mut self) {
+    pub fn reset(&mut self) {
         self.massless = [false; K];
-        self.massless_to = [0.0; K];
+        self.massless_limit = [0.0; K];
         self.best_free = None;
         self.best_closing = 0.0;
         self.dropped = 0;
         self.indefinite = false;
         self.terms = 0.0;
         self.roundings = 0.0;
-        self.felt = false;
+        self.couples_to_parent = false;
         self.closes_faintly = false;
         self.decisions.clusters.iter_mut().for_each(Vec::clear);
     }
@@ -217,9 +217,9 @@ impl<const K: usize> Deciding<K> {
     }
 }
 
-impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
+impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
     #[inline]
-    fn body(&mut self, body: usize, x: &Transform<f64>, wrenches: &[Wrench<f64>; K]) {
+    fn start_body(&mut self, body: usize, x: &Transform<f64>, wrenches: &[Wrench<f64>; K]) {
         // Terms of the inertia about the contact point, which may cancel there.
         let arm = x.translation.norm();
         let (trace, first, mass) = self.own[body];
@@ -234,7 +234,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
     }
 
     #[inline]
-    fn takes(
+    fn eliminates_next(
         &mut self,
         body: usize,
         _: usize,
@@ -255,7 +255,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
     }
 
     #[inline]
-    fn joint(
+    fn counts_pivot(
         &mut self,
         body: usize,
         velocity: usize,
@@ -275,7 +275,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
             self.loss[body] = self.loss[body].max(left / step.d);
         } else {
             let root = (moment * mass).sqrt();
-            self.felt |= step.u.moment.norm() > PIVOT * (turn * moment + slide * root)
+            self.couples_to_parent |= step.u.moment.norm() > PIVOT * (turn * moment + slide * root)
                 || step.u.force.norm() > PIVOT * (turn * root + slide * mass);
         }
         for k in 0..K {
@@ -297,7 +297,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
                 let test_size = turn * *about + slide * *along;
                 if t > MASSLESS_CLOSING * test_size {
                     self.massless[k] = true;
-                    self.massless_to[k] = self.massless_to[k].max(PIVOT * size / (t * t));
+                    self.massless_limit[k] = self.massless_limit[k].max(PIVOT * size / (t * t));
                 } else if k == 0 && t > RESOLVED * test_size {
                     self.closes_faintly = true;
                 }
@@ -310,7 +310,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         self.indefinite |= step.d < -NEGATIVE_PIVOT * size;
         self.dropped += usize::from(!counts);
         self.decisions.joints[velocity] = counts;
-        self.decisions.place[velocity] = self.eliminated[body];
+        self.decisions.position[velocity] = self.eliminated[body];
         self.eliminated[body] += 1;
         counts
     }
@@ -319,7 +319,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         (!known.rates.is_empty()).then_some(&known.rates)
     }
 
-    fn cluster(
+    fn start_cluster(
         &mut self,
         model: &Model,
         number: usize,
@@ -372,7 +372,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         }
     }
 
-    fn next(&mut self, place: usize, room: &ClusterElimination<f64, K>) -> Option<usize> {
+    fn next_pivot(&mut self, place: usize, room: &ClusterElimination<f64, K>) -> Option<usize> {
         let d = room.d;
         if room.order.is_empty() {
             self.pivot_zero
@@ -396,7 +396,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         pivot
     }
 
-    fn dropped(&mut self, place: usize, room: &ClusterElimination<f64, K>) {
+    fn record_dropped(&mut self, place: usize, room: &ClusterElimination<f64, K>) {
         for &y in &room.dropped {
             self.indefinite |=
                 room.factor[y * room.d + y] < -NEGATIVE_PIVOT * self.pivot_size[y] - self.pivot_zero[y];
@@ -410,17 +410,17 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
                 let (t, size) = (room.t[y][k].abs(), self.test_size[y][k] + rounding);
                 if t > MASSLESS_CLOSING * size {
                     self.massless[k] = true;
-                    self.massless_to[k] = self.massless_to[k].max(self.pivot_zero[y] / (t * t));
+                    self.massless_limit[k] = self.massless_limit[k].max(self.pivot_zero[y] / (t * t));
                 }
                 if k == 0 && t > self.best_closing * size {
-                    (self.best_closing, self.best_free) = (t / size, Some(FreeMotion::Bound(place, y)));
+                    (self.best_closing, self.best_free) = (t / size, Some(FreeMotion::Cluster(place, y)));
                 }
             }
         }
         self.dropped += room.dropped.len();
     }
 
-    fn carry(&mut self, from: usize, to: usize) {
+    fn propagate_sizes(&mut self, from: usize, to: usize) {
         let (moment, mass) = self.inertia[from];
         self.inertia[to].0 += moment;
         self.inertia[to].1 += mass;
@@ -432,7 +432,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         }
     }
 
-    fn carry_change(&mut self, to: usize, room: &ClusterElimination<f64, K>, pivot: usize) {
+    fn propagate_wrench_change(&mut self, to: usize, room: &ClusterElimination<f64, K>, pivot: usize) {
         self.loss[to] = self.loss[to].max(self.cluster_loss);
         let d = room.factor[pivot * room.d + pivot];
         for k in 0..K {
@@ -444,12 +444,12 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
 }
 
 /// Repeats decisions made in f64, without a branch on a value.
-pub(crate) struct Following<'a>(pub &'a Decisions);
+pub(crate) struct RepeatedPivoting<'a>(pub &'a Decisions);
 
-impl<T: Scalar, const K: usize> Pivoting<T, K> for Following<'_> {
-    fn body(&mut self, _: usize, _: &Transform<T>, _: &[Wrench<T>; K]) {}
+impl<T: Scalar, const K: usize> Pivoting<T, K> for RepeatedPivoting<'_> {
+    fn start_body(&mut self, _: usize, _: &Transform<T>, _: &[Wrench<T>; K]) {}
 
-    fn takes(
+    fn eliminates_next(
         &mut self,
         _: usize,
         velocity: usize,
@@ -458,10 +458,10 @@ impl<T: Scalar, const K: usize> Pivoting<T, K> for Following<'_> {
         _: usize,
         _: &JointElimination<T, K>,
     ) -> bool {
-        self.0.place[velocity] == done
+        self.0.position[velocity] == done
     }
 
-    fn joint(
+    fn counts_pivot(
         &mut self,
         _: usize,
         velocity: usize,
@@ -475,15 +475,23 @@ impl<T: Scalar, const K: usize> Pivoting<T, K> for Following<'_> {
         None
     }
 
-    fn cluster(&mut self, _: &Model, _: usize, _: &[GroupMobility], _: &ClusterElimination<T, K>, _: &[T]) {}
+    fn start_cluster(
+        &mut self,
+        _: &Model,
+        _: usize,
+        _: &[GroupMobility],
+        _: &ClusterElimination<T, K>,
+        _: &[T],
+    ) {
+    }
 
-    fn next(&mut self, place: usize, cluster: &ClusterElimination<T, K>) -> Option<usize> {
+    fn next_pivot(&mut self, place: usize, cluster: &ClusterElimination<T, K>) -> Option<usize> {
         self.0.clusters[place].get(cluster.order.len()).copied()
     }
 
-    fn dropped(&mut self, _: usize, _: &ClusterElimination<T, K>) {}
+    fn record_dropped(&mut self, _: usize, _: &ClusterElimination<T, K>) {}
 
-    fn carry(&mut self, _: usize, _: usize) {}
+    fn propagate_sizes(&mut self, _: usize, _: usize) {}
 
-    fn carry_change(&mut self, _: usize, _: &ClusterElimination<T, K>, _: usize) {}
+    fn propagate_wrench_change(&mut self, _: usize, _: &ClusterElimination<T, K>, _: usize) {}
 }

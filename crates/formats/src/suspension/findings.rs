@@ -70,6 +70,15 @@ impl Findings {
         self.add(Severity::Note, code, spot, message);
     }
 
+    /// Unwraps a value computed from hardpoints. `None` is reported as degenerate geometry, unless an earlier error
+    /// explains it; the result is then the default.
+    pub fn unwrap_geometry<T: Default>(&mut self, value: Option<T>, spot: &Spot, defect: &str) -> T {
+        if value.is_none() && !self.has_errors() {
+            self.error("degenerate-geometry", spot, defect.to_owned());
+        }
+        value.unwrap_or_default()
+    }
+
     /// True if an error was added.
     pub fn has_errors(&self) -> bool {
         self.list.iter().any(|f| f.severity == Severity::Error)

@@ -7,24 +7,23 @@
 //!
 //! Sheets use the templates of [`template_names`]; [`template_sheet`] writes a sheet to fill in. Templates of Chrono
 //! are `DoubleWishbone`, `DoubleWishboneReduced`, `MacPhersonStrut`, `SemiTrailingArm`, `ThreeLinkIRS`, `MultiLink`.
-//! Bodies, joints and inertia axes follow Chrono's classes of the same names; `docs/SUSPENSIONS.md` has a table of
+//! Bodies, joints and inertia axes follow Chrono's classes of the same names; `docs/reference/SUSPENSIONS.md` has a table of
 //! them, with the deviations.
 //!
 //! The mechanism contains no springs, dampers and stops, only their seats: `spring_seat` on the moving link,
 //! `spring_chassis_seat`, and so on. Important joints are `spin` (the wheel bearing) and `rack` (fixed, unless
 //! [`Rack::Sliding`]). Every template has mobility 2 per side: travel and spin.
 
+mod build;
+mod chrono;
 mod corner;
+mod design;
 mod drawing;
 mod findings;
 mod frames;
-mod json;
 mod options;
-mod parts;
-mod reader;
 mod sheet;
 mod spindle;
-mod templates;
 mod text;
 mod understood;
 mod units;
@@ -32,6 +31,7 @@ mod units;
 use crate::reading::limits::LONGEST_NAME;
 use crate::reading::report::{Place, Report, cut, quoted};
 use crate::{Comments, Diagnostic, LoadError, Source};
+use chrono::{ChronoTemplate, Reader, Section};
 use corner::{About, CHASSIS, Corner, RACK};
 pub use drawing::{Line, WheelCircle};
 use findings::{Findings, Spot};
@@ -41,7 +41,6 @@ use percuss_mechanism::{
     Subject,
 };
 use percuss_spatial::Vector3;
-use reader::{Reader, Section};
 pub use sheet::{TemplateOptions, template_keys, template_names, template_sheet};
 pub use understood::Understood;
 use units::Frame;
@@ -102,13 +101,13 @@ fn import_sheet(source: &Source, text: &str, options: &ImportOptions) -> Result<
         }
         let described = Described {
             name: &sheet.name,
-            template: sheet.template.name,
+            template: &sheet.template.name,
             kind: "sheet",
             side: sheet.side,
             rack: sheet.rack,
             wheel: sheet.wheel,
             frame: sheet.frame,
-            points: sheet.points.keys().map(|name| (*name).to_owned()).collect(),
+            points: sheet.design.points.keys().map(|name| (*name).to_owned()).collect(),
         };
         finish(&mut findings, built.left, built.middle, &described, source, options)
     });
@@ -197,9 +196,9 @@ fn read(
     }
     let mut root = reader.root()?;
     let name = header(reader, &mut root);
-    let (template_name, build) = template(reader, &mut root)?;
-    let spindle = spindle::read(reader, &mut root, options);
-    let corner = build(reader, &mut root, &spindle);
+    let template = template(reader, &mut root)?;
+    let spindle = chrono::read_spindle(reader, &mut root, options);
+    let corner = chrono::read_corner(reader, &mut root, template, &spindle);
     // `Output` controls only the output of Chrono.
     reader.close(root, &["Output"]);
     reader.check_unit();
@@ -213,7 +212,7 @@ fn read(
     }
     let described = Described {
         name: &name,
-        template: template_name,
+        template: &template.name,
         kind: "Chrono::Vehicle's template",
         side,
         rack: options.rack.unwrap_or_default(),
@@ -294,13 +293,11 @@ fn header<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> String {
     if name.len() > LONGEST_NAME { cut(&name, LONGEST_NAME / 4) } else { name }
 }
 
-type Build = for<'t> fn(&mut Reader<'t>, &mut Section<'t>, &spindle::Spindle) -> Option<Corner>;
-
-fn template<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> Option<(&'static str, Build)> {
+fn template<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> Option<&'static ChronoTemplate> {
     let (name, spot) = reader.string(root, "Template")?;
-    let found = templates::TEMPLATES.into_iter().find(|(known, _)| *known == name);
+    let found = chrono::templates().iter().find(|known| known.name == name);
     if found.is_none() {
-        let known: Vec<&str> = templates::TEMPLATES.iter().map(|(known, _)| *known).collect();
+        let known: Vec<&str> = chrono::templates().iter().map(|known| &*known.name).collect();
         let message = format!("the template {} is not known; these are: {}", quoted(&name), known.join(", "));
         reader.error("unknown-template", &spot, message);
     }

@@ -3,9 +3,7 @@
 use super::corner::{Body, Corner};
 use super::drawing::WheelCircle;
 use super::findings::{Findings, Spot};
-use super::parts::{Inertias, body, close, spanned};
-use super::reader::{Reader, Section};
-use super::{ImportOptions, Wheel, frames};
+use super::{Wheel, frames};
 use crate::reading::limits::MOMENT_SLACK;
 use percuss_mechanism::{JointKind, Problem};
 use percuss_spatial::{Matrix3, Vector3, rotation_about};
@@ -17,40 +15,6 @@ pub(super) struct Spindle {
     axis: Vector3<f64>,
     axle: f64,
     wheel: Option<(Wheel, Matrix3<f64>)>,
-}
-
-/// Reads `Spindle`, `Axle`, camber and toe of the left side.
-///
-/// The axes of the spindle are R_z(−toe) R_x(−camber); the spin axis is the y axis. The axle is a shaft that follows
-/// the absolute rotation of the spindle about the spin axis, with the energy ½ J (ω·a)².
-/// It is therefore an inertia J a aᵀ, not an armature.
-pub(super) fn read<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, options: &ImportOptions) -> Spindle {
-    let camber = reader.number_or_zero(root, "Camber Angle (deg)", "an angle in degrees").to_radians();
-    let toe = reader.number_or_zero(root, "Toe Angle (deg)", "an angle in degrees").to_radians();
-    let mut section = reader.section(root, "Spindle");
-    let stated = body(reader, &mut section, Inertias::Moments);
-    close(reader, section);
-    let mut section = reader.section(root, "Axle");
-    let axle = reader.number(&mut section, "Inertia", "an inertia in kg·m²");
-    if axle < 0.0 {
-        reader.error(
-            "negative-inertia",
-            &section.spot,
-            format!("Inertia is {axle} kg·m²; 0 or more is expected"),
-        );
-    }
-    reader.close(section, &[]);
-    if stated.com.y <= 0.0 && !reader.has_errors() {
-        let message = format!(
-            "the spindle is at y = {}: these files describe the left side, which has y > 0; left and right are \
-             exchanged",
-            stated.com.y
-        );
-        reader.warning("right-side", &stated.spot, message);
-    }
-    let body = Body { mass: stated.mass(), com: stated.com, about_com: stated.inertia, spot: stated.spot };
-    let at = body.com;
-    Spindle::new(reader, body, at, [camber, toe], axle, options.wheel)
 }
 
 /// Warns if the spindle without the axle violates the triangle inequality; with the axle, the violation is normal.
@@ -113,8 +77,8 @@ impl Spindle {
         let Some(radius) = wheel.radius else { return };
         // Lowest direction in the plane of the wheel.
         let down = frames::unit(self.axis * self.axis.z - Vector3::z());
-        let down =
-            spanned(findings, down, spot, "the axis of spin is vertical: the wheel has no lowest point");
+        let defect = "the axis of spin is vertical: the wheel has no lowest point";
+        let down = findings.unwrap_geometry(down, spot, defect);
         let comment = "the wheel's lowest point; it turns with the wheel";
         corner.frame("contact_patch", "spindle", at + down * radius, comment);
     }

@@ -1,5 +1,7 @@
 //! Units of length and vehicle axes, with their names in files and flags.
 
+use super::findings::{Findings, Spot};
+use crate::reading::limits::{FARTHEST_HARDPOINT, NEAREST_HARDPOINT};
 use percuss_spatial::{Matrix3, Vector3};
 
 /// Unit of length.
@@ -124,6 +126,30 @@ impl Frame {
     /// Converts a point to metres and to the axes of ISO 8855.
     pub fn point(self, p: Vector3<f64>) -> Vector3<f64> {
         self.axes.to_iso(p.map(|x| self.unit.to_metres(x)))
+    }
+}
+
+/// Refuses a vehicle with a farthest coordinate (m) beyond the limit: the lengths are in another unit.
+pub(super) fn check_size(findings: &mut Findings, far: f64, spot: &Spot, unit: LengthUnit) {
+    let (size, name) = (unit.of_metres(far), unit.name());
+    if far > FARTHEST_HARDPOINT {
+        let mend = match unit {
+            LengthUnit::Metre => "if the file is in millimetres, give --unit mm",
+            LengthUnit::Centimetre | LengthUnit::Millimetre | LengthUnit::Inch => {
+                "give the file's unit by --unit"
+            }
+        };
+        let message = format!(
+            "a coordinate of {size} {name}, read in {name}: no hardpoint lies {far} m out. {mend}; if only this \
+             number is wrong, correct it"
+        );
+        findings.error("wrong-unit", spot, message);
+    } else if far < NEAREST_HARDPOINT {
+        let message = format!(
+            "the coordinate farthest from the vehicle's origin is {size} {name}, read in {name}: no vehicle is so \
+             small. If the file is in metres, give --unit m"
+        );
+        findings.error("wrong-unit", spot, message);
     }
 }
 

@@ -51,6 +51,7 @@ from ._percuss import (
 )
 from ._percuss import model_of_bytes as _model_of_bytes
 from ._percuss import sweep_of_arrays as _sweep_of_arrays
+from ._remarks import RemarkFlags
 from ._reports import (
     Conditions,
     Damping,
@@ -106,6 +107,7 @@ __all__ = [
     "NoAnswerError",
     "PercussError",
     "Pose",
+    "RemarkFlags",
     "Report",
     "Response",
     "Sweep",
@@ -168,6 +170,8 @@ def _model(text: bytes, name: str, accept: list[str]) -> Model:
         return _model_of_bytes(text, name, accept)
 
 
-def _sweep(effective_mass: _Any, error: _Any, status: _Any, link: str) -> Sweep:
+def _sweep(
+    effective_mass: _Any, error: _Any, status: _Any, remarks: _Any, link: str, no_answer: str | None
+) -> Sweep:
     """Rebuilds a pickled sweep."""
-    return _sweep_of_arrays(effective_mass, error, status, link)
+    return _sweep_of_arrays(effective_mass, error, status, remarks, link, no_answer)

@@ -11,7 +11,7 @@ use crate::{Scalar, SpatialInertia};
 use vector::{after, rotated, turned};
 
 /// Index of the entry (i, j) of a symmetric 3×3 matrix in its packed upper triangle.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 const fn at(i: usize, j: usize) -> usize {
     const PLACE: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
     PLACE[i][j]
@@ -36,22 +36,22 @@ pub struct Pivot<T> {
     /// D = sᵀ I s + armature.
     pub d: T,
     /// D⁻¹.
-    pub over: T,
+    pub inverse_d: T,
     /// Armature / D: after the elimination, U times this factor remains along s.
     pub armature_part: T,
 }
 
 /// Loads vector number `k` of a slice of vectors with lane width.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn number<T: Lanes>(from: &[f64], k: usize) -> T {
     T::load(&from[k * T::WIDTH..])
 }
 
 impl<T: Lanes> Pivot<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(u: PackedWrench<T>, d: T, armature: T) -> Self {
         let over = T::one() / d;
-        Self { u, d, over, armature_part: armature * over }
+        Self { u, d, inverse_d: over, armature_part: armature * over }
     }
 }
 
@@ -67,7 +67,7 @@ impl PackedInertia<f64> {
     }
 
     /// Coefficients of d and d² of a shift by d (m) along axis `Z`: C changes linearly, A quadratically.
-    pub fn along<const Z: usize>(&self) -> [Self; 2] {
+    pub fn shift_coefficients<const Z: usize>(&self) -> [Self; 2] {
         let (x, y) = after(Z);
         let (c, l) = (&self.coupling, &self.linear);
         let [mut slope, mut bend] = [Self::zero(); 2];
@@ -83,7 +83,7 @@ impl PackedInertia<f64> {
     }
 
     /// Converts the inertia to lanes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn cast<T: Scalar>(&self) -> PackedInertia<T> {
         let [a, b, c, d, e, f] = self.angular;
         let [x, y, z] = &self.coupling;
@@ -101,7 +101,7 @@ impl PackedInertia<f64> {
 const NONE: usize = 3;
 
 /// R M Rᵀ for a rotation about axis Z with cosine `c` and sine `s`. `ZERO`: index of a row and column that is zero.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn turn_symmetric<T: Lanes, const Z: usize, const ZERO: usize>(m: &mut [T; 6], c: T, s: T) {
     let (x, y) = after(Z);
     let (xx, yy, xy, xz, yz) = (at(x, x), at(y, y), at(x, y), at(x, Z), at(y, Z));
@@ -122,7 +122,7 @@ fn turn_symmetric<T: Lanes, const Z: usize, const ZERO: usize>(m: &mut [T; 6], c
 }
 
 /// R M Rᵀ for a rotation by 90°, without multiplications.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn turn_symmetric_right<T: Lanes, const Z: usize>(m: &mut [T; 6]) {
     let (x, y) = after(Z);
     let (xx, yy, xy, xz, yz) = (at(x, x), at(y, y), at(x, y), at(x, Z), at(y, Z));
@@ -131,7 +131,7 @@ fn turn_symmetric_right<T: Lanes, const Z: usize>(m: &mut [T; 6]) {
 }
 
 /// R M Rᵀ for a general rotation R given by rows.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn rotate_symmetric<T: Lanes>(m: &mut [T; 6], r: &[[T; 3]; 3]) {
     let mut half = *r;
     for i in 0..3 {
@@ -158,7 +158,7 @@ impl PackedInertia<Portable<1>> {
 }
 
 impl<T: Scalar> PackedInertia<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn zero() -> Self {
         let o = T::zero();
         Self { angular: [o; 6], coupling: [[o; 3]; 3], linear: [o; 6] }
@@ -170,7 +170,7 @@ impl<T: Lanes> PackedInertia<T> {
     pub const NUMBERS: usize = 21;
 
     /// Transforms to a frame in which the present frame is rotated about axis `Z`, with cosine `c` and sine `s`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn turn<const Z: usize>(&mut self, c: T, s: T) {
         turn_symmetric::<T, Z, NONE>(&mut self.linear, c, s);
         self.turn_coupling::<Z, NONE>(c, s);
@@ -178,7 +178,7 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     /// A [`turn`](Self::turn) by 90°, without multiplications.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn turn_right<const Z: usize>(&mut self) {
         let (x, y) = after(Z);
         turn_symmetric_right::<T, Z>(&mut self.linear);
@@ -193,21 +193,21 @@ impl<T: Lanes> PackedInertia<T> {
     /// Transforms to a frame with parallel axes, in which the present origin is at `d` (m) on axis `Z`.
     ///
     /// With the translation r: C ← C + \[r\]L, A ← A − C\[r\] + \[r\]Cᵀ, with the old C, then the new C.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn shift<const Z: usize>(&mut self, d: T) {
         let before = self.shift_coupling::<Z>(d);
         self.shift_angular::<Z, NONE>(&before, d);
     }
 
     /// A [`turn`](Self::turn) followed by a [`shift`](Self::shift) along the same axis.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn screw<const Z: usize>(&mut self, c: T, s: T, d: T) {
         self.screw_without::<Z, NONE>(c, s, d);
     }
 
     /// A [`screw`](Self::screw) of an inertia whose row `ZERO` of A and C is zero, as after the elimination of
     /// a hinge without armature.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn screw_without<const Z: usize, const ZERO: usize>(&mut self, c: T, s: T, d: T) {
         turn_symmetric::<T, Z, NONE>(&mut self.linear, c, s);
         self.turn_coupling::<Z, ZERO>(c, s);
@@ -217,7 +217,7 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     /// Transforms to a frame in which the present frame is rotated by R, given by rows: R A Rᵀ, R C Rᵀ, R L Rᵀ.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn rotate(&mut self, r: &[[T; 3]; 3]) {
         rotate_symmetric(&mut self.linear, r);
         rotate_symmetric(&mut self.angular, r);
@@ -233,7 +233,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn turn_coupling<const Z: usize, const ZERO: usize>(&mut self, c: T, s: T) {
         let (x, y) = after(Z);
         let m = &mut self.coupling;
@@ -257,7 +257,7 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     /// Returns the old entries in the plane normal to the axis: rows x and y, columns x and y.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn shift_coupling<const Z: usize>(&mut self, d: T) -> [T; 4] {
         let (x, y) = after(Z);
         let (c, l) = (&mut self.coupling, &self.linear);
@@ -269,7 +269,7 @@ impl<T: Lanes> PackedInertia<T> {
         before
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn shift_angular<const Z: usize, const ZERO: usize>(&mut self, before: &[T; 4], d: T) {
         let (x, y) = after(Z);
         let (c, a) = (&self.coupling, &mut self.angular);
@@ -283,19 +283,19 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     /// Trace of A, kg·m²: bound of the entries of A if A is positive semi-definite.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn moment_size(&self) -> T {
         self.angular[0] + self.angular[3] + self.angular[5]
     }
 
     /// Trace of L, kg.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn mass_size(&self) -> T {
         self.linear[0] + self.linear[3] + self.linear[5]
     }
 
     /// Pivot of a rotation about axis `Z`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn turn_pivot<const Z: usize>(&self, armature: T) -> Pivot<T> {
         let a = &self.angular;
         let u = PackedWrench { moment: [a[at(0, Z)], a[at(1, Z)], a[at(2, Z)]], force: self.coupling[Z] };
@@ -304,7 +304,7 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     /// Pivot of a translation along axis `Z`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn slide_pivot<const Z: usize>(&self, armature: T) -> Pivot<T> {
         let (c, l) = (&self.coupling, &self.linear);
         let u = PackedWrench {
@@ -316,7 +316,7 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     /// Eliminates a rotation about axis `Z`: I ← I − U D⁻¹ Uᵀ. Along the axis, the armature's part of U remains.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn eliminate_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
         self.subtract_turn::<Z>(pivot, over_d);
         for k in 0..3 {
@@ -326,7 +326,7 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     /// Eliminates a rotation without armature about axis `Z`; row `Z` of A and of C is then zero.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn eliminate_bare_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
         self.subtract_turn::<Z>(pivot, over_d);
         self.clear_row::<Z>();
@@ -334,7 +334,7 @@ impl<T: Lanes> PackedInertia<T> {
 
     /// Sets row `Z` of A and of C, which is known to be zero, to the constant zero, so that the compiler
     /// removes the dependent operations.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn clear_row<const Z: usize>(&mut self) {
         for k in 0..3 {
             self.angular[at(k, Z)] = T::zero();
@@ -342,7 +342,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn subtract_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
         let (x, y) = after(Z);
         self.subtract_angular::<Z>(&pivot.u, over_d);
@@ -351,7 +351,7 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     /// Eliminates a translation along axis `Z`; see [`eliminate_turn`](Self::eliminate_turn).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn eliminate_slide<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
         let (x, y) = after(Z);
         self.subtract_angular::<3>(&pivot.u, over_d);
@@ -363,7 +363,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn subtract_angular<const BUT: usize>(&mut self, u: &PackedWrench<T>, over_d: &PackedWrench<T>) {
         for i in 0..3 {
             for k in i..3 {
@@ -375,7 +375,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn subtract_coupling<const R: usize, const C: usize>(
         &mut self,
         rows: [usize; R],
@@ -391,7 +391,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn subtract_linear<const BUT: usize>(&mut self, u: &PackedWrench<T>, over_d: &PackedWrench<T>) {
         for i in 0..3 {
             for k in i..3 {
@@ -404,7 +404,7 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     /// Stores the 21 numbers in sequence, each with lane width.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn store(&self, to: &mut [f64]) {
         let to = &mut to[..Self::NUMBERS * T::WIDTH];
         for k in 0..6 {
@@ -419,7 +419,7 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     /// Loads an inertia written by [`store`](Self::store).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn load(from: &[f64]) -> Self {
         let from = &from[..Self::NUMBERS * T::WIDTH];
         let mut packed = Self::zero();
@@ -436,7 +436,7 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     /// Adds another inertia.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn add(&mut self, other: &Self) {
         for k in 0..6 {
             self.angular[k] += other.angular[k];
@@ -450,7 +450,7 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     /// Adds a rigid body's inertia, which has nine zero entries.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn add_rigid(&mut self, body: &PackedInertia<f64>) {
         for k in 0..6 {
             self.angular[k] += T::from_f64(body.angular[k]);
@@ -531,11 +531,11 @@ mod tests {
         let d = -0.35;
         let mut shifted: PackedInertia<One> = at_rest.cast();
         let pivot = shifted.turn_pivot::<0>(One::from_f64(0.1));
-        let over_d = pivot.u.scaled(pivot.over);
+        let over_d = pivot.u.scaled(pivot.inverse_d);
         shifted.eliminate_turn::<0>(&pivot, &over_d);
         let left = shifted.plain();
         shifted.shift::<Z>(One::from_f64(d));
-        let [slope, bend] = left.along::<Z>();
+        let [slope, bend] = left.shift_coefficients::<Z>();
         let terms = [left, slope, bend].map(|term| numbers(&term.cast()).collect::<Vec<_>>());
         for (k, number) in numbers(&shifted).enumerate() {
             let sum = terms[0][k] + d * (terms[1][k] + d * terms[2][k]);
@@ -560,7 +560,7 @@ mod tests {
         }
         let (mut general, mut left_out) = (packed, packed);
         let pivot = packed.turn_pivot::<2>(of(0.0));
-        let over_d = pivot.u.scaled(pivot.over);
+        let over_d = pivot.u.scaled(pivot.inverse_d);
         general.eliminate_turn::<2>(&pivot, &over_d);
         left_out.eliminate_bare_turn::<2>(&pivot, &over_d);
         assert_eq!(general, left_out);

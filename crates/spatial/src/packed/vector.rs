@@ -4,20 +4,20 @@ use crate::Scalar;
 use crate::lanes::Lanes;
 
 /// The two axes after `z`, in cyclic order.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) const fn after(z: usize) -> (usize, usize) {
     ((z + 1) % 3, (z + 2) % 3)
 }
 
 /// Broadcasts a vector to all lanes. Hot paths use no closures and iterators: only code that is certainly
 /// inlined is compiled for the instruction set.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn splat<T: Scalar>(v: &[f64; 3]) -> [T; 3] {
     [T::from_f64(v[0]), T::from_f64(v[1]), T::from_f64(v[2])]
 }
 
 /// R v, with R given by rows.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn rotated<T: Lanes>(v: &[T; 3], r: &[[T; 3]; 3]) -> [T; 3] {
     let mut out = *v;
     for i in 0..3 {
@@ -27,7 +27,7 @@ pub(super) fn rotated<T: Lanes>(v: &[T; 3], r: &[[T; 3]; 3]) -> [T; 3] {
 }
 
 /// Rows of the rotation matrix of a unit quaternion [w, x, y, z].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn rotation_rows<T: Lanes>([w, x, y, z]: [T; 4]) -> [[T; 3]; 3] {
     let (dx, dy, dz) = (x + x, y + y, z + z);
     let (xx, yy, zz) = (dx * x, dy * y, dz * z);
@@ -40,7 +40,7 @@ pub fn rotation_rows<T: Lanes>([w, x, y, z]: [T; 4]) -> [[T; 3]; 3] {
 }
 
 /// Rᵀ v, with R given by rows.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn rotate_back<T: Lanes>(v: &mut [T; 3], r: &[[T; 3]; 3]) {
     let [x, y, z] = *v;
     for k in 0..3 {
@@ -49,13 +49,13 @@ pub fn rotate_back<T: Lanes>(v: &mut [T; 3], r: &[[T; 3]; 3]) {
 }
 
 /// Plane rotation (c x − s y, s x + c y).
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn turned<T: Lanes>(x: T, y: T, c: T, s: T) -> (T, T) {
     (c.mul_add(x, -(s * y)), s.mul_add(x, c * y))
 }
 
 /// Transforms a vector to a frame in which its present frame is rotated about axis `Z`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn turn_vector<T: Lanes, const Z: usize>(v: &mut [T; 3], c: T, s: T) {
     let (x, y) = after(Z);
     (v[x], v[y]) = turned(v[x], v[y], c, s);

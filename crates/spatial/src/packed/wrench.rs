@@ -15,7 +15,7 @@ pub struct PackedWrench<T> {
 
 impl PackedWrench<f64> {
     /// Converts the wrench to lanes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn cast<T: Scalar>(&self) -> PackedWrench<T> {
         PackedWrench { moment: splat(&self.moment), force: splat(&self.force) }
     }
@@ -23,20 +23,20 @@ impl PackedWrench<f64> {
 
 impl<T: Lanes> PackedWrench<T> {
     /// Zero wrench.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn zero() -> Self {
         Self { moment: [T::zero(); 3], force: [T::zero(); 3] }
     }
 
     /// See [`PackedInertia::turn`](crate::PackedInertia::turn).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn turn<const Z: usize>(&mut self, c: T, s: T) {
         turn_vector::<T, Z>(&mut self.moment, c, s);
         turn_vector::<T, Z>(&mut self.force, c, s);
     }
 
     /// See [`PackedInertia::turn_right`](crate::PackedInertia::turn_right).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn turn_right<const Z: usize>(&mut self) {
         let (x, y) = after(Z);
         let (m, f) = (&mut self.moment, &mut self.force);
@@ -45,14 +45,14 @@ impl<T: Lanes> PackedWrench<T> {
     }
 
     /// See [`PackedInertia::rotate`](crate::PackedInertia::rotate).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn rotate(&mut self, r: &[[T; 3]; 3]) {
         self.moment = rotated(&self.moment, r);
         self.force = rotated(&self.force, r);
     }
 
     /// See [`PackedInertia::shift`](crate::PackedInertia::shift).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn shift<const Z: usize>(&mut self, d: T) {
         let (x, y) = after(Z);
         self.moment[x] = (-d).mul_add(self.force[y], self.moment[x]);
@@ -60,14 +60,14 @@ impl<T: Lanes> PackedWrench<T> {
     }
 
     /// See [`PackedInertia::screw`](crate::PackedInertia::screw).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn screw<const Z: usize>(&mut self, c: T, s: T, d: T) {
         self.turn::<Z>(c, s);
         self.shift::<Z>(d);
     }
 
     /// Subtracts `other · factor`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn subtract(&mut self, other: &Self, factor: T) {
         for k in 0..3 {
             self.moment[k] = (-factor).mul_add(other.moment[k], self.moment[k]);
@@ -76,14 +76,14 @@ impl<T: Lanes> PackedWrench<T> {
     }
 
     /// Wrench times a factor.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn scaled(&self, factor: T) -> Self {
         let ([a, b, c], [d, e, f]) = (self.moment, self.force);
         Self { moment: [a * factor, b * factor, c * factor], force: [d * factor, e * factor, f * factor] }
     }
 
     /// Adds another wrench.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn add(&mut self, other: &Self) {
         for k in 0..3 {
             self.moment[k] += other.moment[k];

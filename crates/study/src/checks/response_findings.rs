@@ -1,10 +1,12 @@
 //! Findings about poses and responses for programs that use the library directly; the reports list the same
 //! findings.
 
+use crate::checks::finding::{Finding, Subject, Tally};
 use crate::checks::findings::{about_branches, about_pose, about_response};
 use crate::model::record::DiagnosticRecord;
 use crate::question::field::Names;
-use percuss_dynamics::{Contact, ContactResponse, Pose, System};
+use percuss_dynamics::{Contact, ContactResponse, Pose, RemarkFlags, System};
+use percuss_mechanism::Severity;
 
 /// Findings about a pose: joints outside their limits, closure of the loops, rank of the constraint rows.
 pub fn pose_findings(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> {
@@ -25,4 +27,180 @@ pub fn response_findings(
         findings.extend(about_branches(pose, response, &pose.branch_limits(contact)));
     }
     findings.into_iter().map(DiagnosticRecord::from).collect()
+}
+
+/// Code, severity and text of every kind of remark about a row.
+const REMARKS: [(RemarkFlags, Severity, &str, &str); 20] = {
+    use RemarkFlags as Flags;
+    use Severity::{Note, Warning};
+    [
+        (
+            Flags::NEARLY_IMMOVABLE,
+            Warning,
+            "nearly-immovable",
+            "the gap hardly closes: the effective mass is large and uncertain",
+        ),
+        (
+            Flags::MASSLESS_MOTIONS,
+            Note,
+            "massless-motions",
+            "motions of the mechanism move no mass; they do not affect the answer",
+        ),
+        (
+            Flags::MASSLESS_TO_ROUNDING,
+            Warning,
+            "massless-to-rounding",
+            "massless to rounding only: the error of the row is the largest possible effective mass",
+        ),
+        (
+            Flags::UNDETERMINED_MOTION,
+            Note,
+            "undetermined-motion",
+            "a motion without mass leaves some velocities of the contact response undetermined",
+        ),
+        (
+            Flags::UNCLEAR_RANK,
+            Warning,
+            "unclear-rank-here",
+            "the rank of the constraints is unclear at this pose: it is close to a change point",
+        ),
+        (
+            Flags::INDEFINITE_MASS_MATRIX,
+            Warning,
+            "indefinite-mass-matrix",
+            "the mass matrix has negative directions: the value is stationary, not a minimum",
+        ),
+        (
+            Flags::SINGULAR_POSE,
+            Warning,
+            "singular-pose",
+            "branches cross at this pose, and the value is a lower bound",
+        ),
+        (
+            Flags::OTHER_ASSEMBLY,
+            Warning,
+            "other-assembly",
+            "the pose is on another assembly mode than the first closed pose",
+        ),
+        (
+            Flags::DRAWN_OPEN,
+            Warning,
+            "drawn-open",
+            "a loop as drawn is open by more than a hundredth of its size: is a point mistyped?",
+        ),
+        (
+            Flags::INEXACT_LOOPS,
+            Warning,
+            "inexact-loops",
+            "the file's loops are inexact and closed in least squares: are its angles rounded (1.5708)?",
+        ),
+        (
+            Flags::DRIVER_OFF_ZERO,
+            Warning,
+            "driver-off-zero",
+            "a driving joint was not set, and its position 0 is out of reach",
+        ),
+        (
+            Flags::OFF_TARGET,
+            Warning,
+            "off-target",
+            "a joint was set to more numbers than its loops leave degrees of freedom",
+        ),
+        (Flags::OUTSIDE_LIMITS, Warning, "outside-limits", "a joint is outside its limits"),
+        (
+            Flags::WEAKLY_CONSTRAINED,
+            Warning,
+            "weakly-constrained",
+            "the mechanism is weakly constrained: rounded figures of the file can free one more motion",
+        ),
+        (
+            Flags::UNCLEAR_MOBILITY,
+            Warning,
+            "unclear-rank",
+            "the rank of the constraints is unclear: the mobility may differ",
+        ),
+        (
+            Flags::BASE_NOT_GIVEN,
+            Warning,
+            "base-not-given",
+            "the normal is given in the world and the base floats, but the pose of the base was not given: the root link \
+             is taken to be at the world's origin",
+        ),
+        (Flags::NOT_FINITE, Warning, "not-finite", "no result: a position is not a finite number"),
+        (
+            Flags::NOT_UNIT_QUATERNION,
+            Warning,
+            "not-unit-quaternion",
+            "no result: a quaternion is not of unit length",
+        ),
+        (
+            Flags::OPEN_LOOPS,
+            Warning,
+            "open-loops",
+            "no result: the loops are open at the given positions; expected the positions of a pose",
+        ),
+        (Flags::NO_ANSWER, Warning, "no-answer", "no result: the pose does not exist, or no route solves it"),
+    ]
+};
+
+/// Findings about the rows of a batch or a path, one per kind of remark, with the first row (from 0) and the number of
+/// further rows. `no_answer`: reason of the first row without a result, if known.
+pub fn row_findings(
+    rows: impl IntoIterator<Item = RemarkFlags>,
+    no_answer: Option<&str>,
+) -> Vec<DiagnosticRecord> {
+    let mut seen = [(0, 0); REMARKS.len()];
+    let mut count = 0;
+    for (row, flags) in rows.into_iter().enumerate() {
+        count = row + 1;
+        if flags.is_empty() {
+            continue;
+        }
+        for ((flag, ..), (first, rows)) in REMARKS.iter().zip(&mut seen) {
+            if flags.contains(*flag) {
+                *first = if *rows == 0 { row } else { *first };
+                *rows += 1;
+            }
+        }
+    }
+    let mut tally = Tally::default();
+    for ((flag, severity, code, text), (first, rows)) in REMARKS.iter().zip(seen) {
+        if rows == 0 {
+            continue;
+        }
+        let text = match no_answer.filter(|_| *flag == RemarkFlags::NO_ANSWER) {
+            Some(reason) => format!("no result: {reason}"),
+            None => (*text).to_owned(),
+        };
+        let finding = match severity {
+            Severity::Note => Finding::note(code, Subject::Answer, text),
+            _ => Finding::warning(code, Subject::Answer, text),
+        };
+        tally.add_alike(first, rows, &[finding]);
+    }
+    tally.into_records(count).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every flag has a finding of its own, which names its first row and counts the others.
+    #[test]
+    fn every_flag_is_a_finding() {
+        let all: u32 = REMARKS.iter().fold(0, |all, (flag, ..)| {
+            assert_eq!(flag.bits().count_ones(), 1);
+            assert_eq!(all & flag.bits(), 0);
+            all | flag.bits()
+        });
+        assert_eq!(all, (1 << REMARKS.len()) - 1);
+        let rows = [0, all, 0, all].map(RemarkFlags::from_bits);
+        let found = row_findings(rows, Some("out of reach"));
+        assert_eq!(found.len(), REMARKS.len());
+        assert!(found.iter().all(|record| record.message.ends_with(" (row 1, and 1 more)")));
+        assert!(
+            found.iter().any(|r| r.code == "no-answer" && r.message.starts_with("no result: out of reach"))
+        );
+        assert!(row_findings([RemarkFlags::NONE; 3], None).is_empty());
+    }
 }

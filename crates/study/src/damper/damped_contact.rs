@@ -122,7 +122,7 @@ fn drift(answered: &Answered, mass: f64, depth: Option<f64>) -> (Drift, Option<E
         // At a singular pose v* is tangent to no branch.
         return (Drift { per_metre: None, over_penetration: None, ends_at: None }, None);
     }
-    if !response.gives_way() {
+    if !response.mechanism_moves() {
         // Only the mass of the other body counts; it does not change.
         let none = depth.map(|_| 0.0);
         return (Drift { per_metre: Some(0.0), over_penetration: none, ends_at: None }, None);

@@ -90,7 +90,7 @@ impl Penetration<'_> {
     fn point(&self, pose: Pose) -> Result<Point, Option<StudyError>> {
         let response = self.prepared.response(&pose, self.contact).map_err(Some)?;
         match response.effective_mass {
-            EffectiveMass::Finite(mass) if response.gives_way() => Ok(Point { pose, response, mass }),
+            EffectiveMass::Finite(mass) if response.mechanism_moves() => Ok(Point { pose, response, mass }),
             _ => Err(None),
         }
     }

@@ -2,7 +2,7 @@
 //! hardpoint of a sheet.
 //!
 //! m̄ = min { vᵀMv : Av = 0, jv = 1 } changes with a parameter p of M alone by dm̄/dp = v*ᵀ (∂M/∂p) v*; the
-//! derivative of the motion v* is not needed (docs/FORMULAS.md, F38). Hardpoints change A and j too; their
+//! derivative of the motion v* is not needed (docs/reference/FORMULAS.md, F38). Hardpoints change A and j too; their
 //! rates are central differences of complete evaluations.
 
 use crate::evaluation::answer::Answered;

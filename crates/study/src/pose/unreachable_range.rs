@@ -65,7 +65,7 @@ pub(crate) struct Reach {
     /// Distance followed when the work limit was exceeded, and the row. No row at a larger distance is tried,
     /// for any start and direction.
     longest: Option<(f64, usize)>,
-    untried: Option<Untried>,
+    skipped: Option<Untried>,
 }
 
 impl Reach {
@@ -97,14 +97,14 @@ impl Reach {
 
     /// Counts a row that was not tried because of row `found_by`. Returns the message for the row.
     pub fn skip(&mut self, row: usize, found_by: usize) -> String {
-        self.untried.get_or_insert(Untried { count: 0, first: row, found_by }).count += 1;
+        self.skipped.get_or_insert(Untried { count: 0, first: row, found_by }).count += 1;
         format!(
             "not tried: it is at least as far away as the end of the reachable range found by row {found_by}"
         )
     }
 
     /// Records a row that was not reached.
-    pub fn missed(&mut self, row: usize, value: f64, extent: Extent) {
+    pub fn record_unreached(&mut self, row: usize, value: f64, extent: Extent) {
         let side = |at: f64| usize::from(value > at);
         match extent {
             Extent::Beyond(at) => {
@@ -129,7 +129,7 @@ impl Reach {
             }
             Extent::TooFar(at) => {
                 self.longest = Some(((at - self.from).abs(), row));
-                self.missed(row, value, Extent::Beyond(at));
+                self.record_unreached(row, value, Extent::Beyond(at));
             }
             Extent::Everywhere => self.everywhere = Some(row),
             Extent::Nothing => {
@@ -142,13 +142,13 @@ impl Reach {
     }
 
     /// Records a row that was reached. The limits of the old start are cleared.
-    pub fn answered(&mut self, value: f64) {
-        *self = Self { from: value, longest: self.longest, untried: self.untried, ..Self::default() };
+    pub fn record_reached(&mut self, value: f64) {
+        *self = Self { from: value, longest: self.longest, skipped: self.skipped, ..Self::default() };
     }
 
     /// Rows not tried since the last call.
     pub fn take_untried(&mut self) -> Option<Untried> {
-        self.untried.take()
+        self.skipped.take()
     }
 }
 
@@ -159,14 +159,14 @@ mod tests {
     #[test]
     fn rows_beyond_an_end_are_known() {
         let mut reach = Reach::default();
-        reach.missed(3, 5.0, Extent::Beyond(2.0));
+        reach.record_unreached(3, 5.0, Extent::Beyond(2.0));
         assert_eq!(
             [1.9, 2.0, 2.1, 5.0, -9.0].map(|v| reach.excludes(v)),
             [None, None, Some(3), Some(3), None]
         );
-        reach.missed(7, -4.0, Extent::Beyond(-1.0));
+        reach.record_unreached(7, -4.0, Extent::Beyond(-1.0));
         assert_eq!([-0.9, -1.1].map(|v| reach.excludes(v)), [None, Some(7)]);
-        reach.answered(1.0);
+        reach.record_reached(1.0);
         assert_eq!(reach.excludes(5.0), None);
     }
 
@@ -174,9 +174,9 @@ mod tests {
     #[test]
     fn a_walk_that_is_too_long_is_made_once() {
         let mut reach = Reach::default();
-        reach.missed(0, 1e9, Extent::TooFar(100.0));
+        reach.record_unreached(0, 1e9, Extent::TooFar(100.0));
         assert_eq!([99.0, 101.0, -99.0, -101.0].map(|v| reach.excludes(v)), [None, Some(0), None, Some(0)]);
-        reach.answered(50.0);
+        reach.record_reached(50.0);
         assert_eq!([149.0, 151.0, -51.0].map(|v| reach.excludes(v)), [None, Some(0), Some(0)]);
     }
 
@@ -185,7 +185,7 @@ mod tests {
         let mut reach = Reach::default();
         for row in 0..PROBABLE {
             assert_eq!(reach.excludes(8.0 - 0.1 * row as f64), None);
-            reach.missed(row, 8.0 - 0.1 * row as f64, Extent::Probably(1.0 + 0.01 * row as f64));
+            reach.record_unreached(row, 8.0 - 0.1 * row as f64, Extent::Probably(1.0 + 0.01 * row as f64));
         }
         assert_eq!(reach.excludes(9.0), Some(PROBABLE - 1));
         assert_eq!(reach.excludes(1.2), Some(PROBABLE - 1));
@@ -197,7 +197,7 @@ mod tests {
         let mut reach = Reach::default();
         for row in 0..UNRELATED {
             assert_eq!(reach.excludes(1.0), None);
-            reach.missed(row, 1.0, Extent::Nothing);
+            reach.record_unreached(row, 1.0, Extent::Nothing);
         }
         assert_eq!(reach.excludes(0.0), Some(UNRELATED - 1));
     }

@@ -23,7 +23,7 @@ pub enum RowSource {
 /// the columns `JOINT[0]`, `JOINT[1]`, …; a unit other than SI follows the name, such as `[deg]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PositionFile {
-    /// Path of the file, `-` for the standard input.
+    /// Path of the file, `-` for the standard input. A file that begins as a Parquet file is one, whatever its name.
     pub path: String,
     /// Names of ignored columns.
     pub ignore: Vec<String>,

@@ -66,7 +66,9 @@ pub enum TableFault {
         count: usize,
     },
     /// Unknown kind of file.
-    #[error("its name ends in neither .csv nor .parquet; expected a table of one of these kinds")]
+    #[error(
+        "its name ends in neither .csv nor .parquet, and it does not begin as a Parquet file; expected a table of one of these kinds"
+    )]
     Kind,
     /// File is not a Parquet file, or is incomplete.
     #[error("it is not a complete Parquet file: it does not begin and end with PAR1")]

@@ -189,7 +189,7 @@ impl Starter<'_> {
             out,
             "# Lines that begin with \"# \" and a key or a [table] are suggestions: take the \"# \" away."
         )?;
-        writeln!(out, "# All keys: docs/STUDIES.md; `percuss schema` prints them for editors.\n")?;
+        writeln!(out, "# All keys: docs/reference/STUDIES.md; `percuss schema` prints them for editors.\n")?;
         writeln!(out, "[model]\npath = {}\n", quoted(path))?;
         self.links(out)?;
         writeln!(

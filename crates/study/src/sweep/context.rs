@@ -63,37 +63,37 @@ pub(crate) enum Outcome<T> {
 pub(crate) struct Portion<T> {
     pub rows: Vec<Outcome<T>>,
     pub tally: Tally,
-    pub untried: Option<Untried>,
-    pub too_far: TooFar,
+    pub skipped: Option<Untried>,
+    pub step_limit: TooFar,
     /// Findings shared by consecutive rows, the first row, and the number of rows.
-    alike: Option<(Arc<[Finding]>, usize, usize)>,
+    shared_findings: Option<(Arc<[Finding]>, usize, usize)>,
 }
 
 impl<T> Portion<T> {
     pub fn new(rows: usize) -> Self {
         let tally = Tally::default();
-        Self { rows: Vec::with_capacity(rows), tally, untried: None, too_far: None, alike: None }
+        Self { rows: Vec::with_capacity(rows), tally, skipped: None, step_limit: None, shared_findings: None }
     }
 
     /// Counts a row for findings shared by the whole branch.
-    fn say_alike(&mut self, row: usize, findings: &Arc<[Finding]>) {
-        match &mut self.alike {
+    fn add_shared_findings(&mut self, row: usize, findings: &Arc<[Finding]>) {
+        match &mut self.shared_findings {
             Some((said, _, rows)) if Arc::ptr_eq(said, findings) => *rows += 1,
             _ => {
                 self.count_alike();
-                self.alike = Some((Arc::clone(findings), row, 1));
+                self.shared_findings = Some((Arc::clone(findings), row, 1));
             }
         }
     }
 
     fn count_alike(&mut self) {
-        if let Some((findings, first, rows)) = self.alike.take() {
+        if let Some((findings, first, rows)) = self.shared_findings.take() {
             self.tally.add_alike(first, rows, &findings);
         }
     }
 
     /// All findings of the portion.
-    pub fn said(&mut self) -> Tally {
+    pub fn drain_findings(&mut self) -> Tally {
         self.count_alike();
         std::mem::take(&mut self.tally)
     }
@@ -104,7 +104,7 @@ pub(crate) type Made<'m, T> = &'m (dyn Fn(SweepRow) -> T + Sync);
 
 impl Swept<'_> {
     /// Pose of the next row of a line.
-    pub fn stand(&self, line: &mut Line, block: &Block, i: usize) -> Stand {
+    pub fn next_pose(&self, line: &mut Line, block: &Block, i: usize) -> Stand {
         let first = line.is_new();
         let (names, values) = (self.prepared.question.names, block.values(i));
         match line.pose(&self.prepared.system, &self.setting, names, block.first + i, values) {
@@ -115,7 +115,7 @@ impl Swept<'_> {
     }
 
     /// Poses of consecutive rows of a line.
-    pub fn stands(&self, line: &mut Line, block: &Block, rows: Range<usize>) -> Vec<Stand> {
+    pub fn next_poses(&self, line: &mut Line, block: &Block, rows: Range<usize>) -> Vec<Stand> {
         let mut stands = Vec::with_capacity(rows.len());
         let mut next = rows.start;
         while next < rows.end {
@@ -124,20 +124,20 @@ impl Swept<'_> {
                 let layout = &self.heading.joints;
                 let reached = following.follow(&self.prepared, layout, values, |reached| {
                     stands.push(match reached {
-                        Reached::Answered(row) => Stand::Followed(Box::new(row)),
+                        Reached::Evaluated(row) => Stand::Followed(Box::new(row)),
                         Reached::Posed(pose) => Stand::Posed { pose, first: false },
                     });
                 });
                 if reached > 0 {
                     let pose = following.pose();
                     next += reached;
-                    line.stands_at(pose, block.values(next - 1).last().copied().unwrap_or_default());
+                    line.continue_from(pose, block.values(next - 1).last().copied().unwrap_or_default());
                 }
                 if next == rows.end {
                     break;
                 }
             }
-            let stand = self.stand(line, block, next);
+            let stand = self.next_pose(line, block, next);
             next += 1;
             if let Stand::Posed { pose, .. } = &stand {
                 self.follow_from(line, pose, rows.end - next);
@@ -164,7 +164,7 @@ impl Swept<'_> {
     }
 
     /// Evaluates a row and appends the outcome to the portion.
-    pub fn answer<T>(
+    pub fn evaluate_row<T>(
         &self,
         portion: &mut Portion<T>,
         block: &Block,
@@ -184,7 +184,7 @@ impl Swept<'_> {
             }
             Stand::Followed(followed) => {
                 portion.tally.add(row, followed.own);
-                portion.say_alike(row, &followed.alike);
+                portion.add_shared_findings(row, &followed.shared_findings);
                 let (mass, error) = followed.mass;
                 let answered =
                     self.without_pose(row, varied, mass, error, Some(followed.residual), followed.positions);
@@ -197,7 +197,7 @@ impl Swept<'_> {
                 match self.prepared.answer(&pose, &self.contact) {
                     Err(error) => failed(varied, error),
                     Ok(answer) => {
-                        let answered = self.answered(row, varied, &pose, &answer, travel);
+                        let answered = self.row_with_pose(row, varied, &pose, &answer, travel);
                         portion.tally.add(row, answer.findings);
                         Outcome::Row { made: made(answered), reached: true, error: None }
                     }
@@ -215,8 +215,8 @@ impl Swept<'_> {
         for (at, i) in rows.enumerate() {
             let Some((mass, error)) = asked.mass(at) else {
                 let mut line = Line::new(self.along, None, None);
-                let stand = self.stand(&mut line, block, i);
-                self.answer(&mut portion, block, i, stand, None, made);
+                let stand = self.next_pose(&mut line, block, i);
+                self.evaluate_row(&mut portion, block, i, stand, None, made);
                 continue;
             };
             let row = block.first + i;
@@ -255,7 +255,7 @@ impl Swept<'_> {
         }
     }
 
-    fn answered(
+    fn row_with_pose(
         &self,
         row: usize,
         varied: VariedValues,

@@ -40,8 +40,8 @@ pub(crate) struct Line {
     travel: Option<Arc<(Travel, Driver)>>,
     /// Pose of the last row reached.
     last: Option<Arc<Pose>>,
-    pub reach: Reach,
-    pub too_far: TooFar,
+    pub unreachable: Reach,
+    pub step_limit: TooFar,
     /// Path follower from the last pose, if rows can be followed several at once, and the number of followers
     /// built.
     pub following: Option<Box<Following>>,
@@ -51,12 +51,20 @@ pub(crate) struct Line {
 impl Line {
     /// Line that starts at the pose of the question; `travel` is given if known.
     pub fn new(along: Along, travel: Option<Arc<(Travel, Driver)>>, too_far: TooFar) -> Self {
-        Self { along, travel, last: None, reach: Reach::default(), too_far, following: None, begun: 0 }
+        Self {
+            along,
+            travel,
+            last: None,
+            unreachable: Reach::default(),
+            step_limit: too_far,
+            following: None,
+            begun: 0,
+        }
     }
 
     /// Continues from a pose reached by the path follower; `value` is the last number of the row.
-    pub fn stands_at(&mut self, pose: Pose, value: f64) {
-        self.reach.answered(value);
+    pub fn continue_from(&mut self, pose: Pose, value: f64) {
+        self.unreachable.record_reached(value);
         self.last = Some(Arc::new(pose));
     }
 
@@ -87,30 +95,30 @@ impl Line {
             Some(pose) => pose.joint(joint).first().copied().unwrap_or_default(),
             None => 0.0,
         });
-        let beyond = self.too_far.filter(|(far, _)| distance > *far).map(|(_, found_by)| found_by);
-        if let Some(found_by) = beyond.or_else(|| self.reach.excludes(value)) {
-            return Ok(Err(self.reach.skip(row, found_by)));
+        let beyond = self.step_limit.filter(|(far, _)| distance > *far).map(|(_, found_by)| found_by);
+        if let Some(found_by) = beyond.or_else(|| self.unreachable.excludes(value)) {
+            return Ok(Err(self.unreachable.skip(row, found_by)));
         }
-        let missed = match self.reached(system, setting, names, values)? {
+        let missed = match self.pose_on_branch(system, setting, names, values)? {
             Ok(pose) => {
                 let pose = Arc::new(pose);
-                self.reach.answered(value);
+                self.unreachable.record_reached(value);
                 self.last = Some(Arc::clone(&pose));
                 return Ok(Ok(pose));
             }
             Err((missed, walked)) => {
-                self.too_far = nearer(self.too_far, walked.map(|walked| (walked, row)));
+                self.step_limit = nearer(self.step_limit, walked.map(|walked| (walked, row)));
                 missed
             }
         };
-        self.reach.missed(row, value, missed.extent);
+        self.unreachable.record_unreached(row, value, missed.extent);
         Ok(Err(missed.why))
     }
 
     /// Pose on the branch of the last pose, or the reason for failure. The distance is the joint travel
     /// followed so far, if the work limit was exceeded.
     #[allow(clippy::type_complexity, reason = "read in one place")]
-    fn reached(
+    fn pose_on_branch(
         &mut self,
         system: &System,
         setting: &Setting,
@@ -141,7 +149,7 @@ impl Line {
         match pose {
             Ok(pose) => Ok(Ok(pose)),
             Err(error) if !error.is_bad_input() => {
-                let extent = self.extent(&error, setting);
+                let extent = self.failure_extent(&error, setting);
                 let walked = self.walked(&error);
                 Ok(Err((Missed { why: about_assembly(&error, names), extent }, walked)))
             }
@@ -164,7 +172,7 @@ impl Line {
     }
 
     /// Consequence of a failed row for the other rows of the line.
-    fn extent(&self, error: &AssemblyError, setting: &Setting) -> Extent {
+    fn failure_extent(&self, error: &AssemblyError, setting: &Setting) -> Extent {
         let of_driver = |places: &[(String, f64)]| {
             let own = |(name, _): &&(String, f64)| Some(name.as_str()) == setting.last_joint();
             places.iter().find(own).map(|(_, value)| *value)

@@ -25,7 +25,7 @@ pub(crate) struct InLanes {
     /// Positions of all joints of the question, in joint order.
     base: Vec<f64>,
     /// Index in `base` of each number of a row.
-    places: Vec<usize>,
+    base_indices: Vec<usize>,
     limits: Vec<(JointId, usize, Limits)>,
     far_point: Option<Finding>,
 }
@@ -34,7 +34,7 @@ pub(crate) struct InLanes {
 pub(crate) struct Asked {
     rows: usize,
     columns: Vec<f64>,
-    answers: Vec<BatchAnswer>,
+    results: Vec<BatchAnswer>,
 }
 
 impl InLanes {
@@ -70,12 +70,12 @@ impl InLanes {
             Some((id, starts[id.index()], limits))
         });
         let far_point = far_point::doubt(mechanism, contact.link, &contact.point, prepared.question.names);
-        let lanes = Self { batch, places, limits: limits.collect(), base, far_point };
-        lanes.tell_all(prepared, setting, contact).then_some(lanes)
+        let lanes = Self { batch, base_indices: places, limits: limits.collect(), base, far_point };
+        lanes.has_only_row_findings(prepared, setting, contact).then_some(lanes)
     }
 
     /// True if a generic sample pose has a finite m̄ and no other findings than those in `OF_ANY_ROW`.
-    fn tell_all(&self, prepared: &Prepared, setting: &Setting, contact: &Contact) -> bool {
+    fn has_only_row_findings(&self, prepared: &Prepared, setting: &Setting, contact: &Contact) -> bool {
         let values: Vec<f64> = (0..setting.width()).map(|i| 0.1 + (0.618 * i as f64).fract()).collect();
         let pose = setting.configuration(&values, false).ok().and_then(|c| prepared.system.pose(&c).ok());
         let answer = pose.and_then(|pose| prepared.answer(&pose, contact).ok());
@@ -92,7 +92,7 @@ impl InLanes {
         for (column, value) in columns.chunks_exact_mut(count).zip(&self.base) {
             column.fill(*value);
         }
-        for (number, place) in self.places.iter().enumerate() {
+        for (number, place) in self.base_indices.iter().enumerate() {
             let column = &mut columns[place * count..][..count];
             for (to, row) in column.iter_mut().zip(rows.clone()) {
                 *to = block.values(row)[number];
@@ -104,7 +104,7 @@ impl InLanes {
         if self.batch.run_here(positions, &mut answers).is_err() {
             answers.fill(BatchAnswer::NONE);
         }
-        Asked { rows: count, columns, answers }
+        Asked { rows: count, columns, results: answers }
     }
 
     /// Adds the findings of a row with a result.
@@ -124,7 +124,7 @@ impl InLanes {
 impl Asked {
     /// m̄ of a row and the rounding error bound, kg; `None` if uncertain.
     pub fn mass(&self, i: usize) -> Option<(f64, f64)> {
-        match self.answers[i] {
+        match self.results[i] {
             BatchAnswer { mass: Some(EffectiveMass::Finite(mass)), error: Some(error), .. } => {
                 Some((mass, error))
             }

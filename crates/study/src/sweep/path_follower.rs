@@ -31,7 +31,7 @@ pub(crate) struct Following {
     /// Findings that hold for all rows.
     findings: Arc<[Finding]>,
     limits: Vec<(JointId, usize, Limits)>,
-    answers: Vec<PathAnswer>,
+    results: Vec<PathAnswer>,
     positions: Vec<f64>,
 }
 
@@ -44,14 +44,14 @@ pub(crate) struct FollowedRow {
     /// Closure residual, m.
     pub residual: f64,
     /// Findings that hold for every row of the branch.
-    pub alike: Arc<[Finding]>,
+    pub shared_findings: Arc<[Finding]>,
     /// Findings about this row only.
     pub own: Vec<Finding>,
 }
 
 /// Result of following one row.
 pub(crate) enum Reached {
-    Answered(FollowedRow),
+    Evaluated(FollowedRow),
     /// Pose found; m̄ must be evaluated separately.
     Posed(Arc<Pose>),
 }
@@ -87,7 +87,7 @@ impl Following {
         });
         let limits = limited.collect();
         let findings = answer.findings.into_iter().filter(alike).collect();
-        Some(Self { path, findings, limits, answers: Vec::new(), positions: Vec::new() })
+        Some(Self { path, findings, limits, results: Vec::new(), positions: Vec::new() })
     }
 
     /// Follows rows until the branch of a row is uncertain, and passes each result to `each`. Returns the
@@ -99,7 +99,7 @@ impl Following {
         rows: &[f64],
         mut each: impl FnMut(Reached),
     ) -> usize {
-        let Self { path, findings, limits, answers, positions } = self;
+        let Self { path, findings, limits, results: answers, positions } = self;
         answers.clear();
         positions.clear();
         let reached = path.follow(rows, answers, positions);
@@ -116,11 +116,11 @@ impl Following {
             let outside = outside.map(|&(joint, place, limits)| {
                 outside_limits(prepared.system.mechanism(), joint, own[place], limits)
             });
-            each(Reached::Answered(FollowedRow {
+            each(Reached::Evaluated(FollowedRow {
                 positions: Positions::of_columns(layout, own, 1, 0),
                 mass,
                 residual: answer.residual,
-                alike: Arc::clone(findings),
+                shared_findings: Arc::clone(findings),
                 own: outside.collect(),
             }));
         }

@@ -27,7 +27,7 @@ use std::sync::Arc;
 pub(crate) struct Came {
     pub end: SweepEnd,
     pub tally: Tally,
-    pub untried: Option<Untried>,
+    pub skipped: Option<Untried>,
 }
 
 /// Runs all rows through the pipeline.
@@ -42,32 +42,32 @@ pub(crate) fn run<T: Send>(
     let (mut posed, mut answered) = (None, None);
     loop {
         let (to_answer, to_hand_out) = (posed.take(), answered.take());
-        let too_far = posing.too_far;
+        let too_far = posing.step_limit;
         let (mut next_posed, mut next_answered) = (Ok(None), None);
         let mut stopped = Ok(ControlFlow::Continue(()));
         rayon::in_place_scope(|scope| {
             scope.spawn(|_| {
                 (next_posed, next_answered) = rayon::join(
                     || posing.next(),
-                    || to_answer.map(|posed| answer(swept, posed, made, too_far)),
+                    || to_answer.map(|posed| evaluate_block(swept, posed, made, too_far)),
                 );
             });
             if let Some(portions) = to_hand_out {
-                stopped = out.take(portions);
+                stopped = out.output_results(portions);
             }
         });
         if stopped?.is_break() {
             break;
         }
         (posed, answered) = (next_posed?, next_answered);
-        posing.given_up = out.given_up();
-        let found = answered.iter().flatten().map(|portion: &Portion<T>| portion.too_far);
-        posing.too_far = found.fold(posing.too_far, nearer);
+        posing.abandoned_after = out.abandoned_after();
+        let found = answered.iter().flatten().map(|portion: &Portion<T>| portion.step_limit);
+        posing.step_limit = found.fold(posing.step_limit, nearer);
         if posed.is_none() && answered.is_none() {
             break;
         }
     }
-    Ok(out.came)
+    Ok(out.result)
 }
 
 /// Block and the remaining work.
@@ -93,7 +93,7 @@ enum Work {
 
 /// First stage: forms blocks and poses consecutive rows.
 struct Posing<'s, 'a> {
-    swept: &'s Swept<'a>,
+    context: &'s Swept<'a>,
     rows: Rows,
     line: Line,
     /// Number of the next row.
@@ -101,8 +101,8 @@ struct Posing<'s, 'a> {
     /// Approximate number of rows of the next block.
     size: usize,
     largest: usize,
-    too_far: TooFar,
-    given_up: Option<usize>,
+    step_limit: TooFar,
+    abandoned_after: Option<usize>,
 }
 
 impl<'s, 'a> Posing<'s, 'a> {
@@ -113,13 +113,22 @@ impl<'s, 'a> Posing<'s, 'a> {
             None => (BLOCK_OF_LINKS / links.max(1)).clamp(FIRST_BLOCK, BLOCK_OF_POSES),
         };
         let line = Line::new(rows.along(), swept.travel.clone(), None);
-        Self { swept, rows, line, row: 0, size: FIRST_BLOCK, largest, too_far: None, given_up: None }
+        Self {
+            context: swept,
+            rows,
+            line,
+            row: 0,
+            size: FIRST_BLOCK,
+            largest,
+            step_limit: None,
+            abandoned_after: None,
+        }
     }
 
     /// Next block; `None` at the end.
     fn next(&mut self) -> Result<Option<Posed>, StudyError> {
         // Without poses, rows are independent.
-        let line = if self.swept.lanes.is_some() { None } else { self.rows.line() };
+        let line = if self.context.lanes.is_some() { None } else { self.rows.rows_per_line() };
         let whole = line.filter(|rows| *rows <= self.largest);
         let count = match (whole, line) {
             (Some(rows), _) => rows * (self.size / rows).max(1),
@@ -133,14 +142,14 @@ impl<'s, 'a> Posing<'s, 'a> {
         let starts_line = line.is_some_and(|rows| self.row.is_multiple_of(rows));
         self.row += block.count;
         self.size = (2 * self.size).min(self.largest);
-        let work = match (self.given_up, whole) {
+        let work = match (self.abandoned_after, whole) {
             (Some(found_by), _) => Work::Skipped { found_by },
             (None, Some(rows)) => Work::Lines(rows),
-            (None, None) if self.swept.lanes.is_some() => Work::InLanes,
+            (None, None) if self.context.lanes.is_some() => Work::InLanes,
             (None, None) => {
                 if starts_line {
-                    self.too_far = nearer(self.too_far, self.line.too_far);
-                    self.line = Line::new(self.rows.along(), self.swept.travel.clone(), self.too_far);
+                    self.step_limit = nearer(self.step_limit, self.line.step_limit);
+                    self.line = Line::new(self.rows.along(), self.context.travel.clone(), self.step_limit);
                 }
                 self.pose(&block)
             }
@@ -150,18 +159,23 @@ impl<'s, 'a> Posing<'s, 'a> {
 
     /// Poses the rows of a block, each from the last row reached.
     fn pose(&mut self, block: &Block) -> Work {
-        let (swept, line) = (self.swept, &mut self.line);
+        let (swept, line) = (self.context, &mut self.line);
         let mut portions = Vec::with_capacity(block.count.div_ceil(PORTION));
-        let mut stands = swept.stands(line, block, 0..block.count).into_iter();
+        let mut stands = swept.next_poses(line, block, 0..block.count).into_iter();
         for first in (0..block.count).step_by(PORTION) {
             portions.push((first, stands.by_ref().take(PORTION).collect()));
         }
-        Work::Portions { portions, travel: line.travel(), untried: line.reach.take_untried() }
+        Work::Portions { portions, travel: line.travel(), untried: line.unreachable.take_untried() }
     }
 }
 
 /// Second stage: evaluates the rows in parallel.
-fn answer<T: Send>(swept: &Swept<'_>, posed: Posed, made: Made<'_, T>, too_far: TooFar) -> Vec<Portion<T>> {
+fn evaluate_block<T: Send>(
+    swept: &Swept<'_>,
+    posed: Posed,
+    made: Made<'_, T>,
+    too_far: TooFar,
+) -> Vec<Portion<T>> {
     let Posed { block, work } = posed;
     let block = &block;
     match work {
@@ -169,12 +183,12 @@ fn answer<T: Send>(swept: &Swept<'_>, posed: Posed, made: Made<'_, T>, too_far: 
             let of_line = |first: usize| {
                 let mut line = Line::new(swept.along, swept.travel.clone(), too_far);
                 let mut portion = Portion::new(rows);
-                let stands = swept.stands(&mut line, block, first..first + rows);
+                let stands = swept.next_poses(&mut line, block, first..first + rows);
                 let travel = line.travel();
                 for (i, stand) in (first..).zip(stands) {
-                    swept.answer(&mut portion, block, i, stand, travel.as_ref().map(|t| &t.0), made);
+                    swept.evaluate_row(&mut portion, block, i, stand, travel.as_ref().map(|t| &t.0), made);
                 }
-                (portion.untried, portion.too_far) = (line.reach.take_untried(), line.too_far);
+                (portion.skipped, portion.step_limit) = (line.unreachable.take_untried(), line.step_limit);
                 portion
             };
             let lines: Vec<usize> = (0..block.count).step_by(rows).collect();
@@ -184,13 +198,13 @@ fn answer<T: Send>(swept: &Swept<'_>, posed: Posed, made: Made<'_, T>, too_far: 
             let of_portion = |(first, stands): (usize, Vec<Stand>)| {
                 let mut portion = Portion::new(stands.len());
                 for (i, stand) in (first..).zip(stands) {
-                    swept.answer(&mut portion, block, i, stand, travel.as_ref().map(|t| &t.0), made);
+                    swept.evaluate_row(&mut portion, block, i, stand, travel.as_ref().map(|t| &t.0), made);
                 }
                 portion
             };
             let mut portions: Vec<Portion<T>> = portions.into_par_iter().map(of_portion).collect();
             if let Some(first) = portions.first_mut() {
-                first.untried = untried;
+                first.skipped = untried;
             }
             portions
         }
@@ -204,9 +218,9 @@ fn answer<T: Send>(swept: &Swept<'_>, posed: Posed, made: Made<'_, T>, too_far: 
             let mut reach = Reach::default();
             for i in 0..block.count {
                 let stand = Stand::Unreached(reach.skip(block.first + i, found_by));
-                swept.answer(&mut portion, block, i, stand, None, made);
+                swept.evaluate_row(&mut portion, block, i, stand, None, made);
             }
-            portion.untried = reach.take_untried();
+            portion.skipped = reach.take_untried();
             vec![portion]
         }
     }
@@ -214,10 +228,10 @@ fn answer<T: Send>(swept: &Swept<'_>, posed: Posed, made: Made<'_, T>, too_far: 
 
 /// Third stage: hands out the rows in order.
 struct HandingOut<'o, 's, 'a, T> {
-    swept: &'s Swept<'a>,
-    made: Made<'o, T>,
+    context: &'s Swept<'a>,
+    convert: Made<'o, T>,
     each: &'o mut dyn FnMut(T) -> ControlFlow<()>,
-    came: Came,
+    result: Came,
     /// Number of consecutive rows that were not reached.
     unreached: usize,
 }
@@ -225,24 +239,24 @@ struct HandingOut<'o, 's, 'a, T> {
 impl<'o, 's, 'a, T> HandingOut<'o, 's, 'a, T> {
     fn new(swept: &'s Swept<'a>, made: Made<'o, T>, each: &'o mut dyn FnMut(T) -> ControlFlow<()>) -> Self {
         let end = SweepEnd { rows: 0, unanswered: 0, first_error: None, diagnostics: Vec::new() };
-        let came = Came { end, tally: Tally::default(), untried: None };
-        Self { swept, made, each, came, unreached: 0 }
+        let came = Came { end, tally: Tally::default(), skipped: None };
+        Self { context: swept, convert: made, each, result: came, unreached: 0 }
     }
 
     /// Last row, if too many consecutive rows were not reached; the following rows are then not tried.
-    fn given_up(&self) -> Option<usize> {
-        (self.unreached >= UNRELATED).then(|| self.came.end.rows.saturating_sub(1))
+    fn abandoned_after(&self) -> Option<usize> {
+        (self.unreached >= UNRELATED).then(|| self.result.end.rows.saturating_sub(1))
     }
 
-    fn take(&mut self, portions: Vec<Portion<T>>) -> Result<ControlFlow<()>, StudyError> {
+    fn output_results(&mut self, portions: Vec<Portion<T>>) -> Result<ControlFlow<()>, StudyError> {
         for mut portion in portions {
-            self.came.tally.append(portion.said());
-            if let Some(untried) = portion.untried {
-                let so_far = self.came.untried.get_or_insert(Untried { count: 0, ..untried });
+            self.result.tally.append(portion.drain_findings());
+            if let Some(untried) = portion.skipped {
+                let so_far = self.result.skipped.get_or_insert(Untried { count: 0, ..untried });
                 so_far.count += untried.count;
             }
             for outcome in portion.rows {
-                if self.hand_out(outcome)?.is_break() {
+                if self.output_row(outcome)?.is_break() {
                     return Ok(ControlFlow::Break(()));
                 }
             }
@@ -250,8 +264,8 @@ impl<'o, 's, 'a, T> HandingOut<'o, 's, 'a, T> {
         Ok(ControlFlow::Continue(()))
     }
 
-    fn hand_out(&mut self, outcome: Outcome<T>) -> Result<ControlFlow<()>, StudyError> {
-        let end = &mut self.came.end;
+    fn output_row(&mut self, outcome: Outcome<T>) -> Result<ControlFlow<()>, StudyError> {
+        let end = &mut self.result.end;
         let (made, reached, error) = match outcome {
             Outcome::Row { made, reached, error } => (made, reached, error),
             // An input error before the first result is an error of the question; a later error belongs to the
@@ -259,9 +273,9 @@ impl<'o, 's, 'a, T> HandingOut<'o, 's, 'a, T> {
             Outcome::Failed { error, .. } if end.rows == end.unanswered && !error.is_no_answer() => {
                 return Err(error);
             }
-            Outcome::Failed { row, varied, error } => self.in_error(row, varied, &error),
+            Outcome::Failed { row, varied, error } => self.failed_row(row, varied, &error),
         };
-        let end = &mut self.came.end;
+        let end = &mut self.result.end;
         end.rows += 1;
         self.unreached = if reached { 0 } else { self.unreached + 1 };
         if let Some(error) = error {
@@ -271,9 +285,9 @@ impl<'o, 's, 'a, T> HandingOut<'o, 's, 'a, T> {
         Ok((self.each)(made))
     }
 
-    fn in_error(&self, row: usize, varied: VariedValues, error: &StudyError) -> (T, bool, Option<String>) {
-        let why = error.message(self.swept.prepared.question.names);
-        let row = self.swept.unanswered(row, varied, NO_ANSWER, why.clone());
-        ((self.made)(row), true, Some(why))
+    fn failed_row(&self, row: usize, varied: VariedValues, error: &StudyError) -> (T, bool, Option<String>) {
+        let why = error.message(self.context.prepared.question.names);
+        let row = self.context.unanswered(row, varied, NO_ANSWER, why.clone());
+        ((self.convert)(row), true, Some(why))
     }
 }

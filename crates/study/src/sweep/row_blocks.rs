@@ -50,7 +50,7 @@ impl Rows {
     }
 
     /// Number of rows in a line, that is, rows followed from a common start; `None` if all rows form one line.
-    pub fn line(&self) -> Option<usize> {
+    pub fn rows_per_line(&self) -> Option<usize> {
         match self {
             Rows::Grid(ranges) => ranges.last().map(|range| range.count),
             Rows::File(_) => None,

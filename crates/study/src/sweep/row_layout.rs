@@ -48,7 +48,7 @@ struct TravelAlong {
 
 impl Setting {
     /// Layout of the ranges of a grid.
-    pub fn of_grid(prepared: &Prepared, ranges: &[Vary]) -> Result<Self, StudyError> {
+    pub fn from_grid(prepared: &Prepared, ranges: &[Vary]) -> Result<Self, StudyError> {
         let mechanism = prepared.system.mechanism();
         let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
         let mut travel = None;
@@ -71,7 +71,7 @@ impl Setting {
                 }
             }
         }
-        let mut setting = Self::of_joints(prepared, &joints, Field::Vary);
+        let mut setting = Self::from_joints(prepared, &joints, Field::Vary);
         if let Some((link, point, direction)) = travel {
             let by_question =
                 prepared.question.set.iter().filter_map(|(set, _)| mechanism.find_joint(set).ok());
@@ -88,7 +88,7 @@ impl Setting {
     }
 
     /// Layout of the positions of some joints, with all components in sequence.
-    pub fn of_joints(prepared: &Prepared, joints: &[JointId], field: Field) -> Self {
+    pub fn from_joints(prepared: &Prepared, joints: &[JointId], field: Field) -> Self {
         let mechanism = prepared.system.mechanism();
         let (mut set, mut columns, mut first) = (Vec::new(), Vec::new(), 0);
         for &joint in joints {
@@ -132,7 +132,7 @@ impl Setting {
     }
 
     /// Description of the varied quantities for messages.
-    pub fn what(&self) -> String {
+    pub fn varied_description(&self) -> String {
         match (&self.travel, &self.joints[..]) {
             (Some(_), _) => "the travel".into(),
             (None, [one]) => format!("\"{}\"", one.name),

@@ -29,10 +29,10 @@ use std::sync::Arc;
 /// Prepared sweep: resolved names, checked numbers, known contact.
 #[derive(Debug)]
 pub struct Sweep<'a> {
-    swept: Swept<'a>,
+    context: Swept<'a>,
     rows: Rows,
     /// Finding about the converted contact point.
-    about_point: Option<Finding>,
+    point_finding: Option<Finding>,
 }
 
 /// Evaluates a contact at many rows of positions; `each` receives the rows and may end the sweep.
@@ -89,7 +89,7 @@ impl<'a> Sweep<'a> {
             RowSource::File(file) => {
                 let refuse = |error| StudyError::input(Field::Input, Fault::Table(Box::new(error)));
                 let trajectory = Trajectory::open(&prepared, &file).map_err(refuse)?;
-                let setting = Setting::of_joints(&prepared, trajectory.joints(), Field::Input);
+                let setting = Setting::from_joints(&prepared, trajectory.joints(), Field::Input);
                 (setting, Rows::File(Box::new(trajectory)))
             }
             RowSource::Random { count, seed } => {
@@ -97,7 +97,7 @@ impl<'a> Sweep<'a> {
                     return Err(StudyError::input(Field::Random, Fault::RandomRows { count }));
                 }
                 let random = RandomRows::new(&prepared, count, seed)?;
-                (Setting::of_joints(&prepared, &random.joints, Field::Random), Rows::Random(random))
+                (Setting::from_joints(&prepared, &random.joints, Field::Random), Rows::Random(random))
             }
         };
         let seed = match &rows {
@@ -122,7 +122,8 @@ impl<'a> Sweep<'a> {
                 prepared.contact_at(&reference.map_err(|error| error.of_varied(is_varied))?)
             }
         };
-        let about_point = prepared.about_point(&contact, &format!("where {} is 0", setting.what()));
+        let about_point =
+            prepared.about_point(&contact, &format!("where {} is 0", setting.varied_description()));
         let heading = SweepHeading {
             schema: "percuss.sweep/2",
             percuss: env!("CARGO_PKG_VERSION"),
@@ -135,12 +136,12 @@ impl<'a> Sweep<'a> {
         };
         let (along, lanes) = (rows.along(), InLanes::new(&prepared, &setting, &contact));
         let swept = Swept { prepared, setting, travel, contact, heading, along, lanes };
-        Ok(Self { swept, rows, about_point })
+        Ok(Self { context: swept, rows, point_finding: about_point })
     }
 
     /// Heading: data common to all rows.
     pub fn heading(&self) -> &SweepHeading {
-        &self.swept.heading
+        &self.context.heading
     }
 
     /// Number of rows, if known.
@@ -167,13 +168,13 @@ impl<'a> Sweep<'a> {
         made: &(dyn Fn(SweepRow) -> T + Sync),
         each: &mut dyn FnMut(T) -> ControlFlow<()>,
     ) -> Result<SweepEnd, StudyError> {
-        let Self { swept, rows, about_point } = self;
+        let Self { context: swept, rows, point_finding: about_point } = self;
         let came = pipeline::run(&swept, rows, made, each)
             .map_err(|error| error.of_varied(|joint| is_varied(&swept.heading.varied, joint)))?;
         let mut end = came.end;
         let of_all =
-            about_point.into_iter().chain(about_continuation(&swept.prepared, swept.heading.continuation));
-        let of_all = of_all.chain(came.untried.map(about_untried));
+            about_point.into_iter().chain(continuation_finding(&swept.prepared, swept.heading.continuation));
+        let of_all = of_all.chain(came.skipped.map(skipped_rows_finding));
         end.diagnostics =
             of_all.map(DiagnosticRecord::from).chain(came.tally.into_records(end.rows)).collect();
         Ok(end)
@@ -211,7 +212,7 @@ fn grid(prepared: &Prepared, ranges: &[Vary]) -> Result<(Setting, Rows), StudyEr
     if ranges.len() > 1 && count > GRID_ROWS as u128 {
         return Err(refuse(Fault::Combinations { count }));
     }
-    let setting = Setting::of_grid(prepared, ranges)?;
+    let setting = Setting::from_grid(prepared, ranges)?;
     let values = |(column, vary): (usize, &Vary)| {
         vary.values(setting.dimension(column)).map_err(|error| refuse(Fault::Range(error)))
     };
@@ -229,7 +230,7 @@ fn continuation(prepared: &Prepared, rows: &Rows) -> Continuation {
     if !has_loops(prepared) {
         return Continuation::Independent;
     }
-    match (rows.line(), rows.count()) {
+    match (rows.rows_per_line(), rows.count()) {
         (Some(1), _) => Continuation::Independent,
         (Some(line), Some(all)) if line < all => Continuation::Lines,
         _ => Continuation::Path,
@@ -237,7 +238,7 @@ fn continuation(prepared: &Prepared, rows: &Rows) -> Continuation {
 }
 
 /// Finding about the continuation of the rows, if the mechanism has loops.
-fn about_continuation(prepared: &Prepared, continuation: Continuation) -> Option<Finding> {
+fn continuation_finding(prepared: &Prepared, continuation: Continuation) -> Option<Finding> {
     if !has_loops(prepared) {
         return None;
     }
@@ -254,7 +255,7 @@ fn about_continuation(prepared: &Prepared, continuation: Continuation) -> Option
 }
 
 /// Finding with the number of rows that were not tried, and the reason.
-fn about_untried(untried: Untried) -> Finding {
+fn skipped_rows_finding(untried: Untried) -> Finding {
     let Untried { count, first, found_by } = untried;
     let message = format!(
         "{count} row(s) were not tried, row {first} the first: they are at least as far away as the end of the \

@@ -134,6 +134,10 @@ impl ParquetTable {
             let Some(chunk) = group.columns().get(leaf) else {
                 return Err(malformed("a group of rows lacks a column"));
             };
+            let start = chunk.dictionary_page_offset().unwrap_or_else(|| chunk.data_page_offset());
+            if start < 0 || chunk.compressed_size() < 0 {
+                return Err(malformed("a column has a negative position or a negative size"));
+            }
             match chunk.compression() {
                 Compression::UNCOMPRESSED
                 | Compression::SNAPPY

@@ -7,7 +7,7 @@ use crate::question::row_source::PositionFile;
 use crate::question::table_error::{TableError, TableFault};
 use crate::tables::columns::{Columns, separated_by_commas};
 use crate::tables::csv_records::Records;
-use crate::tables::parquet_source::Stored;
+use crate::tables::parquet_source::{Stored, begins_as_parquet, is_parquet_file};
 use crate::tables::parquet_table::ParquetTable;
 use crate::thresholds::LARGEST_COORDINATE;
 use percuss_dynamics::{AssemblyError, Configuration};
@@ -265,7 +265,8 @@ enum Bytes<'f> {
 impl<'f> Bytes<'f> {
     fn of(file: &'f PositionFile) -> Result<Self, TableError> {
         if file.path != "-" {
-            if !["csv", "parquet"].iter().any(|kind| ends_in(&file.path, kind)) {
+            let is_named = ["csv", "parquet"].iter().any(|kind| ends_in(&file.path, kind));
+            if !is_named && !is_parquet_file(&file.path) {
                 return Err(TableError::of_file(&file.path, TableFault::Kind));
             }
             // A regular file is read several times; a pipe or a device once, and only up to the limit.
@@ -309,15 +310,15 @@ impl<'f> Bytes<'f> {
         })
     }
 
-    /// Opens the table: Parquet for a regular file with the extension `parquet` and for kept bytes that begin with `PAR1`;
-    /// otherwise CSV.
+    /// Opens the table: Parquet for bytes that begin as Parquet and for a regular file with the extension `parquet`; otherwise
+    /// CSV.
     fn table(&self) -> Result<Table, TableError> {
         let stored = match self {
-            Bytes::Of(path) if ends_in(path, "parquet") => {
+            Bytes::Of(path) if ends_in(path, "parquet") || is_parquet_file(path) => {
                 let file = File::open(path).map_err(|error| TableError::unreadable(path, &error))?;
                 Stored::File(Mutex::new(file))
             }
-            Bytes::Kept(_, bytes) if bytes.starts_with(b"PAR1") => Stored::Kept(Arc::clone(bytes)),
+            Bytes::Kept(_, bytes) if begins_as_parquet(bytes) => Stored::Kept(Arc::clone(bytes)),
             Bytes::Of(_) | Bytes::Kept(..) => {
                 return Ok(Table::Csv(Records::new(self.text()?, self.name())));
             }

@@ -1,6 +1,6 @@
 //! SIMD evaluation of the contacts of a map.
 
-use super::scale::Factor;
+use super::scale::InertiaFactor;
 use crate::kernels::estimate::WIDEST;
 use crate::model::input::is_number;
 use crate::tolerances::{MAP_TRUSTED_ERROR, SHORTEST_DIRECTION};
@@ -18,7 +18,7 @@ pub struct ContactColumns<'a> {
 
 impl<'a> ContactColumns<'a> {
     /// Contacts `first` to `end`.
-    pub(super) fn part(self, first: usize, end: usize) -> Self {
+    pub(super) fn slice(self, first: usize, end: usize) -> Self {
         let [points, normals] = [self.points, self.normals].map(|c| c.map(|column| &column[first..end]));
         Self { points, normals }
     }
@@ -68,7 +68,7 @@ impl Constants {
         self.reach
     }
 
-    pub fn set_factor(&mut self, factor: &Factor) {
+    pub fn set_factor(&mut self, factor: &InertiaFactor) {
         self.factor = factor.packed();
         self.size = factor.size();
     }
@@ -116,17 +116,17 @@ pub(super) struct Evaluate<'a> {
 }
 
 impl Work for Evaluate<'_> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<T: Lanes>(self) {
         let Self { constants, contacts, masses, errors, doubt } = self;
-        let lanes = InLanes::<T>::of(constants);
+        let lanes = LaneConstants::<T>::of(constants);
         let count = masses.len();
         let mut excess = T::zero();
         let mut at = 0;
         while at + T::WIDTH <= count {
             let point = load::<T>(&contacts.points, at);
             let normal = load::<T>(&contacts.normals, at);
-            let (mass, error) = lanes.answer(point, normal);
+            let (mass, error) = lanes.effective_mass(point, normal);
             mass.store(&mut masses[at..]);
             error.store(&mut errors[at..]);
             excess += error.max(lanes.trusted) - lanes.trusted;
@@ -148,7 +148,7 @@ impl Work for Evaluate<'_> {
             }
             let point = [T::load(&buffers[0]), T::load(&buffers[1]), T::load(&buffers[2])];
             let normal = [T::load(&buffers[3]), T::load(&buffers[4]), T::load(&buffers[5])];
-            let (mass, error) = lanes.answer(point, normal);
+            let (mass, error) = lanes.effective_mass(point, normal);
             mass.store(&mut buffers[0]);
             error.store(&mut buffers[1]);
             let left = count - at;
@@ -167,13 +167,13 @@ impl Work for Evaluate<'_> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn load<T: Lanes>(columns: &[&[f64]; 3], at: usize) -> [T; 3] {
     [T::load(&columns[0][at..]), T::load(&columns[1][at..]), T::load(&columns[2][at..])]
 }
 
 /// Constants of a map in all lanes.
-struct InLanes<T> {
+struct LaneConstants<T> {
     centre: [T; 3],
     factor: [T; 21],
     error: T,
@@ -181,8 +181,8 @@ struct InLanes<T> {
     trusted: T,
 }
 
-impl<T: Lanes> InLanes<T> {
-    #[inline(always)]
+impl<T: Lanes> LaneConstants<T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of(constants: &Constants) -> Self {
         let mut factor = [T::zero(); 21];
         let mut i = 0;
@@ -201,8 +201,8 @@ impl<T: Lanes> InLanes<T> {
     }
 
     /// m̄ = |n|²/|R w|² and its relative error.
-    #[inline(always)]
-    fn answer(&self, point: [T; 3], n: [T; 3]) -> (T, T) {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn effective_mass(&self, point: [T; 3], n: [T; 3]) -> (T, T) {
         let c = &self.factor;
         let x = [point[0] - self.centre[0], point[1] - self.centre[1], point[2] - self.centre[2]];
         let m = [

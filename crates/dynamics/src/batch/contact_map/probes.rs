@@ -14,7 +14,7 @@ use nalgebra::{SymmetricEigen, Vector3};
 
 impl ContactMap<'_> {
     /// Calibrates the error coefficient. Returns true if Φ agrees with the pose's own responses.
-    pub(super) fn scale_errors(&mut self) -> bool {
+    pub(super) fn calibrate_errors(&mut self) -> bool {
         let (centre, reach) = (self.constants.centre(), self.constants.reach());
         let mut coefficient = MAP_OWN_ROUNDINGS * f64::EPSILON;
         self.constants.set_coefficient(coefficient);
@@ -26,12 +26,12 @@ impl ContactMap<'_> {
             let forces = self.constants.of_forces(&arm);
             let eigen = SymmetricEigen::new(forces.transpose() * forces);
             (0..3).for_each(|i| probes.push((arm, eigen.eigenvectors.column(i).into_owned())));
-            probes.push((arm, seeded(corner)));
+            probes.push((arm, probe_direction(corner)));
         }
         for (arm, normal) in probes {
             let contact = Contact { against: self.against, ..Contact::new(self.link, centre + arm, normal) };
             let Ok(response) = self.pose.respond(&contact, RouteChoice::Auto) else { return false };
-            let own = self.own_status(&arm, &normal);
+            let own = self.status_from_inertia(&arm, &normal);
             match response.effective_mass {
                 EffectiveMass::Finite(m) if own == Some(ContactStatus::Finite) => {
                     let Some(error) = response.effective_mass_error() else { return false };
@@ -55,7 +55,7 @@ impl ContactMap<'_> {
     }
 
     /// Status of a contact if Φ decides the status reliably.
-    fn own_status(&self, arm: &Vector3<f64>, normal: &Vector3<f64>) -> Option<ContactStatus> {
+    fn status_from_inertia(&self, arm: &Vector3<f64>, normal: &Vector3<f64>) -> Option<ContactStatus> {
         let point = self.constants.centre() + arm;
         let contacts = super::ContactColumns {
             points: [&[point.x], &[point.y], &[point.z]],
@@ -67,7 +67,7 @@ impl ContactMap<'_> {
 }
 
 /// Fixed direction number `number`, from a golden spiral on the sphere.
-fn seeded(number: usize) -> Vector3<f64> {
+fn probe_direction(number: usize) -> Vector3<f64> {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let turn = std::f64::consts::TAU * (number as f64 * GOLDEN).fract();
     let z = 1.0 - (2.0 * number as f64 + 1.0) / 9.0;
@@ -81,7 +81,7 @@ mod tests {
 
     #[test]
     fn directions_are_unit_vectors_and_differ() {
-        let all: Vec<Vector3<f64>> = (0..9).map(seeded).collect();
+        let all: Vec<Vector3<f64>> = (0..9).map(probe_direction).collect();
         for (i, a) in all.iter().enumerate() {
             assert!((a.norm() - 1.0).abs() < 1e-15);
             assert!(all[..i].iter().all(|b| (a - b).norm() > 0.3), "{i}");

@@ -17,16 +17,16 @@ pub struct PrincipalMass {
 }
 
 /// Φ = RᵀR, updated by one rank-one term at a time.
-pub(super) struct Factor {
+pub(super) struct InertiaFactor {
     reach: f64,
     /// R, upper triangular.
     rows: SMatrix<f64, 6, 6>,
-    free: Vec<SVector<f64, 6>>,
+    massless_responses: Vec<SVector<f64, 6>>,
 }
 
-impl Factor {
+impl InertiaFactor {
     pub fn new(reach: f64) -> Self {
-        Self { reach, rows: SMatrix::zeros(), free: Vec::new() }
+        Self { reach, rows: SMatrix::zeros(), massless_responses: Vec::new() }
     }
 
     /// Adds t tᵀ/d. False if d is not positive, or the result is not finite.
@@ -53,20 +53,20 @@ impl Factor {
     }
 
     /// Adds the response of a massless motion: `t` for the six unit wrenches, with the twist `motion`.
-    pub fn add_free(&mut self, t: &[f64; 6], motion: &Twist<f64>) {
+    pub fn add_massless_motion(&mut self, t: &[f64; 6], motion: &Twist<f64>) {
         let row = SVector::<f64, 6>::from_fn(|a, _| if a < 3 { t[a] * self.reach } else { t[a] });
         let terms = motion.angular.norm() * self.reach + motion.linear.norm();
         // Smaller values are rounding.
         if row.norm() > MASSLESS_CLOSING * terms {
             let mut unit = row / row.norm();
-            for known in &self.free {
+            for known in &self.massless_responses {
                 unit -= known * known.dot(&unit);
             }
-            for known in &self.free {
+            for known in &self.massless_responses {
                 unit -= known * known.dot(&unit);
             }
             if unit.norm() > MASSLESS_CLOSING {
-                self.free.push(unit.normalize());
+                self.massless_responses.push(unit.normalize());
             }
         }
     }
@@ -104,8 +104,8 @@ impl Factor {
     }
 
     /// Wrenches with a massless response.
-    pub fn free(self) -> FreeWrenches {
-        FreeWrenches { reach: self.reach, units: self.free }
+    pub fn into_massless_wrenches(self) -> FreeWrenches {
+        FreeWrenches { reach: self.reach, units: self.massless_responses }
     }
 }
 
@@ -122,7 +122,7 @@ impl FreeWrenches {
     }
 
     /// Fraction of a contact's wrench within the space of these wrenches, 0 to 1.
-    pub fn part(&self, arm: &Vector3<f64>, normal: &Vector3<f64>) -> f64 {
+    pub fn fraction(&self, arm: &Vector3<f64>, normal: &Vector3<f64>) -> f64 {
         let moment = arm.cross(normal) / self.reach;
         let along = |unit: &SVector<f64, 6>| {
             unit.fixed_rows::<3>(0).dot(&moment) + unit.fixed_rows::<3>(3).dot(normal)

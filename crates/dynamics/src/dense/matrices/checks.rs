@@ -2,7 +2,7 @@
 
 use super::view::MatrixView;
 use crate::tolerances::{
-    CAREFUL_LIMIT, LARGEST_ENTRY, LEAST_ENTRY, LENGTH_LIMIT, MATRIX_NOISE, MOST_ACCURACY, MOST_FLOOR,
+    DENSE_ROUTE_LIMIT, LARGEST_ENTRY, LEAST_ENTRY, LENGTH_LIMIT, MATRIX_NOISE, MOST_ACCURACY, MOST_FLOOR,
     NEGATIVE_MASS, PAIR_BOUND, PAIR_ROUNDINGS, SYMMETRIC, SYMMETRIC_ROUNDINGS,
 };
 use faer::{Mat, Side};
@@ -170,8 +170,8 @@ pub(super) fn shapes(
     if mass.columns() != n {
         return wrong(MatrixName::Mass, mass, "a square matrix".into());
     }
-    if n > CAREFUL_LIMIT {
-        return Err(MatrixError::TooLarge { coordinates: n, limit: CAREFUL_LIMIT });
+    if n > DENSE_ROUTE_LIMIT {
+        return Err(MatrixError::TooLarge { coordinates: n, limit: DENSE_ROUTE_LIMIT });
     }
     if row.columns() != n || row.rows() != 1 {
         return wrong(MatrixName::ContactRow, row, format!("1×{n}, a number for each coordinate of M"));

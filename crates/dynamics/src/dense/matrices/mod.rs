@@ -10,7 +10,7 @@ pub use view::{LayoutError, MatrixView};
 
 use self::checks::Mass;
 use self::rank::RankLimits;
-use crate::dense::careful::{LeastEnergy, Minimum, Solution};
+use crate::dense::direct::{LeastEnergy, LeastEnergySolution, Minimum};
 use crate::kinematics::outcome::{EffectiveMass, Remark};
 use crate::tolerances::{
     FEW_DIGITS, FEW_DIGITS_TRIALS, FLOOR_ACCURACY, IMMOVABLE, MOVED_SAFETY, NEARLY_IMMOVABLE,
@@ -198,7 +198,7 @@ pub fn effective_mass<'a>(
         row_noise,
     };
     let decided = rank::decide_rows(constraints, &lengths, &limits);
-    let asked = Asked {
+    let asked = MatrixProblem {
         mass: &mass,
         row: row.as_slice(),
         rows: &decided.rows,
@@ -206,11 +206,11 @@ pub fn effective_mass<'a>(
         lengths: &lengths,
         accuracy,
     };
-    asked.answer(decided.report)
+    asked.respond(decided.report)
 }
 
 /// Validated matrices.
-struct Asked<'a> {
+struct MatrixProblem<'a> {
     mass: &'a Mass,
     row: &'a [f64],
     /// Independent rows of A.
@@ -221,9 +221,9 @@ struct Asked<'a> {
     accuracy: Accuracy,
 }
 
-impl Asked<'_> {
+impl MatrixProblem<'_> {
     /// Computes m̄, its error and the findings.
-    fn answer(&self, rank: ConstraintRank) -> Result<MatrixResponse, MatrixError> {
+    fn respond(&self, rank: ConstraintRank) -> Result<MatrixResponse, MatrixError> {
         let n = self.row.len();
         let solution = self.solve();
         let closing_speed = self.closing_speed();
@@ -257,7 +257,7 @@ impl Asked<'_> {
                     effective_mass = EffectiveMass::Massless;
                     remarks.push(Remark::MasslessToRounding { up_to: m + off });
                 } else {
-                    error = self.moved_by_accuracy(m).map(|moved| off.max(MOVED_SAFETY * moved));
+                    error = self.change_by_accuracy(m).map(|moved| off.max(MOVED_SAFETY * moved));
                 }
                 if !rank.is_clear {
                     // The bound holds for the decided rank, and the actual rank may differ.
@@ -268,7 +268,7 @@ impl Asked<'_> {
                     remarks
                         .push(Remark::NearlyImmovable { closing_speed: solution.closing_speed, uncertainty });
                 }
-                if solution.is_open {
+                if solution.has_massless_motion {
                     remarks.push(Remark::UndeterminedMotion);
                 }
             }
@@ -278,8 +278,8 @@ impl Asked<'_> {
                 }
                 // A motion of almost zero energy may violate the constraints by its own rounding. `missed` bounds the
                 // root energy of its correction.
-                let missed: f64 = self.roots(&self.correction(&velocity)).iter().sum();
-                let up_to = (self.energy_off(&velocity).sqrt() + missed).powi(2);
+                let missed: f64 = self.roots(&self.shortest_correction(&velocity)).iter().sum();
+                let up_to = (self.energy_error(&velocity).sqrt() + missed).powi(2);
                 if up_to > NEGLIGIBLE_MASS * self.mass.typical {
                     remarks.push(Remark::MasslessToRounding { up_to });
                 }
@@ -308,17 +308,17 @@ impl Asked<'_> {
 
     /// Largest change of m̄ if the entries of M, A and j are perturbed by their accuracy with irregular signs. `None`
     /// if m̄ becomes infinite or undefined. Reveals losses of the method beyond first order.
-    fn moved_by_accuracy(&self, m: f64) -> Option<f64> {
+    fn change_by_accuracy(&self, m: f64) -> Option<f64> {
         // Entries with fewer digits cause larger losses beyond first order.
         let trials =
             if self.accuracy.mass.max(self.accuracy.of_rows()) > FEW_DIGITS { FEW_DIGITS_TRIALS } else { 1 };
         (0..trials)
-            .map(|trial| self.moved_by(m, trial))
+            .map(|trial| self.change_by_signs(m, trial))
             .try_fold(0.0, |most, moved| Some(f64::max(most, moved?)))
     }
 
     /// Change of m̄ for one pattern of signs.
-    fn moved_by(&self, m: f64, trial: usize) -> Option<f64> {
+    fn change_by_signs(&self, m: f64, trial: usize) -> Option<f64> {
         let factor = |r: usize, c: usize, accuracy: f64| {
             1.0 + [1.0, -1.0, 0.5, -0.5][(7 * r + 3 * c + r * c + trial * (5 * r + c + 1)) % 4] * accuracy
         };
@@ -335,14 +335,14 @@ impl Asked<'_> {
             self.rows[(r, c)] * factor(r + 1, c, constraints)
         });
         let row: Vec<f64> = self.row.iter().enumerate().map(|(c, j)| j * factor(0, c, row)).collect();
-        match (Asked { mass: &mass, rows: &rows, row: &row, ..*self }).solve().minimum {
+        match (MatrixProblem { mass: &mass, rows: &rows, row: &row, ..*self }).solve().minimum {
             Minimum::Finite(other) => Some((other - m).abs()),
             Minimum::Stationary(_) | Minimum::Immovable | Minimum::Massless => None,
         }
     }
 
     /// Solves the least-energy problem.
-    fn solve(&self) -> Solution {
+    fn solve(&self) -> LeastEnergySolution {
         // The error of a diagonal entry, expressed in roundings.
         let scale = self.mass.accuracy / f64::EPSILON;
         let mass_size: Vec<f64> = self.mass.matrix.diagonal().iter().map(|m| m.abs() * scale).collect();
@@ -388,7 +388,7 @@ impl Asked<'_> {
     }
 
     /// Shortest change (coordinates scaled by lengths) after which a motion satisfies Av = 0 and jv = 1.
-    fn correction(&self, v: &[f64]) -> Vec<f64> {
+    fn shortest_correction(&self, v: &[f64]) -> Vec<f64> {
         let (rows, n) = self.rows.shape();
         let entry = |r: usize, k: usize| if r < rows { self.rows[(r, k)] } else { self.row[k] };
         let left = |r: usize| {
@@ -407,7 +407,7 @@ impl Asked<'_> {
     }
 
     /// Error of vᵀMv, kg.
-    fn energy_off(&self, v: &[f64]) -> f64 {
+    fn energy_error(&self, v: &[f64]) -> f64 {
         let root: f64 = self.roots(v).iter().sum();
         let noise: f64 = self.mass.noise.iter().map(|(r, c, m)| 2.0 * (m * v[*r] * v[*c]).abs()).sum();
         (self.mass.accuracy + self.roundings()) * root * root + noise
@@ -423,13 +423,13 @@ impl Asked<'_> {
             let norm = scales.iter().enumerate().map(|(k, s)| (entry(k) * s).powi(2)).sum::<f64>().sqrt();
             accuracy * terms + self.roundings() * norm * speed
         };
-        let mut sum = self.energy_off(v) + 2.0 * m * off(&|k| self.row[k], self.accuracy.row);
+        let mut sum = self.energy_error(v) + 2.0 * m * off(&|k| self.row[k], self.accuracy.row);
         for (r, multiplier) in self.multipliers(m, v, &scales).into_iter().enumerate() {
             sum += 2.0 * multiplier.abs() * off(&|k| self.rows[(r, k)], self.accuracy.constraints);
         }
         // A motion that violates the constraints by its own rounding has less energy than the corrected motion;
         // `missed` bounds the root of the difference.
-        let missed: f64 = self.roots(&self.correction(v)).iter().sum();
+        let missed: f64 = self.roots(&self.shortest_correction(v)).iter().sum();
         sum + 2.0 * m.sqrt() * missed + missed * missed
     }
 

@@ -1,7 +1,7 @@
 //! Rank decision for the rows of the caller's A.
 
-use crate::mobility::{Rank, Redundancy, decide, singular_values};
-use crate::model::union::Partition;
+use crate::mobility::{Rank, Redundancy, decide_rank, singular_values};
+use crate::model::partition::Partition;
 use crate::tolerances::{REDUNDANCY_LIMIT, ROW_NOISE};
 use nalgebra::DMatrix;
 
@@ -84,7 +84,8 @@ pub(super) fn decide_rows(mut a: DMatrix<f64>, lengths: &[f64], limits: &RankLim
         }
         let own: Vec<f64> = columns.iter().map(|&c| lengths[c]).collect();
         let part = DMatrix::from_fn(rows.len(), columns.len(), |r, c| a[(rows[r], columns[c])]);
-        let rank: Rank = decide(&singular_values(&part, &own), limits.floor).explained_by(limits.rounding);
+        let rank: Rank =
+            decide_rank(&singular_values(&part, &own), limits.floor).explained_by(limits.rounding);
         report.rank += rank.rank;
         least = least.min(rank.least);
         report.is_clear &= rank.clear;

@@ -1,6 +1,6 @@
 //! Error due to dropped (frozen) pivots that still couple to the parent.
 
-use super::{BudgetRoom, UnitImpulse, components, energy_root};
+use super::{BudgetWorkspace, UnitImpulse, components, energy_root};
 use crate::model::Body;
 use crate::recursion::Recursion;
 use crate::tolerances::{RESOLVED, SMALL_CHANGE, SUM_ROUNDINGS};
@@ -13,9 +13,12 @@ impl UnitImpulse<'_> {
     /// A free motion adds (Uᵀ V)²/D to 1/m̄, with V the twist of the parent. D is not known below its rounding, but Iᴬ ≥ U Uᵀ/D
     /// bounds it from below: D ≥ |U|²/|Iᴬ|. Where U exceeds its rounding, the motion has a mass below rounding and was frozen; where
     /// Uᵀ V exceeds its rounding too, the free motion may take away all of m̄.
-    pub(super) fn of_frozen(
+    ///
+    /// The test wrench along a frozen motion adds to Uᵀ V. Of a motion with a mass even the rounding of this wrench counts; of a
+    /// motion without a mass a wrench below its rounding is zero.
+    pub(super) fn frozen_change(
         &self,
-        room: &mut BudgetRoom,
+        room: &mut BudgetWorkspace,
         recursion: &Recursion<f64, 1>,
         i: usize,
         roots: &Vector6<f64>,
@@ -23,7 +26,9 @@ impl UnitImpulse<'_> {
         let body = &self.model.bodies[i];
         if room.composites.is_empty() {
             self.fill_composites(&mut room.composites);
+            room.response = recursion.response(0, 0);
         }
+        let response = room.response;
         let (moment, mass) = room.composites[i];
         let arm = (self.kinematics.frames[i].translation - self.contact.point_root).norm();
         let mut twist = body.parent.map_or_else(Twist::zero, |p| self.twists[p]);
@@ -45,19 +50,24 @@ impl UnitImpulse<'_> {
             let is_resolved = about > noise * moment.sqrt() || along > noise * mass.sqrt();
             sum += 2.0
                 * if passed > noise * carried {
-                    frozen.max(recursion.response(0, 0))
+                    frozen.max(response)
                 } else {
-                    let most = passed + SUM_ROUNDINGS * f64::EPSILON * own * carried;
+                    let mut most = passed + SUM_ROUNDINGS * f64::EPSILON * own * carried;
                     // An unresolved U is zero, or as small as the rounding of D permits.
                     let least = if is_resolved {
+                        let test = &recursion.wrenches[i][0];
+                        let terms = turn * test.moment.norm() + e.s.linear.norm() * test.force.norm();
+                        let terms = terms + own * response.abs().sqrt();
+                        most += e.t[0].abs() + SUM_ROUNDINGS * f64::EPSILON * terms;
                         square_over(about, moment).max(square_over(along, mass))
                     } else {
                         e.d.abs().max(f64::EPSILON * own * own)
                     };
                     let change = most * most / least.max(f64::MIN_POSITIVE);
-                    let response = recursion.response(0, 0);
-                    // A first-order estimate: a larger change alters the other free motions too.
-                    if change < SMALL_CHANGE * response { change } else { frozen.max(response) }
+                    // A first-order estimate: a larger change alters the other free motions too, if any are left toward
+                    // the root.
+                    let accepted = if carried > 0.0 { SMALL_CHANGE } else { 1.0 };
+                    if change < accepted * response { change } else { frozen.max(response) }
                 };
         }
         sum

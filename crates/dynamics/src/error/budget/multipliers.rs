@@ -8,7 +8,7 @@ use crate::tolerances::DENSE_LIMIT;
 
 /// Buffers for the multipliers of a group; refilled in place.
 #[derive(Clone, Debug, Default)]
-pub(super) struct MultiplierRoom {
+pub(super) struct MultiplierWorkspace {
     /// λ, one per pivot row.
     values: Vec<f64>,
     row_of: Vec<usize>,
@@ -16,9 +16,9 @@ pub(super) struct MultiplierRoom {
     square: Vec<f64>,
 }
 
-impl MultiplierRoom {
+impl MultiplierWorkspace {
     /// λ of a row; `None` for a row that is redundant.
-    pub fn of_row(&self, row: usize) -> Option<f64> {
+    pub fn row_multiplier(&self, row: usize) -> Option<f64> {
         self.values.get(self.row_of[row]).copied()
     }
 

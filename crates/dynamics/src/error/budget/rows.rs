@@ -1,6 +1,6 @@
 //! Errors of the rows of A, and the constraint wrenches that close the loops.
 
-use super::{BudgetRoom, FrameErrors, Places, RelativeErrors, UnitImpulse};
+use super::{BudgetWorkspace, FrameErrorMode, FrameErrors, RelativeErrors, UnitImpulse};
 use crate::kinematics::rows::{MOST, closure_wrenches};
 use crate::model::{Cluster, Constraint, ConstraintRows, Group};
 use crate::tolerances::ROW_ROUNDINGS;
@@ -16,10 +16,15 @@ struct Sides {
 impl UnitImpulse<'_> {
     /// Adds the effect of errors in the rows of A on the rates of the dependent coordinates. With `Places::ByJoint`,
     /// the constraint wrenches are also added to the transmitted wrenches.
-    pub(super) fn add_rows(&self, room: &mut BudgetRoom, places: Places, sum: &mut RelativeErrors) {
+    pub(super) fn add_row_errors(
+        &self,
+        room: &mut BudgetWorkspace,
+        places: FrameErrorMode,
+        sum: &mut RelativeErrors,
+    ) {
         for cluster in self.model.clusters.iter().filter(|c| !c.groups.is_empty()) {
             self.fill_tree_forces(&mut room.forces, cluster, &room.transmitted);
-            let BudgetRoom { frames, forces, rates, terms, largest, multipliers, closing, .. } = room;
+            let BudgetWorkspace { frames, forces, rates, terms, largest, multipliers, closing, .. } = room;
             rates.clear();
             rates.resize(cluster.coordinates.len(), 0.0);
             for v in cluster.velocities.iter().filter(|v| v.multiplier != 0.0) {
@@ -48,7 +53,7 @@ impl UnitImpulse<'_> {
                 });
                 let speed = (0..group.coordinates.len()).map(scaled).fold(0.0, f64::max);
                 for constraint in &group.constraints {
-                    let balance = |r: usize| multipliers.of_row(r);
+                    let balance = |r: usize| multipliers.row_multiplier(r);
                     let held = constraint.first..constraint.first + constraint.count;
                     if held.clone().all(|r| balance(r).is_none()) {
                         continue;
@@ -62,14 +67,14 @@ impl UnitImpulse<'_> {
                         sum.file += 2.0 * self.misfits[own.group] * change;
                         sum.rounding += 2.0 * row * change;
                     }
-                    if places == Places::Added {
+                    if places == FrameErrorMode::Accumulated {
                         continue;
                     }
                     let (arm, wrenches) = self.wrenches(constraint, group);
                     let mut push = Wrench::zero();
                     for (r, wrench) in held.zip(&wrenches) {
                         let Some(multiplier) = balance(r) else { continue };
-                        let off = self.turned_row(frames, &sides, &arm, wrench);
+                        let off = self.frame_error_power(frames, &sides, &arm, wrench);
                         sum.rounding += 2.0 * multiplier.abs() * off;
                         push += *wrench * -multiplier;
                     }
@@ -82,7 +87,7 @@ impl UnitImpulse<'_> {
                     }
                 }
             }
-            for at in (0..cluster.bodies.len()).rev().filter(|_| places == Places::ByJoint) {
+            for at in (0..cluster.bodies.len()).rev().filter(|_| places == FrameErrorMode::ByJoint) {
                 let own = closing[at];
                 if let Some(parent) = cluster.parents[at] {
                     closing[parent] += own;
@@ -111,19 +116,19 @@ impl UnitImpulse<'_> {
         constraint: &ConstraintRows,
         sides: &Sides,
         size: f64,
-        places: Places,
+        places: FrameErrorMode,
     ) -> f64 {
         let moving = constraint.terms.iter().map(|term| term.body);
         let bodies = moving.chain(sides.on).chain(sides.against);
         match places {
-            Places::Added => {
+            FrameErrorMode::Accumulated => {
                 let (turn, place) = bodies.fold((0.0_f64, 0.0_f64), |(turn, place), b| {
-                    (turn.max(frames.of[b].0), place.max(frames.of[b].1))
+                    (turn.max(frames.bounds[b].0), place.max(frames.bounds[b].1))
                 });
                 ROW_ROUNDINGS + turn + place / size
             }
             // An arm is a difference of two positions.
-            Places::ByJoint => {
+            FrameErrorMode::ByJoint => {
                 let far = bodies.map(|b| self.kinematics.frames[b].translation.norm()).fold(0.0, f64::max);
                 ROW_ROUNDINGS + 4.0 * far / size
             }
@@ -158,7 +163,7 @@ impl UnitImpulse<'_> {
 
     /// Power of a row's wrench on the free relative motion, after a rotation and displacement by the frame errors of
     /// both sides.
-    fn turned_row(
+    fn frame_error_power(
         &self,
         frames: &FrameErrors,
         sides: &Sides,

@@ -138,7 +138,7 @@ pub enum AssemblyError {
     /// A dependent joint was set.
     #[error(
         "joint \"{joint}\" depends on others through the loops; {}, or start from another assembly",
-        what_to_set(drivers, set)
+        setting_advice(drivers, set)
     )]
     Dependent {
         /// The dependent joint.
@@ -201,7 +201,7 @@ impl AssemblyError {
 }
 
 /// Advice on joints to set instead of a dependent joint, or on joints to leave out.
-fn what_to_set(drivers: &[String], set: &[String]) -> String {
+fn setting_advice(drivers: &[String], set: &[String]) -> String {
     let free: Vec<String> = drivers.iter().filter(|driver| !set.contains(driver)).cloned().collect();
     match (drivers.is_empty(), set.is_empty(), free.is_empty()) {
         (true, ..) => "these leave no motion: set none of their joints".into(),

@@ -8,8 +8,9 @@ use crate::loops::closing::{Correction, Directions, Linearised};
 use crate::mobility::{Drivers, Generic, Rank, independent_rows, rank_of_rows};
 use crate::model::{Group, Model};
 use crate::tolerances::{
-    CLOSED, ELSEWHERE, FARTHEST, FEWEST_FIRST_STARTS, FIRST_STARTS, FIRST_STARTS_ASIDE, FIRST_STARTS_WORK,
-    GENERIC_POSES, GENERIC_POSES_ENOUGH, LARGE_GROUP, ROUNDING, SAME_POSE, SETTLED,
+    CLOSED, CONVERGED_STEP, DEPARTURES, FARTHEST, FEWEST_FIRST_STARTS, FIRST_STARTS, FIRST_STARTS_ASIDE,
+    FIRST_STARTS_WORK, GENERIC_POSES, GENERIC_POSES_ENOUGH, LARGE_GROUP, OTHER_POSE_RESIDUAL, ROUNDING,
+    SAME_POSE,
 };
 use percuss_mechanism::{ClosureKind, JointId};
 
@@ -61,7 +62,7 @@ impl GroupFacts {
     ///
     /// # Errors
     /// A coordinate that is given and cannot drive.
-    pub fn divide(
+    pub fn choose_drivers(
         &self,
         model: &Model,
         group: &Group,
@@ -107,14 +108,14 @@ pub(crate) struct Facts {
 
 impl Model {
     /// Finds the first closed pose from `start`, and the generic properties of each group.
-    pub fn put_together(&self, mut start: Kinematics<f64>) -> Result<Facts, AssemblyError> {
+    pub fn find_loop_facts(&self, mut start: Kinematics<f64>) -> Result<Facts, AssemblyError> {
         let mut first = Vec::with_capacity(self.groups.len());
         for group in &self.groups {
             self.refuse_far(group)?;
             self.refuse_rod(group)?;
             start.refill_bodies(self, &group.bodies);
             let before = self.group_positions(group, &start.q);
-            let drawn_gaps = self.gaps(&start, group);
+            let drawn_gaps = self.constraint_gaps(&start, group);
             let inexactness = self.close_first(&mut start, group)?;
             let moved = self.most_moved(group, &before, &start.q);
             first.push((inexactness, drawn_gaps, moved));
@@ -123,14 +124,14 @@ impl Model {
         let mut groups = Vec::with_capacity(self.groups.len());
         let mut room = start.clone();
         for (group, (inexactness, drawn_gaps, moved)) in self.groups.iter().zip(first) {
-            let facts = self.look_around(&start, &mut room, group, inexactness);
+            let facts = self.find_group_facts(&start, &mut room, group, inexactness);
             groups.push(GroupFacts { drawn_gaps, moved, ..facts });
         }
         Ok(Facts { reference: start.q, groups })
     }
 
     /// Facts with the loops left open at `start`.
-    pub fn left_open(&self, start: Kinematics<f64>) -> Facts {
+    pub fn open_loop_facts(&self, start: Kinematics<f64>) -> Facts {
         let open = |group: &Group| {
             let mut rows = GroupRows::default();
             rows.fill(self, group, &start);
@@ -146,7 +147,7 @@ impl Model {
                 reference_is_regular: true,
                 mode_rows: Vec::new(),
                 drivers,
-                drawn_gaps: self.gaps(&start, group),
+                drawn_gaps: self.constraint_gaps(&start, group),
                 moved: None,
             }
         };
@@ -181,7 +182,7 @@ impl Model {
     }
 
     /// Largest residual of each constraint of a group, m.
-    fn gaps(&self, kinematics: &Kinematics<f64>, group: &Group) -> Vec<f64> {
+    fn constraint_gaps(&self, kinematics: &Kinematics<f64>, group: &Group) -> Vec<f64> {
         let residuals = self.group_residuals(kinematics, group);
         let gap = |c: &crate::model::ConstraintRows| {
             residuals[c.first..c.first + c.count].iter().fold(0.0, |most: f64, r| most.max(r.abs()))
@@ -256,7 +257,7 @@ impl Model {
     /// Searches closed poses around the first closed pose for the generic rank. First the poses are found, then the
     /// largest inexactness over all poses, then the ranks with a common threshold. `room`: frames equal to those of
     /// `reference`; restored at the end.
-    fn look_around(
+    fn find_group_facts(
         &self,
         reference: &Kinematics<f64>,
         room: &mut Kinematics<f64>,
@@ -266,7 +267,7 @@ impl Model {
         let home = self.group_positions(group, &reference.q);
         let tolerance = self.closing_tolerance(reference, group);
         let all = Directions::of(&group.movable);
-        let fits = if at_first > 0.0 { (ELSEWHERE * at_first).max(tolerance) } else { tolerance };
+        let fits = if at_first > 0.0 { (OTHER_POSE_RESIDUAL * at_first).max(tolerance) } else { tolerance };
         let enough = if group.coordinates.len() > LARGE_GROUP { 1 } else { GENERIC_POSES_ENOUGH };
         let (mut found, mut unsettled, mut inexactness) = (Vec::new(), None, at_first);
         for attempt in 0..GENERIC_POSES {
@@ -279,7 +280,7 @@ impl Model {
             let apart = self.displacement(group, &reference.q, &room.q);
             let gone = apart.iter().zip(&group.lengths).map(|(w, l)| (w * l).powi(2)).sum::<f64>().sqrt();
             let there = self.group_positions(group, &room.q);
-            if gone < SAME_POSE * group.size || !self.is_settled(room, group, at_first) {
+            if gone < SAME_POSE * group.size || !self.is_converged(room, group, at_first) {
                 unsettled.get_or_insert(there);
                 continue;
             }
@@ -295,10 +296,10 @@ impl Model {
             // All corrections led back to a crossing of branches: follow the branches instead.
             let around = self.surroundings(reference, group, inexactness);
             for branch in &around.branches {
-                let beside = [0.1, 0.03, 0.01, 1e-3].into_iter().find_map(|reach| {
+                let beside = DEPARTURES.into_iter().find_map(|reach| {
                     self.restore_group(room, group, &home);
                     let size = reach * around.group.size;
-                    let beside = self.go_beside(room, &around, &branch.along, size);
+                    let beside = self.close_at_distance(room, &around, &branch.along, size);
                     beside.map(|_| self.group_positions(group, &room.q))
                 });
                 found.extend(beside);
@@ -347,11 +348,11 @@ impl Model {
 
     /// True if Newton's method would stay at a closed pose. Near a crossing the residual is the square of the
     /// remaining distance, and falls below the closing tolerance too early.
-    fn is_settled(&self, kinematics: &Kinematics<f64>, group: &Group, inexactness: f64) -> bool {
+    fn is_converged(&self, kinematics: &Kinematics<f64>, group: &Group, inexactness: f64) -> bool {
         let here = Linearised::at(self, kinematics, group);
         let floor = if inexactness > 0.0 { group.floor_for(inexactness) } else { 0.0 };
         let step = here.step(group, Directions::of(&group.movable), floor);
-        step.iter().map(|x| x * x).sum::<f64>().sqrt() <= SETTLED * group.size
+        step.iter().map(|x| x * x).sum::<f64>().sqrt() <= CONVERGED_STEP * group.size
     }
 
     /// Perturbs a group's coordinates by fixed pseudo-random amounts up to `size` (rad, or times the group's size).

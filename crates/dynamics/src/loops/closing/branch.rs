@@ -13,8 +13,8 @@ use crate::linear::dense::dot;
 use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
 use crate::tolerances::{
-    BESIDE_DRIFT, BRANCH_STEPS, FEWEST_BRANCH_STEPS, LEAST_MIDDLE_SLOPE, LONGEST_BRANCH_STEP,
-    NEARLY_SINGULAR, SHORTEST_BRANCH_STEP, STRAIGHT,
+    BESIDE_DRIFT, BRACKET_WIDTH, BRANCH_STEPS, FEWEST_BRANCH_STEPS, FLAT_SLOPE, LEAST_MIDDLE_SLOPE,
+    LIMIT_OFFSET, LONGEST_BRANCH_STEP, NEARLY_SINGULAR, SHORTEST_BRANCH_STEP, STRAIGHT,
 };
 
 /// Straight path of a group's drivers.
@@ -38,7 +38,7 @@ pub(crate) struct DriverPath<'a> {
 /// End of a path.
 pub(crate) struct Arrival {
     /// True if the target was reached; otherwise the end is a limit, or the nearest point found.
-    pub there: bool,
+    pub is_reached: bool,
     /// A regular pose on the same branch, if the end is not regular.
     pub anchor: Option<Vec<f64>>,
     /// True if the step limit stopped the path.
@@ -46,16 +46,16 @@ pub(crate) struct Arrival {
     /// True if branches are too close to each other here to be distinguished.
     pub uncertain: bool,
     /// Residuals and rows of the group at the current pose, if known.
-    pub here: Option<Linearised>,
+    pub linearised: Option<Linearised>,
 }
 
 impl Arrival {
     fn at_end(anchor: Option<Vec<f64>>) -> Self {
-        Self { there: true, anchor, too_far: false, uncertain: false, here: None }
+        Self { is_reached: true, anchor, too_far: false, uncertain: false, linearised: None }
     }
 
     fn short_of_end(anchor: Option<Vec<f64>>, too_far: bool) -> Self {
-        Self { there: false, anchor, too_far, uncertain: false, here: None }
+        Self { is_reached: false, anchor, too_far, uncertain: false, linearised: None }
     }
 
     fn uncertain() -> Self {
@@ -65,10 +65,10 @@ impl Arrival {
 
 /// Point of the curve.
 #[derive(Clone)]
-pub(super) struct Point {
+pub(super) struct BranchPoint {
     pub q: Vec<f64>,
     /// Distance of the drivers along the path, m.
-    pub gone: f64,
+    pub travelled: f64,
     /// Unit tangent over the directions: dependent coordinates, then the driver path.
     pub tangent: Vec<f64>,
     /// A over the directions.
@@ -77,7 +77,7 @@ pub(super) struct Point {
 
 /// Evidence that a step stays on its branch.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Trust {
+pub(super) enum BranchEvidence {
     /// No other branch is near.
     Chart,
     /// Branches cross within the closing tolerance, and each continues straight.
@@ -85,9 +85,9 @@ pub(super) enum Trust {
 }
 
 /// Result of a direct step to the target.
-pub(super) enum Landing {
+pub(super) enum TargetStep {
     /// The target was reached. `singular`: the dependent coordinates' Jacobian is nearly singular there.
-    Landed { singular: bool, here: Linearised },
+    Reached { singular: bool, here: Linearised },
     /// The target may lie on another branch that comes near.
     Doubtful,
     /// The correction did not converge, or was too long.
@@ -95,17 +95,17 @@ pub(super) enum Landing {
 }
 
 /// Result of a step over a crossing.
-pub(super) enum Leap {
+pub(super) enum CrossingStep {
     /// A point beyond the crossing, and the length of the step, m.
-    Beyond(Point, f64),
+    Beyond(BranchPoint, f64),
     /// The target lies at the crossing; residuals and rows at the target.
     Target(Linearised),
     None,
 }
 
 /// Result of a step along the branch.
-pub(super) enum Step {
-    Taken(Point),
+pub(super) enum BranchStep {
+    Taken(BranchPoint),
     /// The end of the step may lie on another branch that comes near.
     Doubtful,
     /// The correction did not converge, or was too long.
@@ -137,7 +137,7 @@ impl<'a> DriverPath<'a> {
     }
 
     /// Directions: dependent coordinates only.
-    fn followers(&self) -> Directions<'_> {
+    fn dependent_directions(&self) -> Directions<'_> {
         Directions { unknown: self.unknown, path: None }
     }
 
@@ -146,27 +146,32 @@ impl<'a> DriverPath<'a> {
     }
 
     /// Follows the branch from a closed pose to the end of the path, or to the end of the branch.
-    pub fn go(&self, kinematics: &mut Kinematics<f64>) -> Arrival {
-        let start = self.start(kinematics);
-        self.run(kinematics, start, self.length, true)
+    pub fn follow(&self, kinematics: &mut Kinematics<f64>) -> Arrival {
+        let start = self.start_point(kinematics);
+        self.follow_to(kinematics, start, self.length, true)
     }
 
     /// Point of the curve at the current pose of the group.
-    pub(super) fn start(&self, kinematics: &Kinematics<f64>) -> Point {
+    pub(super) fn start_point(&self, kinematics: &Kinematics<f64>) -> BranchPoint {
         let mut ahead = vec![0.0; self.unknown.len() + 1];
         ahead[self.unknown.len()] = 1.0;
         self.point(kinematics, 0.0, &ahead)
     }
 
     /// Point of the curve at the current pose; its tangent is oriented along the vector `before`.
-    pub(super) fn point(&self, kinematics: &Kinematics<f64>, gone: f64, before: &[f64]) -> Point {
+    pub(super) fn point(&self, kinematics: &Kinematics<f64>, gone: f64, before: &[f64]) -> BranchPoint {
         let here = Linearised::at(self.model, kinematics, self.group);
         let jacobian = self.directions().jacobian(self.group, &here.rows);
-        Point { q: kinematics.q.clone(), gone, tangent: self.tangent(&jacobian, before), jacobian }
+        BranchPoint {
+            q: kinematics.q.clone(),
+            travelled: gone,
+            tangent: self.tangent(&jacobian, before),
+            jacobian,
+        }
     }
 
     /// Restores the positions `q` and the frames of the group.
-    pub(super) fn stand(&self, kinematics: &mut Kinematics<f64>, q: &[f64]) {
+    pub(super) fn restore_positions(&self, kinematics: &mut Kinematics<f64>, q: &[f64]) {
         if kinematics.q != q {
             kinematics.q.copy_from_slice(q);
             self.model.refill_group(kinematics, self.group);
@@ -175,91 +180,94 @@ impl<'a> DriverPath<'a> {
 
     /// Follows the branch until the drivers have moved to `target` (m), forwards or backwards. `careful`:
     /// near-singular ends are interpolated from both sides.
-    pub(super) fn run(
+    pub(super) fn follow_to(
         &self,
         kinematics: &mut Kinematics<f64>,
-        mut here: Point,
+        mut here: BranchPoint,
         target: f64,
         careful: bool,
     ) -> Arrival {
-        self.stand(kinematics, &here.q);
-        if target == here.gone {
+        self.restore_positions(kinematics, &here.q);
+        if target == here.travelled {
             return Arrival::at_end(None);
         }
-        let sign = (target - here.gone).signum();
-        let slope = |point: &Point| sign * point.tangent[self.unknown.len()];
+        let sign = (target - here.travelled).signum();
+        let slope = |point: &BranchPoint| sign * point.tangent[self.unknown.len()];
         if slope(&here) < 0.0 {
             here.tangent.iter_mut().for_each(|t| *t = -*t);
         }
-        let mut step = self.longest(&here.tangent);
+        let mut step = self.longest_step(&here.tangent);
         let columns = self.unknown.len() + 1;
         let steps = (10_000_000 / columns.pow(3)).clamp(FEWEST_BRANCH_STEPS, BRANCH_STEPS);
         let mut too_far = true;
         for _ in 0..steps {
-            let left = (target - here.gone).abs();
+            let left = (target - here.travelled).abs();
             // At a crossing of branches ahead, shorter steps do not separate the branches.
             let mut crossing = None;
             let mut doubtful = false;
             if slope(&here) > 0.0 && left <= step * slope(&here) {
-                match self.land(kinematics, &here, target, Trust::Chart) {
-                    Landing::Landed { singular, here: landed } => {
-                        return self.landed(kinematics, here, target, singular, landed, careful);
+                match self.step_to_target(kinematics, &here, target, BranchEvidence::Chart) {
+                    TargetStep::Reached { singular, here: landed } => {
+                        return self.arrival_at_target(kinematics, here, target, singular, landed, careful);
                     }
-                    Landing::Doubtful => doubtful = true,
-                    Landing::Failed => {}
+                    TargetStep::Doubtful => doubtful = true,
+                    TargetStep::Failed => {}
                 }
-                self.stand(kinematics, &here.q);
+                self.restore_positions(kinematics, &here.q);
             }
-            let next =
-                if doubtful { Step::Doubtful } else { self.step(kinematics, &here, step, Trust::Chart) };
+            let next = if doubtful {
+                BranchStep::Doubtful
+            } else {
+                self.step_along(kinematics, &here, step, BranchEvidence::Chart)
+            };
             let next = match next {
-                Step::Taken(next) => Some(next),
-                Step::Doubtful if step <= self.narrowest() => {
+                BranchStep::Taken(next) => Some(next),
+                BranchStep::Doubtful if step <= self.crossing_width() => {
                     crossing = Some(self.crosses_near(kinematics, &here));
                     None
                 }
-                Step::Doubtful | Step::Failed => None,
+                BranchStep::Doubtful | BranchStep::Failed => None,
             };
             match crossing {
                 Some(false) => {
-                    self.stand(kinematics, &here.q);
+                    self.restore_positions(kinematics, &here.q);
                     return Arrival::uncertain();
                 }
-                Some(true) => match self.leap(kinematics, &here, target) {
-                    Leap::Beyond(next, length) => {
+                Some(true) => match self.step_over_crossing(kinematics, &here, target) {
+                    CrossingStep::Beyond(next, length) => {
                         here = next;
                         step = 0.5 * length;
                         continue;
                     }
-                    Leap::Target(landed) => {
-                        return self.landed(kinematics, here, target, true, landed, careful);
+                    CrossingStep::Target(landed) => {
+                        return self.arrival_at_target(kinematics, here, target, true, landed, careful);
                     }
-                    Leap::None => {}
+                    CrossingStep::None => {}
                 },
                 None => {}
             }
             match next {
                 Some(next) if slope(&next) <= 0.0 => {
-                    let limit = self.limit(kinematics, &here, step, &slope);
+                    let limit = self.reversal_point(kinematics, &here, step, &slope);
                     let Some(limit) = limit else {
                         step /= 2.0;
                         continue;
                     };
-                    let beyond = sign * (limit.gone - target);
-                    if beyond < -1e-13 * self.size() {
+                    let beyond = sign * (limit.travelled - target);
+                    if beyond < -LIMIT_OFFSET * self.size() {
                         return Arrival::short_of_end(Some(here.q), false);
                     }
-                    if beyond.abs() <= 1e-13 * self.size() {
-                        self.stand(kinematics, &limit.q);
+                    if beyond.abs() <= LIMIT_OFFSET * self.size() {
+                        self.restore_positions(kinematics, &limit.q);
                         return Arrival::at_end(Some(here.q));
                     }
                     // The end lies before the limit; with a smaller step the direct step succeeds.
                     step /= 2.0;
                 }
-                Some(next) if sign * (next.gone - target) >= 0.0 => step /= 2.0,
+                Some(next) if sign * (next.travelled - target) >= 0.0 => step /= 2.0,
                 Some(next) => {
                     here = next;
-                    step = f64::min(2.0 * step, self.longest(&here.tangent));
+                    step = f64::min(2.0 * step, self.longest_step(&here.tangent));
                 }
                 None => step /= 2.0,
             }
@@ -268,44 +276,44 @@ impl<'a> DriverPath<'a> {
                 break;
             }
         }
-        self.stand(kinematics, &here.q);
+        self.restore_positions(kinematics, &here.q);
         Arrival::short_of_end(None, too_far)
     }
 
     /// Result at the end of the path, with the group at the target.
-    fn landed(
+    fn arrival_at_target(
         &self,
         kinematics: &mut Kinematics<f64>,
-        here: Point,
+        here: BranchPoint,
         target: f64,
         singular: bool,
         landed: Linearised,
         careful: bool,
     ) -> Arrival {
         if !singular {
-            return Arrival { here: Some(landed), ..Arrival::at_end(None) };
+            return Arrival { linearised: Some(landed), ..Arrival::at_end(None) };
         }
         if !careful {
             return Arrival::at_end(Some(here.q));
         }
-        let anchor = self.across(kinematics, &here, target).unwrap_or(here.q);
+        let anchor = self.interpolate_at_target(kinematics, &here, target).unwrap_or(here.q);
         Arrival::at_end(Some(anchor))
     }
 
     /// Longest step along a tangent, m.
-    pub(super) fn longest(&self, tangent: &[f64]) -> f64 {
+    pub(super) fn longest_step(&self, tangent: &[f64]) -> f64 {
         LONGEST_BRANCH_STEP * self.size() / tangent.iter().fold(0.0, |most: f64, t| most.max(t.abs()))
     }
 
     /// A step along the tangent, corrected by the shortest motion.
-    pub(super) fn step(
+    pub(super) fn step_along(
         &self,
         kinematics: &mut Kinematics<f64>,
-        here: &Point,
+        here: &BranchPoint,
         step: f64,
-        trust: Trust,
-    ) -> Step {
-        self.stand(kinematics, &here.q);
+        trust: BranchEvidence,
+    ) -> BranchStep {
+        self.restore_positions(kinematics, &here.q);
         let directions = self.directions();
         self.model.advance_group(
             kinematics,
@@ -314,50 +322,56 @@ impl<'a> DriverPath<'a> {
         );
         let correction = self.model.correct(kinematics, self.group, directions, self.tolerance);
         if !correction.closed || correction.moved > 0.25 * step + self.tolerance {
-            return Step::Failed;
+            return BranchStep::Failed;
         }
-        let gone = here.gone + step * here.tangent[self.unknown.len()] + correction.along;
-        let point = self.corrected(kinematics, &correction, gone, &here.tangent);
+        let gone = here.travelled + step * here.tangent[self.unknown.len()] + correction.path_motion;
+        let point = self.corrected_point(kinematics, &correction, gone, &here.tangent);
         if dot(&point.tangent, &here.tangent) <= STRAIGHT {
-            return Step::Failed;
+            return BranchStep::Failed;
         }
-        match trust == Trust::Crossing || self.is_same_branch(here, &point, step) {
-            true => Step::Taken(point),
-            false => Step::Doubtful,
+        match trust == BranchEvidence::Crossing || self.is_same_branch(here, &point, step) {
+            true => BranchStep::Taken(point),
+            false => BranchStep::Doubtful,
         }
     }
 
     /// Point of the curve after a correction.
-    fn corrected(
+    fn corrected_point(
         &self,
         kinematics: &Kinematics<f64>,
         correction: &Correction,
         gone: f64,
         before: &[f64],
-    ) -> Point {
-        let jacobian = self.directions().jacobian(self.group, &correction.here.rows);
-        Point { q: kinematics.q.clone(), gone, tangent: self.tangent(&jacobian, before), jacobian }
+    ) -> BranchPoint {
+        let jacobian = self.directions().jacobian(self.group, &correction.linearised.rows);
+        BranchPoint {
+            q: kinematics.q.clone(),
+            travelled: gone,
+            tangent: self.tangent(&jacobian, before),
+            jacobian,
+        }
     }
 
     /// True if no other branch comes between two points at a distance of about `step` metres.
-    fn is_same_branch(&self, here: &Point, point: &Point, step: f64) -> bool {
+    fn is_same_branch(&self, here: &BranchPoint, point: &BranchPoint, step: f64) -> bool {
         let chart = Chart::of(&here.jacobian, &here.tangent, self.tolerance / self.size());
         // No chart exists at a crossing itself; its branches are assumed to continue straight.
-        chart.is_none_or(|chart| chart.reaches(&point.jacobian, &point.tangent, step, self.size()))
-            && self.keeps_direction(here, point)
+        chart.is_none_or(|chart| {
+            chart.excludes_branch_between(&point.jacobian, &point.tangent, step, self.size())
+        }) && self.keeps_direction(here, point)
     }
 
     /// True if the drivers do not reverse twice between two points with the same driver direction. The slope in the
     /// middle of a cubic through both points is 3/2 of the mean slope minus a quarter of the sum of the end slopes.
-    fn keeps_direction(&self, here: &Point, point: &Point) -> bool {
+    fn keeps_direction(&self, here: &BranchPoint, point: &BranchPoint) -> bool {
         let n = self.unknown.len();
         let (first, last) = (here.tangent[n], point.tangent[n]);
-        let ahead = (point.gone - here.gone).signum();
+        let ahead = (point.travelled - here.travelled).signum();
         let least = f64::min(ahead * first, ahead * last);
         if least <= 0.0 {
             return true;
         }
-        let gone = point.gone - here.gone;
+        let gone = point.travelled - here.travelled;
         let before = self.model.group_positions(self.group, &here.q);
         let moved = self.model.displacement_from(self.group, &before, &point.q);
         let square: f64 = self.unknown.iter().map(|&at| (moved[at] * self.group.lengths[at]).powi(2)).sum();
@@ -366,53 +380,55 @@ impl<'a> DriverPath<'a> {
     }
 
     /// Steps directly from a point to the target; only dependent coordinates are corrected.
-    pub(super) fn land(
+    pub(super) fn step_to_target(
         &self,
         kinematics: &mut Kinematics<f64>,
-        here: &Point,
+        here: &BranchPoint,
         target: f64,
-        trust: Trust,
-    ) -> Landing {
-        self.stand(kinematics, &here.q);
+        trust: BranchEvidence,
+    ) -> TargetStep {
+        self.restore_positions(kinematics, &here.q);
         let n = self.unknown.len();
-        let step = (target - here.gone) / here.tangent[n];
+        let step = (target - here.travelled) / here.tangent[n];
         let rates = self.directions().expand(self.group, |k| step * here.tangent[k]);
         self.model.advance_positions(kinematics, self.group, &rates);
         if target == self.length {
             self.ends.iter().for_each(|(q, end)| kinematics.q[*q] = *end);
         }
         self.model.refill_group(kinematics, self.group);
-        let correction = self.model.correct(kinematics, self.group, self.followers(), self.tolerance);
+        let correction =
+            self.model.correct(kinematics, self.group, self.dependent_directions(), self.tolerance);
         // A nearly double root is found only to the square root of the tolerance.
         let blurred = (self.tolerance * self.size()).sqrt();
         if !correction.closed || correction.moved > 0.25 * step.abs() + blurred {
-            return Landing::Failed;
+            return TargetStep::Failed;
         }
-        let followers = self.followers().jacobian(self.group, &correction.here.rows);
+        let followers = self.dependent_directions().jacobian(self.group, &correction.linearised.rows);
         let pivots = followers.pivot_ratio();
         let singular = pivots < NEARLY_SINGULAR * self.conditioning;
-        if trust == Trust::Chart && !singular && self.is_beside(here, &followers, pivots) {
-            return Landing::Landed { singular, here: correction.here };
+        if trust == BranchEvidence::Chart && !singular && self.excludes_other_branch(here, &followers, pivots)
+        {
+            return TargetStep::Reached { singular, here: correction.linearised };
         }
-        let point = self.corrected(kinematics, &correction, target, &here.tangent);
+        let point = self.corrected_point(kinematics, &correction, target, &here.tangent);
         let slopes = here.tangent[n] * point.tangent[n];
         let straight = dot(&point.tangent, &here.tangent) > STRAIGHT;
-        if trust == Trust::Chart && slopes <= 0.0 {
-            return Landing::Failed;
+        if trust == BranchEvidence::Chart && slopes <= 0.0 {
+            return TargetStep::Failed;
         }
-        if trust == Trust::Chart && !(straight && self.is_same_branch(here, &point, step.abs())) {
-            return if straight { Landing::Doubtful } else { Landing::Failed };
+        if trust == BranchEvidence::Chart && !(straight && self.is_same_branch(here, &point, step.abs())) {
+            return if straight { TargetStep::Doubtful } else { TargetStep::Failed };
         }
         match singular || straight {
-            true => Landing::Landed { singular, here: correction.here },
-            false => Landing::Failed,
+            true => TargetStep::Reached { singular, here: correction.linearised },
+            false => TargetStep::Failed,
         }
     }
 
     /// True if the change of the dependent coordinates' Jacobian between two points excludes another branch and a
     /// reversal of the drivers in between. The change is compared with the smallest pivot at the end; `pivots` is its
     /// ratio to the largest.
-    fn is_beside(&self, here: &Point, followers: &Jacobian, pivots: f64) -> bool {
+    fn excludes_other_branch(&self, here: &BranchPoint, followers: &Jacobian, pivots: f64) -> bool {
         let n = self.unknown.len();
         let before = here.jacobian.entries.iter().filter(|(_, c, _)| *c < n);
         let (mut change, mut largest) = (0.0, 0.0f64);
@@ -434,16 +450,16 @@ impl<'a> DriverPath<'a> {
 
     /// Point between `here` and the end of a step at which the drivers reverse. Method: false position (Illinois) on
     /// the slope of the driver path.
-    fn limit(
+    fn reversal_point(
         &self,
         kinematics: &mut Kinematics<f64>,
-        here: &Point,
+        here: &BranchPoint,
         step: f64,
-        slope: &dyn Fn(&Point) -> f64,
-    ) -> Option<Point> {
-        let mut taken = |at: f64| match self.step(kinematics, here, at, Trust::Chart) {
-            Step::Taken(point) => Some(point),
-            Step::Doubtful | Step::Failed => None,
+        slope: &dyn Fn(&BranchPoint) -> f64,
+    ) -> Option<BranchPoint> {
+        let mut taken = |at: f64| match self.step_along(kinematics, here, at, BranchEvidence::Chart) {
+            BranchStep::Taken(point) => Some(point),
+            BranchStep::Doubtful | BranchStep::Failed => None,
         };
         let far = taken(step)?;
         let (mut low, mut high) = ((0.0, slope(here)), (step, slope(&far)));
@@ -453,7 +469,7 @@ impl<'a> DriverPath<'a> {
             let at = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
             let point = taken(at)?;
             let value = slope(&point);
-            let done = value.abs() < 1e-13 || (high.0 - low.0).abs() < 1e-15 * self.size();
+            let done = value.abs() < FLAT_SLOPE || (high.0 - low.0).abs() < BRACKET_WIDTH * self.size();
             best = point;
             if done {
                 break;
@@ -468,7 +484,7 @@ impl<'a> DriverPath<'a> {
             }
             side = kept;
         }
-        self.stand(kinematics, &best.q);
+        self.restore_positions(kinematics, &best.q);
         Some(best)
     }
 }

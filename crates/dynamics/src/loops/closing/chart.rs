@@ -15,7 +15,7 @@ pub(super) struct Chart<'a> {
     jacobian: &'a Jacobian,
     tangent: &'a [f64],
     /// Householder factors of X; `None` for a large group, with norms estimated by sparse solutions.
-    factors: Option<Factors>,
+    factors: Option<HouseholderFactors>,
     /// Threshold of singular values, relative to the largest.
     floor: f64,
 }
@@ -24,7 +24,7 @@ impl<'a> Chart<'a> {
     /// Chart at a point; `None` if X does not have full column rank, because branches cross at the point.
     pub fn of(jacobian: &'a Jacobian, tangent: &'a [f64], floor: f64) -> Option<Self> {
         let factors = match jacobian.columns <= DENSE_LIMIT {
-            true => Some(Factors::of(stacked(jacobian, tangent), jacobian.columns)?),
+            true => Some(HouseholderFactors::of(stacked(jacobian, tangent), jacobian.columns)?),
             false => None,
         };
         Some(Self { jacobian, tangent, factors, floor })
@@ -35,12 +35,12 @@ impl<'a> Chart<'a> {
     ///
     /// The norm is evaluated at the other point. In between, the norm grows with the distance, up to second-order
     /// terms: (step/size)² divided by the smallest singular value of X.
-    pub fn reaches(&self, other: &Jacobian, tangent: &[f64], step: f64, size: f64) -> bool {
+    pub fn excludes_branch_between(&self, other: &Jacobian, tangent: &[f64], step: f64, size: f64) -> bool {
         let Some(factors) = &self.factors else {
             return self.sparse_drift(other) <= CHART_DRIFT;
         };
         let bend = (step / size).powi(2);
-        if bend > TURNING_DRIFT * factors.least() {
+        if bend > TURNING_DRIFT * factors.least_singular_value() {
             return false;
         }
         let n = self.jacobian.columns;
@@ -80,7 +80,7 @@ fn stacked(jacobian: &Jacobian, tangent: &[f64]) -> Vec<f64> {
 }
 
 /// X = Q R by Householder reflections.
-struct Factors {
+struct HouseholderFactors {
     /// For each column: the reflection vector from the diagonal down, and R above the diagonal.
     columns: Vec<f64>,
     rows: usize,
@@ -88,7 +88,7 @@ struct Factors {
     diagonal: Vec<f64>,
 }
 
-impl Factors {
+impl HouseholderFactors {
     /// Factorisation; `None` if a column depends on the columns before it.
     fn of(mut columns: Vec<f64>, count: usize) -> Option<Self> {
         let rows = columns.len() / count;
@@ -137,7 +137,7 @@ impl Factors {
     }
 
     /// Estimate of the smallest singular value, by inverse iterations with R.
-    fn least(&self) -> f64 {
+    fn least_singular_value(&self) -> f64 {
         let (n, rows) = (self.diagonal.len(), self.rows);
         let mut v: Vec<f64> = (0..n).map(|k| 1.0 + 0.1 * k as f64).collect();
         let mut growth = 1.0;
@@ -209,11 +209,11 @@ mod tests {
             }
             let chart = Chart::of(&here, &t, 0.0).expect("regular");
             let (near, tn, _) = at(0.7 * x, 1.0);
-            assert!(chart.reaches(&near, &tn, 0.3 * x.abs() * 1.4, 100.0), "{x}");
+            assert!(chart.excludes_branch_between(&near, &tn, 0.3 * x.abs() * 1.4, 100.0), "{x}");
             // The other branch continues straight.
             let (other, to, _) = at(-x, -1.0);
             let to = if to[0] < 0.0 { to.map(|t| -t) } else { to };
-            assert!(!chart.reaches(&other, &to, 2.8 * x.abs(), 100.0), "{x}");
+            assert!(!chart.excludes_branch_between(&other, &to, 2.8 * x.abs(), 100.0), "{x}");
         }
     }
 
@@ -229,7 +229,7 @@ mod tests {
         // A rotation times diag(3, 1e-3), stacked on its tangent row.
         let j = jacobian(&[&[3.0 * a.cos(), 3.0 * a.sin(), 0.0], &[-1e-3 * a.sin(), 1e-3 * a.cos(), 0.0]]);
         let chart = Chart::of(&j, &[0.0, 0.0, 1.0], 0.0).expect("regular");
-        let least = chart.factors.as_ref().map(Factors::least).unwrap_or_default();
+        let least = chart.factors.as_ref().map(HouseholderFactors::least_singular_value).unwrap_or_default();
         assert!((least / 1e-3 - 1.0).abs() < 0.05, "{least} {b}");
     }
 }

@@ -5,8 +5,9 @@ use crate::kinematics::rows::{GroupRows, largest};
 use crate::linear::jacobian::{Jacobian, NormalEquations};
 use crate::model::{Group, Model};
 use crate::tolerances::{
-    COMMENSURATE, CORRECTION_ITERATIONS, CORRECTION_WORK, FEWEST_CORRECTION_ITERATIONS, FOLLOWED,
-    KEPT_JACOBIAN, ROUNDING,
+    CLOSING_MOTION_FACTOR, CORRECTION_ITERATIONS, CORRECTION_WORK, FEWEST_CORRECTION_ITERATIONS,
+    FIRM_DIRECTION, FIRST_DAMPING, KEPT_JACOBIAN, LEAST_DAMPING, MOST_DAMPING, NEGLIGIBLE_GAP, ROUNDING,
+    ROUNDING_STEP, STALLED_REDUCTION, STALLED_STEP,
 };
 
 /// Directions in which a group may be moved.
@@ -26,12 +27,12 @@ pub(crate) struct Correction {
     /// Length of the motion from the start, m.
     pub moved: f64,
     /// Part of the motion along the path, m.
-    pub along: f64,
+    pub path_motion: f64,
     pub closed: bool,
     /// Row with the largest residual.
     pub worst: usize,
     /// Residuals and rows of the group at the end.
-    pub here: Linearised,
+    pub linearised: Linearised,
 }
 
 impl<'a> Directions<'a> {
@@ -99,7 +100,7 @@ impl Linearised {
 
 /// Weakest directions (in singular value) that a step may use.
 #[derive(Clone, Copy, PartialEq)]
-enum Followed {
+enum DirectionChoice {
     /// Only directions whose singular value is not caused by the residual itself.
     Firm,
     /// All directions above rounding.
@@ -120,14 +121,18 @@ impl Model {
         directions: Directions,
         tolerance: f64,
     ) -> Correction {
-        let firm = self.descend(kinematics, group, directions, tolerance, Followed::Firm);
+        let firm = self.minimise_residuals(kinematics, group, directions, tolerance, DirectionChoice::Firm);
         if firm.closed || firm.residual > ROUNDING * group.size {
             return firm;
         }
         let before = self.group_positions(group, &kinematics.q);
-        let all = self.descend(kinematics, group, directions, tolerance, Followed::All);
-        if all.closed && all.moved <= COMMENSURATE * firm.residual {
-            return Correction { moved: firm.moved + all.moved, along: firm.along + all.along, ..all };
+        let all = self.minimise_residuals(kinematics, group, directions, tolerance, DirectionChoice::All);
+        if all.closed && all.moved <= CLOSING_MOTION_FACTOR * firm.residual {
+            return Correction {
+                moved: firm.moved + all.moved,
+                path_motion: firm.path_motion + all.path_motion,
+                ..all
+            };
         }
         self.restore_group(kinematics, group, &before);
         firm
@@ -136,13 +141,13 @@ impl Model {
     /// Gauss–Newton steps of least norm, with Levenberg–Marquardt if a step fails. Stops without further improvement.
     /// The Jacobian is reused after a step with such a large reduction that another equal reduction leaves only
     /// rounding.
-    fn descend(
+    fn minimise_residuals(
         &self,
         kinematics: &mut Kinematics<f64>,
         group: &Group,
         directions: Directions,
         tolerance: f64,
-        followed: Followed,
+        followed: DirectionChoice,
     ) -> Correction {
         let size = group.size;
         let (mut moved, mut along) = (0.0, 0.0);
@@ -158,12 +163,12 @@ impl Model {
         for _ in 0..affordable.clamp(FEWEST_CORRECTION_ITERATIONS, CORRECTION_ITERATIONS) {
             let cost = norm(&here.residuals);
             let worst = largest(&here.residuals).0;
-            if cost == 0.0 || worst <= 1e-3 * tolerance {
+            if cost == 0.0 || worst <= NEGLIGIBLE_GAP * tolerance {
                 break;
             }
             let small = worst <= ROUNDING * size;
-            let firm = small && followed == Followed::Firm;
-            let floor = (tolerance / size).max(if firm { FOLLOWED * worst / size } else { 0.0 });
+            let firm = small && followed == DirectionChoice::Firm;
+            let floor = (tolerance / size).max(if firm { FIRM_DIRECTION * worst / size } else { 0.0 });
             let target: Vec<f64> = here.residuals.iter().map(|r| -r).collect();
             let (jacobian, equations) = linear.get_or_insert_with(|| {
                 if !rows_are_here {
@@ -187,7 +192,7 @@ impl Model {
             // shortened step of this length.
             let longest = 0.3 * size.max(worst) * (directions.count() as f64).sqrt();
             if length > longest && damping < 0.1 {
-                damping = f64::max(10.0 * damping, 1e-3);
+                damping = f64::max(10.0 * damping, FIRST_DAMPING);
                 continue;
             }
             let part = (longest / length).min(1.0);
@@ -199,7 +204,7 @@ impl Model {
             let left = norm(&next);
             let at_rounding = |residuals: &[f64]| largest(residuals).0 <= 0.01 * tolerance;
             if left < cost {
-                let stalled = left > 0.99 * cost && (length < 1e-9 * size || firm)
+                let stalled = left > STALLED_REDUCTION * cost && (length < STALLED_STEP * size || firm)
                     || left > 0.3 * cost && at_rounding(&next);
                 std::mem::swap(&mut here.residuals, &mut next);
                 rows_are_here = false;
@@ -216,7 +221,7 @@ impl Model {
                     } else {
                         2.0
                     };
-                    if damping < 1e-5 {
+                    if damping < LEAST_DAMPING {
                         damping = 0.0;
                     }
                     linear = None;
@@ -230,24 +235,31 @@ impl Model {
                 }
             } else {
                 self.restore_group(kinematics, group, &before);
-                if at_rounding(&here.residuals) || length <= 1e-15 * size {
+                if at_rounding(&here.residuals) || length <= ROUNDING_STEP * size {
                     break;
                 }
                 if std::mem::take(&mut is_kept) {
                     linear = None;
                     continue;
                 }
-                if firm || damping > 1e3 {
+                if firm || damping > MOST_DAMPING {
                     break;
                 }
-                damping = if damping == 0.0 { 1e-3 } else { damping * 10.0 };
+                damping = if damping == 0.0 { FIRST_DAMPING } else { damping * 10.0 };
             }
         }
         if !rows_are_here {
             here.rows.fill(self, group, kinematics);
         }
         let (residual, worst) = largest(&here.residuals);
-        Correction { residual, moved, along, closed: residual <= tolerance, worst, here }
+        Correction {
+            residual,
+            moved,
+            path_motion: along,
+            closed: residual <= tolerance,
+            worst,
+            linearised: here,
+        }
     }
 }
 

@@ -14,7 +14,7 @@ impl Model {
         // Angles of many turns, and long translations, have fewer digits for the fraction.
         let of_body = |b: &usize| {
             let body = &self.bodies[*b];
-            longest(body.motion.kind, &kinematics.q[body.q.clone()], group.size)
+            largest_position(body.motion.kind, &kinematics.q[body.q.clone()], group.size)
         };
         let gone = group.bodies.iter().map(of_body).fold(0.0, f64::max);
         (CLOSED * group.size).max(16.0 * f64::EPSILON * far).max(4.0 * f64::EPSILON * gone)
@@ -27,7 +27,7 @@ impl Model {
 }
 
 /// Largest position of a joint in metres: translations unchanged, angles times the size. Quaternions count as 0.
-fn longest(kind: JointKind, q: &[f64], size: f64) -> f64 {
+fn largest_position(kind: JointKind, q: &[f64], size: f64) -> f64 {
     let largest = |q: &[f64]| q.iter().fold(0.0, |most: f64, q| most.max(q.abs()));
     match kind {
         JointKind::Fixed | JointKind::Spherical => 0.0,
@@ -50,17 +50,17 @@ impl Group {
 
 #[cfg(test)]
 mod tests {
-    use super::longest;
+    use super::largest_position;
     use percuss_mechanism::JointKind;
 
     #[test]
     fn turns_are_measured_on_the_size_and_slides_are_not() {
-        assert_eq!(longest(JointKind::Continuous, &[-7.0], 0.01), 0.07);
-        assert_eq!(longest(JointKind::Prismatic, &[-7.0], 0.01), 7.0);
-        assert_eq!(longest(JointKind::Prismatic, &[7.0], 100.0), 7.0);
-        assert_eq!(longest(JointKind::Planar, &[2.0, -3.0, 50.0], 0.1), 5.0);
-        assert_eq!(longest(JointKind::Floating, &[2.0, -3.0, 1.0, 1.0, 0.0, 0.0, 0.0], 100.0), 3.0);
-        assert_eq!(longest(JointKind::Floating, &[], 100.0), 0.0);
-        assert_eq!(longest(JointKind::Spherical, &[1.0, 0.0, 0.0, 0.0], 100.0), 0.0);
+        assert_eq!(largest_position(JointKind::Continuous, &[-7.0], 0.01), 0.07);
+        assert_eq!(largest_position(JointKind::Prismatic, &[-7.0], 0.01), 7.0);
+        assert_eq!(largest_position(JointKind::Prismatic, &[7.0], 100.0), 7.0);
+        assert_eq!(largest_position(JointKind::Planar, &[2.0, -3.0, 50.0], 0.1), 5.0);
+        assert_eq!(largest_position(JointKind::Floating, &[2.0, -3.0, 1.0, 1.0, 0.0, 0.0, 0.0], 100.0), 3.0);
+        assert_eq!(largest_position(JointKind::Floating, &[], 100.0), 0.0);
+        assert_eq!(largest_position(JointKind::Spherical, &[1.0, 0.0, 0.0, 0.0], 100.0), 0.0);
     }
 }

@@ -15,7 +15,7 @@ impl Model {
     /// along the right singular vector of their Jacobian with the smallest nonzero singular value σ. ρ is the
     /// rounding of the residuals or, for an inexact file, the remaining least-squares residual. `known`: the group's
     /// rows at the pose, if available. `None` if the singular vector cannot be found.
-    pub fn closing_doubt(
+    pub fn closing_uncertainty(
         &self,
         kinematics: &Kinematics<f64>,
         group: &Group,
@@ -45,7 +45,7 @@ impl Model {
         let mut step = match regular {
             Some(step) => step,
             None if small => weak_step(&jacobian.dense(), &target, open, floor),
-            None => weak_step_of_many(&jacobian, &target, open, floor)?,
+            None => sparse_weak_step(&jacobian, &target, open, floor)?,
         };
         // No pose is uncertain by more than one radian.
         let long = step.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -90,9 +90,9 @@ fn regular_step(jacobian: &Jacobian, target: &[f64], open: f64) -> Option<Vec<f6
 }
 
 /// Like [`weak_step`], for many coordinates: inverse iterations with sparse factors.
-fn weak_step_of_many(jacobian: &Jacobian, target: &[f64], open: f64, floor: f64) -> Option<Vec<f64>> {
+fn sparse_weak_step(jacobian: &Jacobian, target: &[f64], open: f64, floor: f64) -> Option<Vec<f64>> {
     let mut step = jacobian.shortest(target, floor);
-    let (weakest, least) = weakest_of_many(jacobian, floor)?;
+    let (weakest, least) = sparse_weakest_direction(jacobian, floor)?;
     let along: f64 = step.iter().zip(&weakest).map(|(s, w)| s * w).sum();
     let size = (open / least).copysign(along);
     step.iter_mut().zip(&weakest).for_each(|(s, w)| *s += size * w);
@@ -100,7 +100,7 @@ fn weak_step_of_many(jacobian: &Jacobian, target: &[f64], open: f64, floor: f64)
 }
 
 /// Right singular vector of the smallest nonzero singular value, and the value, by repeated application of J⁺J⁺ᵀ.
-fn weakest_of_many(jacobian: &Jacobian, floor: f64) -> Option<(Vec<f64>, f64)> {
+fn sparse_weakest_direction(jacobian: &Jacobian, floor: f64) -> Option<(Vec<f64>, f64)> {
     let transposed = jacobian.transposed();
     let mut weakest: Vec<f64> = (0..jacobian.columns).map(|k| 1.0 + 0.1 * (k % 64) as f64).collect();
     let mut growth = norm(&weakest);
@@ -156,7 +156,8 @@ mod tests {
             let jacobian =
                 Jacobian { rows: n + twice, columns: n, entries: entries.filter(|e| e.2 != 0.0).collect() };
             let values = jacobian.dense().singular_values().expect("singular values");
-            let (weakest, least) = weakest_of_many(&jacobian, FAINT_SINGULAR_VALUE).expect("a direction");
+            let (weakest, least) =
+                sparse_weakest_direction(&jacobian, FAINT_SINGULAR_VALUE).expect("a direction");
             assert!((least / values[n - 1] - 1.0).abs() < 0.05, "{weak:e}: {least:e}, {:e}", values[n - 1]);
             assert!(norm(&jacobian.times(&weakest)) < 1.1 * values[n - 1], "{weak:e}");
         }

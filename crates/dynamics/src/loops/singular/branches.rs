@@ -5,12 +5,12 @@ use crate::kinematics::frames::Kinematics;
 use crate::linear::dense::dot;
 use crate::linear::jacobian::Jacobian;
 use crate::loops::closing::{Directions, Linearised};
-use crate::mobility::{decide, singular_values};
+use crate::mobility::{decide_rank, singular_values};
 use crate::model::{Group, Model};
 use crate::tolerances::{
     BESIDE_A_CROSSING, BRANCH_CORRECTIONS, BRANCH_DISTANCE, CONE_HALVINGS, DIRECTIONS_IN_A_PLANE,
     DIRECTIONS_WORK, DIRECTIONS_WORK_IN_ALL, FEWEST_DIRECTIONS, MOST_DIRECTIONS, SAME_TANGENT,
-    SAME_TANGENT_SPACE,
+    SAME_TANGENT_SPACE, TINY_STEP,
 };
 use faer::Mat;
 
@@ -60,21 +60,21 @@ impl Model {
             continuous: false,
             complete: true,
         };
-        if cube_of(group) > DIRECTIONS_WORK_IN_ALL / 2 {
+        if factorisation_work(group) > DIRECTIONS_WORK_IN_ALL / 2 {
             around.complete = false;
             return around;
         }
         let tangents = tangent_space(self, kinematics, group, around.floor);
         self.find_branches(kinematics, &tangents, &mut around);
         if around.branches.len() > 2 {
-            around.continuous = self.lies_between(kinematics, &around);
+            around.continuous = self.branches_form_continuum(kinematics, &around);
         }
         around
     }
 
     /// Finds the branches through a pose by trying directions in the kernel of A.
     fn find_branches(&self, kinematics: &Kinematics<f64>, kernel: &[Vec<f64>], around: &mut Surroundings) {
-        let cube = cube_of(&around.group);
+        let cube = factorisation_work(&around.group);
         let (mut newest, mut regular) = (0, None);
         for (tried, direction) in directions(kernel).enumerate() {
             if kernel.len() > 2 && tried >= FEWEST_DIRECTIONS.max(4 * newest).max(24 * around.branches.len())
@@ -88,13 +88,13 @@ impl Model {
                 around.complete = false;
                 return;
             }
-            let Some(branch) = self.branch_beside(kinematics, around, &direction) else { continue };
+            let Some(branch) = self.branch_along(kinematics, around, &direction) else { continue };
             if branch.tangents.len() >= kernel.len() {
                 // The nearby pose has as many motions as the pose. If this holds in all directions, no branches cross
                 // here.
                 let known = *regular.get_or_insert_with(|| {
                     (kernel.len() <= DIRECTIONS_WORK_IN_ALL / cube)
-                        .then(|| kernel.iter().all(|e| self.leads_along(kinematics, around, e)))
+                        .then(|| kernel.iter().all(|e| self.has_branch_along(kinematics, around, e)))
                 });
                 let Some(known) = known else { break };
                 around.regular = known;
@@ -104,7 +104,11 @@ impl Model {
                 continue;
             }
             let same = if branch.tangents.len() > 1 { SAME_TANGENT_SPACE } else { SAME_TANGENT };
-            if around.branches.iter().all(|known| apart(&known.tangents, &branch.tangents) > same) {
+            if around
+                .branches
+                .iter()
+                .all(|known| subspace_angle_sine(&known.tangents, &branch.tangents) > same)
+            {
                 around.branches.push(branch);
                 newest = tried;
             }
@@ -113,13 +117,18 @@ impl Model {
     }
 
     /// True if a closed pose is found in the given direction.
-    fn leads_along(&self, kinematics: &Kinematics<f64>, around: &Surroundings, direction: &[f64]) -> bool {
-        self.branch_beside(kinematics, around, direction)
+    fn has_branch_along(
+        &self,
+        kinematics: &Kinematics<f64>,
+        around: &Surroundings,
+        direction: &[f64],
+    ) -> bool {
+        self.branch_along(kinematics, around, direction)
             .is_some_and(|branch| dot(&branch.along, direction) > 0.99)
     }
 
     /// Branch reached in a direction, with its tangent space; `None` if no closed pose is reached.
-    fn branch_beside(
+    fn branch_along(
         &self,
         kinematics: &Kinematics<f64>,
         around: &Surroundings,
@@ -129,7 +138,7 @@ impl Model {
         let reach =
             around.group.size * BRANCH_DISTANCE.max(3.0 * (around.tolerance / around.group.size).sqrt());
         let mut beside = kinematics.clone();
-        let displaced = self.go_beside(&mut beside, around, direction, reach)?;
+        let displaced = self.close_at_distance(&mut beside, around, direction, reach)?;
         let tangents = tangent_space(self, &beside, &around.group, around.floor.max(BESIDE_A_CROSSING));
         Some(Branch { along: unit(&displaced), tangents })
     }
@@ -140,7 +149,7 @@ impl Model {
     /// Corrections keep the distance. At a crossing the residuals are quadratic forms. If there are more residuals
     /// than degrees of freedom, an unconstrained Newton step leads back to the crossing itself, where all residuals
     /// vanish.
-    pub fn go_beside(
+    pub fn close_at_distance(
         &self,
         kinematics: &mut Kinematics<f64>,
         around: &Surroundings,
@@ -170,7 +179,7 @@ impl Model {
             let x = bordered.shortest(&target, around.tolerance / group.size);
             let residuals = &here.residuals;
             let step = dot(&x, &x).sqrt();
-            let there = step <= 1e-6 * distance && residuals.iter().all(|r| r.abs() <= around.tolerance);
+            let there = step <= TINY_STEP * distance && residuals.iter().all(|r| r.abs() <= around.tolerance);
             let part = (0.5 * distance / step).min(1.0);
             self.advance_group(kinematics, group, &all.expand(group, |k| part * x[k]));
             if there {
@@ -183,7 +192,7 @@ impl Model {
 
     /// True if another branch lies between the two nearest branches, another one between that branch and the first,
     /// and so on. The branches are then samples of a cone.
-    fn lies_between(&self, kinematics: &Kinematics<f64>, around: &Surroundings) -> bool {
+    fn branches_form_continuum(&self, kinematics: &Kinematics<f64>, around: &Surroundings) -> bool {
         let branches = &around.branches;
         let pairs = (0..branches.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
         let cosine = |&(a, b): &(usize, usize)| dot(&branches[a].along, &branches[b].along);
@@ -194,9 +203,11 @@ impl Model {
         let between = |second: &Branch| {
             let sign = dot(&first.along, &second.along).signum();
             let middle: Vec<f64> = first.along.iter().zip(&second.along).map(|(x, y)| x + sign * y).collect();
-            let found = self.branch_beside(kinematics, around, &unit(&middle))?;
-            let limit = 0.25 * apart(&first.tangents, &second.tangents);
-            let new = [first, second].iter().all(|known| apart(&known.tangents, &found.tangents) > limit);
+            let found = self.branch_along(kinematics, around, &unit(&middle))?;
+            let limit = 0.25 * subspace_angle_sine(&first.tangents, &second.tangents);
+            let new = [first, second]
+                .iter()
+                .all(|known| subspace_angle_sine(&known.tangents, &found.tangents) > limit);
             new.then_some(found)
         };
         let mut second = between(&branches[b]);
@@ -209,7 +220,7 @@ impl Model {
 
 /// Work of factorising a group's A, in multiplications: the cube of the number of coordinates, or more with more
 /// rows.
-fn cube_of(group: &Group) -> usize {
+fn factorisation_work(group: &Group) -> usize {
     let n = group.coordinates.len().max(1);
     n.saturating_mul(n).saturating_mul(n.max(group.rows))
 }
@@ -218,7 +229,7 @@ fn cube_of(group: &Group) -> usize {
 fn tangent_space(model: &Model, kinematics: &Kinematics<f64>, group: &Group, floor: f64) -> Vec<Vec<f64>> {
     let rows = model.group_matrix(kinematics, group);
     let lengths = &group.lengths;
-    let rank = decide(&singular_values(&rows, &group.lengths), floor).rank;
+    let rank = decide_rank(&singular_values(&rows, &group.lengths), floor).rank;
     let n = group.movable.len();
     let transposed =
         Mat::from_fn(n, rows.nrows(), |k, r| rows[(r, group.movable[k])] / lengths[group.movable[k]]);
@@ -233,7 +244,7 @@ fn tangent_space(model: &Model, kinematics: &Kinematics<f64>, group: &Group, flo
 }
 
 /// Sine of the largest angle between two spaces, given by orthonormal bases; 1 for spaces of different dimension.
-fn apart(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
+fn subspace_angle_sine(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     if a.len() != b.len() {
         return 1.0;
     }

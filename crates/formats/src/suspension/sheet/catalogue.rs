@@ -1,134 +1,68 @@
-//! Templates of sheets as data. This table defines the contents of sheets for reading, building, writing and
-//! documentation.
+//! All templates of sheets and the descriptions of their keys, read from the data files in `templates`. Reading,
+//! building, writing and the tables of the documentation use these data.
 
-use super::axles::AXLES;
-use super::independent::INDEPENDENT;
-use super::parts::{Part, Template};
-use super::trailing::TRAILING;
+use super::super::design::{Part, SEATS, is_central};
+use super::template::{Keys, Template};
+use std::sync::LazyLock;
+
+/// Texts of the data files, in the order of the list of templates.
+const FILES: [&str; 12] = [
+    include_str!("templates/double-wishbone.toml"),
+    include_str!("templates/double-wishbone-rods.toml"),
+    include_str!("templates/macpherson-strut.toml"),
+    include_str!("templates/semi-trailing-arm.toml"),
+    include_str!("templates/three-link.toml"),
+    include_str!("templates/multi-link.toml"),
+    include_str!("templates/pushrod-rocker.toml"),
+    include_str!("templates/twist-beam.toml"),
+    include_str!("templates/swing-axle.toml"),
+    include_str!("templates/solid-axle-four-links.toml"),
+    include_str!("templates/solid-axle-panhard.toml"),
+    include_str!("templates/solid-axle-watt.toml"),
+];
+
+const KEYS_FILE: &str = include_str!("templates/keys.toml");
+
+static TEMPLATES: LazyLock<Vec<Template>> = LazyLock::new(|| {
+    FILES.iter().map(|text| toml::from_str(text).expect("a template of this crate is valid")).collect()
+});
+
+static KEYS: LazyLock<Keys> =
+    LazyLock::new(|| toml::from_str(KEYS_FILE).expect("the descriptions of this crate are valid"));
 
 /// All templates.
-pub(crate) fn templates() -> impl Iterator<Item = &'static Template> {
-    INDEPENDENT.iter().chain(TRAILING).chain(AXLES)
+pub(crate) fn templates() -> impl Iterator<Item = &'static Template> + Clone {
+    TEMPLATES.iter()
 }
 
-/// Meaning of each hardpoint key, the same in every template.
-pub(crate) const POINTS: &[(&str, &str)] = &[
-    ("wheel_centre", "the wheel's centre"),
-    ("lower_front", "lower arm, front bush on the chassis"),
-    ("lower_back", "lower arm, rear bush on the chassis"),
-    ("lower_ball", "lower arm, ball joint on the upright"),
-    ("upper_front", "upper arm, front bush on the chassis"),
-    ("upper_back", "upper arm, rear bush on the chassis"),
-    ("upper_ball", "upper arm, ball joint on the upright"),
-    ("strut_top", "strut, upper mount on the chassis"),
-    ("strut_bottom", "strut, a point of its line on the upright"),
-    ("arm_outer", "trailing arm, outer bush on the chassis"),
-    ("arm_inner", "trailing arm, inner bush on the chassis"),
-    ("arm_chassis", "trailing arm, ball joint on the chassis"),
-    ("upper_link_chassis", "upper link, end on the chassis"),
-    ("upper_link_outer", "upper link, end on the wheel's side"),
-    ("lower_link_chassis", "lower link, end on the chassis"),
-    ("lower_link_outer", "lower link, end on the wheel's side"),
-    ("lateral_chassis", "lateral link, end on the chassis"),
-    ("lateral_outer", "lateral link, end on the upright"),
-    ("trailing_link_chassis", "trailing link, end on the chassis"),
-    ("trailing_link_outer", "trailing link, end on the upright"),
-    ("tie_rod_inner", "tie rod, end on the rack (or on the chassis)"),
-    ("tie_rod_outer", "tie rod, end on the upright"),
-    ("pushrod_outer", "pushrod, end on the wheel's side"),
-    ("pushrod_rocker", "pushrod, end on the rocker"),
-    ("rocker_front", "rocker, front point of its axis on the chassis"),
-    ("rocker_back", "rocker, rear point of its axis on the chassis"),
-    ("pivot_front", "axle tube, front point of its pivot on the chassis"),
-    ("pivot_back", "axle tube, rear point of its pivot on the chassis"),
-    ("middle_link_chassis", "upper link in the middle, end on the chassis"),
-    ("middle_link_axle", "upper link in the middle, end on the axle"),
-    ("panhard_chassis", "Panhard rod, end on the chassis"),
-    ("panhard_axle", "Panhard rod, end on the axle"),
-    ("watt_pivot", "Watt's crank, its pivot on the axle; it turns about the vehicle's x"),
-    ("watt_left_chassis", "Watt's left rod, end on the chassis"),
-    ("watt_left_crank", "Watt's left rod, end on the crank"),
-    ("watt_right_chassis", "Watt's right rod, end on the chassis"),
-    ("watt_right_crank", "Watt's right rod, end on the crank"),
-    ("spring_seat", "spring, seat on the moving link"),
-    ("spring_chassis_seat", "spring, seat on the chassis"),
-    ("damper_seat", "damper, end on the moving link"),
-    ("damper_chassis_seat", "damper, end on the chassis"),
-    ("bump_stop_pad", "bump stop, its pad on the moving link"),
-    ("bump_stop", "bump stop, on the chassis"),
-    ("rebound_stop_pad", "rebound stop, its pad on the moving link"),
-    ("rebound_stop", "rebound stop, on the chassis"),
-    ("anti_roll_bar_outer", "anti-roll bar, outer point of its axis"),
-    ("anti_roll_bar_inner", "anti-roll bar, inner point of its axis"),
-    ("drop_link_bar", "drop link, end on the anti-roll bar"),
-    ("drop_link_end", "drop link, end on the suspension"),
-];
-
-/// Optional pairs of points between two bodies: section, points. A pair is given or left out as a whole.
-pub(crate) const SEATS: [(&str, [&str; 2]); 4] = [
-    ("spring", ["spring_seat", "spring_chassis_seat"]),
-    ("damper", ["damper_seat", "damper_chassis_seat"]),
-    ("bump_stop", ["bump_stop_pad", "bump_stop"]),
-    ("rebound_stop", ["rebound_stop_pad", "rebound_stop"]),
-];
+/// Descriptions of the keys of all templates.
+pub(crate) fn keys() -> &'static Keys {
+    &KEYS
+}
 
 /// Points of the anti-roll bar, optional as a whole.
 pub(crate) const BAR: [&str; 4] =
     ["anti_roll_bar_outer", "anti_roll_bar_inner", "drop_link_bar", "drop_link_end"];
 
-/// Parts of the anti-roll bar.
-pub(crate) const BAR_PARTS: [Part; 2] = [
-    Part::Hinge {
-        link: "anti_roll_bar",
-        parent: "chassis",
-        points: ["anti_roll_bar_outer", "anti_roll_bar_inner"],
-    },
-    Part::Rod {
-        link: "drop_link",
-        ends: [("anti_roll_bar", "drop_link_bar"), ("drop_link.on", "drop_link_end")],
-    },
-];
-
-/// Description of each body.
-pub(crate) const BODIES: &[(&str, &str)] = &[
-    ("lower_arm", "the lower arm"),
-    ("upper_arm", "the upper arm"),
-    ("upright", "the upright (knuckle) with caliper and all that does not turn with the wheel"),
-    ("spindle", "what turns with the wheel but the wheel: hub, disc"),
-    ("tie_rod", "the tie rod"),
-    ("strut", "the part of the strut that stays with the chassis' mount"),
-    ("trailing_arm", "the trailing arm with all that is fixed to it"),
-    ("upper_link", "the upper link"),
-    ("lower_link", "the lower link"),
-    ("lateral", "the lateral link"),
-    ("trailing_link", "the trailing link"),
-    ("upper_front_rod", "the upper arm's front rod"),
-    ("upper_back_rod", "the upper arm's rear rod"),
-    ("lower_front_rod", "the lower arm's front rod"),
-    ("lower_back_rod", "the lower arm's rear rod"),
-    ("pushrod", "the pushrod"),
-    ("rocker", "the rocker"),
-    ("beam", "this side's half of the beam, fixed to the arm"),
-    ("axle_tube", "the axle tube with all that does not turn with the wheel"),
-    ("axle", "the whole axle with all that does not turn with the wheels"),
-    ("middle_link", "the upper link in the middle"),
-    ("panhard_rod", "the Panhard rod"),
-    ("watt_crank", "Watt's crank"),
-    ("watt_left_rod", "Watt's left rod"),
-    ("watt_right_rod", "Watt's right rod"),
-    ("anti_roll_bar", "this side's half of the anti-roll bar: its inertia counts, its stiffness does not"),
-    ("drop_link", "the drop link"),
-];
-
 /// Description of a key.
-pub(crate) fn text_of(table: &[(&'static str, &'static str)], key: &str) -> &'static str {
-    table.iter().find(|(known, _)| *known == key).map_or("", |(_, text)| text)
+pub(crate) fn text_of<'t>(table: &'t [(String, String)], key: &str) -> &'t str {
+    table.iter().find(|(known, _)| known == key).map_or("", |(_, text)| text)
 }
 
 impl Template {
+    /// Parts of the template, then the parts of the anti-roll bar.
+    pub fn parts_with_bar(&self) -> impl Iterator<Item = &Part> + Clone {
+        self.parts.iter().chain(&keys().anti_roll_bar)
+    }
+
+    /// Example position of a point, mm; `None` if the template does not have the point.
+    pub fn point(&self, key: &str) -> Option<[f64; 3]> {
+        self.points.iter().find(|(known, _)| known == key).map(|(_, at)| *at)
+    }
+
     /// True if a hardpoint belongs to the axle as a whole, not to one side.
     pub fn is_central(&self, point: &str) -> bool {
-        self.axle && ["middle_link", "panhard", "watt"].iter().any(|start| point.starts_with(start))
+        is_central(self.axle, point)
     }
 
     /// Points that are optional together with this point; `None` for a mandatory point.
@@ -145,31 +79,32 @@ mod tests {
     #[test]
     fn every_key_has_its_words_and_every_part_its_points() {
         for template in templates() {
-            let has = |key: &str| template.points.iter().any(|(known, _)| *known == key);
-            for (key, _) in template.points {
-                assert_ne!(text_of(POINTS, key), "", "{}: {key}", template.name);
+            let has = |key: &str| template.point(key).is_some();
+            for (key, _) in &template.points {
+                assert_ne!(text_of(&keys().points, key), "", "{}: {key}", template.name);
             }
-            for body in template.bodies {
-                assert_ne!(text_of(BODIES, body.key), "", "{}: {}", template.name, body.key);
+            for (key, _) in &template.bodies {
+                assert_ne!(text_of(&keys().bodies, key), "", "{}: {key}", template.name);
             }
-            let points = template.parts.iter().flat_map(|part| match part {
+            let points = template.parts_with_bar().flat_map(|part| match part {
                 Part::Hinge { points, .. } | Part::Strut { line: points, .. } => points.to_vec(),
                 Part::Swivel { at, .. }
                 | Part::Ball { at, .. }
                 | Part::Free { at, .. }
                 | Part::Fixed { at, .. }
-                | Part::Close { at, .. } => vec![*at],
-                Part::Rod { ends, .. } => ends.map(|(_, point)| point).to_vec(),
-                Part::Axle | Part::Wheel { .. } => vec!["wheel_centre"],
+                | Part::Close { at, .. } => vec![at.clone()],
+                Part::Rod { ends, .. } => ends.iter().map(|(_, point)| point.clone()).collect(),
+                Part::Axle | Part::Wheel { .. } => vec!["wheel_centre".to_owned()],
             });
             for point in points {
-                assert!(has(point), "{}: {point}", template.name);
+                assert!(has(&point), "{}: {point}", template.name);
             }
-            for key in SEATS.iter().flat_map(|(_, pair)| pair).chain(&BAR) {
+            let seats = SEATS.iter().filter(|(section, _)| *section != "shock").flat_map(|(_, pair)| pair);
+            for key in seats.chain(&BAR) {
                 assert!(has(key), "{}: the example lacks {key}", template.name);
             }
             for section in ["spring", "damper", "bump_stop", "rebound_stop", "drop_link"] {
-                assert!(template.on.iter().any(|(key, _)| *key == section), "{}: {section}", template.name);
+                assert!(template.on.iter().any(|(key, _)| key == section), "{}: {section}", template.name);
             }
         }
         assert_eq!(templates().count(), 12);

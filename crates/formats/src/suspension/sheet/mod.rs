@@ -1,19 +1,17 @@
 //! Import of hardpoint sheets: TOML, a table (CSV or XLSX), or TOML with a table, to a mechanism.
 //!
-//! `catalogue` contains the templates as data; `read` reads the entries of a sheet according to the template, `build` creates
-//! links, joints and loops, and `write` writes the sheet to fill in and the tables of the documentation.
+//! The templates are data files in `templates`, which `catalogue` reads. `read` reads the entries of a sheet according
+//! to the template, `build` builds its corner, and `write` writes the sheet to fill in and the tables of the
+//! documentation.
 
-mod axles;
 mod build;
 mod catalogue;
 mod entries;
-mod independent;
-mod parts;
 mod point_table;
 mod read;
 mod table;
+mod template;
 mod toml_text;
-mod trailing;
 mod workbook;
 mod write;
 

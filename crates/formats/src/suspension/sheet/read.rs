@@ -1,30 +1,21 @@
 //! Reader of the entries of a sheet according to its template.
 
+use super::super::design::{Design, Part, Stated};
 use super::super::findings::{Findings, Spot};
 use super::super::options::{ImportOptions, Rack, Side, Wheel};
-use super::super::reader::check_size;
-use super::super::units::{Frame, LengthUnit, VehicleAxes};
+use super::super::units::{Frame, LengthUnit, VehicleAxes, check_size};
 use super::catalogue;
 use super::entries::{Cell, Entries, INERTIA_UNITS, Kind, inertia_unit};
-use super::parts::{Body, Part, Shape, Template};
 use super::point_table::{self, Files};
+use super::template::{ExampleBody, Shape, Template, symmetric_matrix};
 use super::{table, toml_text};
 use crate::Source;
 use crate::reading::limits::{LONGEST_NAME, MOST_SHEET_KEYS};
-use crate::reading::report::{cut, quoted, shortened};
+use crate::reading::report::{cut, quoted};
 use crate::suspension::corner;
 use percuss_mechanism::near_names;
 use percuss_spatial::{Matrix3, Vector3};
 use std::collections::BTreeMap;
-
-/// Description of a body in a sheet.
-#[derive(Clone, Debug)]
-pub(super) enum Stated {
-    /// Complete body, in metres and the axes of ISO 8855.
-    Body(corner::Body),
-    /// A slender rod of this mass, kg.
-    Rod(f64, Spot),
-}
 
 /// Content of a sheet in metres and the axes of ISO 8855. Points of a side are those of the left side.
 pub(in super::super) struct Sheet {
@@ -33,8 +24,7 @@ pub(in super::super) struct Sheet {
     pub frame: Frame,
     pub side: Side,
     pub rack: Rack,
-    pub points: BTreeMap<&'static str, (Vector3<f64>, Spot)>,
-    pub(super) bodies: BTreeMap<&'static str, Stated>,
+    pub design: Design,
     pub wheel: Option<Wheel>,
     /// rad.
     pub camber: f64,
@@ -42,8 +32,6 @@ pub(in super::super) struct Sheet {
     pub toe: f64,
     /// Inertia that the axle adds to the spindle about the spin axis, kg·m².
     pub axle_inertia: f64,
-    /// Links with spring, damper or bar mounts, by section.
-    pub on: BTreeMap<&'static str, (String, Spot)>,
 }
 
 /// Reads a sheet; `None` after an error in the report.
@@ -85,8 +73,8 @@ pub(in super::super) fn read(
 pub(super) fn keys_of(template: &Template) -> Vec<String> {
     let mut keys: Vec<String> = table::HEAD.iter().map(|key| (*key).to_owned()).collect();
     keys.extend(template.points.iter().map(|(key, _)| format!("points.{key}")));
-    for body in template.bodies {
-        keys.extend(["mass", "com", "inertia"].map(|key| format!("{}.{key}", body.key)));
+    for (body, _) in &template.bodies {
+        keys.extend(["mass", "com", "inertia"].map(|key| format!("{body}.{key}")));
     }
     keys.push("spindle.axle_inertia".to_owned());
     keys.extend(["mass", "inertia", "radius", "camber", "toe"].map(|key| format!("wheel.{key}")));
@@ -101,13 +89,12 @@ pub(super) fn keys_of(template: &Template) -> Vec<String> {
 impl Template {
     /// True if the template has tie rods.
     pub fn has_rack(&self) -> bool {
-        self.points.iter().any(|(key, _)| *key == "tie_rod_inner")
+        self.point("tie_rod_inner").is_some()
     }
 
     /// Links with possible mounts for other parts.
-    pub fn holders(&self) -> impl Iterator<Item = &'static str> + use<> {
-        let (bodies, parts) = (self.bodies, self.parts);
-        bodies.iter().map(|b| b.key).filter(move |key| {
+    pub fn holders(&self) -> impl Iterator<Item = &str> {
+        let is_holder = |(key, body): &&(String, ExampleBody)| {
             let is_made = |part: &Part| match part {
                 Part::Rod { .. } | Part::Wheel { .. } => false,
                 Part::Hinge { link, .. }
@@ -116,15 +103,15 @@ impl Template {
                 | Part::Free { link, .. }
                 | Part::Fixed { link, .. }
                 | Part::Strut { link, .. } => link == key,
-                Part::Axle => *key == "axle",
+                Part::Axle => key == "axle",
                 Part::Close { .. } => false,
             };
             let is_body_of_rod = |part: &Part| {
-                matches!(part, Part::Rod { link, .. } if link == key)
-                    && bodies.iter().any(|b| b.key == *key && b.shape == Shape::Any)
+                matches!(part, Part::Rod { link, .. } if link == key) && body.shape == Shape::Any
             };
-            parts.iter().any(|part| is_made(part) || is_body_of_rod(part))
-        })
+            self.parts.iter().any(|part| is_made(part) || is_body_of_rod(part))
+        };
+        self.bodies.iter().filter(is_holder).map(|(key, _)| &**key)
     }
 }
 
@@ -144,7 +131,7 @@ impl Taking<'_> {
         let inertia_over = self.inertia_unit();
         let (template, unit, axes, given) = (template?, unit?, axes?, given?);
         let frame = Frame { unit, axes };
-        let name = name.filter(|n| !n.is_empty()).unwrap_or_else(|| template.name.to_owned());
+        let name = name.filter(|n| !n.is_empty()).unwrap_or_else(|| template.name.clone());
         let name = if name.len() > LONGEST_NAME { cut(&name, LONGEST_NAME / 4) } else { name };
         let side = self.side(template, given);
         let points = self.points(template, frame, given);
@@ -156,8 +143,17 @@ impl Taking<'_> {
             self.scalar("spindle.axle_inertia", Kind::Inertia(inertia_over)).map_or(0.0, |(x, _)| x);
         let on = self.on(template);
         let rack = self.rack(template);
-        let mut sheet =
-            Sheet { template, name, frame, side, rack, points, bodies, wheel, camber, toe, axle_inertia, on };
+        let bar = catalogue::keys().anti_roll_bar.iter().filter(|_| points.contains_key("drop_link_bar"));
+        let design = Design {
+            parts: template.parts.iter().chain(bar).collect(),
+            axle: template.axle,
+            points,
+            bodies,
+            on,
+            hinge_comment: "about the line through its two points, first to second",
+            ..Design::default()
+        };
+        let mut sheet = Sheet { template, name, frame, side, rack, design, wheel, camber, toe, axle_inertia };
         self.moved(&mut sheet);
         Some(sheet)
     }
@@ -298,7 +294,7 @@ impl Taking<'_> {
             let message = format!(
                 "no hardpoint is given; the section [points] is expected, or in the head points = \"FILE.csv\", with {} and \
                  what else percuss template {} has",
-                template.points.iter().take(3).map(|(key, _)| *key).collect::<Vec<_>>().join(", "),
+                template.points.iter().take(3).map(|(key, _)| &**key).collect::<Vec<_>>().join(", "),
                 template.name
             );
             let spot = Spot { path: Some("points".to_owned()), ..Spot::default() };
@@ -306,7 +302,7 @@ impl Taking<'_> {
             return points;
         }
         let (mut far, mut far_spot): (f64, Spot) = (0.0, Spot::default());
-        for (key, _) in template.points {
+        for (key, _) in &template.points {
             let path = format!("points.{key}");
             match self.entries.point(self.findings, &path, frame) {
                 Some((mut at, spot)) => {
@@ -316,7 +312,7 @@ impl Taking<'_> {
                     if at.amax() > far {
                         (far, far_spot) = (at.amax(), spot.clone());
                     }
-                    points.insert(*key, (at, spot));
+                    points.insert(&**key, (at, spot));
                 }
                 None if self.entries.has(&path) => {}
                 None => {
@@ -327,7 +323,7 @@ impl Taking<'_> {
                     if group.is_none() || begun {
                         let expected = format!(
                             "{} ([x, y, z] in {})",
-                            catalogue::text_of(catalogue::POINTS, key),
+                            catalogue::text_of(&catalogue::keys().points, key),
                             frame.unit.name()
                         );
                         self.entries.missing(self.findings, &path, &expected);
@@ -349,18 +345,18 @@ impl Taking<'_> {
         over: f64,
     ) -> BTreeMap<&'static str, Stated> {
         let mut bodies = BTreeMap::new();
-        for body in template.bodies {
+        for (key, body) in &template.bodies {
             // The bodies of a bar are not required if the sheet has no bar.
-            let of_bar = ["anti_roll_bar", "drop_link"].contains(&body.key);
-            let absent = !self.entries.has_section(body.key);
+            let of_bar = ["anti_roll_bar", "drop_link"].contains(&&**key);
+            let absent = !self.entries.has_section(key);
             if absent
                 && (body.shape != Shape::Any && body.shape != Shape::Spindle
                     || of_bar && !self.entries.has("points.drop_link_bar"))
             {
                 continue;
             }
-            if let Some(stated) = self.body(template, body, frame, given, over) {
-                bodies.insert(body.key, stated);
+            if let Some(stated) = self.body(template, (key, body.shape), frame, given, over) {
+                bodies.insert(&**key, stated);
             }
         }
         bodies
@@ -369,18 +365,17 @@ impl Taking<'_> {
     fn body(
         &mut self,
         template: &Template,
-        body: &Body,
+        (key, shape): (&str, Shape),
         frame: Frame,
         given: Side,
         over: f64,
     ) -> Option<Stated> {
-        let [mass_key, com_key, inertia_key] =
-            ["mass", "com", "inertia"].map(|key| format!("{}.{key}", body.key));
-        let is_rod = body.shape == Shape::Rod;
-        let spot = |spot: Spot| Spot { path: Some(body.key.to_owned()), ..spot };
+        let [mass_key, com_key, inertia_key] = ["mass", "com", "inertia"].map(|name| format!("{key}.{name}"));
+        let is_rod = shape == Shape::Rod;
+        let spot = |spot: Spot| Spot { path: Some(key.to_owned()), ..spot };
         let Some((mass, at)) = self.scalar(&mass_key, Kind::Mass) else {
             if !self.entries.has(&mass_key) && (!is_rod || self.entries.has(&com_key)) {
-                let text = catalogue::text_of(catalogue::BODIES, body.key);
+                let text = catalogue::text_of(&catalogue::keys().bodies, key);
                 self.entries.missing(
                     self.findings,
                     &mass_key,
@@ -390,7 +385,7 @@ impl Taking<'_> {
             return None;
         };
         let spot = spot(at);
-        let rotates = body.shape == Shape::Spindle;
+        let rotates = shape == Shape::Spindle;
         if is_rod && !self.entries.has(&com_key) && !self.entries.has(&inertia_key) {
             return Some(Stated::Rod(mass, spot));
         }
@@ -399,8 +394,8 @@ impl Taking<'_> {
             None if self.entries.has(&com_key) => return None,
             None => None,
         };
-        let central = template.axle && ["axle", "middle_link", "panhard_rod"].contains(&body.key)
-            || body.key.starts_with("watt");
+        let central =
+            template.axle && ["axle", "middle_link", "panhard_rod"].contains(&key) || key.starts_with("watt");
         let mirror = given == Side::Right && !central;
         // NaN: the default for a spindle is the wheel centre, which is computed later. A massless body needs no centre of mass.
         let com = match com {
@@ -419,7 +414,7 @@ impl Taking<'_> {
             // Along the wheel's axes the products of inertia are zero.
             if rotates { &[3] } else { &[3, 6] },
         ) {
-            Some((values, _)) => matrix(&values),
+            Some((values, _)) => symmetric_matrix(&values),
             None if self.entries.has(&inertia_key) => return None,
             None if mass == 0.0 => Matrix3::zeros(),
             None => {
@@ -471,17 +466,17 @@ impl Taking<'_> {
 
     fn on(&mut self, template: &'static Template) -> BTreeMap<&'static str, (String, Spot)> {
         let mut on = BTreeMap::new();
-        for (section, default) in template.on {
+        for (section, default) in &template.on {
             let key = format!("{section}.on");
             let found = self.entries.text(self.findings, &key, "the name of a link");
-            let (link, spot) = found.unwrap_or_else(|| ((*default).to_owned(), Spot::default()));
+            let (link, spot) = found.unwrap_or_else(|| (default.clone(), Spot::default()));
             let holders: Vec<&str> = template.holders().filter(|l| !["anti_roll_bar"].contains(l)).collect();
             if !holders.contains(&&*link) {
                 let message =
                     format!("{} is no link that this can be on: {}", quoted(&link), holders.join(", "));
                 self.findings.error("unknown-link", &spot, message);
             }
-            on.insert(*section, (link, spot));
+            on.insert(&**section, (link, spot));
         }
         on
     }
@@ -510,10 +505,10 @@ impl Taking<'_> {
             if given_right && !central {
                 by.y = 0.0 - by.y;
             }
-            match sheet.points.iter_mut().find(|(key, _)| **key == name) {
+            match sheet.design.points.iter_mut().find(|(key, _)| **key == name) {
                 Some((_, (at, _))) => *at += by,
                 None => {
-                    let near = near_names(name, sheet.points.keys().copied());
+                    let near = near_names(name, sheet.design.points.keys().copied());
                     let near = near.first().map_or_else(String::new, |n| format!("; did you mean {n}?"));
                     let message = format!("no hardpoint {} in the sheet{near} (--move)", quoted(name));
                     self.findings.error("unknown-point", &Spot::default(), message);
@@ -523,27 +518,6 @@ impl Taking<'_> {
     }
 }
 
-/// Symmetric matrix from xx, yy, zz and, if given, xy, xz, yz; default 0.
-fn matrix(values: &[f64]) -> Matrix3<f64> {
-    let at = |i: usize| values.get(i).copied().unwrap_or(0.0);
-    let [xx, yy, zz, xy, xz, yz] = [0, 1, 2, 3, 4, 5].map(at);
-    Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
-}
-
 fn names() -> Vec<&'static str> {
-    catalogue::templates().map(|t| t.name).collect()
-}
-
-impl Sheet {
-    /// Position of a point; `None` if the sheet does not contain the point.
-    pub fn at(&self, key: &str) -> Option<Vector3<f64>> {
-        self.points.get(key).map(|(at, _)| *at)
-    }
-
-    /// Location of a point in the file.
-    pub fn spot(&self, key: &str) -> Spot {
-        self.points
-            .get(key)
-            .map_or_else(|| Spot { path: Some(shortened(key)), ..Spot::default() }, |(_, spot)| spot.clone())
-    }
+    catalogue::templates().map(|t| &*t.name).collect()
 }

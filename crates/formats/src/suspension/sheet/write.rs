@@ -1,10 +1,11 @@
 //! Writer of sheets to fill in, and of the tables in the documentation.
 
+use super::super::design::Part;
 use super::super::units::{LengthUnit, VehicleAxes};
-use super::catalogue::{BAR_PARTS, BODIES, POINTS, templates, text_of};
-use super::parts::{Part, Shape, Template};
+use super::catalogue::{keys, templates, text_of};
 use super::table::HEAD;
-use percuss_spatial::{Matrix3, Vector3};
+use super::template::{Shape, Template, symmetric_matrix};
+use percuss_spatial::Vector3;
 use std::fmt::Write;
 
 /// Unit and axes of a sheet to fill in.
@@ -24,7 +25,7 @@ impl Default for TemplateOptions {
 
 /// Name and title of every template.
 pub fn template_names() -> Vec<(&'static str, &'static str)> {
-    templates().map(|t| (t.name, t.title)).collect()
+    templates().map(|t| (&*t.name, &*t.title)).collect()
 }
 
 /// Writes a commented sheet of a template, to fill in; `None` for an unknown template.
@@ -62,7 +63,7 @@ impl Sheet<'_> {
     fn head(&mut self, template: &Template) {
         let (unit, axes) = (self.options.unit.name(), self.options.axes);
         self.line(&format!("# A suspension for percuss: {}.", template.title));
-        for line in template.about {
+        for line in &template.about {
             self.line(&format!("# {line}"));
         }
         self.line("#");
@@ -70,9 +71,7 @@ impl Sheet<'_> {
         self.line("#   percuss import THIS.toml -o my.urdf");
         let side = if template.axle { "_left" } else { "" };
         self.line(&format!("#   percuss mass my.urdf --link bump_stop_pad{side} --point 0,0,0 \\"));
-        let at = |key: &str| {
-            template.points.iter().find(|(name, _)| *name == key).map(|(_, at)| Vector3::from(*at))
-        };
+        let at = |key: &str| template.point(key).map(Vector3::from);
         if let Some((pad, stop)) = at("bump_stop_pad").zip(at("bump_stop")) {
             // Rounds to a micron, to remove the rounding error of the difference.
             let [x, y, z] = [0, 1, 2].map(|i| ((stop - pad)[i] * 1e3).round() / 1e3 + 0.0);
@@ -117,9 +116,9 @@ impl Sheet<'_> {
         self.line("# Hardpoints, [x, y, z] at the design position. A spring, damper or stop may be left out with both");
         self.line("# its points, the anti-roll bar with its four.");
         self.line("[points]");
-        for (key, at) in template.points {
+        for (key, at) in &template.points {
             let at = self.point(*at);
-            self.key(key, &at, text_of(POINTS, key));
+            self.key(key, &at, text_of(&keys().points, key));
         }
     }
 
@@ -127,21 +126,21 @@ impl Sheet<'_> {
         self.line("");
         self.line("# Bodies: mass in kg (0 is legal); centre of mass; inertia about it in the vehicle's axes, [xx, yy, zz]");
         self.line("# or [xx, yy, zz, xy, xz, yz], the entries of the matrix (xy = −∫ x y dm).");
-        for body in template.bodies {
+        for (key, body) in &template.bodies {
             self.line("");
-            self.line(&format!("# {}", text_of(BODIES, body.key)));
+            self.line(&format!("# {}", text_of(&keys().bodies, key)));
             match body.shape {
                 Shape::Rod => {
                     self.line("# A slender rod between its points; any body with com and inertia; massless without this section.");
-                    self.held(template, body.key);
+                    self.held(template, key);
                 }
                 Shape::Optional => self.line("# May be left out."),
                 Shape::Spindle => self.line("# Its centre of mass is the wheel's centre unless com is given; inertia in the wheel's axes, y that of spin."),
                 Shape::Any => {}
             }
-            self.line(&format!("[{}]", body.key));
+            self.line(&format!("[{key}]"));
             self.key("mass", &number(body.mass), "");
-            if let Some((_, link)) = template.on.iter().find(|(section, _)| *section == body.key) {
+            if let Some((_, link)) = template.on.iter().find(|(section, _)| section == key) {
                 self.key("on", &format!("\"{link}\""), "the link at its outer end");
             }
             if body.shape == Shape::Rod {
@@ -151,9 +150,7 @@ impl Sheet<'_> {
                 let com = self.point(body.com);
                 self.key("com", &com, "");
             }
-            let [xx, yy, zz, xy, xz, yz] = body.inertia;
-            let matrix = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
-            let matrix = self.options.axes.inertia_to_iso(matrix);
+            let matrix = self.options.axes.inertia_to_iso(symmetric_matrix(&body.inertia));
             let all = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|at| matrix[at] + 0.0);
             let kept = if all[3..] == [0.0; 3] { &all[..3] } else { &all[..] };
             let list: Vec<String> = kept.iter().map(|x| number(*x)).collect();
@@ -168,8 +165,8 @@ impl Sheet<'_> {
     /// States the end at which a rod has its universal joint, which matters if the rod has an inertia about its own
     /// axis.
     fn held(&mut self, template: &Template, rod: &str) {
-        let first = template.parts.iter().chain(&BAR_PARTS).find_map(|part| match part {
-            Part::Rod { link, ends: [(_, first), _] } if *link == rod => Some(*first),
+        let first = template.parts_with_bar().find_map(|part| match part {
+            Part::Rod { link, ends: [(_, first), _], .. } if link == rod => Some(first),
             _ => None,
         });
         if let Some(first) = first {
@@ -183,8 +180,7 @@ impl Sheet<'_> {
         self.line("[wheel]");
         self.key("mass", "18.5", "");
         self.key("inertia", "[0.62, 1.05, 0.62]", "");
-        let centre = template.points.iter().find(|(key, _)| *key == "wheel_centre");
-        let radius = self.length(centre.map_or(300.0, |(_, at)| at[2]));
+        let radius = self.length(template.point("wheel_centre").map_or(300.0, |at| at[2]));
         self.key("radius", &radius, "its lowest point is named contact_patch");
         self.key("camber", "\"0 deg\"", "positive: the top leans outward");
         self.key("toe", "\"0 deg\"", "positive: toe-in");
@@ -194,7 +190,7 @@ impl Sheet<'_> {
         let holders: Vec<&str> = template.holders().filter(|l| *l != "anti_roll_bar").collect();
         self.line("");
         self.line(&format!("# Which link each is on: {}.", holders.join(", ")));
-        let is_body = |section: &str| template.bodies.iter().any(|body| body.key == section);
+        let is_body = |section: &str| template.bodies.iter().any(|(key, _)| key == section);
         for (section, link) in template.on.iter().filter(|(section, _)| !is_body(section)) {
             self.line(&format!("[{section}]"));
             self.key("on", &format!("\"{link}\""), "");
@@ -237,11 +233,12 @@ pub fn template_keys() -> String {
     for (key, what) in HEAD.iter().zip(head) {
         row(key, what, "all");
     }
-    for (key, what) in POINTS {
-        row(&format!("points.{key}"), what, &of(&|t| t.points.iter().any(|(k, _)| k == key)));
+    for (key, what) in &keys().points {
+        row(&format!("points.{key}"), what, &of(&|t| t.point(key).is_some()));
     }
-    for (key, what) in BODIES {
-        let shape = templates().flat_map(|t| t.bodies).find(|b| b.key == *key).map(|b| b.shape);
+    for (key, what) in &keys().bodies {
+        let body = templates().flat_map(|t| &t.bodies).find(|(known, _)| known == key);
+        let shape = body.map(|(_, body)| body.shape);
         let how = match shape {
             Some(Shape::Rod) => "; massless without, a slender rod with only `mass`",
             Some(Shape::Optional) => "; may be left out",
@@ -250,8 +247,8 @@ pub fn template_keys() -> String {
             }
             Some(Shape::Any) | None => "",
         };
-        let keys = format!("{key}.mass`, `.com`, `.inertia");
-        row(&keys, &format!("{what}{how}"), &of(&|t| t.bodies.iter().any(|b| b.key == *key)));
+        let of_body = format!("{key}.mass`, `.com`, `.inertia");
+        row(&of_body, &format!("{what}{how}"), &of(&|t| t.bodies.iter().any(|(known, _)| known == key)));
     }
     row("spindle.axle_inertia", "of the drive shaft about the axis of spin, added to the spindle's", "all");
     row(
@@ -262,7 +259,7 @@ pub fn template_keys() -> String {
     row("wheel.radius", "names the wheel's lowest point `contact_patch`", "all");
     row("wheel.camber`, `.toe", "with a unit: `\"-1 deg\"`; positive: top outward, toe-in", "all");
     for section in ["spring", "damper", "bump_stop", "rebound_stop", "drop_link", "pushrod"] {
-        let with = of(&|t| t.on.iter().any(|(key, _)| *key == section));
+        let with = of(&|t| t.on.iter().any(|(key, _)| key == section));
         row(&format!("{section}.on"), "the link that it is on", &with);
     }
     let steered = of(&|t| t.has_rack());

@@ -1,0 +1,78 @@
+//! SIMD kernels for many configurations at once. Trees use body-fixed axes, for contacts with the ground. Linkages of
+//! few degrees of freedom use their velocities, for all contacts.
+
+use crate::analysis::assembly::Assembly;
+use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns};
+use crate::kernels::loop_kernel::LoopKernel;
+use crate::kernels::tree_kernel::TreeKernel;
+use crate::kinematics::contact::Contact;
+use crate::model::Model;
+use percuss_spatial::lanes::Instructions;
+
+/// SIMD kernel of a mechanism, with its buffers.
+#[derive(Clone, Debug)]
+pub(crate) enum LaneKernel {
+    Tree(TreeKernel),
+    Loop(LoopKernel),
+}
+
+impl LaneKernel {
+    /// Kernel of a mechanism; `None` if the mechanism is neither kind.
+    pub fn compile(assembly: &Assembly) -> Option<Self> {
+        let tree = TreeKernel::compile(assembly.model()).map(Self::Tree);
+        tree.or_else(|| LoopKernel::compile(assembly).map(Self::Loop))
+    }
+
+    /// Prepares the kernel for a checked contact; false if the kernel does not support the contact. Allocates nothing
+    /// after the first call.
+    pub fn set_contact(&mut self, model: &Model, contact: &Contact) -> bool {
+        match self {
+            Self::Tree(tree) => tree.set_contact(model, contact),
+            Self::Loop(linkage) => {
+                linkage.set_contact(model, contact);
+                true
+            }
+        }
+    }
+
+    /// Selects an instruction set.
+    pub fn set_instructions(&mut self, set: Instructions) {
+        match self {
+            Self::Tree(tree) => tree.instructions = set,
+            Self::Loop(linkage) => linkage.instructions = set,
+        }
+    }
+
+    /// Number of configurations computed in parallel.
+    pub fn width(&self) -> usize {
+        match self {
+            Self::Tree(tree) => tree.instructions.width(),
+            Self::Loop(linkage) => linkage.instructions.width(),
+        }
+    }
+
+    /// m̄ of the prepared contact at one configuration; `None` if the result is not certified.
+    pub fn effective_mass(&mut self, positions: &[f64]) -> Option<CertifiedMass> {
+        match self {
+            Self::Tree(tree) => tree.effective_mass(positions),
+            Self::Loop(linkage) => linkage.effective_mass(positions),
+        }
+    }
+
+    /// Computes m̄ at the configurations from `first` on. The number of configurations is the length of `answers`, a
+    /// multiple of the lane count.
+    pub fn effective_masses(&mut self, columns: PositionColumns<'_>, first: usize, answers: MassColumns<'_>) {
+        match self {
+            Self::Tree(tree) => tree.effective_masses(columns, first, answers),
+            Self::Loop(linkage) => linkage.effective_masses(columns, first, answers),
+        }
+    }
+
+    /// Indices of the positions that the kernel reads.
+    pub fn read_positions(&self) -> Vec<usize> {
+        match self {
+            Self::Tree(tree) => tree.read_positions().collect(),
+            Self::Loop(linkage) => linkage.read_positions().collect(),
+        }
+    }
+}

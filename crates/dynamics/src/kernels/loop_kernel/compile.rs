@@ -1,0 +1,338 @@
+//! Compiles a mechanism of few degrees of freedom, and orders its elimination at the assembly's first closed pose.
+
+use super::layout::Layout;
+use super::plan::{
+    Block, BlockTerm, BodyDirection, BodyPoint, JointPosition, LoopBody, LoopMotion, LoopPlan, RowForm,
+    RowPivot, Velocity,
+};
+use super::rows::matrix_at;
+use crate::analysis::assembly::Assembly;
+use crate::kernels::estimate::is_positive;
+use crate::model::{Body, CompiledClosure, Constraint, ConstraintRows, LinkFrame, Model};
+use crate::tolerances::{LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_PIVOT, ROW_ROUNDINGS};
+use nalgebra::{Matrix3, Vector3};
+use percuss_mechanism::{ClosureKind, JointKind};
+use percuss_spatial::{SpatialInertia, Transform, plane_basis};
+
+impl LoopPlan {
+    /// `None` for joints other than hinges, slides and balls, redundant rows, many degrees of freedom, several
+    /// independent subtrees, or negative inertias.
+    pub fn of(assembly: &Assembly) -> Option<Self> {
+        Self::at(assembly, &assembly.facts().reference, &|_| true)
+    }
+
+    /// Same plan, ordered at the given positions; only coordinates with `may(coordinate)` can be dependent. Also
+    /// `None` if the mechanism has couplings or held contacts.
+    pub fn compile_driven(
+        assembly: &Assembly,
+        positions: &[f64],
+        may: &dyn Fn(usize) -> bool,
+    ) -> Option<Self> {
+        let plan = Self::at(assembly, positions, may)?;
+        plan.blocks.iter().all(|block| block.predecessor.is_some()).then_some(plan)
+    }
+
+    fn at(assembly: &Assembly, positions: &[f64], may: &dyn Fn(usize) -> bool) -> Option<Self> {
+        let model = assembly.model();
+        let rank: usize = (0..model.groups.len()).map(|g| assembly.expected_rank(g)).sum();
+        let (columns, bodies) = (model.coordinates.len(), model.bodies.len());
+        if model.groups.is_empty()
+            || columns > LINKAGE_COORDINATES
+            || bodies > LINKAGE_COORDINATES
+            || !(1..=LINKAGE_FREEDOMS).contains(&columns.checked_sub(rank)?)
+            // No body outside the linkage takes part in the motion.
+            || model.clusters.iter().filter(|cluster| cluster.parent.is_none()).count() != 1
+            // Rows that are redundant here may be independent at another pose.
+            || model.groups.iter().map(|group| group.rows).sum::<usize>() != rank
+            || model.bodies.iter().any(|body| !is_positive(&body.inertia))
+        {
+            return None;
+        }
+        let lengths = lengths(model);
+        let length = shortest(model, &lengths);
+        if !length.is_finite() {
+            return None;
+        }
+        let mut plan = Self {
+            bodies: Vec::with_capacity(bodies),
+            blocks: Vec::new(),
+            pivots: Vec::new(),
+            filled_in: Vec::new(),
+            depends_on: Vec::new(),
+            scale: 0.0,
+            length,
+            weight: 0.0,
+            roundings: 0.0,
+            columns,
+            freedoms: columns - rank,
+            centre: model.bodies[0].origin.translation,
+            layout: Layout::default(),
+        };
+        for body in &model.bodies {
+            let carrier = body.parent.map_or_else(Transform::identity, |p| plan.bodies[p].frame);
+            let mut moving = moving(model, body, &carrier, &lengths)?;
+            if body.parent.is_none() {
+                moving.translation = (Vector3::from(moving.translation) - plan.centre).into();
+            }
+            let carried = body.parent.map_or(0.0, |p| plan.bodies[p].reach);
+            let own = if body.parent.is_some() { Vector3::from(moving.translation).norm() } else { 0.0 };
+            moving.reach = carried + own;
+            plan.bodies.push(moving);
+        }
+        plan.weight = plan.bodies.iter().map(|body| weight(body, length)).sum();
+        let deepest = model.coordinates.iter().map(|c| c.depth).max().unwrap_or(0) as f64 + 1.0;
+        plan.roundings = ROW_ROUNDINGS + 3.0 * deepest.sqrt() + deepest;
+        let mut rows = 0;
+        for group in &model.groups {
+            for constraint in &group.constraints {
+                plan.blocks.push(plan.block(model, constraint, group.size, &mut rows)?);
+            }
+        }
+        plan.order(rows, rank, positions, may)?;
+        Some(plan)
+    }
+
+    fn block(
+        &self,
+        model: &Model,
+        constraint: &ConstraintRows,
+        size: f64,
+        rows: &mut usize,
+    ) -> Option<Block> {
+        let (predecessor, successor, forms) = match constraint.constraint {
+            Constraint::Closure(i) => {
+                let closure = &model.closures[i];
+                let origin = |end: &LinkFrame| self.point(end.body, &end.frame.translation);
+                let forms = self.forms(closure, size)?;
+                (Some(origin(&closure.predecessor)), origin(&closure.successor), forms)
+            }
+            Constraint::Coupling(i) => {
+                let ground = BodyPoint { body: None, at: [0.0; 3] };
+                let scale = if model.couplings[i].turns { size } else { 1.0 };
+                let terms = self.terms(model, constraint, scale)?;
+                let row = *rows;
+                *rows += 1;
+                let forms = vec![(RowForm::Constant, [Some(row), None, None])];
+                return Some(Block { predecessor: None, successor: ground, forms, terms });
+            }
+            Constraint::Hold(i) => {
+                let hold = &model.holds[i];
+                let on = &model.link_frames[hold.link.index()];
+                let at = self.point(on.body, &on.frame.point(&hold.point));
+                let forms =
+                    hold.directions().map(|d| RowForm::Along(BodyDirection { body: None, e: d.into() }));
+                let forms = forms.into_iter().take(constraint.count).collect();
+                (None, at, forms)
+            }
+        };
+        let terms = self.terms(model, constraint, 1.0)?;
+        let mut number = |form: RowForm| {
+            let count = if matches!(form, RowForm::Point) { 3 } else { 1 };
+            let first = *rows;
+            *rows += count;
+            (form, std::array::from_fn(|k| (k < count).then_some(first + k)))
+        };
+        let forms = forms.into_iter().map(&mut number).collect();
+        Some(Block { predecessor, successor, forms, terms })
+    }
+
+    fn terms(&self, model: &Model, constraint: &ConstraintRows, scale: f64) -> Option<Vec<BlockTerm>> {
+        let mut seen = vec![false; self.columns];
+        let term = |term: &crate::model::ConstraintTerm| {
+            let body = &model.bodies[term.body];
+            let velocity = self.bodies[term.body].velocities.get(term.component)?;
+            Some(BlockTerm {
+                body: term.body,
+                component: term.component,
+                slides: !body.motion.turns(term.component),
+                column: velocity.column,
+                factor: scale * term.factor * velocity.factor,
+                is_first: !std::mem::replace(&mut seen[velocity.column], true),
+            })
+        };
+        constraint.terms.iter().map(term).collect()
+    }
+
+    /// Rows of a closure, as in [`crate::kinematics::rows::closure_wrenches`], but with a point's rows in root axes. `None` for
+    /// closures that bind the full orientation.
+    fn forms(&self, closure: &CompiledClosure, size: f64) -> Option<Vec<RowForm>> {
+        let (p, s) = (&closure.predecessor, &closure.successor);
+        let direction = |e: &Vector3<f64>| self.direction(p.body, &p.frame.vector(e));
+        let along = |e: &Vector3<f64>| RowForm::Along(direction(e));
+        let cosine = |e: &Vector3<f64>, b: &Vector3<f64>| {
+            RowForm::Cosine(direction(e), self.direction(s.body, &s.frame.vector(b)), size)
+        };
+        let [n1, n2] = &closure.normals;
+        let b = &closure.successor_axis;
+        let [first, second] = [cosine(n1, b), cosine(n2, b)];
+        Some(match closure.kind {
+            ClosureKind::Fixed | ClosureKind::Prismatic => return None,
+            ClosureKind::Revolute => vec![RowForm::Point, first, second],
+            ClosureKind::Cylindrical => vec![along(n1), along(n2), first, second],
+            ClosureKind::Universal => vec![RowForm::Point, cosine(&closure.axis, &closure.axis2)],
+            ClosureKind::Planar => vec![along(&closure.axis), first, second],
+            ClosureKind::Spherical => vec![RowForm::Point],
+            ClosureKind::Distance => vec![RowForm::Distance(closure.distance)],
+        })
+    }
+
+    /// Orders rows and columns by the pivots at a pose, followed by the remaining columns, and removes redundant
+    /// rows. `None` if the pivots are too small at this pose.
+    fn order(
+        &mut self,
+        rows: usize,
+        rank: usize,
+        positions: &[f64],
+        may: &dyn Fn(usize) -> bool,
+    ) -> Option<()> {
+        let columns = self.columns;
+        self.layout = Layout::of(self.bodies.len(), rows, columns, self.freedoms);
+        let mut matrix = matrix_at(self, positions);
+        let (mut row_at, mut column_at) = (vec![None; rows], vec![None; columns]);
+        for k in 0..rank {
+            let open = (0..rows * columns)
+                .filter(|at| row_at[at / columns].is_none() && column_at[at % columns].is_none())
+                .filter(|at| may(at % columns));
+            let best = open.max_by(|&a, &b| matrix[a].abs().total_cmp(&matrix[b].abs()))?;
+            let (r, c, pivot) = (best / columns, best % columns, matrix[best].abs());
+            if k == 0 {
+                self.scale = pivot;
+            }
+            // A NaN pivot is refused.
+            if !(pivot * LINKAGE_PIVOT >= self.scale && pivot > 0.0) {
+                return None;
+            }
+            (row_at[r], column_at[c]) = (Some(k), Some(k));
+            for other in (0..rows).filter(|other| row_at[*other].is_none()) {
+                let factor = matrix[other * columns + c] / matrix[best];
+                for j in 0..columns {
+                    matrix[other * columns + j] -= factor * matrix[r * columns + j];
+                }
+            }
+        }
+        for (next, at) in (rank..).zip(column_at.iter_mut().filter(|at| at.is_none())) {
+            *at = Some(next);
+        }
+        let column = |c: &mut usize| *c = column_at[*c].unwrap_or(0);
+        self.bodies.iter_mut().flat_map(|b| &mut b.velocities).for_each(|v| column(&mut v.column));
+        for block in &mut self.blocks {
+            block.terms.iter_mut().for_each(|term| column(&mut term.column));
+            for row in block.forms.iter_mut().flat_map(|(_, rows)| rows) {
+                *row = row.and_then(|r| row_at[r]);
+            }
+        }
+        self.layout = Layout::of(self.bodies.len(), rank, columns, self.freedoms);
+        self.find_pattern(rank);
+        Some(())
+    }
+
+    /// Finds the nonzero pattern of A before and after its elimination, and the bodies that each independent
+    /// coordinate moves.
+    fn find_pattern(&mut self, rank: usize) {
+        let (n, f) = (self.columns, self.freedoms);
+        let mut filled = vec![false; rank * n];
+        for block in &self.blocks {
+            for row in block.forms.iter().flat_map(|(_, rows)| rows).flatten() {
+                block.terms.iter().for_each(|term| filled[row * n + term.column] = true);
+            }
+        }
+        let given = filled.clone();
+        for k in 0..rank {
+            let rows: Vec<usize> = (k + 1..rank).filter(|r| filled[r * n + k]).collect();
+            let columns: Vec<usize> = (k + 1..n).filter(|c| filled[k * n + c]).collect();
+            for r in &rows {
+                columns.iter().for_each(|c| filled[r * n + c] = true);
+            }
+            self.pivots.push(RowPivot { rows, columns });
+        }
+        self.filled_in = (0..rank * n).filter(|&entry| filled[entry] && !given[entry]).collect();
+        let mut follows = vec![false; n * f];
+        for y in 0..f {
+            follows[(rank + y) * f + y] = true;
+            for k in (0..rank).rev() {
+                follows[k * f + y] = self.pivots[k].columns.iter().any(|c| follows[c * f + y]);
+            }
+        }
+        for i in 0..self.bodies.len() {
+            let carried =
+                self.bodies[i].parent.map_or_else(|| vec![false; f], |p| self.bodies[p].moved_by.clone());
+            let own = |y: usize| self.bodies[i].velocities.iter().any(|v| follows[v.column * f + y]);
+            self.bodies[i].moved_by = (0..f).map(|y| carried[y] || own(y)).collect();
+        }
+        self.depends_on = follows;
+    }
+}
+
+/// Length of each coordinate, m: from its group, otherwise from the mechanism.
+fn lengths(model: &Model) -> Vec<f64> {
+    let size = model.mechanism.characteristic_length();
+    let mut lengths: Vec<f64> =
+        model.coordinates.iter().map(|c| if c.turns && size > 0.0 { size } else { 1.0 }).collect();
+    for group in &model.groups {
+        group.coordinates.iter().zip(&group.lengths).for_each(|(&c, length)| lengths[c] = *length);
+    }
+    lengths
+}
+
+fn shortest(model: &Model, lengths: &[f64]) -> f64 {
+    let turns = model.coordinates.iter().zip(lengths).filter(|(c, _)| c.turns).map(|(_, length)| *length);
+    turns.fold(f64::INFINITY, f64::min)
+}
+
+/// Upper bound of twice the kinetic energy of a body at unit rates (m/s).
+fn weight(body: &LoopBody, length: f64) -> f64 {
+    let rotors: f64 = body.velocities.iter().map(|v| v.armature * v.factor * v.factor).sum();
+    let own = body.inertia.map_or(0.0, |i| {
+        let arm = 1.0 + body.reach / length;
+        2.0 * (i[0] * arm * arm + (i[4] + i[7] + i[9]) / (length * length))
+    });
+    rotors + own
+}
+
+fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64]) -> Option<LoopBody> {
+    let q = body.q.start;
+    let position = match body.mimic {
+        Some(mimic) => JointPosition { q: mimic.master, multiplier: mimic.multiplier, offset: mimic.offset },
+        None => JointPosition { q, multiplier: 1.0, offset: 0.0 },
+    };
+    let motion = match body.motion.kind {
+        JointKind::Fixed => LoopMotion::Fixed,
+        JointKind::Revolute | JointKind::Continuous => LoopMotion::Turn(position),
+        JointKind::Prismatic => LoopMotion::Slide(position),
+        JointKind::Spherical => LoopMotion::Ball(q),
+        JointKind::Floating if body.joint.is_none() => LoopMotion::Free,
+        JointKind::Planar | JointKind::Floating => return None,
+    };
+    let frame = match motion {
+        LoopMotion::Turn(_) | LoopMotion::Slide(_) => {
+            let axis = body.motion.axis();
+            let (x, y) = plane_basis(&axis);
+            Transform::new(Matrix3::from_columns(&[x, y, axis]), Vector3::zeros())
+        }
+        LoopMotion::Fixed | LoopMotion::Ball(_) | LoopMotion::Free => Transform::identity(),
+    };
+    let origin = carrier.inverse() * body.origin * frame;
+    let velocity = |(v, armature): (usize, &f64)| {
+        let follows = model.velocity_coordinates[v]?;
+        let factor = follows.multiplier / lengths[follows.index];
+        Some(Velocity { column: follows.index, factor, armature: *armature })
+    };
+    let inertia = frame.inverse().inertia(&body.inertia);
+    Some(LoopBody {
+        parent: body.parent,
+        rotation: std::array::from_fn(|r| std::array::from_fn(|c| origin.rotation[(r, c)])),
+        translation: origin.translation.into(),
+        motion,
+        velocities: body.v.clone().zip(&body.armature).map(velocity).collect::<Option<_>>()?,
+        inertia: components(&inertia),
+        moved_by: Vec::new(),
+        frame,
+        reach: 0.0,
+    })
+}
+
+fn components(inertia: &SpatialInertia<f64>) -> Option<[f64; 10]> {
+    let (c, i) = (&inertia.first_moment, &inertia.rotational);
+    let all = [inertia.mass, c.x, c.y, c.z, i[(0, 0)], i[(0, 1)], i[(0, 2)], i[(1, 1)], i[(1, 2)], i[(2, 2)]];
+    all.iter().any(|x| *x != 0.0).then_some(all)
+}

@@ -1,0 +1,339 @@
+//! m̄ of a mechanism of few degrees of freedom from its kinetic energy, for one configuration per lane.
+//!
+//! ```text
+//! A[d] g = −A[i],  (ω, v) of every body at unit rates of the independent coordinates,
+//! D = Σ (ω, v)ᵀ I (ω, v) + gᵀ diag(armature) g,  t = n·v of the contact point,  1/m̄ = tᵀ D⁻¹ t
+//! ```
+//!
+//! with d the dependent and i the independent coordinates: GᵀMG from the kinetic energy, without articulated
+//! inertias. [`crate::recursion`] computes the same m̄ cluster by cluster; for few degrees of freedom the energy is
+//! cheaper. A test compares the two.
+
+use super::frames::{direction, fill_frames, frame, point};
+use super::layout::{FRAME, add_scaled, cross, dot, get, get_vector, minus, plus, put_vector, size, times};
+use super::plan::{BodyDirection, BodyPoint, LoopBody, LoopMotion, LoopPlan};
+use super::rows::{RowRoundings, eliminate, fill_rates, fill_rows};
+use crate::kernels::estimate::{PositionColumns, quaternion_norm_excess};
+use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, ROUTE_ROUNDINGS};
+use percuss_spatial::lanes::Lanes;
+
+/// Contact in the frames of the plan.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LoopContact {
+    pub on: BodyPoint,
+    /// Body on the other side; `None` for the ground.
+    pub against: Option<usize>,
+    pub normal: LoopNormal,
+}
+
+/// Unit normal.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum LoopNormal {
+    Along(BodyDirection),
+    /// Direction to a point, close to the line as drawn.
+    Toward {
+        end: BodyPoint,
+        /// Unit vector of the line as drawn.
+        drawn: BodyDirection,
+        /// Smallest accepted length, m.
+        shortest: f64,
+        /// Smallest accepted cosine of the angle to the line as drawn.
+        least_cosine: f64,
+    },
+}
+
+/// Results of some lanes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LoopResponse<T> {
+    /// 1/m̄, 1/kg.
+    pub response: T,
+    /// Error of the response in units of ε, 1/kg.
+    pub error: T,
+}
+
+/// 1/m̄ of the configurations from `first` on.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn evaluate<T: Lanes>(
+    plan: &LoopPlan,
+    struck: &LoopContact,
+    columns: PositionColumns<'_>,
+    first: usize,
+    room: &mut [f64],
+) -> LoopResponse<T> {
+    let (mut beyond, far): (T, T) = fill_frames(plan, columns, first, room);
+    for body in &plan.bodies {
+        if let LoopMotion::Ball(q) = body.motion {
+            beyond += quaternion_norm_excess(columns, q, first);
+        }
+    }
+    let rows: RowRoundings<T> = fill_rows::<T, false>(plan, room).roundings;
+    let least: T = eliminate::<T, false>(plan, room);
+    response_after_elimination(plan, struck, (beyond, far), rows, least, room)
+}
+
+/// 1/m̄ after the elimination of A. First pair: excess of the angles beyond their accepted range, and distance of the
+/// farthest body (m). `rows`: errors of the entries of A, in roundings. `least`: the largest 1/|pivot|.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn response_after_elimination<T: Lanes>(
+    plan: &LoopPlan,
+    struck: &LoopContact,
+    (beyond, far): (T, T),
+    rows: RowRoundings<T>,
+    least: T,
+    room: &mut [f64],
+) -> LoopResponse<T> {
+    fill_rates::<T>(plan, room);
+    fill_twists::<T>(plan, room);
+    // Error of each rate in units of ε times the sum of all rates: the roundings of the entries of A, divided by its
+    // pivots. Frames fixed to the root link are rounded at their distance from its origin.
+    let far = far + T::from_f64(plan.centre.norm() / 2.0);
+    let distant = far * T::from_f64(1.0 / plan.length);
+    let amplified = least * T::from_f64(plan.scale);
+    // Error of the positions: the residual of the loops divided by the pivots, and at least the residual itself.
+    let open = rows.open * amplified.max(T::one());
+    let entries = rows.rods + open + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
+    let mut answer: LoopResponse<T> = solve_response(plan, struck, entries * amplified, room);
+    answer.error = beyond.mul_add(T::from_f64(f64::MAX), answer.error);
+    answer
+}
+
+/// Twists of the bodies at their origins, root axes.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn fill_twists<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) {
+    let f = plan.freedoms;
+    for (i, body) in plan.bodies.iter().enumerate() {
+        let (turn, origin) = frame::<T>(room, i);
+        let arm = body.parent.map(|parent| minus(&origin, &get_vector(room, FRAME * parent + 9)));
+        let mut y = 0;
+        while y < f {
+            let to = plan.layout.twists + 6 * (i * f + y);
+            let (mut angular, mut linear) = ([T::zero(); 3], [T::zero(); 3]);
+            if let (Some(parent), Some(arm)) = (body.parent, &arm)
+                && plan.bodies[parent].moved_by[y]
+            {
+                let from = plan.layout.twists + 6 * (parent * f + y);
+                angular = get_vector(room, from);
+                linear = plus(&get_vector(room, from + 3), &cross(&angular, arm));
+            }
+            for (k, velocity) in body.velocities.iter().enumerate() {
+                if !plan.depends_on[velocity.column * f + y] {
+                    continue;
+                }
+                let rate: T = get(room, plan.layout.rates + velocity.column * f + y);
+                let rate = rate * T::from_f64(velocity.factor);
+                match body.motion {
+                    LoopMotion::Fixed => {}
+                    LoopMotion::Turn(_) => {
+                        angular = add_scaled(&[turn[0][2], turn[1][2], turn[2][2]], rate, &angular)
+                    }
+                    LoopMotion::Slide(_) => {
+                        linear = add_scaled(&[turn[0][2], turn[1][2], turn[2][2]], rate, &linear)
+                    }
+                    LoopMotion::Ball(_) => {
+                        angular = add_scaled(&[turn[0][k], turn[1][k], turn[2][k]], rate, &angular)
+                    }
+                    // The axes of the floating base are the root axes.
+                    LoopMotion::Free if k < 3 => angular[k] += rate,
+                    LoopMotion::Free => linear[k - 3] += rate,
+                }
+            }
+            put_vector(room, to, angular);
+            put_vector(room, to + 3, linear);
+            y += 1;
+        }
+    }
+}
+
+/// tᵀ D⁻¹ t from D and t, with its error. Each rate is in error by `lost` ε times the sum of all rates; the error of
+/// the rates affects the speed of the contact point and the energy even of bodies nearly at rest:
+///
+/// ```text
+/// δt = (lost · all · (1 + arm/length) + roundings · |terms of t|) ε
+/// δd = (2 lost · all · √(weight · d) + roundings · |terms of d|) ε + (lost · all · ε)² weight
+/// δ(1/m̄) = Σ (2 |t/d| δt + (t/d)² δd)
+/// ```
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn solve_response<T: Lanes>(plan: &LoopPlan, struck: &LoopContact, lost: T, room: &[f64]) -> LoopResponse<T> {
+    const MOST: usize = LINKAGE_FREEDOMS;
+    let f = plan.freedoms;
+    let (mut d, mut sizes) = ([[T::zero(); MOST]; MOST], [T::zero(); MOST]);
+    for (i, body) in plan.bodies.iter().enumerate() {
+        add_energy(plan, i, body, room, &mut d, &mut sizes);
+    }
+    let (mut t, mut tests) = ([T::zero(); MOST], [T::zero(); MOST]);
+    let at: [T; 3] = point(room, &struck.on);
+    let (mut turned, mut refused) = (T::one(), T::zero());
+    let normal = match &struck.normal {
+        LoopNormal::Along(heading) => direction(room, heading),
+        LoopNormal::Toward { end, drawn, shortest, least_cosine } => {
+            let end = point(room, end);
+            let line = minus(&end, &at);
+            let over = T::one() / dot(&line, &line).sqrt();
+            // The line rotates by the errors of its ends.
+            turned = (size(&end) + size(&at)).mul_add(over, turned);
+            let unit = times(&line, over);
+            let cosine = dot(&unit, &direction(room, drawn));
+            // A refused line is left to the evaluation of a pose, which reports the reason.
+            let short = T::from_f64(*shortest) - dot(&line, &unit);
+            let aside = T::from_f64(*least_cosine) - cosine;
+            refused = short.max(T::zero()) + aside.max(T::zero());
+            unit
+        }
+    };
+    let mut y = 0;
+    while y < f {
+        if let Some(body) = struck.on.body {
+            let (speed, test) = speed::<T>(plan, body, y, &at, &normal, room);
+            (t[y], tests[y]) = (t[y] + speed, tests[y] + test);
+        }
+        if let Some(body) = struck.against {
+            let (speed, test) = speed::<T>(plan, body, y, &at, &normal, room);
+            (t[y], tests[y]) = (t[y] - speed, tests[y] + test);
+        }
+        y += 1;
+    }
+    // The size of the point's speed is the sum over all rates, even if the speed is zero.
+    let reach_of = |body: Option<usize>| body.map_or(0.0, |b| plan.bodies[b].reach);
+    let reach = reach_of(struck.on.body) + reach_of(struck.against);
+    let arm = size(&at) + T::from_f64(reach);
+    let arms = arm.mul_add(T::from_f64(1.0 / plan.length), T::one());
+    let roundings = T::from_f64(ROUTE_ROUNDINGS);
+    let mut k = 0;
+    while k < f {
+        let off: T = lost * rate_sum::<T>(plan, k, room);
+        tests[k] = turned * off.mul_add(arms, tests[k] * roundings);
+        let square = off * off * T::from_f64(plan.weight);
+        let cross = (square * d[k][k].abs()).sqrt();
+        let second = square * T::from_f64(f64::EPSILON);
+        sizes[k] = sizes[k].mul_add(roundings, cross + cross + second);
+        k += 1;
+    }
+    let mut answer = LoopResponse { response: T::zero(), error: T::zero() };
+    k = 0;
+    while k < f {
+        let over = T::one() / d[k][k];
+        let rate = t[k] * over;
+        let part = rate.abs();
+        answer.response = t[k].mul_add(rate, answer.response);
+        answer.error = part.mul_add(part.mul_add(sizes[k], tests[k] + tests[k]), answer.error);
+        let mut j = k + 1;
+        while j < f {
+            let factor = -(d[j][k] * over);
+            let mut c = k + 1;
+            while c <= j {
+                d[j][c] = d[c][k].mul_add(factor, d[j][c]);
+                c += 1;
+            }
+            t[j] = t[k].mul_add(factor, t[j]);
+            tests[j] = tests[k].mul_add(factor.abs(), tests[j]);
+            sizes[j] = sizes[k].mul_add(factor * factor, sizes[j]);
+            j += 1;
+        }
+        k += 1;
+    }
+    answer.error = refused.mul_add(T::from_f64(f64::MAX), answer.error);
+    answer
+}
+
+/// Sum of the absolute rates of all coordinates at a unit rate of one independent coordinate.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn rate_sum<T: Lanes>(plan: &LoopPlan, y: usize, room: &[f64]) -> T {
+    let mut sum = T::one();
+    let mut k = 0;
+    while k < plan.layout.count {
+        sum += get::<T>(room, plan.layout.rates + k * plan.freedoms + y).abs();
+        k += 1;
+    }
+    sum
+}
+
+/// Closing speed of a body's point, and the size of its terms.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn speed<T: Lanes>(
+    plan: &LoopPlan,
+    body: usize,
+    y: usize,
+    at: &[T; 3],
+    normal: &[T; 3],
+    room: &[f64],
+) -> (T, T) {
+    if !plan.bodies[body].moved_by[y] {
+        return (T::zero(), T::zero());
+    }
+    let from = plan.layout.twists + 6 * (body * plan.freedoms + y);
+    let (angular, linear): ([T; 3], [T; 3]) = (get_vector(room, from), get_vector(room, from + 3));
+    let arm = minus(at, &get_vector(room, FRAME * body + 9));
+    let velocity = plus(&linear, &cross(&angular, &arm));
+    (dot(normal, &velocity), size(&angular).mul_add(size(&arm), size(&linear)))
+}
+
+/// Adds a body's part of D, on and below the diagonal, and the sizes of the terms of the diagonal.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn add_energy<T: Lanes>(
+    plan: &LoopPlan,
+    i: usize,
+    body: &LoopBody,
+    room: &[f64],
+    d: &mut [[T; LINKAGE_FREEDOMS]; LINKAGE_FREEDOMS],
+    sizes: &mut [T; LINKAGE_FREEDOMS],
+) {
+    let f = plan.freedoms;
+    for velocity in &body.velocities {
+        if velocity.armature == 0.0 {
+            continue;
+        }
+        let armature = T::from_f64(velocity.armature * velocity.factor * velocity.factor);
+        let mut y = 0;
+        while y < f {
+            let own = get::<T>(room, plan.layout.rates + velocity.column * f + y) * armature;
+            let mut z = 0;
+            while z <= y {
+                d[y][z] = own.mul_add(get(room, plan.layout.rates + velocity.column * f + z), d[y][z]);
+                z += 1;
+            }
+            sizes[y] = own.mul_add(get(room, plan.layout.rates + velocity.column * f + y), sizes[y]);
+            y += 1;
+        }
+    }
+    let Some(inertia) = &body.inertia else { return };
+    let of = T::from_f64;
+    let mass = of(inertia[0]);
+    let c = [of(inertia[1]), of(inertia[2]), of(inertia[3])];
+    let rows = [
+        [of(inertia[4]), of(inertia[5]), of(inertia[6])],
+        [of(inertia[5]), of(inertia[7]), of(inertia[8])],
+        [of(inertia[6]), of(inertia[8]), of(inertia[9])],
+    ];
+    let (turn, _) = frame::<T>(room, i);
+    let mut known = [[[T::zero(); 3]; 2]; LINKAGE_FREEDOMS];
+    let mut y = 0;
+    while y < f {
+        if body.moved_by[y] {
+            let from = plan.layout.twists + 6 * (i * f + y);
+            let angular = back(&turn, &get_vector(room, from));
+            let linear = back(&turn, &get_vector(room, from + 3));
+            known[y] = [angular, linear];
+            let about_origin = of(inertia[4] + inertia[7] + inertia[9]) * dot(&angular, &angular);
+            sizes[y] += mass.mul_add(dot(&linear, &linear), about_origin);
+            let momentum = plus(&times(&linear, mass), &cross(&angular, &c));
+            let about = plus(
+                &[dot(&rows[0], &angular), dot(&rows[1], &angular), dot(&rows[2], &angular)],
+                &cross(&c, &linear),
+            );
+            let mut z = 0;
+            while z <= y {
+                if body.moved_by[z] {
+                    d[y][z] += dot(&known[z][0], &about) + dot(&known[z][1], &momentum);
+                }
+                z += 1;
+            }
+        }
+        y += 1;
+    }
+}
+
+/// Rᵀ x.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn back<T: Lanes>(turn: &[[T; 3]; 3], x: &[T; 3]) -> [T; 3] {
+    add_scaled(&turn[2], x[2], &add_scaled(&turn[1], x[1], &times(&turn[0], x[0])))
+}

@@ -1,0 +1,124 @@
+//! Poses of the bodies of a linkage, root axes, relative to a centre near the bodies.
+
+use super::layout::{FRAME, add_scaled, dot, get, get_vector, plus, put_vector, size, times};
+use super::plan::{BodyDirection, BodyPoint, JointPosition, LoopMotion, LoopPlan};
+use crate::kernels::estimate::PositionColumns;
+use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
+use percuss_spatial::{rotation_rows, splat};
+
+/// Stores the frames of the bodies. Returns the excess of the angles beyond their accepted range, and the distance of
+/// the farthest body from the centre.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn fill_frames<T: Lanes>(
+    plan: &LoopPlan,
+    columns: PositionColumns<'_>,
+    first: usize,
+    room: &mut [f64],
+) -> (T, T) {
+    let (mut beyond, mut far) = (T::zero(), T::zero());
+    for (i, body) in plan.bodies.iter().enumerate() {
+        let fixed = [splat(&body.rotation[0]), splat(&body.rotation[1]), splat(&body.rotation[2])];
+        let mut shift: [T; 3] = splat(&body.translation);
+        let mut turn: [[T; 3]; 3] = fixed;
+        if let Some(parent) = body.parent {
+            let (carrier, origin) = frame::<T>(room, parent);
+            shift = plus(
+                &origin,
+                &[dot(&carrier[0], &shift), dot(&carrier[1], &shift), dot(&carrier[2], &shift)],
+            );
+            turn = product(&carrier, &fixed);
+        }
+        match body.motion {
+            LoopMotion::Fixed | LoopMotion::Free => {}
+            LoopMotion::Turn(position) => {
+                let angle: T = position.at(columns, first);
+                let over = angle.abs() - T::from_f64(LARGEST_ANGLE);
+                beyond += over + over.abs();
+                let (s, c) = angle.sin_cos();
+                let mut r = 0;
+                while r < 3 {
+                    let [x, y, z] = turn[r];
+                    turn[r] = [c.mul_add(x, s * y), c.mul_add(y, -(s * x)), z];
+                    r += 1;
+                }
+            }
+            LoopMotion::Slide(position) => {
+                let travel: T = position.at(columns, first);
+                shift = add_scaled(&[turn[0][2], turn[1][2], turn[2][2]], travel, &shift);
+            }
+            LoopMotion::Ball(q) => turn = product(&turn, &of_quaternion(columns, q, first)),
+        }
+        put_vector(room, FRAME * i, turn[0]);
+        put_vector(room, FRAME * i + 3, turn[1]);
+        put_vector(room, FRAME * i + 6, turn[2]);
+        put_vector(room, FRAME * i + 9, shift);
+        far = far.max(size(&shift));
+    }
+    (beyond, far)
+}
+
+impl JointPosition {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn at<T: Lanes>(&self, columns: PositionColumns<'_>, first: usize) -> T {
+        columns.at::<T>(self.q, first).mul_add(T::from_f64(self.multiplier), T::from_f64(self.offset))
+    }
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn product<T: Lanes>(a: &[[T; 3]; 3], b: &[[T; 3]; 3]) -> [[T; 3]; 3] {
+    let mut all = *a;
+    let mut r = 0;
+    while r < 3 {
+        let row = &a[r];
+        let mut sum = times(&b[0], row[0]);
+        sum = add_scaled(&b[1], row[1], &sum);
+        all[r] = add_scaled(&b[2], row[2], &sum);
+        r += 1;
+    }
+    all
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn of_quaternion<T: Lanes>(columns: PositionColumns<'_>, q: usize, first: usize) -> [[T; 3]; 3] {
+    let w: T = columns.at(q, first);
+    rotation_rows([w, columns.at(q + 1, first), columns.at(q + 2, first), columns.at(q + 3, first)])
+}
+
+/// Rotation of a body, row by row, and its position.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn frame<T: Lanes>(room: &[f64], body: usize) -> ([[T; 3]; 3], [T; 3]) {
+    let at = FRAME * body;
+    let turn = [get_vector(room, at), get_vector(room, at + 3), get_vector(room, at + 6)];
+    (turn, get_vector(room, at + 9))
+}
+
+/// Axis `k` of a body: a column of its rotation.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn axis<T: Lanes>(room: &[f64], body: usize, k: usize) -> [T; 3] {
+    let at = FRAME * body + k;
+    [get(room, at), get(room, at + 3), get(room, at + 6)]
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn direction<T: Lanes>(room: &[f64], heading: &BodyDirection) -> [T; 3] {
+    let own: [T; 3] = splat(&heading.e);
+    match heading.body {
+        Some(body) => {
+            let (turn, _) = frame::<T>(room, body);
+            [dot(&turn[0], &own), dot(&turn[1], &own), dot(&turn[2], &own)]
+        }
+        None => own,
+    }
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn point<T: Lanes>(room: &[f64], place: &BodyPoint) -> [T; 3] {
+    let own: [T; 3] = splat(&place.at);
+    match place.body {
+        Some(body) => {
+            let (turn, origin) = frame::<T>(room, body);
+            plus(&origin, &[dot(&turn[0], &own), dot(&turn[1], &own), dot(&turn[2], &own)])
+        }
+        None => own,
+    }
+}

@@ -1,0 +1,105 @@
+//! Layout of the workspace of a linkage, per lane.
+
+use percuss_spatial::lanes::Lanes;
+
+/// Offsets of the tables.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Layout {
+    /// A, rows × columns.
+    pub rows: usize,
+    /// 1 over each pivot.
+    pub inverse_pivots: usize,
+    /// Rates of the coordinates, columns × freedoms.
+    pub rates: usize,
+    /// Twists of the bodies at their origins, root axes: bodies × freedoms × 6.
+    pub twists: usize,
+    /// Constraint residuals, m: rows.
+    pub residuals: usize,
+    /// Newton steps of the coordinates, m: columns.
+    pub steps: usize,
+    /// Number of values per lane.
+    pub total: usize,
+    /// Number of rows of A.
+    pub count: usize,
+}
+
+/// Frame of a body: nine numbers for its rotation, three for its position.
+pub(super) const FRAME: usize = 12;
+
+impl Layout {
+    /// Frames come first.
+    pub fn of(bodies: usize, count: usize, columns: usize, freedoms: usize) -> Self {
+        let rows = FRAME * bodies;
+        let over = rows + count * columns;
+        let rates = over + count;
+        let twists = rates + columns * freedoms;
+        let residuals = twists + 6 * bodies * freedoms;
+        let steps = residuals + count;
+        Self { rows, inverse_pivots: over, rates, twists, residuals, steps, total: steps + columns, count }
+    }
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn get<T: Lanes>(room: &[f64], at: usize) -> T {
+    T::load(&room[at * T::WIDTH..])
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn store<T: Lanes>(room: &mut [f64], at: usize, x: T) {
+    x.store(&mut room[at * T::WIDTH..]);
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn get_vector<T: Lanes>(room: &[f64], at: usize) -> [T; 3] {
+    let own = &room[at * T::WIDTH..][..3 * T::WIDTH];
+    [T::load(own), T::load(&own[T::WIDTH..]), T::load(&own[2 * T::WIDTH..])]
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn put_vector<T: Lanes>(room: &mut [f64], at: usize, v: [T; 3]) {
+    let own = &mut room[at * T::WIDTH..][..3 * T::WIDTH];
+    v[0].store(own);
+    v[1].store(&mut own[T::WIDTH..]);
+    v[2].store(&mut own[2 * T::WIDTH..]);
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn dot<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
+    a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn cross<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
+    [
+        a[1].mul_add(b[2], -(a[2] * b[1])),
+        a[2].mul_add(b[0], -(a[0] * b[2])),
+        a[0].mul_add(b[1], -(a[1] * b[0])),
+    ]
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn minus<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn plus<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn times<T: Lanes>(a: &[T; 3], x: T) -> [T; 3] {
+    [a[0] * x, a[1] * x, a[2] * x]
+}
+
+/// a·x + b.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn add_scaled<T: Lanes>(a: &[T; 3], x: T, b: &[T; 3]) -> [T; 3] {
+    [a[0].mul_add(x, b[0]), a[1].mul_add(x, b[1]), a[2].mul_add(x, b[2])]
+}
+
+/// Σ |aᵢ|, an upper bound of the length.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn size<T: Lanes>(a: &[T; 3]) -> T {
+    a[0].abs() + a[1].abs() + a[2].abs()
+}

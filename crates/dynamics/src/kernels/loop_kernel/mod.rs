@@ -1,0 +1,153 @@
+//! m̄ of a mechanism with loops and few degrees of freedom from its kinetic energy, in SIMD lanes: hinges, slides and
+//! balls on the ground or on a floating base.
+//!
+//! The kernel accepts connected mechanisms without redundant rows of A, and returns only results without doubt. All
+//! other cases (other joints, redundant rows, positions that do not close the loops, poses near singular ones,
+//! massless or immovable contacts and contacts near either) are left to [`crate::analysis::routes`].
+
+mod compile;
+mod continuation;
+mod energy;
+mod frames;
+mod layout;
+mod plan;
+mod rows;
+
+pub(crate) use continuation::LoopContinuation;
+
+use crate::analysis::assembly::Assembly;
+use crate::kernels::aligned::Aligned;
+use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDEST};
+use crate::kinematics::contact::{Contact, Direction, Frame};
+use crate::model::Model;
+use crate::tolerances::SHORTEST_LINE;
+use energy::{LoopContact, LoopNormal, LoopResponse, evaluate};
+use nalgebra::Vector3;
+use percuss_mechanism::LinkId;
+use percuss_spatial::lanes::{Instructions, Lanes, Work};
+use plan::{BodyDirection, BodyPoint, LoopMotion, LoopPlan};
+use std::sync::Arc;
+
+/// Compiled linkage, its contact, and a workspace.
+#[derive(Clone, Debug)]
+pub(crate) struct LoopKernel {
+    plan: Arc<LoopPlan>,
+    contact: Option<LoopContact>,
+    scratch: Aligned,
+    pub instructions: Instructions,
+}
+
+impl LoopKernel {
+    /// `None` if the assembly is not a supported linkage.
+    pub fn compile(assembly: &Assembly) -> Option<Self> {
+        Some(Self::from_plan(LoopPlan::of(assembly)?))
+    }
+
+    fn from_plan(plan: LoopPlan) -> Self {
+        let room = Aligned::zeros(plan.layout.total * WIDEST);
+        Self { plan: Arc::new(plan), contact: None, scratch: room, instructions: Instructions::best() }
+    }
+
+    /// Sets a checked contact, also between two links or along a line. Allocates nothing.
+    pub fn set_contact(&mut self, model: &Model, contact: &Contact) {
+        let on = self.point(model, contact.link, &contact.point);
+        let against = contact.against.and_then(|link| model.body_of(link));
+        let normal = match contact.normal {
+            Direction::Along(n, frame) => {
+                let n = n.normalize();
+                LoopNormal::Along(match (frame, contact.against) {
+                    (Frame::Link, _) => self.direction(model, contact.link, &n),
+                    (Frame::Against, Some(other)) => self.direction(model, other, &n),
+                    (Frame::World, _) | (Frame::Against, None) => BodyDirection { body: None, e: n.into() },
+                })
+            }
+            Direction::Toward(link, to) | Direction::TurningToward(link, to) => {
+                let drawn = model.drawn_line(contact);
+                let length = drawn.map_or(f64::INFINITY, |drawn| drawn.length);
+                let unit = drawn.map_or_else(Vector3::x, |drawn| drawn.unit);
+                LoopNormal::Toward {
+                    end: self.point(model, link, &to),
+                    drawn: match contact.against {
+                        Some(other) => self.direction(model, other, &unit),
+                        None => BodyDirection { body: None, e: unit.into() },
+                    },
+                    shortest: SHORTEST_LINE * length,
+                    least_cosine: contact.normal.least_cosine(),
+                }
+            }
+        };
+        self.contact = Some(LoopContact { on, against, normal });
+    }
+
+    fn point(&self, model: &Model, link: LinkId, at: &nalgebra::Vector3<f64>) -> BodyPoint {
+        let on = &model.link_frames[link.index()];
+        self.plan.point(on.body, &on.frame.point(at))
+    }
+
+    fn direction(&self, model: &Model, link: LinkId, e: &nalgebra::Vector3<f64>) -> BodyDirection {
+        let on = &model.link_frames[link.index()];
+        self.plan.direction(on.body, &on.frame.vector(e))
+    }
+
+    /// m̄ at one configuration for the current contact.
+    pub fn effective_mass(&mut self, positions: &[f64]) -> Option<CertifiedMass> {
+        CertifiedMass::of_one(|answers| {
+            let columns = PositionColumns { values: positions, stride: 1 };
+            let instructions = self.instructions;
+            if let Some(groups) = self.groups(columns, 0, answers) {
+                instructions.run_one(groups);
+            }
+        })
+    }
+
+    /// m̄ at the configurations from `first` on, one per element of the output: a multiple of the instruction set's
+    /// lanes.
+    pub fn effective_masses(&mut self, columns: PositionColumns<'_>, first: usize, answers: MassColumns<'_>) {
+        let instructions = self.instructions;
+        if let Some(groups) = self.groups(columns, first, answers) {
+            instructions.run(groups);
+        }
+    }
+
+    /// Positions that are read.
+    pub fn read_positions(&self) -> impl Iterator<Item = usize> + '_ {
+        self.plan.bodies.iter().flat_map(|body| match body.motion {
+            LoopMotion::Fixed | LoopMotion::Free => 0..0,
+            LoopMotion::Turn(position) | LoopMotion::Slide(position) => position.q..position.q + 1,
+            LoopMotion::Ball(q) => q..q + 4,
+        })
+    }
+
+    fn groups<'a>(
+        &'a mut self,
+        columns: PositionColumns<'a>,
+        first: usize,
+        answers: MassColumns<'a>,
+    ) -> Option<LoopLaneWork<'a>> {
+        let Self { plan, contact: struck, scratch: room, .. } = self;
+        Some(LoopLaneWork { plan, contact: struck.as_ref()?, columns, first, scratch: room, answers })
+    }
+}
+
+/// Configurations, one per lane.
+struct LoopLaneWork<'a> {
+    plan: &'a LoopPlan,
+    contact: &'a LoopContact,
+    columns: PositionColumns<'a>,
+    first: usize,
+    scratch: &'a mut [f64],
+    answers: MassColumns<'a>,
+}
+
+impl Work for LoopLaneWork<'_> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn run<T: Lanes>(self) {
+        let Self { plan, contact: struck, columns, first, scratch: room, mut answers } = self;
+        let mut done = 0;
+        while done < answers.masses.len() {
+            let answer: LoopResponse<T> = evaluate(plan, struck, columns, first + done, room);
+            answers.store(done, answer.response, answer.error);
+            done += T::WIDTH;
+        }
+    }
+}

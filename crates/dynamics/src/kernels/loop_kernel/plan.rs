@@ -1,0 +1,159 @@
+//! Compiled form of a mechanism of few degrees of freedom: bodies with the joint axis as the z axis of their frames,
+//! the rows that close the loops, and the order in which dependent coordinates are eliminated.
+
+use super::layout::Layout;
+use nalgebra::Vector3;
+use percuss_spatial::Transform;
+
+/// A position that moves a joint: `multiplier · positions[q] + offset`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct JointPosition {
+    pub q: usize,
+    pub multiplier: f64,
+    pub offset: f64,
+}
+
+/// Motion of a body relative to its parent.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum LoopMotion {
+    /// No motion.
+    Fixed,
+    /// Rotation about z.
+    Turn(JointPosition),
+    /// Translation along z.
+    Slide(JointPosition),
+    /// Rotation by the quaternion that starts at a position index.
+    Ball(usize),
+    /// Floating base: its pose is the reference frame.
+    Free,
+}
+
+/// One velocity of a body's joint.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Velocity {
+    /// Column of A: pivot columns in order, then the independent ones.
+    pub column: usize,
+    /// Joint velocity per unit rate of that coordinate. Coordinates are measured in metres.
+    pub factor: f64,
+    pub armature: f64,
+}
+
+/// A body and its joint.
+#[derive(Clone, Debug)]
+pub(super) struct LoopBody {
+    pub parent: Option<usize>,
+    /// Frame of the joint in the parent's frame.
+    pub rotation: [[f64; 3]; 3],
+    pub translation: [f64; 3],
+    pub motion: LoopMotion,
+    pub velocities: Vec<Velocity>,
+    /// Mass, first moment, moments and products of inertia (xx, xy, xz, yy, yz, zz); `None` if all are zero.
+    pub inertia: Option<[f64; 10]>,
+    /// For each independent coordinate: true if the coordinate can move the body.
+    pub moved_by: Vec<bool>,
+    /// X_bo: frame of the plan (o) in the body frame of the model.
+    pub frame: Transform<f64>,
+    /// Upper bound of the distance from the body's origin to the joint of any ancestor, without travels of slides, m.
+    pub reach: f64,
+}
+
+/// Point fixed in a body, or in the root link.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BodyPoint {
+    pub body: Option<usize>,
+    pub at: [f64; 3],
+}
+
+/// Direction fixed in a body, or in the root link.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BodyDirection {
+    pub body: Option<usize>,
+    pub e: [f64; 3],
+}
+
+/// Form of one row or of three rows of A, from the relative motion of successor and predecessor.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum RowForm {
+    /// Velocity of the successor's point, root axes: three rows.
+    Point,
+    /// Velocity of the successor's point along a direction.
+    Along(BodyDirection),
+    /// Rate of the cosine between a direction of the predecessor and a direction of the successor, times a length
+    /// (m).
+    Cosine(BodyDirection, BodyDirection, f64),
+    /// Rate of the distance between the two points; the value is the required distance (m).
+    Distance(f64),
+    /// Constant row: the factors of the terms.
+    Constant,
+}
+
+/// Joint velocity that occurs in the rows of a block.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BlockTerm {
+    pub body: usize,
+    /// Index among the velocities of the body's joint.
+    pub component: usize,
+    pub slides: bool,
+    pub column: usize,
+    pub factor: f64,
+    /// True for the first term of its column in the block.
+    pub is_first: bool,
+}
+
+/// Rows that bind the same joint velocities.
+#[derive(Clone, Debug)]
+pub(super) struct Block {
+    /// Target of the successor's point; `None` without a closure.
+    pub predecessor: Option<BodyPoint>,
+    pub successor: BodyPoint,
+    /// Forms with the row numbers of each; `None` for an unused or redundant row.
+    pub forms: Vec<(RowForm, [Option<usize>; 3])>,
+    pub terms: Vec<BlockTerm>,
+}
+
+/// Pivot of A on the diagonal, with the nonzero rows below it and the nonzero columns to its right.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RowPivot {
+    pub rows: Vec<usize>,
+    pub columns: Vec<usize>,
+}
+
+/// Mechanism of few degrees of freedom.
+#[derive(Clone, Debug)]
+pub(super) struct LoopPlan {
+    pub bodies: Vec<LoopBody>,
+    pub blocks: Vec<Block>,
+    pub pivots: Vec<RowPivot>,
+    /// Fill-in: entries of A, row by row, without a term of their own that become nonzero in the elimination.
+    pub filled_in: Vec<usize>,
+    /// For each coordinate and each independent one: true if the rate can be nonzero.
+    pub depends_on: Vec<bool>,
+    /// Largest pivot at the pose of compilation.
+    pub scale: f64,
+    /// Smallest length of a rotational coordinate, m.
+    pub length: f64,
+    /// Bound of the kinetic energy (kg): twice the energy of any motion is at most `weight` times the square of the
+    /// sum of all absolute rates (m/s). Sum over armatures, masses at their reach and moments of inertia.
+    pub weight: f64,
+    /// Error of the entries of A in roundings, from the depth of the tree alone.
+    pub roundings: f64,
+    pub columns: usize,
+    pub freedoms: usize,
+    pub layout: Layout,
+    /// Origin of positions, in the root frame (m): near the linkage, because distant positions have a larger rounding.
+    pub centre: Vector3<f64>,
+}
+
+impl LoopPlan {
+    /// Converts a point from the body frame of the model, or from the root frame, to the frame of the plan.
+    pub fn point(&self, body: Option<usize>, at: &Vector3<f64>) -> BodyPoint {
+        let at = body.map_or_else(|| at - self.centre, |b| self.bodies[b].frame.inverse_point(at));
+        BodyPoint { body, at: at.into() }
+    }
+
+    /// Converts a direction from the body frame of the model, or from the root frame, to the frame of the plan.
+    pub fn direction(&self, body: Option<usize>, e: &Vector3<f64>) -> BodyDirection {
+        let e = body.map_or(*e, |b| self.bodies[b].frame.inverse_vector(e));
+        BodyDirection { body, e: e.into() }
+    }
+}

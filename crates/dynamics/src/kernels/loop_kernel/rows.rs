@@ -1,0 +1,247 @@
+//! Rows of A, their elimination in the order of the plan, and the rates of the dependent coordinates.
+
+use super::frames::{axis, direction, fill_frames, point};
+use super::layout::{FRAME, cross, dot, get, get_vector, minus, plus, size, store, times};
+use super::plan::{Block, BlockTerm, LoopBody, LoopMotion, LoopPlan, RowForm};
+use crate::kernels::estimate::PositionColumns;
+use crate::tolerances::{FAR_ROUNDINGS, OPEN_ROUNDINGS};
+use percuss_spatial::lanes::{Lanes, Portable};
+
+/// Entries of A at the given positions, row by row; used before the rows are ordered.
+pub(super) fn matrix_at(plan: &LoopPlan, positions: &[f64]) -> Vec<f64> {
+    let mut room = vec![0.0; plan.layout.total];
+    fill_frames::<Portable<1>>(plan, PositionColumns { values: positions, stride: 1 }, 0, &mut room);
+    fill_rows::<Portable<1>, false>(plan, &mut room);
+    room[plan.layout.rows..plan.layout.inverse_pivots].to_vec()
+}
+
+/// Quantities of the loops, computed with their rows.
+#[derive(Clone, Copy)]
+pub(super) struct LoopResiduals<T> {
+    /// Largest residual of a row, m.
+    pub residual: T,
+    /// Errors of the entries of A from the residual and from short rods.
+    pub roundings: RowRoundings<T>,
+}
+
+/// Errors of the entries of A, in roundings.
+#[derive(Clone, Copy)]
+pub(super) struct RowRoundings<T> {
+    /// Error from short rods.
+    pub rods: T,
+    /// Error from open loops. Divided by the pivots, the residual is also an error of the positions, and so of the
+    /// entries.
+    pub open: T,
+}
+
+/// Fills A; with `KEPT`, also stores the residual of each row (m).
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut [f64]) -> LoopResiduals<T> {
+    for entry in &plan.filled_in {
+        store(room, plan.layout.rows + entry, T::zero());
+    }
+    macro_rules! keep {
+        ($row:expr, $residual:expr) => {
+            if KEPT && let Some(row) = $row {
+                store(room, plan.layout.residuals + row, $residual);
+            }
+        };
+    }
+    let (mut open, mut rods) = (T::zero(), T::zero());
+    let still = [T::zero(); 3];
+    for block in &plan.blocks {
+        let at: [T; 3] = point(room, &block.successor);
+        let apart = match &block.predecessor {
+            Some(place) => minus(&at, &point(room, place)),
+            None => still,
+        };
+        for (form, rows) in &block.forms {
+            match form {
+                RowForm::Point => {
+                    open = open.max(size(&apart));
+                    keep!(rows[0], apart[0]);
+                    keep!(rows[1], apart[1]);
+                    keep!(rows[2], apart[2]);
+                    add_point(plan, block, rows, &at, room);
+                }
+                RowForm::Along(e) => {
+                    let force = direction(room, e);
+                    let gap = dot(&apart, &force);
+                    open = open.max(gap.abs());
+                    keep!(rows[0], gap);
+                    add_row(plan, block, rows[0], &still, &force, &at, room);
+                }
+                RowForm::Cosine(e, b, length) => {
+                    let (e, b): ([T; 3], [T; 3]) = (direction(room, e), direction(room, b));
+                    let length = T::from_f64(*length);
+                    let gap = dot(&b, &e) * length;
+                    open = open.max(gap.abs());
+                    keep!(rows[0], gap);
+                    add_row(plan, block, rows[0], &times(&cross(&b, &e), length), &still, &at, room);
+                }
+                RowForm::Distance(distance) => {
+                    let square: T = dot(&apart, &apart);
+                    let length = square.sqrt();
+                    let gap = length - T::from_f64(*distance);
+                    open = open.max(gap.abs());
+                    keep!(rows[0], gap);
+                    let over = T::one() / length;
+                    rods = rods.max((size(&at) + size(&apart)) * over);
+                    add_row(plan, block, rows[0], &still, &times(&apart, over), &at, room);
+                }
+                RowForm::Constant => {
+                    let Some(row) = rows[0] else { continue };
+                    for term in &block.terms {
+                        let to = plan.layout.rows + row * plan.columns + term.column;
+                        store(room, to, entry_before::<T>(term, to, room) + T::from_f64(term.factor));
+                    }
+                }
+            }
+        }
+    }
+    let of_open = open * T::from_f64(OPEN_ROUNDINGS / (f64::EPSILON * plan.length));
+    LoopResiduals {
+        residual: open,
+        roundings: RowRoundings { rods: rods * T::from_f64(FAR_ROUNDINGS), open: of_open },
+    }
+}
+
+/// Axis of a term, and the vector from its body's origin to the point `at`; root axes.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn lever<T: Lanes>(term: &BlockTerm, bodies: &[LoopBody], at: &[T; 3], room: &[f64]) -> ([T; 3], [T; 3]) {
+    let k = match bodies[term.body].motion {
+        LoopMotion::Ball(_) => term.component,
+        LoopMotion::Free => term.component % 3,
+        LoopMotion::Fixed | LoopMotion::Turn(_) | LoopMotion::Slide(_) => 2,
+    };
+    let place: [T; 3] = get_vector(room, FRAME * term.body + 9);
+    (axis(room, term.body, k), minus(at, &place))
+}
+
+/// Entry before a term is added: zero for the first term.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn entry_before<T: Lanes>(term: &BlockTerm, entry: usize, room: &[f64]) -> T {
+    if term.is_first { T::zero() } else { get(room, entry) }
+}
+
+/// Adds the three rows of the velocity of a point.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn add_point<T: Lanes>(
+    plan: &LoopPlan,
+    block: &Block,
+    rows: &[Option<usize>; 3],
+    at: &[T; 3],
+    room: &mut [f64],
+) {
+    for term in &block.terms {
+        let (a, arm) = lever(term, &plan.bodies, at, room);
+        let velocity = if term.slides { a } else { cross(&a, &arm) };
+        let mut k = 0;
+        while k < 3 {
+            if let Some(row) = rows[k] {
+                let to = plan.layout.rows + row * plan.columns + term.column;
+                store(room, to, velocity[k].mul_add(T::from_f64(term.factor), entry_before(term, to, room)));
+            }
+            k += 1;
+        }
+    }
+}
+
+/// Adds one row: the power of a wrench about the point `at`.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn add_row<T: Lanes>(
+    plan: &LoopPlan,
+    block: &Block,
+    row: Option<usize>,
+    moment: &[T; 3],
+    force: &[T; 3],
+    at: &[T; 3],
+    room: &mut [f64],
+) {
+    let Some(row) = row else { return };
+    for term in &block.terms {
+        let (a, arm) = lever(term, &plan.bodies, at, room);
+        let power = if term.slides { dot(&a, force) } else { dot(&a, &plus(moment, &cross(&arm, force))) };
+        let to = plan.layout.rows + row * plan.columns + term.column;
+        store(room, to, power.mul_add(T::from_f64(term.factor), entry_before(term, to, room)));
+    }
+}
+
+/// Eliminates the dependent coordinates in the order of the plan; with `KEPT`, also in the residuals. Returns the
+/// largest 1/|pivot|.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut [f64]) -> T {
+    let (n, rows) = (plan.columns, plan.layout.rows);
+    let mut least = T::zero();
+    for (k, pivot) in plan.pivots.iter().enumerate() {
+        let over = T::one() / get::<T>(room, rows + k * n + k);
+        least = least.max(over.abs());
+        store(room, plan.layout.inverse_pivots + k, over);
+        for &r in &pivot.rows {
+            let factor = -(get::<T>(room, rows + r * n + k) * over);
+            for &c in &pivot.columns {
+                let to = rows + r * n + c;
+                store(room, to, get::<T>(room, rows + k * n + c).mul_add(factor, get(room, to)));
+            }
+            if KEPT {
+                let to = plan.layout.residuals + r;
+                store(room, to, get::<T>(room, plan.layout.residuals + k).mul_add(factor, get(room, to)));
+            }
+        }
+    }
+    least
+}
+
+/// Newton steps of the dependent coordinates, m, after the elimination: A\[d\] δ = −r. Returns ‖δ‖.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn fill_steps<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) -> T {
+    let (n, rank) = (plan.columns, plan.layout.count);
+    let mut square = T::zero();
+    let mut k = rank;
+    while k > 0 {
+        k -= 1;
+        let mut sum: T = get(room, plan.layout.residuals + k);
+        for &c in &plan.pivots[k].columns {
+            if c < rank {
+                let entry: T = get(room, plan.layout.rows + k * n + c);
+                sum = entry.mul_add(get(room, plan.layout.steps + c), sum);
+            }
+        }
+        let step = -(sum * get::<T>(room, plan.layout.inverse_pivots + k));
+        square = step.mul_add(step, square);
+        store(room, plan.layout.steps + k, step);
+    }
+    square.sqrt()
+}
+
+/// Rates of all coordinates for unit rates of the independent coordinates.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn fill_rates<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) {
+    let (n, f, rank, rates) = (plan.columns, plan.freedoms, plan.layout.count, plan.layout.rates);
+    let mut y = 0;
+    while y < f {
+        let mut free = 0;
+        while free < f {
+            let unit = if free == y { T::one() } else { T::zero() };
+            store(room, rates + (rank + free) * f + y, unit);
+            free += 1;
+        }
+        let mut k = rank;
+        while k > 0 {
+            k -= 1;
+            if !plan.depends_on[k * f + y] {
+                store(room, rates + k * f + y, T::zero());
+                continue;
+            }
+            let mut sum = T::zero();
+            for &c in &plan.pivots[k].columns {
+                if plan.depends_on[c * f + y] {
+                    let entry: T = get(room, plan.layout.rows + k * n + c);
+                    sum = entry.mul_add(get(room, rates + c * f + y), sum);
+                }
+            }
+            store(room, rates + k * f + y, -(sum * get::<T>(room, plan.layout.inverse_pivots + k)));
+        }
+        y += 1;
+    }
+}

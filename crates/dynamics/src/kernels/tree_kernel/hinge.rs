@@ -1,0 +1,139 @@
+//! Elimination of a hinge with a short transform to its parent, the most common joint: code without branches for each
+//! form.
+
+use super::plan::{HingeForm, ScheduledStep, Shape};
+use super::propagation::{COSINE, PropagatedWrench, SINE, add_to_parent, number, update_wrench};
+use super::sizes::Sizes;
+use percuss_spatial::PackedInertia;
+use percuss_spatial::lanes::Lanes;
+
+/// Shapes of transforms for which hinge code is compiled.
+const SKEW: u8 = 0;
+const RIGHT: u8 = 1;
+const PARALLEL: u8 = 2;
+
+/// Eliminates a hinge and adds the remaining inertia to the parent, whose numbers are in `slot`.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn eliminate_hinge<T: Lanes, const ON_PATH: bool>(
+    form: HingeForm,
+    placed: &ScheduledStep,
+    carried: &mut PropagatedWrench<T>,
+    own: &[f64],
+    slot: &mut [f64],
+) {
+    let HingeForm { shape, bare, leaf, is_parent_on_ground: next_to_last } = form;
+    macro_rules! without_armature {
+        ($shape:ident) => {
+            match (leaf, next_to_last) {
+                (true, _) => eliminate_hinge_variant::<T, ON_PATH, $shape, true, true, false>(
+                    placed, carried, own, slot,
+                ),
+                (false, true) => eliminate_hinge_variant::<T, ON_PATH, $shape, true, false, true>(
+                    placed, carried, own, slot,
+                ),
+                (false, false) => eliminate_hinge_variant::<T, ON_PATH, $shape, true, false, false>(
+                    placed, carried, own, slot,
+                ),
+            }
+        };
+    }
+    // Compile time grows with the number of variants. Joints with armature have the general form only.
+    match (shape, bare, leaf) {
+        (Shape::Right, true, _) => without_armature!(RIGHT),
+        (Shape::Parallel, true, _) => without_armature!(PARALLEL),
+        (_, true, _) => without_armature!(SKEW),
+        (_, false, true) => {
+            eliminate_hinge_variant::<T, ON_PATH, SKEW, false, true, false>(placed, carried, own, slot)
+        }
+        (_, false, false) => {
+            eliminate_hinge_variant::<T, ON_PATH, SKEW, false, false, false>(placed, carried, own, slot)
+        }
+    }
+}
+
+/// A hinge with its transform. `BARE`: no armature, so that row z of the remaining inertia is zero.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn eliminate_hinge_variant<
+    T: Lanes,
+    const ON_PATH: bool,
+    const SHAPE: u8,
+    const BARE: bool,
+    const LEAF: bool,
+    const NEXT_TO_LAST: bool,
+>(
+    placed: &ScheduledStep,
+    carried: &mut PropagatedWrench<T>,
+    own: &[f64],
+    slot: &mut [f64],
+) {
+    let of = T::from_f64;
+    let ScheduledStep { step, parent_inertia: above, is_first, .. } = placed;
+    let (mut inertia, sizes) = if LEAF {
+        let Some(leaf) = &step.leaf else { return };
+        carried.loss = carried.loss.max(of(leaf.loss));
+        if ON_PATH {
+            update_wrench::<T, 2>(step, &leaf.pivot(), carried);
+        }
+        let mut left = leaf.left.cast();
+        if BARE {
+            left.clear_row::<2>();
+        }
+        (left, leaf.sizes.cast())
+    } else {
+        let mut inertia = PackedInertia::load(own);
+        let pivot = inertia.turn_pivot::<2>(of(step.armature[2]));
+        let sizes = Sizes::of(&inertia, true, own);
+        let loss = carried.record_loss(sizes.moment, &pivot);
+        if ON_PATH {
+            update_wrench::<T, 2>(step, &pivot, carried);
+        }
+        let over_d = pivot.u.scaled(pivot.inverse_d);
+        if BARE {
+            inertia.eliminate_bare_turn::<2>(&pivot, &over_d);
+        } else {
+            inertia.eliminate_turn::<2>(&pivot, &over_d);
+        }
+        (inertia, sizes.amplified(loss))
+    };
+    let way = &step.parent_transform;
+    let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
+    let (along_z, along_x) = (of(way.along_z), of(way.shift[0]));
+    let (tilt_c, tilt_s) = (of(way.tilt.cos), of(way.tilt.sin));
+    match (SHAPE, BARE) {
+        (SKEW, true) => {
+            inertia.screw_without::<2, 2>(c, s, along_z);
+            inertia.screw_without::<0, 2>(tilt_c, tilt_s, along_x);
+        }
+        (SKEW, false) => {
+            inertia.screw::<2>(c, s, along_z);
+            inertia.screw::<0>(tilt_c, tilt_s, along_x);
+        }
+        (_, true) => inertia.screw_without::<2, 2>(c, s, along_z),
+        (_, false) => inertia.screw::<2>(c, s, along_z),
+    }
+    if SHAPE == RIGHT {
+        inertia.turn_right::<0>();
+    }
+    if SHAPE != SKEW {
+        inertia.shift::<0>(along_x);
+    }
+    if ON_PATH {
+        let wrench = &mut carried.wrench;
+        wrench.screw::<2>(c, s, along_z);
+        match SHAPE {
+            SKEW => wrench.turn::<0>(tilt_c, tilt_s),
+            RIGHT => wrench.turn_right::<0>(),
+            _ => {}
+        }
+        wrench.shift::<0>(along_x);
+        carried.moment_size = of(step.reach).mul_add(carried.force_size, carried.moment_size);
+    }
+    if NEXT_TO_LAST {
+        // The compiler drops the entries that no caller reads.
+        let known = if *is_first { of(above.angular[5]) } else { number(slot, 5) };
+        (known + inertia.angular[5]).store(&mut slot[5 * T::WIDTH..]);
+    } else {
+        add_to_parent(&mut inertia, above, *is_first, slot);
+        sizes.add_to_parent(step.reach, *is_first, slot);
+    }
+}

@@ -1,0 +1,136 @@
+//! Recursion of a tree in the bodies' own axes, with a fixed or a floating base, in SIMD lanes.
+//!
+//! The kernel returns only results without doubt. All other cases (massless or immovable contacts and contacts near
+//! either, results lost to rounding) are left to [`crate::analysis::routes`], as are mimics, loops and contacts between two
+//! links.
+
+mod hinge;
+mod parent_transform;
+mod plan;
+mod prismatic_leaf;
+mod propagation;
+mod recursion;
+mod sizes;
+
+use crate::kernels::aligned::Aligned;
+use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDEST};
+use crate::kinematics::contact::{Contact, Direction, Frame};
+use crate::model::Model;
+use nalgebra::Vector3;
+use percuss_spatial::lanes::{Instructions, Lanes, Work};
+use plan::{ScheduledStep, TreePlan};
+use propagation::SCRATCH_NUMBERS;
+use recursion::{ContactPath, TreeContact, TreeNormal, TreeResponse, evaluate};
+use std::sync::Arc;
+
+/// Compiled tree, its contact, and a workspace.
+#[derive(Clone, Debug)]
+pub(crate) struct TreeKernel {
+    steps: Arc<[ScheduledStep]>,
+    selection: ContactPath,
+    scratch: Aligned,
+    pub instructions: Instructions,
+}
+
+impl TreeKernel {
+    /// `None` if the model has mimics, loops or negative masses.
+    pub fn compile(model: &Model) -> Option<Self> {
+        let plan = TreePlan::of(model)?;
+        let selection = ContactPath::none(plan.steps.len(), plan.travel);
+        let mut steps = plan.into_schedule();
+        prismatic_leaf::find_prismatic_leaves(&mut steps);
+        let steps: Arc<[ScheduledStep]> = steps.into();
+        let room = Aligned::zeros(steps.len() * SCRATCH_NUMBERS * WIDEST);
+        Some(Self { steps, selection, scratch: room, instructions: Instructions::best() })
+    }
+
+    /// Sets a checked contact; returns false for an unsupported kind. Allocates nothing after the first call.
+    pub fn set_contact(&mut self, model: &Model, contact: &Contact) -> bool {
+        let Some(body) = model.body_of(contact.link) else { return false };
+        let Direction::Along(n, frame) = contact.normal else { return false };
+        let other = contact.against.map(|link| &model.link_frames[link.index()]);
+        if other.is_some_and(|other| other.body.is_some()) {
+            return false;
+        }
+        let last = self.steps.len() - 1;
+        let own = &self.steps[last - body].step.own.frame;
+        let link = &model.link_frames[contact.link.index()].frame;
+        let n = n.normalize();
+        let normal = match (frame, other) {
+            (Frame::Link, _) => TreeNormal::Body(own.inverse_vector(&link.vector(&n)).into()),
+            (Frame::Against, Some(other)) => TreeNormal::Root(other.frame.vector(&n).into()),
+            (Frame::World, _) | (Frame::Against, None) => TreeNormal::Root(n.into()),
+        };
+        let point: Vector3<f64> = own.inverse_point(&link.point(&contact.point));
+        let ContactPath { path, on_path, .. } = &mut self.selection;
+        path.iter().for_each(|&at| on_path[at] = false);
+        path.clear();
+        let mut next = Some(body);
+        while let Some(number) = next {
+            path.push(last - number);
+            on_path[last - number] = true;
+            next = self.steps[last - number].step.parent;
+        }
+        path.reverse();
+        self.selection.subtree_root = self.steps[last - body].subtree_root;
+        self.selection.contact = TreeContact { point: point.into(), normal };
+        true
+    }
+
+    /// m̄ at one configuration for the current contact.
+    pub fn effective_mass(&mut self, positions: &[f64]) -> Option<CertifiedMass> {
+        CertifiedMass::of_one(|answers| {
+            let columns = PositionColumns { values: positions, stride: 1 };
+            let instructions = self.instructions;
+            instructions.run_one(self.groups(columns, 0, answers));
+        })
+    }
+
+    /// m̄ at the configurations from `first` on, one per element of the output: a multiple of the instruction set's
+    /// lanes.
+    pub fn effective_masses(&mut self, columns: PositionColumns<'_>, first: usize, answers: MassColumns<'_>) {
+        let instructions = self.instructions;
+        instructions.run(self.groups(columns, first, answers));
+    }
+
+    /// Positions that are read.
+    pub fn read_positions(&self) -> impl Iterator<Item = usize> + '_ {
+        let ContactPath { on_path, subtree_root: top, .. } = &self.selection;
+        let steps = self.steps.iter().zip(on_path);
+        let read = steps.filter(|(placed, on_path)| placed.subtree_root == *top || **on_path);
+        read.flat_map(|(placed, _)| placed.step.positions())
+    }
+
+    fn groups<'a>(
+        &'a mut self,
+        columns: PositionColumns<'a>,
+        first: usize,
+        answers: MassColumns<'a>,
+    ) -> TreeLaneWork<'a> {
+        let Self { steps, selection, scratch: room, .. } = self;
+        TreeLaneWork { steps, selection, columns, first, scratch: room, answers }
+    }
+}
+
+/// Configurations, one per lane.
+struct TreeLaneWork<'a> {
+    steps: &'a [ScheduledStep],
+    selection: &'a ContactPath,
+    columns: PositionColumns<'a>,
+    first: usize,
+    scratch: &'a mut [f64],
+    answers: MassColumns<'a>,
+}
+
+impl Work for TreeLaneWork<'_> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn run<T: Lanes>(self) {
+        let Self { steps, selection, columns, first, scratch: room, mut answers } = self;
+        let mut done = 0;
+        while done < answers.masses.len() {
+            let answer: TreeResponse<T> = evaluate(steps, selection, columns, first + done, room);
+            answers.store(done, answer.response, answer.roundings * answer.terms);
+            done += T::WIDTH;
+        }
+    }
+}

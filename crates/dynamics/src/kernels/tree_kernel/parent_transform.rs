@@ -1,0 +1,95 @@
+//! Transform from a body's frame to its parent's, with the joint's motion first.
+
+use super::plan::{TreeMotion, TreeStep};
+use super::propagation::{COSINE, PropagatedWrench, SINE, number};
+use crate::kernels::estimate::PositionColumns;
+use percuss_spatial::lanes::Lanes;
+use percuss_spatial::{PackedInertia, rotation_rows};
+
+/// Location of the positions of the lanes.
+#[derive(Clone, Copy)]
+pub(super) struct LanePositions<'a> {
+    pub columns: PositionColumns<'a>,
+    pub first: usize,
+}
+
+impl LanePositions<'_> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn position<T: Lanes>(&self, q: usize) -> T {
+        self.columns.at(q, self.first)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn rotation<T: Lanes>(&self, q: usize) -> [[T; 3]; 3] {
+        rotation_rows([self.position(q), self.position(q + 1), self.position(q + 2), self.position(q + 3)])
+    }
+}
+
+/// Transform to the parent's frame.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn propagate_to_parent<T: Lanes>(
+    step: &TreeStep,
+    inertia: &mut PackedInertia<T>,
+    on_path: bool,
+    at: LanePositions<'_>,
+    carried: &mut PropagatedWrench<T>,
+    own: &[f64],
+) {
+    let of = T::from_f64;
+    let (way, wrench) = (&step.parent_transform, &mut carried.wrench);
+    macro_rules! both {
+        ($what:ident::<$axis:literal>($($by:expr),*)) => {
+            inertia.$what::<$axis>($($by),*);
+            if on_path {
+                wrench.$what::<$axis>($($by),*);
+            }
+        };
+    }
+    macro_rules! rotate {
+        ($q:expr) => {
+            let rotation = at.rotation($q);
+            inertia.rotate(&rotation);
+            if on_path {
+                wrench.rotate(&rotation);
+            }
+        };
+    }
+    let along_z = of(way.along_z);
+    match step.motion {
+        TreeMotion::Turn { .. } => {
+            let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
+            both!(screw::<2>(c, s, along_z));
+        }
+        TreeMotion::Slide { .. } => {
+            both!(shift::<2>(number::<T>(own, SINE) + along_z));
+        }
+        TreeMotion::Planar { q } => {
+            both!(shift::<0>(at.position(q)));
+            both!(shift::<1>(at.position(q + 1)));
+            both!(shift::<2>(along_z));
+        }
+        TreeMotion::Ball { q } => {
+            rotate!(q);
+            both!(shift::<2>(along_z));
+        }
+        TreeMotion::Floating { q } => {
+            rotate!(q + 3);
+            both!(shift::<0>(at.position(q)));
+            both!(shift::<1>(at.position(q + 1)));
+            both!(shift::<2>(at.position::<T>(q + 2) + along_z));
+        }
+        TreeMotion::Base => {}
+    }
+    match (step.motion, way.turn_z) {
+        (TreeMotion::Turn { .. }, _) | (_, None) => {}
+        (_, Some(turn)) => {
+            both!(turn::<2>(of(turn.cos), of(turn.sin)));
+        }
+    }
+    both!(screw::<0>(of(way.tilt.cos), of(way.tilt.sin), of(way.shift[0])));
+    both!(shift::<1>(of(way.shift[1])));
+    both!(shift::<2>(of(way.shift[2])));
+    if let Some(turn) = way.last_turn_z {
+        both!(turn::<2>(of(turn.cos), of(turn.sin)));
+    }
+}

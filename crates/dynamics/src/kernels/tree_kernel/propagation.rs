@@ -1,0 +1,115 @@
+//! Shared parts of the recursion's steps: propagation of the contact wrench to the ground, and the layout of the
+//! workspace.
+
+use super::plan::{LeafElimination, TreeStep};
+use super::sizes::SIZES;
+use crate::tolerances::{LOSS_ROUNDINGS, ROUTE_ROUNDINGS};
+use percuss_spatial::lanes::Lanes;
+use percuss_spatial::{PackedInertia, PackedWrench, Pivot};
+
+/// Numbers of workspace per step and lane: inertia, sine and cosine (or travel), sizes of terms.
+pub(super) const SCRATCH_NUMBERS: usize = SIZES + 2;
+pub(super) const SINE: usize = 21;
+pub(super) const COSINE: usize = 22;
+
+/// Contact wrench during its propagation to the ground.
+pub(super) struct PropagatedWrench<T> {
+    pub wrench: PackedWrench<T>,
+    /// Sizes of the terms of the wrench's moment (N·m) and force (N).
+    pub moment_size: T,
+    pub force_size: T,
+    /// 1/m̄, 1/kg, and the sum of the sizes of its terms.
+    pub response: T,
+    pub terms: T,
+    pub loss: T,
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn number<T: Lanes>(slot: &[f64], number: usize) -> T {
+    T::load(&slot[number * T::WIDTH..])
+}
+
+/// Adds the remaining inertia to the parent's.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn add_to_parent<T: Lanes>(
+    inertia: &mut PackedInertia<T>,
+    above: &PackedInertia<f64>,
+    is_first: bool,
+    slot: &mut [f64],
+) {
+    if is_first {
+        inertia.add_rigid(above);
+        inertia.store(slot);
+    } else {
+        inertia.add(&PackedInertia::load(slot));
+        inertia.store(slot);
+    }
+}
+
+impl LeafElimination {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn pivot<T: Lanes>(&self) -> Pivot<T> {
+        let of = T::from_f64;
+        Pivot {
+            u: self.u.cast(),
+            d: of(self.d),
+            inverse_d: of(self.inverse_d),
+            armature_part: of(self.armature_part),
+        }
+    }
+}
+
+impl<T: Lanes> PropagatedWrench<T> {
+    /// Zero wrench.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn none() -> Self {
+        let (o, one) = (T::zero(), T::one());
+        Self { wrench: PackedWrench::zero(), moment_size: o, force_size: o, response: o, terms: o, loss: one }
+    }
+
+    /// Counts the ratio of a pivot's summed terms to the pivot. Returns that ratio.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn record_loss(&mut self, size: T, pivot: &Pivot<T>) -> T {
+        let loss = size * pivot.inverse_d.abs();
+        self.loss = self.loss.max(loss);
+        loss
+    }
+
+    /// Number of roundings by which the terms of the response are in error.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn roundings(&self) -> T {
+        T::from_f64(ROUTE_ROUNDINGS).max(self.loss * T::from_f64(LOSS_ROUNDINGS))
+    }
+
+    /// Adds t²/D and its terms. Returns t/D.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn add_response(&mut self, size: T, t: T, test: T, over: T) -> T {
+        let rate = t * over;
+        let part = rate.abs();
+        self.response = t.mul_add(rate, self.response);
+        self.terms = part.mul_add(part.mul_add(size, test + test), self.terms);
+        rate
+    }
+}
+
+/// Update of the contact wrench by the elimination of one velocity. `AXIS`: component of the twist, angular part first.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn update_wrench<T: Lanes, const AXIS: usize>(
+    step: &TreeStep,
+    pivot: &Pivot<T>,
+    carried: &mut PropagatedWrench<T>,
+) {
+    let of = T::from_f64;
+    let size = of(if AXIS < 3 { step.moment } else { step.mass });
+    let (t, test) = if AXIS < 3 {
+        (carried.wrench.moment[AXIS], carried.moment_size)
+    } else {
+        (carried.wrench.force[AXIS - 3], carried.force_size)
+    };
+    let rate = carried.add_response(size, t, test, pivot.inverse_d);
+    let part = rate.abs();
+    let (m, f) = (&pivot.u.moment, &pivot.u.force);
+    carried.moment_size = (m[0].abs() + m[1].abs() + m[2].abs()).mul_add(part, carried.moment_size);
+    carried.force_size = (f[0].abs() + f[1].abs() + f[2].abs()).mul_add(part, carried.force_size);
+    carried.wrench.subtract(&pivot.u, rate);
+}

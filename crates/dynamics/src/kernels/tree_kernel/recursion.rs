@@ -1,0 +1,384 @@
+//! Recursion of a tree in the bodies' own axes, for one configuration per lane.
+//!
+//! ```text
+//! U = I e,  D = e·U + armature,  t = e·f;  I ← I − U D⁻¹ Uᵀ,  f ← f − U D⁻¹ t,  response += t²/D
+//! I and f to the parent
+//! ```
+//!
+//! with e the rotation about, or the translation along, the body's z axis: an entry of I instead of a product. This
+//! is the articulated-body recursion (Featherstone 2008, §7.3) that [`crate::recursion`] writes in root axes for
+//! every joint and loop. This form needs no forward kinematics and no rotation of the bodies' inertias. A test
+//! compares the two.
+
+use super::hinge::eliminate_hinge;
+use super::parent_transform::{LanePositions, propagate_to_parent};
+use super::plan::{ScheduledStep, Shape, StepForm, TreeMotion, TreeStep, Turn};
+use super::prismatic_leaf;
+use super::propagation::{
+    COSINE, PropagatedWrench, SCRATCH_NUMBERS, SINE, add_to_parent, number, update_wrench,
+};
+use super::sizes::Sizes;
+use crate::kernels::estimate::{PositionColumns, excess_beyond, quaternion_norm_excess};
+use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
+use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, splat, turn_vector};
+use std::ops::Range;
+
+/// Contact point and direction of the contact force, in the frames of the plan.
+#[derive(Clone, Debug)]
+pub(super) struct TreeContact {
+    /// Contact point in the frame of the contact link's body, m.
+    pub point: [f64; 3],
+    pub normal: TreeNormal,
+}
+
+/// Unit normal.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum TreeNormal {
+    /// In the frame of the contact link's body.
+    Body([f64; 3]),
+    /// In the frame of the root link.
+    Root([f64; 3]),
+}
+
+/// Data of a contact for a tree.
+#[derive(Clone, Debug)]
+pub(super) struct ContactPath {
+    /// Indices of the steps from the ground to the contact link's body.
+    pub path: Vec<usize>,
+    /// True for every step on this path.
+    pub on_path: Vec<bool>,
+    /// Body of the path on the ground or with a zero remaining inertia.
+    pub subtree_root: usize,
+    /// Reciprocal of the travels in the bounds of sizes, 1/m.
+    pub over_travel: f64,
+    pub contact: TreeContact,
+}
+
+impl ContactPath {
+    /// Without a contact.
+    pub fn none(steps: usize, travel: f64) -> Self {
+        let struck = TreeContact { point: [0.0; 3], normal: TreeNormal::Body([0.0; 3]) };
+        Self {
+            path: Vec::with_capacity(steps),
+            on_path: vec![false; steps],
+            subtree_root: 0,
+            over_travel: 1.0 / travel,
+            contact: struck,
+        }
+    }
+}
+
+/// Results of some lanes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TreeResponse<T> {
+    /// 1/m̄, 1/kg.
+    pub response: T,
+    /// Change of the response if every term of its pivots and test wrenches were in error by its own size, 1/kg.
+    pub terms: T,
+    /// Number of roundings of these terms.
+    pub roundings: T,
+}
+
+/// 1/m̄ of the configurations from `first` on.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn evaluate<T: Lanes>(
+    steps: &[ScheduledStep],
+    selection: &ContactPath,
+    columns: PositionColumns<'_>,
+    first: usize,
+    room: &mut [f64],
+) -> TreeResponse<T> {
+    let (beyond, travels): (T, T) = fill_joint_values(steps, selection, columns, first, room);
+    let at = LanePositions { columns, first };
+    let mut carried = contact_wrench(steps, selection, at, room);
+    for (placed, on_path) in steps.iter().zip(&selection.on_path) {
+        if placed.subtree_root != selection.subtree_root {
+            continue;
+        }
+        if *on_path {
+            eliminate_step::<T, true>(placed, at, &mut carried, room);
+        } else {
+            eliminate_step::<T, false>(placed, at, &mut carried, room);
+        }
+    }
+    // Angles beyond the range of the sine are marked as doubtful.
+    let roundings = carried.roundings();
+    let PropagatedWrench { response, terms, .. } = carried;
+    let stretch = (travels * T::from_f64(selection.over_travel)).max(T::one());
+    TreeResponse {
+        response,
+        terms: beyond.mul_add(T::from_f64(f64::MAX), terms * stretch * stretch),
+        roundings,
+    }
+}
+
+/// Sines and cosines, the excess of angles and quaternions beyond their accepted range, and the largest travel (m).
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn fill_joint_values<T: Lanes>(
+    steps: &[ScheduledStep],
+    selection: &ContactPath,
+    columns: PositionColumns<'_>,
+    first: usize,
+    room: &mut [f64],
+) -> (T, T) {
+    let (mut beyond, mut angles, mut travels) = (T::zero(), T::zero(), T::zero());
+    for (placed, on_path) in steps.iter().zip(&selection.on_path) {
+        // The joints above the top of the path rotate normals given in the root link.
+        if placed.subtree_root != selection.subtree_root && !on_path {
+            continue;
+        }
+        let step = &placed.step;
+        if placed.number == selection.subtree_root {
+            // A position above the path does not change m̄, but must be a finite number.
+            beyond += nan_unless_finite::<T>(columns, step.positions(), first);
+        }
+        let slot = &mut room[placed.number * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+        match step.motion {
+            TreeMotion::Turn { q } => {
+                let angle: T = columns.at(q, first);
+                angles = angles.max(angle.abs());
+                let (mut sin, mut cos) = angle.sin_cos();
+                match step.parent_transform.turn_z {
+                    None => {}
+                    Some(Turn { cos: 0.0, sin: 1.0 }) => (sin, cos) = (cos, -sin),
+                    Some(Turn { cos: 0.0, sin: -1.0 }) => (sin, cos) = (-cos, sin),
+                    Some(turn) => {
+                        let (s, c) = (T::from_f64(turn.sin), T::from_f64(turn.cos));
+                        (sin, cos) = (s.mul_add(cos, c * sin), c.mul_add(cos, -(s * sin)));
+                    }
+                }
+                sin.store(&mut slot[SINE * T::WIDTH..]);
+                cos.store(&mut slot[COSINE * T::WIDTH..]);
+            }
+            TreeMotion::Slide { q } => {
+                let travel: T = columns.at(q, first);
+                travels = travels.max(travel.abs());
+                travel.store(&mut slot[SINE * T::WIDTH..]);
+            }
+            TreeMotion::Planar { q } => {
+                for k in 0..2 {
+                    travels = travels.max(columns.at::<T>(q + k, first).abs());
+                }
+                let angle: T = columns.at(q + 2, first);
+                angles = angles.max(angle.abs());
+                let (sin, cos) = angle.sin_cos();
+                sin.store(&mut slot[SINE * T::WIDTH..]);
+                cos.store(&mut slot[COSINE * T::WIDTH..]);
+            }
+            TreeMotion::Ball { q } => beyond += quaternion_norm_excess::<T>(columns, q, first),
+            TreeMotion::Floating { q } => {
+                for k in 0..3 {
+                    travels = travels.max(columns.at::<T>(q + k, first).abs());
+                }
+                beyond += quaternion_norm_excess::<T>(columns, q + 3, first);
+            }
+            TreeMotion::Base => {}
+        }
+    }
+    // The sine of NaN is NaN.
+    (beyond + excess_beyond(angles, LARGEST_ANGLE), travels)
+}
+
+/// Zero if all positions are finite, otherwise NaN.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn nan_unless_finite<T: Lanes>(columns: PositionColumns<'_>, positions: Range<usize>, first: usize) -> T {
+    let (mut q, mut sum) = (positions.start, T::zero());
+    while q < positions.end {
+        let position: T = columns.at(q, first);
+        sum = position.mul_add(T::zero(), sum);
+        q += 1;
+    }
+    sum
+}
+
+/// Unit force at the contact point.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn contact_wrench<T: Lanes>(
+    steps: &[ScheduledStep],
+    selection: &ContactPath,
+    at: LanePositions<'_>,
+    room: &[f64],
+) -> PropagatedWrench<T> {
+    let struck = &selection.contact;
+    let n = match struck.normal {
+        TreeNormal::Body(n) => splat(&n),
+        TreeNormal::Root(n) => {
+            let mut n = splat(&n);
+            for &place in &selection.path {
+                let placed = &steps[place];
+                let slot = &room[placed.number * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+                rotate_to_body(&placed.step, &mut n, at, slot);
+            }
+            n
+        }
+    };
+    let p = struck.point;
+    let arm = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
+    let q: [T; 3] = splat(&p);
+    let moment = [
+        q[1].mul_add(n[2], -(q[2] * n[1])),
+        q[2].mul_add(n[0], -(q[0] * n[2])),
+        q[0].mul_add(n[1], -(q[1] * n[0])),
+    ];
+    PropagatedWrench {
+        wrench: PackedWrench { moment, force: n },
+        moment_size: T::from_f64(arm),
+        force_size: T::one(),
+        response: T::zero(),
+        terms: T::zero(),
+        loss: T::one(),
+    }
+}
+
+/// Vector from the parent's frame to the body's.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn rotate_to_body<T: Lanes>(step: &TreeStep, n: &mut [T; 3], at: LanePositions<'_>, slot: &[f64]) {
+    if let Some(turn) = step.parent_transform.last_turn_z {
+        let (c, s) = back::<T>(turn);
+        turn_vector::<T, 2>(n, c, s);
+    }
+    match step.parent_transform.shape {
+        Shape::Parallel => {}
+        Shape::Right => (n[1], n[2]) = (n[2], -n[1]),
+        Shape::Skew | Shape::General => {
+            let (c, s) = back::<T>(step.parent_transform.tilt);
+            turn_vector::<T, 0>(n, c, s);
+        }
+    }
+    match (step.motion, step.parent_transform.turn_z) {
+        // The angle includes the rotation of the transform.
+        (TreeMotion::Turn { .. }, _) | (_, None) => {}
+        (_, Some(turn)) => {
+            let (c, s) = back::<T>(turn);
+            turn_vector::<T, 2>(n, c, s);
+        }
+    }
+    match step.motion {
+        TreeMotion::Turn { .. } | TreeMotion::Planar { .. } => {
+            let (s, c): (T, T) = (number(slot, SINE), number(slot, COSINE));
+            turn_vector::<T, 2>(n, c, -s);
+        }
+        TreeMotion::Ball { q } => rotate_back(n, &at.rotation(q)),
+        TreeMotion::Floating { q } => rotate_back(n, &at.rotation(q + 3)),
+        TreeMotion::Slide { .. } | TreeMotion::Base => {}
+    }
+}
+
+/// Cosine and sine of the opposite rotation.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn back<T: Lanes>(turn: Turn) -> (T, T) {
+    (T::from_f64(turn.cos), T::from_f64(-turn.sin))
+}
+
+/// Eliminates the joint of a body and adds the remaining inertia to the parent.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn eliminate_step<T: Lanes, const ON_PATH: bool>(
+    placed: &ScheduledStep,
+    at: LanePositions<'_>,
+    carried: &mut PropagatedWrench<T>,
+    room: &mut [f64],
+) {
+    let step = &placed.step;
+    let (rest, own) = room.split_at_mut(placed.number * SCRATCH_NUMBERS * T::WIDTH);
+    let own = &mut own[..SCRATCH_NUMBERS * T::WIDTH];
+    match placed.form {
+        StepForm::GroundHinge => eliminate_ground_hinge(step, carried, own),
+        StepForm::Hinge(form) => {
+            let Some(parent) = step.parent else { return };
+            let slot = &mut rest[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+            eliminate_hinge::<T, ON_PATH>(form, placed, carried, own, slot);
+        }
+        StepForm::PrismaticLeaf if !ON_PATH => {
+            let (Some(parent), Some(slid)) = (step.parent, &placed.prismatic_leaf) else { return };
+            carried.loss = carried.loss.max(T::from_f64(slid.loss));
+            let slot = &mut rest[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+            prismatic_leaf::add_polynomial_inertia::<T>(slid, number(own, SINE), placed.is_first, slot);
+            slid.sizes.cast::<T>().add_to_parent(step.reach, placed.is_first, slot);
+        }
+        StepForm::PrismaticLeaf | StepForm::General => {
+            eliminate_general_joint::<T>(placed, ON_PATH, at, carried, rest, own)
+        }
+    }
+}
+
+/// A hinge on the ground needs one entry of its inertia. The other entries are not formed, so the size of this entry
+/// stands for all.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn eliminate_ground_hinge<T: Lanes>(step: &TreeStep, carried: &mut PropagatedWrench<T>, own: &[f64]) {
+    let of = T::from_f64;
+    let d = number::<T>(own, 5) + of(step.armature[2]);
+    carried.add_response(of(step.moment), carried.wrench.moment[2], carried.moment_size, T::one() / d);
+}
+
+/// Any joint with any transform, on the contact path or not; one function, so it is long.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn eliminate_general_joint<T: Lanes>(
+    placed: &ScheduledStep,
+    on_path: bool,
+    at: LanePositions<'_>,
+    carried: &mut PropagatedWrench<T>,
+    rest: &mut [f64],
+    own: &[f64],
+) {
+    let step = &placed.step;
+    let (mut inertia, sizes) = eliminate_velocities::<T>(step, on_path, carried, own);
+    let Some(parent) = step.parent.filter(|_| !step.transmits_nothing()) else { return };
+    propagate_to_parent::<T>(step, &mut inertia, on_path, at, carried, own);
+    if on_path {
+        carried.moment_size = T::from_f64(step.reach).mul_add(carried.force_size, carried.moment_size);
+    }
+    let slot = &mut rest[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+    add_to_parent(&mut inertia, &placed.parent_inertia, placed.is_first, slot);
+    sizes.add_to_parent(step.reach, placed.is_first, slot);
+}
+
+/// Remaining inertia of a body after the elimination of its joint, and the sizes of its terms.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn eliminate_velocities<T: Lanes>(
+    step: &TreeStep,
+    on_path: bool,
+    carried: &mut PropagatedWrench<T>,
+    own: &[f64],
+) -> (PackedInertia<T>, Sizes<T>) {
+    if let Some(leaf) = &step.leaf {
+        carried.loss = carried.loss.max(T::from_f64(leaf.loss));
+        match step.motion {
+            TreeMotion::Slide { .. } if on_path => update_wrench::<T, 5>(step, &leaf.pivot(), carried),
+            _ if on_path => update_wrench::<T, 2>(step, &leaf.pivot(), carried),
+            _ => {}
+        }
+        return (leaf.left.cast(), leaf.sizes.cast());
+    }
+    let mut inertia: PackedInertia<T> =
+        if step.has_child_inertia { PackedInertia::load(own) } else { step.own.inertia.cast() };
+    if let TreeMotion::Planar { .. } = step.motion {
+        // The translations of the joint do not rotate with the body.
+        let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
+        inertia.turn::<2>(c, s);
+        if on_path {
+            carried.wrench.turn::<2>(c, s);
+        }
+    }
+    // Computed before any velocity of the joint is eliminated: the last pivots are differences of these sizes.
+    let mut sizes = Sizes::of(&inertia, step.has_child_inertia, own);
+    macro_rules! velocity {
+        ($component:literal, $size:ident, $pivot:ident, $eliminate:ident, $axis:literal) => {
+            if step.free[$component] {
+                let pivot = inertia.$pivot::<$axis>(T::from_f64(step.armature[$component]));
+                let loss = carried.record_loss(sizes.$size, &pivot);
+                if on_path {
+                    update_wrench::<T, $component>(step, &pivot, carried);
+                }
+                inertia.$eliminate::<$axis>(&pivot, &pivot.u.scaled(pivot.inverse_d));
+                sizes = sizes.amplified(loss);
+            }
+        };
+    }
+    velocity!(3, mass, slide_pivot, eliminate_slide, 0);
+    velocity!(4, mass, slide_pivot, eliminate_slide, 1);
+    velocity!(5, mass, slide_pivot, eliminate_slide, 2);
+    velocity!(0, moment, turn_pivot, eliminate_turn, 0);
+    velocity!(1, moment, turn_pivot, eliminate_turn, 1);
+    velocity!(2, moment, turn_pivot, eliminate_turn, 2);
+    (inertia, sizes)
+}

@@ -1,0 +1,96 @@
+//! Template of a sheet, as read from its data file in `templates`.
+
+use super::super::design::Part;
+use percuss_spatial::Matrix3;
+use serde::{Deserialize, Deserializer};
+use std::collections::BTreeMap;
+use toml::Spanned;
+
+/// Template of a sheet. The example values are invented and describe no actual vehicle.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Template {
+    pub name: String,
+    /// Description in one line.
+    pub title: String,
+    /// Advice for the user.
+    pub about: Vec<String>,
+    /// True if both sides are on one axle and always built together.
+    #[serde(default)]
+    pub axle: bool,
+    /// Construction steps, parents first.
+    pub parts: Vec<Part>,
+    /// Hardpoints with example values in mm, in the axes of ISO 8855, left side.
+    #[serde(deserialize_with = "in_file_order")]
+    pub points: Vec<(String, [f64; 3])>,
+    /// Bodies with example values.
+    #[serde(deserialize_with = "in_file_order")]
+    pub bodies: Vec<(String, ExampleBody)>,
+    /// Default links for the attachment of springs and similar parts: section and link.
+    #[serde(deserialize_with = "in_file_order")]
+    pub on: Vec<(String, String)>,
+}
+
+/// Description of each key of the sheets, and the parts that every template has.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Keys {
+    /// Parts of the anti-roll bar.
+    pub anti_roll_bar: Vec<Part>,
+    /// Meaning of each hardpoint, the same in every template.
+    #[serde(deserialize_with = "in_file_order")]
+    pub points: Vec<(String, String)>,
+    /// Description of each body.
+    #[serde(deserialize_with = "in_file_order")]
+    pub bodies: Vec<(String, String)>,
+}
+
+/// Body with example values.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ExampleBody {
+    #[serde(default)]
+    pub shape: Shape,
+    /// kg.
+    pub mass: f64,
+    /// Centre of mass, mm.
+    #[serde(default)]
+    pub com: [f64; 3],
+    /// xx, yy, zz and, if not zero, xy, xz, yz about the centre of mass, kg·m².
+    #[serde(default)]
+    pub inertia: Vec<f64>,
+}
+
+/// Data of a body that a sheet must contain.
+#[derive(Clone, Copy, Default, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Shape {
+    /// Mass, centre of mass, inertia.
+    #[default]
+    Any,
+    /// No data (a massless rod), the mass (a slender rod), or all data.
+    Rod,
+    /// Rotating body: the centre of mass defaults to the wheel centre.
+    Spindle,
+    /// Optional.
+    Optional,
+}
+
+/// Entries of a TOML table in the order of the file; the parser sorts them by key.
+fn in_file_order<'de, D, T>(deserializer: D) -> Result<Vec<(String, T)>, D::Error>
+where
+    D: Deserializer<'de>,
+    T: Deserialize<'de>,
+{
+    let table = BTreeMap::<String, Spanned<T>>::deserialize(deserializer)?;
+    let mut entries: Vec<(String, Spanned<T>)> = table.into_iter().collect();
+    entries.sort_by_key(|(_, value)| value.span().start);
+    Ok(entries.into_iter().map(|(key, value)| (key, value.into_inner())).collect())
+}
+
+/// Symmetric matrix from xx, yy, zz and, if given, xy, xz, yz; default 0.
+pub(super) fn symmetric_matrix(values: &[f64]) -> Matrix3<f64> {
+    let at = |i: usize| values.get(i).copied().unwrap_or(0.0);
+    let [xx, yy, zz, xy, xz, yz] = [0, 1, 2, 3, 4, 5].map(at);
+    Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
+}

@@ -1,0 +1,62 @@
+//! Results of a sweep by columns, in arrays of numpy.
+
+use crate::matrices::coded;
+use numpy::{Element, PyArray1, PyArrayMethods, PyReadwriteArray1};
+use percuss::{Contact, Pose, Remark, RemarkFlags, RouteChoice};
+use pyo3::prelude::*;
+
+/// Status of a contact that is massless to rounding only: its mass may be hidden by the rounding of larger masses.
+pub const MASSLESS_TO_ROUNDING: u8 = 4;
+
+/// Results by columns.
+pub struct Columns<'a> {
+    pub masses: &'a mut [f64],
+    pub errors: &'a mut [f64],
+    pub codes: &'a mut [u8],
+    pub remarks: &'a mut [u32],
+    /// True if the base pose is given; the poses of a path do not contain it.
+    pub base_is_given: bool,
+}
+
+/// Array of zeros in numpy's memory. numpy allocates large arrays in large pages, so the first write is almost free.
+/// Pages of 4 kB would cost a third of the solution time of an arm.
+pub fn zeros<T: Element>(py: Python<'_>, count: usize) -> (Bound<'_, PyArray1<T>>, PyReadwriteArray1<'_, T>) {
+    let array = PyArray1::zeros(py, count, false);
+    (array.clone(), array.readwrite())
+}
+
+impl Columns<'_> {
+    pub fn set(
+        &mut self,
+        at: usize,
+        mass: Option<percuss::EffectiveMass>,
+        error: Option<f64>,
+        remarks: RemarkFlags,
+    ) {
+        (self.masses[at], self.codes[at]) = coded(mass);
+        self.errors[at] = error.unwrap_or(f64::NAN);
+        self.remarks[at] = self.known(remarks);
+    }
+
+    /// Bits of the findings, without that of a missing base pose if the sweep has a base pose.
+    pub fn known(&self, remarks: RemarkFlags) -> u32 {
+        let base = if self.base_is_given { RemarkFlags::BASE_NOT_GIVEN.bits() } else { 0 };
+        remarks.bits() & !base
+    }
+
+    /// Solves one row at its pose.
+    ///
+    /// # Errors
+    /// The reason of a row without an answer.
+    pub fn respond(&mut self, pose: &Pose, contact: &Contact, at: usize) -> Result<(), String> {
+        let response = pose.respond(contact, RouteChoice::Auto).map_err(|error| error.to_string())?;
+        let mass = Some(response.effective_mass);
+        self.set(at, mass, response.effective_mass_error(), response.remark_flags());
+        for remark in &response.remarks {
+            if let Remark::MasslessToRounding { up_to } = remark {
+                (self.codes[at], self.errors[at]) = (MASSLESS_TO_ROUNDING, *up_to);
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Draws the figures of the documentation again: docs/figures/draw.sh [PERCUSS]
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+percuss=${1:-target/debug/percuss}
+figures=docs/figures
+stop="--link bump_stop_pad --point 0,0,0 --normal 0,-15,80 --normal-frame against --against chassis"
+# A report holds the drawing of the mechanism as an SVG in base64.
+work=$(mktemp -d)
+trap 'rm -r "$work"' EXIT
+drawing() { # STUDY FIGURE
+  "$percuss" run "$1" --report "$work/report.html" --allow-outside > "$work/printed"
+  python3 - "$work/report.html" "$2" <<'PYTHON'
+import base64, re, sys
+page = open(sys.argv[1], encoding="utf-8").read()
+picture = re.search(r"data:image/svg\+xml;base64,([A-Za-z0-9+/=]+)", page)[1]
+open(sys.argv[2], "wb").write(base64.b64decode(picture))
+PYTHON
+}
+
+cat > "$work/corner.toml" <<'TOML'
+[model]
+path = "model.toml"
+[contact]
+link = "bump_stop_pad"
+point = [0, 0, 0]
+normal = [0, -15, 80]
+normal_frame = "against"
+against = "chassis"
+TOML
+cp models/suspensions/double-wishbone.toml "$work/model.toml"
+drawing "$work/corner.toml" $figures/double-wishbone.svg
+drawing models/massless_arm_suspension.toml $figures/massless-arms.svg
+# shellcheck disable=SC2086 # several flags
+"$percuss" sweep models/suspensions/double-wishbone.toml $stop --vary travel:wheel_centre:0,0,0:0,0,1=-50mm:50mm:21 \
+  --unit mm --output $figures/travel.svg --title "Effective mass at the bump stop" --force
+"$percuss" sweep models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1 --normal-frame world \
+  --set shoulder=-40deg --vary elbow=0deg:110deg:45 --output $figures/arm.svg --title "Tool pressed down" --force
