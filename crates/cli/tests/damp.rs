@@ -71,7 +71,7 @@ fn an_approximation_says_how_far_off_it_is() {
     assert!(report["damping"].is_null() && report["damping_ratio"].is_null());
     let text =
         percuss("damp --mass 3 --stiffness 1e6 --restitution 0.5 --speed 2 --law lankarani-nikravesh").stdout;
-    assert!(text.contains("+0.2252 off"), "{text}");
+    assert!(text.contains("error +0.2252"), "{text}");
 }
 
 #[test]

@@ -187,7 +187,7 @@ fn against_another_link_of_the_loop() {
     assert_close(kilograms(&COUPLER.replace("0,1,0", "3,-4,0")), kilograms(&along), 1e-13);
     // A line to the contact point itself has no direction.
     let nowhere = COUPLER.replace("--normal 0,1,0", "--along-line ground:0.35,0.4,0");
-    assert_refused(&nowhere, 2, &["no direction"]);
+    assert_refused(&nowhere, 2, &["the direction is undefined"]);
 }
 
 #[test]

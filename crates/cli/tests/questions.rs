@@ -180,7 +180,7 @@ fn files_of_poses_are_read_or_refused() {
     let line = format!("mass {copy} --link coupler --point 0.35,0.1,0 --normal 0,1,0 --pose {other}");
     let outcome = percuss(&line);
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
-    assert!(outcome.stderr.contains("was found for models/four_bar.urdf"), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("was computed for models/four_bar.urdf"), "{}", outcome.stderr);
     assert_eq!(percuss(&format!("{line} --strict")).code, 2);
 }
 

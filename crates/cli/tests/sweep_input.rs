@@ -65,7 +65,7 @@ fn a_ball_has_a_column_for_each_number() {
         assert!((got / wanted.as_f64().unwrap() - 1.0).abs() < 1e-12, "row {row}");
     }
     for (text, words) in [
-        ("p[0],p[1],p[2]\n1,0,0\n", ":1: 1 position is of no column: \"p[3]\""),
+        ("p[0],p[1],p[2]\n1,0,0\n", ":1: 1 position is without a column: \"p[3]\""),
         ("p\n1\n", "joint \"p\" has 4 numbers; expected columns \"p[0]\" to \"p[3]\""),
         ("p[0],p[1],p[2],p[3]\n1,0,0,0\n1,1,0,0\n", ":3: joint \"p\": the quaternion"),
         (
@@ -169,7 +169,7 @@ fn missing_columns_are_named() {
     let outcome = percuss(&line);
     assert_eq!(outcome.code, 2, "{}", outcome.stderr);
     let words = format!(
-        "1 position is of no column: \"{0}\"; nothing else determines where they stand; add them, or set them (--set {0}=VALUE)",
+        "1 position is without a column: \"{0}\"; their positions are undetermined; add them, or set them (--set {0}=VALUE)",
         names[1]
     );
     assert!(outcome.stderr.contains(&words), "{}", outcome.stderr);

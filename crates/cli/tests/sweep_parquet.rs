@@ -250,7 +250,7 @@ fn parquet_files_are_recognised_by_content() {
     let text = scratch.write("text.csv", "PAR1,PAR1 [deg]\n0,0\n");
     let other = scratch.write("text.pq", "crank_hinge\n0\n");
     for (path, words) in [
-        (&cut, "it is no Parquet file, or not all of one"),
+        (&cut, "it is not a complete Parquet file"),
         (&encrypted, "it is encrypted"),
         (&text, "no joint is named \"PAR1\""),
         (&other, "and it does not begin as a Parquet file"),

@@ -172,7 +172,7 @@ fn regions_and_robots() {
     let error = BodyRegion::from_name("cheast").unwrap_err();
     assert_eq!(
         error.to_string(),
-        "\"cheast\" is no region of the body in the table, did you mean \"chest\"?; known: skull, face, neck, back, \
+        "\"cheast\" is not a region of the body in the table, did you mean \"chest\"?; known: skull, face, neck, back, \
          chest, abdomen, pelvis, upper-arm, lower-arm, hand, thigh, lower-leg"
     );
     assert!(matches!(

@@ -203,7 +203,7 @@ fn an_unknown_name_lists_the_known() {
     assert_eq!(*nearest, Some("hunt-crossley"));
     let message = error.to_string();
     assert!(message.starts_with(
-        "\"hunt-crosley\" is no contact law, did you mean \"hunt-crossley\"?; known: kelvin-voigt, "
+        "\"hunt-crosley\" is not a contact law, did you mean \"hunt-crossley\"?; known: kelvin-voigt, "
     ));
     assert!(message.ends_with(", ye"), "{message}");
     assert!(matches!(Law::from_name(""), Err(ContactLawError::UnknownLaw { nearest: None, .. })));

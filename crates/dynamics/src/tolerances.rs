@@ -535,3 +535,9 @@ pub(crate) const GAP_ROUNDING: f64 = 1e-3 * f64::EPSILON;
 pub(crate) const DIRECTION_DECIMALS: f64 = 1e6;
 /// Bytes per megabyte.
 pub(crate) const MEGABYTE: f64 = 1e6;
+/// Weights of pairs of positions at ±1, ±2, ±3, ±4 steps in the value between them (Lagrange), with all eight positions.
+pub(crate) const LAGRANGE_EIGHT: [f64; 4] = [4.0 / 5.0, -2.0 / 5.0, 4.0 / 35.0, -1.0 / 70.0];
+/// The same weights with the inner six positions.
+pub(crate) const LAGRANGE_SIX: [f64; 4] = [3.0 / 4.0, -3.0 / 10.0, 1.0 / 20.0, 0.0];
+/// Golden ratio minus 1: its multiples modulo 1 are evenly spread.
+pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;

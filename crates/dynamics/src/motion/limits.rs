@@ -11,8 +11,8 @@ use crate::linear::dense::dot;
 use crate::loops::singular::Surroundings;
 use crate::model::Model;
 use crate::tolerances::{
-    BRANCH_COMBINATIONS, DOUBTFUL_LIMIT, LEAST_BRANCH_COSINE, LIMIT_PLACES, LIMIT_STEPS, LIMITS_AGREE,
-    LIMITS_BY_DENSE_ROUTE, LIMITS_BY_RECURSION, VANISHING_LIMIT,
+    BRANCH_COMBINATIONS, DOUBTFUL_LIMIT, LAGRANGE_EIGHT, LAGRANGE_SIX, LEAST_BRANCH_COSINE, LIMIT_PLACES,
+    LIMIT_STEPS, LIMITS_AGREE, LIMITS_BY_DENSE_ROUTE, LIMITS_BY_RECURSION, VANISHING_LIMIT,
 };
 
 /// Limits of m̄ at a crossing of branches.
@@ -212,8 +212,6 @@ fn value(limit: &EffectiveMass) -> f64 {
 /// Limit from the values at one to four places on each side, and the difference between two orders of the
 /// interpolation. A branch is immovable or massless if all places are.
 fn extrapolate_limit(at: &dyn Fn(i32) -> Option<EffectiveMass>) -> Option<(f64, EffectiveMass)> {
-    const EIGHT: [f64; 4] = [4.0 / 5.0, -2.0 / 5.0, 4.0 / 35.0, -1.0 / 70.0];
-    const SIX: [f64; 4] = [3.0 / 4.0, -3.0 / 10.0, 1.0 / 20.0, 0.0];
     let (mut mobility, mut coarse, mut most_mobile) = (0.0, 0.0, 0.0_f64);
     let (mut mass, mut coarse_mass, mut heaviest) = (0.0, 0.0, 0.0_f64);
     let mut state = None;
@@ -225,10 +223,10 @@ fn extrapolate_limit(at: &dyn Fn(i32) -> Option<EffectiveMass>) -> Option<(f64, 
                 return None;
             }
             let EffectiveMass::Finite(m) = here else { continue };
-            mobility += EIGHT[place] / m;
-            coarse += SIX[place] / m;
-            mass += EIGHT[place] * m;
-            coarse_mass += SIX[place] * m;
+            mobility += LAGRANGE_EIGHT[place] / m;
+            coarse += LAGRANGE_SIX[place] / m;
+            mass += LAGRANGE_EIGHT[place] * m;
+            coarse_mass += LAGRANGE_SIX[place] * m;
             most_mobile = most_mobile.max(1.0 / m);
             heaviest = heaviest.max(m);
         }

@@ -9,7 +9,7 @@
 use super::{ContactMap, ContactStatus};
 use crate::kinematics::contact::Contact;
 use crate::kinematics::outcome::{EffectiveMass, RouteChoice};
-use crate::tolerances::{MAP_OWN_ROUNDINGS, MAP_SAFETY, MAP_TRUSTED_ERROR};
+use crate::tolerances::{GOLDEN, MAP_OWN_ROUNDINGS, MAP_SAFETY, MAP_TRUSTED_ERROR};
 use nalgebra::{SymmetricEigen, Vector3};
 
 impl ContactMap<'_> {
@@ -68,7 +68,6 @@ impl ContactMap<'_> {
 
 /// Fixed direction number `number`, from a golden spiral on the sphere.
 fn probe_direction(number: usize) -> Vector3<f64> {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let turn = std::f64::consts::TAU * (number as f64 * GOLDEN).fract();
     let z = 1.0 - (2.0 * number as f64 + 1.0) / 9.0;
     let radius = (1.0 - z * z).sqrt();

@@ -259,8 +259,8 @@ impl MatrixProblem<'_> {
                 } else {
                     error = self.change_by_accuracy(m).map(|moved| off.max(MOVED_SAFETY * moved));
                 }
-                if !rank.is_clear {
-                    // The bound holds for the decided rank, and the actual rank may differ.
+                // The bound holds for the decided rank, and for massless motions without a mass below rounding.
+                if !rank.is_clear || solution.massless_couples {
                     error = None;
                 }
                 if solution.closing_speed < NEARLY_IMMOVABLE {

@@ -57,8 +57,11 @@ impl UnitImpulse<'_> {
                     let least = if is_resolved {
                         let test = &recursion.wrenches[i][0];
                         let terms = turn * test.moment.norm() + e.s.linear.norm() * test.force.norm();
-                        let terms = terms + own * response.abs().sqrt();
-                        most += e.t[0].abs() + SUM_ROUNDINGS * f64::EPSILON * terms;
+                        // Exactly zero in groups that the contact does not reach.
+                        if terms > 0.0 {
+                            let terms = terms + own * response.abs().sqrt();
+                            most += e.t[0].abs() + SUM_ROUNDINGS * f64::EPSILON * terms;
+                        }
                         square_over(about, moment).max(square_over(along, mass))
                     } else {
                         e.d.abs().max(f64::EPSILON * own * own)
