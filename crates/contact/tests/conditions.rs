@@ -199,3 +199,17 @@ fn the_step_of_rigid_contacts_follows_the_curvature_of_the_motion() {
         assert_eq!(step(0.0), step(1e-3), "{tool}");
     }
 }
+
+/// The joints of SemiImplicit are springs, and XPBD has no armature.
+#[test]
+fn newton_has_featherstone_alone_for_mechanisms() {
+    let solvers = |request: &Request| {
+        let export = Tool::NEWTON.export(request).unwrap();
+        let text = &export.snippets[0].text;
+        let found =
+            ["SolverFeatherstone", "SolverSemiImplicit", "SolverXPBD"].map(|name| text.contains(name));
+        (found, export.number("dt_xpbd").is_some())
+    };
+    assert_eq!(solvers(&hinged(0.5, 2.0)), ([true, false, false], false));
+    assert_eq!(solvers(&hinged(0.5, 24.0)), ([true; 3], true));
+}

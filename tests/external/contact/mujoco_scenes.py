@@ -47,6 +47,25 @@ def ball(parameters, mass, speed):
     return Impact(model, model.qpos0, np.ones(1), lambda data: data.qvel[0], depth).outcome(speed)
 
 
+def two_bodies(parameters, bodies):
+    """A lever against a free ball below it."""
+    p, i = bodies.lever, bodies.lever.inertia
+    spec = mujoco.MjSpec.from_string(
+        f'''<mujoco><option gravity="0 0 0"/><worldbody>
+        <body><joint type="hinge" axis="0 -1 0"/>
+        <inertial pos="{p.centre!r} 0 {p.offset!r}" mass="{p.mass!r}" diaginertia="{i!r} {i!r} {i!r}"/>
+        <geom type="sphere" size="{p.radius!r}" pos="{p.lever!r} 0 0" mass="0"/></body>
+        <body pos="{p.lever!r} 0 {-bodies.distance!r}"><freejoint/>
+        <geom type="sphere" size="{bodies.radius!r}" mass="{bodies.mass!r}"/></body>
+        </worldbody></mujoco>'''
+    )
+    model = dress(spec, parameters)
+    # Hinge; place of the ball, linear and angular velocity.
+    opening = np.array([bodies.share / p.lever, 0, 0, bodies.share - 1, 0, 0, 0])
+    depth = lambda data: -data.contact[0].dist if data.ncon else None
+    return Impact(model, model.qpos0, opening, lambda data: p.lever * data.qvel[0] - data.qvel[3], depth).outcome(p.speed)
+
+
 class Mechanism:
     """One of percuss's models, converted to MJCF by loops.py, with a stop in front of the contact of a report of
     `percuss mass`: a small sphere about the contact point and a plane that touches it. Pose, point and normal come

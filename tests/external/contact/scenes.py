@@ -1,4 +1,4 @@
-"""Scenes of all engines: balls, levers, a double pendulum, a four-bar."""
+"""Scenes of all engines: balls, levers, a lever against a free ball, a double pendulum, a four-bar."""
 
 import dataclasses
 import math
@@ -110,6 +110,38 @@ class Pendulum:
 
     def alone(self, folder):
         return alone(self.own_mass)
+
+
+@dataclasses.dataclass(frozen=True)
+class TwoBodies:
+    """The lever of a Pendulum and a free ball below its sphere, both moving: the contact normal is +z, towards the lever. The closing speed is
+    shared as in the motion of least energy. No gravity, no friction."""
+
+    lever: Pendulum
+    mass: float
+    radius: float = 0.05
+
+    @property
+    def speed(self):
+        return self.lever.speed
+
+    @property
+    def effective_mass(self):
+        return 1 / (1 / self.lever.effective_mass + 1 / self.mass)
+
+    @property
+    def distance(self):
+        """Distance of the spheres' centres at the touch, m."""
+        return self.lever.radius + self.radius
+
+    @property
+    def share(self):
+        """Part of the closing speed that is the lever's."""
+        return self.effective_mass / self.lever.effective_mass
+
+    def contact(self, folder):
+        contact = self.lever.contact(folder)
+        return dataclasses.replace(contact, flags=(*contact.flags, "--against-mass", repr(self.mass)))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -242,6 +274,11 @@ def levers(count, seed=24):
 BALL = Ball(2.0, 0.05)
 # (ball, restitution): light and fast, heavy and slow.
 BALLS = [(Ball(0.37, 0.05, 1e4, 2.0), 0.15), (Ball(0.37, 0.05, 1e6, 0.3), 0.9), (Ball(2.0, 0.05, 1e5, 0.02), 0.5)]
+# (scene, restitution): m̄/m of the lever 0.25 against a heavy ball, 8 against a light one; the centres of mass off the line.
+TWO_BODIES = [
+    (TwoBodies(Pendulum(2.0, 0.15, 0.02, 0.4, 0.03, offset=0.1, speed=0.5), 3.0), 0.35),
+    (TwoBodies(Pendulum(1.1, 0.5, 0.7, 0.35, 0.03, offset=-0.2, stiffness=3e5, speed=1.2), 0.6), 0.75),
+]
 FOUR_BAR = FourBar()
 DOUBLE_PENDULUM = DoublePendulum()
 # m̄ = 1.5 and 3.75 kg, of a body of 2 kg.

@@ -86,32 +86,35 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.set("mu", 0.0, "");
     export.set("restitution", e, "");
     export.set("dt", step, "s");
-    if let Some(speed) = request.speed.filter(|_| request.jointed() != Some(true)) {
+    let free = request.jointed() != Some(true);
+    if let Some(speed) = request.speed.filter(|_| free) {
         export.set("dt_xpbd", limits::RIGID_TRAVEL / speed, "s");
     }
-    export.write(
-        "Newton",
-        "python",
-        format!(
-            "import newton\n\n\
-             # For the shapes of both sides.\n\
-             shape = newton.ModelBuilder.ShapeConfig(ke={:?}, kd={damping:?}, kf=0.0, ka=0.0, mu=0.0, restitution={e:?})\n\
-             dt = {step:?}\n\n\n\
-             def solver(model):\n    return newton.solvers.SolverFeatherstone(model, angular_damping=0.0)\n\n\n\
-             def solver_of_free_bodies(model):\n    return newton.solvers.SolverSemiImplicit(model, angular_damping=0.0)\n\n\n\
-             def rigid_solver(model):\n    \
-             return newton.solvers.SolverXPBD(model, enable_restitution=True, angular_damping=0.0)  # step: dt_xpbd\n",
-            linear.stiffness
-        ),
+    let mut text = format!(
+        "import newton\n\n\
+         # For the shapes of both sides.\n\
+         shape = newton.ModelBuilder.ShapeConfig(ke={:?}, kd={damping:?}, kf=0.0, ka=0.0, mu=0.0, restitution={e:?})\n\
+         dt = {step:?}\n\n\n\
+         def solver(model):\n    return newton.solvers.SolverFeatherstone(model, angular_damping=0.0)\n",
+        linear.stiffness
     );
+    if free {
+        text += "\n\ndef solver_of_free_bodies(model):\n    \
+                 return newton.solvers.SolverSemiImplicit(model, angular_damping=0.0)\n\n\n\
+                 def rigid_solver(model):\n    \
+                 return newton.solvers.SolverXPBD(model, enable_restitution=True, angular_damping=0.0)  # step: dt_xpbd\n";
+    }
+    export.write("Newton", "python", text);
     export.assume("The shapes of both sides have these values: the mean counts.");
     export.assume("Contacts are found anew at every step (model.collide), and no friction acts.");
     export.assume("Mechanisms in Featherstone, whose joints are exact.");
-    export.assume(
-        "XPBD, for free bodies: stiffness and damping have no effect; restitution is used with \
-         enable_restitution=True. Its step is \
-         dt_xpbd.",
-    );
+    if free {
+        export.assume(
+            "XPBD, for free bodies: stiffness and damping have no effect; restitution is used with \
+             enable_restitution=True. Its step is \
+             dt_xpbd.",
+        );
+    }
     single_precision::add(&mut export, TOOL, request, step, "m")?;
     export.cannot.push(
         "mechanisms in SemiImplicit: its joints are springs; mechanisms in XPBD: it has no armature, and bodies on a joint rebounded with \

@@ -6,6 +6,7 @@
     ball(parameters, solver, ball, speed)             an Outcome, or
     pendulum(parameters, solver, pendulum, speed)     raises Refused where the tool cannot have the scene
     four_bar(parameters, solver, four_bar, speed)     only where the tool closes loops
+    two_bodies(parameters, solver, bodies, speed)     a lever against a free ball; only where the module has it
     linkage(parameters, solver, linkage, speed)       an open chain of two bodies; only where the module has it
     stop(parameters, solver, stop, speed)             only where percuss writes the stops of joints for the tool
     EXPONENT        of the contact's spring, where it is not 1; optional

@@ -84,7 +84,34 @@ def ball(parameters, solver, ball, speed):
 
 
 def pendulum(parameters, solver, pendulum, speed):
-    p = pendulum
+    def opposite(gap):
+        plane(-pendulum.radius, parameters)
+        return lambda: (0.0, 0.0)
+
+    return levered(parameters, pendulum, speed, 1.0, opposite)
+
+
+def two_bodies(parameters, solver, bodies, speed):
+    lever = bodies.lever
+
+    def opposite(gap):
+        shape = pybullet.createCollisionShape(pybullet.GEOM_SPHERE, radius=bodies.radius)
+        start = -bodies.distance - (1 - bodies.share) * gap
+        ball = pybullet.createMultiBody(bodies.mass, shape, basePosition=[lever.lever, 0, start])
+        surface(ball, -1, parameters)
+        pybullet.resetBaseVelocity(ball, [0, 0, (1 - bodies.share) * speed])
+
+        def state():
+            return pybullet.getBasePositionAndOrientation(ball)[0][2] + bodies.distance, pybullet.getBaseVelocity(ball)[0][2]
+
+        return state
+
+    return levered(parameters, lever, speed, bodies.share, opposite)
+
+
+def levered(parameters, p, speed, share, opposite):
+    """A pendulum that takes part in the closing speed by `share`. `opposite(gap)` builds the other side; it returns a function of the other
+    side's height, 0 at the touch, and rate."""
     about_centre = p.turning_inertia
     urdf = f"""<robot name="pendulum">
   <link name="world">{HIDDEN}</link>
@@ -105,12 +132,12 @@ def pendulum(parameters, solver, pendulum, speed):
         path.write_text(urdf)
 
         def build(gap):
-            plane(-p.radius, parameters)
+            other = opposite(gap)
             body = pybullet.loadURDF(str(path), useFixedBase=True, flags=pybullet.URDF_USE_INERTIA_FROM_FILE)
             pybullet.setJointMotorControl2(body, 0, pybullet.VELOCITY_CONTROL, force=0)
             surface(body, 0, parameters)
-            pybullet.resetJointState(body, 0, gap / p.lever, -speed / p.lever)
-            return lambda: [p.lever * x for x in pybullet.getJointState(body, 0)[:2]]
+            pybullet.resetJointState(body, 0, share * gap / p.lever, -share * speed / p.lever)
+            return lambda: [p.lever * x - y for x, y in zip(pybullet.getJointState(body, 0)[:2], other())]
 
         return impacts(build, parameters, speed)
 

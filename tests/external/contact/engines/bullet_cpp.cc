@@ -4,6 +4,7 @@
 //   SCENE and NUMBERS:
 //     ball MASS RADIUS
 //     pendulum MASS CENTRE OFFSET INERTIA_ABOUT_CENTRE LEVER RADIUS
+//     two_bodies, of the pendulum the same, SHARE MASS RADIUS (the pendulum's part of SPEED; of a free ball below it)
 //     linkage BODIES HINGES RADIUS X Y, of each body MASS INERTIA X Y VX VY RATE (the second is struck), of each hinge BODY BODY X Y (-1:
 //       the ground)
 //   For each GAP (m, at the start) a line: speed of rebound over SPEED, deepest penetration.
@@ -31,7 +32,7 @@ int main(int count, char **words) {
   const double *n = given.data();
   const bool linkage = scene == "linkage";
   const int bodies_of = linkage ? (int)n[0] : 0, hinges_of = linkage ? (int)n[1] : 0;
-  const std::size_t numbers = scene == "ball" ? 2 : scene == "pendulum" ? 6 : 5 + 7 * bodies_of + 4 * hinges_of;
+  const std::size_t numbers = scene == "ball" ? 2 : scene == "pendulum" ? 6 : scene == "two_bodies" ? 9 : 5 + 7 * bodies_of + 4 * hinges_of;
   for (std::size_t at = numbers; at < given.size(); at++) {
     const double gap = given[at];
     btDefaultCollisionConfiguration configuration;
@@ -66,28 +67,33 @@ int main(int count, char **words) {
       hinges.push_back(std::move(made));
     };
 
-    const bool turns = scene == "pendulum";
+    const bool two = scene == "two_bodies", turns = two || scene == "pendulum";
     const double radius = linkage ? n[2] : turns ? n[5] : n[1];
     const btVector3 normal = linkage ? btVector3(0, 1, 0) : btVector3(0, 0, 1);
     const double contact = linkage ? n[4] : 0.0;
     btStaticPlaneShape plane(normal, contact - radius - gap);
-    body(0, 0, btVector3(0, 0, 0), &plane);
+    if (!two) body(0, 0, btVector3(0, 0, 0), &plane);
     btSphereShape sphere(radius);
     btCompoundShape shape;
-    btRigidBody *struck;
+    btRigidBody *struck, *other = nullptr;
+    btSphereShape ball(two ? n[8] : 1);
     btVector3 point(0, 0, 0);
     if (scene == "ball") {
       shape.addChildShape(btTransform::getIdentity(), &sphere);
       struck = body(n[0], 0.4 * n[0] * n[1] * n[1], point, &shape);
       struck->setLinearVelocity(btVector3(0, 0, -v));
     } else if (turns) {
-      const double centre = n[1], offset = n[2], lever = n[4];
+      const double centre = n[1], offset = n[2], lever = n[4], turn = (two ? n[6] : 1) * v / lever;
       point = btVector3(lever - centre, 0, -offset);
       shape.addChildShape(btTransform(btQuaternion::getIdentity(), point), &sphere);
       struck = body(n[0], n[3], btVector3(centre, 0, offset), &shape);
       hinge(struck, nullptr, btVector3(0, 0, 0), btVector3(0, 1, 0));
-      struck->setLinearVelocity(btVector3(v / lever * offset, 0, -v / lever * centre));
-      struck->setAngularVelocity(btVector3(0, v / lever, 0));
+      struck->setLinearVelocity(btVector3(turn * offset, 0, -turn * centre));
+      struck->setAngularVelocity(btVector3(0, turn, 0));
+      if (two) {
+        other = body(n[7], 0.4 * n[7] * n[8] * n[8], btVector3(lever, 0, -radius - gap - n[8]), &ball);
+        other->setLinearVelocity(btVector3(0, 0, (1 - n[6]) * v));
+      }
     } else {
       const double *b = n + 5, *j = b + 7 * bodies_of;
       point = btVector3(n[3], n[4], 0) - btVector3(b[7 * STRUCK + 2], b[7 * STRUCK + 3], 0);
@@ -108,8 +114,12 @@ int main(int count, char **words) {
     for (int i = 0; i < LONGEST && !back; i++) {
       world.stepSimulation(h, 0);
       const btTransform &pose = struck->getWorldTransform();
-      const double height = pose(point).dot(normal) - contact + gap;
+      double height = pose(point).dot(normal) - contact + gap;
       rate = struck->getVelocityInLocalPoint(pose.getBasis() * point).dot(normal);
+      if (other) {
+        height = pose(point).z() - other->getWorldTransform().getOrigin().z() - radius - n[8];
+        rate -= other->getLinearVelocity().z();
+      }
       depth = std::max(depth, -height);
       touched |= height < 0;
       back = touched && height > 0 && rate > 0;

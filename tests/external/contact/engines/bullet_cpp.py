@@ -38,6 +38,12 @@ def pendulum(parameters, solver, pendulum, speed):
     return run(parameters, solver, speed, "pendulum", p.mass, p.centre, p.offset, p.turning_inertia, p.lever, p.radius)
 
 
+def two_bodies(parameters, solver, bodies, speed):
+    p = bodies.lever
+    lever = (p.mass, p.centre, p.offset, p.turning_inertia, p.lever, p.radius)
+    return run(parameters, solver, speed, "two_bodies", *lever, bodies.share, bodies.mass, bodies.radius)
+
+
 def four_bar(parameters, solver, four_bar, speed):
     """Slow, lest its mass change: in single precision the travel of a step, 4e-8 m, is that of its places' rounding, and the rebound
     is off by 0.13 to 0.37."""

@@ -48,6 +48,42 @@ def pendulum(parameters, solver, pendulum, speed):
     return impacts(build, parameters, pendulum.lever, pendulum.radius, speed)
 
 
+def two_bodies(parameters, solver, bodies, speed):
+    """The speeds are those just after the impact: a lever's changes as it moves on."""
+    p = bodies.lever
+
+    def run(where):
+        step, phase = where
+        world = dartpy.simulation.World()
+        world.setGravity([0, 0, 0])
+        world.setTimeStep(step)
+        hinged, ball = dartpy.dynamics.Skeleton("struck"), dartpy.dynamics.Skeleton("ball")
+        joint, rod = hinged.createRevoluteJointAndBodyNodePair()
+        joint.setAxis([0, -1, 0])
+        rod.setInertia(dartpy.dynamics.Inertia(p.mass, [p.centre, 0, p.offset], p.inertia * np.eye(3)))
+        dress(rod, dartpy.dynamics.SphereShape(p.radius), [p.lever, 0, 0], parameters["RestitutionCoeff"], parameters)
+        joint, body = ball.createPrismaticJointAndBodyNodePair()
+        joint.setAxis([0, 0, 1])
+        body.setInertia(dartpy.dynamics.Inertia(bodies.mass, [0, 0, 0], 0.4 * bodies.mass * bodies.radius**2 * np.eye(3)))
+        place = [p.lever, 0, -bodies.distance]
+        dress(body, dartpy.dynamics.SphereShape(bodies.radius), place, parameters["RestitutionCoeff_other"], parameters)
+        for skeleton, share, arm in ((hinged, bodies.share, -p.lever), (ball, 1 - bodies.share, 1.0)):
+            skeleton.setVelocities([share * speed / arm])
+            skeleton.setPositions([-(FLIGHT + phase) * step * share * speed / arm])
+            world.addSkeleton(skeleton)
+        opening, depth = -speed, 0.0
+        for _ in range(LONGEST):
+            world.step()
+            depth = max(depth, ball.getPositions()[0] - p.lever * hinged.getPositions()[0])
+            opening = p.lever * hinged.getVelocities()[0] - ball.getVelocities()[0]
+            if opening > 0:
+                break
+        return opening / speed, depth
+
+    steps = (parameters["TimeStep"],) if "TimeStep" in parameters else TIME_STEPS
+    return Outcome.of(run, [(step, phase) for step in steps for phase in PHASES])
+
+
 def linkage(parameters, solver, linkage, speed):
     """Trees in the x-y plane; what is drawn along y is along z, and a turn about z is one about −y. Only hinges in the order of the bodies."""
 

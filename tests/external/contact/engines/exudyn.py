@@ -48,6 +48,28 @@ def ball(parameters, solver, ball, speed):
 
 
 def pendulum(parameters, solver, pendulum, speed):
+    return impacts(lever(pendulum, speed), parameters, pendulum.effective_mass, pendulum.radius, speed)
+
+
+def two_bodies(parameters, solver, bodies, speed):
+    built, share = lever(bodies.lever, bodies.share * speed), bodies.share
+
+    def build(system, ground, height):
+        return built(system, ground, share * height)
+
+    def opposite(system, height):
+        body = system.CreateRigidBody(
+            inertia=InertiaSphere(bodies.mass, bodies.radius),
+            referencePosition=[bodies.lever.lever, 0, -bodies.distance - (1 - share) * height],
+            initialVelocity=[0, 0, (1 - share) * speed],
+            gravity=[0, 0, 0],
+        )
+        return body, bodies.radius
+
+    return impacts(build, parameters, bodies.effective_mass, bodies.lever.radius, speed, opposite)
+
+
+def lever(pendulum, speed):
     """The rotor's inertia is added to the body's about the hinge's axis."""
 
     def build(system, ground, height):
@@ -71,7 +93,7 @@ def pendulum(parameters, solver, pendulum, speed):
         system.CreateRevoluteJoint(bodyNumbers=[ground, body], position=[0, 0, 0], axis=[0, 1, 0], useGlobalFrame=True, show=False)
         return body, [pendulum.lever - pendulum.centre, 0, -pendulum.offset]
 
-    return impacts(build, parameters, pendulum.effective_mass, pendulum.radius, speed)
+    return build
 
 
 def four_bar(parameters, solver, four_bar, speed):
@@ -104,9 +126,9 @@ def four_bar(parameters, solver, four_bar, speed):
 linkage = four_bar
 
 
-def impacts(build, parameters, mass, radius, speed):
-    """A plane is a sphere of 1 m; mass: for the duration only. The speed is that shortly after the gap has opened: a linkage's
-    changes as it moves on."""
+def impacts(build, parameters, mass, radius, speed, opposite=None):
+    """A plane is a sphere of 1 m; mass: for the duration only. `opposite(system, height)` builds another body instead and returns it with
+    its sphere's radius. The speed is that shortly after the gap has opened: a linkage's changes as it moves on."""
     step = parameters["stepSize"]
     steps = FLIGHT + math.ceil(LONGEST * math.pi * math.sqrt(mass / parameters["contactStiffness"]) / step)
 
@@ -116,14 +138,19 @@ def impacts(build, parameters, mass, radius, speed):
         height = (FLIGHT + phase) * step * speed
         body, place = build(system, ground, height)
         below = system.GetObjectOutputBody(body, exudyn.OutputVariableType.Position, place, exudyn.ConfigurationType.Reference)
-        stop = system.AddMarker(MarkerBodyRigid(bodyNumber=ground, localPosition=[below[0], 0, below[2] - height - radius - WALL]))
+        if opposite:
+            other, wall = opposite(system, height)
+            stop = system.AddMarker(MarkerBodyRigid(bodyNumber=other, localPosition=[0, 0, 0]))
+        else:
+            other, wall = ground, WALL
+            stop = system.AddMarker(MarkerBodyRigid(bodyNumber=ground, localPosition=[below[0], 0, below[2] - height - radius - WALL]))
         struck = system.AddMarker(MarkerBodyRigid(bodyNumber=body, localPosition=place))
         node = system.AddNode(NodeGenericData(numberOfDataCoordinates=4, initialCoordinates=[height, 0, 0, 0]))
         system.AddObject(
             ObjectContactSphereSphere(
                 markerNumbers=[stop, struck],
                 nodeNumber=node,
-                spheresRadii=[WALL, radius],
+                spheresRadii=[wall, radius],
                 contactStiffness=parameters["contactStiffness"],
                 contactDamping=parameters["contactDamping"],
                 contactStiffnessExponent=parameters["contactStiffnessExponent"],
@@ -133,7 +160,8 @@ def impacts(build, parameters, mass, radius, speed):
         )
         kinds = exudyn.OutputVariableType.Position, exudyn.OutputVariableType.Velocity
         sensors = [
-            system.AddSensor(SensorBody(bodyNumber=body, localPosition=place, outputVariableType=kind, storeInternal=True, writeToFile=False))
+            system.AddSensor(SensorBody(bodyNumber=of, localPosition=at, outputVariableType=kind, storeInternal=True, writeToFile=False))
+            for of, at in ((body, place), (other, [0, 0, 0]))
             for kind in kinds
         ]
         system.Assemble()
@@ -146,8 +174,11 @@ def impacts(build, parameters, mass, radius, speed):
         settings.solutionSettings.sensorsWritePeriod = step
         system.SolveDynamic(settings)
         # Of each sample the time, then x, y, z.
-        heights, rates = (system.GetSensorStoredData(sensor)[:, 3] for sensor in sensors)
-        heights -= below[2] - height
+        heights, rates, other_heights, other_rates = (system.GetSensorStoredData(sensor)[:, 3] for sensor in sensors)
+        if opposite:
+            heights, rates = heights - other_heights - radius - wall, rates - other_rates
+        else:
+            heights -= below[2] - height
         deepest = int(np.argmin(heights))
         opened = deepest + int(np.argmax(heights[deepest:] > 0))
         assert heights[opened] > 0, "the impact did not end"

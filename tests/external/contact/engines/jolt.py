@@ -39,6 +39,11 @@ def pendulum(parameters, solver, pendulum, speed):
     return outcome({"pendulum": dataclasses.asdict(pendulum)}, parameters, solver, speed)
 
 
+def two_bodies(parameters, solver, bodies, speed):
+    scene = dataclasses.asdict(bodies.lever) | {"ball": {"mass": bodies.mass, "radius": bodies.radius, "share": 1 - bodies.share}}
+    return outcome({"pendulum": scene}, parameters, solver, speed)
+
+
 def four_bar(parameters, solver, four_bar, speed):
     names, moving = [*four_bar.bodies], velocities(four_bar, speed)
     bodies = [

@@ -1,8 +1,8 @@
 // Impacts in Jolt, by its build for JavaScript: one JSON request on the standard input, one answer on the standard output.
 //
 //   {"package": folder of jolt-physics, "parameters": {…}, "other": restitution of the wall or null, "step": s, "phases": […],
-//    "speed": m/s, "ball": {mass, radius} or "pendulum": {mass, centre, offset, inertia, lever, radius, rotor} or
-//    "four_bar": {radius, point, struck, bodies: [{mass, inertia, centre, velocity, rate}, …], hinges: [[body, body or null, x, y], …]}}
+//    "speed": m/s, "ball": {mass, radius} or "pendulum": {mass, centre, offset, inertia, lever, radius, rotor,
+//    "ball": optional {mass, radius, share}: a free ball in place of the wall, with its share of the speed} or "four_bar": {radius, point, struck, bodies: [{mass, inertia, centre, velocity, rate}, …], hinges: [[body, body or null, x, y], …]}}
 //
 // Answer: {"version", "impacts": [[e, penetration], …]}. The parameters are the struck body's and, unless "other" says otherwise,
 // the wall's too.
@@ -21,6 +21,7 @@ const upright = () => new Jolt.Quat(0, 0, 0, 1);
 function world() {
   const pairs = new Jolt.ObjectLayerPairFilterTable(2);
   pairs.EnableCollision(STILL, MOVING);
+  if (request.pendulum?.ball) pairs.EnableCollision(MOVING, MOVING);
   const layers = new Jolt.BroadPhaseLayerInterfaceTable(2, 2);
   for (const layer of [STILL, MOVING]) layers.MapObjectToBroadPhaseLayer(layer, new Jolt.BroadPhaseLayer(layer));
   const settings = new Jolt.JoltSettings();
@@ -77,10 +78,12 @@ function ball({ mass, radius }, phase) {
 }
 
 /// Built at angle 0 and turned a little about the hinge, so that the hinge is where it is with no error.
-function pendulum({ mass, centre, offset, inertia, lever, radius, rotor }, phase) {
+function pendulum({ mass, centre, offset, inertia, lever, radius, rotor, ball: other }, phase) {
   const { jolt, system } = world();
-  const stop = wall(system, -radius);
-  const angle = ((FLIGHT + phase) * step * speed) / lever;
+  // Far below where a ball is struck: the hinge is at rest with it.
+  const stop = wall(system, other ? -10 : -radius);
+  const own = (1 - (other?.share ?? 0)) * speed;
+  const angle = ((FLIGHT + phase) * step * own) / lever;
   // The sphere at the lever, seen from the centre of mass that the body has its origin in.
   const beside = new Jolt.Vec3(lever - centre, 0, -offset);
   const sphere = new Jolt.RotatedTranslatedShapeSettings(beside, upright(), new Jolt.SphereShapeSettings(radius));
@@ -101,12 +104,19 @@ function pendulum({ mass, centre, offset, inertia, lever, radius, rotor }, phase
   const [x, z] = [centre * Math.cos(angle) - offset * Math.sin(angle), centre * Math.sin(angle) + offset * Math.cos(angle)];
   const place = new Jolt.RVec3(x, 0, z);
   bodies.SetPositionAndRotation(body.GetID(), place, turned, Jolt.EActivation_Activate);
-  const rate = -speed / lever;
+  const rate = -own / lever;
   bodies.SetAngularVelocity(body.GetID(), new Jolt.Vec3(0, -rate, 0));
   const along = new Jolt.Vec3(-rate * z, 0, rate * x);
   bodies.SetLinearVelocity(body.GetID(), along);
   const height = () => 2 * lever * Math.asin(-body.GetRotation().GetY());
-  return watch(jolt, () => -body.GetAngularVelocity().GetY() * lever, () => -height());
+  const tip = () => -body.GetAngularVelocity().GetY() * lever;
+  if (!other) return watch(jolt, tip, () => -height());
+  const below = -radius - other.radius - (FLIGHT + phase) * step * speed * other.share;
+  const still = 0.4 * other.mass * other.radius * other.radius;
+  const struck = moving(system, new Jolt.SphereShape(other.radius), new Jolt.RVec3(lever, 0, below), other.mass, [still, still, still]);
+  bodies.SetLinearVelocity(struck.GetID(), new Jolt.Vec3(0, 0, speed * other.share));
+  const overlap = () => struck.GetPosition().GetZ() + other.radius + radius - height();
+  return watch(jolt, () => tip() - struck.GetLinearVelocity().GetZ(), overlap, true);
 }
 
 /// In the plane of x and z: what is drawn along y is along z, a turn about z is one about −y; the contact is at the origin.

@@ -4,6 +4,7 @@
    SOLVER step, or quick with that many iterations. SCENE and NUMBERS:
      ball MASS RADIUS
      pendulum MASS CENTRE OFFSET INERTIA_ABOUT_CENTRE LEVER RADIUS
+     two_bodies, of the pendulum the same, SHARE MASS RADIUS (the pendulum's part of SPEED; of a free ball below it)
      linkage BODIES HINGES RADIUS X Y, of each body MASS INERTIA X Y VX VY RATE (the second is struck), of each hinge BODY BODY X Y (-1: the
        ground)
    For each GAP (m, at the start) a line: speed of rebound over SPEED, deepest penetration. */
@@ -63,8 +64,9 @@ int main(int count, char **words) {
   erp = atof(words[3]), cfm = atof(words[4]);
   double h = atof(words[5]), v = atof(words[6]);
   const char *scene = words[7];
+  int two = !strcmp(scene, "two_bodies"), turns = two || !strcmp(scene, "pendulum");
   int linkage = !strcmp(scene, "linkage"), bodies = linkage ? atoi(words[8]) : 0, hinges = linkage ? atoi(words[9]) : 0;
-  int first = 8 + (!strcmp(scene, "ball") ? 2 : !strcmp(scene, "pendulum") ? 6 : 5 + 7 * bodies + 4 * hinges);
+  int first = 8 + (!strcmp(scene, "ball") ? 2 : two ? 9 : turns ? 6 : 5 + 7 * bodies + 4 * hinges);
   if (bodies > BODIES || first - 8 > MOST) return 2;
   dInitODE();
   for (int at = first; at < count; at++) {
@@ -73,7 +75,7 @@ int main(int count, char **words) {
     world = dWorldCreate(), space = dSimpleSpaceCreate(0), contacts = dJointGroupCreate(0);
     if (quick) dWorldSetQuickStepNumIterations(world, atoi(words[2]));
     depth = 0;
-    dBodyID struck;
+    dBodyID struck, other = 0;
     int own_joints = 0;
     dVector3 point, up = {0, 0, 0};
     if (!strcmp(scene, "ball")) {
@@ -82,14 +84,20 @@ int main(int count, char **words) {
       dCreatePlane(space, 0, 0, 1, -n[1]);
       dBodySetLinearVel(struck, 0, 0, -v);
       point[0] = point[1] = point[2] = 0, up[2] = 1;
-    } else if (!strcmp(scene, "pendulum")) {
-      double lever = n[4], radius = n[5];
+    } else if (turns) {
+      double lever = n[4], radius = n[5], rate = (two ? n[6] : 1) * v / lever;
       struck = body(n[0], n[3], n[1], 0, n[2]);
       sphere(struck, radius, lever, 0, 0);
       hinge(struck, 0, 0, 0, 0, 0, -1, 0);
-      dCreatePlane(space, 0, 0, 1, -radius - gap);
-      dBodySetAngularVel(struck, 0, v / lever, 0);
-      dBodySetLinearVel(struck, v / lever * n[2], 0, -v / lever * n[1]);
+      if (two) {
+        other = body(n[7], 0.4 * n[7] * n[8] * n[8], lever, 0, -radius - gap - n[8]);
+        sphere(other, n[8], lever, 0, -radius - gap - n[8]);
+        dBodySetLinearVel(other, 0, 0, (1 - n[6]) * v);
+      } else {
+        dCreatePlane(space, 0, 0, 1, -radius - gap);
+      }
+      dBodySetAngularVel(struck, 0, rate, 0);
+      dBodySetLinearVel(struck, rate * n[2], 0, -rate * n[1]);
       point[0] = lever - n[1], point[1] = 0, point[2] = -n[2], up[2] = 1, own_joints = 1;
     } else {
       double *l = n + 2, *b = l + 3, *j = b + 7 * bodies;
@@ -115,6 +123,7 @@ int main(int count, char **words) {
       dVector3 at_point;
       dBodyGetRelPointVel(struck, point[0], point[1], point[2], at_point);
       speed = at_point[0] * up[0] + at_point[1] * up[1] + at_point[2] * up[2];
+      if (other) speed -= dBodyGetLinearVel(other)[2];
       if (touched && !touching && speed > 0) break;
       touched |= touching;
     }

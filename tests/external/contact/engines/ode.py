@@ -31,6 +31,12 @@ def pendulum(parameters, solver, pendulum, speed):
     return run(parameters, solver, speed, "pendulum", p.mass, p.centre, p.offset, p.turning_inertia, p.lever, p.radius)
 
 
+def two_bodies(parameters, solver, bodies, speed):
+    p = bodies.lever
+    lever = (p.mass, p.centre, p.offset, p.turning_inertia, p.lever, p.radius)
+    return run(parameters, solver, speed, "two_bodies", *lever, bodies.share, bodies.mass, bodies.radius)
+
+
 def four_bar(parameters, solver, four_bar, speed):
     return run(parameters, solver, speed, "linkage", *_built.linkage(four_bar, speed))
 

@@ -55,6 +55,46 @@ def pendulum(parameters, solver, pendulum, speed):
     return impacts(build, parameters, pendulum.lever, pendulum.radius, speed)
 
 
+def two_bodies(parameters, solver, bodies, speed):
+    """The relative radius of two spheres is r₁r₂/(r₁ + r₂)."""
+    p, about = bodies.lever, 0.4 * bodies.mass * bodies.radius**2
+    model = opensim.Model()
+    model.setGravity(opensim.Vec3(0))
+    ground, none = model.getGround(), opensim.Vec3(0)
+    rod = opensim.Body("struck", p.mass, opensim.Vec3(p.centre, p.offset, 0), opensim.Inertia(p.inertia, p.inertia, p.inertia, 0, 0, 0))
+    ball = opensim.Body("ball", bodies.mass, none, opensim.Inertia(about, about, about, 0, 0, 0))
+    upright = opensim.Vec3(0, 0, math.pi / 2)
+    below = opensim.Vec3(p.lever, -bodies.distance, 0)
+    joints = (
+        opensim.PinJoint("hinge", ground, none, none, rod, none, none),
+        opensim.SliderJoint("along", ground, below, upright, ball, none, upright),
+    )
+    for body, joint in zip((rod, ball), joints):
+        model.addBody(body)
+        model.addJoint(joint)
+    model.addContactGeometry(opensim.ContactSphere(bodies.radius, none, ball, "stop"))
+    model.addContactGeometry(opensim.ContactSphere(p.radius, opensim.Vec3(p.lever, 0, 0), rod, "struck"))
+    force(model, parameters, p.radius * bodies.radius / bodies.distance)
+    model.initSystem()
+    coordinates = [model.getCoordinateSet().get(i) for i in range(2)]
+    shares = (bodies.share / p.lever, bodies.share - 1)
+
+    def run(phase):
+        state = model.initializeState()
+        for coordinate, share in zip(coordinates, shares):
+            coordinate.setValue(state, (FLIGHT + phase) * parameters["maximum_step_size"] * speed * share)
+            coordinate.setSpeedValue(state, -speed * share)
+        table = integrated(model, parameters, state, FLIGHT + LONGEST)
+        (angles, rates), (places, speeds) = (columns(table, coordinate) for coordinate in coordinates)
+        heights = p.lever * np.sin(angles) - places
+        deepest = int(np.argmin(heights))
+        opened = deepest + int(np.argmax(heights[deepest:] > 0))
+        assert heights[deepest] < 0 < heights[opened], "the impact did not end"
+        return (p.lever * rates[opened] - speeds[opened]) / speed, -heights[deepest]
+
+    return Outcome.of(run)
+
+
 def four_bar(parameters, solver, four_bar, speed):
     """The trees of the crank and of the rocker, closed by a PointConstraint. Built where it is drawn, before a wall that is a gap
     away. The speed is that where the gap opens: a linkage's changes as it moves on."""
@@ -128,15 +168,20 @@ def contact(model, parameters, body, place, radius, wall):
     down = opensim.Vec3(0, 0, -math.pi / 2)
     model.addContactGeometry(opensim.ContactHalfSpace(opensim.Vec3(0, wall - radius, 0), down, model.getGround(), "stop"))
     model.addContactGeometry(opensim.ContactSphere(radius, place, body, "struck"))
-    force = opensim.HuntCrossleyForce()
+    force(model, parameters, radius)
+
+
+def force(model, parameters, radius):
+    """Between the geometries "stop" and "struck", of that relative radius."""
+    added = opensim.HuntCrossleyForce()
     for name in ("stop", "struck"):
-        force.addGeometry(name)
-    force.setStiffness(parameters["stiffness·sqrt(R)"] / math.sqrt(radius))
-    force.setDissipation(parameters["dissipation"])
-    force.setStaticFriction(0.0)
-    force.setDynamicFriction(0.0)
-    force.setViscousFriction(0.0)
-    model.addForce(force)
+        added.addGeometry(name)
+    added.setStiffness(parameters["stiffness·sqrt(R)"] / math.sqrt(radius))
+    added.setDissipation(parameters["dissipation"])
+    added.setStaticFriction(0.0)
+    added.setDynamicFriction(0.0)
+    added.setViscousFriction(0.0)
+    model.addForce(added)
 
 
 def integrated(model, parameters, state, steps):

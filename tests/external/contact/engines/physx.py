@@ -185,6 +185,34 @@ def ball(parameters, solver, ball, speed):
 
 
 def pendulum(parameters, solver, pendulum, speed):
+    def opening(read):
+        return -read("angularVelocity")[:, 1] * pendulum.lever
+
+    return impacts(lever(pendulum, speed), HINGE, parameters, solver, -pendulum.radius, pendulum.effective_mass, speed, opening)
+
+
+def two_bodies(parameters, solver, bodies, speed):
+    hinged, share = lever(bodies.lever, bodies.share * speed), bodies.share
+
+    def body(height):
+        return hinged(share * height)
+
+    def ball(height):
+        about = 0.4 * bodies.mass * bodies.radius**2
+        return {
+            "X": bodies.lever.lever, "Z": -bodies.distance - (1 - share) * height, "W": 1, "TURN": 0, "MASS": bodies.mass, "CENTRE": 0,
+            "OFFSET": 0, "IX": about, "IY": about, "IZ": about, "VX": 0, "VZ": (1 - share) * speed, "SPIN": 0, "RADIUS": bodies.radius,
+            "LEVER": 0,
+        }
+
+    def opening(read):
+        # In the order of the names, each lever is followed by its ball.
+        return -read("angularVelocity")[0::2, 1] * bodies.lever.lever - read("linearVelocity")[1::2, 2]
+
+    return impacts(body, HINGE, parameters, solver, None, bodies.effective_mass, speed, opening, ball)
+
+
+def lever(pendulum, speed):
     """A rigid body on a joint. The rotor's inertia is added to the body's about the hinge's axis."""
 
     def body(height):
@@ -198,10 +226,7 @@ def pendulum(parameters, solver, pendulum, speed):
             "SPIN": math.degrees(-rate), "RADIUS": pendulum.radius, "LEVER": pendulum.lever,
         }
 
-    def opening(read):
-        return -read("angularVelocity")[:, 1] * pendulum.lever
-
-    return impacts(body, HINGE, parameters, solver, -pendulum.radius, pendulum.effective_mass, speed, opening)
+    return body
 
 
 def four_bar(parameters, solver, four_bar, speed):
@@ -278,8 +303,8 @@ def stop(parameters, solver, stop, speed):
     return run(document, step, half, speed, opening)
 
 
-def impacts(body, joint, parameters, solver, top, mass, speed, opening):
-    """Against a box whose upper face is at z = top; mass: for the duration only."""
+def impacts(body, joint, parameters, solver, top, mass, speed, opening, ball=None):
+    """Against a box whose upper face is at z = top, or against `ball(height)`; mass: for the duration only."""
     step = parameters["dt"]
     kind, damping = solver
     turns = ITERATIONS
@@ -287,11 +312,15 @@ def impacts(body, joint, parameters, solver, top, mass, speed, opening):
         turns = (int(parameters["tgs_position_iterations"]), int(parameters["tgs_velocity_iterations"]))
     surface = {"STIFFNESS": parameters["compliant_contact_stiffness"], "DAMPING": parameters[damping]}
     document = fill(HEAD, surface | {"SOLVER": kind})
-    document += fill(STOP, {"CENTRE": top - 0.5})
+    if not ball:
+        document += fill(STOP, {"CENTRE": top - 0.5})
     for number, phase in enumerate(PHASES):
-        values = body((FLIGHT + phase) * step * speed)
+        height = (FLIGHT + phase) * step * speed
+        values = body(height)
         common = {"NUMBER": number, "Y": number * APART, "VY": 0, "TURNING": 0, "POSITION_TURNS": turns[0], "VELOCITY_TURNS": turns[1]}
         document += fill(BODY, common | values) + fill(joint, common)
+        if ball:
+            document += fill(BODY, common | ball(height) | {"NUMBER": f"{number}ball"})
     return run(document, step, math.pi * math.sqrt(mass / parameters["compliant_contact_stiffness"]), speed, opening)
 
 

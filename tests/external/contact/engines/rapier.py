@@ -52,6 +52,23 @@ def pendulum(parameters, solver, pendulum, speed):
     return impacts(parameters, speed, joint=solver, **body)
 
 
+def linkage(parameters, solver, linkage, speed):
+    """An open chain, its hinges in the order of the bodies."""
+    chain, before, moving = [], 0.0, linkage.velocities(speed)
+    for name, _, at in linkage.hinges:
+        mass, inertia, centre, _ = linkage.bodies[name]
+        rate = moving[name][1]
+        chain.append({"mass": mass, "inertia": inertia, "centre": centre, "hinge": at, "rate": rate - before})
+        before = rate
+    return impacts(parameters, speed, chain=chain, point=linkage.point, radius=linkage.radius)
+
+
+def two_bodies(parameters, solver, bodies, speed):
+    p, other = bodies.lever, {"mass": bodies.mass, "radius": bodies.radius, "speed": (1 - bodies.share) * speed}
+    body = {"mass": p.mass, "radius": p.radius, "inertia": p.inertia, "centre": p.centre, "offset": p.offset, "lever": p.lever, "rotor": p.rotor}
+    return impacts(parameters, speed, joint=solver, other=other, **body)
+
+
 def compiles(text, parameters):
     """As a module of the project, in a copy of it."""
     copy = (_built.BUILT / "rapier-pasted").absolute()
