@@ -132,7 +132,7 @@ impl DrivenPath {
     /// Pose of a completed row, from its positions (see [`follow`](Self::follow)) and its residual (m).
     ///
     /// # Errors
-    /// [`VelocityError::Positions`]: a wrong number of positions.
+    /// [`StateSizeError::PositionCount`]: a wrong number of positions.
     pub fn pose_at(&self, positions: &[f64], residual: f64) -> Result<Pose, StateSizeError> {
         check_positions(positions.len(), self.continuation.positions().len())?;
         Ok(self.pose_from_positions(positions, residual))

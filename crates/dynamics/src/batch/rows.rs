@@ -212,7 +212,7 @@ impl Batch {
     /// [`run`](Self::run). Allocates nothing if the result is not in doubt.
     ///
     /// # Errors
-    /// [`VelocityError::Positions`]: a wrong number of positions.
+    /// [`StateSizeError::PositionCount`]: a wrong number of positions.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Result<BatchAnswer, StateSizeError> {
         check_positions(positions.len(), self.assembly.model().positions)?;
         if let Some(clear) = self.worker.kernel.as_mut().and_then(|lanes| lanes.effective_mass(positions)) {

@@ -94,7 +94,7 @@ impl Workspace {
     /// with the next computation of m̄.
     ///
     /// # Errors
-    /// [`VelocityError::Positions`]: a wrong number of positions. The workspace keeps its previous positions.
+    /// [`StateSizeError::PositionCount`]: a wrong number of positions. The workspace keeps its previous positions.
     pub fn set_positions(&mut self, positions: &[f64]) -> Result<(), StateSizeError> {
         check_positions(positions.len(), self.kinematics.q.len())?;
         self.kinematics.q.copy_from_slice(positions);
@@ -312,7 +312,7 @@ impl<T: Scalar> ScalarWorkspace<T> {
     /// Sets the positions (layout of [`Workspace::set_positions`]).
     ///
     /// # Errors
-    /// [`VelocityError::Positions`]: a wrong number of positions. The workspace keeps its previous positions.
+    /// [`StateSizeError::PositionCount`]: a wrong number of positions. The workspace keeps its previous positions.
     pub fn set_positions(&mut self, positions: &[T]) -> Result<(), StateSizeError> {
         check_positions(positions.len(), self.kinematics.q.len())?;
         self.kinematics.q.copy_from_slice(positions);

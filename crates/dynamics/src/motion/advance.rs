@@ -17,7 +17,7 @@ impl System {
     /// q̇ of all joints at the velocities `v`, one list per joint; both in joint order (layouts of [`JointKind`]).
     ///
     /// # Errors
-    /// [`VelocityError`]: a wrong number of positions or velocities.
+    /// [`StateSizeError`]: a wrong number of positions or velocities.
     pub fn position_rates<T: Scalar>(
         &self,
         positions: &[T],
@@ -40,7 +40,7 @@ impl Pose {
     /// new pose is the resulting gap.
     ///
     /// # Errors
-    /// [`VelocityError`]: velocities that do not fit the mechanism.
+    /// [`StateSizeError`]: velocities that do not fit the mechanism.
     pub fn advanced(
         &self,
         velocities: &[Vec<f64>],

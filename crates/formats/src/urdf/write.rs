@@ -18,7 +18,7 @@ pub struct Comments {
     /// Comment above a closure or a coupling, by name.
     pub closures: HashMap<String, String>,
     /// Warnings given when the mechanism was made: code and link name. Each is written as
-    /// `<?percuss-known CODE NAME?>`; [`load`](crate::urdf::load) then gives a note in place of the warning.
+    /// `<?percuss-known CODE NAME?>`; [`load`](crate::load) then gives a note in place of the warning.
     pub known: Vec<(&'static str, String)>,
 }
 
