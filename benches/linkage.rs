@@ -23,14 +23,14 @@ fn linkage(criterion: &mut Criterion<CpuTime>) {
         let next = system.pose_from(&poses[step - 1], &at(step)).expect("the range is in reach");
         poses.push(next);
     }
-    let response = poses[STEPS / 2].respond(&contact, RouteChoice::Auto).expect("a contact");
+    let response = poses[STEPS / 2].respond(&contact).expect("a contact");
     assert!(matches!(response.effective_mass, EffectiveMass::Finite(m) if (20.0..500.0).contains(&m)));
 
     let mut next = poses.iter().cycle();
     criterion.bench_function("double_wishbone/response", |bencher| {
         bencher.iter(|| {
             let pose = next.next().expect("a cycle has no end");
-            black_box(black_box(pose).respond(&contact, RouteChoice::Auto))
+            black_box(black_box(pose).respond(&contact))
         });
     });
     let mut workspace = poses[0].assembly().workspace();

@@ -112,7 +112,7 @@ impl Question {
             configuration.set(DRIVER, &[angle]).expect("the lower arm drives");
             configuration
         };
-        let mass = |pose: &Pose| match pose.respond(&contact, RouteChoice::Auto).map(|r| r.effective_mass) {
+        let mass = |pose: &Pose| match pose.respond(&contact).map(|r| r.effective_mass) {
             Ok(EffectiveMass::Finite(m)) => m,
             other => panic!("{name}: {other:?}"),
         };
@@ -243,8 +243,7 @@ fn time_closing(question: &Question) {
         for (k, answer) in answers.iter().enumerate() {
             pose = question.system.pose_from(&pose, &at(angles[k])).expect("the travel is in reach");
             let Some((mass, _)) = answer.mass else { continue };
-            let Ok(EffectiveMass::Finite(m)) =
-                pose.respond(&question.contact, RouteChoice::Auto).map(|r| r.effective_mass)
+            let Ok(EffectiveMass::Finite(m)) = pose.respond(&question.contact).map(|r| r.effective_mass)
             else {
                 panic!("{}: no mass at {}", question.name, angles[k])
             };

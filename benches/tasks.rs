@@ -176,7 +176,7 @@ fn response() -> Task {
     let (units, bodies) = (poses.len(), system.mechanism().joints().len());
     let run = move || {
         for pose in &poses {
-            _ = black_box(black_box(pose).respond(&contact, RouteChoice::Auto).expect("a contact"));
+            _ = black_box(black_box(pose).respond(&contact).expect("a contact"));
         }
     };
     Task { run: Box::new(run), units, bodies }

@@ -147,7 +147,7 @@ fn a_workspace_allocates_nothing_and_answers_as_a_pose_does() {
         let all = answers(&mut system.workspace(), &contact, &configurations);
         for (configuration, (answer, allocated)) in configurations.iter().zip(all) {
             let pose = pose(&case, &system, configuration);
-            let response = pose.respond(&contact, RouteChoice::Auto).expect("an answer");
+            let response = pose.respond(&contact).expect("an answer");
             assert_allocates_nothing(&case.name, allocated, &response);
             match answer.unwrap_or_else(|error| panic!("{}: {error}", case.name)) {
                 EffectiveMass::Finite(m) => {
@@ -237,7 +237,7 @@ fn a_workspace_of_loops_allocates_nothing_and_answers_as_a_pose_does() {
                 if !plain {
                     continue;
                 }
-                let response = pose.respond(&contact, RouteChoice::Auto).expect("an answer");
+                let response = pose.respond(&contact).expect("an answer");
                 assert_allocates_nothing(&name, allocated, &response);
                 match (answer.expect("an answer"), response.effective_mass) {
                     (EffectiveMass::Finite(m), EffectiveMass::Finite(expected)) => {

@@ -100,9 +100,8 @@ mod percuss {
                 (pose.joint(mechanism.find_joint(joint).expect("a joint"))[0] - value).abs()
             };
             let respond = |asked: &Asked| {
-                let response = pose
-                    .respond(&self.contact(asked), RouteChoice::Auto)
-                    .map_err(|error: ResponseError| error.to_string())?;
+                let response =
+                    pose.respond(&self.contact(asked)).map_err(|error: ResponseError| error.to_string())?;
                 match (response.effective_mass, response.effective_mass_error()) {
                     (EffectiveMass::Finite(mass), Some(error)) => Ok((mass, error)),
                     (mass, error) => Err(format!("{mass:?}, error {error:?}")),
@@ -121,7 +120,7 @@ mod percuss {
             let finite = |mass| if let EffectiveMass::Finite(mass) = mass { Some(mass) } else { None };
             let mut routes = Vec::new();
             for contact in contacts.iter().map(|asked| self.contact(asked)) {
-                let by = |choice| pose.respond(&contact, choice).ok();
+                let by = |choice| pose.respond_by_route(&contact, choice).ok();
                 let mass =
                     |response: Option<ContactResponse>| response.and_then(|r| finite(r.effective_mass));
                 let auto = by(RouteChoice::Auto);

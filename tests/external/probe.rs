@@ -228,8 +228,8 @@ fn contact(system: &System, pose: &Pose, wanted: &ContactRequest) -> Result<Cont
         row: pose.contact_row(&located),
         point_world: located.point_world.into(),
         normal_world: located.normal_world.into(),
-        chosen: response(pose.respond(&contact, RouteChoice::Auto), condition),
-        dense: response(pose.respond(&contact, RouteChoice::Only(Route::Dense)), condition),
+        chosen: response(pose.respond(&contact), condition),
+        dense: response(pose.respond_by_route(&contact, RouteChoice::Only(Route::Dense)), condition),
     })
 }
 

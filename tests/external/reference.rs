@@ -120,7 +120,7 @@ fn contact(mechanism: &Arc<Mechanism>, pose: &Pose, rng: &mut StdRng, tally: &mu
         return false;
     }
     let ours = Contact { link: on, against, point, normal: Direction::Along(normal, Frame::World) };
-    let response = match pose.respond(&ours, RouteChoice::Auto) {
+    let response = match pose.respond(&ours) {
         Ok(response) => response,
         Err(error) => {
             println!("    {error}");

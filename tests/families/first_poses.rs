@@ -47,7 +47,7 @@ fn a_fresh_workspace_stands_at_the_closed_pose() {
         zero.set_positions(&vec![0.0; pose.positions().len()]).expect("as many");
         for link in links {
             let contact = Contact::new(link, [0.1, 0.2, 0.05], [0.3, 0.9, 0.2]);
-            let there = pose.respond(&contact, RouteChoice::Auto).expect("an answer").effective_mass;
+            let there = pose.respond(&contact).expect("an answer").effective_mass;
             let answers = [&mut fresh, &mut zero].map(|workspace| workspace.effective_mass(&contact));
             let (EffectiveMass::Finite(there), [Ok(first), at_zero]) = (there, answers) else { continue };
             let EffectiveMass::Finite(first) = first else { panic!("seed {seed}: {first:?}, {there} kg") };
@@ -116,9 +116,9 @@ fn a_short_line_on_a_rounded_file_is_as_uncertain_as_its_ends() {
                 Contact::new(touch.link, touch.point, touch.normal)
                     .normal(Direction::TurningToward(root, end))
             };
-            let long = file_pose.respond(&toward(1.0), RouteChoice::Auto).expect("an answer");
-            let short = file_pose.respond(&toward(1e-6), RouteChoice::Auto).expect("an answer");
-            let twin = exact_pose.respond(&toward(1e-6), RouteChoice::Auto).expect("an answer");
+            let long = file_pose.respond(&toward(1.0)).expect("an answer");
+            let short = file_pose.respond(&toward(1e-6)).expect("an answer");
+            let twin = exact_pose.respond(&toward(1e-6)).expect("an answer");
             let finite =
                 |r: &percuss_dynamics::ContactResponse| matches!(r.effective_mass, EffectiveMass::Finite(_));
             if ![&long, &short, &twin].into_iter().all(finite) {

@@ -166,7 +166,7 @@ fn answer(text: &str, link: &str, point: [f64; 3], normal: [f64; 3]) -> Result<E
     let system = System::new(Arc::new(loaded.mechanism), &Conditions::new()).map_err(|e| e.to_string())?;
     let pose = system.pose(&system.configuration()).map_err(|e| e.to_string())?;
     let contact = Contact::new(system.mechanism().find_link(link).expect("a link"), point, normal);
-    let response = pose.respond(&contact, RouteChoice::Auto).map_err(|e| e.to_string())?;
+    let response = pose.respond(&contact).map_err(|e| e.to_string())?;
     Ok(response.effective_mass)
 }
 

@@ -92,8 +92,8 @@ fn lines_are_refused_where_they_have_turned() {
                 let (angle, part) = turned(&pose, &drawn, &stop);
                 // No case is decided by rounding.
                 assert!((angle - 5f64.to_radians()).abs() > 1e-9 && (part - 0.1).abs() > 1e-9);
-                let answer = pose.respond(&stop, RouteChoice::Auto).map(|r| r.effective_mass);
-                let turning = pose.respond(&spring, RouteChoice::Auto).map(|r| r.effective_mass);
+                let answer = pose.respond(&stop).map(|r| r.effective_mass);
+                let turning = pose.respond(&spring).map(|r| r.effective_mass);
                 if part < 0.1 {
                     counts[0] += 1;
                     for answer in [&answer, &turning] {
@@ -118,9 +118,8 @@ fn lines_are_refused_where_they_have_turned() {
                     // of the line.
                     let fixed = base.normal(Direction::Along(*normal, *frame));
                     assert_eq!(*frame, if against.is_some() { Frame::Against } else { Frame::World });
-                    assert!(pose.respond(&fixed, RouteChoice::Auto).is_ok());
-                    let at_zero =
-                        |contact| drawn.respond(contact, RouteChoice::Auto).expect("as drawn").effective_mass;
+                    assert!(pose.respond(&fixed).is_ok());
+                    let at_zero = |contact| drawn.respond(contact).expect("as drawn").effective_mass;
                     match (at_zero(&fixed), at_zero(&stop)) {
                         (EffectiveMass::Finite(a), EffectiveMass::Finite(b)) => {
                             assert!((a / b - 1.0).abs() < 1e-12, "{a} and {b}");

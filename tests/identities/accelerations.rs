@@ -38,7 +38,7 @@ fn force_over_acceleration() {
             });
             Ok(case.normal.dot(&(on - other)))
         };
-        let response = pose.respond(&case.contact(), RouteChoice::Auto).expect("an answer");
+        let response = pose.respond(&case.contact()).expect("an answer");
         let condition = if response.degrees_of_freedom == 0 { Some(1.0) } else { regular_condition(&pose) };
         let at_rest = match (closing(&[]), condition) {
             (Ok(a), Some(_)) => a,

@@ -156,7 +156,7 @@ fn check(name: &str, system: &System, contact: &Contact, rows: &[f64], seen: &mu
         rows.chunks(width).map(|row| batch.effective_mass(row).expect("positions")).collect();
     for (row, answer) in rows.chunks(width).zip(&by_itself) {
         seen.answers += 1;
-        let response = pose_at(system, row).respond(contact, RouteChoice::Auto).expect("an answer");
+        let response = pose_at(system, row).respond(contact).expect("an answer");
         let (Some(EffectiveMass::Finite(m)), Some(error)) = (answer.mass, answer.error) else {
             match (answer.mass, response.effective_mass) {
                 (Some(EffectiveMass::Finite(a)), EffectiveMass::Finite(b)) => {
@@ -358,7 +358,7 @@ fn linkages_in_lanes_answer_as_poses_do() {
         seen.answers += 1;
         if let (Some(EffectiveMass::Finite(m)), Some(error)) = (answer.mass, answer.error) {
             seen.by_lanes += 1;
-            let response = pose.respond(contact, RouteChoice::Auto).expect("an answer");
+            let response = pose.respond(contact).expect("an answer");
             let EffectiveMass::Finite(expected) = response.effective_mass else {
                 panic!("{name}: {m} kg for {:?}", response.effective_mass)
             };

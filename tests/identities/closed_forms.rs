@@ -71,7 +71,7 @@ fn central_impact() {
         let expected = m_1 * m_2 / (m_1 + m_2);
         balls.check_mass(&contact, expected);
         // m̄ is between half the lighter mass and the lighter mass.
-        let m = mass(&balls.respond(&contact, RouteChoice::Auto));
+        let m = mass(&balls.respond(&contact));
         let lighter = m_1.min(m_2);
         assert!(
             lighter / 2.0 * (1.0 - TOL) <= m && m <= lighter * (1.0 + TOL),
@@ -83,7 +83,7 @@ fn central_impact() {
         // Each ball alone, and one ball against a given mass.
         let alone = balls.contact("one", [0.5, 0.0, 0.0], Vector3::x());
         balls.check_mass(&alone, m_1);
-        let against = balls.respond(&alone, RouteChoice::Auto).against_mass(m_2).expect("a mass");
+        let against = balls.respond(&alone).against_mass(m_2).expect("a mass");
         assert_close(mass(&against), expected);
         let contributions = against.contributions.expect("finite");
         // At unit closing speed m₁ v₁ = m₂ v₂: the lighter ball moves more.
@@ -122,10 +122,8 @@ fn eccentric_impact() {
             bench.check_mass(&bench.contact("body", point, normal), expected);
         }
         // Against a free mass: the classical eccentric impact.
-        let against = jointed
-            .respond(&jointed.contact("body", point, normal), RouteChoice::Auto)
-            .against_mass(0.8)
-            .expect("a mass");
+        let against =
+            jointed.respond(&jointed.contact("body", point, normal)).against_mass(0.8).expect("a mass");
         assert_close(mass(&against), closed_form::series(expected, 0.8));
     }
     // Uniform rod: a quarter of its mass at the tip if free, a third if hinged, a value in between on a sliding base.
@@ -181,7 +179,7 @@ fn independent_mechanisms_add_as_springs_in_series() {
     both.check_mass(&other, second);
     both.check_mass(&contact.against(body), closed_form::series(first, second));
     both.check_mass(&other.against(lower), closed_form::series(first, second));
-    let by_number = both.respond(&contact, RouteChoice::Auto).against_mass(second).expect("a mass");
+    let by_number = both.respond(&contact).against_mass(second).expect("a mass");
     assert_close(mass(&by_number), closed_form::series(first, second));
 }
 

@@ -33,7 +33,7 @@ const STEP_OF_MASS: f64 = 1e-4;
 const BY_MASS: f64 = 1e-5;
 
 fn finite(subject: &Subject) -> Option<(ContactResponse, f64, f64)> {
-    let response = subject.pose.respond(&subject.contact, RouteChoice::Only(Route::Articulated));
+    let response = subject.pose.respond_by_route(&subject.contact, RouteChoice::Only(Route::Articulated));
     let response = response.unwrap_or_else(|error| panic!("{}: {error}", subject.name));
     let EffectiveMass::Finite(m) = response.effective_mass else { return None };
     let fast = 1.0 + subject.mechanism().characteristic_length() * Motion::of(&response).size();

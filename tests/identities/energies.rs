@@ -73,7 +73,8 @@ fn twice_the_energy_over_the_speed_squared() {
         let system = case.system();
         let pose = case.pose(&system);
         for route in [Route::Dense, Route::Articulated] {
-            let response = pose.respond(&case.contact(), RouteChoice::Only(route)).expect("an answer");
+            let response =
+                pose.respond_by_route(&case.contact(), RouteChoice::Only(route)).expect("an answer");
             let EffectiveMass::Finite(m) = response.effective_mass else { continue };
             let motion = Motion::of(&response);
             // For every motion, 2T/V² ≥ m̄; for the response, equality. The response closes the gap at unit speed, but
@@ -158,7 +159,8 @@ fn the_inverse_operational_inertia_answers_every_normal() {
         for _ in 0..4 {
             let normal = Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0)).normalize();
             let contact = case.contact().normal(Direction::Along(normal, Frame::World));
-            let response = pose.respond(&contact, RouteChoice::Only(Route::Dense)).expect("an answer");
+            let response =
+                pose.respond_by_route(&contact, RouteChoice::Only(Route::Dense)).expect("an answer");
             let bound = near_at(&pose);
             let inverse = phi.inverse_effective_mass(&normal);
             match response.effective_mass {

@@ -21,7 +21,7 @@ struct Row {
 }
 
 fn count(row: &mut Row, subject: &Subject) {
-    let by = |choice| subject.pose.respond(&subject.contact, choice);
+    let by = |choice| subject.pose.respond_by_route(&subject.contact, choice);
     let auto = by(RouteChoice::Auto).unwrap_or_else(|error| panic!("{}: {error}", subject.name));
     let recursive = by(RouteChoice::Only(Route::Articulated));
     row.asked += 1;

@@ -26,7 +26,7 @@ fn all_cases() -> Vec<Case> {
 }
 
 fn respond(pose: &Pose, contact: &Contact, route: Route) -> ContactResponse {
-    pose.respond(contact, RouteChoice::Only(route)).expect("an answer")
+    pose.respond_by_route(contact, RouteChoice::Only(route)).expect("an answer")
 }
 
 /// Records the relative deviation of two finite results; other outcomes must be equal.
@@ -89,7 +89,7 @@ fn short_lines_state_what_their_ends_are_off() {
             let at = home.link(end).inverse_point(&beside);
             let contact = Contact::new(struck, point, Vector3::x()).normal(Direction::TurningToward(end, at));
             let answer = |x: f64| {
-                let response = model(x).respond(&contact, RouteChoice::Auto).expect("an answer");
+                let response = model(x).respond(&contact).expect("an answer");
                 let EffectiveMass::Finite(m) = response.effective_mass else { panic!("{response:?}") };
                 (m, response.effective_mass_error().expect("known"))
             };
@@ -291,7 +291,7 @@ fn the_frame_a_contact_is_given_in() {
         let pose = system.pose(case.configuration(&system).set_base(x_wr)).expect("a tree poses");
         let contact = in_link(&case, &case.pose(&system));
         let located = pose.locate(&contact).expect("a contact");
-        let one = pose.respond(&contact, RouteChoice::Auto).expect("an answer");
+        let one = pose.respond(&contact).expect("an answer");
         let x_wa = case.against.map_or_else(Transform::identity, |link| pose.link(link));
         let in_against =
             (x_wa.inverse_point(&located.point_world), x_wa.inverse_vector(&located.normal_world));
@@ -306,13 +306,13 @@ fn the_frame_a_contact_is_given_in() {
             let point = pose.point_in_link(case.on, case.against, frame, point);
             points.note(&case.name, (point - case.point).norm(), blur);
             let again = Contact { point, ..contact }.normal(Direction::Along(normal * 3.0, frame));
-            let two = pose.respond(&again, RouteChoice::Auto).expect("an answer");
+            let two = pose.respond(&again).expect("an answer");
             same(&mut gauge, &case.name, &two, &one, bound);
         }
         // Along a line to a point of the root link, two metres away.
         let target = pose.base().inverse_point(&(located.point_world + located.normal_world * 2.0));
         let toward = contact.normal(Direction::TurningToward(case.mechanism.root(), target));
-        let two = pose.respond(&toward, RouteChoice::Auto).expect("an answer");
+        let two = pose.respond(&toward).expect("an answer");
         same(&mut gauge, &case.name, &two, &one, bound);
     }
     gauge.report();

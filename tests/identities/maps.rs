@@ -88,7 +88,7 @@ fn compare(
         let contact = Contact { against, ..Contact::new(link, point, normal) };
         let name =
             || format!("{name}: contact {i}, {point:?} {normal:?}, by inertia {}", map.is_by_inertia());
-        let Ok(response) = pose.respond(&contact, RouteChoice::Auto) else {
+        let Ok(response) = pose.respond(&contact) else {
             assert_eq!(statuses[i], ContactStatus::Unanswered, "{}", name());
             continue;
         };

@@ -209,7 +209,7 @@ struct Poses {
 impl Poses {
     fn compare(&mut self, number: usize, subject: &Subject) {
         let Subject { name, pose, contact, system, .. } = subject;
-        let response = pose.respond(contact, RouteChoice::Auto).expect("an answer");
+        let response = pose.respond(contact).expect("an answer");
         let (mass, rows) = (pose.mass_matrix(), pose.constraint_matrix());
         let row = pose.contact_row(&response.contact);
         let (mass, rows) = (Stored::new(&mass, number), Stored::new(&rows, number / 3));

@@ -40,11 +40,11 @@ fn nothing_moves() {
         let still = Bench::under(mechanism, &all);
         let contact = still.contact(&leaf, [0.3, 0.2, 0.1], Vector3::new(1.0, 2.0, 3.0));
         assert_eq!(still.outcome(&contact), EffectiveMass::Immovable, "{name}");
-        let response = still.respond(&contact, RouteChoice::Auto);
+        let response = still.respond(&contact);
         assert_eq!((response.degrees_of_freedom, response.contributions), (0, None), "{name}");
     }
     // An immovable wall against a free mass gives the free mass.
-    let wall = pendulum.respond(&pendulum.contact("body", [0.5, 0.0, 0.0], along(0.6)), RouteChoice::Auto);
+    let wall = pendulum.respond(&pendulum.contact("body", [0.5, 0.0, 0.0], along(0.6)));
     assert_eq!(wall.against_mass(0.3).expect("a mass").effective_mass, EffectiveMass::Finite(0.3));
 }
 
@@ -58,7 +58,7 @@ fn hardly_anything_moves() {
     {
         let contact = pendulum.contact("body", [0.5, 0.0, 0.0], Vector3::new(1.0, slope, 0.0));
         for route in [Route::Dense, Route::Articulated] {
-            let response = pendulum.respond(&contact, RouteChoice::Only(route));
+            let response = pendulum.respond_by_route(&contact, RouteChoice::Only(route));
             let nearly = response.remarks.iter().any(|r| matches!(r, Remark::NearlyImmovable { .. }));
             assert_eq!(nearly, remarked, "{slope}");
             if finite {
@@ -86,14 +86,14 @@ fn hardly_anything_moves() {
 fn nothing_opposes() {
     let arm = Bench::new(zoo::massless_tip());
     let across = arm.contact("feeler", [0.2, 0.0, 0.0], Vector3::y());
-    let dense = arm.respond(&across, RouteChoice::Only(Route::Dense));
+    let dense = arm.respond_by_route(&across, RouteChoice::Only(Route::Dense));
     assert_eq!(dense.effective_mass, EffectiveMass::Massless);
     assert_eq!((dense.contributions.clone(), dense.effective_mass_error()), (None, None));
-    assert_eq!(arm.respond(&across, RouteChoice::Auto).effective_mass, EffectiveMass::Massless);
+    assert_eq!(arm.respond(&across).effective_mass, EffectiveMass::Massless);
     assert_eq!(dense.against_mass(5.0).expect("a mass").effective_mass, EffectiveMass::Massless);
     // A contact along the feeler pushes into the shoulder; with its hinge locked, the feeler is part of the arm.
     let lengthwise = arm.contact("feeler", [0.2, 0.0, 0.0], Vector3::x());
-    assert_eq!(arm.respond(&lengthwise, RouteChoice::Auto).effective_mass, EffectiveMass::Immovable);
+    assert_eq!(arm.respond(&lengthwise).effective_mass, EffectiveMass::Immovable);
     let locked = Bench::under(Arc::clone(arm.system.mechanism()), &Conditions::new().lock("feeler_hinge"));
     let link = arm.system.mechanism().find_link("arm").unwrap();
     let j_o = arm.system.mechanism().link(link).inertia().rotational[(2, 2)];
@@ -142,7 +142,7 @@ fn massless_links_within_are_exact() {
         let of = |bench: &Bench| {
             bench.contact("body", point, normal).normal(Direction::Along(normal, Frame::Link))
         };
-        let expected = mass(&ball.respond(&of(&ball), RouteChoice::Auto));
+        let expected = mass(&ball.respond(&of(&ball)));
         chain.check_mass(&of(&chain), expected);
     }
 }
@@ -153,7 +153,7 @@ fn handles_of_another_mechanism_are_refused() {
     let (arm, pendulum) = (system(zoo::six_r_arm()), system(zoo::double_pendulum()));
     let last = arm.mechanism().link_ids().last().expect("links");
     let pose = pendulum.pose(&pendulum.configuration()).expect("a tree poses");
-    let foreign = pose.respond(&Contact::new(last, [0.0; 3], [1.0, 0.0, 0.0]), RouteChoice::Auto);
+    let foreign = pose.respond(&Contact::new(last, [0.0; 3], [1.0, 0.0, 0.0]));
     assert!(
         matches!(foreign, Err(ResponseError::Contact(ContactError::ForeignLink { index, links })) if index >= links),
         "{foreign:?}"

@@ -68,7 +68,7 @@ impl Routes {
         let system = case.system();
         let pose = case.pose(&system);
         let by = |choice| {
-            pose.respond(&case.contact(), choice)
+            pose.respond_by_route(&case.contact(), choice)
                 .unwrap_or_else(|error| panic!("{name}: {choice:?}: {error}"))
         };
         let a = by(RouteChoice::Only(Route::Dense));
@@ -203,7 +203,7 @@ fn the_routes_agree_where_contacts_are_held() {
                 continue;
             }
             for route in [Route::Dense, Route::Articulated] {
-                let response = pose.respond(&case.contact(), RouteChoice::Only(route));
+                let response = pose.respond_by_route(&case.contact(), RouteChoice::Only(route));
                 let response = response.unwrap_or_else(|error| panic!("{}: {error}", case.name));
                 assert_eq!(response.degrees_of_freedom, c.degrees_of_freedom, "{}", case.name);
                 match (response.effective_mass, c.outcome) {

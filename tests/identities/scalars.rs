@@ -169,7 +169,7 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
         // True if the workspace uses the SIMD kernel for this contact.
         let in_lanes = pose.assembly().batch(contact).is_ok_and(|batch| batch.has_lanes());
         // The lanes follow the recursion, even if the dense route is preferred.
-        let response = pose.respond(contact, RouteChoice::Auto);
+        let response = pose.respond(contact);
         let by_recursion = response.as_ref().is_ok_and(|r| r.dense_reason.is_none() && !r.is_energy_value);
         for (lane, positions) in four.iter().enumerate() {
             scalar.set_positions(positions).expect("positions that fit");

@@ -23,7 +23,7 @@ fn compare(name: &str, pose: &Pose, contact: &Contact, counts: &mut Counts) {
     let mut workspace = pose.assembly().workspace();
     workspace.set_positions(pose.positions()).expect("positions that fit");
     let there = workspace.effective_mass(contact);
-    let response = pose.respond(contact, RouteChoice::Auto);
+    let response = pose.respond(contact);
     let mass = response.as_ref().map(|r| r.effective_mass).map_err(ResponseError::clone);
     let Ok(response) = response else { return assert_eq!(there, mass, "{name}") };
     let has_lanes = pose.assembly().batch(contact).is_ok_and(|batch| batch.has_lanes());
@@ -77,7 +77,7 @@ fn on_trees_and_linkages() {
 fn what_was_asked_before_changes_nothing() {
     let mut others = 0;
     for subject in of_trees(17, 1, 40).into_iter().chain(of_linkages(801, 2)) {
-        let whole = |contact: &Contact| format!("{:?}", subject.pose.respond(contact, RouteChoice::Auto));
+        let whole = |contact: &Contact| format!("{:?}", subject.pose.respond(contact));
         let fresh = whole(&subject.contact);
         for link in subject.mechanism().link_ids() {
             others += usize::from(whole(&Contact::new(link, [0.1, 0.2, -0.3], [0.2, 1.0, -0.4])) != fresh);

@@ -41,8 +41,9 @@ fn compare(
     let mechanism = system.mechanism();
     let contact = contact(rng, mechanism);
     let answer: Answer = maximal::solve(&given.ask(question(system, mechanism, pose, &contact)));
-    let by =
-        |choice| pose.respond(&contact, choice).unwrap_or_else(|error| panic!("{case}, {choice:?}: {error}"));
+    let by = |choice| {
+        pose.respond_by_route(&contact, choice).unwrap_or_else(|error| panic!("{case}, {choice:?}: {error}"))
+    };
     let response = by(RouteChoice::Auto);
     let case = format!("{case}, {}", given.name);
     let rank = pose.rank();

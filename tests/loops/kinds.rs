@@ -63,7 +63,7 @@ fn sliding_closures_are_wedges() {
             assert!((y - rise * slope.tan()).abs() < 1e-12, "{kind:?}: {y}");
             let normal =
                 Transform::new(rotation_from_rpy([0.4, -0.7, 1.1]), Vector3::zeros()).vector(&Vector3::x());
-            let response = bench.respond(&bench.contact("first", [0.1, 0.2, 0.3], normal), RouteChoice::Auto);
+            let response = bench.respond(&bench.contact("first", [0.1, 0.2, 0.3], normal));
             let expected = WEDGE[0] + WEDGE[1] * slope.tan().powi(2);
             gauge.relative(&format!("{kind:?} {slope}"), mass(&response), expected, 1e-12);
             assert_eq!(bench.system.degrees_of_freedom(), 1);
@@ -210,7 +210,7 @@ fn a_loop_onto_the_world_does_not_let_the_base_off() {
     let system = System::new(mechanism, &Conditions::new().base(Base::Floating).lock("wrist")).expect("free");
     assert_eq!(system.degrees_of_freedom(), 1);
     let bench = Bench { configuration: system.configuration(), system };
-    let response = bench.respond(&bench.contact("body", [0.8, 0.0, 0.0], Vector3::y()), RouteChoice::Auto);
+    let response = bench.respond(&bench.contact("body", [0.8, 0.0, 0.0], Vector3::y()));
     let j_o = 0.04 + 2.0 * 0.09 + 0.004 + 0.5 * 0.36;
     assert_close(mass(&response), closed_form::physical_pendulum(j_o, 0.8));
 }

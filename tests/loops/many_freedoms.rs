@@ -57,7 +57,8 @@ fn a_cluster_of_many_freedoms_is_the_careful_routes() {
         }
         let pose = system.pose(&configuration).unwrap();
         let contact = Contact::new(link, [0.05, 0.02, 0.0], [0.2, 0.7, -0.4]);
-        let answer = |route| -> ContactResponse { pose.respond(&contact, RouteChoice::Only(route)).unwrap() };
+        let answer =
+            |route| -> ContactResponse { pose.respond_by_route(&contact, RouteChoice::Only(route)).unwrap() };
         let (recursion, careful) = (answer(Route::Articulated), answer(Route::Dense));
         let (EffectiveMass::Finite(a), EffectiveMass::Finite(b)) =
             (recursion.effective_mass, careful.effective_mass)
@@ -87,7 +88,7 @@ fn a_cluster_of_too_many_freedoms_is_refused() {
         }
         other => panic!("{other}"),
     };
-    refused(pose.respond(&contact, RouteChoice::Auto).expect_err("gigabytes"));
+    refused(pose.respond(&contact).expect_err("gigabytes"));
     refused(pose.assembly().workspace().effective_mass(&contact).expect_err("gigabytes"));
     refused(pose.workspace_over::<f64>(&contact).expect_err("gigabytes"));
     let located = pose.locate(&contact).unwrap();

@@ -91,7 +91,7 @@ fn compare(
     seen: &mut Seen,
 ) {
     let Some((mass, error)) = answer.mass else { return };
-    let response = pose.respond(contact, RouteChoice::Auto).expect("an answer");
+    let response = pose.respond(contact).expect("an answer");
     let EffectiveMass::Finite(expected) = response.effective_mass else {
         panic!("{name}: {answer:?} for {:?}", response.effective_mass)
     };

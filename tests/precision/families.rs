@@ -338,7 +338,7 @@ fn ask(label: &str, tree: &Exact, row: &mut [f64], touches: &[Touch], report: &m
             _ => report.again += 1,
         }
         let Some(pose) = &pose else { continue };
-        let Ok(response) = pose.respond(&contact, RouteChoice::Auto) else {
+        let Ok(response) = pose.respond(&contact) else {
             report.outcomes.push(format!("{}: no answer", name()));
             continue;
         };
@@ -518,7 +518,7 @@ fn nearly_aligned_hinges_with_a_massless_link() {
             ("recursion", RouteChoice::Only(Route::Articulated)),
         ];
         for (by, route) in routes {
-            let found = pose.respond(&contact, route).expect("a response");
+            let found = pose.respond_by_route(&contact, route).expect("a response");
             honest(by, found.effective_mass, found.effective_mass_error(), limit(&found.remarks));
         }
         let mut batch = pose.assembly().batch(&contact).expect("a contact");

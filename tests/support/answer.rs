@@ -132,7 +132,7 @@ impl PosedModel {
     /// # Errors
     /// The error of the library, in a line.
     pub fn respond_by(&self, choice: RouteChoice, contact: &Contact) -> Answered<Answer> {
-        let response = caught(|| self.pose.respond(contact, choice))?;
+        let response = caught(|| self.pose.respond_by_route(contact, choice))?;
         let (status, mass) = match response.effective_mass {
             EffectiveMass::Finite(mass) => (Status::Finite, mass),
             EffectiveMass::Immovable => (Status::Immovable, f64::NAN),

@@ -135,7 +135,7 @@ impl Case {
     /// The response by the automatic route.
     pub fn response(&self) -> ContactResponse {
         let system = self.system();
-        self.pose(&system).respond(&self.contact(), RouteChoice::Auto).expect("an answer")
+        self.pose(&system).respond(&self.contact()).expect("an answer")
     }
 
     /// The question for the oracle.

@@ -114,7 +114,7 @@ impl Rig {
 
     /// The response at a pose.
     pub fn respond(&self, pose: &Pose, contact: &Contact) -> ContactResponse {
-        pose.respond(contact, RouteChoice::Auto).expect("an answer")
+        pose.respond(contact).expect("an answer")
     }
 
     /// Closure error by the oracle, relative to the mechanism's size.

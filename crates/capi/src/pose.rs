@@ -133,7 +133,7 @@ pub unsafe extern "C" fn percuss_pose_positions(
 
 fn respond(posed: &Posed, contact: *const percuss_contact, route: i32) -> Result<ContactResponse, Failure> {
     let contact = value(contact, "contact")?.on(&posed.model)?;
-    let found = posed.pose.respond(&contact, route_choice(route)?);
+    let found = posed.pose.respond_by_route(&contact, route_choice(route)?);
     found.map_err(Failure::of(PERCUSS_ERROR_CONTACT))
 }
 

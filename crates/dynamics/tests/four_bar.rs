@@ -55,7 +55,7 @@ fn respond(system: &System, pin: f64, rocker: f64) -> ContactResponse {
     let pose = system.pose(&configuration).unwrap();
     let coupler = system.mechanism().find_link("coupler").unwrap();
     let contact = Contact::new(coupler, [0.35, 0.1, 0.0], [0.0, 1.0, 0.0]);
-    pose.respond(&contact, RouteChoice::Auto).unwrap()
+    pose.respond(&contact).unwrap()
 }
 
 fn kilograms(response: &ContactResponse) -> f64 {
@@ -161,7 +161,7 @@ fn how_far_a_mechanism_is_followed_does_not_depend_on_its_unit() {
         let pose = system.pose(&configuration).unwrap();
         let coupler = system.mechanism().find_link("coupler").unwrap();
         let contact = Contact::new(coupler, [0.35 * scale, 0.1 * scale, 0.0], [0.0, 1.0, 0.0]);
-        let response = pose.respond(&contact, RouteChoice::Auto).unwrap();
+        let response = pose.respond(&contact).unwrap();
         pose.advanced_along(&response, scale * distance)
     };
     let (mut followed, mut lost) = (0, 0);
@@ -317,7 +317,7 @@ fn what_does_not_fit_a_mechanism_is_refused() {
     let inertia = percuss_spatial::SpatialInertia::zero();
     assert!(matches!(scalars.add_inertia(foreign, &inertia), Err(ContactError::ForeignLink { .. })));
 
-    let response = pose.respond(&contact, RouteChoice::Auto).unwrap();
+    let response = pose.respond(&contact).unwrap();
     for mass in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-320] {
         let refused = response.clone().against_mass(mass);
         assert!(matches!(refused, Err(ContactError::OtherMass { .. })), "{mass}");

@@ -247,7 +247,7 @@ fn every_rule_holds_at_every_entry_point() {
     let pose = ball.pose();
     let contacts = |contact: &Contact| {
         [
-            ("pose", pose.respond(contact, RouteChoice::Auto).is_err()),
+            ("pose", pose.respond(contact).is_err()),
             ("workspace", ball.assembly.workspace().effective_mass(contact).is_err()),
             ("batch", ball.assembly.batch(contact).is_err()),
             ("path", pose.driven_path(contact, &[]).is_err()),
@@ -329,7 +329,7 @@ fn every_rule_holds_at_every_entry_point() {
     let accelerations = pose.accelerations(&still, &Twist::zero(), &Vector3::zeros(), &[]).expect("a tree");
     let at_foreign = pose.point_acceleration(&accelerations, foreign, &Vector3::zeros());
     table.push(("own link", "acceleration", at_foreign.is_err()));
-    let response = pose.respond(&ball.contact, RouteChoice::Auto).expect("a response");
+    let response = pose.respond(&ball.contact).expect("a response");
     table.push((
         "own link",
         "point velocity",
@@ -385,7 +385,7 @@ fn an_open_row_is_refused_with_its_gap() {
         configuration.set("crank_hinge", &[0.7]).expect("a driver");
         let pose = subject.assembly.pose(&configuration).expect("it turns");
         let rounded: Vec<f64> = pose.positions().iter().map(|q| f64::from(*q as f32)).collect();
-        let exact = pose.respond(&subject.contact, RouteChoice::Auto).expect("a response").effective_mass;
+        let exact = pose.respond(&subject.contact).expect("a response").effective_mass;
         let EffectiveMass::Finite(exact) = exact else { panic!("{exact:?}") };
         for (entry, answer) in subject.entries(&rounded) {
             let Ok(EffectiveMass::Finite(m)) = answer else { panic!("{entry}: {answer:?}") };
@@ -429,7 +429,7 @@ fn another_assembly_mode_is_an_error_unless_it_is_accepted() {
             refused += 1;
             configuration.allow_other_assembly();
             let pose = system.pose(&configuration).expect("it was accepted");
-            let response = pose.respond(&contact, RouteChoice::Auto).expect("a response");
+            let response = pose.respond(&contact).expect("a response");
             assert!(
                 response.remarks.iter().any(|r| matches!(r, Remark::OtherAssembly { .. })),
                 "{response:?}"
@@ -452,7 +452,7 @@ fn a_loop_open_as_drawn_is_a_remark_of_every_answer() {
         let contact = on(&system, "coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0]);
         let assembly = system.reference().expect("it closes");
         let pose = assembly.pose(&system.configuration()).expect("a pose");
-        let response = pose.respond(&contact, RouteChoice::Auto).expect("a response");
+        let response = pose.respond(&contact).expect("a response");
         let found = response.remarks.iter().find_map(|remark| match remark {
             Remark::DrawnOpen { gap, .. } => Some(*gap),
             _ => None,
@@ -481,7 +481,7 @@ fn a_nearly_immovable_contact_is_a_remark_of_a_workspace() {
     for tilt in [1e-7, 1e-8, 3e-9, 1e-3] {
         // Along the rod the point does not move, except for the tilt.
         let contact = on(&subject.system, "rod", [0.5, 0.0, 0.0], [1.0, tilt, 0.0]);
-        let response = subject.pose().respond(&contact, RouteChoice::Auto).expect("a response");
+        let response = subject.pose().respond(&contact).expect("a response");
         let EffectiveMass::Finite(m) = response.effective_mass else { panic!("{response:?}") };
         let expected = tilt < 1e-6;
         let mut workspace = subject.assembly.workspace();
@@ -518,7 +518,7 @@ fn normals_in_the_world_go_by_the_base_that_is_given() {
             workspace.set_base(&x_wr).expect("a rigid frame");
         }
         let pose = system.pose(&configuration).expect("a tree");
-        let response = pose.respond(&contact, RouteChoice::Auto).expect("a response");
+        let response = pose.respond(&contact).expect("a response");
         let EffectiveMass::Finite(expected) = response.effective_mass else { panic!("{response:?}") };
         let EffectiveMass::Finite(own) = workspace.effective_mass(&contact).expect("a mass") else {
             panic!()

@@ -39,5 +39,5 @@ pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
 pub use reading::diagnostic::{Diagnostic, LoadError};
 pub use reading::source::{DEFAULT_MAX_SIZE, Source};
 pub use urdf::elements::shape::{Purpose, Shape, Solid};
-pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded, load};
+pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded, load, load_file};
 pub use urdf::write::{Comments, write_urdf, write_urdf_with};

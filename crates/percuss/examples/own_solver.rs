@@ -39,7 +39,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         let j = DVector::from_vec(pose.contact_row(&pose.locate(&contact)?));
         let own =
             effective_mass(&pose.mass_matrix(), &pose.constraint_matrix(), &j).ok_or("no finite mass")?;
-        let response = pose.respond(&contact, RouteChoice::Auto)?;
+        let response = pose.respond(&contact)?;
         let EffectiveMass::Finite(expected) = response.effective_mass else {
             return Err("not finite".into());
         };

@@ -1,8 +1,8 @@
 //! Effective mass of a mechanism at a contact: a mechanism, a [`Contact`], a [`Pose`], a number in kilograms.
 //!
 //! ```
-//! use percuss::{Conditions, Contact, EffectiveMass, Inertial, JointDescription, JointKind};
-//! use percuss::{LinkDescription, MechanismBuilder, RouteChoice, System};
+//! use percuss::{Conditions, Contact, Inertial, JointDescription, JointKind, LinkDescription};
+//! use percuss::{MechanismBuilder, System};
 //!
 //! fn main() -> Result<(), Box<dyn std::error::Error>> {
 //!     let mechanism = MechanismBuilder::new("pendulum")
@@ -14,34 +14,34 @@
 //!     let contact = Contact::new(mechanism.find_link("rod")?, [0.0, 0.0, -0.8], [1.0, 0.0, 0.0]);
 //!     let system = System::new(mechanism, &Conditions::new())?;
 //!     let pose = system.pose(&system.configuration())?;
-//!     let response = pose.respond(&contact, RouteChoice::Auto)?;
-//!     let EffectiveMass::Finite(m) = response.effective_mass else { panic!("the pendulum can move") };
+//!     let response = pose.respond(&contact)?;
+//!     let m = response.effective_mass.kilograms().expect("the pendulum can move");
 //!     assert!((m - 0.78125).abs() < 1e-15);
 //!     Ok(())
 //! }
 //! ```
 //!
-//! A point mass of 2 kg on a massless rod, 0.5 m from the hinge, is struck 0.8 m from the hinge: m̄ = 2 · (0.5/0.8)² kg. In
+//! A point mass of 2 kg on a massless rod, 0.5 m from the hinge, is hit 0.8 m from the hinge: m̄ = 2 · (0.5/0.8)² kg. In
 //! general, with the mass matrix M, the constraint rows A and the closing speed per joint rate j,
 //!
 //! ```text
 //! m̄ = min { vᵀ M v :  A v = 0,  j v = 1 }
 //! ```
 //!
-//! Lengths are in metres, angles in radians, masses in kilograms. The normal of a contact points out of the struck link into
+//! Lengths are in metres, angles in radians, masses in kilograms. The normal of a contact points out of the contact link into
 //! the other side; its length and sign do not change m̄.
 //!
 //! # Models from files
 //!
 //! ```
-//! use percuss::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
+//! use percuss::{LoadOptions, Source, load, load_file};
 //!
 //! let text = r#"<robot name="pendulum"><link name="ground"/><link name="rod"/>
 //!     <joint name="hinge" type="continuous"><parent link="ground"/><child link="rod"/></joint></robot>"#;
 //! let loaded = load(&Source::from_text("pendulum.urdf", text), &LoadOptions::default())?;
 //! assert_eq!(loaded.mechanism.joints().len(), 1);
 //!
-//! let missing = Source::read("there/is/no/such/file.urdf", DEFAULT_MAX_SIZE);
+//! let missing = load_file("there/is/no/such/file.urdf");
 //! assert_eq!(missing.unwrap_err().diagnostics[0].code, "no-such-file");
 //! # Ok::<(), percuss::LoadError>(())
 //! ```
@@ -78,7 +78,7 @@ pub use percuss_dynamics::{
 pub use percuss_formats::{
     Comments, DEFAULT_MAX_MESH_SIZE, DEFAULT_MAX_SIZE, Diagnostic, Facet, LoadError, LoadOptions, Loaded,
     MeshError, MeshFolders, Orientation, Purpose, Shape, Solid, Source, Surface, SurfaceError, Triangles,
-    load, read_mesh, suspension, write_urdf, write_urdf_with,
+    load, load_file, read_mesh, suspension, write_urdf, write_urdf_with,
 };
 pub use percuss_mechanism as mechanism;
 #[doc(no_inline)]

@@ -75,7 +75,7 @@ fn everything_at_a_pose() {
     assert_eq!((rank.rank, rank.singular, singularities[0]), (2, false, Singularity::None));
     assert!(loops.residual < 1e-12);
 
-    let response: Result<ContactResponse, ResponseError> = pose.respond(&contact, RouteChoice::Auto);
+    let response: Result<ContactResponse, ResponseError> = pose.respond(&contact);
     let response: ContactResponse = response.unwrap();
     let EffectiveMass::Finite(m) = response.effective_mass else { panic!("{response:?}") };
     let budget: Option<ErrorBudget> = response.error;
@@ -148,7 +148,7 @@ fn a_suspension_from_its_hardpoints() {
     let contact = Contact::new(mechanism.find_link("shock_seat").unwrap(), [0.0; 3], [0.0, 0.0, 1.0]);
     let system = system(mechanism, &Conditions::new());
     assert_eq!(system.degrees_of_freedom(), 2, "travel and spin");
-    let response = system.pose(&system.configuration()).unwrap().respond(&contact, RouteChoice::Auto);
+    let response = system.pose(&system.configuration()).unwrap().respond(&contact);
     assert!(matches!(response.unwrap().effective_mass, EffectiveMass::Finite(m) if m > 1.0));
 }
 

@@ -215,7 +215,7 @@ pub fn effective_mass_rate(
             Err(ResponseError::Route(RouteError::MasslessMotion)) => return Ok(None),
             Err(error) => return Err(errors::response(error)),
         };
-        let response = pose.pose.respond(&contact, RouteChoice::Auto).map_err(errors::response)?;
+        let response = pose.pose.respond(&contact).map_err(errors::response)?;
         let EffectiveMass::Finite(mass) = response.effective_mass else { return Ok(None) };
         over.set_positions(&positions).map_err(input)?;
         // m̄ = 1/x: dm̄ = −m̄² dx.

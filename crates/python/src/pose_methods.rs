@@ -247,7 +247,7 @@ impl Pose {
     #[pyo3(signature = (contact, *, route="auto"))]
     fn respond(&self, py: Python<'_>, contact: &Contact, route: &str) -> PyResult<Response> {
         let (contact, route) = (contact.on(&self.model.read.mechanism)?, route_choice(route)?);
-        let response = py.detach(|| self.pose.respond(&contact, route)).map_err(errors::response)?;
+        let response = py.detach(|| self.pose.respond_by_route(&contact, route)).map_err(errors::response)?;
         Ok(Response {
             model: self.model.clone(),
             system: self.system.clone(),

@@ -49,7 +49,7 @@ impl Columns<'_> {
     /// # Errors
     /// The reason of a row without an answer.
     pub fn respond(&mut self, pose: &Pose, contact: &Contact, at: usize) -> Result<(), String> {
-        let response = pose.respond(contact, RouteChoice::Auto).map_err(|error| error.to_string())?;
+        let response = pose.respond(contact).map_err(|error| error.to_string())?;
         let mass = Some(response.effective_mass);
         self.set(at, mass, response.effective_mass_error(), response.remark_flags());
         for remark in &response.remarks {

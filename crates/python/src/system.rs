@@ -432,7 +432,7 @@ impl Workspace {
         }
         py.detach(|| {
             let pose = assembly.pose(&there).map_err(errors::assembly)?;
-            let response = pose.respond(&self.contact, RouteChoice::Auto).map_err(errors::response)?;
+            let response = pose.respond(&self.contact).map_err(errors::response)?;
             let found = response_findings(system, &pose, &self.contact, &response);
             Ok(Some(found.into_iter().map(Diagnostic).collect()))
         })

@@ -124,13 +124,24 @@ impl Pose {
     /// | j      | closing speed per joint rate   | 1×n   | m, 1            |
     ///
     /// The result is `Immovable` if no admissible motion closes the gap, and `Massless` if a motion without kinetic
-    /// energy closes the gap. Cost: O(n) by the recursion over clusters, O(n³) by the dense route. With
-    /// `RouteChoice::Auto` the dense route runs only if the error of the recursion may exceed 1e-11. Source: Khatib
-    /// 1987, §IV; Featherstone 2008, §7.3 and §8.
+    /// energy closes the gap. Cost: O(n) by the recursion over clusters; O(n³) by the dense route, which runs only if
+    /// the error of the recursion may exceed 1e-11. Source: Khatib 1987, §IV; Featherstone 2008, §7.3 and §8.
     ///
     /// # Errors
-    /// [`ResponseError`]: an invalid contact; a requested route that refuses the mechanism.
-    pub fn respond(&self, contact: &Contact, choice: RouteChoice) -> Result<ContactResponse, ResponseError> {
+    /// [`ResponseError`]: an invalid contact.
+    pub fn respond(&self, contact: &Contact) -> Result<ContactResponse, ResponseError> {
+        self.respond_by_route(contact, RouteChoice::Auto)
+    }
+
+    /// Effective mass of a contact by a given route. See [`Self::respond`].
+    ///
+    /// # Errors
+    /// [`ResponseError`]: an invalid contact; the given route refuses the mechanism.
+    pub fn respond_by_route(
+        &self,
+        contact: &Contact,
+        choice: RouteChoice,
+    ) -> Result<ContactResponse, ResponseError> {
         let located = self.locate(contact)?;
         let room = self.assembly.workspaces().acquire(self.assembly.model());
         let mut asked = ContactQuery { pose: self, contact, located: &located, workspace: room };

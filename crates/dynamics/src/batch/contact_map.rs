@@ -350,7 +350,7 @@ impl ContactMap<'_> {
     fn respond_separately(&self, contacts: ContactColumns<'_>, i: usize) -> (ContactStatus, f64, f64) {
         let (point, normal) = contacts.at(i);
         let contact = Contact { against: self.against, ..Contact::new(self.link, point, normal) };
-        let Ok(response) = self.pose.respond(&contact, RouteChoice::Auto) else {
+        let Ok(response) = self.pose.respond(&contact) else {
             return (ContactStatus::Unanswered, f64::NAN, f64::NAN);
         };
         let error = response.effective_mass_error();

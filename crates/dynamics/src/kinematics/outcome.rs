@@ -5,6 +5,7 @@ use crate::model::input::QUATERNION_TOLERANCE;
 use crate::model::velocities::StateSizeError;
 use crate::tolerances::MEGABYTE;
 use percuss_mechanism::JointId;
+use std::fmt;
 
 /// Resistance of the mechanism to the contact along its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +19,14 @@ pub enum EffectiveMass {
 }
 
 impl EffectiveMass {
+    /// m̄ in kilograms; `None` if the contact is immovable or massless.
+    pub fn kilograms(self) -> Option<f64> {
+        match self {
+            EffectiveMass::Finite(m) => Some(m),
+            EffectiveMass::Immovable | EffectiveMass::Massless => None,
+        }
+    }
+
     /// Effective mass against a free body of mass `other` (kg) on the other side: 1/m̄ = 1/m̄₁ + 1/m₂. Unchanged if
     /// `other` is `None`.
     ///
@@ -27,6 +36,20 @@ impl EffectiveMass {
             (EffectiveMass::Finite(own), Some(other)) => EffectiveMass::Finite(own / (1.0 + own / other)),
             (EffectiveMass::Immovable, Some(other)) => EffectiveMass::Finite(other),
             (mass, _) => mass,
+        }
+    }
+}
+
+impl fmt::Display for EffectiveMass {
+    /// `2.5 kg`, `immovable` or `massless`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            EffectiveMass::Finite(m) => {
+                fmt::Display::fmt(m, f)?;
+                f.write_str(" kg")
+            }
+            EffectiveMass::Immovable => f.write_str("immovable"),
+            EffectiveMass::Massless => f.write_str("massless"),
         }
     }
 }

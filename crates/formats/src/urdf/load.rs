@@ -10,7 +10,7 @@ use crate::urdf::elements::shape::{Shape, shapes};
 use crate::urdf::elements::survey::{macros, survey};
 use crate::urdf::standard;
 use crate::urdf::texts::Texts;
-use crate::{Diagnostic, LoadError, Source};
+use crate::{DEFAULT_MAX_SIZE, Diagnostic, LoadError, Source};
 use percuss_mechanism::{Accept, Built, Mechanism, MechanismBuilder, Severity, Subject};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::HashSet;
@@ -53,6 +53,15 @@ pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError>
         Some((mechanism, shapes)) if !failed => Ok(Loaded { mechanism, shapes, diagnostics }),
         Some(_) | None => Err(LoadError { diagnostics }),
     }
+}
+
+/// Reads a URDF or URDF+ file of at most [`DEFAULT_MAX_SIZE`] bytes, with the default options. `-` is the standard
+/// input. See [`load`].
+///
+/// # Errors
+/// [`LoadError`], also if the file cannot be read.
+pub fn load_file(path: &str) -> Result<Loaded, LoadError> {
+    load(&Source::read(path, DEFAULT_MAX_SIZE)?, &LoadOptions::default())
 }
 
 fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mechanism, Vec<Vec<Shape>>)> {

@@ -34,7 +34,7 @@ impl HeldContact {
         names: Names,
     ) -> Result<Option<Finding>, StudyError> {
         let free = self.without.pose_like(pose)?;
-        let response = free.respond(contact, RouteChoice::Auto)?;
+        let response = free.respond(contact)?;
         let velocity = free.point_velocity_over_ground(&response, self.link, &self.point);
         // The impact changes the velocities by −v*: the point moves into the held surface if −v*·n > 0, and
         // lifts off if v*·n > 0.

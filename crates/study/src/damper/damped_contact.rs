@@ -225,7 +225,7 @@ fn open_inertia(mechanism: &Mechanism, question: &MassQuestion, contact: &Contac
     let pose = system.pose(&system.configuration()).ok()?;
     let link = |id: LinkId| system.mechanism().find_link(mechanism.link(id).name()).ok();
     let contact = Contact { link: link(contact.link)?, against: Some(link(contact.against?)?), ..*contact };
-    match pose.respond(&contact, RouteChoice::Auto).ok()?.effective_mass {
+    match pose.respond(&contact).ok()?.effective_mass {
         EffectiveMass::Finite(inertia) => Some(inertia),
         EffectiveMass::Immovable | EffectiveMass::Massless => None,
     }

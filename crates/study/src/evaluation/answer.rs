@@ -196,7 +196,7 @@ impl<'a> Prepared<'a> {
     /// Contact response, branch limits, estimate and findings at a pose.
     pub fn answer(&self, pose: &Pose, contact: &Contact) -> Result<Answer, StudyError> {
         let (system, names) = (&self.system, self.question.names);
-        let response = pose.respond(contact, RouteChoice::Auto)?;
+        let response = pose.respond(contact)?;
         let mut findings = about_pose(system, pose, names);
         findings.extend(about_response(system, contact, &response, names));
         let limits =
@@ -222,7 +222,7 @@ impl<'a> Prepared<'a> {
 
     /// Contact response at a pose, including a free body on the other side, without findings or limits.
     pub fn response(&self, pose: &Pose, contact: &Contact) -> Result<ContactResponse, StudyError> {
-        let response = pose.respond(contact, RouteChoice::Auto)?;
+        let response = pose.respond(contact)?;
         Ok(match self.other_mass() {
             Some(other) => response.against_mass(other).map_err(ResponseError::from)?,
             None => response,

@@ -91,12 +91,11 @@ fn ratio(
         point,
         normal: Direction::Along(direction, Frame::World),
     };
-    let inverse =
-        pose.respond(&own, RouteChoice::Auto).ok().filter(|own| !own.singular_pose).and_then(|own| {
-            let EffectiveMass::Finite(_) = own.effective_mass else { return None };
-            let contact = &response.contact;
-            speed(pose, &own, contact.link, &contact.point_link, &contact.normal_world)
-        });
+    let inverse = pose.respond(&own).ok().filter(|own| !own.singular_pose).and_then(|own| {
+        let EffectiveMass::Finite(_) = own.effective_mass else { return None };
+        let contact = &response.contact;
+        speed(pose, &own, contact.link, &contact.point_link, &contact.normal_world)
+    });
     let one_travel = inverse.is_some_and(|inverse| (wheel_per_contact * inverse - 1.0).abs() <= ONE_TRAVEL);
     Some(MotionRatioRecord {
         link: pose.mechanism().link(link).name().to_owned(),

@@ -30,7 +30,7 @@ impl ContactMap<'_> {
         }
         for (arm, normal) in probes {
             let contact = Contact { against: self.against, ..Contact::new(self.link, centre + arm, normal) };
-            let Ok(response) = self.pose.respond(&contact, RouteChoice::Auto) else { return false };
+            let Ok(response) = self.pose.respond(&contact) else { return false };
             let own = self.status_from_inertia(&arm, &normal);
             match response.effective_mass {
                 EffectiveMass::Finite(m) if own == Some(ContactStatus::Finite) => {
