@@ -3,7 +3,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use percuss_benches::double_wishbone;
 use percuss_benches::{CpuTime, criterion};
-use percuss_dynamics::{EffectiveMass, RouteChoice};
+use percuss_dynamics::EffectiveMass;
 use std::hint::black_box;
 
 /// Steps of 1 mrad, forwards and backwards.

@@ -9,7 +9,7 @@
 use cpu_time::ThreadTime;
 use percuss_dynamics::{
     Base, Batch, BatchAnswer, BatchPositions, Conditions, Contact, Direction, EffectiveMass, Frame, Pose,
-    RouteChoice, System,
+    System,
 };
 use percuss_mechanism::Mechanism;
 use percuss_spatial::lanes::Instructions;

@@ -2,7 +2,7 @@
 
 use crate::{Subject, chain_urdf, double_wishbone, loaded, subjects};
 use percuss_dynamics::{
-    Batch, BatchAnswer, BatchPositions, Conditions, Contact, EffectiveMass, Pose, RouteChoice, System,
+    Batch, BatchAnswer, BatchPositions, Conditions, Contact, EffectiveMass, Pose, System,
 };
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,

@@ -6,7 +6,7 @@
 
 use percuss_dynamics::{
     BatchAnswer, BatchPositions, Contact, ContactColumns, ContactResponse, ContactStatus, Direction,
-    EffectiveMass, Frame, MapAnswers, Pose, ResponseError, RouteChoice, Workspace,
+    EffectiveMass, Frame, MapAnswers, Pose, ResponseError, Workspace,
 };
 use percuss_oracle::linkage;
 use percuss_tests::cases::{self, Case};

@@ -4,7 +4,7 @@
 //! `percuss-reference SUITE FILE.urdf …` prints a line per file, the number of finite contacts of the suite solved by
 //! the recursion, then `N passed, N failed`; a run without any test fails.
 
-use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, Pose, RouteChoice, System};
+use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, Pose, System};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
 use percuss_mechanism::{JointId, Mechanism};
 use percuss_oracle::maximal::{Outcome, Question, solve};

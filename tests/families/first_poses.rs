@@ -2,7 +2,7 @@
 //! decisions.
 
 use nalgebra::{Rotation3, Unit, Vector3};
-use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, RouteChoice, System};
+use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, System};
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_oracle::alter;
 use percuss_oracle::linkage::family::drawn;

@@ -2,7 +2,7 @@
 //! test: equal results, or both files are refused.
 
 use nalgebra::{Rotation3, Vector3};
-use percuss_dynamics::{Conditions, Contact, EffectiveMass, RouteChoice, System};
+use percuss_dynamics::{Conditions, Contact, EffectiveMass, System};
 use percuss_formats::{LoadOptions, Source, load};
 use percuss_spatial::{Transform, rotation_from_rpy};
 use rand::{Rng, SeedableRng, rngs::StdRng};

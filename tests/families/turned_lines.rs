@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 use percuss_dynamics::{
     BatchAnswer, BatchPositions, Conditions, Contact, ContactError, Direction, EffectiveMass, Frame, Pose,
-    ResponseError, RouteChoice, System,
+    ResponseError, System,
 };
 use percuss_formats::{LoadOptions, Source, load};
 use percuss_mechanism::Mechanism;

@@ -2,7 +2,7 @@
 //! holds for every virtual motion, which includes forces that cancel in F/a.
 
 use nalgebra::Vector3;
-use percuss_dynamics::{Accelerations, Base, EffectiveMass, PointForce, Pose, RouteChoice, RouteError};
+use percuss_dynamics::{Accelerations, Base, EffectiveMass, PointForce, Pose, RouteError};
 use percuss_mechanism::LinkId;
 use percuss_tests::cases::{self, Case};
 use percuss_tests::differences::{DIFFERENCE, link_twists, second_derivative};

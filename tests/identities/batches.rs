@@ -5,7 +5,7 @@ use crate::UNSTATED;
 use nalgebra::Vector3;
 use percuss_dynamics::{
     Base, Batch, BatchAnswer, BatchError, BatchPositions, Conditions, Contact, Direction, EffectiveMass,
-    Frame, Pose, RemarkFlags, ResponseError, RouteChoice, System,
+    Frame, Pose, RemarkFlags, ResponseError, System,
 };
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,

@@ -1,7 +1,7 @@
 //! Effective masses with a closed form, through `Pose::respond` by both routes.
 
 use nalgebra::{Matrix3, Vector2, Vector3};
-use percuss_dynamics::{Base, Conditions, EffectiveMass, Route, RouteChoice};
+use percuss_dynamics::{Base, Conditions, EffectiveMass, Route};
 use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription};
 use percuss_oracle::closed_form::{self, PlanarLink};
 use percuss_oracle::{alter, zoo};

@@ -2,9 +2,7 @@
 
 use crate::UNSTATED;
 use nalgebra::Vector3;
-use percuss_dynamics::{
-    Contact, ContactColumns, ContactMap, ContactStatus, EffectiveMass, MapAnswers, Pose, RouteChoice,
-};
+use percuss_dynamics::{Contact, ContactColumns, ContactMap, ContactStatus, EffectiveMass, MapAnswers, Pose};
 use percuss_mechanism::LinkId;
 use percuss_spatial::lanes::Instructions;
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};

@@ -3,8 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 use percuss_dynamics::{
-    EffectiveMass, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, Remark, RouteChoice,
-    effective_mass,
+    EffectiveMass, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, Remark, effective_mass,
 };
 use percuss_tests::gauge::Gauge;
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};

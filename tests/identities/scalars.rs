@@ -4,7 +4,7 @@
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 use percuss_dynamics::{
-    Conditions, Contact, EffectiveMass, Pose, ResponseError, RouteChoice, RouteError, ScalarWorkspace, System,
+    Conditions, Contact, EffectiveMass, Pose, ResponseError, RouteError, ScalarWorkspace, System,
 };
 use percuss_mechanism::{Inertial, JointKind, LinkDescription, LinkId, Mechanism};
 use percuss_oracle::{alter, linkage, zoo};

@@ -5,8 +5,7 @@
 use crate::UNSTATED;
 use nalgebra::{UnitQuaternion, Vector3};
 use percuss_dynamics::{
-    Conditions, Contact, DenseReason, Direction, EffectiveMass, Frame, Pose, ResponseError, RouteChoice,
-    System,
+    Conditions, Contact, DenseReason, Direction, EffectiveMass, Frame, Pose, ResponseError, System,
 };
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, Mechanism,

@@ -2,7 +2,7 @@
 //! on loops.
 
 use nalgebra::{Vector2, Vector3};
-use percuss_dynamics::{Base, Conditions, RouteChoice, System};
+use percuss_dynamics::{Base, Conditions, System};
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, Mechanism,
     MechanismBuilder,

@@ -1,8 +1,6 @@
 //! Paths of drivers in SIMD lanes: each row has the pose and the result of the general method.
 
-use percuss_dynamics::{
-    Conditions, Contact, Direction, EffectiveMass, PathAnswer, Pose, RouteChoice, System,
-};
+use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, PathAnswer, Pose, System};
 use percuss_formats::{LoadOptions, Source, load};
 use percuss_mechanism::{Inertial, JointDescription, JointId, JointKind, LinkDescription};
 use percuss_oracle::alter;

@@ -49,8 +49,13 @@ impl Bench {
         Contact::new(link, point, normal).normal(Direction::Along(normal, Frame::World))
     }
 
+    /// The response by the automatic choice of the route.
+    pub fn respond(&self, contact: &Contact) -> ContactResponse {
+        self.respond_by_route(contact, RouteChoice::Auto)
+    }
+
     /// The response by a route.
-    pub fn respond(&self, contact: &Contact, choice: RouteChoice) -> ContactResponse {
+    pub fn respond_by_route(&self, contact: &Contact, choice: RouteChoice) -> ContactResponse {
         let pose = self.system.pose(&self.configuration).expect("a tree poses");
         pose.respond_by_route(contact, choice).expect("an answer")
     }

@@ -3,7 +3,7 @@
 use crate::judge::near_at;
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    Base, Conditions, Configuration, Contact, ContactResponse, Direction, Frame, Pose, RouteChoice, System,
+    Base, Conditions, Configuration, Contact, ContactResponse, Direction, Frame, Pose, System,
 };
 use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
 use percuss_oracle::{alter, maximal::Question, random, zoo};

@@ -3,7 +3,7 @@
 use nalgebra::{Vector2, Vector3};
 use percuss_dynamics::{
     AssemblyError, Base, Conditions, Configuration, Contact, ContactResponse, Direction, EffectiveMass,
-    Frame, Pose, RouteChoice, System,
+    Frame, Pose, System,
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_oracle::linkage::{self, Linkage};

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use percuss_dynamics::{
     AssemblyError, Conditions, Contact, ContactError, ContactResponse, EffectiveMass, PointForce, Pose,
-    RouteChoice, RouteError, StateSizeError, System,
+    RouteError, StateSizeError, System,
 };
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, Mechanism,

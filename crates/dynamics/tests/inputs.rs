@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{
     Assembly, AssemblyError, Base, BatchAnswer, BatchPositions, Conditions, Configuration, Contact,
     ContactColumns, ContactStatus, Direction, EffectiveMass, Frame, MapAnswers, MatrixOptions, MatrixView,
-    Pose, Remark, RemarkFlags, ResponseError, RouteChoice, System, Travel, effective_mass, input,
+    Pose, Remark, RemarkFlags, ResponseError, System, Travel, effective_mass, input,
 };
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, LinkId,

@@ -4,7 +4,7 @@
 //! must be regular. `cargo run -p percuss --example own_solver`
 
 use percuss::nalgebra::{DMatrix, DVector};
-use percuss::{Conditions, Contact, EffectiveMass, LoadOptions, RouteChoice, Source, System, load};
+use percuss::{Conditions, Contact, EffectiveMass, LoadOptions, Source, System, load};
 use std::error::Error;
 
 /// Orthonormal basis of ker A, n×(n − rank). A may have redundant rows and fewer than n rows.

@@ -7,9 +7,8 @@ use percuss::{
     Assembly, AssemblyError, Base, BranchLimits, Conditions, ConditionsError, Configuration,
     ConfigurationError, Contact, ContactError, ContactResponse, Contributions, Diagnostic, DrawnGap,
     EffectiveMass, ErrorBudget, InverseOperationalInertia, JointId, LinkId, LoadError, LoadOptions, Loaded,
-    LocatedContact, LoopState, Mechanism, PointVelocity, Pose, PoseRank, ResponseError, Route, RouteChoice,
-    RouteError, ScalarWorkspace, Severity, Singularity, Source, StateSizeError, System, UnknownName,
-    Workspace, load,
+    LocatedContact, LoopState, Mechanism, PointVelocity, Pose, PoseRank, ResponseError, Route, RouteError,
+    ScalarWorkspace, Severity, Singularity, Source, StateSizeError, System, UnknownName, Workspace, load,
 };
 use std::sync::Arc;
 

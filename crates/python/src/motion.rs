@@ -11,8 +11,8 @@ use percuss::nalgebra::{Matrix3, Vector3};
 use percuss::spatial::Twist;
 use percuss::spatial::dual::Dual64;
 use percuss::{
-    Accelerations as Found, EffectiveMass, JointId, Mechanism, PointForce, ResponseError, RouteChoice,
-    RouteError, Travel as Moved,
+    Accelerations as Found, EffectiveMass, JointId, Mechanism, PointForce, ResponseError, RouteError,
+    Travel as Moved,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};

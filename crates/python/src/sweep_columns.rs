@@ -2,7 +2,7 @@
 
 use crate::matrices::coded;
 use numpy::{Element, PyArray1, PyArrayMethods, PyReadwriteArray1};
-use percuss::{Contact, Pose, Remark, RemarkFlags, RouteChoice};
+use percuss::{Contact, Pose, Remark, RemarkFlags};
 use pyo3::prelude::*;
 
 /// Status of a contact that is massless to rounding only: its mass may be hidden by the rounding of larger masses.

@@ -15,7 +15,7 @@ use percuss::spatial::{Transform, rotation_from_quaternion};
 use percuss::study::response_findings;
 use percuss::{
     Assembly as Assembled, Base, Batch, Conditions, Configuration, Contact as Resolved, DepartingAxis,
-    Direction, DrawnGap, EffectiveMass, Frame, Mechanism, RigidLoops, RouteChoice, System as Compiled,
+    Direction, DrawnGap, EffectiveMass, Frame, Mechanism, RigidLoops, System as Compiled,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};

@@ -24,7 +24,7 @@ use self::scale::{FreeWrenches, InertiaFactor};
 use crate::analysis::pose::Pose;
 use crate::batch::rows::BatchAnswer;
 use crate::kinematics::contact::{Contact, ContactError, ContactPart};
-use crate::kinematics::outcome::{EffectiveMass, RouteChoice};
+use crate::kinematics::outcome::EffectiveMass;
 use crate::recursion::{DecidingPivoting, Recursion};
 use crate::tolerances::{MAP_FREE_CLEAR, MAP_PORTION, MAP_STILL, MAP_TRUSTED_ERROR, MASSLESS_CLOSING};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};

@@ -5,9 +5,7 @@ use crate::question::error::StudyError;
 use crate::question::field::{Field, Names};
 use crate::thresholds::LEAVES;
 use nalgebra::Vector3;
-use percuss_dynamics::{
-    Contact, ContactResponse, EffectiveMass, PointVelocity, Pose, ResponseError, RouteChoice, System,
-};
+use percuss_dynamics::{Contact, ContactResponse, EffectiveMass, PointVelocity, Pose, ResponseError, System};
 use percuss_mechanism::LinkId;
 
 /// Contact held along a normal, and the mechanism without this contact.

@@ -15,7 +15,7 @@ use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::{DIFFERENCE, DRIFTING, SAME_LIMIT};
 use percuss_contact::exports::{MassDrift, Options};
-use percuss_dynamics::{Conditions, Contact, EffectiveMass, RouteChoice, System};
+use percuss_dynamics::{Conditions, Contact, EffectiveMass, System};
 use percuss_mechanism::{LinkId, Mechanism, Severity};
 
 /// Damper of a contact of a model.

@@ -16,7 +16,7 @@ use crate::units::position::GivenPosition;
 use nalgebra::Vector3;
 use percuss_dynamics::{
     Base, BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactResponse, Direction,
-    EffectiveMass, Frame, Pose, ResponseError, RouteChoice, System,
+    EffectiveMass, Frame, Pose, ResponseError, System,
 };
 use percuss_mechanism::{JointId, LinkId, Mechanism, UnknownName};
 use std::sync::Arc;

@@ -6,9 +6,7 @@ use crate::question::field::Field;
 use crate::question::mass_question::RatioPoint;
 use crate::thresholds::{ONE_TRAVEL, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
-use percuss_dynamics::{
-    Contact, ContactResponse, Direction, EffectiveMass, Frame, PointVelocity, Pose, RouteChoice,
-};
+use percuss_dynamics::{Contact, ContactResponse, Direction, EffectiveMass, Frame, PointVelocity, Pose};
 use percuss_mechanism::{LinkId, Mechanism};
 use serde::Serialize;
 

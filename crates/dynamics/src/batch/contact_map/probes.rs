@@ -8,7 +8,7 @@
 
 use super::{ContactMap, ContactStatus};
 use crate::kinematics::contact::Contact;
-use crate::kinematics::outcome::{EffectiveMass, RouteChoice};
+use crate::kinematics::outcome::EffectiveMass;
 use crate::tolerances::{GOLDEN, MAP_OWN_ROUNDINGS, MAP_SAFETY, MAP_TRUSTED_ERROR};
 use nalgebra::{SymmetricEigen, Vector3};
 
