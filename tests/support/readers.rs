@@ -61,8 +61,11 @@ pub fn read(reader: &str, bytes: &[u8]) -> bool {
 /// Reads at most ten rows of positions.
 fn rows(path: &str) -> bool {
     let last = MODEL.mechanism.links().last().expect("a link").name().to_owned();
-    let question =
-        MassQuestion { link: last, normal: Normal::Along([1.0, 0.0, 0.0]), ..MassQuestion::anywhere() };
+    let question = MassQuestion {
+        link: last,
+        normal: Normal::Along([1.0, 0.0, 0.0]),
+        ..MassQuestion::without_contact()
+    };
     let file = PositionFile { path: path.to_owned(), ignore: Vec::new(), max_size: LARGEST };
     let Ok(sweep) = Sweep::new(&MODEL, &question, RowSource::File(file)) else { return false };
     let mut left = 10;

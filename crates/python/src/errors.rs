@@ -81,7 +81,7 @@ pub fn study(error: StudyError) -> PyErr {
     let message = error.message(Names::Fields);
     match error {
         StudyError::Assembly(_) => LoopsError::new_err(message),
-        error if error.is_no_answer() => no_answer(message),
+        error if error.has_no_result() => no_answer(message),
         _ => input(message),
     }
 }

@@ -109,7 +109,7 @@ impl Model {
             link_com: link_com.into_iter().collect(),
             moves: r#move.into_iter().collect(),
         };
-        let read = py.detach(|| self.read.changed(&changes)).map_err(errors::design)?;
+        let read = py.detach(|| self.read.with_changes(&changes)).map_err(errors::design)?;
         Model::new(py, read)
     }
 

@@ -84,7 +84,7 @@ impl Conditions<'_> {
             armature: numbers(self.armature.as_ref(), "armature")?,
             base: base(&self.base)?,
             estimate: self.estimate.as_ref().map(estimate).transpose()?,
-            ..MassQuestion::anywhere()
+            ..MassQuestion::without_contact()
         })
     }
 
@@ -170,7 +170,7 @@ pub fn vary(given: &Bound<'_, PyAny>) -> PyResult<Vary> {
     let (joint, from, to, count): (String, f64, f64, usize) =
         given.extract().map_err(|_| input("vary: expected text, or (joint, from, to, count)"))?;
     let number = |value| Quantity::number(value).map_err(|error| input(format_args!("vary: {error}")));
-    Ok(Vary { what: Varied::Joint(joint), from: number(from)?, to: number(to)?, count })
+    Ok(Vary { quantity: Varied::Joint(joint), from: number(from)?, to: number(to)?, count })
 }
 
 /// Source of the rows of a sweep; `None` if no source is given.

@@ -82,7 +82,7 @@ pub fn tolerate(
     let tolerance = Tolerance::parse(tolerance).map_err(input)?;
     let sampling = samples.map(|(count, seed)| Sampling { count, seed });
     asked(py, model, contact, &conditions, |model, question| {
-        study::tolerate(model, question, tolerance, sampling)
+        study::tolerance_report(model, question, tolerance, sampling)
     })
 }
 
@@ -238,7 +238,8 @@ pub fn safe_speed(
     let asked_for = SafeSpeedQuestion { region, limit, load };
     asked(py, model, contact, &conditions, |model, question| {
         let contact = question.clone();
-        StudySafeSpeed { contact, asked: asked_for, directions, worst_direction: worst, rows }.reports(model)
+        StudySafeSpeed { contact, limit_question: asked_for, directions, worst_direction: worst, rows }
+            .reports(model)
     })
 }
 

@@ -81,7 +81,7 @@ pub struct ComparisonRow {
 }
 
 /// Largest number of links listed per design.
-const NAMED: usize = 3;
+const MAX_LISTED_LINKS: usize = 3;
 
 /// Error of a comparison.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -189,10 +189,10 @@ fn record(design: &Design, diagnostics: &mut Vec<DiagnosticRecord>) -> Result<De
             let shares = report.bodies.into_iter().filter_map(|body| Some((body.link, body.share?)));
             record.most = shares.filter(|(_, share)| *share > 0.0).collect();
             record.most.sort_by(|a, b| b.1.total_cmp(&a.1));
-            record.most.truncate(NAMED);
-            collect(diagnostics, report.diagnostics, &design.name);
+            record.most.truncate(MAX_LISTED_LINKS);
+            merge_diagnostics(diagnostics, report.diagnostics, &design.name);
         }
-        Err(error) if error.is_no_answer() => {
+        Err(error) if error.has_no_result() => {
             record.error = Some(error.message(design.question.names));
         }
         Err(source) => return Err(CompareError::Question { design: design.name.clone(), source }),
@@ -202,7 +202,7 @@ fn record(design: &Design, diagnostics: &mut Vec<DiagnosticRecord>) -> Result<De
 
 /// Adds the findings of a design without duplicates. The message of a finding without a file gets the design's
 /// name as a prefix.
-fn collect(all: &mut Vec<DiagnosticRecord>, found: Vec<DiagnosticRecord>, design: &str) {
+fn merge_diagnostics(all: &mut Vec<DiagnosticRecord>, found: Vec<DiagnosticRecord>, design: &str) {
     for mut finding in found {
         if finding.path.is_none() {
             finding.message = format!("\"{design}\": {}", finding.message);
@@ -237,7 +237,7 @@ fn rows(
         let report = sweep_report(&design.model, &design.question, source)
             .map_err(|source| CompareError::Question { design: design.name.clone(), source })?;
         let of_rows = report.diagnostics.into_iter().filter(|d| d.path.is_none()).collect();
-        collect(diagnostics, of_rows, &design.name);
+        merge_diagnostics(diagnostics, of_rows, &design.name);
         let missing = || report.rows.iter().filter_map(|row| Some((row.row, row.error.as_ref()?)));
         if let Some((row, why)) = missing().next() {
             let message = format!(
@@ -245,8 +245,8 @@ fn rows(
                 missing().count(),
                 report.rows.len()
             );
-            let warning = DiagnosticRecord::about_answer(Severity::Warning, "rows-unanswered", message);
-            collect(diagnostics, vec![warning], &design.name);
+            let warning = DiagnosticRecord::about_result(Severity::Warning, "rows-unanswered", message);
+            merge_diagnostics(diagnostics, vec![warning], &design.name);
         }
         if number == 0 {
             varied.clone_from(&report.heading.varied);

@@ -10,11 +10,11 @@ mod damper;
 mod evaluation;
 mod map;
 mod mass;
+mod message_text;
 mod model;
 mod pose;
 mod question;
 mod safe_speed;
-mod shown;
 mod study_file;
 mod sweep;
 mod tables;
@@ -24,7 +24,7 @@ mod units;
 /// Contact laws, simulators and safe speeds, for the interfaces that use them.
 pub use percuss_contact as contact;
 
-pub use checks::design::DesignError;
+pub use checks::design_variant::DesignError;
 pub use checks::model_check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
 pub use checks::response_findings::{pose_findings, response_findings, row_findings};
 pub use compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
@@ -35,13 +35,13 @@ pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
 pub use evaluation::status::Status;
 pub use map::map_report::{
-    Extreme, FacetRecord, LeftOut, LinkMap, MapAnswer, MapReport, OrientationRecord, SkinFacets,
+    Extreme, FacetRecord, LinkMap, MapAnswer, MapReport, OmittedLink, OrientationRecord, SkinFacets,
 };
 pub use map::point_map::{DirectionMass, PointMapReport, map_point};
 pub use map::surface_map::map;
-pub use mass::answer_mass::{mass, mass_drawn, mass_with_damper};
+pub use mass::answer_mass::{mass, mass_with_damper, mass_with_drawing};
 pub use mass::assumptions::Assumptions;
-pub use mass::drawing::{DrawnLink, DrawnMechanism, drawn_at};
+pub use mass::drawing::{DrawnLink, DrawnMechanism, draw_mechanism};
 pub use mass::explain::{
     Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
 };
@@ -50,7 +50,7 @@ pub use mass::mass_report::{
 };
 pub use mass::motion_ratio::MotionRatioRecord;
 pub use mass::tolerance::{
-    SampleRecord, Sampling, Tolerance, ToleranceError, ToleranceParts, ToleranceReport, tolerate,
+    SampleRecord, Sampling, Tolerance, ToleranceError, ToleranceParts, ToleranceReport, tolerance_report,
 };
 pub use model::changes::Changes;
 pub use model::loading::{Input, Model, Origin};

@@ -1,6 +1,6 @@
 //! Safe speed of a robot that may hit a person, with the effective mass instead of the standard's M/2 + m_L.
 
-use crate::evaluation::answer::{Answer, Answered, Prepared};
+use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion, PreparedQuestion};
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::Positions;
@@ -179,25 +179,25 @@ pub fn safe_speed(
         return Err(StudyError::NoRegion);
     }
     if question.against.is_some() || question.against_mass.is_some() {
-        return Err(StudyError::PersonIsTheOther);
+        return Err(StudyError::PersonIsOtherSide);
     }
-    let bare = Answered::new(model, question)?;
+    let bare = EvaluatedQuestion::new(model, question)?;
     let moving_mass = moving_mass(&bare);
-    let loaded = if asked.load > 0.0 { Some(loaded(&bare, asked.load)?) } else { None };
-    let answered = loaded.as_ref().map_or(Ok(bare), |model| Answered::new(model, question))?;
-    let speed = |robot_mass: Option<f64>| speed_of(region, asked.limit, robot_mass);
+    let loaded = if asked.load > 0.0 { Some(model_with_load(&bare, asked.load)?) } else { None };
+    let answered = loaded.as_ref().map_or(Ok(bare), |model| EvaluatedQuestion::new(model, question))?;
+    let speed = |robot_mass: Option<f64>| safe_speed_record(region, asked.limit, robot_mass);
     let by_standard = standard_robot_mass(moving_mass, asked.load)?;
     // Without a region the standard has no formula; the full moving mass at the speed of the contact is used.
     let by_standard = if region.is_some() { by_standard } else { moving_mass + asked.load };
     let (standard, safe) = speed(Some(by_standard))?;
     let mut diagnostics = model.diagnostics.clone();
-    diagnostics.extend(answered.answer.findings.iter().cloned().map(DiagnosticRecord::from));
-    let (reflected, _) = match greatest_mass(&answered.answer)? {
+    diagnostics.extend(answered.result.findings.iter().cloned().map(DiagnosticRecord::from));
+    let (reflected, _) = match largest_possible_mass(&answered.result)? {
         EffectiveMass::Finite(m) => speed(Some(m))?,
         EffectiveMass::Immovable => {
             let message =
                 "the robot is immovable along this direction: only the mass of the person counts".to_owned();
-            diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "immovable-robot", message));
+            diagnostics.push(DiagnosticRecord::about_result(Severity::Warning, "immovable-robot", message));
             speed(None)?
         }
         EffectiveMass::Massless => return Err(StudyError::NoMass),
@@ -209,7 +209,7 @@ pub fn safe_speed(
             reflected.speed,
             if region.is_some() { "M/2 + m_L" } else { "M + m_L" }
         );
-        diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "standard-too-fast", message));
+        diagnostics.push(DiagnosticRecord::about_result(Severity::Warning, "standard-too-fast", message));
     }
     Ok(SafeSpeedReport {
         schema: "percuss.safe-speed/2",
@@ -229,7 +229,7 @@ pub fn safe_speed(
         energy: safe.map_or(0.0, |safe| safe.energy),
         standard,
         reflected,
-        normal_world: answered.answer.response.contact.normal_world.into(),
+        normal_world: answered.result.response.contact.normal_world.into(),
         moving_mass,
         load: asked.load,
         along: None,
@@ -238,7 +238,7 @@ pub fn safe_speed(
 }
 
 /// Safe speed for a robot mass, kg; `None` for an immovable robot.
-fn speed_of(
+fn safe_speed_record(
     region: Option<&BodyRegion>,
     limit: Limit,
     robot_mass: Option<f64>,
@@ -299,8 +299,8 @@ pub fn safe_speed_along(
 ) -> Result<SafeSpeedReport, StudyError> {
     let mut report = safe_speed(model, question, asked)?;
     let region = asked.region.as_deref().map(BodyRegion::from_name).transpose()?;
-    let bare = Answered::new(model, question)?;
-    let loaded = if asked.load > 0.0 { Some(loaded(&bare, asked.load)?) } else { None };
+    let bare = EvaluatedQuestion::new(model, question)?;
+    let loaded = if asked.load > 0.0 { Some(model_with_load(&bare, asked.load)?) } else { None };
     let (mut slowest, mut failed): (Option<AlongRecord>, _) = (None, None);
     let (mut unanswered, mut first_unanswered) = (0, None);
     let sweep = Sweep::new(loaded.as_ref().unwrap_or(model), question, source)?;
@@ -315,7 +315,7 @@ pub fn safe_speed_along(
                 return ControlFlow::Continue(());
             }
         };
-        match speed_of(region, asked.limit, mass) {
+        match safe_speed_record(region, asked.limit, mass) {
             Ok((speed, _)) if slowest.as_ref().is_none_or(|s| speed.speed < s.slowest.speed) => {
                 let (row, pose) = (row.row, row.pose);
                 let (rows, unanswered, first_unanswered) = (0, 0, None);
@@ -342,7 +342,7 @@ pub fn safe_speed_along(
             end.rows,
             first_unanswered.unwrap_or_default()
         );
-        report.diagnostics.push(DiagnosticRecord::about_answer(
+        report.diagnostics.push(DiagnosticRecord::about_result(
             Severity::Warning,
             "rows-without-speed",
             message,
@@ -354,7 +354,7 @@ pub fn safe_speed_along(
 /// Direction of the largest effective mass at the contact point, world axes.
 fn worst_direction(model: &Model, question: &MassQuestion) -> Result<[f64; 3], StudyError> {
     let any = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question.clone() };
-    let prepared = Prepared::new(model, &any)?;
+    let prepared = PreparedQuestion::new(model, &any)?;
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
     let map = pose.contact_map(contact.link, contact.against, contact.point, 0.0);
@@ -372,7 +372,7 @@ fn worst_direction(model: &Model, question: &MassQuestion) -> Result<[f64; 3], S
 
 /// Upper bound of the mass in the motions from the pose; a smaller mass would allow too high a speed. At a
 /// singular pose m̄ is only a lower bound, so the result is the largest limit along the branches.
-fn greatest_mass(answer: &Answer) -> Result<EffectiveMass, StudyError> {
+fn largest_possible_mass(answer: &ContactResult) -> Result<EffectiveMass, StudyError> {
     let response = &answer.response;
     if response.singular_pose {
         let limits = &answer.limits;
@@ -381,9 +381,10 @@ fn greatest_mass(answer: &Answer) -> Result<EffectiveMass, StudyError> {
             EffectiveMass::Immovable => f64::INFINITY,
             EffectiveMass::Massless => 0.0,
         };
-        let greatest =
-            answer.all_branches().and_then(|all| all.iter().max_by(|a, b| weight(a).total_cmp(&weight(b))));
-        return greatest.copied().ok_or_else(|| StudyError::NoGreatestMass {
+        let greatest = answer
+            .complete_branch_limits()
+            .and_then(|all| all.iter().max_by(|a, b| weight(a).total_cmp(&weight(b))));
+        return greatest.copied().ok_or_else(|| StudyError::LargestMassUnknown {
             limits: limits.limits.clone(),
             complete: limits.complete && !limits.continuous,
         });
@@ -396,7 +397,7 @@ fn greatest_mass(answer: &Answer) -> Result<EffectiveMass, StudyError> {
 }
 
 /// Model with the load as a point mass at the contact, fixed to the contact link.
-fn loaded(bare: &Answered, load: f64) -> Result<Model, StudyError> {
+fn model_with_load(bare: &EvaluatedQuestion, load: f64) -> Result<Model, StudyError> {
     let model = bare.prepared.model;
     let mechanism = &model.mechanism;
     let at = bare.contact.point;
@@ -417,7 +418,7 @@ fn loaded(bare: &Answered, load: f64) -> Result<Model, StudyError> {
 
 /// Mass of the links that can move: all links with a movable, unlocked joint between the link and the root, or
 /// all links with a floating base.
-fn moving_mass(answered: &Answered) -> f64 {
+fn moving_mass(answered: &EvaluatedQuestion) -> f64 {
     let prepared = &answered.prepared;
     let mechanism: &Mechanism = &prepared.model.mechanism;
     let moves = |link: &LinkId| {

@@ -13,12 +13,12 @@ pub(crate) const OTHER_DRIVERS: usize = 4;
 /// centres.
 pub(crate) const TRAVEL_STAGES: usize = 6;
 /// Part of the distance to a driver's dead centre after which another joint drives. Close to the dead centre digits are lost.
-pub(crate) const SHORT_OF_END: f64 = 0.98;
+pub(crate) const DEAD_CENTRE_APPROACH: f64 = 0.98;
 /// Least advance of a travel by a driver, in characteristic lengths. A smaller advance ends the search.
 pub(crate) const LEAST_ADVANCE: f64 = 1e-4;
 /// Least rate of a point per joint velocity for a driver, in characteristic lengths per radian, or per characteristic length
 /// for a prismatic joint.
-pub(crate) const UNMOVED: f64 = 1e-6;
+pub(crate) const LEAST_POINT_RATE: f64 = 1e-6;
 /// Largest coordinate, m: sums of squares do not overflow.
 pub(crate) const LARGEST_COORDINATE: f64 = 1e100;
 /// Least mass of a free body on the other side, kg: sums of inverse masses do not overflow.
@@ -44,13 +44,13 @@ pub(crate) const LONGEST_RECORD: usize = 1 << 20;
 /// in a thousand row groups take some 100 MB, more than is used in practice.
 pub(crate) const LARGEST_DESCRIPTION: u64 = 1 << 26;
 /// Largest number of entries of a list in this description: columns, or row groups.
-pub(crate) const MOST_IN_A_LIST: u64 = 1 << 20;
+pub(crate) const LONGEST_METADATA_LIST: u64 = 1 << 20;
 /// Deepest nesting of columns in a Parquet file: lists of records nest some ten deep.
 pub(crate) const DEEPEST_COLUMN: usize = 64;
 /// Largest memory of the pages of a Parquet file, all columns together, bytes.
-pub(crate) const PAGES: u64 = 1 << 30;
+pub(crate) const LARGEST_PAGE_MEMORY: u64 = 1 << 30;
 /// Page size, bytes, that is accepted for any number of columns: writers make pages of 1 MiB, or somewhat more.
-pub(crate) const SMALLEST_LARGEST_PAGE: u64 = 1 << 22;
+pub(crate) const ALWAYS_ACCEPTED_PAGE: u64 = 1 << 22;
 /// Usual upper bound of a page header, bytes: twenty bytes and the statistics.
 pub(crate) const USUAL_PAGE_HEADER: u64 = 1 << 12;
 /// Longest page header, bytes: statistics may be long texts.
@@ -58,24 +58,24 @@ pub(crate) const LONGEST_PAGE_HEADER: u64 = 1 << 20;
 /// Number of rows read from the pages of a Parquet file at once.
 pub(crate) const PARQUET_ROWS: usize = 1024;
 /// Largest number of rows in a block with poses: some milliseconds for a small linkage, and the poses fit in the caches.
-pub(crate) const BLOCK_OF_POSES: usize = 256;
+pub(crate) const POSED_BLOCK_ROWS: usize = 256;
 /// Largest number of links in a block with poses, rows times links of the mechanism: some 10 MB of poses.
-pub(crate) const BLOCK_OF_LINKS: usize = 10_000;
+pub(crate) const POSED_BLOCK_LINKS: usize = 10_000;
 /// Largest number of rows in a block without poses: a millisecond for a small tree.
-pub(crate) const BLOCK_IN_LANES: usize = 4096;
+pub(crate) const BATCH_BLOCK_ROWS: usize = 4096;
 /// Least number of remaining rows for a start of the path follower: the start costs as much as a few rows.
 pub(crate) const FOLLOWED_ROWS: usize = 4;
 /// Largest number of starts of the path follower along a line. With more frequent stops the path follower saves no time.
-pub(crate) const FOLLOWED_BEGINNINGS: usize = 16;
+pub(crate) const MOST_PATH_FOLLOWERS: usize = 16;
 /// Number of consecutive rows without poses per thread: 1/32 of a block, so that the wait for the last thread is short.
-pub(crate) const PORTION_IN_LANES: usize = 128;
+pub(crate) const BATCH_ROWS_PER_TASK: usize = 128;
 /// Number of rows of the first block: few, so that the first results appear soon. Later blocks double in size.
 pub(crate) const FIRST_BLOCK: usize = 8;
 /// Number of consecutive rows with poses per thread.
-pub(crate) const PORTION: usize = 32;
+pub(crate) const POSED_ROWS_PER_TASK: usize = 32;
 
 /// Tolerance of a travel if several travels drive a pose, in characteristic lengths. A single travel is met to 1e-12.
-pub(crate) const TRAVEL_MET: f64 = 1e-11;
+pub(crate) const TRAVEL_TOLERANCE: f64 = 1e-11;
 /// Largest number of Newton steps for several travels: from a near pose some five steps are needed.
 pub(crate) const TRAVEL_ROUNDS: usize = 12;
 /// Number of parts in which several travels are first divided.
@@ -92,10 +92,10 @@ pub(crate) const SAMPLES: RangeInclusive<usize> = 2..=100_000;
 /// power of the step, 1e-16 relative; m̄ is accurate to some 1e-12, which gives 1e-8 for the derivative.
 pub(crate) const POINT_STEP: f64 = 1e-4;
 /// Number of changes of each kind listed in an explanation.
-pub(crate) const STRONGEST: usize = 3;
+pub(crate) const LISTED_CHANGES: usize = 3;
 /// Tolerance of |product − 1| for a motion ratio and its inverse in a mechanism with one travel. Loop closure and rounding
 /// cause some 1e-11.
-pub(crate) const ONE_TRAVEL: f64 = 1e-9;
+pub(crate) const INVERSE_RATIO_TOLERANCE: f64 = 1e-9;
 
 // Findings about results.
 
@@ -104,16 +104,16 @@ pub(crate) const ONE_TRAVEL: f64 = 1e-9;
 pub(crate) const FAR_POINT: f64 = 3.0;
 /// Least plausible distance of a contact point, relative to the reach of the link. If a far distance divided by 1000 is
 /// plausible, the unit may be millimetres.
-pub(crate) const MILLIMETRES: f64 = 0.01;
+pub(crate) const NEAR_POINT: f64 = 0.01;
 /// Relative error of m̄ that causes a warning: engineers compare about six digits, and rounded files are about as accurate.
-pub(crate) const UNCERTAIN: f64 = 1e-6;
+pub(crate) const WARNED_RELATIVE_ERROR: f64 = 1e-6;
 /// Relative difference up to which limits of m̄ along branches count as equal: their errors are at most some 1e-7.
 pub(crate) const SAME_LIMIT: f64 = 1e-6;
 /// Distance of an assembly from its guess that causes a finding: rad, or characteristic lengths. Assembly modes are farther
 /// apart; a guess from a drawing is closer.
 pub(crate) const FAR_FROM_GUESS: f64 = 0.5;
 /// Velocity per unit closing speed above which a held point lifts off: far above the rounding of unit velocities.
-pub(crate) const LEAVES: f64 = 1e-9;
+pub(crate) const LIFT_OFF_SPEED: f64 = 1e-9;
 /// Step of the central difference for dm̄/dδ, in characteristic lengths: the cube root of the rounding unit, at which
 /// truncation and rounding errors are equal.
 pub(crate) const DIFFERENCE: f64 = 1e-5;
@@ -130,7 +130,7 @@ pub(crate) const PENETRATION_MOTION: f64 = 1e-5;
 /// end is found to a few ten-thousandths after some thousand steps.
 pub(crate) const LEAST_PENETRATION: f64 = 1e-6;
 /// Relative change of m̄ over the penetration that causes a warning: restitutions are measured to some per cent.
-pub(crate) const DRIFTING: f64 = 0.01;
+pub(crate) const WARNED_MASS_DRIFT: f64 = 0.01;
 /// Step of the second difference of a motion, m: rounding of positions of 1 m gives 2e-6/m, closed loops 1e-2/m.
 pub(crate) const CURVATURE_STEP: f64 = 1e-5;
 
@@ -138,11 +138,11 @@ pub(crate) const CURVATURE_STEP: f64 = 1e-5;
 
 /// Number of searches from one start that end short before farther rows count as unreachable. The first search finds the end
 /// of a travel to a few per cent, and each further search is closer.
-pub(crate) const PROBABLE: usize = 16;
+pub(crate) const SEARCHES_BEFORE_EXCLUSION: usize = 16;
 /// Largest number of consecutive rows without a result if each row has its own start: some ten seconds for a small linkage.
-pub(crate) const UNRELATED: usize = 10_000;
+pub(crate) const MOST_UNREACHED_ROWS: usize = 10_000;
 /// Distance (relative; absolute for values below 1) up to which a value may equal the end of a range within rounding.
-pub(crate) const AT_END: f64 = 1e-9;
+pub(crate) const RANGE_END_TOLERANCE: f64 = 1e-9;
 
 // Maps.
 

@@ -38,7 +38,7 @@ fn drift(radius: f64, part: f64, slide: bool) -> (Option<f64>, Option<f64>, bool
         point: [0.0, 0.0, -radius],
         normal: Normal::Along([1.0, 0.0, 0.0]),
         normal_frame: Frame::World,
-        ..MassQuestion::anywhere()
+        ..MassQuestion::without_contact()
     };
     let mass = 0.6;
     // Without energy loss the maximum penetration is v √(m/k).

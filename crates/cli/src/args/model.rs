@@ -85,7 +85,7 @@ impl ReadingArgs {
     pub fn load(&self, path: &str) -> Result<Model, Failure> {
         let model = Model::load(path, self.max_size, &self.options())?;
         let changes = self.changes();
-        if changes.is_empty() { Ok(model) } else { Ok(model.changed(&changes)?) }
+        if changes.is_empty() { Ok(model) } else { Ok(model.with_changes(&changes)?) }
     }
 
     /// Options of the reader.

@@ -20,7 +20,7 @@ pub fn normal(text: &str) -> Result<[f64; 3], String> {
 
 /// Length in m; the range is checked later.
 pub fn edge(text: &str) -> Result<f64, String> {
-    Quantity::parse(text).and_then(|q| q.of(Dimension::Length, text)).map_err(|e| e.to_string())
+    Quantity::parse(text).and_then(|q| q.in_dimension(Dimension::Length, text)).map_err(|e| e.to_string())
 }
 
 /// `NAME=FOLDER`.
@@ -34,18 +34,20 @@ pub fn package(text: &str) -> Result<(String, std::path::PathBuf), String> {
 }
 
 pub fn kilograms(text: &str) -> Result<f64, String> {
-    let mass = Quantity::parse(text).and_then(|q| q.of(Dimension::Mass, text)).map_err(|e| e.to_string())?;
+    let mass = Quantity::parse(text)
+        .and_then(|q| q.in_dimension(Dimension::Mass, text))
+        .map_err(|e| e.to_string())?;
     if mass > 0.0 { Ok(mass) } else { Err(format!("{mass} kg; a mass above 0 is expected")) }
 }
 
 /// Mass in kg; the range is checked later, with the other data of the contact.
 pub fn plain_kilograms(text: &str) -> Result<f64, String> {
-    Quantity::parse(text).and_then(|q| q.of(Dimension::Mass, text)).map_err(|e| e.to_string())
+    Quantity::parse(text).and_then(|q| q.in_dimension(Dimension::Mass, text)).map_err(|e| e.to_string())
 }
 
 /// Number without a unit; the range is checked later.
 pub fn plain(text: &str) -> Result<f64, String> {
-    Quantity::parse(text).and_then(|q| q.of(Dimension::Plain, text)).map_err(|e| e.to_string())
+    Quantity::parse(text).and_then(|q| q.in_dimension(Dimension::Plain, text)).map_err(|e| e.to_string())
 }
 
 pub fn law(text: &str) -> Result<String, String> {
@@ -108,8 +110,9 @@ pub fn tools(text: &str) -> Result<Tools, String> {
 }
 
 pub fn metres(text: &str) -> Result<f64, String> {
-    let length =
-        Quantity::parse(text).and_then(|q| q.of(Dimension::Length, text)).map_err(|e| e.to_string())?;
+    let length = Quantity::parse(text)
+        .and_then(|q| q.in_dimension(Dimension::Length, text))
+        .map_err(|e| e.to_string())?;
     if length > 0.0 { Ok(length) } else { Err(format!("{length} m; a length above 0 is expected")) }
 }
 
@@ -141,8 +144,9 @@ pub fn any_tolerance(text: &str) -> Result<ToleranceArg, String> {
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
-    let value =
-        Quantity::parse(text).and_then(|q| q.of(Dimension::Plain, text)).map_err(|e| e.to_string())?;
+    let value = Quantity::parse(text)
+        .and_then(|q| q.in_dimension(Dimension::Plain, text))
+        .map_err(|e| e.to_string())?;
     if value >= 0.0 { Ok(value) } else { Err(format!("{value}; a tolerance of 0 or more is expected")) }
 }
 

@@ -133,7 +133,7 @@ pub fn show(designs: &[Design], names: Names, written: &Written) -> Result<(), F
 
 pub fn failure(error: &CompareError, names: Names) -> Failure {
     match error {
-        CompareError::Question { source, .. } if source.is_no_answer() => {
+        CompareError::Question { source, .. } if source.has_no_result() => {
             Failure::NoAnswer(error.message(names))
         }
         _ => Failure::bad_input(error.message(names)),

@@ -45,7 +45,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
                 let model = args.reading.load(path)?;
                 args.damping.check_units(&question, stop.motion(&model)? == StopMotion::Turn)?;
                 let conditions = contact.as_ref().map(ContactArgs::conditions).transpose()?;
-                let conditions = conditions.unwrap_or_else(MassQuestion::anywhere);
+                let conditions = conditions.unwrap_or_else(MassQuestion::without_contact);
                 damp_stop(&model, stop, conditions, &question)?
             }
             None => {

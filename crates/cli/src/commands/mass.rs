@@ -11,7 +11,7 @@ use crate::terminal::text::{bar, bound, number, triple};
 use crate::terminal::wrap::{self, fact};
 use percuss_study::{
     DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, Status, StudyMass, Tolerance,
-    explain, mass, mass_with_damper, tolerate,
+    explain, mass, mass_with_damper, tolerance_report,
 };
 use std::fmt::Write;
 
@@ -62,7 +62,7 @@ impl Asked {
             report.explanation = explain(model, question)?;
         }
         if let Some(tolerance) = self.tolerance {
-            report.tolerance = tolerate(model, question, tolerance, self.sampling)?;
+            report.tolerance = tolerance_report(model, question, tolerance, self.sampling)?;
         }
         Ok(())
     }

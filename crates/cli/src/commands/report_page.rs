@@ -25,8 +25,8 @@ use percuss_render::{Drawing, DrawnArrow, DrawnCircle, DrawnFacet, DrawnLine, Sk
 use percuss_study::{
     CheckReport, ComparisonReport, DampingQuestion, DampingReport, DiagnosticRecord, DrawnMechanism, Input,
     MapAnswer, MassReport, Names, PointMapReport, RowSource, SafeSpeedReport, StudyError, StudyFile,
-    StudyMapQuestion, StudySweep, Sweep, SweepEnd, check as check_of, drawn_at, impact_history,
-    map as map_of, map_point, mass_drawn,
+    StudyMapQuestion, StudySweep, Sweep, SweepEnd, check as check_of, draw_mechanism, impact_history,
+    map as map_of, map_point, mass_with_drawing,
 };
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -135,11 +135,11 @@ impl Answers {
         let (mass, mechanism, seen) = match &study.question {
             Some(question) => {
                 let damping = damping.map(|damping| &damping.question);
-                let (mut mass, mechanism) = mass_drawn(&study.model, question, damping)?;
+                let (mut mass, mechanism) = mass_with_drawing(&study.model, question, damping)?;
                 Asked::of_study(&study.mass).add_to(&mut mass, &study.model, question)?;
                 (Some(mass), mechanism, None)
             }
-            None => (None, drawn_at(&study.model, &study.conditions)?, Some(check_of(&study.model)?)),
+            None => (None, draw_mechanism(&study.model, &study.conditions)?, Some(check_of(&study.model)?)),
         };
         let stop = damping.filter(|damping| damping.stop.is_some());
         let stop = stop.map(|damping| damp::of_study(study, damping)).transpose()?;
@@ -416,7 +416,7 @@ impl Swept {
         }
         let mass = |m: Option<f64>| m.map_or("–".to_owned(), |m| format!("{} kg", number(m)));
         page.facts([
-            ("rows", format!("{}, {} without a result", self.end.rows, self.end.unanswered)),
+            ("rows", format!("{}, {} without a result", self.end.rows, self.end.rows_without_result)),
             ("smallest", mass(self.least)),
             ("largest", mass(self.greatest)),
             ("all rows", table.to_owned()),

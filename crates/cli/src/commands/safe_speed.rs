@@ -40,7 +40,7 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
         RowSource::File(PositionFile { path: path.clone(), ignore, max_size })
     });
     let (directions, worst_direction) = (args.direction.clone(), args.worst_direction);
-    let study = StudySafeSpeed { contact, asked, directions, worst_direction, rows };
+    let study = StudySafeSpeed { contact, limit_question: asked, directions, worst_direction, rows };
     show(&study.reports(&model)?, args.format, args.reading.strict)
 }
 

@@ -144,8 +144,9 @@ impl Format {
 /// Reports the number of rows without a result; exit code 1 if no row has a result.
 fn summary(end: &SweepEnd) -> Result<(), Failure> {
     let Some(first) = &end.first_error else { return Ok(()) };
-    let message = format!("{} of {} rows have no result; the first: {first}", end.unanswered, end.rows);
-    if end.unanswered == end.rows {
+    let message =
+        format!("{} of {} rows have no result; the first: {first}", end.rows_without_result, end.rows);
+    if end.rows_without_result == end.rows {
         return Err(Failure::NoAnswer(message));
     }
     warn(&message);

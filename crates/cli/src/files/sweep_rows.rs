@@ -39,7 +39,7 @@ fn lines(
 ) -> Result<SweepEnd, Failure> {
     let mut written = Ok(());
     let mut header = Some(header);
-    let end = sweep.run_made(made, &mut |row| {
+    let end = sweep.run_with_conversion(made, &mut |row| {
         bar.inc(1);
         // The header is written with the first row: a sweep without rows writes nothing.
         let begun = out.write_all(header.take().unwrap_or_default().as_bytes());

@@ -50,7 +50,7 @@ impl Failure {
                 Failure::BadInput(lines.into_iter().map(of_study).collect())
             }
             Failure::NoAnswer(message) => Failure::NoAnswer(format!("{path}: {message}")),
-            Failure::Question(error) if error.is_no_answer() => {
+            Failure::Question(error) if error.has_no_result() => {
                 Failure::NoAnswer(format!("{path}: {}", error.message(Names::Keys)))
             }
             Failure::Question(error) => {
@@ -69,7 +69,7 @@ impl Failure {
             Failure::BadInput(lines) => (lines, 2),
             Failure::NoAnswer(message) => (vec![format!("error: {message}")], 1),
             Failure::Question(error) => {
-                let code = if error.is_no_answer() { 1 } else { 2 };
+                let code = if error.has_no_result() { 1 } else { 2 };
                 (vec![format!("error: {}{}", error.message(Names::Flags), flag_of(&error))], code)
             }
             Failure::Unread => return 0,

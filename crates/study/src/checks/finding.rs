@@ -8,9 +8,9 @@ use std::collections::btree_map::Entry;
 /// Subject of a finding. Findings with the same code and subject are counted as one, even if the numbers in the
 /// messages differ.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Subject {
+pub(crate) enum FindingSubject {
     /// Result as a whole.
-    Answer,
+    Result,
     /// Link.
     Link(LinkId),
     /// Joint.
@@ -26,7 +26,7 @@ pub(crate) enum Subject {
 pub(crate) struct Finding {
     severity: Severity,
     code: &'static str,
-    subject: Subject,
+    subject: FindingSubject,
     message: String,
 }
 
@@ -35,58 +35,58 @@ impl Finding {
         self.code
     }
 
-    pub fn warning(code: &'static str, subject: Subject, message: impl Into<String>) -> Self {
+    pub fn warning(code: &'static str, subject: FindingSubject, message: impl Into<String>) -> Self {
         Self { severity: Severity::Warning, code, subject, message: message.into() }
     }
 
-    pub fn note(code: &'static str, subject: Subject, message: impl Into<String>) -> Self {
+    pub fn note(code: &'static str, subject: FindingSubject, message: impl Into<String>) -> Self {
         Self { severity: Severity::Note, code, subject, message: message.into() }
     }
 }
 
 impl From<Finding> for DiagnosticRecord {
     fn from(finding: Finding) -> Self {
-        Self::about_answer(finding.severity, finding.code, finding.message)
+        Self::about_result(finding.severity, finding.code, finding.message)
     }
 }
 
 /// Findings over the rows of a sweep, one entry per code and subject, with the first row and the number of
 /// rows.
 #[derive(Debug, Default)]
-pub(crate) struct Tally {
-    kinds: BTreeMap<(&'static str, Subject), Counted>,
+pub(crate) struct FindingTally {
+    counts: BTreeMap<(&'static str, FindingSubject), CountedFinding>,
 }
 
 #[derive(Debug)]
-struct Counted {
+struct CountedFinding {
     /// First occurrence.
     finding: Finding,
     first_row: usize,
     rows: usize,
 }
 
-impl Tally {
+impl FindingTally {
     /// Adds the findings of a row.
     pub fn add(&mut self, row: usize, findings: impl IntoIterator<Item = Finding>) {
         for finding in findings {
             let kind = (finding.code, finding.subject.clone());
-            self.kinds.entry(kind).or_insert(Counted { finding, first_row: row, rows: 0 }).rows += 1;
+            self.counts.entry(kind).or_insert(CountedFinding { finding, first_row: row, rows: 0 }).rows += 1;
         }
     }
 
     /// Adds findings that hold for each of `rows` rows.
-    pub fn add_alike(&mut self, first_row: usize, rows: usize, findings: &[Finding]) {
+    pub fn add_repeated(&mut self, first_row: usize, rows: usize, findings: &[Finding]) {
         for finding in findings {
             let kind = (finding.code, finding.subject.clone());
-            let counted = || Counted { finding: finding.clone(), first_row, rows: 0 };
-            self.kinds.entry(kind).or_insert_with(counted).rows += rows;
+            let counted = || CountedFinding { finding: finding.clone(), first_row, rows: 0 };
+            self.counts.entry(kind).or_insert_with(counted).rows += rows;
         }
     }
 
     /// Adds the findings of later rows.
     pub fn append(&mut self, later: Self) {
-        for (kind, counted) in later.kinds {
-            match self.kinds.entry(kind) {
+        for (kind, counted) in later.counts {
+            match self.counts.entry(kind) {
                 Entry::Vacant(entry) => drop(entry.insert(counted)),
                 Entry::Occupied(mut entry) => entry.get_mut().rows += counted.rows,
             }
@@ -96,7 +96,7 @@ impl Tally {
     /// All findings of `rows` rows as records. A finding that does not occur in all rows gets the first row and
     /// the number of further rows appended.
     pub fn into_records(self, rows: usize) -> impl Iterator<Item = DiagnosticRecord> {
-        self.kinds.into_values().map(move |counted| {
+        self.counts.into_values().map(move |counted| {
             let mut record = DiagnosticRecord::from(counted.finding);
             if counted.rows < rows {
                 record.message += &match counted.rows {
@@ -116,10 +116,13 @@ mod tests {
     /// Findings with equal code and subject are counted as one; the message text is ignored.
     #[test]
     fn a_message_is_not_read() {
-        let mut tally = Tally::default();
-        let rod = || Subject::Closure("rod".into());
+        let mut tally = FindingTally::default();
+        let rod = || FindingSubject::Closure("rod".into());
         tally.add(0, [Finding::note("n", rod(), "\"a\" 1")]);
-        tally.add(1, [Finding::note("n", rod(), "\"b\" 2"), Finding::note("n", Subject::Hold(0), "\"a\" 1")]);
+        tally.add(
+            1,
+            [Finding::note("n", rod(), "\"b\" 2"), Finding::note("n", FindingSubject::Hold(0), "\"a\" 1")],
+        );
         tally.add(2, [Finding::note("n", rod(), "\"c\" 3")]);
         let messages: Vec<String> = tally.into_records(3).map(|record| record.message).collect();
         assert_eq!(messages, ["\"a\" 1", "\"a\" 1 (row 1)"]);

@@ -1,9 +1,9 @@
 //! Findings about the pose, the assembly and the contact response.
 
-use crate::checks::far_point;
-use crate::checks::finding::{Finding, Subject};
+use crate::checks::far_point_check;
+use crate::checks::finding::{Finding, FindingSubject};
 use crate::question::field::{Field, Names};
-use crate::thresholds::{FAR_FROM_GUESS, UNCERTAIN};
+use crate::thresholds::{FAR_FROM_GUESS, WARNED_RELATIVE_ERROR};
 use crate::units::position::GivenPosition;
 use crate::units::quantity::{Dimension, position_dimension};
 use percuss_dynamics::{
@@ -17,33 +17,38 @@ fn remainder(x: f64, period: f64) -> f64 {
 }
 
 /// Findings about joint limits and loop closure.
-pub(crate) fn about_pose(system: &System, pose: &Pose, names: Names) -> Vec<Finding> {
+pub(crate) fn collect_pose_findings(system: &System, pose: &Pose, names: Names) -> Vec<Finding> {
     let mechanism = system.mechanism();
     let mut found: Vec<Finding> = pose
         .outside_limits()
-        .map(|(joint, value, limits)| outside_limits(mechanism, joint, value, limits))
+        .map(|(joint, value, limits)| joint_limit_finding(mechanism, joint, value, limits))
         .collect();
     if pose.loops().is_some() {
-        about_loops(system, pose, names, &mut found);
-        about_rank(pose.assembly(), &mut found);
-        found.extend(pose.assembly().rigid_loops().iter().map(|rigid| about_rigid(mechanism, rigid)));
+        add_loop_findings(system, pose, names, &mut found);
+        add_rank_findings(pose.assembly(), &mut found);
+        found.extend(pose.assembly().rigid_loops().iter().map(|rigid| rigid_loop_finding(mechanism, rigid)));
     }
     found
 }
 
 /// Finding for a joint outside its limits.
-pub(crate) fn outside_limits(mechanism: &Mechanism, joint: JointId, value: f64, limits: Limits) -> Finding {
+pub(crate) fn joint_limit_finding(
+    mechanism: &Mechanism,
+    joint: JointId,
+    value: f64,
+    limits: Limits,
+) -> Finding {
     let message = format!(
         "joint \"{}\" is at {value}, outside its limits {} to {}",
         mechanism.joint(joint).name(),
         limits.lower,
         limits.upper
     );
-    Finding::warning("outside-limits", Subject::Joint(joint), message)
+    Finding::warning("outside-limits", FindingSubject::Joint(joint), message)
 }
 
 /// Findings about closure of the loops and about the driving joints.
-fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Finding>) {
+fn add_loop_findings(system: &System, pose: &Pose, names: Names, found: &mut Vec<Finding>) {
     let mechanism = system.mechanism();
     let Some(loops) = pose.loops() else { return };
     let set = Field::Set.hint(names);
@@ -52,7 +57,7 @@ fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Findi
             "the axis of loop \"{name}\" has opposite directions in its two frames with all joints at 0; the \
              axis of the successor was reversed"
         );
-        found.push(Finding::note("reversed-axis", Subject::Closure(name.to_string()), message));
+        found.push(Finding::note("reversed-axis", FindingSubject::Closure(name.to_string()), message));
     }
     if loops.inexactness > 0.0 {
         let part = loops.inexactness / mechanism.characteristic_length();
@@ -61,7 +66,7 @@ fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Findi
              closed in the least-squares sense; check for rounded angles (1.5708)",
             loops.inexactness
         );
-        found.push(Finding::warning("inexact-loops", Subject::Answer, message));
+        found.push(Finding::warning("inexact-loops", FindingSubject::Result, message));
     }
     for (joint, value) in &loops.off_zero {
         let message = format!(
@@ -69,7 +74,7 @@ fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Findi
              {value:.9}; set it{set}",
             mechanism.joint(*joint).name()
         );
-        found.push(Finding::warning("driver-off-zero", Subject::Joint(*joint), message));
+        found.push(Finding::warning("driver-off-zero", FindingSubject::Joint(*joint), message));
     }
     for (joint, far) in &loops.off_target {
         let message = format!(
@@ -77,17 +82,17 @@ fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Findi
              reachable position is used, {far:.6} rad or m away",
             mechanism.joint(*joint).name()
         );
-        found.push(Finding::warning("off-target", Subject::Joint(*joint), message));
+        found.push(Finding::warning("off-target", FindingSubject::Joint(*joint), message));
     }
     if let Some(starts) = loops.starts_tried {
         let message = format!(
             "the pose is on a different assembly mode than the first closed pose: the branch of that pose ends \
              before these positions; this pose was found from {starts} other start(s)"
         );
-        found.push(Finding::warning("other-assembly", Subject::Answer, message));
+        found.push(Finding::warning("other-assembly", FindingSubject::Result, message));
     }
     for gap in pose.assembly().drawn_gaps() {
-        found.push(about_gap(mechanism, &gap));
+        found.push(drawn_gap_finding(mechanism, &gap));
     }
     if !loops.declared && !loops.drivers.is_empty() {
         let drivers: Vec<String> =
@@ -95,14 +100,14 @@ fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Findi
         let message = format!(
             "the loops are driven by {}: chosen by the rank of the constraints and by joint limits and efforts, \
              because the model declares none",
-            listed(&drivers)
+            format_names(&drivers)
         );
-        found.push(Finding::note("drivers-chosen", Subject::Answer, message));
+        found.push(Finding::note("drivers-chosen", FindingSubject::Result, message));
     }
 }
 
 /// Finding for a loop that is open as drawn: the gap, and the joint that moved most to close the loop.
-fn about_gap(mechanism: &Mechanism, gap: &DrawnGap) -> Finding {
+fn drawn_gap_finding(mechanism: &Mechanism, gap: &DrawnGap) -> Finding {
     let closed = gap.moved.map_or_else(String::new, |(joint, by)| {
         let joint = mechanism.joint(joint);
         let by = match joint.kind() {
@@ -113,12 +118,9 @@ fn about_gap(mechanism: &Mechanism, gap: &DrawnGap) -> Finding {
         };
         format!("; closed by {} {by}", joint.name())
     });
-    let message = format!(
-        "loop \"{}\" is {} open in the design pose{closed}",
-        gap.constraint,
-        length_in_words(gap.gap)
-    );
-    let subject = Subject::Closure(gap.constraint.clone());
+    let message =
+        format!("loop \"{}\" is {} open in the design pose{closed}", gap.constraint, format_length(gap.gap));
+    let subject = FindingSubject::Closure(gap.constraint.clone());
     if gap.is_wide {
         let part = 100.0 * gap.gap / gap.size;
         let message = format!("{message}: {part:.1} % of its size; check the points for typing errors");
@@ -129,17 +131,17 @@ fn about_gap(mechanism: &Mechanism, gap: &DrawnGap) -> Finding {
 }
 
 /// Length in mm; in m if below 1 µm or from 1 m.
-fn length_in_words(length: f64) -> String {
+fn format_length(length: f64) -> String {
     if (1e-6..1.0).contains(&length) { format!("{:.4} mm", 1e3 * length) } else { format!("{length:.3e} m") }
 }
 
 /// Findings about the rank decision of the constraint rows.
-fn about_rank(assembly: &Assembly, found: &mut Vec<Finding>) {
+fn add_rank_findings(assembly: &Assembly, found: &mut Vec<Finding>) {
     if !assembly.rank_is_clear() {
         let gap = assembly.rank_gap().unwrap_or_default();
         let message =
             format!("the rank of the constraints is unclear (gap {gap:.1e}): the mobility may differ");
-        found.push(Finding::warning("unclear-rank", Subject::Answer, message));
+        found.push(Finding::warning("unclear-rank", FindingSubject::Result, message));
     }
     let least = assembly.least_singular_value();
     if assembly.is_weakly_constrained() {
@@ -149,21 +151,21 @@ fn about_rank(assembly: &Assembly, found: &mut Vec<Finding>) {
              one more degree of freedom than the {} counted",
             assembly.degrees_of_freedom()
         );
-        found.push(Finding::warning("weakly-constrained", Subject::Answer, message));
+        found.push(Finding::warning("weakly-constrained", FindingSubject::Result, message));
     }
 }
 
 /// Finding for loops that leave no motion, with the joint axis to correct.
-fn about_rigid(mechanism: &Mechanism, rigid: &RigidLoops) -> Finding {
+fn rigid_loop_finding(mechanism: &Mechanism, rigid: &RigidLoops) -> Finding {
     let joint = |id: JointId| format!("\"{}\"", mechanism.joint(id).name());
     let loops: Vec<String> = rigid.loops.iter().map(|name| format!("\"{name}\"")).collect();
     let joints: Vec<String> = rigid.joints.iter().copied().map(joint).collect();
     let mut message = format!(
         "the loops {} are rigid: their joints {} have no motion, with nothing locked or held",
-        listed(&loops),
-        listed(&joints)
+        format_names(&loops),
+        format_names(&joints)
     );
-    let mut subject = Subject::Closure(rigid.loops.first().cloned().unwrap_or_default());
+    let mut subject = FindingSubject::Closure(rigid.loops.first().cloned().unwrap_or_default());
     for axis in &rigid.departing {
         let whose =
             axis.joint.map_or_else(|| "the loop itself".to_owned(), |id| format!("joint {}", joint(id)));
@@ -177,7 +179,7 @@ fn about_rigid(mechanism: &Mechanism, rigid: &RigidLoops) -> Finding {
             axis.angle.to_degrees()
         );
         if let Some(id) = axis.joint {
-            subject = Subject::Joint(id);
+            subject = FindingSubject::Joint(id);
         }
     }
     if rigid.departing.is_empty() {
@@ -188,21 +190,21 @@ fn about_rigid(mechanism: &Mechanism, rigid: &RigidLoops) -> Finding {
 }
 
 /// First six names and the number of further names.
-fn listed(names: &[String]) -> String {
+fn format_names(names: &[String]) -> String {
     let more = names.len().saturating_sub(6);
     let some = names.iter().take(6).cloned().collect::<Vec<_>>().join(", ");
     if more > 0 { format!("{some} and {more} more") } else { some }
 }
 
 /// Findings about unused guesses, and about guesses far from the assembly found.
-pub(crate) fn about_guesses(
+pub(crate) fn guess_findings(
     system: &System,
     pose: &Pose,
     wanted: &Configuration,
     asked: &[(String, GivenPosition)],
     names: Names,
 ) -> Vec<Finding> {
-    let (set, given) = (Field::Set.named(names), Field::Guess.hint(names));
+    let (set, given) = (Field::Set.name_in(names), Field::Guess.hint(names));
     let drives = |joint| pose.loops().is_some_and(|loops| loops.drivers.contains(&joint));
     let mut found = Vec::new();
     for (joint, guess) in wanted.guesses() {
@@ -211,7 +213,8 @@ pub(crate) fn about_guesses(
         if !asked.iter().any(|(guessed, _)| guessed == name) {
             continue;
         }
-        let mut add = |code, message| found.push(Finding::warning(code, Subject::Joint(joint), message));
+        let mut add =
+            |code, message| found.push(Finding::warning(code, FindingSubject::Joint(joint), message));
         if !system.is_bound(joint) {
             let message = format!(
                 "the guess{given} for joint \"{name}\" is not used: the joint is in no loop; use {set} instead"
@@ -243,14 +246,16 @@ pub(crate) fn about_guesses(
 }
 
 /// Findings about the contact point and remarks of the contact response.
-pub(crate) fn about_response(
+pub(crate) fn collect_response_findings(
     system: &System,
     contact: &Contact,
     response: &ContactResponse,
     names: Names,
 ) -> Vec<Finding> {
     let mut found: Vec<Finding> =
-        far_point::doubt(system.mechanism(), contact.link, &contact.point, names).into_iter().collect();
+        far_point_check::far_point_finding(system.mechanism(), contact.link, &contact.point, names)
+            .into_iter()
+            .collect();
     let finite = matches!(response.effective_mass, EffectiveMass::Finite(_));
     // The status of a massless result already reports massless motions.
     let reported = |r: &&Remark| finite || !matches!(r, Remark::MasslessMotions { .. });
@@ -258,24 +263,24 @@ pub(crate) fn about_response(
     if let (EffectiveMass::Finite(_), None) = (response.effective_mass, response.effective_mass_error()) {
         let message = "the error of the effective mass is unknown: near this pose the effective mass is not \
             finite; do not rely on its digits";
-        found.push(Finding::warning("unknown-error", Subject::Answer, message));
+        found.push(Finding::warning("unknown-error", FindingSubject::Result, message));
     }
     if let (EffectiveMass::Finite(m), Some(error)) =
         (response.effective_mass, response.effective_mass_error())
-        && error > UNCERTAIN * m
+        && error > WARNED_RELATIVE_ERROR * m
     {
         let message = format!(
             "the effective mass has a relative error of up to {:.1e}: the pose is close to a singular one, or \
              the mass matrix is nearly singular; do not rely on further digits",
             error / m
         );
-        found.push(Finding::warning("uncertain-mass", Subject::Answer, message));
+        found.push(Finding::warning("uncertain-mass", FindingSubject::Result, message));
     }
     found
 }
 
 /// Finding for a singular pose: branches cross, or the constraints have lower rank than at neighbouring poses.
-pub(crate) fn about_branches(
+pub(crate) fn singular_pose_finding(
     pose: &Pose,
     response: &ContactResponse,
     limits: &BranchLimits,
@@ -311,13 +316,13 @@ pub(crate) fn about_branches(
              the branches found; there may be more branches"
         }
     };
-    Some(Finding::warning("singular-pose", Subject::Answer, message))
+    Some(Finding::warning("singular-pose", FindingSubject::Result, message))
 }
 
 /// Finding for a remark on the response. Remarks about the pose give `None`; [`about_pose`] reports them.
 fn remark(remark: &Remark) -> Option<Finding> {
-    let warning = |code, message: String| Finding::warning(code, Subject::Answer, message);
-    let note = |code, message: String| Finding::note(code, Subject::Answer, message);
+    let warning = |code, message: String| Finding::warning(code, FindingSubject::Result, message);
+    let note = |code, message: String| Finding::note(code, FindingSubject::Result, message);
     Some(match remark {
         Remark::NearlyImmovable { closing_speed, uncertainty } => warning(
             "nearly-immovable",

@@ -1,6 +1,6 @@
 //! Contents of a model.
 
-use crate::checks::findings::about_pose;
+use crate::checks::findings::collect_pose_findings;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
@@ -112,11 +112,12 @@ pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
     let mechanism = &model.mechanism;
     let conditions = Conditions::new().base(Base::Fixed);
     let system = System::new(std::sync::Arc::clone(mechanism), &conditions)
-        .map_err(|error| StudyError::input(Field::of_condition(&error), error))?;
+        .map_err(|error| StudyError::input(Field::from_conditions_error(&error), error))?;
     let pose = system.pose(&system.configuration())?;
     let assembly = pose.assembly();
     let mut diagnostics = model.diagnostics.clone();
-    diagnostics.extend(about_pose(&system, &pose, Names::Fields).into_iter().map(DiagnosticRecord::from));
+    diagnostics
+        .extend(collect_pose_findings(&system, &pose, Names::Fields).into_iter().map(DiagnosticRecord::from));
     Ok(CheckReport {
         schema: "percuss.check/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -125,7 +126,7 @@ pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
         root: mechanism.link(mechanism.root()).name().to_owned(),
         links: links(mechanism),
         joints: joints(mechanism),
-        closures: closures(mechanism),
+        closures: closure_records(mechanism),
         degrees_of_freedom: pose.degrees_of_freedom(),
         generic_degrees_of_freedom: assembly.degrees_of_freedom(),
         redundant_constraints: assembly.redundant_constraints(),
@@ -136,12 +137,12 @@ pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
         }),
         closure_residual: pose.loops().map(|l| l.residual),
         total_mass: mechanism.total_mass(),
-        pose: Positions::of(&PoseLayout::new(mechanism), &pose),
+        pose: Positions::from_pose(&PoseLayout::new(mechanism), &pose),
         diagnostics,
     })
 }
 
-fn closures(mechanism: &Mechanism) -> Vec<ClosureRecord> {
+fn closure_records(mechanism: &Mechanism) -> Vec<ClosureRecord> {
     let end = |link: Option<percuss_mechanism::LinkId>| {
         link.map_or_else(|| "world".to_owned(), |l| mechanism.link(l).name().to_owned())
     };

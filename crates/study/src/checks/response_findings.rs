@@ -1,8 +1,8 @@
 //! Findings about poses and responses for programs that use the library directly; the reports list the same
 //! findings.
 
-use crate::checks::finding::{Finding, Subject, Tally};
-use crate::checks::findings::{about_branches, about_pose, about_response};
+use crate::checks::finding::{Finding, FindingSubject, FindingTally};
+use crate::checks::findings::{collect_pose_findings, collect_response_findings, singular_pose_finding};
 use crate::model::record::DiagnosticRecord;
 use crate::question::field::Names;
 use percuss_dynamics::{Contact, ContactResponse, Pose, RemarkFlags, System};
@@ -10,7 +10,7 @@ use percuss_mechanism::Severity;
 
 /// Findings about a pose: joints outside their limits, closure of the loops, rank of the constraint rows.
 pub fn pose_findings(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> {
-    about_pose(system, pose, Names::Fields).into_iter().map(DiagnosticRecord::from).collect()
+    collect_pose_findings(system, pose, Names::Fields).into_iter().map(DiagnosticRecord::from).collect()
 }
 
 /// Findings about a contact response and its [pose](pose_findings). At a singular pose the branches are
@@ -21,10 +21,10 @@ pub fn response_findings(
     contact: &Contact,
     response: &ContactResponse,
 ) -> Vec<DiagnosticRecord> {
-    let mut findings = about_pose(system, pose, Names::Fields);
-    findings.extend(about_response(system, contact, response, Names::Fields));
+    let mut findings = collect_pose_findings(system, pose, Names::Fields);
+    findings.extend(collect_response_findings(system, contact, response, Names::Fields));
     if response.singular_pose {
-        findings.extend(about_branches(pose, response, &pose.branch_limits(contact)));
+        findings.extend(singular_pose_finding(pose, response, &pose.branch_limits(contact)));
     }
     findings.into_iter().map(DiagnosticRecord::from).collect()
 }
@@ -163,7 +163,7 @@ pub fn row_findings(
             }
         }
     }
-    let mut tally = Tally::default();
+    let mut tally = FindingTally::default();
     for ((flag, severity, code, text), (first, rows)) in REMARKS.iter().zip(seen) {
         if rows == 0 {
             continue;
@@ -173,10 +173,10 @@ pub fn row_findings(
             None => (*text).to_owned(),
         };
         let finding = match severity {
-            Severity::Note => Finding::note(code, Subject::Answer, text),
-            _ => Finding::warning(code, Subject::Answer, text),
+            Severity::Note => Finding::note(code, FindingSubject::Result, text),
+            _ => Finding::warning(code, FindingSubject::Result, text),
         };
-        tally.add_alike(first, rows, &[finding]);
+        tally.add_repeated(first, rows, &[finding]);
     }
     tally.into_records(count).collect()
 }

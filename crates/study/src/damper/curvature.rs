@@ -1,6 +1,6 @@
 //! Curvature of the motion of an impact.
 
-use crate::evaluation::answer::Answered;
+use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::thresholds::CURVATURE_STEP;
 use nalgebra::Vector3;
 use percuss_dynamics::Pose;
@@ -10,8 +10,8 @@ use percuss_dynamics::Pose;
 ///
 /// For one hinge: 1/l + r/l², l the distance from the hinge to the contact, r that to the centre of mass. The
 /// accelerations are second differences along the motion of the impact v*. `None` if the mechanism cannot follow v*.
-pub(crate) fn motion_curvature(answered: &Answered) -> Option<f64> {
-    let (pose, response) = (&answered.pose, answered.answer.of_mechanism());
+pub(crate) fn motion_curvature(answered: &EvaluatedQuestion) -> Option<f64> {
+    let (pose, response) = (&answered.pose, answered.result.mechanism_response());
     let (start, ahead) =
         (points(pose, answered), points(&pose.advanced_along(response, CURVATURE_STEP)?, answered));
     let behind = points(&pose.advanced_along(response, -CURVATURE_STEP)?, answered);
@@ -25,7 +25,7 @@ pub(crate) fn motion_curvature(answered: &Answered) -> Option<f64> {
 
 /// Position of the contact point relative to that of the other link, and positions of the centres of mass of all links
 /// with mass.
-fn points(pose: &Pose, answered: &Answered) -> Vec<Vector3<f64>> {
+fn points(pose: &Pose, answered: &EvaluatedQuestion) -> Vec<Vector3<f64>> {
     let mechanism = &answered.prepared.model.mechanism;
     let mut contact = pose.link(answered.contact.link).point(&answered.contact.point);
     if let Some(against) = answered.contact.against {

@@ -2,10 +2,12 @@
 //! from the model.
 
 use crate::damper::curvature::motion_curvature;
-use crate::damper::damping::{DampingReport, Drift, about_exports, body_alone, damper, exports};
+use crate::damper::damping::{
+    DampingReport, Drift, compare_with_body_mass, damper, exports, law_mismatch_diagnostic,
+};
 use crate::damper::joint_stop::JointStop;
-use crate::damper::penetration::{Ended, Penetration};
-use crate::evaluation::answer::{Answer, Answered};
+use crate::damper::penetration::{PenetrationEnd, PenetrationPath};
+use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
 use crate::evaluation::status::Status;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
@@ -13,7 +15,7 @@ use crate::question::damping_question::DampingQuestion;
 use crate::question::error::StudyError;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
-use crate::thresholds::{DIFFERENCE, DRIFTING, SAME_LIMIT};
+use crate::thresholds::{DIFFERENCE, SAME_LIMIT, WARNED_MASS_DRIFT};
 use percuss_contact::exports::{MassDrift, Options};
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, System};
 use percuss_mechanism::{LinkId, Mechanism, Severity};
@@ -28,7 +30,7 @@ pub fn damp_contact(
     question: &MassQuestion,
     damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
-    damping_of(&Answered::new(model, question)?, damping)
+    damping_report(&EvaluatedQuestion::new(model, question)?, damping)
 }
 
 /// Damper of a joint stop. `conditions` supplies the pose and the held parts; its contact is ignored.
@@ -54,14 +56,14 @@ pub fn damp_stop(
 }
 
 /// Damper of an evaluated contact.
-pub(crate) fn damping_of(
-    answered: &Answered,
+pub(crate) fn damping_report(
+    answered: &EvaluatedQuestion,
     damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
-    let Answered { prepared, answer, .. } = answered;
-    let effective_mass = one_mass(answer, prepared.other_mass())?;
+    let EvaluatedQuestion { prepared, result: answer, .. } = answered;
+    let effective_mass = mass_for_all_branches(answer, prepared.other_mass())?;
     let EffectiveMass::Finite(mass) = effective_mass else {
-        let (status, _) = Status::of(effective_mass);
+        let (status, _) = Status::classify(effective_mass);
         return Err(StudyError::NoDamper { status: status.name() });
     };
     let record = damper(damping, mass)?;
@@ -71,11 +73,11 @@ pub(crate) fn damping_of(
     options.drift =
         options.drift.or(changes.map(|(relative, penetration)| MassDrift { relative, penetration }));
     let alone = damping.options.own_mass.or(prepared.system.rigid_body_mass(answered.contact.link));
-    let body_alone = alone.filter(|m| *m > 0.0).map(|m| body_alone(damping, m, mass));
+    let body_alone = alone.filter(|m| *m > 0.0).map(|m| compare_with_body_mass(damping, m, mass));
     let mut diagnostics = prepared.model.diagnostics.clone();
     diagnostics.extend(answer.findings.iter().cloned().map(DiagnosticRecord::from));
-    diagnostics.extend(about_exports(damping));
-    diagnostics.extend(about_drift(&drift, ended, record.max_penetration, prepared.question.names));
+    diagnostics.extend(law_mismatch_diagnostic(damping));
+    diagnostics.extend(drift_diagnostic(&drift, ended, record.max_penetration, prepared.question.names));
     Ok(DampingReport {
         schema: "percuss.damp/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -93,7 +95,7 @@ pub(crate) fn damping_of(
 /// Effective mass that holds for every branch. At a singular pose m̄ is a lower bound that no branch attains;
 /// the result is then the limit along the branches, if all limits are equal within `SAME_LIMIT`. `other`: mass
 /// of a free body on the other side, kg.
-fn one_mass(answer: &Answer, other: Option<f64>) -> Result<EffectiveMass, StudyError> {
+fn mass_for_all_branches(answer: &ContactResult, other: Option<f64>) -> Result<EffectiveMass, StudyError> {
     if !answer.response.singular_pose {
         return Ok(answer.response.effective_mass);
     }
@@ -103,10 +105,12 @@ fn one_mass(answer: &Answer, other: Option<f64>) -> Result<EffectiveMass, StudyE
         _ => a == b,
     };
     match limits().next() {
-        Some(first) if answer.all_branches().is_some() && limits().all(|limit| same(limit, first)) => {
+        Some(first)
+            if answer.complete_branch_limits().is_some() && limits().all(|limit| same(limit, first)) =>
+        {
             Ok(first)
         }
-        _ => Err(StudyError::NoDamperOfAll {
+        _ => Err(StudyError::BranchMassesDiffer {
             limits: limits().collect(),
             complete: answer.limits.complete && !answer.limits.continuous,
         }),
@@ -115,8 +119,8 @@ fn one_mass(answer: &Answer, other: Option<f64>) -> Result<EffectiveMass, StudyE
 
 /// Change of m̄ along the motion of the contact response up to `depth` (m or rad), and the reason if the motion
 /// ends before this depth.
-fn drift(answered: &Answered, mass: f64, depth: Option<f64>) -> (Drift, Option<Ended>) {
-    let Answered { prepared, pose, contact, answer } = answered;
+fn drift(answered: &EvaluatedQuestion, mass: f64, depth: Option<f64>) -> (Drift, Option<PenetrationEnd>) {
+    let EvaluatedQuestion { prepared, pose, contact, result: answer } = answered;
     let (system, response) = (&prepared.system, &answer.response);
     if response.singular_pose {
         // At a singular pose v* is tangent to no branch.
@@ -136,7 +140,7 @@ fn drift(answered: &Answered, mass: f64, depth: Option<f64>) -> (Drift, Option<E
     };
     let step = DIFFERENCE * system.mechanism().characteristic_length();
     let per_metre = at(step).zip(at(-step)).map(|(more, less)| (more - less) / (2.0 * step * mass));
-    let there = depth.map(|depth| Penetration { prepared, contact }.mass_at(pose, depth));
+    let there = depth.map(|depth| PenetrationPath { prepared, contact }.mass_at(pose, depth));
     let (over_penetration, ended) = match there {
         None => (None, None),
         Some(Ok(there)) => (Some(there / mass - 1.0), None),
@@ -147,13 +151,13 @@ fn drift(answered: &Answered, mass: f64, depth: Option<f64>) -> (Drift, Option<E
 }
 
 /// Warning if m̄ changes strongly over the penetration, or if the penetration is not reachable.
-fn about_drift(
+fn drift_diagnostic(
     drift: &Drift,
-    ended: Option<Ended>,
+    ended: Option<PenetrationEnd>,
     depth: Option<f64>,
     names: Names,
 ) -> Option<DiagnosticRecord> {
-    if let Some((Ended { depth: reached, error }, depth)) = ended.zip(depth) {
+    if let Some((PenetrationEnd { depth: reached, error }, depth)) = ended.zip(depth) {
         let why = match error {
             Some(error) => error.message(names),
             None => "the gap closes no further on this branch (a dead centre, or loops that do not close)"
@@ -163,29 +167,30 @@ fn about_drift(
             "the greatest penetration, {depth:.4e} m or rad, is unreachable: the motion of the impact ends after {reached:.4e}: \
              {why}. The effective mass is that at the touch; a stiffer contact or a slower impact penetrates less"
         );
-        return Some(DiagnosticRecord::about_answer(Severity::Warning, "penetration-unreachable", message));
+        return Some(DiagnosticRecord::about_result(Severity::Warning, "penetration-unreachable", message));
     }
-    let over = drift.over_penetration.filter(|over| over.abs() > DRIFTING)?;
+    let over = drift.over_penetration.filter(|over| over.abs() > WARNED_MASS_DRIFT)?;
     let message = format!(
         "the effective mass changes by {:+.1} % over the penetration: a single value has this uncertainty; a \
          stiffer contact or a slower impact reduces it",
         100.0 * over
     );
-    Some(DiagnosticRecord::about_answer(Severity::Warning, "mass-drifts", message))
+    Some(DiagnosticRecord::about_result(Severity::Warning, "mass-drifts", message))
 }
 
 /// Completes the simulator options with values of the model.
-fn options(given: Options, answered: &Answered, mass: f64) -> Options {
+fn options(given: Options, answered: &EvaluatedQuestion, mass: f64) -> Options {
     let question = answered.prepared.question;
     let mechanism: &Mechanism = &answered.prepared.model.mechanism;
     let own = |link: LinkId| answered.prepared.system.rigid_body_mass(link).filter(|m| *m > 0.0);
     let Contact { link, against, .. } = answered.contact;
     let ratio = || {
         if given.stop.is_some() {
-            return Some(mass / open_inertia(mechanism, question, &answered.contact)?);
+            return Some(mass / spanning_tree_joint_inertia(mechanism, question, &answered.contact)?);
         }
-        let ours = open_inverse_mass(mechanism, question, link)?;
-        let other = against.map_or(Some(0.0), |other| open_inverse_mass(mechanism, question, other))?;
+        let ours = spanning_tree_inverse_mass(mechanism, question, link)?;
+        let other =
+            against.map_or(Some(0.0), |other| spanning_tree_inverse_mass(mechanism, question, other))?;
         let free = question.against_mass.map_or(0.0, |other| 1.0 / other);
         Some((ours + other + free) * mass)
     };
@@ -220,8 +225,12 @@ fn options(given: Options, answered: &Answered, mass: f64) -> Options {
 
 /// Inertia at a joint stop of the spanning tree without loops, all joints at zero: 1 over MuJoCo's
 /// `dof_invweight0`.
-fn open_inertia(mechanism: &Mechanism, question: &MassQuestion, contact: &Contact) -> Option<f64> {
-    let system = open_system(mechanism, question)?;
+fn spanning_tree_joint_inertia(
+    mechanism: &Mechanism,
+    question: &MassQuestion,
+    contact: &Contact,
+) -> Option<f64> {
+    let system = spanning_tree_system(mechanism, question)?;
     let pose = system.pose(&system.configuration()).ok()?;
     let link = |id: LinkId| system.mechanism().find_link(mechanism.link(id).name()).ok();
     let contact = Contact { link: link(contact.link)?, against: Some(link(contact.against?)?), ..*contact };
@@ -233,15 +242,15 @@ fn open_inertia(mechanism: &Mechanism, question: &MassQuestion, contact: &Contac
 
 /// MuJoCo's `body_invweight0`: mean inverse mass of a link on the spanning tree without loops, all joints at
 /// zero.
-fn open_inverse_mass(mechanism: &Mechanism, question: &MassQuestion, link: LinkId) -> Option<f64> {
-    let system = open_system(mechanism, question)?;
+fn spanning_tree_inverse_mass(mechanism: &Mechanism, question: &MassQuestion, link: LinkId) -> Option<f64> {
+    let system = spanning_tree_system(mechanism, question)?;
     let link = system.mechanism().find_link(mechanism.link(link).name()).ok()?;
     let pose = system.pose(&system.configuration()).ok()?;
     pose.mean_inverse_mass(link).ok()
 }
 
 /// Spanning tree of the mechanism without its constraints.
-fn open_system(mechanism: &Mechanism, question: &MassQuestion) -> Option<System> {
+fn spanning_tree_system(mechanism: &Mechanism, question: &MassQuestion) -> Option<System> {
     let tree = mechanism.to_open_tree().build().ok()?.mechanism;
     let mut conditions = Conditions::new().base(question.base);
     for (joint, values) in &question.armature {

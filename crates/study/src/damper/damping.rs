@@ -117,7 +117,7 @@ pub(crate) fn contact(question: &DampingQuestion, mass: f64) -> Result<Compliant
 }
 
 /// Damper of a question for a contact.
-fn damper_of(question: &DampingQuestion, contact: CompliantContact) -> Result<Damper, ContactLawError> {
+fn contact_damper(question: &DampingQuestion, contact: CompliantContact) -> Result<Damper, ContactLawError> {
     question.law.damper(contact, question.restitution, question.speed, question.separation)
 }
 
@@ -128,7 +128,7 @@ fn damper_of(question: &DampingQuestion, contact: CompliantContact) -> Result<Da
 /// the law needs.
 pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, ContactLawError> {
     let contact = contact(question, mass)?;
-    let damper = damper_of(question, contact)?;
+    let damper = contact_damper(question, contact)?;
     // The restitution of Kelvin–Voigt does not depend on the speed, nor does the duration of the linear law.
     let impact = damper.impact(contact, question.speed.unwrap_or(1.0))?;
     let at_speed = question.speed.map(|_| impact);
@@ -179,7 +179,7 @@ pub fn impact_history(
 ) -> Result<Vec<Sample>, ContactLawError> {
     let contact = contact(question, mass)?;
     let speed = question.speed.ok_or(ContactLawError::SpeedNeeded { law: "the history of an impact" })?;
-    damper_of(question, contact)?.history(contact, speed, samples)
+    contact_damper(question, contact)?.history(contact, speed, samples)
 }
 
 /// Parameters of all requested simulators. A simulator that does not support the contact gets an error record;
@@ -197,9 +197,9 @@ pub(crate) fn exports(
     let mut exports = BTreeMap::new();
     for tool in &question.tools {
         let record = match tool.export(&request) {
-            Ok(export) => ExportRecord::of(&export),
+            Ok(export) => ExportRecord::from_export(&export),
             Err(error) if question.tools.len() == 1 => return Err(StudyError::Export(Box::new(error))),
-            Err(error) => ExportRecord::refused(*tool, &error),
+            Err(error) => ExportRecord::from_error(*tool, &error),
         };
         exports.insert(tool.name(), record);
     }
@@ -208,7 +208,7 @@ pub(crate) fn exports(
 
 /// Note that the simulators integrate another law than the requested one; `None` if both laws are equal or no
 /// simulator is requested.
-pub(crate) fn about_exports(question: &DampingQuestion) -> Option<DiagnosticRecord> {
+pub(crate) fn law_mismatch_diagnostic(question: &DampingQuestion) -> Option<DiagnosticRecord> {
     let same = question.law == Law::KelvinVoigt && question.separation == Separation::ForceVanishes;
     (!same && !question.tools.is_empty()).then(|| {
         let message = format!(
@@ -216,15 +216,15 @@ pub(crate) fn about_exports(question: &DampingQuestion) -> Option<DiagnosticReco
              requested law and separation apply only to the damper above",
             question.restitution
         );
-        DiagnosticRecord::about_answer(Severity::Note, "exports-own-law", message)
+        DiagnosticRecord::about_result(Severity::Note, "exports-own-law", message)
     })
 }
 
 /// Restitution on the real contact (`mass`, kg) of a damper designed for the mass of the body alone (`alone`,
 /// kg).
-pub(crate) fn body_alone(question: &DampingQuestion, alone: f64, mass: f64) -> BodyAlone {
+pub(crate) fn compare_with_body_mass(question: &DampingQuestion, alone: f64, mass: f64) -> BodyAlone {
     let restitution = || {
-        let made = damper_of(question, contact(question, alone).ok()?).ok()?;
+        let made = contact_damper(question, contact(question, alone).ok()?).ok()?;
         let Damper::KelvinVoigt { coefficient, separation, .. } = made else { return None };
         let real = contact(question, mass).ok()?;
         let damper = Damper::kelvin_voigt_from_coefficient(real, coefficient, separation).ok()?;
@@ -238,7 +238,7 @@ pub(crate) fn body_alone(question: &DampingQuestion, alone: f64, mass: f64) -> B
 /// # Errors
 /// [`StudyError`]: as for [`damper`]; a contact that the only requested simulator does not support.
 pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, StudyError> {
-    let body_alone = question.options.own_mass.map(|alone| body_alone(question, alone, mass));
+    let body_alone = question.options.own_mass.map(|alone| compare_with_body_mass(question, alone, mass));
     Ok(DampingReport {
         schema: "percuss.damp/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -249,6 +249,6 @@ pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, Stud
         drift: None,
         body_alone,
         exports: exports(question, mass, question.options)?,
-        diagnostics: about_exports(question).into_iter().collect(),
+        diagnostics: law_mismatch_diagnostic(question).into_iter().collect(),
     })
 }

@@ -70,7 +70,7 @@ impl JointStop {
         let mechanism = &model.mechanism;
         let id = mechanism.find_joint(&self.joint).map_err(|error| StudyError::input(Field::Limit, error))?;
         let joint = mechanism.joint(id);
-        let motion = motion_of(joint).ok_or_else(|| {
+        let motion = stop_motion(joint).ok_or_else(|| {
             StudyError::input(Field::Limit, Fault::NoStop { joint: self.joint.clone(), kind: joint.kind() })
         })?;
         Ok((joint, motion))
@@ -95,7 +95,7 @@ impl JointStop {
         let axis = joint.axis();
         let (point, mut normal) = match motion {
             StopMotion::Turn => {
-                let beside = beside(axis);
+                let beside = unit_normal_to(axis);
                 (beside, axis.cross(&beside))
             }
             StopMotion::Slide => (Vector3::zeros(), *axis),
@@ -127,7 +127,7 @@ impl JointStop {
 }
 
 /// Motion of a joint into a stop; `None` unless the joint has exactly one position.
-fn motion_of(joint: &Joint) -> Option<StopMotion> {
+fn stop_motion(joint: &Joint) -> Option<StopMotion> {
     match joint.kind() {
         JointKind::Revolute | JointKind::Continuous => Some(StopMotion::Turn),
         JointKind::Prismatic => Some(StopMotion::Slide),
@@ -136,7 +136,7 @@ fn motion_of(joint: &Joint) -> Option<StopMotion> {
 }
 
 /// Unit vector normal to `axis`.
-fn beside(axis: &Vector3<f64>) -> Vector3<f64> {
+fn unit_normal_to(axis: &Vector3<f64>) -> Vector3<f64> {
     let least = axis.iamin();
     let mut other = Vector3::zeros();
     other[least] = 1.0;

@@ -8,7 +8,7 @@
 //! Source: midpoint rule; error estimate from one whole step and two half steps (Hairer, Nørsett and Wanner
 //! 1993, §II.4). The loops are closed after each step.
 
-use crate::evaluation::answer::Prepared;
+use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::question::error::StudyError;
 use crate::thresholds::{
     FIRST_PENETRATION, LEAST_PENETRATION, PENETRATION_GROWTH, PENETRATION_MASS, PENETRATION_MOTION,
@@ -17,7 +17,7 @@ use percuss_dynamics::{Contact, ContactResponse, EffectiveMass, Pose};
 
 /// Reason for an unreachable depth.
 #[derive(Debug)]
-pub(crate) struct Ended {
+pub(crate) struct PenetrationEnd {
     /// Depth reached, m.
     pub depth: f64,
     /// Error of the question at this depth; `None` if the motion itself ends.
@@ -25,31 +25,31 @@ pub(crate) struct Ended {
 }
 
 /// Motion of impact from first touch on.
-pub(crate) struct Penetration<'a> {
-    pub prepared: &'a Prepared<'a>,
+pub(crate) struct PenetrationPath<'a> {
+    pub prepared: &'a PreparedQuestion<'a>,
     pub contact: &'a Contact,
 }
 
 /// Pose during the penetration and the contact response at the pose.
-struct Point {
+struct PathPoint {
     pose: Pose,
     response: ContactResponse,
     mass: f64,
 }
 
-impl Penetration<'_> {
+impl PenetrationPath<'_> {
     /// m̄ at a depth (m), kg.
     ///
     /// # Errors
     /// [`Ended`]: the gap cannot close to this depth on the branch, or the contact has no finite mass there.
-    pub fn mass_at(&self, pose: &Pose, depth: f64) -> Result<f64, Ended> {
+    pub fn mass_at(&self, pose: &Pose, depth: f64) -> Result<f64, PenetrationEnd> {
         let mut done = 0.0;
         let mut step = depth * FIRST_PENETRATION;
-        let mut at = self.point(pose.clone()).map_err(|error| Ended { depth: done, error })?;
+        let mut at = self.point(pose.clone()).map_err(|error| PenetrationEnd { depth: done, error })?;
         let mut error = None;
         while done < depth {
             step = f64::min(step, depth - done);
-            match self.checked_step(&at, step) {
+            match self.step_with_error_control(&at, step) {
                 Ok(next) => {
                     at = next;
                     // Exact end at `depth`, without rounding.
@@ -61,7 +61,7 @@ impl Penetration<'_> {
                     error = why.or(error);
                     step /= 2.0;
                     if step < LEAST_PENETRATION * depth {
-                        return Err(Ended { depth: done, error });
+                        return Err(PenetrationEnd { depth: done, error });
                     }
                 }
             }
@@ -70,11 +70,11 @@ impl Penetration<'_> {
     }
 
     /// Point after a step, if one whole step and two half steps agree; `Err(None)` otherwise.
-    fn checked_step(&self, at: &Point, step: f64) -> Result<Point, Option<StudyError>> {
+    fn step_with_error_control(&self, at: &PathPoint, step: f64) -> Result<PathPoint, Option<StudyError>> {
         let whole = self.step(at, step)?;
         let half = self.step(at, step / 2.0)?;
         let twice = self.step(&half, step / 2.0)?;
-        let place = |point: &Point| point.pose.link(self.contact.link).point(&self.contact.point);
+        let place = |point: &PathPoint| point.pose.link(self.contact.link).point(&self.contact.point);
         let apart = (place(&whole) - place(&twice)).norm();
         let agree = (whole.mass / twice.mass - 1.0).abs() <= PENETRATION_MASS
             && apart <= PENETRATION_MOTION * step.abs();
@@ -82,15 +82,17 @@ impl Penetration<'_> {
     }
 
     /// Point after one step of the midpoint rule.
-    fn step(&self, at: &Point, step: f64) -> Result<Point, Option<StudyError>> {
+    fn step(&self, at: &PathPoint, step: f64) -> Result<PathPoint, Option<StudyError>> {
         let middle = self.point(at.pose.advanced_along(&at.response, step / 2.0).ok_or(None)?)?;
         self.point(at.pose.advanced_along(&middle.response, step).ok_or(None)?)
     }
 
-    fn point(&self, pose: Pose) -> Result<Point, Option<StudyError>> {
+    fn point(&self, pose: Pose) -> Result<PathPoint, Option<StudyError>> {
         let response = self.prepared.response(&pose, self.contact).map_err(Some)?;
         match response.effective_mass {
-            EffectiveMass::Finite(mass) if response.mechanism_moves() => Ok(Point { pose, response, mass }),
+            EffectiveMass::Finite(mass) if response.mechanism_moves() => {
+                Ok(PathPoint { pose, response, mass })
+            }
             _ => Err(None),
         }
     }

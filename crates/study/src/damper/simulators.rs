@@ -47,7 +47,7 @@ pub struct ExportRecord {
 }
 
 impl ExportRecord {
-    pub(crate) fn of(export: &Export) -> Self {
+    pub(crate) fn from_export(export: &Export) -> Self {
         let facts = export.tool.facts();
         let with_unit = export.parameters.iter().filter(|p| !p.unit.is_empty());
         Self {
@@ -72,7 +72,7 @@ impl ExportRecord {
         }
     }
 
-    pub(crate) fn refused(tool: Tool, error: &ExportError) -> Self {
+    pub(crate) fn from_error(tool: Tool, error: &ExportError) -> Self {
         let facts = tool.facts();
         Self {
             title: facts.title,

@@ -34,7 +34,7 @@ pub struct EstimateRecord {
 
 /// Estimate with resolved names and checked numbers.
 #[derive(Clone, Debug)]
-pub(crate) struct Estimate {
+pub(crate) struct PreparedEstimate {
     names: Vec<String>,
     links: Vec<LinkId>,
     /// m_K, kg.
@@ -45,7 +45,7 @@ pub(crate) struct Estimate {
     direction: Option<Vector3<f64>>,
 }
 
-impl Estimate {
+impl PreparedEstimate {
     /// Resolves the names and checks the numbers.
     pub fn new(mechanism: &Mechanism, question: &EstimateQuestion) -> Result<Self, StudyError> {
         let refuse = |fault: Fault| StudyError::input(Field::Estimate, fault);
@@ -75,7 +75,7 @@ impl Estimate {
     }
 
     /// Estimate for a contact response of the mechanism alone, without a free body on the other side.
-    pub fn beside(&self, pose: &Pose, response: &ContactResponse) -> EstimateRecord {
+    pub fn evaluate(&self, pose: &Pose, response: &ContactResponse) -> EstimateRecord {
         let velocity = self.links.first().and_then(|l| pose.point_velocity(response, *l, &self.point));
         let motion_ratio = match velocity {
             Some(PointVelocity::Known(v)) => Some(match &self.direction {

@@ -1,6 +1,6 @@
 //! Evaluation of one contact at one pose.
 
-pub(crate) mod answer;
 pub(crate) mod estimate;
+pub(crate) mod prepared_question;
 pub(crate) mod random_rows;
 pub(crate) mod status;

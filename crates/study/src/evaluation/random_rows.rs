@@ -1,7 +1,7 @@
 //! Random joint positions within the limits. The numbers are the same on every machine, and a row does not
 //! depend on other rows.
 
-use crate::evaluation::answer::Prepared;
+use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
 use percuss_mechanism::{JointId, JointKind};
@@ -11,18 +11,18 @@ use std::f64::consts::PI;
 
 /// Distribution of the position of a joint.
 #[derive(Clone, Copy, Debug)]
-enum Range {
+enum SampleDistribution {
     /// Uniform between the limits.
     Between { lower: f64, upper: f64 },
     /// Uniform over all orientations.
-    Orientations,
+    RandomOrientation,
 }
 
 /// Rows of random positions.
 #[derive(Debug)]
 pub(crate) struct RandomRows {
     pub joints: Vec<JointId>,
-    ranges: Vec<Range>,
+    ranges: Vec<SampleDistribution>,
     pub width: usize,
     pub count: usize,
     pub seed: u64,
@@ -31,7 +31,7 @@ pub(crate) struct RandomRows {
 impl RandomRows {
     /// Random rows for the free joints: joints that the question does not set; within loops, only the driving
     /// joints.
-    pub fn new(prepared: &Prepared, count: usize, seed: u64) -> Result<Self, StudyError> {
+    pub fn new(prepared: &PreparedQuestion, count: usize, seed: u64) -> Result<Self, StudyError> {
         let (system, question) = (&prepared.system, prepared.question);
         let mechanism = system.mechanism();
         let pose = system.pose(&prepared.configuration)?;
@@ -53,11 +53,11 @@ impl RandomRows {
             let found = mechanism.joint(joint);
             let limits = found.limits().filter(|l| (l.upper - l.lower).is_finite());
             match (found.kind(), limits) {
-                (JointKind::Spherical, _) => Ok(Range::Orientations),
+                (JointKind::Spherical, _) => Ok(SampleDistribution::RandomOrientation),
                 (JointKind::Revolute | JointKind::Continuous | JointKind::Prismatic, Some(limits)) => {
-                    Ok(Range::Between { lower: limits.lower, upper: limits.upper })
+                    Ok(SampleDistribution::Between { lower: limits.lower, upper: limits.upper })
                 }
-                (JointKind::Continuous, None) => Ok(Range::Between { lower: -PI, upper: PI }),
+                (JointKind::Continuous, None) => Ok(SampleDistribution::Between { lower: -PI, upper: PI }),
                 (kind, _) => Err(refuse(Fault::NothingToSampleBetween { joint: found.name().into(), kind })),
             }
         };
@@ -67,14 +67,14 @@ impl RandomRows {
     }
 
     /// Appends the numbers of a row, from [`Uniform`] with the row number as the stream.
-    pub fn push_row(&self, row: usize, values: &mut Vec<f64>) {
-        let Uniform(mut generator) = Uniform::new(self.seed, row as u64);
+    pub fn append_row(&self, row: usize, values: &mut Vec<f64>) {
+        let RandomStream(mut generator) = RandomStream::new(self.seed, row as u64);
         for range in &self.ranges {
             match *range {
-                Range::Between { lower, upper } => {
+                SampleDistribution::Between { lower, upper } => {
                     values.push((lower + (upper - lower) * unit(&mut generator)).min(upper));
                 }
-                Range::Orientations => values.extend(orientation(&mut generator)),
+                SampleDistribution::RandomOrientation => values.extend(orientation(&mut generator)),
             }
         }
     }
@@ -82,9 +82,9 @@ impl RandomRows {
 
 /// Uniform random numbers in [0, 1) from a seed and a stream; the same on every machine.
 #[derive(Debug)]
-pub(crate) struct Uniform(ChaCha8Rng);
+pub(crate) struct RandomStream(ChaCha8Rng);
 
-impl Uniform {
+impl RandomStream {
     /// ChaCha with 8 rounds; the key is the seed (eight bytes, little-endian) followed by zeros. The sequence
     /// is specified, in contrast to a general-purpose generator, which may change between versions.
     pub fn new(seed: u64, stream: u64) -> Self {

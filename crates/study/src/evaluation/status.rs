@@ -17,7 +17,7 @@ pub enum Status {
 
 impl Status {
     /// Kind of an effective mass, and m̄ (kg) if finite.
-    pub(crate) fn of(mass: EffectiveMass) -> (Self, Option<f64>) {
+    pub(crate) fn classify(mass: EffectiveMass) -> (Self, Option<f64>) {
         match mass {
             EffectiveMass::Finite(m) => (Status::Finite, Some(m)),
             EffectiveMass::Immovable => (Status::Immovable, None),

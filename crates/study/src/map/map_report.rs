@@ -79,7 +79,7 @@ pub struct LinkMap {
 
 /// Link omitted from the map.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct LeftOut {
+pub struct OmittedLink {
     /// The link.
     pub link: String,
     /// Reason.
@@ -98,7 +98,7 @@ pub struct MapReport {
     /// Summaries of the links.
     pub links: Vec<LinkMap>,
     /// Omitted links.
-    pub left_out: Vec<LeftOut>,
+    pub left_out: Vec<OmittedLink>,
     /// Requested longest edge of a facet, m; null for a fraction of each link's size.
     pub edge: Option<f64>,
     /// Other link; null for the ground.
@@ -154,7 +154,7 @@ pub struct FacetRecord<'a> {
 }
 
 /// Name of a status in JSON and CSV.
-pub(crate) fn name_of(status: ContactStatus) -> &'static str {
+pub(crate) fn status_name(status: ContactStatus) -> &'static str {
     match status {
         ContactStatus::Finite => "finite",
         ContactStatus::Immovable => "immovable",
@@ -179,7 +179,7 @@ impl SkinFacets {
             normal_link: facet.normal.into(),
             point_world: self.frame.point(&facet.point).into(),
             area: facet.area,
-            status: name_of(self.statuses[i]),
+            status: status_name(self.statuses[i]),
             effective_mass: mass,
             effective_mass_error: mass.map(|m| m * self.errors[i]).filter(|e| e.is_finite()),
         }
@@ -204,18 +204,18 @@ pub struct MapAnswer {
 impl Serialize for MapAnswer {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         #[derive(serde::Serialize)]
-        struct Whole<'a> {
+        struct MapJson<'a> {
             #[serde(flatten)]
             report: &'a MapReport,
-            contacts: Contacts<'a>,
+            contacts: FacetRecords<'a>,
         }
-        Whole { report: &self.report, contacts: Contacts(&self.skins) }.serialize(serializer)
+        MapJson { report: &self.report, contacts: FacetRecords(&self.skins) }.serialize(serializer)
     }
 }
 
-struct Contacts<'a>(&'a [SkinFacets]);
+struct FacetRecords<'a>(&'a [SkinFacets]);
 
-impl Serialize for Contacts<'_> {
+impl Serialize for FacetRecords<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut list = serializer.serialize_seq(None)?;
         for record in self.0.iter().flat_map(SkinFacets::records) {

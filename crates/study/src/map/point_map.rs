@@ -1,7 +1,7 @@
 //! m̄ over directions at one point: the belted ellipsoid.
 
-use crate::checks::findings::about_pose;
-use crate::evaluation::answer::Prepared;
+use crate::checks::findings::collect_pose_findings;
+use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::mass::mass_report::ConditionsRecord;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
@@ -76,7 +76,7 @@ pub fn map_point(
         return Err(StudyError::input(Field::Directions, Fault::Directions { count: directions }));
     }
     let question = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question.clone() };
-    let prepared = Prepared::new(model, &question)?;
+    let prepared = PreparedQuestion::new(model, &question)?;
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
     let map = pose
@@ -85,16 +85,16 @@ pub fn map_point(
     let x_wl = pose.link(contact.link);
     let other = prepared.other_mass();
     let of_direction = |i: usize| {
-        let direction = spread(i, directions);
+        let direction = spiral_direction(i, directions);
         let answer = map.effective_mass(&contact.point, &direction);
-        record(&x_wl, &direction, answer.mass, answer.error, other)
+        direction_mass(&x_wl, &direction, answer.mass, answer.error, other)
     };
     let principal = map.principal_masses(&contact.point);
     let principal = principal.iter().flatten();
     let mut diagnostics: Vec<DiagnosticRecord> = model.diagnostics.clone();
-    let mut found = about_pose(&prepared.system, &pose, question.names);
-    found.extend(prepared.about_point(&contact, "at the pose of the answer"));
-    found.extend(prepared.about_guesses(&pose));
+    let mut found = collect_pose_findings(&prepared.system, &pose, question.names);
+    found.extend(prepared.converted_point_finding(&contact, "at the pose of the answer"));
+    found.extend(prepared.guess_findings(&pose));
     diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
     Ok(PointMapReport {
         schema: "percuss.map-point/1",
@@ -103,18 +103,20 @@ pub fn map_point(
         link: question.link.clone(),
         point_link: contact.point.into(),
         point_world: x_wl.point(&contact.point).into(),
-        principal: principal.map(|p| record(&x_wl, &p.direction, Some(p.mass), p.error, other)).collect(),
+        principal: principal
+            .map(|p| direction_mass(&x_wl, &p.direction, Some(p.mass), p.error, other))
+            .collect(),
         directions: (0..directions).map(of_direction).collect(),
         against: question.against.clone(),
         conditions: ConditionsRecord::of(&question),
         singular_pose: pose.rank().singular,
-        pose: Positions::of(&PoseLayout::new(&model.mechanism), &pose),
+        pose: Positions::from_pose(&PoseLayout::new(&model.mechanism), &pose),
         diagnostics,
     })
 }
 
 /// Result along one direction, including a free body on the other side: dm̄ = (m̄/m̄₁)² dm̄₁.
-fn record(
+fn direction_mass(
     x_wl: &Transform<f64>,
     direction: &Vector3<f64>,
     mass: Option<EffectiveMass>,
@@ -143,7 +145,7 @@ fn record(
 
 /// Direction `i` of `count`: a spiral on the sphere with equal distances between turns and between points
 /// (Swinbank and Purser 2006; cited from memory).
-fn spread(i: usize, count: usize) -> Vector3<f64> {
+fn spiral_direction(i: usize, count: usize) -> Vector3<f64> {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let z = 1.0 - (2.0 * i as f64 + 1.0) / count as f64;
     let turn = std::f64::consts::TAU * (i as f64 * GOLDEN).fract();

@@ -1,9 +1,9 @@
 //! m̄ over the surfaces of links at one pose.
 
-use crate::checks::findings::about_pose;
-use crate::evaluation::answer::Prepared;
+use crate::checks::findings::collect_pose_findings;
+use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::map::map_report::{
-    Extreme, LeftOut, LinkMap, MapAnswer, MapReport, OrientationRecord, SkinFacets,
+    Extreme, LinkMap, MapAnswer, MapReport, OmittedLink, OrientationRecord, SkinFacets,
 };
 use crate::mass::mass_report::ConditionsRecord;
 use crate::model::loading::{Input, Model};
@@ -22,12 +22,12 @@ use std::cell::RefCell;
 use std::path::Path;
 
 /// Number of contacts per work item of a thread.
-const PORTION: usize = 1 << 14;
+const CONTACTS_PER_TASK: usize = 1 << 14;
 
 /// Reason for a link without a map.
-enum NoMap {
+enum LinkMapError {
     /// Fault of the link; the link can be omitted.
-    Link(Fault),
+    NoSurface(Fault),
     /// Error of the question.
     Question(StudyError),
 }
@@ -48,32 +48,32 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
         MapLinks::Named(names) => names.iter().map(find).collect::<Result<_, _>>()?,
         MapLinks::All => mechanism.link_ids().collect(),
     };
-    let conditions = on_a_link(model, &question.conditions);
-    let prepared = Prepared::new(model, &conditions)?;
+    let conditions = question_with_placeholder_contact(model, &question.conditions);
+    let prepared = PreparedQuestion::new(model, &conditions)?;
     let pose = prepared.pose()?;
-    let mut found = about_pose(&prepared.system, &pose, conditions.names);
-    found.extend(prepared.about_guesses(&pose));
+    let mut found = collect_pose_findings(&prepared.system, &pose, conditions.names);
+    found.extend(prepared.guess_findings(&pose));
     let mut diagnostics: Vec<DiagnosticRecord> = model.diagnostics.clone();
     diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
     let path = model.inputs.first().map_or("", |input| &input.path);
     let folders = MeshFolders::of_model(Path::new(path), question.packages.clone());
     let meshes = RefCell::new(Vec::new());
-    let asked = Asked { model, question, folders, meshes: &meshes, prepared: &prepared, pose: &pose };
+    let asked = MapContext { model, question, folders, meshes: &meshes, prepared: &prepared, pose: &pose };
     let (mut maps, mut skins, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
     let mut room = FACETS;
     for link in links {
         let name = mechanism.link(link).name();
-        match asked.of_link(link, room) {
+        match asked.map_link(link, room) {
             Ok((map, skin)) => {
                 room -= skin.facets.len();
                 maps.push(map);
                 skins.push(skin);
             }
-            Err(NoMap::Link(fault)) if question.links == MapLinks::All => {
-                left_out.push(LeftOut { link: name.to_owned(), reason: fault.to_string() });
+            Err(LinkMapError::NoSurface(fault)) if question.links == MapLinks::All => {
+                left_out.push(OmittedLink { link: name.to_owned(), reason: fault.to_string() });
             }
-            Err(NoMap::Link(fault)) => return Err(StudyError::input(Field::Link, fault)),
-            Err(NoMap::Question(error)) => return Err(error),
+            Err(LinkMapError::NoSurface(fault)) => return Err(StudyError::input(Field::Link, fault)),
+            Err(LinkMapError::Question(error)) => return Err(error),
         }
     }
     if maps.is_empty() {
@@ -84,7 +84,7 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     if rank.singular {
         let message = "branches cross at this pose: every effective mass is a lower bound here, and the limits \
             along the branches may be much larger; use a nearby pose, or percuss mass, which shows the limits";
-        diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "singular-pose", message.into()));
+        diagnostics.push(DiagnosticRecord::about_result(Severity::Warning, "singular-pose", message.into()));
     }
     let report = MapReport {
         schema: "percuss.map/1",
@@ -93,18 +93,18 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
         links: maps,
         left_out,
         edge: question.edge,
-        against: prepared.against().map(|id| mechanism.link(id).name().to_owned()),
+        against: prepared.other_link().map(|id| mechanism.link(id).name().to_owned()),
         conditions: ConditionsRecord::of(&conditions),
         singular_pose: rank.singular,
         degrees_of_freedom: pose.degrees_of_freedom(),
-        pose: Positions::of(&PoseLayout::new(mechanism), &pose),
+        pose: Positions::from_pose(&PoseLayout::new(mechanism), &pose),
         diagnostics,
     };
     Ok(MapAnswer { report, skins })
 }
 
 /// Question with a valid contact, required by `Prepared`; the contact itself is not evaluated.
-fn on_a_link(model: &Model, conditions: &MassQuestion) -> MassQuestion {
+fn question_with_placeholder_contact(model: &Model, conditions: &MassQuestion) -> MassQuestion {
     let against = conditions.against.as_deref();
     let link = model.mechanism.links().iter().map(|l| l.name()).find(|name| Some(*name) != against);
     MassQuestion {
@@ -114,7 +114,7 @@ fn on_a_link(model: &Model, conditions: &MassQuestion) -> MassQuestion {
     }
 }
 
-fn chosen(shapes: &[Shape], which: MapShapes) -> (Purpose, Vec<&Shape>) {
+fn select_shapes(shapes: &[Shape], which: MapShapes) -> (Purpose, Vec<&Shape>) {
     let of = |purpose| shapes.iter().filter(|s| s.purpose == purpose).collect::<Vec<_>>();
     match which {
         MapShapes::Visual => (Purpose::Visual, of(Purpose::Visual)),
@@ -127,38 +127,38 @@ fn chosen(shapes: &[Shape], which: MapShapes) -> (Purpose, Vec<&Shape>) {
 }
 
 /// Question at the pose of the map.
-struct Asked<'a> {
+struct MapContext<'a> {
     model: &'a Model,
     question: &'a MapQuestion,
     folders: MeshFolders,
     /// Mesh files read so far.
     meshes: &'a RefCell<Vec<Input>>,
-    prepared: &'a Prepared<'a>,
+    prepared: &'a PreparedQuestion<'a>,
     pose: &'a Pose,
 }
 
-impl Asked<'_> {
-    fn of_link(&self, link: LinkId, room: usize) -> Result<(LinkMap, SkinFacets), NoMap> {
+impl MapContext<'_> {
+    fn map_link(&self, link: LinkId, room: usize) -> Result<(LinkMap, SkinFacets), LinkMapError> {
         let (question, prepared) = (self.question, self.prepared);
         let name = self.model.mechanism.link(link).name();
-        let no_shape = || NoMap::Link(Fault::NoShape { link: name.to_owned() });
-        if prepared.against() == Some(link) {
-            return Err(NoMap::Link(Fault::OtherSide { link: name.to_owned() }));
+        let no_shape = || LinkMapError::NoSurface(Fault::NoShape { link: name.to_owned() });
+        if prepared.other_link() == Some(link) {
+            return Err(LinkMapError::NoSurface(Fault::OtherSide { link: name.to_owned() }));
         }
         let shapes = self.model.shapes.get(link.index()).ok_or_else(no_shape)?;
-        let (purpose, shapes) = chosen(shapes, question.shapes);
+        let (purpose, shapes) = select_shapes(shapes, question.shapes);
         let surface = Surface::read(shapes, &self.folders, question.max_mesh_size)
-            .map_err(|source| NoMap::Link(Fault::Mesh { link: name.to_owned(), source }))?;
+            .map_err(|source| LinkMapError::NoSurface(Fault::Mesh { link: name.to_owned(), source }))?;
         for file in surface.files() {
             let mut meshes = self.meshes.borrow_mut();
-            let input = Input::of_file(file).filter(|input| !meshes.contains(input));
+            let input = Input::from_file(file).filter(|input| !meshes.contains(input));
             meshes.extend(input);
         }
         let (centre, radius) = surface.bounds().ok_or_else(no_shape)?;
         let edge = question.edge.unwrap_or(2.0 * radius / EDGES_ACROSS).max(f64::MIN_POSITIVE);
         let too_many = |source| {
             let fault = Fault::Facets { link: name.to_owned(), source };
-            NoMap::Question(StudyError::input(Field::Edge, fault))
+            LinkMapError::Question(StudyError::input(Field::Edge, fault))
         };
         let facets = surface.facets(edge, room).map_err(too_many)?;
         if facets.is_empty() {
@@ -166,19 +166,19 @@ impl Asked<'_> {
         }
         let map = self
             .pose
-            .contact_map(link, prepared.against(), centre, radius)
-            .map_err(|error| NoMap::Question(StudyError::input(Field::Link, error)))?;
-        let mut skin = self.answered(link, facets, &map);
+            .contact_map(link, prepared.other_link(), centre, radius)
+            .map_err(|error| LinkMapError::Question(StudyError::input(Field::Link, error)))?;
+        let mut skin = self.evaluate_facets(link, facets, &map);
         if let Some(other) = prepared.other_mass() {
-            against_mass(&mut skin, other);
+            add_free_body(&mut skin, other);
         }
         let has_mesh = surface.orientation().pieces > 0;
         let orientation = has_mesh.then(|| OrientationRecord::from(surface.orientation()));
-        Ok((summary(&skin, purpose, orientation), skin))
+        Ok((summarize_link(&skin, purpose, orientation), skin))
     }
 
     /// Evaluates all facets in parallel.
-    fn answered(&self, link: LinkId, facets: Vec<Facet>, map: &ContactMap<'_>) -> SkinFacets {
+    fn evaluate_facets(&self, link: LinkId, facets: Vec<Facet>, map: &ContactMap<'_>) -> SkinFacets {
         let count = facets.len();
         let points: [Vec<f64>; 3] =
             std::array::from_fn(|k| facets.iter().map(|facet| facet.point[k]).collect());
@@ -187,10 +187,10 @@ impl Asked<'_> {
         let mut masses = vec![f64::NAN; count];
         let mut errors = vec![f64::NAN; count];
         let mut statuses = vec![ContactStatus::Unanswered; count];
-        let portions = masses.par_chunks_mut(PORTION).zip(errors.par_chunks_mut(PORTION));
-        let portions = portions.zip(statuses.par_chunks_mut(PORTION)).enumerate();
+        let portions = masses.par_chunks_mut(CONTACTS_PER_TASK).zip(errors.par_chunks_mut(CONTACTS_PER_TASK));
+        let portions = portions.zip(statuses.par_chunks_mut(CONTACTS_PER_TASK)).enumerate();
         portions.for_each(|(i, ((masses, errors), statuses))| {
-            let part = i * PORTION..i * PORTION + masses.len();
+            let part = i * CONTACTS_PER_TASK..i * CONTACTS_PER_TASK + masses.len();
             let [points, normals] =
                 [&points, &normals].map(|c| c.each_ref().map(|column| &column[part.clone()]));
             let mut answers = MapAnswers { masses, errors, statuses };
@@ -203,7 +203,7 @@ impl Asked<'_> {
 }
 
 /// Adds a free body on the other side: 1/m̄ = 1/m̄₁ + 1/m₂.
-fn against_mass(skin: &mut SkinFacets, other: f64) {
+fn add_free_body(skin: &mut SkinFacets, other: f64) {
     for ((mass, error), status) in skin.masses.iter_mut().zip(&mut skin.errors).zip(&mut skin.statuses) {
         match *status {
             ContactStatus::Finite => {
@@ -220,7 +220,7 @@ fn against_mass(skin: &mut SkinFacets, other: f64) {
     }
 }
 
-fn summary(skin: &SkinFacets, purpose: Purpose, orientation: Option<OrientationRecord>) -> LinkMap {
+fn summarize_link(skin: &SkinFacets, purpose: Purpose, orientation: Option<OrientationRecord>) -> LinkMap {
     let count = |status| skin.statuses.iter().filter(|s| **s == status).count();
     let finite = || (0..skin.facets.len()).filter_map(|i| Some((i, skin.mass(i)?)));
     let smallest = finite().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| extreme(skin, i));

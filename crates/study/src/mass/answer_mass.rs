@@ -1,8 +1,8 @@
 //! Effective mass at one contact of a model, optionally with the damper for a restitution.
 
-use crate::damper::damped_contact::damping_of;
-use crate::evaluation::answer::Answered;
-use crate::mass::drawing::{DrawnMechanism, drawn};
+use crate::damper::damped_contact::damping_report;
+use crate::evaluation::prepared_question::EvaluatedQuestion;
+use crate::mass::drawing::{DrawnMechanism, draw_evaluated};
 use crate::mass::mass_report::MassReport;
 use crate::mass::motion_ratio::motion_ratios;
 use crate::model::loading::Model;
@@ -17,10 +17,10 @@ use percuss_mechanism::Severity;
 /// # Errors
 /// [`StudyError`]: unknown names, unreachable positions, an invalid contact.
 pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyError> {
-    report_of(&Answered::new(model, question)?)
+    build_mass_report(&EvaluatedQuestion::new(model, question)?)
 }
 
-fn report_of(answered: &Answered) -> Result<MassReport, StudyError> {
+fn build_mass_report(answered: &EvaluatedQuestion) -> Result<MassReport, StudyError> {
     let motion_ratios = motion_ratios(answered, &answered.prepared.question.ratio_at)?;
     Ok(MassReport { motion_ratios, ..MassReport::of(answered) })
 }
@@ -35,7 +35,7 @@ pub fn mass_with_damper(
     question: &MassQuestion,
     damping: &DampingQuestion,
 ) -> Result<MassReport, StudyError> {
-    with_damper(&Answered::new(model, question)?, damping)
+    with_damper(&EvaluatedQuestion::new(model, question)?, damping)
 }
 
 /// Same as [`mass_with_damper`] (or [`mass()`] without `damping`), with the drawing of the mechanism at the
@@ -43,28 +43,28 @@ pub fn mass_with_damper(
 ///
 /// # Errors
 /// As for [`mass_with_damper`].
-pub fn mass_drawn(
+pub fn mass_with_drawing(
     model: &Model,
     question: &MassQuestion,
     damping: Option<&DampingQuestion>,
 ) -> Result<(MassReport, DrawnMechanism), StudyError> {
-    let answered = Answered::new(model, question)?;
+    let answered = EvaluatedQuestion::new(model, question)?;
     let report = match damping {
         Some(damping) => with_damper(&answered, damping)?,
-        None => report_of(&answered)?,
+        None => build_mass_report(&answered)?,
     };
-    Ok((report, drawn(&answered)))
+    Ok((report, draw_evaluated(&answered)))
 }
 
-fn with_damper(answered: &Answered, damping: &DampingQuestion) -> Result<MassReport, StudyError> {
-    let mut report = report_of(answered)?;
-    match damping_of(answered, damping) {
+fn with_damper(answered: &EvaluatedQuestion, damping: &DampingQuestion) -> Result<MassReport, StudyError> {
+    let mut report = build_mass_report(answered)?;
+    match damping_report(answered, damping) {
         Ok(mut damper) => {
             report.diagnostics = std::mem::take(&mut damper.diagnostics);
             report.damper = Some(damper);
         }
-        Err(error @ (StudyError::NoDamper { .. } | StudyError::NoDamperOfAll { .. })) => {
-            let note = DiagnosticRecord::about_answer(Severity::Warning, "no-damper", error.to_string());
+        Err(error @ (StudyError::NoDamper { .. } | StudyError::BranchMassesDiffer { .. })) => {
+            let note = DiagnosticRecord::about_result(Severity::Warning, "no-damper", error.to_string());
             report.diagnostics.push(note);
         }
         Err(error) => return Err(error),

@@ -1,6 +1,6 @@
 //! Assumptions of a result in readable form: base, locks, mimics, drivers.
 
-use crate::evaluation::answer::Prepared;
+use crate::evaluation::prepared_question::PreparedQuestion;
 use percuss_dynamics::{Base, Pose};
 
 /// Assumptions of a result, for text output; not part of the JSON.
@@ -22,7 +22,7 @@ pub struct Assumptions {
 
 impl Assumptions {
     /// Assumptions of the result at a pose.
-    pub(crate) fn of(prepared: &Prepared, pose: &Pose) -> Self {
+    pub(crate) fn of(prepared: &PreparedQuestion, pose: &Pose) -> Self {
         let (system, question) = (&prepared.system, prepared.question);
         let mechanism = system.mechanism();
         let root = mechanism.link(mechanism.root()).name();

@@ -1,9 +1,9 @@
 //! Drawing of a mechanism at the pose of a result: position, share of m̄ and velocity of each link.
 
-use crate::evaluation::answer::{Answered, compile, configuration};
+use crate::evaluation::prepared_question::{EvaluatedQuestion, compile, configuration};
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
-use crate::pose::travels;
+use crate::pose::pose_solver;
 use crate::question::error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::FACETS;
@@ -51,16 +51,16 @@ pub struct DrawnMechanism {
 const FAR_SHAPE: f64 = 5.0;
 
 /// Reader of the shapes of links, with the number of triangles left (`room`).
-struct Shapes<'a> {
+struct ShapeReader<'a> {
     model: &'a Model,
     folders: MeshFolders,
-    room: usize,
-    drawn: DrawnMechanism,
+    triangles_left: usize,
+    drawing: DrawnMechanism,
 }
 
-impl Shapes<'_> {
+impl ShapeReader<'_> {
     /// Triangles of a link in the world frame, from `<visual>`, otherwise from `<collision>`.
-    fn of(&mut self, link: LinkId, pose: &Pose) -> Vec<[[f64; 3]; 3]> {
+    fn link_triangles(&mut self, link: LinkId, pose: &Pose) -> Vec<[[f64; 3]; 3]> {
         let all = self.model.shapes.get(link.index()).map_or(&[][..], Vec::as_slice);
         let of = |purpose| all.iter().filter(move |shape: &&Shape| shape.purpose == purpose);
         let any_visual = of(Purpose::Visual).next().is_some();
@@ -68,7 +68,7 @@ impl Shapes<'_> {
         let surface = match Surface::read(shapes, &self.folders, DEFAULT_MAX_MESH_SIZE) {
             Ok(surface) => surface,
             Err(error) => {
-                self.left_out(link, error.to_string());
+                self.add_omitted_shape(link, error.to_string());
                 return Vec::new();
             }
         };
@@ -76,52 +76,52 @@ impl Shapes<'_> {
         let far = FAR_SHAPE * self.model.mechanism.characteristic_length();
         let reach = surface.bounds().map_or(0.0, |(centre, radius)| centre.norm() + radius);
         if link == self.model.mechanism.root() && reach > far {
-            self.left_out(link, format!("it reaches {reach:.3} m, far beyond the mechanism"));
+            self.add_omitted_shape(link, format!("it reaches {reach:.3} m, far beyond the mechanism"));
             return Vec::new();
         }
         for file in surface.files() {
-            let input = Input::of_file(file);
-            self.drawn.meshes.extend(input.filter(|input| !self.drawn.meshes.contains(input)));
+            let input = Input::from_file(file);
+            self.drawing.meshes.extend(input.filter(|input| !self.drawing.meshes.contains(input)));
         }
         // Infinite edge length: as few triangles as possible.
-        match surface.facets(f64::INFINITY, self.room) {
+        match surface.facets(f64::INFINITY, self.triangles_left) {
             Ok(facets) => {
-                self.room -= facets.len();
+                self.triangles_left -= facets.len();
                 let frame = pose.link(link);
                 facets.iter().map(|facet| facet.corners.map(|corner| frame.point(&corner).into())).collect()
             }
             Err(error) => {
-                self.left_out(link, error.to_string());
+                self.add_omitted_shape(link, error.to_string());
                 Vec::new()
             }
         }
     }
 
-    fn left_out(&mut self, link: LinkId, why: String) {
+    fn add_omitted_shape(&mut self, link: LinkId, why: String) {
         let link = self.model.mechanism.link(link).name();
         let message = format!("link \"{link}\" is drawn without its shape: {why}");
-        let note = DiagnosticRecord::about_answer(Severity::Note, "shape-not-drawn", message);
-        self.drawn.diagnostics.push(note);
+        let note = DiagnosticRecord::about_result(Severity::Note, "shape-not-drawn", message);
+        self.drawing.diagnostics.push(note);
     }
 }
 
 /// Drawing of an evaluated question: every link with lines or triangles.
-pub(crate) fn drawn(answered: &Answered) -> DrawnMechanism {
-    let Answered { prepared, pose, answer, .. } = answered;
-    mechanism_at(prepared.model, pose, Some(&answer.response))
+pub(crate) fn draw_evaluated(answered: &EvaluatedQuestion) -> DrawnMechanism {
+    let EvaluatedQuestion { prepared, pose, result: answer, .. } = answered;
+    draw_pose(prepared.model, pose, Some(&answer.response))
 }
 
 /// Drawing of the mechanism at the pose of a question; the contact is ignored.
 ///
 /// # Errors
 /// [`StudyError`]: unknown names, loops that do not close, a travel that is not reachable.
-pub fn drawn_at(model: &Model, question: &MassQuestion) -> Result<DrawnMechanism, StudyError> {
+pub fn draw_mechanism(model: &Model, question: &MassQuestion) -> Result<DrawnMechanism, StudyError> {
     let system = compile(&model.mechanism, question, None)?;
-    let pose = travels::pose(&system, &configuration(&model.mechanism, question)?, question)?;
-    Ok(mechanism_at(model, &pose, None))
+    let pose = pose_solver::pose(&system, &configuration(&model.mechanism, question)?, question)?;
+    Ok(draw_pose(model, &pose, None))
 }
 
-fn mechanism_at(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> DrawnMechanism {
+fn draw_pose(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> DrawnMechanism {
     let mechanism = &model.mechanism;
     let shares = response.and_then(|response| response.contributions.as_ref());
     let mut places: Vec<Vec<Vector3<f64>>> = vec![Vec::new(); mechanism.links().len()];
@@ -176,19 +176,20 @@ fn mechanism_at(model: &Model, pose: &Pose, response: Option<&ContactResponse>) 
     let is_drawn = |id: &LinkId| *id != mechanism.root() || shares.is_some_and(|s| s.links[id.index()] > 0.0);
     let path = model.inputs.first().map_or("", |input| &input.path);
     let folders = MeshFolders::of_model(Path::new(path), Vec::new());
-    let mut shapes = Shapes { model, folders, room: FACETS, drawn: DrawnMechanism::default() };
-    shapes.drawn.wheels = mechanism.link_ids().filter_map(|id| wheel(mechanism, pose, id)).collect();
+    let mut shapes =
+        ShapeReader { model, folders, triangles_left: FACETS, drawing: DrawnMechanism::default() };
+    shapes.drawing.wheels = mechanism.link_ids().filter_map(|id| wheel(mechanism, pose, id)).collect();
     for id in mechanism.link_ids() {
-        let facets = shapes.of(id, pose);
+        let facets = shapes.link_triangles(id, pose);
         let mut link = of_link(id);
         if !is_drawn(&id) {
             link.lines.clear();
         }
         if !(link.lines.is_empty() && facets.is_empty()) {
-            shapes.drawn.links.push(DrawnLink { facets, ..link });
+            shapes.drawing.links.push(DrawnLink { facets, ..link });
         }
     }
-    shapes.drawn
+    shapes.drawing
 }
 
 /// Circle of a wheel, if the link has the name that the suspension importer gives to wheels. The circle lies

@@ -5,12 +5,12 @@
 //! derivative of the motion v* is not needed (docs/reference/FORMULAS.md, F38). Hardpoints change A and j too; their
 //! rates are central differences of complete evaluations.
 
-use crate::evaluation::answer::Answered;
+use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::changes::Changes;
 use crate::model::loading::Model;
 use crate::question::error::StudyError;
 use crate::question::mass_question::MassQuestion;
-use crate::thresholds::{POINT_STEP, STRONGEST};
+use crate::thresholds::{LISTED_CHANGES, POINT_STEP};
 use nalgebra::Vector3;
 use percuss_dynamics::{ContactResponse, EffectiveMass, PointVelocity, Pose};
 use percuss_mechanism::{Inertial, LinkId};
@@ -96,8 +96,8 @@ pub struct PointChange {
 /// # Errors
 /// [`StudyError`], as for `mass`.
 pub fn explain(model: &Model, question: &MassQuestion) -> Result<Option<Explanation>, StudyError> {
-    let answered = Answered::new(model, question)?;
-    let response = &answered.answer.response;
+    let answered = EvaluatedQuestion::new(model, question)?;
+    let response = &answered.result.response;
     let EffectiveMass::Finite(mass) = response.effective_mass else { return Ok(None) };
     if response.singular_pose {
         return Ok(None);
@@ -120,10 +120,10 @@ pub fn explain(model: &Model, question: &MassQuestion) -> Result<Option<Explanat
     };
     let mut by_place: Vec<PointChange> = points.iter().filter_map(steepest).collect();
     by_place.sort_by(|a, b| b.lowers_by.total_cmp(&a.lowers_by));
-    by_place.truncate(STRONGEST);
+    by_place.truncate(LISTED_CHANGES);
     Ok(Some(Explanation {
         effective_mass: mass,
-        most_per_kilogram: by_mass.iter().take(STRONGEST).map(of_mass).collect(),
+        most_per_kilogram: by_mass.iter().take(LISTED_CHANGES).map(of_mass).collect(),
         most_per_millimetre: by_place,
         links,
         rotors,
@@ -131,8 +131,8 @@ pub fn explain(model: &Model, question: &MassQuestion) -> Result<Option<Explanat
     }))
 }
 
-fn links(answered: &Answered, mass: f64) -> Vec<LinkSensitivity> {
-    let (mechanism, response) = (&answered.prepared.model.mechanism, &answered.answer.response);
+fn links(answered: &EvaluatedQuestion, mass: f64) -> Vec<LinkSensitivity> {
+    let (mechanism, response) = (&answered.prepared.model.mechanism, &answered.result.response);
     let shares = response.contributions.as_ref();
     let share = |id: LinkId| shares.and_then(|s| s.links.get(id.index()).copied()).unwrap_or(0.0);
     let of_link = |id: LinkId| {
@@ -143,14 +143,14 @@ fn links(answered: &Answered, mass: f64) -> Vec<LinkSensitivity> {
             mass: inertial.mass,
             share: share(id),
             per_kilogram: share(id) * mass / inertial.mass,
-            per_metre_of_com: per_metre_of_com(&answered.pose, response, id, inertial),
+            per_metre_of_com: com_sensitivity(&answered.pose, response, id, inertial),
         })
     };
     mechanism.link_ids().filter_map(of_link).collect()
 }
 
 /// Rate 2 m v_c · (ω × e) for each axis e; ω × e is the velocity of the point c + e relative to the point c.
-fn per_metre_of_com(
+fn com_sensitivity(
     pose: &Pose,
     response: &ContactResponse,
     link: LinkId,
@@ -169,8 +169,8 @@ fn per_metre_of_com(
     Some(rates)
 }
 
-fn rotors(answered: &Answered) -> Vec<RotorSensitivity> {
-    let (mechanism, response) = (&answered.prepared.model.mechanism, &answered.answer.response);
+fn rotors(answered: &EvaluatedQuestion) -> Vec<RotorSensitivity> {
+    let (mechanism, response) = (&answered.prepared.model.mechanism, &answered.result.response);
     let of_joint = |(joint, velocities): (_, &Vec<f64>)| {
         let per_armature: Vec<f64> = velocities.iter().map(|v| v * v).collect();
         let turns = per_armature.iter().any(|rate| *rate > 0.0);
@@ -188,7 +188,7 @@ fn points(model: &Model, question: &MassQuestion) -> Vec<PointSensitivity> {
             let mut by = [0.0; 3];
             by[axis] = parts * step;
             let moves = vec![(name.clone(), by)];
-            mass_of(model, question, &Changes { moves, ..Changes::default() })
+            changed_mass(model, question, &Changes { moves, ..Changes::default() })
         };
         let (one, two) = (at(1.0)? - at(-1.0)?, at(2.0)? - at(-2.0)?);
         let rate = (8.0 * one - two) / (12.0 * step);
@@ -207,11 +207,11 @@ fn points(model: &Model, question: &MassQuestion) -> Vec<PointSensitivity> {
 }
 
 /// m̄ of the changed model; `None` without a finite result or at a singular pose.
-pub(crate) fn mass_of(model: &Model, question: &MassQuestion, changes: &Changes) -> Option<f64> {
-    let changed = model.changed(changes).ok()?;
-    let answered = Answered::new(&changed, question).ok()?;
-    match answered.answer.response.effective_mass {
-        EffectiveMass::Finite(mass) if !answered.answer.response.singular_pose => Some(mass),
+pub(crate) fn changed_mass(model: &Model, question: &MassQuestion, changes: &Changes) -> Option<f64> {
+    let changed = model.with_changes(changes).ok()?;
+    let answered = EvaluatedQuestion::new(&changed, question).ok()?;
+    match answered.result.response.effective_mass {
+        EffectiveMass::Finite(mass) if !answered.result.response.singular_pose => Some(mass),
         _ => None,
     }
 }

@@ -1,8 +1,8 @@
 //! Report of one contact of a model, as JSON.
 
 use crate::damper::damping::DampingReport;
-use crate::evaluation::answer::{Answer, Answered};
 use crate::evaluation::estimate::EstimateRecord;
+use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
 use crate::evaluation::status::Status;
 use crate::mass::assumptions::Assumptions;
 use crate::mass::explain::Explanation;
@@ -211,7 +211,7 @@ pub struct ErrorBudgetRecord {
 }
 
 impl ErrorBudgetRecord {
-    fn of(answer: &Answer) -> Self {
+    fn of(answer: &ContactResult) -> Self {
         let budget = answer.response.error.unwrap_or_default();
         Self { rounding: budget.rounding, closing: budget.closing, file: budget.file }
     }
@@ -219,13 +219,13 @@ impl ErrorBudgetRecord {
 
 impl MassReport {
     /// Report of an evaluated question.
-    pub(crate) fn of(answered: &Answered) -> Self {
-        let Answered { prepared, pose, answer, .. } = answered;
+    pub(crate) fn of(answered: &EvaluatedQuestion) -> Self {
+        let EvaluatedQuestion { prepared, pose, result: answer, .. } = answered;
         let (model, assembly) = (prepared.model, pose.assembly());
         let (mechanism, response) = (&model.mechanism, &answer.response);
         let link_name = |link: LinkId| mechanism.link(link).name().to_owned();
         let joint_name = |joint: JointId| mechanism.joint(joint).name().to_owned();
-        let (status, effective_mass) = Status::of(response.effective_mass);
+        let (status, effective_mass) = Status::classify(response.effective_mass);
         let shares = response.contributions.as_ref();
         let share_of = |i: usize| shares.map(|s| s.links.get(i).copied().unwrap_or(0.0));
         let rotors = shares.map_or(&[][..], |s| &s.rotors[..]);
@@ -259,7 +259,7 @@ impl MassReport {
                 .map(|&(joint, share)| RotorShare { joint: joint_name(joint), share: Some(share) })
                 .collect(),
             other_mass_share: shares.and_then(|s| s.other_mass),
-            pose: Positions::of(&PoseLayout::new(mechanism), pose),
+            pose: Positions::from_pose(&PoseLayout::new(mechanism), pose),
             closure_residual: pose.loops().map(|l| l.residual),
             closure_inexactness: pose.loops().map(|l| l.inexactness),
             characteristic_length: mechanism.characteristic_length(),

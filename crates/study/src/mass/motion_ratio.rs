@@ -1,10 +1,10 @@
 //! Motion ratios: speed of a wheel or of a given point per closing speed of the contact.
 
-use crate::evaluation::answer::Answered;
+use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::RatioPoint;
-use crate::thresholds::{ONE_TRAVEL, SHORTEST_DIRECTION};
+use crate::thresholds::{INVERSE_RATIO_TOLERANCE, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
 use percuss_dynamics::{Contact, ContactResponse, Direction, EffectiveMass, Frame, PointVelocity, Pose};
 use percuss_mechanism::{LinkId, Mechanism};
@@ -40,11 +40,11 @@ const SIDES: [&str; 2] = ["_left", "_right"];
 /// the response of a contact at the point. r holds for every motion if r r′ = 1; r r′ is the squared cosine
 /// between both motions in the metric of M.
 pub(crate) fn motion_ratios(
-    answered: &Answered,
+    answered: &EvaluatedQuestion,
     given: &[RatioPoint],
 ) -> Result<Vec<MotionRatioRecord>, StudyError> {
     let mechanism = &answered.prepared.model.mechanism;
-    let response = answered.answer.of_mechanism();
+    let response = answered.result.mechanism_response();
     let mut found = Vec::new();
     for asked in given {
         let link = mechanism.find_link(&asked.link);
@@ -72,7 +72,7 @@ fn wheel_points(mechanism: &Mechanism, struck: &str) -> Vec<LinkId> {
 }
 
 fn ratio(
-    answered: &Answered,
+    answered: &EvaluatedQuestion,
     response: &ContactResponse,
     link: LinkId,
     point: Vector3<f64>,
@@ -94,7 +94,8 @@ fn ratio(
         let contact = &response.contact;
         speed(pose, &own, contact.link, &contact.point_link, &contact.normal_world)
     });
-    let one_travel = inverse.is_some_and(|inverse| (wheel_per_contact * inverse - 1.0).abs() <= ONE_TRAVEL);
+    let one_travel =
+        inverse.is_some_and(|inverse| (wheel_per_contact * inverse - 1.0).abs() <= INVERSE_RATIO_TOLERANCE);
     Some(MotionRatioRecord {
         link: pose.mechanism().link(link).name().to_owned(),
         point: point.into(),

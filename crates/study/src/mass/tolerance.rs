@@ -1,8 +1,8 @@
 //! Variation of an effective mass within tolerances of masses, centres of mass, armatures and hardpoints: to
 //! first order, and by random samples.
 
-use crate::evaluation::random_rows::Uniform;
-use crate::mass::explain::{Explanation, explain, mass_of};
+use crate::evaluation::random_rows::RandomStream;
+use crate::mass::explain::{Explanation, changed_mass, explain};
 use crate::model::changes::Changes;
 use crate::model::loading::Model;
 use crate::question::error::{Fault, StudyError};
@@ -118,7 +118,7 @@ impl Tolerance {
             let ratio = || Measure::Ratio.parse(value).map(|m| m.value).map_err(|e| wrong(e.to_string()));
             let length = || {
                 Quantity::parse(value)
-                    .and_then(|q| q.of(Dimension::Length, value))
+                    .and_then(|q| q.in_dimension(Dimension::Length, value))
                     .map_err(|e| wrong(e.to_string()))
             };
             let (place, value) = match what {
@@ -146,7 +146,7 @@ impl Tolerance {
 /// # Errors
 /// [`StudyError`], as for `mass`; a tolerance of hardpoints for a model without hardpoints; a number of samples
 /// out of range.
-pub fn tolerate(
+pub fn tolerance_report(
     model: &Model,
     question: &MassQuestion,
     tolerance: Tolerance,
@@ -160,9 +160,9 @@ pub fn tolerate(
         return Err(StudyError::input(Field::Samples, Fault::Samples { count }));
     }
     let Some(explanation) = explain(model, question)? else { return Ok(None) };
-    let rates = Rates::of(model, question, &explanation, tolerance);
+    let rates = MassDeviations::from_explanation(model, question, &explanation, tolerance);
     let root = |rates: &[f64]| rates.iter().map(|r| r * r).sum::<f64>().sqrt();
-    let all = rates.all();
+    let all = rates.concatenated();
     Ok(Some(ToleranceReport {
         effective_mass: explanation.effective_mass,
         tolerance,
@@ -174,20 +174,25 @@ pub fn tolerate(
             armature: root(&rates.armature),
             point: root(&rates.point),
         },
-        samples: sampling.and_then(|asked| sampled(model, question, &explanation, tolerance, asked)),
+        samples: sampling.and_then(|asked| sample_masses(model, question, &explanation, tolerance, asked)),
     }))
 }
 
 /// Effect of each number at its limit on m̄, kg.
-struct Rates {
+struct MassDeviations {
     mass: Vec<f64>,
     com: Vec<f64>,
     armature: Vec<f64>,
     point: Vec<f64>,
 }
 
-impl Rates {
-    fn of(model: &Model, question: &MassQuestion, explanation: &Explanation, tolerance: Tolerance) -> Self {
+impl MassDeviations {
+    fn from_explanation(
+        model: &Model,
+        question: &MassQuestion,
+        explanation: &Explanation,
+        tolerance: Tolerance,
+    ) -> Self {
         let coms = explanation.links.iter().filter_map(|link| link.per_metre_of_com).flatten();
         let rotors = explanation.rotors.iter().flat_map(|rotor| {
             let own = armature(model, question, &rotor.joint, rotor.per_armature.len());
@@ -202,7 +207,7 @@ impl Rates {
         }
     }
 
-    fn all(&self) -> Vec<f64> {
+    fn concatenated(&self) -> Vec<f64> {
         [&self.mass, &self.com, &self.armature, &self.point].into_iter().flatten().copied().collect()
     }
 }
@@ -221,7 +226,7 @@ fn armature(model: &Model, question: &MassQuestion, joint: &str, velocities: usi
     }
 }
 
-fn sampled(
+fn sample_masses(
     model: &Model,
     question: &MassQuestion,
     explanation: &Explanation,
@@ -229,7 +234,7 @@ fn sampled(
     asked: Sampling,
 ) -> Option<SampleRecord> {
     let of_sample = |number: usize| {
-        let mut uniform = Uniform::new(asked.seed, number as u64);
+        let mut uniform = RandomStream::new(asked.seed, number as u64);
         let mut off = |most: f64| most * (2.0 * uniform.next() - 1.0);
         let mut moved = Changes::default();
         if tolerance.point > 0.0 {
@@ -239,7 +244,7 @@ fn sampled(
         }
         // A centre of mass is fixed in the vehicle, but the link frame moves with a hardpoint. Hence the
         // centres of mass are read from the model with the hardpoints moved.
-        let model = &model.changed(&moved).ok()?;
+        let model = &model.with_changes(&moved).ok()?;
         let mut changes = Changes::default();
         for link in &explanation.links {
             changes.link_mass.push((link.link.clone(), link.mass * (1.0 + off(tolerance.mass))));
@@ -259,7 +264,7 @@ fn sampled(
                 question.armature.push((rotor.joint.clone(), values));
             }
         }
-        mass_of(model, &question, &changes)
+        changed_mass(model, &question, &changes)
     };
     let masses: Vec<Option<f64>> = (0..asked.count).into_par_iter().map(of_sample).collect();
     let mut found: Vec<f64> = masses.into_iter().flatten().collect();

@@ -27,7 +27,7 @@ impl Input {
     }
 
     /// Input of a file; `None` if the file is unreadable.
-    pub(crate) fn of_file(path: &Path) -> Option<Self> {
+    pub(crate) fn from_file(path: &Path) -> Option<Self> {
         let mut digest = Sha256::new();
         std::io::copy(&mut std::fs::File::open(path).ok()?, &mut digest).ok()?;
         Some(Self { path: path.to_string_lossy().into_owned(), sha256: hexadecimal(&digest.finalize()) })
@@ -85,11 +85,11 @@ impl Model {
     /// [`LoadError`], as for [`load`](Self::load).
     pub fn of(source: &Source, options: &LoadOptions) -> Result<Self, LoadError> {
         let input = Input::of(source);
-        if let Some(sheet) = Sheet::of(source, options.accept) {
+        if let Some(sheet) = Sheet::from_source(source, options.accept) {
             if sheet.is_study() {
                 return Err(LoadError::of_file(&source.name, "study", A_STUDY));
             }
-            let (mut model, tables) = Self::imported(&sheet, &[], vec![input])?;
+            let (mut model, tables) = Self::import_sheet(&sheet, &[], vec![input])?;
             for table in tables.iter().filter(|table| **table != source.name) {
                 // The importer has read the same file before.
                 model.inputs.push(Input::of(&Source::read(table, DEFAULT_MAX_SIZE)?));
@@ -107,16 +107,16 @@ impl Model {
     }
 
     /// Model of a sheet with moved hardpoints, without shapes.
-    pub(crate) fn of_sheet(
+    pub(crate) fn from_sheet(
         sheet: &Sheet,
         moves: &[(String, [f64; 3])],
         inputs: Vec<Input>,
     ) -> Result<Self, LoadError> {
-        Self::imported(sheet, moves, inputs).map(|(model, _)| model)
+        Self::import_sheet(sheet, moves, inputs).map(|(model, _)| model)
     }
 
     /// Model of a sheet with moved hardpoints, and the names of all files read.
-    fn imported(
+    fn import_sheet(
         sheet: &Sheet,
         moves: &[(String, [f64; 3])],
         inputs: Vec<Input>,

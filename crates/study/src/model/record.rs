@@ -25,7 +25,7 @@ pub struct DiagnosticRecord {
 
 impl DiagnosticRecord {
     /// Finding about the result, without a place in a file.
-    pub fn about_answer(severity: Severity, code: &'static str, message: String) -> Self {
+    pub fn about_result(severity: Severity, code: &'static str, message: String) -> Self {
         Self { severity: severity.name(), code, path: None, line: None, column: None, element: None, message }
     }
 

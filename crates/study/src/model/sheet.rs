@@ -25,7 +25,7 @@ pub(crate) fn is_study(source: &Source) -> bool {
 
 impl Sheet {
     /// Source as a sheet; `None` if the file name has no extension of a sheet.
-    pub(crate) fn of(source: &Source, accept: Accept) -> Option<Self> {
+    pub(crate) fn from_source(source: &Source, accept: Accept) -> Option<Self> {
         let ending = Path::new(&source.name).extension()?.to_str()?;
         let is_sheet = SHEETS.iter().any(|known| ending.eq_ignore_ascii_case(known));
         let options = ImportOptions { accept, ..ImportOptions::default() };

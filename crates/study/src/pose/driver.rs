@@ -7,5 +7,5 @@ use percuss_mechanism::JointId;
 #[derive(Debug)]
 pub(crate) struct Driver {
     pub joint: JointId,
-    pub base: Configuration,
+    pub configuration: Configuration,
 }

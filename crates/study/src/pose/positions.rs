@@ -9,16 +9,16 @@ use std::sync::Arc;
 /// Names of the movable joints, and the layout of the numbers of a pose.
 #[derive(Debug, PartialEq)]
 pub struct PoseLayout {
-    joints: Vec<JointNumbers>,
+    joints: Vec<JointSlot>,
 }
 
 #[derive(Debug, PartialEq)]
-struct JointNumbers {
+struct JointSlot {
     name: String,
     joint: JointId,
-    numbers: Range<usize>,
+    range: Range<usize>,
     /// Index of the first number of the joint in the list of all joints, in joint order.
-    place: usize,
+    column: usize,
 }
 
 impl PoseLayout {
@@ -37,11 +37,11 @@ impl PoseLayout {
         let numbered = |joint: JointId| {
             let numbers = first..first + mechanism.joint(joint).kind().positions();
             first = numbers.end;
-            JointNumbers {
+            JointSlot {
                 name: mechanism.joint(joint).name().to_owned(),
                 joint,
-                numbers,
-                place: places[joint.index()],
+                range: numbers,
+                column: places[joint.index()],
             }
         };
         Arc::new(Self { joints: movable.into_iter().map(numbered).collect() })
@@ -49,7 +49,7 @@ impl PoseLayout {
 
     /// Names of the joints, and the number of values of each position.
     pub fn joints(&self) -> impl Iterator<Item = (&str, usize)> {
-        self.joints.iter().map(|joint| (joint.name.as_str(), joint.numbers.len()))
+        self.joints.iter().map(|joint| (joint.name.as_str(), joint.range.len()))
     }
 }
 
@@ -62,15 +62,15 @@ pub struct Positions {
 }
 
 impl Positions {
-    pub(crate) fn of(layout: &Arc<PoseLayout>, pose: &Pose) -> Self {
+    pub(crate) fn from_pose(layout: &Arc<PoseLayout>, pose: &Pose) -> Self {
         let values = layout.joints.iter().flat_map(|joint| pose.joint(joint.joint)).copied().collect();
         Self { layout: Arc::clone(layout), values }
     }
 
     /// Positions of row `i`. `columns` holds one column of `rows` values per position component of all joints,
     /// in joint order.
-    pub(crate) fn of_columns(layout: &Arc<PoseLayout>, columns: &[f64], rows: usize, i: usize) -> Self {
-        let places = layout.joints.iter().flat_map(|joint| joint.place..joint.place + joint.numbers.len());
+    pub(crate) fn from_columns(layout: &Arc<PoseLayout>, columns: &[f64], rows: usize, i: usize) -> Self {
+        let places = layout.joints.iter().flat_map(|joint| joint.column..joint.column + joint.range.len());
         let values = places.map(|place| columns[place * rows + i]).collect();
         Self { layout: Arc::clone(layout), values }
     }
@@ -81,8 +81,8 @@ impl Positions {
 
     /// Positions by name; empty without a pose.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &[f64])> {
-        let known = self.layout.joints.iter().filter(|joint| joint.numbers.end <= self.values.len());
-        known.map(|joint| (joint.name.as_str(), &self.values[joint.numbers.clone()]))
+        let known = self.layout.joints.iter().filter(|joint| joint.range.end <= self.values.len());
+        known.map(|joint| (joint.name.as_str(), &self.values[joint.range.clone()]))
     }
 
     /// All values in sequence; empty without a pose.
@@ -93,7 +93,7 @@ impl Positions {
     /// Position of a joint.
     pub fn get(&self, name: &str) -> Option<&[f64]> {
         let at = self.layout.joints.binary_search_by(|joint| joint.name.as_str().cmp(name)).ok()?;
-        self.values.get(self.layout.joints[at].numbers.clone())
+        self.values.get(self.layout.joints[at].range.clone())
     }
 
     /// Number of joints with a position.

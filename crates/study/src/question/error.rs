@@ -1,6 +1,6 @@
 //! Errors of a question: the cause and the flag or key at fault.
 
-use crate::question::field::{Field, Names, about_assembly, about_contact};
+use crate::question::field::{Field, Names, assembly_error_message, contact_error_message};
 use crate::question::pose_file::GivenPoseError;
 use crate::question::table_error::TableError;
 use crate::thresholds::{
@@ -269,7 +269,7 @@ pub enum Fault {
         "a travel of the pose can be combined with ranges of joints only, not with a varied travel, a file of \
          positions, random positions, or another travel"
     )]
-    TravelOfRows,
+    TravelExcludedByRows,
     /// Unit of a linear spring for a nonlinear spring.
     #[error(
         "its unit is that of a linear spring; with the exponent {exponent} a plain number in N/m^{exponent} is expected \
@@ -310,10 +310,10 @@ impl Fault {
             Fault::NoReferencePose { source } => no_reference_pose(source, names),
             Fault::Table(error) => error.message(names),
             Fault::NothingToSampleBetween { joint, kind } => no_limits(joint, *kind, names),
-            Fault::Dependent(error) => about_assembly(error, names),
-            Fault::Contact(error) => about_contact(error, names),
+            Fault::Dependent(error) => assembly_error_message(error, names),
+            Fault::Contact(error) => contact_error_message(error, names),
             Fault::MasslessBase { link } => massless_base(link, names),
-            Fault::Travel(TravelError::Assembly(error)) => about_assembly(error, names),
+            Fault::Travel(TravelError::Assembly(error)) => assembly_error_message(error, names),
             other => other.to_string(),
         }
     }
@@ -359,7 +359,7 @@ fn no_reference_pose(source: &AssemblyError, names: Names) -> String {
         Names::Flags => " (--frame link)",
         Names::Keys => " (contact.frame = \"link\")",
     };
-    let why = about_assembly(source, names);
+    let why = assembly_error_message(source, names);
     format!(
         "a point in this frame is converted to the frame of the contact link with the varied joint at 0, but \
          this pose cannot be reached ({why}); give the point in the frame of the contact link{how}"
@@ -372,7 +372,7 @@ fn no_reference_pose(source: &AssemblyError, names: Names) -> String {
 #[non_exhaustive]
 pub enum StudyError {
     /// Invalid part of a question.
-    #[error("{}: {fault}", field.named(Names::Fields))]
+    #[error("{}: {fault}", field.name_in(Names::Fields))]
     Input {
         /// Part of the question.
         field: Field,
@@ -383,7 +383,7 @@ pub enum StudyError {
     #[error(transparent)]
     Assembly(#[from] AssemblyError),
     /// Travel that ends before the requested displacement.
-    #[error("{}: {why}", Field::Travel.named(Names::Fields))]
+    #[error("{}: {why}", Field::Travel.name_in(Names::Fields))]
     TravelNotReached {
         /// Reason, and the reachable displacement.
         why: String,
@@ -401,13 +401,13 @@ pub enum StudyError {
     #[error(transparent)]
     Export(Box<ExportError>),
     /// Safe speed of a question with another side (link or free body); the other side must be the person.
-    #[error("{}", person_is_the_other(Names::Fields))]
-    PersonIsTheOther,
+    #[error("{}", person_is_other_side_message(Names::Fields))]
+    PersonIsOtherSide,
     /// Force or pressure limit without a body region.
-    #[error("{}", no_region(Names::Fields))]
+    #[error("{}", missing_region_message(Names::Fields))]
     NoRegion,
     /// Safe speed of a contact without mass.
-    #[error("{}", no_mass(Names::Fields))]
+    #[error("{}", missing_mass_message(Names::Fields))]
     NoMass,
     /// Safe speed of a contact with an unknown error of m̄.
     #[error(
@@ -419,9 +419,9 @@ pub enum StudyError {
     #[error(
         "the pose is singular and the largest effective mass of the robot is unknown: {}; the effective mass is \
          a lower bound, which would permit too high a speed; use poses near this one",
-        of_branches(limits, *complete)
+        branch_limits_text(limits, *complete)
     )]
-    NoGreatestMass {
+    LargestMassUnknown {
         /// Limits of m̄ along the branches found.
         limits: Vec<EffectiveMass>,
         /// True if there is no sign of further branches.
@@ -431,9 +431,9 @@ pub enum StudyError {
     #[error(
         "the pose is singular: no damper gives the same restitution on every branch: {}; use a nearby pose on \
          the required branch, or compute the damper for the mass of that branch",
-        of_branches(limits, *complete)
+        branch_limits_text(limits, *complete)
     )]
-    NoDamperOfAll {
+    BranchMassesDiffer {
         /// Limits of m̄ along the branches found, including the other body.
         limits: Vec<EffectiveMass>,
         /// True if there is no sign of further branches.
@@ -463,7 +463,7 @@ impl StudyError {
 
     /// Replaces an error about a dependent joint by a fault of the `Vary` field if the joint is varied, not
     /// set.
-    pub(crate) fn of_varied(self, is_varied: impl Fn(&str) -> bool) -> Self {
+    pub(crate) fn as_varied_fault(self, is_varied: impl Fn(&str) -> bool) -> Self {
         match self {
             StudyError::Assembly(error @ AssemblyError::Dependent { .. }) => match &error {
                 AssemblyError::Dependent { joint, .. } if is_varied(joint) => {
@@ -476,11 +476,11 @@ impl StudyError {
     }
 
     /// True if the question is valid but has no result (exit code 1, not 2).
-    pub fn is_no_answer(&self) -> bool {
+    pub fn has_no_result(&self) -> bool {
         match self {
             StudyError::NoDamper { .. }
-            | StudyError::NoDamperOfAll { .. }
-            | StudyError::NoGreatestMass { .. }
+            | StudyError::BranchMassesDiffer { .. }
+            | StudyError::LargestMassUnknown { .. }
             | StudyError::MassUnknown
             | StudyError::NoMass
             | StudyError::TravelNotReached { .. }
@@ -493,26 +493,28 @@ impl StudyError {
     /// Message with the names of `names`: flags, study keys or fields.
     pub fn message(&self, names: Names) -> String {
         match self {
-            StudyError::Input { field, fault } => format!("{}: {}", field.named(names), fault.message(names)),
-            StudyError::Assembly(error @ AssemblyError::Dependent { .. }) if names != Names::Fields => {
-                format!("{}: {}", Field::Set.named(names), about_assembly(error, names))
+            StudyError::Input { field, fault } => {
+                format!("{}: {}", field.name_in(names), fault.message(names))
             }
-            StudyError::Assembly(error) => about_assembly(error, names),
-            StudyError::TravelNotReached { why } => format!("{}: {why}", Field::Travel.named(names)),
-            StudyError::PersonIsTheOther => person_is_the_other(names),
-            StudyError::NoMass => no_mass(names),
-            StudyError::NoRegion => no_region(names),
+            StudyError::Assembly(error @ AssemblyError::Dependent { .. }) if names != Names::Fields => {
+                format!("{}: {}", Field::Set.name_in(names), assembly_error_message(error, names))
+            }
+            StudyError::Assembly(error) => assembly_error_message(error, names),
+            StudyError::TravelNotReached { why } => format!("{}: {why}", Field::Travel.name_in(names)),
+            StudyError::PersonIsOtherSide => person_is_other_side_message(names),
+            StudyError::NoMass => missing_mass_message(names),
+            StudyError::NoRegion => missing_region_message(names),
             other => other.to_string(),
         }
     }
 }
 
-fn person_is_the_other(names: Names) -> String {
-    let [against, mass] = [Field::Against, Field::AgainstMass].map(|field| field.named(names));
+fn person_is_other_side_message(names: Names) -> String {
+    let [against, mass] = [Field::Against, Field::AgainstMass].map(|field| field.name_in(names));
     format!("the other side is the person: leave {against} and {mass} out")
 }
 
-fn no_region(names: Names) -> String {
+fn missing_region_message(names: Names) -> String {
     let region = match names {
         Names::Flags => "--region",
         Names::Fields | Names::Keys => "region",
@@ -523,7 +525,7 @@ fn no_region(names: Names) -> String {
     )
 }
 
-fn no_mass(names: Names) -> String {
+fn missing_mass_message(names: Names) -> String {
     let load = match names {
         Names::Flags => "--load",
         Names::Fields | Names::Keys => "load",
@@ -532,7 +534,7 @@ fn no_mass(names: Names) -> String {
 }
 
 /// Limits of m̄ along the branches, as text.
-fn of_branches(limits: &[EffectiveMass], complete: bool) -> String {
+fn branch_limits_text(limits: &[EffectiveMass], complete: bool) -> String {
     let limit = |limit: &EffectiveMass| match limit {
         EffectiveMass::Finite(m) => format!("{m} kg"),
         EffectiveMass::Immovable => "immovable".into(),
@@ -549,7 +551,7 @@ fn of_branches(limits: &[EffectiveMass], complete: bool) -> String {
 impl From<ResponseError> for StudyError {
     fn from(error: ResponseError) -> Self {
         match error {
-            ResponseError::Contact(error) => StudyError::input(Field::of_contact(&error), error),
+            ResponseError::Contact(error) => StudyError::input(Field::from_contact_error(&error), error),
             ResponseError::Route(error) => StudyError::Route(error),
             other => StudyError::Response(other),
         }

@@ -133,7 +133,7 @@ impl Field {
     }
 
     /// Name in the given set of names.
-    pub fn named(self, names: Names) -> &'static str {
+    pub fn name_in(self, names: Names) -> &'static str {
         match names {
             Names::Flags => self.flag(),
             Names::Keys => self.key(),
@@ -145,12 +145,12 @@ impl Field {
     pub(crate) fn hint(self, names: Names) -> String {
         match names {
             Names::Fields => String::new(),
-            Names::Flags | Names::Keys => format!(" ({})", self.named(names)),
+            Names::Flags | Names::Keys => format!(" ({})", self.name_in(names)),
         }
     }
 
     /// Part of the question at fault for a contact error.
-    pub(crate) fn of_contact(error: &ContactError) -> Self {
+    pub(crate) fn from_contact_error(error: &ContactError) -> Self {
         match error {
             ContactError::NotFinite { part, .. } => match part {
                 ContactPart::Point => Field::Point,
@@ -169,7 +169,7 @@ impl Field {
     }
 
     /// Part of the question at fault for a condition error. Unknown names are reported before.
-    pub(crate) fn of_condition(error: &ConditionsError) -> Self {
+    pub(crate) fn from_conditions_error(error: &ConditionsError) -> Self {
         match error {
             ConditionsError::BadHold { .. } => Field::Hold,
             ConditionsError::Twice { condition: ConditionOfJoint::Lock, .. } => Field::Lock,
@@ -180,7 +180,7 @@ impl Field {
 
 /// Message for a contact error. For a rejected line the message ends with the flags or keys of the equivalent
 /// fixed normal.
-pub(crate) fn about_contact(error: &ContactError, names: Names) -> String {
+pub(crate) fn contact_error_message(error: &ContactError, names: Names) -> String {
     let (ContactError::LineShort { normal, frame, .. } | ContactError::LineTurned { normal, frame, .. }) =
         error
     else {
@@ -203,11 +203,11 @@ pub(crate) fn about_contact(error: &ContactError, names: Names) -> String {
 }
 
 /// Message for an assembly error. If another start can help, the message ends with the flag or key of a guess.
-pub(crate) fn about_assembly(error: &AssemblyError, names: Names) -> String {
+pub(crate) fn assembly_error_message(error: &AssemblyError, names: Names) -> String {
     let given_with = match (names, error) {
         (Names::Fields, _) => String::new(),
         (Names::Flags, AssemblyError::DoesNotClose { .. }) => " with --guess JOINT=VALUE".into(),
-        (Names::Flags | Names::Keys, _) => format!(" with {}", Field::Guess.named(names)),
+        (Names::Flags | Names::Keys, _) => format!(" with {}", Field::Guess.name_in(names)),
     };
     let given_with = if error.ends_in_another_start() { given_with } else { String::new() };
     format!("{error}{given_with}")

@@ -42,7 +42,7 @@ impl GivenTravel {
             link: link.to_owned(),
             point: parse_triple(point, Dimension::Length)?,
             direction: parse_triple(direction, Dimension::Plain)?,
-            distance: Quantity::parse(distance)?.of(Dimension::Length, distance)?,
+            distance: Quantity::parse(distance)?.in_dimension(Dimension::Length, distance)?,
         })
     }
 
@@ -50,7 +50,7 @@ impl GivenTravel {
     pub(crate) fn as_range(&self) -> Vary {
         let Self { link, point, direction, distance } = self.clone();
         let at = Quantity { value: distance, dimension: Some(Dimension::Length) };
-        Vary { what: Varied::Travel { link, point, direction }, from: at, to: at, count: 1 }
+        Vary { quantity: Varied::Travel { link, point, direction }, from: at, to: at, count: 1 }
     }
 }
 

@@ -59,7 +59,7 @@ pub struct RatioPoint {
 impl MassQuestion {
     /// Question without a contact, for commands that define the contact by other data: all joints at 0, nothing
     /// held.
-    pub fn anywhere() -> Self {
+    pub fn without_contact() -> Self {
         Self {
             names: Names::default(),
             link: String::new(),

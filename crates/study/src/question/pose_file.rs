@@ -1,8 +1,8 @@
 //! Joint positions from a file: the JSON of a result, or an object of joints and positions.
 
+use crate::message_text::truncate_for_message;
 use crate::model::loading::{Input, Model, hexadecimal};
 use crate::question::field::Names;
-use crate::shown::cut;
 use crate::units::position::GivenPosition;
 use crate::units::value;
 use percuss_formats::Source;
@@ -22,7 +22,7 @@ pub struct GivenPose {
     /// Position by joint name.
     pub(crate) positions: BTreeMap<String, GivenPosition>,
     /// Model of the result in the file; `None` for an object of joints and positions.
-    of_model: Option<Input>,
+    source_model: Option<Input>,
 }
 
 /// Error of an invalid pose file.
@@ -95,25 +95,25 @@ pub enum GivenPoseError {
 /// Example of joints and positions for error messages.
 const EXAMPLE: &str = "joints and positions such as {\"elbow\": 0.5, \"wrist\": \"30deg\"}";
 /// Largest number of joints listed in an error.
-const NAMED: usize = 6;
+const MAX_LISTED_JOINTS: usize = 6;
 
 /// Content of a report in JSON that is read as a pose.
 #[derive(Deserialize)]
-struct Answer {
+struct ReportText {
     #[serde(deserialize_with = "value::positions")]
     pose: BTreeMap<String, GivenPosition>,
     #[serde(default)]
-    inputs: Vec<InputText>,
+    inputs: Vec<InputRecordText>,
 }
 
 #[derive(Deserialize)]
-struct InputText {
+struct InputRecordText {
     path: String,
     sha256: String,
 }
 
 #[derive(Deserialize)]
-struct Joints(#[serde(deserialize_with = "value::positions")] BTreeMap<String, GivenPosition>);
+struct JointPositionsText(#[serde(deserialize_with = "value::positions")] BTreeMap<String, GivenPosition>);
 
 /// Check that no JSON object repeats a key. The parser would keep the last value of a repeated key without a message.
 struct UniqueKeys;
@@ -136,7 +136,10 @@ impl<'de> Visitor<'de> for UniqueKeys {
         while let Some(key) = map.next_key::<String>()? {
             let UniqueKeys = map.next_value()?;
             if let Some(key) = keys.replace(key) {
-                return Err(A::Error::custom(format!("the key \"{}\" is given twice", cut(&key))));
+                return Err(A::Error::custom(format!(
+                    "the key \"{}\" is given twice",
+                    truncate_for_message(&key)
+                )));
             }
         }
         Ok(self)
@@ -200,7 +203,7 @@ impl GivenPose {
         };
         let (positions, of_model) = match object.get("pose") {
             Some(Value::Object(_)) => {
-                let Answer { pose, inputs } = Answer::deserialize(&value).map_err(wrong)?;
+                let ReportText { pose, inputs } = ReportText::deserialize(&value).map_err(wrong)?;
                 let model = inputs.into_iter().next();
                 (pose, Some(model.map_or_else(unknown, |i| Input { path: i.path, sha256: i.sha256 })))
             }
@@ -208,17 +211,17 @@ impl GivenPose {
                 return Err(none("it is a sweep with many poses"));
             }
             _ if object.contains_key("schema") => return Err(none("it has no \"pose\"")),
-            _ => (Joints::deserialize(&value).map_err(wrong)?.0, None),
+            _ => (JointPositionsText::deserialize(&value).map_err(wrong)?.0, None),
         };
         if positions.is_empty() {
             return Err(none("it names no joint"));
         }
         let sha256 = hexadecimal(&Sha256::digest(&source.bytes));
-        Ok(Self { input: Input { path, sha256 }, positions, of_model })
+        Ok(Self { input: Input { path, sha256 }, positions, source_model: of_model })
     }
 
     /// True if every movable joint that is no mimic has a position.
-    pub(crate) fn is_whole(&self, mechanism: &Mechanism) -> bool {
+    pub(crate) fn is_complete(&self, mechanism: &Mechanism) -> bool {
         self.missing(mechanism).is_none()
     }
 
@@ -229,13 +232,16 @@ impl GivenPose {
 
     /// Refuses a result for another model. An object of joints and positions is not checked here.
     pub(crate) fn check(&self, mechanism: &Mechanism) -> Result<(), GivenPoseError> {
-        let Some(model) = &self.of_model else { return Ok(()) };
+        let Some(model) = &self.source_model else { return Ok(()) };
         let (path, of) = (self.input.path.clone(), model.path.clone());
         if let Some(other) = self.positions.keys().find(|name| mechanism.find_joint(name).is_err()) {
             let movable = mechanism.joints().iter().filter(|joint| joint.kind().dofs() > 0);
-            let mut known: Vec<String> =
-                movable.clone().take(NAMED).map(|joint| format!("\"{}\"", joint.name())).collect();
-            if movable.count() > NAMED {
+            let mut known: Vec<String> = movable
+                .clone()
+                .take(MAX_LISTED_JOINTS)
+                .map(|joint| format!("\"{}\"", joint.name()))
+                .collect();
+            if movable.count() > MAX_LISTED_JOINTS {
                 known.push("others".to_owned());
             }
             let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
@@ -248,8 +254,8 @@ impl GivenPose {
     }
 
     /// Remark on a pose file that was computed from a different version of the model file.
-    pub(crate) fn about_model(&self, model: &Model, names: Names) -> Option<String> {
-        let of = self.of_model.as_ref()?;
+    pub(crate) fn model_mismatch_message(&self, model: &Model, names: Names) -> Option<String> {
+        let of = self.source_model.as_ref()?;
         let own = model.inputs.first()?;
         if of.sha256 == own.sha256 {
             return None;

@@ -2,13 +2,13 @@
 
 /// Invalid value of a study file: key and reason.
 #[derive(Debug)]
-pub(crate) struct Refusal {
+pub(crate) struct InvalidKey {
     pub key: &'static str,
-    pub why: String,
+    pub reason: String,
 }
 
-impl Refusal {
+impl InvalidKey {
     pub fn new(key: &'static str, why: impl Into<String>) -> Self {
-        Self { key, why: why.into() }
+        Self { key, reason: why.into() }
     }
 }

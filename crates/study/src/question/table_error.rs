@@ -164,7 +164,7 @@ pub enum TableFault {
         expected: Dimension,
     },
     /// Missing columns.
-    #[error("{} without a column: {}; their positions are undetermined", plural(columns.len()), quoted(columns))]
+    #[error("{} without a column: {}; their positions are undetermined", column_count_text(columns.len()), quoted(columns))]
     Missing {
         /// Names of the columns.
         columns: Vec<String>,
@@ -200,7 +200,7 @@ pub enum TableFault {
     Position(#[from] ConfigurationError),
 }
 
-fn plural(columns: usize) -> String {
+fn column_count_text(columns: usize) -> String {
     if columns == 1 { "1 position is".into() } else { format!("{columns} positions are") }
 }
 
@@ -212,12 +212,12 @@ fn quoted(names: &[String]) -> String {
 }
 
 impl TableError {
-    pub(crate) fn of_file(path: &str, fault: TableFault) -> Self {
+    pub(crate) fn in_file(path: &str, fault: TableFault) -> Self {
         Self { path: path.to_owned(), line: None, row: None, column: None, fault: Box::new(fault) }
     }
 
     pub(crate) fn at_line(path: &str, line: usize, fault: TableFault) -> Self {
-        Self { line: Some(line), ..Self::of_file(path, fault) }
+        Self { line: Some(line), ..Self::in_file(path, fault) }
     }
 
     pub(crate) fn in_column(self, number: usize, name: &str) -> Self {
@@ -225,7 +225,7 @@ impl TableError {
     }
 
     pub(crate) fn unreadable(path: &str, error: &io::Error) -> Self {
-        Self::of_file(path, TableFault::Unreadable { why: error.to_string() })
+        Self::in_file(path, TableFault::Unreadable { why: error.to_string() })
     }
 
     /// Message with the names of `names`: flags, study keys or fields.

@@ -24,7 +24,7 @@ pub enum Varied {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vary {
     /// Varied quantity.
-    pub what: Varied,
+    pub quantity: Varied,
     /// First value; the dimension of the unit is checked once the joint is known.
     pub from: Quantity,
     /// Last value.
@@ -78,8 +78,8 @@ impl Vary {
             None => Varied::Joint(what.to_owned()),
             Some(rest) => {
                 let (link, point, direction) = split(rest).ok_or(VaryError::Form)?;
-                first.of(Dimension::Length, from)?;
-                last.of(Dimension::Length, to)?;
+                first.in_dimension(Dimension::Length, from)?;
+                last.in_dimension(Dimension::Length, to)?;
                 Varied::Travel {
                     link: link.to_owned(),
                     point: parse_triple(point, Dimension::Length)?,
@@ -87,12 +87,12 @@ impl Vary {
                 }
             }
         };
-        Ok(Self { what, from: first, to: last, count })
+        Ok(Self { quantity: what, from: first, to: last, count })
     }
 
     /// Name of the column.
     pub fn name(&self) -> String {
-        match &self.what {
+        match &self.quantity {
             Varied::Joint(joint) => joint.clone(),
             Varied::Travel { link, .. } => format!("travel:{link}"),
         }
@@ -102,9 +102,9 @@ impl Vary {
     ///
     /// # Errors
     /// [`QuantityError::WrongUnit`].
-    pub(crate) fn values(&self, dimension: Dimension) -> Result<Values, QuantityError> {
-        let value = |end: Quantity| end.of(dimension, &end.to_string());
-        Ok(Values { from: value(self.from)?, to: value(self.to)?, count: self.count })
+    pub(crate) fn values(&self, dimension: Dimension) -> Result<EvenlySpacedValues, QuantityError> {
+        let value = |end: Quantity| end.in_dimension(dimension, &end.to_string());
+        Ok(EvenlySpacedValues { from: value(self.from)?, to: value(self.to)?, count: self.count })
     }
 }
 
@@ -117,28 +117,32 @@ pub(crate) fn split(text: &str) -> Option<(&str, &str, &str)> {
 
 /// Evenly spaced values.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Values {
+pub(crate) struct EvenlySpacedValues {
     from: f64,
     to: f64,
     /// Number of values.
     pub count: usize,
 }
 
-impl Values {
+impl EvenlySpacedValues {
     /// Value of row `row`, from 0.
-    pub fn of_row(&self, row: usize) -> f64 {
+    pub fn value_at(&self, row: usize) -> f64 {
         let steps = self.count.saturating_sub(1).max(1) as f64;
         let value = self.from + (self.to - self.from) * (row as f64 / steps);
         let largest = self.from.abs().max(self.to.abs());
         // Values are rounded only if both ends are decimals; 5 degrees in radians is not.
-        let is_decimal = |end: f64| rounded(end, largest) == end;
+        let is_decimal = |end: f64| round_to_largest(end, largest) == end;
         // Adding 0.0 turns −0 into 0.
-        0.0 + if is_decimal(self.from) && is_decimal(self.to) { rounded(value, largest) } else { value }
+        0.0 + if is_decimal(self.from) && is_decimal(self.to) {
+            round_to_largest(value, largest)
+        } else {
+            value
+        }
     }
 }
 
 /// Value rounded to fifteen digits of `largest`: 0.05, not 0.050000000000000044.
-fn rounded(value: f64, largest: f64) -> f64 {
+fn round_to_largest(value: f64, largest: f64) -> f64 {
     let decimals = 14.0 - largest.log10().floor();
     // Powers of ten above 10²² are not exact.
     if !(0.0..=22.0).contains(&decimals) {

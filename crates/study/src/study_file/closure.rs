@@ -1,6 +1,6 @@
 //! A closure in a study file.
 
-use crate::question::refusal::Refusal;
+use crate::question::refusal::InvalidKey;
 use crate::units::value::{self, NumberOrText, Triple};
 use nalgebra::Vector3;
 use percuss_mechanism::{ClosureDescription, ClosureKind};
@@ -57,11 +57,11 @@ fn kinds() -> Vec<&'static str> {
 }
 
 impl ClosureText {
-    pub fn describe(&self) -> Result<ClosureDescription, Refusal> {
+    pub fn closure_description(&self) -> Result<ClosureDescription, InvalidKey> {
         let named = if self.kind == "continuous" { "revolute" } else { &self.kind };
         let Some(kind) = ClosureKind::ALL.into_iter().find(|k| k.name() == named) else {
             let known: Vec<&str> = ClosureKind::ALL.iter().map(|k| k.name()).collect();
-            return Err(Refusal::new(
+            return Err(InvalidKey::new(
                 "closure.type",
                 format!("\"{}\"; known are {}", self.kind, known.join(", ")),
             ));

@@ -2,7 +2,7 @@
 
 use crate::damper::joint_stop::JointStop;
 use crate::question::damping_question::DampingQuestion;
-use crate::question::refusal::Refusal;
+use crate::question::refusal::InvalidKey;
 use crate::units::measure::Measured;
 use crate::units::value::{self, NumberOrText, Words};
 use percuss_contact::exports::Tool;
@@ -74,18 +74,18 @@ fn laws() -> Vec<&'static str> {
 
 impl DampingText {
     /// Converts the table to a question.
-    pub fn question(&self) -> Result<DampingQuestion, Refusal> {
+    pub fn question(&self) -> Result<DampingQuestion, InvalidKey> {
         let mut question = DampingQuestion::new(self.restitution, self.stiffness.value);
         let end = |word: &String| {
             let known = Separation::ALL.into_iter().find(|s| s.name() == word);
             known.ok_or_else(|| {
-                Refusal::new("damping.separation", format!("\"{word}\"; expected force or gap"))
+                InvalidKey::new("damping.separation", format!("\"{word}\"; expected force or gap"))
             })
         };
         let separation = self.separation.as_ref().map(end).transpose()?;
         question
             .choose(&self.law, self.exponent, separation)
-            .map_err(|e| Refusal::new("damping.law", e.to_string()))?;
+            .map_err(|e| InvalidKey::new("damping.law", e.to_string()))?;
         question.speed = self.speed.map(|speed| speed.value);
         question.options.accuracy = self.accuracy.unwrap_or(question.options.accuracy);
         question.options.time_step = self.time_step;
@@ -97,18 +97,21 @@ impl DampingText {
                 "all" => question.tools.extend(Tool::ALL),
                 name => question
                     .tools
-                    .push(Tool::from_name(name).map_err(|e| Refusal::new("damping.for", e.to_string()))?),
+                    .push(Tool::from_name(name).map_err(|e| InvalidKey::new("damping.for", e.to_string()))?),
             }
         }
         if self.output.is_some() && self.speed.is_none() {
-            return Err(Refusal::new("damping.output", "the force over time requires a speed; give speed"));
+            return Err(InvalidKey::new(
+                "damping.output",
+                "the force over time requires a speed; give speed",
+            ));
         }
         Ok(question)
     }
 
     /// Joint stop of the `limit` key.
-    pub fn stop(&self) -> Result<Option<JointStop>, Refusal> {
+    pub fn stop(&self) -> Result<Option<JointStop>, InvalidKey> {
         let Some(text) = &self.limit else { return Ok(None) };
-        JointStop::parse(text).map(Some).map_err(|why| Refusal::new("damping.limit", why))
+        JointStop::parse(text).map(Some).map_err(|why| InvalidKey::new("damping.limit", why))
     }
 }

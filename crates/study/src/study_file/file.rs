@@ -1,8 +1,9 @@
 //! Study file: a model with queries in TOML, equivalent to flags of the commands.
 
-use crate::checks::design::DesignError;
+use crate::checks::design_variant::DesignError;
 use crate::compare::Design;
 use crate::damper::joint_stop::JointStop;
+use crate::message_text::truncate_for_message;
 use crate::model::loading::{Input, Model, Origin};
 use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::is_study;
@@ -10,9 +11,8 @@ use crate::question::damping_question::{DampingQuestion, check_units};
 use crate::question::error::StudyError;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
-use crate::question::refusal::Refusal;
+use crate::question::refusal::InvalidKey;
 use crate::question::row_source::RowSource;
-use crate::shown::cut;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::keys::{StudyKeys, UnknownKey};
 use crate::study_file::map::StudyMap;
@@ -20,7 +20,7 @@ use crate::study_file::mass::StudyMass;
 use crate::study_file::safe_speed::StudySafeSpeed;
 use crate::study_file::sweep::{StudyFigure, StudyTable};
 use crate::study_file::text::{ModelText, StudyText};
-use crate::study_file::variant::{OtherModels, Variant, changes};
+use crate::study_file::variant::{Variant, VariantModels, changes};
 use crate::thresholds::{
     LARGEST_STUDY, LARGEST_VARIANTS, LONGEST_LINE_SHOWN, MOST_VARIANT_LINKS, MOST_VARIANTS,
 };
@@ -106,7 +106,7 @@ pub enum StudyFileError {
         message: String,
     },
     /// Unknown keys.
-    #[error("{}", lines_of(path, keys, *more))]
+    #[error("{}", unknown_keys_message(path, keys, *more))]
     Keys {
         /// Path of the study.
         path: String,
@@ -116,7 +116,7 @@ pub enum StudyFileError {
         more: usize,
     },
     /// Invalid value.
-    #[error("{path}{}: error: {key}: {why}", at_line(*line))]
+    #[error("{path}{}: error: {key}: {why}", line_suffix(*line))]
     Value {
         /// Path of the study.
         path: String,
@@ -137,19 +137,19 @@ pub enum StudyFileError {
     },
 }
 
-fn at_line(line: Option<usize>) -> String {
+fn line_suffix(line: Option<usize>) -> String {
     line.map_or_else(String::new, |line| format!(":{line}"))
 }
 
 /// Message with one line per unknown key. Keys are escaped, so that a line break in a key does not start a line.
-fn lines_of(path: &str, keys: &[UnknownKey], more: usize) -> String {
+fn unknown_keys_message(path: &str, keys: &[UnknownKey], more: usize) -> String {
     let line = |k: &UnknownKey| format!("{path}:{}: error: unknown key {:?}; {}", k.line, k.key, k.hint);
     let more = (more > 0).then(|| format!("{path}: error: {more} more unknown keys"));
     keys.iter().map(line).chain(more).collect::<Vec<_>>().join("\n")
 }
 
 /// Error of the TOML parser or of a value, with the line and the key.
-fn not_read(path: &str, keys: &StudyKeys, text: &str, error: &toml::de::Error) -> StudyFileError {
+fn parse_error(path: &str, keys: &StudyKeys, text: &str, error: &toml::de::Error) -> StudyFileError {
     let span = error.span().unwrap_or_default();
     let key = keys.key_at(&span).map_or_else(String::new, |key| format!("{key}: "));
     // `keys` is empty if the text is not valid TOML, so lines are counted in the text.
@@ -159,7 +159,7 @@ fn not_read(path: &str, keys: &StudyKeys, text: &str, error: &toml::de::Error) -
     let is_shown = |line: &&str| line.contains('|') && line.len() <= LONGEST_LINE_SHOWN;
     let lines: Vec<&str> = shown.trim_end().lines().skip(1).filter(is_shown).collect();
     let why = error.message().trim().replace('\n', "; ");
-    let message = format!("{key}{}\n{}", cut(&why), lines.join("\n"));
+    let message = format!("{key}{}\n{}", truncate_for_message(&why), lines.join("\n"));
     StudyFileError::Toml { path: path.to_owned(), line, message: message.trim_end().to_owned() }
 }
 
@@ -173,20 +173,20 @@ impl StudyFile {
         let path = source.name.clone();
         let text = String::from_utf8(source.bytes.clone())
             .map_err(|_| StudyFileError::NotText { path: path.clone() })?;
-        let (keys, unknown) = StudyKeys::of(&text).map_err(|error| {
+        let (keys, unknown) = StudyKeys::from_text(&text).map_err(|error| {
             let StudyFileError::Toml { path, line, message } =
-                not_read(&path, &StudyKeys::default(), &text, &error)
+                parse_error(&path, &StudyKeys::default(), &text, &error)
             else {
                 unreachable!("it is one");
             };
             StudyFileError::Toml { path, line, message: format!("not TOML: {message}") }
         })?;
         if !unknown.first.is_empty() {
-            return Err(StudyFileError::Keys { path, keys: unknown.first, more: unknown.more });
+            return Err(StudyFileError::Keys { path, keys: unknown.first, more: unknown.omitted });
         }
         let study: StudyText =
-            toml::from_str(&text).map_err(|error| not_read(&path, &keys, &text, &error))?;
-        Reading { path: &path, keys: &keys, max_size }.study(&study, &source)
+            toml::from_str(&text).map_err(|error| parse_error(&path, &keys, &text, &error))?;
+        StudyReader { path: &path, keys: &keys, max_size }.study(&study, &source)
     }
 
     /// True if a file is a study: TOML with a table `model`.
@@ -213,15 +213,15 @@ impl StudyFile {
 }
 
 /// Context for reading a study.
-struct Reading<'a> {
+struct StudyReader<'a> {
     path: &'a str,
     keys: &'a StudyKeys,
     max_size: u64,
 }
 
-impl Reading<'_> {
-    fn refused(&self, refusal: Refusal) -> StudyFileError {
-        self.value(refusal.key, refusal.key, refusal.why)
+impl StudyReader<'_> {
+    fn invalid_key_error(&self, refusal: InvalidKey) -> StudyFileError {
+        self.value(refusal.key, refusal.key, refusal.reason)
     }
 
     /// Error of an invalid value; `place`: path of the key that gives the line.
@@ -230,7 +230,7 @@ impl Reading<'_> {
     }
 
     /// Error of an invalid query, with the key of the invalid field.
-    fn input(&self, error: &StudyError) -> StudyFileError {
+    fn study_error(&self, error: &StudyError) -> StudyFileError {
         let key = error.field().map_or("model", |field| field.key());
         let why = error.message(Names::Keys);
         let why = why.strip_prefix(&format!("{key}: ")).unwrap_or(&why).to_owned();
@@ -253,7 +253,7 @@ impl Reading<'_> {
     fn study(&self, study: &StudyText, source: &Source) -> Result<StudyFile, StudyFileError> {
         let max_size = self.max_size;
         let folder = Path::new(self.path).parent().unwrap_or(Path::new(""));
-        let refused = |refusal| self.refused(refusal);
+        let refused = |refusal| self.invalid_key_error(refusal);
         let mut accept = Accept::default();
         for word in &study.model.accept {
             match word.as_str() {
@@ -318,7 +318,7 @@ impl Reading<'_> {
             let why = "a joint stop replaces the contact: remove [contact], [sweep], [mass] and [[variant]]";
             return Err(self.value("damping.limit", "damping.limit", why.to_owned()));
         }
-        let mass = study.mass.as_ref().map(|mass| mass.asked()).transpose().map_err(refused)?;
+        let mass = study.mass.as_ref().map(|mass| mass.options()).transpose().map_err(refused)?;
         Ok(StudyFile {
             model,
             question: asks.then(|| question.clone()),
@@ -357,14 +357,18 @@ impl Reading<'_> {
             );
             return refuse(most, "variant", why);
         }
-        let mut loaded = OtherModels::new(self.max_size, options);
+        let mut loaded = VariantModels::new(self.max_size, options);
         let (mut names, mut links, mut variants) = (BTreeSet::new(), 0, Vec::new());
         for (i, text) in study.variant.iter().enumerate() {
             if !names.insert(&text.name) {
-                return refuse(i, "variant.name", format!("\"{}\" is given twice", cut(&text.name)));
+                return refuse(
+                    i,
+                    "variant.name",
+                    format!("\"{}\" is given twice", truncate_for_message(&text.name)),
+                );
             }
             let variant = text
-                .variant(model, question, folder, &mut loaded)
+                .apply(model, question, folder, &mut loaded)
                 .map_err(|error| self.design(Some((i, &text.name)), error))?;
             if !Arc::ptr_eq(&variant.model.mechanism, &model.mechanism) {
                 links += variant.model.mechanism.links().len();
@@ -373,7 +377,7 @@ impl Reading<'_> {
                 let why = format!(
                     "\"{}\": the models of the variants up to this one have {links} links together; at most \
                      {MOST_VARIANT_LINKS} are read: divide the study",
-                    cut(&text.name)
+                    truncate_for_message(&text.name)
                 );
                 return refuse(i, "variant", why);
             }
@@ -394,13 +398,15 @@ impl Reading<'_> {
         let mut model = Model::load(&model_path.to_string_lossy(), self.max_size, options)?;
         model.inputs.push(Input::of(source));
         let ModelText { link_mass, link_com, moves, .. } = &study.model;
-        model =
-            model.changed(&changes(link_mass, link_com, moves)).map_err(|error| self.design(None, error))?;
+        model = model
+            .with_changes(&changes(link_mass, link_com, moves))
+            .map_err(|error| self.design(None, error))?;
         if study.closure.is_empty() {
             return Ok(model);
         }
-        let closures = study.closure.iter().map(ClosureText::describe);
-        let closures = closures.collect::<Result<Vec<_>, _>>().map_err(|refusal| self.refused(refusal))?;
+        let closures = study.closure.iter().map(ClosureText::closure_description);
+        let closures =
+            closures.collect::<Result<Vec<_>, _>>().map_err(|refusal| self.invalid_key_error(refusal))?;
         with_closures(model, self.path, closures)
             .map_err(|source| StudyFileError::Build { path: self.path.to_owned(), source })
     }
@@ -413,11 +419,12 @@ impl Reading<'_> {
         folder: &Path,
     ) -> Result<Option<StudyDamping>, StudyFileError> {
         let Some(text) = &study.damping else { return Ok(None) };
-        let question = text.question().map_err(|refusal| self.refused(refusal))?;
-        let stop = text.stop().map_err(|refusal| self.refused(refusal))?;
+        let question = text.question().map_err(|refusal| self.invalid_key_error(refusal))?;
+        let stop = text.stop().map_err(|refusal| self.invalid_key_error(refusal))?;
         let motion = stop.as_ref().map(|stop| stop.motion(model)).transpose();
-        let turns = motion.map_err(|error| self.input(&error))? == Some(StopMotion::Turn);
-        check_units(&question, text.stiffness, text.speed, turns).map_err(|error| self.input(&error))?;
+        let turns = motion.map_err(|error| self.study_error(&error))? == Some(StopMotion::Turn);
+        check_units(&question, text.stiffness, text.speed, turns)
+            .map_err(|error| self.study_error(&error))?;
         Ok(Some(StudyDamping {
             question,
             stop: stop.map(|stop| (stop, conditions.clone())),
@@ -433,7 +440,7 @@ fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) ->
     for closure in closures.iter().filter(|c| c.kind == ClosureKind::Distance && c.distance.is_none()) {
         let message =
             format!("loop \"{}\" has no distance: the distance with all joints at 0 is used", closure.name);
-        let record = DiagnosticRecord::about_answer(Severity::Note, "default-distance", message);
+        let record = DiagnosticRecord::about_result(Severity::Note, "default-distance", message);
         diagnostics.push(DiagnosticRecord { path: Some(path.to_owned()), ..record });
     }
     // The findings about unbound joints concern the model file alone; the added closures may bind these joints.
@@ -445,7 +452,7 @@ fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) ->
     for (subject, problem) in built.findings {
         if matches!(subject, Subject::Closure { index, .. } if index >= of_file) {
             let message = format!("{subject}: {problem}");
-            let record = DiagnosticRecord::about_answer(problem.severity(), problem.code(), message);
+            let record = DiagnosticRecord::about_result(problem.severity(), problem.code(), message);
             diagnostics.push(DiagnosticRecord { path: Some(path.to_owned()), ..record });
         }
     }

@@ -1,6 +1,6 @@
 //! Positions of the keys of a study file, and its unknown keys, each with the nearest known key.
 
-use crate::shown::cut;
+use crate::message_text::truncate_for_message;
 use crate::study_file::schema::{alternatives, properties, study_keys, study_schema};
 use serde_json::{Map, Value};
 use std::ops::Range;
@@ -17,26 +17,26 @@ const LONGEST_COMPARED: usize = 64;
 #[derive(Clone, Debug, Default)]
 pub struct StudyKeys {
     /// Keys and list elements; a container precedes its content.
-    places: Vec<Place>,
+    nodes: Vec<KeyNode>,
     /// Offsets of the line starts, bytes.
     lines: Vec<usize>,
 }
 
 /// Key or list element. Paths are computed from the containers, so that memory is linear in the size of the file.
 #[derive(Clone, Debug)]
-struct Place {
+struct KeyNode {
     /// Index of the containing table or list; `None` at the top level.
-    above: Option<usize>,
-    step: Step,
+    parent: Option<usize>,
+    step: PathStep,
     /// Byte range of the key or element.
-    at: Range<usize>,
+    key_bytes: Range<usize>,
     /// Byte range of the value.
     value: Range<usize>,
 }
 
 /// Last part of a path: key, or index in a list.
 #[derive(Clone, Debug)]
-enum Step {
+enum PathStep {
     Key(Box<str>),
     Item(usize),
 }
@@ -56,28 +56,28 @@ pub struct UnknownKey {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct UnknownKeys {
     pub first: Vec<UnknownKey>,
-    pub more: usize,
+    pub omitted: usize,
 }
 
 /// Index of each unknown key in `places`, with the known keys of its table.
-type Unknown = Vec<(usize, &'static Map<String, Value>)>;
+type UnknownNodes = Vec<(usize, &'static Map<String, Value>)>;
 
 impl StudyKeys {
     /// Positions of all keys, and the unknown keys.
     ///
     /// # Errors
     /// Text that is not valid TOML.
-    pub(crate) fn of(text: &str) -> Result<(Self, UnknownKeys), toml::de::Error> {
+    pub(crate) fn from_text(text: &str) -> Result<(Self, UnknownKeys), toml::de::Error> {
         let document = DeTable::parse(text)?;
         let begins = |(at, byte): (usize, u8)| (byte == b'\n').then_some(at + 1);
         let lines = [0].into_iter().chain(text.bytes().enumerate().filter_map(begins)).collect();
-        let mut keys = Self { places: Vec::new(), lines };
-        let mut unknown = Unknown::new();
-        keys.walk(document.get_ref(), Some(study_schema()), None, &mut unknown);
-        unknown.sort_by_key(|(place, _)| keys.places[*place].at.start);
+        let mut keys = Self { nodes: Vec::new(), lines };
+        let mut unknown = UnknownNodes::new();
+        keys.collect_keys(document.get_ref(), Some(study_schema()), None, &mut unknown);
+        unknown.sort_by_key(|(place, _)| keys.nodes[*place].key_bytes.start);
         let first = unknown.iter().take(REPORTED).map(|(place, known)| keys.unknown(*place, known)).collect();
         let more = unknown.len().saturating_sub(REPORTED);
-        Ok((keys, UnknownKeys { first, more }))
+        Ok((keys, UnknownKeys { first, omitted: more }))
     }
 
     /// Line of a byte offset, from 1.
@@ -89,8 +89,8 @@ impl StudyKeys {
     pub fn line_of(&self, key: &str) -> Option<usize> {
         let mut key = key;
         loop {
-            if let Some(place) = (0..self.places.len()).find(|place| self.is_path_of(*place, key)) {
-                return Some(self.line_at(self.places[place].at.start));
+            if let Some(place) = (0..self.nodes.len()).find(|place| self.is_path_of(*place, key)) {
+                return Some(self.line_at(self.nodes[place].key_bytes.start));
             }
             key = key.rsplit_once('.')?.0;
         }
@@ -99,11 +99,11 @@ impl StudyKeys {
     /// Path of the innermost key or list element with a value that contains a byte range. A long path is cut.
     pub(crate) fn key_at(&self, bytes: &Range<usize>) -> Option<String> {
         let holds = |place: &usize| {
-            let value = &self.places[*place].value;
+            let value = &self.nodes[*place].value;
             value.start <= bytes.start && bytes.end <= value.end
         };
         let innermost =
-            (0..self.places.len()).filter(holds).min_by_key(|place| self.places[*place].value.len());
+            (0..self.nodes.len()).filter(holds).min_by_key(|place| self.nodes[*place].value.len());
         innermost.map(|place| self.path(place, true))
     }
 
@@ -112,35 +112,35 @@ impl StudyKeys {
         let mut steps = Vec::new();
         let mut next = Some(place);
         while let Some(at) = next {
-            steps.push(&self.places[at].step);
-            next = self.places[at].above;
+            steps.push(&self.nodes[at].step);
+            next = self.nodes[at].parent;
         }
         let mut path = String::new();
         for step in steps.into_iter().rev() {
             match step {
-                Step::Key(name) if path.is_empty() => path.push_str(&cut(name)),
-                Step::Key(name) => path.extend([".", &cut(name)]),
-                Step::Item(number) if items => path.push_str(&format!("[{number}]")),
-                Step::Item(_) => {}
+                PathStep::Key(name) if path.is_empty() => path.push_str(&truncate_for_message(name)),
+                PathStep::Key(name) => path.extend([".", &truncate_for_message(name)]),
+                PathStep::Item(number) if items => path.push_str(&format!("[{number}]")),
+                PathStep::Item(_) => {}
             }
         }
-        cut(&path).into_owned()
+        truncate_for_message(&path).into_owned()
     }
 
     /// True if `key` is the full path of the key or list element at index `place`.
     fn is_path_of(&self, place: usize, key: &str) -> bool {
         let (mut place, mut rest) = (place, key);
         loop {
-            let Place { above, step, .. } = &self.places[place];
+            let KeyNode { parent: above, step, .. } = &self.nodes[place];
             let before = match step {
-                Step::Key(name) => rest.strip_suffix(&**name),
-                Step::Item(number) if rest.ends_with(']') => rest.strip_suffix(&*format!("[{number}]")),
-                Step::Item(_) => None,
+                PathStep::Key(name) => rest.strip_suffix(&**name),
+                PathStep::Item(number) if rest.ends_with(']') => rest.strip_suffix(&*format!("[{number}]")),
+                PathStep::Item(_) => None,
             };
             rest = match (before, above, step) {
                 (Some(before), None, _) => return before.is_empty(),
-                (Some(before), Some(_), Step::Item(_)) => before,
-                (Some(before), Some(_), Step::Key(_)) => match before.strip_suffix('.') {
+                (Some(before), Some(_), PathStep::Item(_)) => before,
+                (Some(before), Some(_), PathStep::Key(_)) => match before.strip_suffix('.') {
                     Some(before) => before,
                     None => return false,
                 },
@@ -152,32 +152,32 @@ impl StudyKeys {
 
     /// Record of an unknown key for the report; `known`: the known keys of its table.
     fn unknown(&self, place: usize, known: &Map<String, Value>) -> UnknownKey {
-        let Place { above, step, at, .. } = &self.places[place];
-        let Step::Key(name) = step else { unreachable!("elements of lists have no name") };
+        let KeyNode { parent: above, step, key_bytes: at, .. } = &self.nodes[place];
+        let PathStep::Key(name) = step else { unreachable!("elements of lists have no name") };
         let table = above.map_or_else(String::new, |above| self.path(above, false));
         let possible: Vec<&str> = known.keys().map(String::as_str).collect();
         let hint = hint(name, &table, &possible);
         UnknownKey { key: self.path(place, false), line: self.line_at(at.start), hint }
     }
 
-    fn add(&mut self, above: Option<usize>, step: Step, at: Range<usize>, value: Range<usize>) -> usize {
-        self.places.push(Place { above, step, at, value });
-        self.places.len() - 1
+    fn add(&mut self, above: Option<usize>, step: PathStep, at: Range<usize>, value: Range<usize>) -> usize {
+        self.nodes.push(KeyNode { parent: above, step, key_bytes: at, value });
+        self.nodes.len() - 1
     }
 
     /// Records the keys of a table. If `schema` is `None` or lists no keys, any key is valid.
-    fn walk(
+    fn collect_keys(
         &mut self,
         table: &DeTable,
         schema: Option<&'static Value>,
         above: Option<usize>,
-        unknown: &mut Unknown,
+        unknown: &mut UnknownNodes,
     ) {
         let all = schema.map(alternatives).unwrap_or_default();
         let known = all.iter().find_map(|one| properties(one));
         for (key, value) in table {
             let name: &str = key.get_ref();
-            let place = self.add(above, Step::Key(name.into()), key.span(), value.span());
+            let place = self.add(above, PathStep::Key(name.into()), key.span(), value.span());
             let of_key = match known {
                 Some(known) => match known.get(name) {
                     Some(of_key) => Some(of_key),
@@ -189,14 +189,14 @@ impl StudyKeys {
                 None => None,
             };
             match value.get_ref() {
-                DeValue::Table(table) => self.walk(table, of_key, Some(place), unknown),
+                DeValue::Table(table) => self.collect_keys(table, of_key, Some(place), unknown),
                 DeValue::Array(list) => {
                     let items = of_key.map(alternatives).unwrap_or_default();
                     let items = items.into_iter().find_map(|one| one.get("items"));
                     for (i, one) in list.iter().enumerate() {
-                        let place = self.add(Some(place), Step::Item(i), one.span(), one.span());
+                        let place = self.add(Some(place), PathStep::Item(i), one.span(), one.span());
                         if let DeValue::Table(table) = one.get_ref() {
-                            self.walk(table, items, Some(place), unknown);
+                            self.collect_keys(table, items, Some(place), unknown);
                         }
                     }
                 }

@@ -2,8 +2,8 @@
 
 use crate::question::map_question::{MapLinks, MapQuestion, MapShapes};
 use crate::question::mass_question::MassQuestion;
-use crate::question::refusal::Refusal;
-use crate::study_file::sweep::{StudyTable, TableKeys, table_of};
+use crate::question::refusal::InvalidKey;
+use crate::study_file::sweep::{StudyTable, TableKeyNames, parse_table_style};
 use crate::units::value::{self, NumberOrText, Triple, Words};
 use percuss_formats::DEFAULT_MAX_MESH_SIZE;
 use schemars::JsonSchema;
@@ -74,8 +74,8 @@ pub(crate) struct MapText {
 
 impl MapText {
     /// Converts the table to a map. The contact of the study may be incomplete.
-    pub fn map(&self, contact: &MassQuestion, folder: &Path) -> Result<StudyMap, Refusal> {
-        let refuse = |key, why: &str| Err(Refusal::new(key, why));
+    pub fn map(&self, contact: &MassQuestion, folder: &Path) -> Result<StudyMap, InvalidKey> {
+        let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
         let of_contact = Some(contact.link.clone()).filter(|link| !link.is_empty());
         let links = if self.link.is_empty() { of_contact.into_iter().collect() } else { self.link.clone() };
         if self.all && !self.link.is_empty() {
@@ -90,7 +90,7 @@ impl MapText {
             Some("visual") => MapShapes::Visual,
             Some(other) => {
                 let why = format!("\"{other}\"; expected auto, collision or visual");
-                return Err(Refusal::new("map.shapes", why));
+                return Err(InvalidKey::new("map.shapes", why));
             }
         };
         let mut conditions = contact.clone();
@@ -125,11 +125,11 @@ impl MapText {
                 max_mesh_size: self.max_mesh_size.unwrap_or(DEFAULT_MAX_MESH_SIZE),
             }),
         };
-        let keys = TableKeys { unit: "map.unit", decimal: "map.decimal" };
+        let keys = TableKeyNames { unit: "map.unit", decimal: "map.decimal" };
         Ok(StudyMap {
             question,
             outputs: self.output.iter().map(|o| folder.join(o).to_string_lossy().into_owned()).collect(),
-            table: table_of(&self.unit, self.decimal.as_deref(), &keys)?,
+            table: parse_table_style(&self.unit, self.decimal.as_deref(), &keys)?,
         })
     }
 }

@@ -1,7 +1,7 @@
 //! Options of a study for its contact, in addition to the effective mass.
 
 use crate::mass::tolerance::{Sampling, Tolerance};
-use crate::question::refusal::Refusal;
+use crate::question::refusal::InvalidKey;
 use crate::units::value::{self, NumberOrText};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
@@ -59,23 +59,23 @@ fn tolerances<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<NumberOrText>, D
 
 impl MassText {
     /// Converts the table to options.
-    pub fn asked(&self) -> Result<StudyMass, Refusal> {
-        let refuse = |key, why: &str| Err(Refusal::new(key, why));
+    pub fn options(&self) -> Result<StudyMass, InvalidKey> {
+        let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
         let mut asked = StudyMass { expect: self.expect, explain: self.explain, ..StudyMass::default() };
         if let Some(mass) = self.expect.filter(|mass| !(mass.is_finite() && *mass > 0.0)) {
             let why = format!("{mass} kg; a mass above 0 is expected");
-            return Err(Refusal::new("mass.expect", why));
+            return Err(InvalidKey::new("mass.expect", why));
         }
         for given in &self.tolerance {
             let twice = match given {
                 NumberOrText::Number(relative) if !(*relative >= 0.0 && relative.is_finite()) => {
                     let why = format!("{relative}; a tolerance of 0 or more is expected");
-                    return Err(Refusal::new("mass.tolerance", why));
+                    return Err(InvalidKey::new("mass.tolerance", why));
                 }
                 NumberOrText::Number(relative) => asked.expect_tolerance.replace(*relative).is_some(),
                 NumberOrText::Text(text) => {
                     let parts = Tolerance::parse(text)
-                        .map_err(|error| Refusal::new("mass.tolerance", error.to_string()))?;
+                        .map_err(|error| InvalidKey::new("mass.tolerance", error.to_string()))?;
                     asked.tolerance.replace(parts).is_some()
                 }
             };

@@ -3,7 +3,7 @@
 use crate::model::loading::Model;
 use crate::question::error::StudyError;
 use crate::question::mass_question::MassQuestion;
-use crate::question::refusal::Refusal;
+use crate::question::refusal::InvalidKey;
 use crate::question::row_source::{PositionFile, RowSource};
 use crate::safe_speed::{
     SafeSpeedQuestion, SafeSpeedReport, StatedLimits, safe_speed, safe_speed_along, safe_speed_directions,
@@ -19,7 +19,7 @@ pub struct StudySafeSpeed {
     /// Contact; the normal is absent if directions are given.
     pub contact: MassQuestion,
     /// Body region, limit and load.
-    pub asked: SafeSpeedQuestion,
+    pub limit_question: SafeSpeedQuestion,
     /// Directions that replace the normal, world axes.
     pub directions: Vec<[f64; 3]>,
     /// True to add the direction of the largest mass.
@@ -34,7 +34,7 @@ impl StudySafeSpeed {
     /// # Errors
     /// [`StudyError`], as for [`safe_speed`].
     pub fn reports(&self, model: &Model) -> Result<Vec<SafeSpeedReport>, StudyError> {
-        let Self { contact, asked, directions, worst_direction, rows } = self;
+        let Self { contact, limit_question: asked, directions, worst_direction, rows } = self;
         if *worst_direction || !directions.is_empty() {
             return safe_speed_directions(model, contact, asked, directions, *worst_direction);
         }
@@ -101,11 +101,11 @@ impl SafeSpeedText {
         contact: &MassQuestion,
         folder: &Path,
         max_size: u64,
-    ) -> Result<StudySafeSpeed, Refusal> {
-        let refuse = |key, why: &str| Err(Refusal::new(key, why));
+    ) -> Result<StudySafeSpeed, InvalidKey> {
+        let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
         let Self { force, pressure, area, energy, momentum, .. } = *self;
         let limit = StatedLimits { force, pressure, area, energy, momentum }.one();
-        let limit = limit.map_err(|error| Refusal::new("safe_speed", error.to_string()))?;
+        let limit = limit.map_err(|error| InvalidKey::new("safe_speed", error.to_string()))?;
         if self.input.is_none() && !self.ignore.is_empty() {
             return refuse("safe_speed.ignore", "ignore removes columns of input; give input");
         }
@@ -118,7 +118,7 @@ impl SafeSpeedText {
         });
         Ok(StudySafeSpeed {
             contact: contact.clone(),
-            asked: SafeSpeedQuestion { region: self.region.clone(), limit, load: self.load },
+            limit_question: SafeSpeedQuestion { region: self.region.clone(), limit, load: self.load },
             directions: self.direction.clone(),
             worst_direction: self.worst_direction,
             rows,

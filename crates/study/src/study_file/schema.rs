@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
     let settings = SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true);
     let mut schema = settings.into_generator().into_root_schema_for::<StudyText>().to_value();
-    without_null(&mut schema);
+    remove_null(&mut schema);
     schema
 });
 
@@ -52,7 +52,7 @@ pub(crate) fn properties(schema: &Value) -> Option<&Map<String, Value>> {
 }
 
 /// Removes null, which TOML lacks: an optional key is simply absent.
-fn without_null(schema: &mut Value) {
+fn remove_null(schema: &mut Value) {
     let is_null = |value: &Value| value.get("type").is_some_and(|t| t == "null") || value == "null";
     match schema {
         Value::Object(map) => {
@@ -71,9 +71,9 @@ fn without_null(schema: &mut Value) {
                 }
             }
             map.retain(|key, value| !(key == "default" && value.is_null()));
-            map.values_mut().for_each(without_null);
+            map.values_mut().for_each(remove_null);
         }
-        Value::Array(list) => list.iter_mut().for_each(without_null),
+        Value::Array(list) => list.iter_mut().for_each(remove_null),
         _ => {}
     }
 }

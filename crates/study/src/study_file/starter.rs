@@ -19,7 +19,7 @@ const CANDIDATES: usize = 60;
 const LISTED: usize = 40;
 /// Name endings of links that define a contact, and of the links that define the normal, as written by the
 /// suspension importer.
-const STATED: [(&str, &str); 3] = [
+const IMPORTER_CONTACTS: [(&str, &str); 3] = [
     ("bump_stop_pad", "bump_stop"),
     ("spring_seat", "spring_chassis_seat"),
     ("damper_seat", "damper_chassis_seat"),
@@ -40,11 +40,12 @@ pub fn starting_study(model: &Model, path: &str) -> Result<String, StudyError> {
     let (question, report) = contact(model, base)?;
     let conditions = Conditions::new().base(base);
     let system = System::new(Arc::clone(&model.mechanism), &conditions)
-        .map_err(|error| StudyError::input(Field::of_condition(&error), error))?;
+        .map_err(|error| StudyError::input(Field::from_conditions_error(&error), error))?;
     let mechanism = &model.mechanism;
     let bound = mechanism.joint_ids().filter(|joint| system.is_bound(*joint));
     let bound = bound.map(|joint| mechanism.joint(joint).name()).collect();
-    Ok(Starter { model, seen: &seen, question: &question, report: &report, bound }.text(path))
+    Ok(StarterWriter { model, check: &seen, question: &question, report: &report, loop_joints: bound }
+        .text(path))
 }
 
 /// First contact with a finite mass at a regular pose; otherwise the best result found.
@@ -56,7 +57,7 @@ fn contact(model: &Model, base: Base) -> Result<(MassQuestion, MassReport), Stud
     };
     let mut best: Option<(MassQuestion, MassReport)> = None;
     let mut failed = None;
-    for question in candidates(model, base).into_iter().take(CANDIDATES) {
+    for question in candidate_contacts(model, base).into_iter().take(CANDIDATES) {
         match mass(model, &question) {
             Ok(report) => {
                 if best.as_ref().is_none_or(|(_, so_far)| rank(&report) < rank(so_far)) {
@@ -73,14 +74,13 @@ fn contact(model: &Model, base: Base) -> Result<(MassQuestion, MassReport), Stud
     match (best, failed) {
         (Some(best), _) => Ok(best),
         (None, Some(error)) => Err(error),
-        (None, None) => {
-            mass(model, &MassQuestion::anywhere()).map(|report| (MassQuestion::anywhere(), report))
-        }
+        (None, None) => mass(model, &MassQuestion::without_contact())
+            .map(|report| (MassQuestion::without_contact(), report)),
     }
 }
 
 /// Candidate contacts, in order of plausibility.
-fn candidates(model: &Model, base: Base) -> Vec<MassQuestion> {
+fn candidate_contacts(model: &Model, base: Base) -> Vec<MassQuestion> {
     let mechanism = &model.mechanism;
     let name = |id: LinkId| mechanism.link(id).name();
     let of = |link: LinkId, point: [f64; 3], normal: Normal| MassQuestion {
@@ -89,10 +89,10 @@ fn candidates(model: &Model, base: Base) -> Vec<MassQuestion> {
         normal,
         base,
         names: Names::Keys,
-        ..MassQuestion::anywhere()
+        ..MassQuestion::without_contact()
     };
     let mut found = Vec::new();
-    for (ending, toward) in STATED {
+    for (ending, toward) in IMPORTER_CONTACTS {
         for link in mechanism.link_ids() {
             // With two sides, the suffix of the side follows the ending.
             let split = SIDES
@@ -109,7 +109,7 @@ fn candidates(model: &Model, base: Base) -> Vec<MassQuestion> {
             found.push(MassQuestion { against, ..of(link, [0.0; 3], normal) });
         }
     }
-    for link in tips(mechanism) {
+    for link in links_by_depth(mechanism) {
         for point in points(mechanism, link) {
             for axis in [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] {
                 found.push(of(link, point, Normal::Along(axis)));
@@ -121,7 +121,7 @@ fn candidates(model: &Model, base: Base) -> Vec<MassQuestion> {
 
 /// Links in order of decreasing number of movable joints between link and root; among equal numbers, links
 /// without children first.
-fn tips(mechanism: &Mechanism) -> Vec<LinkId> {
+fn links_by_depth(mechanism: &Mechanism) -> Vec<LinkId> {
     let depth = |link: LinkId| {
         let above = std::iter::successors(mechanism.parent_joint(link), |joint| {
             mechanism.parent_joint(mechanism.joint(*joint).parent())
@@ -148,7 +148,7 @@ fn points(mechanism: &Mechanism, link: LinkId) -> Vec<[f64; 3]> {
 }
 
 /// Quoted TOML string; line breaks are escaped.
-fn quoted(text: &str) -> String {
+fn toml_string(text: &str) -> String {
     let json = serde_json::to_string(text).unwrap_or_default();
     json.replace('\u{7f}', "\\u007f")
 }
@@ -156,23 +156,23 @@ fn quoted(text: &str) -> String {
 /// TOML key, quoted if necessary.
 fn key(name: &str) -> String {
     let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
-    if !name.is_empty() && name.chars().all(is_bare) { name.to_owned() } else { quoted(name) }
+    if !name.is_empty() && name.chars().all(is_bare) { name.to_owned() } else { toml_string(name) }
 }
 
 fn triple(values: &[f64; 3]) -> String {
     format!("[{}, {}, {}]", values[0], values[1], values[2])
 }
 
-struct Starter<'a> {
+struct StarterWriter<'a> {
     model: &'a Model,
-    seen: &'a CheckReport,
+    check: &'a CheckReport,
     question: &'a MassQuestion,
     report: &'a MassReport,
     /// Joints bound by loops.
-    bound: Vec<&'a str>,
+    loop_joints: Vec<&'a str>,
 }
 
-impl Starter<'_> {
+impl StarterWriter<'_> {
     fn text(&self, path: &str) -> String {
         let mut out = String::new();
         // Writing to a string does not fail.
@@ -190,23 +190,28 @@ impl Starter<'_> {
             "# Lines that begin with \"# \" and a key or a [table] are suggestions: take the \"# \" away."
         )?;
         writeln!(out, "# All keys: docs/reference/STUDIES.md; `percuss schema` prints them for editors.\n")?;
-        writeln!(out, "[model]\npath = {}\n", quoted(path))?;
+        writeln!(out, "[model]\npath = {}\n", toml_string(path))?;
         self.links(out)?;
         writeln!(
             out,
             "\n# Point and normal are in the frame of the link. The normal points out of it; its length does not matter."
         )?;
-        writeln!(out, "[contact]\nlink = {}\npoint = {}", quoted(&question.link), triple(&question.point))?;
+        writeln!(
+            out,
+            "[contact]\nlink = {}\npoint = {}",
+            toml_string(&question.link),
+            triple(&question.point)
+        )?;
         match &question.normal {
             Normal::Along(normal) => writeln!(out, "normal = {}", triple(normal))?,
             // The face of a stop follows the line as drawn, in the frame of the other side, which is the root
             // link.
-            Normal::Toward(..) if self.faces_root() => {
+            Normal::Toward(..) if self.is_against_root() => {
                 let normal = self.report.contact.normal_world.map(|x| (x * 1e6).round() / 1e6 + 0.0);
                 writeln!(out, "normal = {}\nnormal_frame = \"against\"", triple(&normal))?;
             }
             Normal::Toward(link, point) | Normal::TurningToward(link, point) => {
-                let link = quoted(link);
+                let link = toml_string(link);
                 writeln!(out, "along_line = {{ link = {link}, point = {} }}", triple(point))?;
                 if matches!(question.normal, Normal::TurningToward(..)) {
                     writeln!(out, "turning_normal = true")?;
@@ -214,7 +219,7 @@ impl Starter<'_> {
             }
         }
         match &question.against {
-            Some(link) => writeln!(out, "against = {}", quoted(link))?,
+            Some(link) => writeln!(out, "against = {}", toml_string(link))?,
             None => writeln!(
                 out,
                 "#   against = \"LINK\": another link in place of the ground; or against_mass = \"2 kg\""
@@ -245,28 +250,28 @@ impl Starter<'_> {
     }
 
     /// True if the other side is the root link, whose axes are the world's.
-    fn faces_root(&self) -> bool {
+    fn is_against_root(&self) -> bool {
         let mechanism = &self.model.mechanism;
         self.question.against.as_deref() == Some(mechanism.link(mechanism.root()).name())
     }
 
     fn links(&self, out: &mut String) -> std::fmt::Result {
         writeln!(out, "# Links (kg):")?;
-        for link in self.seen.links.iter().take(LISTED) {
-            writeln!(out, "#   {} {}", quoted(&link.name), link.mass)?;
+        for link in self.check.links.iter().take(LISTED) {
+            writeln!(out, "#   {} {}", toml_string(&link.name), link.mass)?;
         }
-        self.more(self.seen.links.len(), out)
+        self.write_omitted_count(self.check.links.len(), out)
     }
 
-    fn more(&self, count: usize, out: &mut String) -> std::fmt::Result {
+    fn write_omitted_count(&self, count: usize, out: &mut String) -> std::fmt::Result {
         if count > LISTED { writeln!(out, "#   and {} more: percuss check", count - LISTED) } else { Ok(()) }
     }
 
     /// Joints that can be set: drivers of loops, and joints outside of loops.
     fn free(&self) -> Vec<&JointRecord> {
-        let (seen, assumed) = (self.seen, &self.report.assumptions);
+        let (seen, assumed) = (self.check, &self.report.assumptions);
         let is_free = |joint: &&JointRecord| {
-            let in_loops = self.bound.contains(&joint.name.as_str());
+            let in_loops = self.loop_joints.contains(&joint.name.as_str());
             assumed.free.contains(&joint.name) && (!in_loops || seen.drivers.contains(&joint.name))
         };
         seen.joints.iter().filter(is_free).collect()
@@ -280,10 +285,10 @@ impl Starter<'_> {
         }
         writeln!(out, "\n# Joints that can be set (what follows from loops follows):")?;
         for joint in free.iter().take(LISTED) {
-            writeln!(out, "#   {} {}{}", quoted(&joint.name), joint.kind, range(joint))?;
+            writeln!(out, "#   {} {}{}", toml_string(&joint.name), joint.kind, range(joint))?;
         }
-        self.more(free.len(), out)?;
-        let varied = self.vary();
+        self.write_omitted_count(free.len(), out)?;
+        let varied = self.suggested_range();
         let other = single.iter().find(|joint| match &varied {
             None => true,
             Some((varied, _)) => varied.is_some_and(|varied| varied != joint.name),
@@ -303,14 +308,14 @@ impl Starter<'_> {
     }
 
     fn sweep(&self, out: &mut String) -> std::fmt::Result {
-        let Some((_, vary)) = self.vary() else { return Ok(()) };
+        let Some((_, vary)) = self.suggested_range() else { return Ok(()) };
         writeln!(out, "\n# The contact over a range. In place of output: CSV on stdout.")?;
-        writeln!(out, "# [sweep]\n# vary = {}\n# output = \"sweep.svg\"", quoted(&vary))
+        writeln!(out, "# [sweep]\n# vary = {}\n# output = \"sweep.svg\"", toml_string(&vary))
     }
 
     /// Range of a sweep, and the name of the varied joint: the wheel travel if there is a wheel (without a
     /// joint name), otherwise a joint between the contact link and the root.
-    fn vary(&self) -> Option<(Option<&str>, String)> {
+    fn suggested_range(&self) -> Option<(Option<&str>, String)> {
         let mechanism = &self.model.mechanism;
         let mut names = mechanism.links().iter().map(|link| link.name());
         if let Some(wheel) = names.find(|name| name.starts_with("wheel_centre"))
@@ -343,7 +348,7 @@ impl Starter<'_> {
         let most = self.report.bodies.iter().filter_map(|body| Some((body.share?, &body.link)));
         let most = most.filter(|(share, _)| *share > 0.0).max_by(|a, b| a.0.total_cmp(&b.0));
         let Some((_, link)) = most else { return Ok(()) };
-        let Some(mass) = self.seen.links.iter().find(|l| l.name == *link).map(|l| l.mass) else {
+        let Some(mass) = self.check.links.iter().find(|l| l.name == *link).map(|l| l.mass) else {
             return Ok(());
         };
         writeln!(
@@ -351,13 +356,13 @@ impl Starter<'_> {
             "\n# The same with something changed, side by side: link_mass, link_com, armature, set, move, model."
         )?;
         let lighter = (0.9 * mass * 1e6).round() / 1e6;
-        let name = quoted(&format!("{link} 10 % lighter"));
+        let name = toml_string(&format!("{link} 10 % lighter"));
         writeln!(out, "# [[variant]]\n# name = {name}\n# link_mass = {{ {} = {lighter:?} }}", key(link))?;
         let points = self.model.hardpoints();
         let Some(point) = points.iter().find(|point| point.contains("ball")).or(points.first()) else {
             return Ok(());
         };
-        let name = quoted(&format!("{point} 5 mm higher"));
+        let name = toml_string(&format!("{point} 5 mm higher"));
         writeln!(out, "# [[variant]]\n# name = {name}\n# move = {{ {} = [0, 0, \"5 mm\"] }}", key(point))
     }
 
@@ -368,7 +373,7 @@ impl Starter<'_> {
             return Ok(());
         }
         writeln!(out, "\n# The effective mass over the surface of a link.")?;
-        writeln!(out, "# [map]\n# link = {}\n# output = \"map.png\"", quoted(&self.question.link))
+        writeln!(out, "# [map]\n# link = {}\n# output = \"map.png\"", toml_string(&self.question.link))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Sweep table of a study file, and the style of tables and figures.
 
-use crate::question::refusal::Refusal;
+use crate::question::refusal::InvalidKey;
 use crate::question::row_source::{PositionFile, RowSource};
 use crate::question::vary::Vary;
 use crate::units::value::{self, Words};
@@ -81,29 +81,29 @@ pub(crate) struct SweepText {
 }
 
 /// Keys of the table style, for messages.
-pub(crate) struct TableKeys {
+pub(crate) struct TableKeyNames {
     pub unit: &'static str,
     pub decimal: &'static str,
 }
 
 /// Table style from the words of a study.
-pub(crate) fn table_of(
+pub(crate) fn parse_table_style(
     units: &[String],
     decimal: Option<&str>,
-    keys: &TableKeys,
-) -> Result<StudyTable, Refusal> {
+    keys: &TableKeyNames,
+) -> Result<StudyTable, InvalidKey> {
     let unit = |word: &String| match word.as_str() {
         "m" => Ok(TableUnit::Metre),
         "mm" => Ok(TableUnit::Millimetre),
         "rad" => Ok(TableUnit::Radian),
         "deg" => Ok(TableUnit::Degree),
-        other => Err(Refusal::new(keys.unit, format!("\"{other}\"; expected m, mm, rad or deg"))),
+        other => Err(InvalidKey::new(keys.unit, format!("\"{other}\"; expected m, mm, rad or deg"))),
     };
     let comma = match decimal {
         None | Some("point") => false,
         Some("comma") => true,
         Some(other) => {
-            return Err(Refusal::new(keys.decimal, format!("\"{other}\"; expected point or comma")));
+            return Err(InvalidKey::new(keys.decimal, format!("\"{other}\"; expected point or comma")));
         }
     };
     Ok(StudyTable { units: units.iter().map(unit).collect::<Result<_, _>>()?, comma })
@@ -111,8 +111,8 @@ pub(crate) fn table_of(
 
 impl SweepText {
     /// Source of the rows. Paths are relative to the study's folder.
-    pub fn source(&self, folder: &Path, max_size: u64) -> Result<RowSource, Refusal> {
-        let refuse = |why: &str| Err(Refusal::new("sweep", why));
+    pub fn source(&self, folder: &Path, max_size: u64) -> Result<RowSource, InvalidKey> {
+        let refuse = |why: &str| Err(InvalidKey::new("sweep", why));
         if self.input.is_none() && !self.ignore.is_empty() {
             return refuse("ignore removes columns of input; give input");
         }
@@ -122,7 +122,7 @@ impl SweepText {
         match (&self.vary[..], &self.input, self.random) {
             ([_, ..], None, None) => {
                 let range = |text: &String| {
-                    Vary::parse(text).map_err(|error| Refusal::new("sweep.vary", error.to_string()))
+                    Vary::parse(text).map_err(|error| InvalidKey::new("sweep.vary", error.to_string()))
                 };
                 self.vary.iter().map(range).collect::<Result<_, _>>().map(RowSource::Grid)
             }
@@ -136,9 +136,9 @@ impl SweepText {
     }
 
     /// Style of the table.
-    pub fn table(&self) -> Result<StudyTable, Refusal> {
-        let keys = TableKeys { unit: "sweep.unit", decimal: "sweep.decimal" };
-        table_of(&self.unit, self.decimal.as_deref(), &keys)
+    pub fn table(&self) -> Result<StudyTable, InvalidKey> {
+        let keys = TableKeyNames { unit: "sweep.unit", decimal: "sweep.decimal" };
+        parse_table_style(&self.unit, self.decimal.as_deref(), &keys)
     }
 
     /// Style of the figure.

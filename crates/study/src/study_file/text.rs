@@ -4,7 +4,7 @@ use crate::question::field::Names;
 use crate::question::given_travel::GivenTravel;
 use crate::question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 use crate::question::pose_file::GivenPose;
-use crate::question::refusal::Refusal;
+use crate::question::refusal::InvalidKey;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::damping::DampingText;
 use crate::study_file::map::MapText;
@@ -241,40 +241,40 @@ impl ContactText {
     }
 }
 
-fn frame_of(key: &'static str, name: Option<&str>, default: Frame) -> Result<Frame, Refusal> {
+fn frame_of(key: &'static str, name: Option<&str>, default: Frame) -> Result<Frame, InvalidKey> {
     match name {
         None => Ok(default),
         Some("link") => Ok(Frame::Link),
         Some("world") => Ok(Frame::World),
         Some("against") => Ok(Frame::Against),
-        Some(other) => Err(Refusal::new(key, format!("\"{other}\"; expected link, world or against"))),
+        Some(other) => Err(InvalidKey::new(key, format!("\"{other}\"; expected link, world or against"))),
     }
 }
 
 impl StudyText {
     /// Converts the study to a question; the contact may be incomplete. Paths are relative to the study's
     /// folder.
-    pub fn question(&self, folder: &Path, max_size: u64) -> Result<MassQuestion, Refusal> {
+    pub fn question(&self, folder: &Path, max_size: u64) -> Result<MassQuestion, InvalidKey> {
         let contact = &self.contact;
         let travel = |text: &String| {
             GivenTravel::parse(text)
-                .map_err(|error| Refusal::new("pose.travel", format!("\"{text}\": {error}")))
+                .map_err(|error| InvalidKey::new("pose.travel", format!("\"{text}\": {error}")))
         };
         let pose = |file: &String| {
             let path = folder.join(file);
             GivenPose::read(&path.to_string_lossy(), max_size)
-                .map_err(|error| Refusal::new("pose.file", error.to_string()))
+                .map_err(|error| InvalidKey::new("pose.file", error.to_string()))
         };
         let normal = match (&contact.along_line, contact.normal) {
             (None, _) if contact.turning_normal => {
-                return Err(Refusal::new("contact.turning_normal", "turning_normal requires along_line"));
+                return Err(InvalidKey::new("contact.turning_normal", "turning_normal requires along_line"));
             }
             (Some(line), None) if contact.turning_normal => {
                 Normal::TurningToward(line.link.clone(), line.point)
             }
             (Some(line), None) => Normal::Toward(line.link.clone(), line.point),
             (None, normal) => Normal::Along(normal.unwrap_or_default()),
-            (Some(_), Some(_)) => return Err(Refusal::new("contact", "give either normal or along_line")),
+            (Some(_), Some(_)) => return Err(InvalidKey::new("contact", "give either normal or along_line")),
         };
         let frame = frame_of("contact.frame", contact.frame.as_deref(), Frame::Link)?;
         let normal_frame = frame_of("contact.normal_frame", contact.normal_frame.as_deref(), frame)?;
@@ -283,11 +283,11 @@ impl StudyText {
             Some("floating") => Base::Floating,
             Some(other) => {
                 let why = format!("\"{other}\"; expected fixed or floating");
-                return Err(Refusal::new("conditions.base", why));
+                return Err(InvalidKey::new("conditions.base", why));
             }
         };
         if contact.against.is_some() && contact.against_mass.is_some() {
-            return Err(Refusal::new("contact", "give either against or against_mass"));
+            return Err(InvalidKey::new("contact", "give either against or against_mass"));
         }
         let given = |map: &BTreeMap<String, GivenPosition>| {
             map.iter().map(|(joint, position)| (joint.clone(), position.clone())).collect()
@@ -313,7 +313,7 @@ impl StudyText {
             estimate: match &contact.estimate {
                 Some(e) if e.links.is_empty() => {
                     let why = "it is empty; name at least one link";
-                    return Err(Refusal::new("contact.estimate.links", why));
+                    return Err(InvalidKey::new("contact.estimate.links", why));
                 }
                 Some(e) => {
                     Some(EstimateQuestion { links: e.links.clone(), point: e.point, direction: e.direction })

@@ -1,6 +1,6 @@
 //! Designs of a study file: changes of the model, and variants.
 
-use crate::checks::design::DesignError;
+use crate::checks::design_variant::DesignError;
 use crate::model::changes::Changes;
 use crate::model::loading::{Input, Model};
 use crate::question::mass_question::MassQuestion;
@@ -54,13 +54,13 @@ pub struct Variant {
 }
 
 /// Models of variants; each file is read once.
-pub(crate) struct OtherModels<'a> {
+pub(crate) struct VariantModels<'a> {
     max_size: u64,
     options: &'a LoadOptions,
     by_path: BTreeMap<String, Model>,
 }
 
-impl<'a> OtherModels<'a> {
+impl<'a> VariantModels<'a> {
     /// Empty set of models. A model file has at most `max_size` bytes.
     pub fn new(max_size: u64, options: &'a LoadOptions) -> Self {
         Self { max_size, options, by_path: BTreeMap::new() }
@@ -90,24 +90,24 @@ pub(crate) fn changes(
 
 impl VariantText {
     /// Applies the changes to the model and query of a study; paths are relative to `folder`, the folder of the study.
-    pub fn variant(
+    pub fn apply(
         &self,
         base: &Model,
         question: &MassQuestion,
         folder: &Path,
-        loaded: &mut OtherModels<'_>,
+        loaded: &mut VariantModels<'_>,
     ) -> Result<Variant, DesignError> {
         let other = match &self.model {
             None => base.clone(),
             Some(path) => {
                 let other = loaded.load(&folder.join(path).to_string_lossy())?;
                 // Changes and additions of the study apply to its variants too.
-                let mut other = other.with_closures_of(base)?.changed(&base.origin.changes)?;
+                let mut other = other.with_closures_of(base)?.with_changes(&base.origin.changes)?;
                 other.inputs.extend(base.inputs.iter().skip(1).cloned().collect::<Vec<Input>>());
                 other
             }
         };
-        let model = other.changed(&changes(&self.link_mass, &self.link_com, &self.moves))?;
+        let model = other.with_changes(&changes(&self.link_mass, &self.link_com, &self.moves))?;
         let mut question = question.clone();
         question.armature.retain(|(joint, _)| !self.armature.contains_key(joint));
         question.armature.extend(self.armature.iter().map(|(joint, values)| (joint.clone(), values.clone())));

@@ -2,16 +2,16 @@
 //! requested and rows differ in joint positions and joint-limit findings only.
 
 use crate::checks::finding::Finding;
-use crate::checks::findings::outside_limits;
-use crate::evaluation::answer::Prepared;
+use crate::checks::findings::joint_limit_finding;
+use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::pose::positions::{PoseLayout, Positions};
-use crate::sweep::row_layout::Setting;
+use crate::sweep::row_layout::RowLayout;
 use percuss_dynamics::{Contact, DrivenPath, EffectiveMass, PathAnswer, Pose};
 use percuss_mechanism::{JointId, Limits};
 use std::sync::Arc;
 
 /// Codes of findings that hold for every pose of a branch.
-const OF_THE_BRANCH: [&str; 10] = [
+const BRANCH_FINDING_CODES: [&str; 10] = [
     "drawn-open",
     "driver-off-zero",
     "drivers-chosen",
@@ -26,7 +26,7 @@ const OF_THE_BRANCH: [&str; 10] = [
 
 /// Follower of consecutive rows from a starting pose.
 #[derive(Debug)]
-pub(crate) struct Following {
+pub(crate) struct PathFollower {
     path: DrivenPath,
     /// Findings that hold for all rows.
     findings: Arc<[Finding]>,
@@ -50,16 +50,21 @@ pub(crate) struct FollowedRow {
 }
 
 /// Result of following one row.
-pub(crate) enum Reached {
+pub(crate) enum FollowResult {
     Evaluated(FollowedRow),
     /// Pose found; m̄ must be evaluated separately.
     Posed(Arc<Pose>),
 }
 
-impl Following {
+impl PathFollower {
     /// Follower from a pose; `None` if the rows require separate poses.
-    pub fn from(prepared: &Prepared, setting: &Setting, contact: &Contact, pose: &Pose) -> Option<Self> {
-        if !prepared.is_plain() || setting.travels() || pose.loops().is_none() {
+    pub fn from(
+        prepared: &PreparedQuestion,
+        setting: &RowLayout,
+        contact: &Contact,
+        pose: &Pose,
+    ) -> Option<Self> {
+        if !prepared.needs_only_mass() || setting.travels() || pose.loops().is_none() {
             return None;
         }
         let single = |(joint, numbers): (JointId, &std::ops::Range<usize>)| {
@@ -69,8 +74,8 @@ impl Following {
         joints.sort_unstable();
         let joints: Vec<JointId> = joints.into_iter().map(|(_, joint)| joint).collect();
         let path = pose.driven_path(contact, &joints).ok().flatten()?;
-        let answer = prepared.answer(pose, contact).ok()?;
-        let alike = |finding: &Finding| OF_THE_BRANCH.contains(&finding.code());
+        let answer = prepared.evaluate(pose, contact).ok()?;
+        let alike = |finding: &Finding| BRANCH_FINDING_CODES.contains(&finding.code());
         let plain = |finding: &Finding| alike(finding) || finding.code() == "outside-limits";
         let finite = matches!(answer.response.effective_mass, EffectiveMass::Finite(_));
         if !finite || answer.response.singular_pose || !answer.findings.iter().all(plain) {
@@ -94,10 +99,10 @@ impl Following {
     /// number of rows reached.
     pub fn follow(
         &mut self,
-        prepared: &Prepared,
+        prepared: &PreparedQuestion,
         layout: &Arc<PoseLayout>,
         rows: &[f64],
-        mut each: impl FnMut(Reached),
+        mut each: impl FnMut(FollowResult),
     ) -> usize {
         let Self { path, findings, limits, results: answers, positions } = self;
         answers.clear();
@@ -108,16 +113,16 @@ impl Following {
             let Some(mass) = answer.mass else {
                 // The positions come from the path, so their number matches the mechanism.
                 if let Ok(pose) = path.pose_at(own, answer.residual) {
-                    each(Reached::Posed(Arc::new(pose)));
+                    each(FollowResult::Posed(Arc::new(pose)));
                 }
                 continue;
             };
             let outside = limits.iter().filter(|(_, place, limits)| Pose::is_outside(own[*place], *limits));
             let outside = outside.map(|&(joint, place, limits)| {
-                outside_limits(prepared.system.mechanism(), joint, own[place], limits)
+                joint_limit_finding(prepared.system.mechanism(), joint, own[place], limits)
             });
-            each(Reached::Evaluated(FollowedRow {
-                positions: Positions::of_columns(layout, own, 1, 0),
+            each(FollowResult::Evaluated(FollowedRow {
+                positions: Positions::from_columns(layout, own, 1, 0),
                 mass,
                 residual: answer.residual,
                 shared_findings: Arc::clone(findings),

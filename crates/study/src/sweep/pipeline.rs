@@ -5,18 +5,21 @@
 //! depend on row numbers only, and limits are exchanged between blocks at fixed points, so results do not
 //! depend on the number of threads.
 
-use crate::checks::finding::Tally;
+use crate::checks::finding::FindingTally;
 use crate::pose::driver::Driver;
-use crate::pose::travel::Travel;
-use crate::pose::unreachable_range::{Reach, Untried};
+use crate::pose::point_travel::PointTravel;
+use crate::pose::unreachable_range::{SkippedRows, UnreachableRange};
 use crate::question::error::StudyError;
 use crate::question::varied_values::VariedValues;
-use crate::sweep::context::{Made, NO_ANSWER, Outcome, Portion, Stand, Swept};
-use crate::sweep::continuation::{Line, TooFar, nearer};
-use crate::sweep::row_blocks::{Block, Rows};
+use crate::sweep::continuation::{LineContinuation, StepLimit, min_limit};
+use crate::sweep::row_blocks::{RowBlock, RowReader};
+use crate::sweep::sweep_context::{
+    NO_RESULT_STATUS, RowConversion, RowOutcome, RowPose, RowResults, SweepContext,
+};
 use crate::sweep::sweep_report::SweepEnd;
 use crate::thresholds::{
-    BLOCK_IN_LANES, BLOCK_OF_LINKS, BLOCK_OF_POSES, FIRST_BLOCK, PORTION, PORTION_IN_LANES, UNRELATED,
+    BATCH_BLOCK_ROWS, BATCH_ROWS_PER_TASK, FIRST_BLOCK, MOST_UNREACHED_ROWS, POSED_BLOCK_LINKS,
+    POSED_BLOCK_ROWS, POSED_ROWS_PER_TASK,
 };
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -24,21 +27,21 @@ use std::sync::Arc;
 
 /// Result of a sweep.
 #[derive(Debug)]
-pub(crate) struct Came {
+pub(crate) struct PipelineResult {
     pub end: SweepEnd,
-    pub tally: Tally,
-    pub skipped: Option<Untried>,
+    pub tally: FindingTally,
+    pub skipped: Option<SkippedRows>,
 }
 
 /// Runs all rows through the pipeline.
 pub(crate) fn run<T: Send>(
-    swept: &Swept<'_>,
-    rows: Rows,
-    made: Made<'_, T>,
+    swept: &SweepContext<'_>,
+    rows: RowReader,
+    made: RowConversion<'_, T>,
     each: &mut dyn FnMut(T) -> ControlFlow<()>,
-) -> Result<Came, StudyError> {
-    let mut posing = Posing::new(swept, rows);
-    let mut out = HandingOut::new(swept, made, each);
+) -> Result<PipelineResult, StudyError> {
+    let mut posing = PosingStage::new(swept, rows);
+    let mut out = OutputStage::new(swept, made, each);
     let (mut posed, mut answered) = (None, None);
     loop {
         let (to_answer, to_hand_out) = (posed.take(), answered.take());
@@ -61,8 +64,8 @@ pub(crate) fn run<T: Send>(
         }
         (posed, answered) = (next_posed?, next_answered);
         posing.abandoned_after = out.abandoned_after();
-        let found = answered.iter().flatten().map(|portion: &Portion<T>| portion.step_limit);
-        posing.step_limit = found.fold(posing.step_limit, nearer);
+        let found = answered.iter().flatten().map(|portion: &RowResults<T>| portion.step_limit);
+        posing.step_limit = found.fold(posing.step_limit, min_limit);
         if posed.is_none() && answered.is_none() {
             break;
         }
@@ -71,65 +74,67 @@ pub(crate) fn run<T: Send>(
 }
 
 /// Block and the remaining work.
-struct Posed {
-    block: Block,
-    work: Work,
+struct PosedBlock {
+    block: RowBlock,
+    work: BlockWork,
 }
 
-enum Work {
+enum BlockWork {
     /// Lines of this number of rows; each line is posed and evaluated separately.
     Lines(usize),
     /// Portions of posed rows of one line.
     Portions {
-        portions: Vec<(usize, Vec<Stand>)>,
-        travel: Option<Arc<(Travel, Driver)>>,
-        untried: Option<Untried>,
+        portions: Vec<(usize, Vec<RowPose>)>,
+        travel: Option<Arc<(PointTravel, Driver)>>,
+        untried: Option<SkippedRows>,
     },
     /// Rows for the SIMD evaluation without poses.
-    InLanes,
+    Batches,
     /// Rows that are not tried because of row `found_by`.
     Skipped { found_by: usize },
 }
 
 /// First stage: forms blocks and poses consecutive rows.
-struct Posing<'s, 'a> {
-    context: &'s Swept<'a>,
-    rows: Rows,
-    line: Line,
+struct PosingStage<'s, 'a> {
+    context: &'s SweepContext<'a>,
+    rows: RowReader,
+    line: LineContinuation,
     /// Number of the next row.
     row: usize,
     /// Approximate number of rows of the next block.
     size: usize,
-    largest: usize,
-    step_limit: TooFar,
+    max_block_size: usize,
+    step_limit: StepLimit,
     abandoned_after: Option<usize>,
 }
 
-impl<'s, 'a> Posing<'s, 'a> {
-    fn new(swept: &'s Swept<'a>, rows: Rows) -> Self {
+impl<'s, 'a> PosingStage<'s, 'a> {
+    fn new(swept: &'s SweepContext<'a>, rows: RowReader) -> Self {
         let links = swept.prepared.system.mechanism().links().len();
-        let largest = match &swept.lanes {
-            Some(_) => (BLOCK_OF_LINKS * PORTION_IN_LANES / links.max(1)).clamp(FIRST_BLOCK, BLOCK_IN_LANES),
-            None => (BLOCK_OF_LINKS / links.max(1)).clamp(FIRST_BLOCK, BLOCK_OF_POSES),
+        let largest = match &swept.batch_evaluator {
+            Some(_) => {
+                (POSED_BLOCK_LINKS * BATCH_ROWS_PER_TASK / links.max(1)).clamp(FIRST_BLOCK, BATCH_BLOCK_ROWS)
+            }
+            None => (POSED_BLOCK_LINKS / links.max(1)).clamp(FIRST_BLOCK, POSED_BLOCK_ROWS),
         };
-        let line = Line::new(rows.along(), swept.travel.clone(), None);
+        let line = LineContinuation::new(rows.distance_measure(), swept.travel.clone(), None);
         Self {
             context: swept,
             rows,
             line,
             row: 0,
             size: FIRST_BLOCK,
-            largest,
+            max_block_size: largest,
             step_limit: None,
             abandoned_after: None,
         }
     }
 
     /// Next block; `None` at the end.
-    fn next(&mut self) -> Result<Option<Posed>, StudyError> {
+    fn next(&mut self) -> Result<Option<PosedBlock>, StudyError> {
         // Without poses, rows are independent.
-        let line = if self.context.lanes.is_some() { None } else { self.rows.rows_per_line() };
-        let whole = line.filter(|rows| *rows <= self.largest);
+        let line = if self.context.batch_evaluator.is_some() { None } else { self.rows.rows_per_line() };
+        let whole = line.filter(|rows| *rows <= self.max_block_size);
         let count = match (whole, line) {
             (Some(rows), _) => rows * (self.size / rows).max(1),
             (None, Some(rows)) => self.size.min(rows - self.row % rows),
@@ -141,118 +146,126 @@ impl<'s, 'a> Posing<'s, 'a> {
         }
         let starts_line = line.is_some_and(|rows| self.row.is_multiple_of(rows));
         self.row += block.count;
-        self.size = (2 * self.size).min(self.largest);
+        self.size = (2 * self.size).min(self.max_block_size);
         let work = match (self.abandoned_after, whole) {
-            (Some(found_by), _) => Work::Skipped { found_by },
-            (None, Some(rows)) => Work::Lines(rows),
-            (None, None) if self.context.lanes.is_some() => Work::InLanes,
+            (Some(found_by), _) => BlockWork::Skipped { found_by },
+            (None, Some(rows)) => BlockWork::Lines(rows),
+            (None, None) if self.context.batch_evaluator.is_some() => BlockWork::Batches,
             (None, None) => {
                 if starts_line {
-                    self.step_limit = nearer(self.step_limit, self.line.step_limit);
-                    self.line = Line::new(self.rows.along(), self.context.travel.clone(), self.step_limit);
+                    self.step_limit = min_limit(self.step_limit, self.line.step_limit);
+                    self.line = LineContinuation::new(
+                        self.rows.distance_measure(),
+                        self.context.travel.clone(),
+                        self.step_limit,
+                    );
                 }
                 self.pose(&block)
             }
         };
-        Ok(Some(Posed { block, work }))
+        Ok(Some(PosedBlock { block, work }))
     }
 
     /// Poses the rows of a block, each from the last row reached.
-    fn pose(&mut self, block: &Block) -> Work {
+    fn pose(&mut self, block: &RowBlock) -> BlockWork {
         let (swept, line) = (self.context, &mut self.line);
-        let mut portions = Vec::with_capacity(block.count.div_ceil(PORTION));
+        let mut portions = Vec::with_capacity(block.count.div_ceil(POSED_ROWS_PER_TASK));
         let mut stands = swept.next_poses(line, block, 0..block.count).into_iter();
-        for first in (0..block.count).step_by(PORTION) {
-            portions.push((first, stands.by_ref().take(PORTION).collect()));
+        for first in (0..block.count).step_by(POSED_ROWS_PER_TASK) {
+            portions.push((first, stands.by_ref().take(POSED_ROWS_PER_TASK).collect()));
         }
-        Work::Portions { portions, travel: line.travel(), untried: line.unreachable.take_untried() }
+        BlockWork::Portions { portions, travel: line.travel(), untried: line.unreachable.drain_skipped() }
     }
 }
 
 /// Second stage: evaluates the rows in parallel.
 fn evaluate_block<T: Send>(
-    swept: &Swept<'_>,
-    posed: Posed,
-    made: Made<'_, T>,
-    too_far: TooFar,
-) -> Vec<Portion<T>> {
-    let Posed { block, work } = posed;
+    swept: &SweepContext<'_>,
+    posed: PosedBlock,
+    made: RowConversion<'_, T>,
+    too_far: StepLimit,
+) -> Vec<RowResults<T>> {
+    let PosedBlock { block, work } = posed;
     let block = &block;
     match work {
-        Work::Lines(rows) => {
+        BlockWork::Lines(rows) => {
             let of_line = |first: usize| {
-                let mut line = Line::new(swept.along, swept.travel.clone(), too_far);
-                let mut portion = Portion::new(rows);
+                let mut line = LineContinuation::new(swept.distance_measure, swept.travel.clone(), too_far);
+                let mut portion = RowResults::new(rows);
                 let stands = swept.next_poses(&mut line, block, first..first + rows);
                 let travel = line.travel();
                 for (i, stand) in (first..).zip(stands) {
                     swept.evaluate_row(&mut portion, block, i, stand, travel.as_ref().map(|t| &t.0), made);
                 }
-                (portion.skipped, portion.step_limit) = (line.unreachable.take_untried(), line.step_limit);
+                (portion.skipped, portion.step_limit) = (line.unreachable.drain_skipped(), line.step_limit);
                 portion
             };
             let lines: Vec<usize> = (0..block.count).step_by(rows).collect();
             lines.into_par_iter().map(of_line).collect()
         }
-        Work::Portions { portions, travel, untried } => {
-            let of_portion = |(first, stands): (usize, Vec<Stand>)| {
-                let mut portion = Portion::new(stands.len());
+        BlockWork::Portions { portions, travel, untried } => {
+            let of_portion = |(first, stands): (usize, Vec<RowPose>)| {
+                let mut portion = RowResults::new(stands.len());
                 for (i, stand) in (first..).zip(stands) {
                     swept.evaluate_row(&mut portion, block, i, stand, travel.as_ref().map(|t| &t.0), made);
                 }
                 portion
             };
-            let mut portions: Vec<Portion<T>> = portions.into_par_iter().map(of_portion).collect();
+            let mut portions: Vec<RowResults<T>> = portions.into_par_iter().map(of_portion).collect();
             if let Some(first) = portions.first_mut() {
                 first.skipped = untried;
             }
             portions
         }
-        Work::InLanes => {
-            let starts: Vec<usize> = (0..block.count).step_by(PORTION_IN_LANES).collect();
-            let rows = |first: usize| first..(first + PORTION_IN_LANES).min(block.count);
-            starts.into_par_iter().map(|first| swept.answer_in_lanes(block, rows(first), made)).collect()
+        BlockWork::Batches => {
+            let starts: Vec<usize> = (0..block.count).step_by(BATCH_ROWS_PER_TASK).collect();
+            let rows = |first: usize| first..(first + BATCH_ROWS_PER_TASK).min(block.count);
+            starts.into_par_iter().map(|first| swept.evaluate_batch(block, rows(first), made)).collect()
         }
-        Work::Skipped { found_by } => {
-            let mut portion = Portion::new(block.count);
-            let mut reach = Reach::default();
+        BlockWork::Skipped { found_by } => {
+            let mut portion = RowResults::new(block.count);
+            let mut reach = UnreachableRange::default();
             for i in 0..block.count {
-                let stand = Stand::Unreached(reach.skip(block.first + i, found_by));
+                let stand = RowPose::Unreached(reach.skip(block.first + i, found_by));
                 swept.evaluate_row(&mut portion, block, i, stand, None, made);
             }
-            portion.skipped = reach.take_untried();
+            portion.skipped = reach.drain_skipped();
             vec![portion]
         }
     }
 }
 
 /// Third stage: hands out the rows in order.
-struct HandingOut<'o, 's, 'a, T> {
-    context: &'s Swept<'a>,
-    convert: Made<'o, T>,
+struct OutputStage<'o, 's, 'a, T> {
+    context: &'s SweepContext<'a>,
+    convert: RowConversion<'o, T>,
     each: &'o mut dyn FnMut(T) -> ControlFlow<()>,
-    result: Came,
+    result: PipelineResult,
     /// Number of consecutive rows that were not reached.
     unreached: usize,
 }
 
-impl<'o, 's, 'a, T> HandingOut<'o, 's, 'a, T> {
-    fn new(swept: &'s Swept<'a>, made: Made<'o, T>, each: &'o mut dyn FnMut(T) -> ControlFlow<()>) -> Self {
-        let end = SweepEnd { rows: 0, unanswered: 0, first_error: None, diagnostics: Vec::new() };
-        let came = Came { end, tally: Tally::default(), skipped: None };
+impl<'o, 's, 'a, T> OutputStage<'o, 's, 'a, T> {
+    fn new(
+        swept: &'s SweepContext<'a>,
+        made: RowConversion<'o, T>,
+        each: &'o mut dyn FnMut(T) -> ControlFlow<()>,
+    ) -> Self {
+        let end = SweepEnd { rows: 0, rows_without_result: 0, first_error: None, diagnostics: Vec::new() };
+        let came = PipelineResult { end, tally: FindingTally::default(), skipped: None };
         Self { context: swept, convert: made, each, result: came, unreached: 0 }
     }
 
     /// Last row, if too many consecutive rows were not reached; the following rows are then not tried.
     fn abandoned_after(&self) -> Option<usize> {
-        (self.unreached >= UNRELATED).then(|| self.result.end.rows.saturating_sub(1))
+        (self.unreached >= MOST_UNREACHED_ROWS).then(|| self.result.end.rows.saturating_sub(1))
     }
 
-    fn output_results(&mut self, portions: Vec<Portion<T>>) -> Result<ControlFlow<()>, StudyError> {
+    fn output_results(&mut self, portions: Vec<RowResults<T>>) -> Result<ControlFlow<()>, StudyError> {
         for mut portion in portions {
             self.result.tally.append(portion.drain_findings());
             if let Some(untried) = portion.skipped {
-                let so_far = self.result.skipped.get_or_insert(Untried { count: 0, ..untried });
+                let so_far = self.result.skipped.get_or_insert(SkippedRows { count: 0, ..untried });
                 so_far.count += untried.count;
             }
             for outcome in portion.rows {
@@ -264,22 +277,24 @@ impl<'o, 's, 'a, T> HandingOut<'o, 's, 'a, T> {
         Ok(ControlFlow::Continue(()))
     }
 
-    fn output_row(&mut self, outcome: Outcome<T>) -> Result<ControlFlow<()>, StudyError> {
+    fn output_row(&mut self, outcome: RowOutcome<T>) -> Result<ControlFlow<()>, StudyError> {
         let end = &mut self.result.end;
         let (made, reached, error) = match outcome {
-            Outcome::Row { made, reached, error } => (made, reached, error),
+            RowOutcome::Row { made, reached, error } => (made, reached, error),
             // An input error before the first result is an error of the question; a later error belongs to the
             // row.
-            Outcome::Failed { error, .. } if end.rows == end.unanswered && !error.is_no_answer() => {
+            RowOutcome::Failed { error, .. }
+                if end.rows == end.rows_without_result && !error.has_no_result() =>
+            {
                 return Err(error);
             }
-            Outcome::Failed { row, varied, error } => self.failed_row(row, varied, &error),
+            RowOutcome::Failed { row, varied, error } => self.failed_row(row, varied, &error),
         };
         let end = &mut self.result.end;
         end.rows += 1;
         self.unreached = if reached { 0 } else { self.unreached + 1 };
         if let Some(error) = error {
-            end.unanswered += 1;
+            end.rows_without_result += 1;
             end.first_error.get_or_insert(error);
         }
         Ok((self.each)(made))
@@ -287,7 +302,7 @@ impl<'o, 's, 'a, T> HandingOut<'o, 's, 'a, T> {
 
     fn failed_row(&self, row: usize, varied: VariedValues, error: &StudyError) -> (T, bool, Option<String>) {
         let why = error.message(self.context.prepared.question.names);
-        let row = self.context.unanswered(row, varied, NO_ANSWER, why.clone());
+        let row = self.context.row_without_result(row, varied, NO_RESULT_STATUS, why.clone());
         ((self.convert)(row), true, Some(why))
     }
 }

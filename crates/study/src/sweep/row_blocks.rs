@@ -3,20 +3,20 @@
 use crate::evaluation::random_rows::RandomRows;
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
-use crate::question::vary::Values;
-use crate::sweep::continuation::Along;
+use crate::question::vary::EvenlySpacedValues;
+use crate::sweep::continuation::DistanceMeasure;
 use crate::tables::trajectory::Trajectory;
 
 /// Consecutive rows with their numbers.
 #[derive(Debug)]
-pub(crate) struct Block {
+pub(crate) struct RowBlock {
     pub first: usize,
     pub count: usize,
     values: Vec<f64>,
     width: usize,
 }
 
-impl Block {
+impl RowBlock {
     /// Numbers of the rows from `row` to `end` (excluded), counted from the first row of the block.
     pub fn values_from(&self, row: usize, end: usize) -> &[f64] {
         &self.values[row * self.width..end * self.width]
@@ -30,68 +30,68 @@ impl Block {
 
 /// Source of the rows.
 #[derive(Debug)]
-pub(crate) enum Rows {
+pub(crate) enum RowReader {
     /// All combinations of the values of some ranges; the last range varies fastest.
-    Grid(Vec<Values>),
+    Grid(Vec<EvenlySpacedValues>),
     /// Rows of a file.
     File(Box<Trajectory>),
     /// Random rows.
     Random(RandomRows),
 }
 
-impl Rows {
+impl RowReader {
     /// Number of rows.
     pub fn count(&self) -> Option<usize> {
         match self {
-            Rows::Grid(ranges) => Some(ranges.iter().map(|range| range.count).product()),
-            Rows::File(file) => Some(file.count()),
-            Rows::Random(random) => Some(random.count),
+            RowReader::Grid(ranges) => Some(ranges.iter().map(|range| range.count).product()),
+            RowReader::File(file) => Some(file.count()),
+            RowReader::Random(random) => Some(random.count),
         }
     }
 
     /// Number of rows in a line, that is, rows followed from a common start; `None` if all rows form one line.
     pub fn rows_per_line(&self) -> Option<usize> {
         match self {
-            Rows::Grid(ranges) => ranges.last().map(|range| range.count),
-            Rows::File(_) => None,
-            Rows::Random(_) => Some(1),
+            RowReader::Grid(ranges) => ranges.last().map(|range| range.count),
+            RowReader::File(_) => None,
+            RowReader::Random(_) => Some(1),
         }
     }
 
     /// Number of a row that measures the distance along a line.
-    pub fn along(&self) -> Along {
+    pub fn distance_measure(&self) -> DistanceMeasure {
         match self {
-            Rows::Grid(_) => Along::Last,
-            Rows::File(_) | Rows::Random(_) => Along::Anything,
+            RowReader::Grid(_) => DistanceMeasure::LastNumber,
+            RowReader::File(_) | RowReader::Random(_) => DistanceMeasure::Undefined,
         }
     }
 
     /// Next rows, from `first` on; fewer or none at the end. `first` must follow the last block.
-    pub fn block(&mut self, first: usize, count: usize) -> Result<Block, StudyError> {
+    pub fn block(&mut self, first: usize, count: usize) -> Result<RowBlock, StudyError> {
         match self {
-            Rows::Grid(ranges) => {
+            RowReader::Grid(ranges) => {
                 let all: usize = ranges.iter().map(|range| range.count).product();
                 let count = count.min(all.saturating_sub(first));
                 let mut values = vec![0.0; count * ranges.len()];
                 for (row, values) in (first..).zip(values.chunks_exact_mut(ranges.len().max(1))) {
                     let mut rest = row;
                     for (value, range) in values.iter_mut().zip(&*ranges).rev() {
-                        *value = range.of_row(rest % range.count);
+                        *value = range.value_at(rest % range.count);
                         rest /= range.count;
                     }
                 }
-                Ok(Block { first, count, values, width: ranges.len() })
+                Ok(RowBlock { first, count, values, width: ranges.len() })
             }
-            Rows::Random(random) => {
+            RowReader::Random(random) => {
                 let count = count.min(random.count.saturating_sub(first));
                 let mut values = Vec::with_capacity(count * random.width);
-                (first..first + count).for_each(|row| random.push_row(row, &mut values));
-                Ok(Block { first, count, values, width: random.width })
+                (first..first + count).for_each(|row| random.append_row(row, &mut values));
+                Ok(RowBlock { first, count, values, width: random.width })
             }
-            Rows::File(file) => {
+            RowReader::File(file) => {
                 let refuse = |error| StudyError::input(Field::Input, Fault::Table(Box::new(error)));
                 let (values, width) = (file.read(count).map_err(refuse)?, file.width());
-                Ok(Block { first, count: values.len() / width.max(1), values, width })
+                Ok(RowBlock { first, count: values.len() / width.max(1), values, width })
             }
         }
     }

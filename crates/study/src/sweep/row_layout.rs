@@ -1,8 +1,8 @@
 //! Layout of the numbers of a row: joint positions first, then the travel of a point.
 
-use crate::evaluation::answer::Prepared;
+use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::pose::driver::Driver;
-use crate::pose::travel::Travel;
+use crate::pose::point_travel::PointTravel;
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::varied_values::VariedColumn;
@@ -16,13 +16,13 @@ use std::sync::Arc;
 
 /// Row layout with resolved names.
 #[derive(Debug)]
-pub(crate) struct Setting {
+pub(crate) struct RowLayout {
     /// Positions set and guessed by the question.
     base: Configuration,
     /// `base` without guesses, for a row that continues from another row.
-    following: Configuration,
-    joints: Vec<SetJoint>,
-    travel: Option<TravelAlong>,
+    base_without_guesses: Configuration,
+    joints: Vec<LayoutJoint>,
+    travel: Option<LayoutTravel>,
     pub columns: Arc<[VariedColumn]>,
     /// Field of the question that defines the rows.
     field: Field,
@@ -30,7 +30,7 @@ pub(crate) struct Setting {
 
 /// Joint set by the rows, and the range of its numbers in a row.
 #[derive(Debug)]
-struct SetJoint {
+struct LayoutJoint {
     joint: JointId,
     name: String,
     numbers: Range<usize>,
@@ -38,7 +38,7 @@ struct SetJoint {
 
 /// Travel that starts at the pose of the joints set before.
 #[derive(Debug)]
-struct TravelAlong {
+struct LayoutTravel {
     link: LinkId,
     point: Vector3<f64>,
     direction: Vector3<f64>,
@@ -46,15 +46,15 @@ struct TravelAlong {
     set: Vec<JointId>,
 }
 
-impl Setting {
+impl RowLayout {
     /// Layout of the ranges of a grid.
-    pub fn from_grid(prepared: &Prepared, ranges: &[Vary]) -> Result<Self, StudyError> {
+    pub fn from_grid(prepared: &PreparedQuestion, ranges: &[Vary]) -> Result<Self, StudyError> {
         let mechanism = prepared.system.mechanism();
         let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
         let mut travel = None;
         let mut joints = Vec::new();
         for (number, vary) in ranges.iter().enumerate() {
-            match &vary.what {
+            match &vary.quantity {
                 Varied::Joint(name) => {
                     let joint = single_joint(prepared, name)?;
                     if joints.contains(&joint) {
@@ -76,7 +76,7 @@ impl Setting {
             let by_question =
                 prepared.question.set.iter().filter_map(|(set, _)| mechanism.find_joint(set).ok());
             let set = joints.into_iter().chain(by_question).collect();
-            setting.travel = Some(TravelAlong { link, point, direction, set });
+            setting.travel = Some(LayoutTravel { link, point, direction, set });
             let column = VariedColumn {
                 name: ranges.last().map_or_else(String::new, Vary::name),
                 unit: "m",
@@ -88,7 +88,7 @@ impl Setting {
     }
 
     /// Layout of the positions of some joints, with all components in sequence.
-    pub fn from_joints(prepared: &Prepared, joints: &[JointId], field: Field) -> Self {
+    pub fn from_joints(prepared: &PreparedQuestion, joints: &[JointId], field: Field) -> Self {
         let mechanism = prepared.system.mechanism();
         let (mut set, mut columns, mut first) = (Vec::new(), Vec::new(), 0);
         for &joint in joints {
@@ -100,11 +100,11 @@ impl Setting {
                 unit: position_dimension(kind, i).unit(),
                 joint: Some(name.to_owned()),
             }));
-            set.push(SetJoint { joint, name: name.to_owned(), numbers });
+            set.push(LayoutJoint { joint, name: name.to_owned(), numbers });
         }
         Self {
             base: prepared.configuration.clone(),
-            following: prepared.configuration.clone().without_guesses(),
+            base_without_guesses: prepared.configuration.clone().without_guesses(),
             joints: set,
             travel: None,
             columns: columns.into(),
@@ -152,8 +152,8 @@ impl Setting {
 
     /// Configuration of a row. `followed`: the row continues from another row, so guesses are ignored.
     pub fn configuration(&self, values: &[f64], followed: bool) -> Result<Configuration, StudyError> {
-        let mut configuration = if followed { self.following.clone() } else { self.base.clone() };
-        for SetJoint { name, numbers, .. } in &self.joints {
+        let mut configuration = if followed { self.base_without_guesses.clone() } else { self.base.clone() };
+        for LayoutJoint { name, numbers, .. } in &self.joints {
             configuration
                 .set(name, &values[numbers.clone()])
                 .map_err(|error| StudyError::input(self.field, error))?;
@@ -162,30 +162,35 @@ impl Setting {
     }
 
     /// Configuration with all varied values at 0; quaternions are the identity.
-    pub fn at_zero(&self) -> Result<Configuration, StudyError> {
+    pub fn zero_configuration(&self) -> Result<Configuration, StudyError> {
         let zeros: Vec<f64> =
             self.joints.iter().flat_map(|set| self.base.get(set.joint)).copied().chain([0.0]).collect();
         self.configuration(&zeros, false)
     }
 
     /// Travel from the pose of the joints of a row, and the driver of the travel; `None` without a travel.
-    pub fn travel(&self, system: &System, values: &[f64]) -> Result<Option<(Travel, Driver)>, StudyError> {
+    pub fn travel(
+        &self,
+        system: &System,
+        values: &[f64],
+    ) -> Result<Option<(PointTravel, Driver)>, StudyError> {
         let Some(along) = &self.travel else { return Ok(None) };
         let base = self.configuration(values, false)?;
         let is_set = |joint: JointId| along.set.contains(&joint);
-        Travel::new(system, &base, self.field, along.link, along.point, along.direction, &is_set).map(Some)
+        PointTravel::new(system, &base, self.field, along.link, along.point, along.direction, &is_set)
+            .map(Some)
     }
 
     /// Largest displacement of a joint of a row from the positions `from`, rad or m, over joints with one
     /// number.
-    pub fn distance(&self, values: &[f64], from: impl Fn(JointId) -> f64) -> f64 {
+    pub fn largest_displacement(&self, values: &[f64], from: impl Fn(JointId) -> f64) -> f64 {
         let single = self.joints.iter().filter(|set| set.numbers.len() == 1);
         single.map(|set| (values[set.numbers.start] - from(set.joint)).abs()).fold(0.0, f64::max)
     }
 }
 
 /// Joint with this name, if a range can vary the joint.
-fn single_joint(prepared: &Prepared, name: &str) -> Result<JointId, StudyError> {
+fn single_joint(prepared: &PreparedQuestion, name: &str) -> Result<JointId, StudyError> {
     let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
     let mechanism = prepared.system.mechanism();
     let joint = mechanism.find_joint(name).map_err(|error| refuse(error.into()))?;

@@ -77,7 +77,7 @@ pub struct SweepEnd {
     /// Number of rows.
     pub rows: usize,
     /// Number of rows without a result.
-    pub unanswered: usize,
+    pub rows_without_result: usize,
     /// Reason for the first row without a result.
     pub first_error: Option<String>,
     /// Findings about the rows, each reported once. Findings about the file belong to the model.

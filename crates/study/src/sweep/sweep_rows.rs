@@ -1,25 +1,25 @@
 //! Evaluation of one contact at many rows of positions, with loops closed along one branch. Rows are handed out
 //! in order and are not stored.
 
-use crate::checks::finding::{Finding, Subject};
-use crate::evaluation::answer::Prepared;
+use crate::checks::finding::{Finding, FindingSubject};
+use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::evaluation::random_rows::RandomRows;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::PoseLayout;
-use crate::pose::unreachable_range::Untried;
+use crate::pose::unreachable_range::SkippedRows;
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::varied_values::VariedColumn;
 use crate::question::vary::{Varied, Vary};
-use crate::sweep::context::Swept;
+use crate::sweep::batch_evaluator::BatchEvaluator;
 use crate::sweep::continuation;
-use crate::sweep::lanes::InLanes;
 use crate::sweep::pipeline;
-use crate::sweep::row_blocks::Rows;
-use crate::sweep::row_layout::Setting;
+use crate::sweep::row_blocks::RowReader;
+use crate::sweep::row_layout::RowLayout;
+use crate::sweep::sweep_context::SweepContext;
 use crate::sweep::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
 use crate::tables::trajectory::Trajectory;
 use crate::thresholds::{GRID_ROWS, ROWS};
@@ -29,8 +29,8 @@ use std::sync::Arc;
 /// Prepared sweep: resolved names, checked numbers, known contact.
 #[derive(Debug)]
 pub struct Sweep<'a> {
-    context: Swept<'a>,
-    rows: Rows,
+    context: SweepContext<'a>,
+    rows: RowReader,
     /// Finding about the converted contact point.
     point_finding: Option<Finding>,
 }
@@ -83,29 +83,29 @@ impl<'a> Sweep<'a> {
         question: &'a MassQuestion,
         source: impl Into<RowSource>,
     ) -> Result<Self, StudyError> {
-        let prepared = Prepared::new(model, question)?;
-        let (setting, rows) = match with_travel(&prepared, source.into())? {
+        let prepared = PreparedQuestion::new(model, question)?;
+        let (setting, rows) = match append_travel(&prepared, source.into())? {
             RowSource::Grid(ranges) => grid(&prepared, &ranges)?,
             RowSource::File(file) => {
                 let refuse = |error| StudyError::input(Field::Input, Fault::Table(Box::new(error)));
                 let trajectory = Trajectory::open(&prepared, &file).map_err(refuse)?;
-                let setting = Setting::from_joints(&prepared, trajectory.joints(), Field::Input);
-                (setting, Rows::File(Box::new(trajectory)))
+                let setting = RowLayout::from_joints(&prepared, trajectory.joints(), Field::Input);
+                (setting, RowReader::File(Box::new(trajectory)))
             }
             RowSource::Random { count, seed } => {
                 if count == 0 || count > GRID_ROWS {
                     return Err(StudyError::input(Field::Random, Fault::RandomRows { count }));
                 }
                 let random = RandomRows::new(&prepared, count, seed)?;
-                (Setting::from_joints(&prepared, &random.joints, Field::Random), Rows::Random(random))
+                (RowLayout::from_joints(&prepared, &random.joints, Field::Random), RowReader::Random(random))
             }
         };
         let seed = match &rows {
-            Rows::Random(random) => Some(random.seed),
-            Rows::Grid(_) | Rows::File(_) => None,
+            RowReader::Random(random) => Some(random.seed),
+            RowReader::Grid(_) | RowReader::File(_) => None,
         };
         let mut inputs = prepared.inputs();
-        if let Rows::File(file) = &rows {
+        if let RowReader::File(file) = &rows {
             inputs.push(file.input.clone());
         }
         let travel = if setting.travels() && setting.width() == 1 {
@@ -113,17 +113,17 @@ impl<'a> Sweep<'a> {
         } else {
             None
         };
-        let contact = match prepared.contact_in_link() {
+        let contact = match prepared.pose_independent_contact() {
             Some(contact) => contact,
             None => {
                 let travel = travel.as_ref().map(|travel| &travel.0);
                 let reference = continuation::reference(&prepared.system, &setting, travel);
                 let is_varied = |joint: &str| is_varied(&setting.columns, joint);
-                prepared.contact_at(&reference.map_err(|error| error.of_varied(is_varied))?)
+                prepared.contact_at(&reference.map_err(|error| error.as_varied_fault(is_varied))?)
             }
         };
-        let about_point =
-            prepared.about_point(&contact, &format!("where {} is 0", setting.varied_description()));
+        let about_point = prepared
+            .converted_point_finding(&contact, &format!("where {} is 0", setting.varied_description()));
         let heading = SweepHeading {
             schema: "percuss.sweep/2",
             percuss: env!("CARGO_PKG_VERSION"),
@@ -134,8 +134,16 @@ impl<'a> Sweep<'a> {
             link: question.link.clone(),
             joints: PoseLayout::new(&model.mechanism),
         };
-        let (along, lanes) = (rows.along(), InLanes::new(&prepared, &setting, &contact));
-        let swept = Swept { prepared, setting, travel, contact, heading, along, lanes };
+        let (along, lanes) = (rows.distance_measure(), BatchEvaluator::new(&prepared, &setting, &contact));
+        let swept = SweepContext {
+            prepared,
+            row_layout: setting,
+            travel,
+            contact,
+            heading,
+            distance_measure: along,
+            batch_evaluator: lanes,
+        };
         Ok(Self { context: swept, rows, point_finding: about_point })
     }
 
@@ -155,7 +163,7 @@ impl<'a> Sweep<'a> {
     /// [`StudyError`], as for [`sweep()`], before the first row with a result. Later errors are recorded in
     /// their rows.
     pub fn run(self, each: &mut dyn FnMut(SweepRow) -> ControlFlow<()>) -> Result<SweepEnd, StudyError> {
-        self.run_made(&|row| row, each)
+        self.run_with_conversion(&|row| row, each)
     }
 
     /// Same as [`run`](Self::run), but `each` receives the values of `made(row)`. Any thread of rayon's pool
@@ -163,14 +171,14 @@ impl<'a> Sweep<'a> {
     ///
     /// # Errors
     /// As for [`run`](Self::run).
-    pub fn run_made<T: Send>(
+    pub fn run_with_conversion<T: Send>(
         self,
         made: &(dyn Fn(SweepRow) -> T + Sync),
         each: &mut dyn FnMut(T) -> ControlFlow<()>,
     ) -> Result<SweepEnd, StudyError> {
         let Self { context: swept, rows, point_finding: about_point } = self;
         let came = pipeline::run(&swept, rows, made, each)
-            .map_err(|error| error.of_varied(|joint| is_varied(&swept.heading.varied, joint)))?;
+            .map_err(|error| error.as_varied_fault(|joint| is_varied(&swept.heading.varied, joint)))?;
         let mut end = came.end;
         let of_all =
             about_point.into_iter().chain(continuation_finding(&swept.prepared, swept.heading.continuation));
@@ -186,21 +194,21 @@ fn is_varied(columns: &[VariedColumn], joint: &str) -> bool {
 }
 
 /// Appends a travel of the question to the ranges, as last range with one value.
-fn with_travel(prepared: &Prepared, source: RowSource) -> Result<RowSource, StudyError> {
+fn append_travel(prepared: &PreparedQuestion, source: RowSource) -> Result<RowSource, StudyError> {
     match (&prepared.question.travel[..], source) {
         ([], source) => Ok(source),
         ([travel], RowSource::Grid(mut ranges))
-            if ranges.iter().all(|vary| matches!(vary.what, Varied::Joint(_))) =>
+            if ranges.iter().all(|vary| matches!(vary.quantity, Varied::Joint(_))) =>
         {
             ranges.push(travel.as_range());
             Ok(RowSource::Grid(ranges))
         }
-        _ => Err(StudyError::input(Field::Travel, Fault::TravelOfRows)),
+        _ => Err(StudyError::input(Field::Travel, Fault::TravelExcludedByRows)),
     }
 }
 
 /// Row layout and rows of a grid.
-fn grid(prepared: &Prepared, ranges: &[Vary]) -> Result<(Setting, Rows), StudyError> {
+fn grid(prepared: &PreparedQuestion, ranges: &[Vary]) -> Result<(RowLayout, RowReader), StudyError> {
     let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
     if let Some(vary) = ranges.iter().find(|vary| !ROWS.contains(&vary.count)) {
         return Err(refuse(Fault::Rows { count: vary.count }));
@@ -212,21 +220,21 @@ fn grid(prepared: &Prepared, ranges: &[Vary]) -> Result<(Setting, Rows), StudyEr
     if ranges.len() > 1 && count > GRID_ROWS as u128 {
         return Err(refuse(Fault::Combinations { count }));
     }
-    let setting = Setting::from_grid(prepared, ranges)?;
+    let setting = RowLayout::from_grid(prepared, ranges)?;
     let values = |(column, vary): (usize, &Vary)| {
         vary.values(setting.dimension(column)).map_err(|error| refuse(Fault::Range(error)))
     };
     let values = ranges.iter().enumerate().map(values).collect::<Result<Vec<_>, _>>()?;
-    Ok((setting, Rows::Grid(values)))
+    Ok((setting, RowReader::Grid(values)))
 }
 
-fn has_loops(prepared: &Prepared) -> bool {
+fn has_loops(prepared: &PreparedQuestion) -> bool {
     let system = &prepared.system;
     system.mechanism().joint_ids().any(|joint| system.is_bound(joint))
 }
 
 /// Continuation of the rows. Without loops no pose depends on another pose.
-fn continuation(prepared: &Prepared, rows: &Rows) -> Continuation {
+fn continuation(prepared: &PreparedQuestion, rows: &RowReader) -> Continuation {
     if !has_loops(prepared) {
         return Continuation::Independent;
     }
@@ -238,7 +246,7 @@ fn continuation(prepared: &Prepared, rows: &Rows) -> Continuation {
 }
 
 /// Finding about the continuation of the rows, if the mechanism has loops.
-fn continuation_finding(prepared: &Prepared, continuation: Continuation) -> Option<Finding> {
+fn continuation_finding(prepared: &PreparedQuestion, continuation: Continuation) -> Option<Finding> {
     if !has_loops(prepared) {
         return None;
     }
@@ -251,15 +259,15 @@ fn continuation_finding(prepared: &Prepared, continuation: Continuation) -> Opti
         }
         Continuation::Independent => "each row starts from the first closed pose: rows are independent",
     };
-    Some(Finding::note("rows-followed", Subject::Answer, message))
+    Some(Finding::note("rows-followed", FindingSubject::Result, message))
 }
 
 /// Finding with the number of rows that were not tried, and the reason.
-fn skipped_rows_finding(untried: Untried) -> Finding {
-    let Untried { count, first, found_by } = untried;
+fn skipped_rows_finding(untried: SkippedRows) -> Finding {
+    let SkippedRows { count, first, found_by } = untried;
     let message = format!(
         "{count} row(s) were not tried, row {first} the first: they are at least as far away as the end of the \
          reachable range found by row {found_by} (the error of that row states the reason)"
     );
-    Finding::note("rows-not-tried", Subject::Answer, message)
+    Finding::note("rows-not-tried", FindingSubject::Result, message)
 }

@@ -1,6 +1,6 @@
 //! Columns of a position file: joint, component and unit of each column.
 
-use crate::evaluation::answer::Prepared;
+use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::question::table_error::{TableError, TableFault};
 use crate::units::quantity::{Unit, position_dimension};
 use percuss_mechanism::{JointId, Mechanism};
@@ -8,15 +8,15 @@ use std::collections::HashMap;
 
 /// Target and unit of the cells in a column.
 #[derive(Clone, Copy, Debug)]
-struct Cell {
+struct ColumnTarget {
     /// Index in the numbers of a row.
     value: usize,
     unit: Unit,
 }
 
-impl Cell {
+impl ColumnTarget {
     /// Stores a number, converted to SI units, in a row. Returns false if the number is not finite.
-    fn put(&self, read: f64, values: &mut [f64]) -> bool {
+    fn store(&self, read: f64, values: &mut [f64]) -> bool {
         let value = self.unit.to_si(read);
         if value.is_finite() {
             values[self.value] = value;
@@ -30,7 +30,7 @@ impl Cell {
 pub(crate) struct Columns {
     names: Vec<String>,
     /// Cell of each column; `None` for an ignored column.
-    cells: Vec<Option<Cell>>,
+    targets: Vec<Option<ColumnTarget>>,
     /// Joints in the order of their first columns. The numbers of a row are in the same order, those of a joint contiguous.
     pub joints: Vec<JointId>,
     /// Number of numbers in a row.
@@ -39,7 +39,7 @@ pub(crate) struct Columns {
 
 /// Position component of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-struct Number {
+struct PositionComponent {
     joint: JointId,
     component: usize,
 }
@@ -47,21 +47,21 @@ struct Number {
 impl Columns {
     /// Columns for these names; `at_names` is the position of the names in the file.
     pub fn new(
-        prepared: &Prepared,
+        prepared: &PreparedQuestion,
         names: Vec<String>,
         ignore: &[String],
         at_names: impl Fn(TableFault) -> TableError,
     ) -> Result<Self, TableError> {
         let mechanism = prepared.system.mechanism();
-        let known = numbers_by_name(mechanism);
-        let mut found: Vec<Option<(Number, Unit)>> = Vec::with_capacity(names.len());
+        let known = components_by_name(mechanism);
+        let mut found: Vec<Option<(PositionComponent, Unit)>> = Vec::with_capacity(names.len());
         for (at, name) in names.iter().enumerate() {
             let refuse = |fault: TableFault| at_names(fault).in_column(at, name);
             if ignore.contains(name) {
                 found.push(None);
                 continue;
             }
-            let (number, unit) = read_name(mechanism, &known, name).map_err(refuse)?;
+            let (number, unit) = parse_column_name(mechanism, &known, name).map_err(refuse)?;
             let joint = mechanism.joint(number.joint);
             if let Some(mimic) = joint.mimic() {
                 let master = mechanism.joint(mimic.master).name().to_owned();
@@ -88,20 +88,22 @@ impl Columns {
             let positions = mechanism.joint(joint).kind().positions();
             width += positions;
             let given = |component: &usize| {
-                found.iter().flatten().any(|(n, _)| *n == Number { joint, component: *component })
+                found.iter().flatten().any(|(n, _)| *n == PositionComponent { joint, component: *component })
             };
             missing.extend((0..positions).filter(|i| !given(i)).map(|i| column_name(mechanism, joint, i)));
         }
         if !missing.is_empty() {
             return Err(at_names(TableFault::Missing { columns: missing }));
         }
-        let cell =
-            |(number, unit): (Number, Unit)| Cell { value: starts[&number.joint] + number.component, unit };
-        Ok(Self { cells: found.into_iter().map(|f| f.map(cell)).collect(), names, joints, width })
+        let cell = |(number, unit): (PositionComponent, Unit)| ColumnTarget {
+            value: starts[&number.joint] + number.component,
+            unit,
+        };
+        Ok(Self { targets: found.into_iter().map(|f| f.map(cell)).collect(), names, joints, width })
     }
 
     /// Names of joints outside loops that neither a column nor the query sets.
-    pub fn unset_outside_loops(&self, prepared: &Prepared) -> Vec<String> {
+    pub fn unset_outside_loops(&self, prepared: &PreparedQuestion) -> Vec<String> {
         let mechanism = prepared.system.mechanism();
         let free = |joint: &JointId| {
             let found = mechanism.joint(*joint);
@@ -111,7 +113,7 @@ impl Columns {
     }
 
     /// Column names for the joints among `joints` that neither a column nor the query sets.
-    pub fn unset(&self, prepared: &Prepared, joints: impl Iterator<Item = JointId>) -> Vec<String> {
+    pub fn unset(&self, prepared: &PreparedQuestion, joints: impl Iterator<Item = JointId>) -> Vec<String> {
         let mechanism = prepared.system.mechanism();
         let is_set = |joint: &JointId| {
             let name = mechanism.joint(*joint).name();
@@ -124,30 +126,30 @@ impl Columns {
     }
 
     /// First column of a joint: index, from 0, and name.
-    pub fn of_joint(&self, joint: JointId, mechanism: &Mechanism) -> Option<(usize, &str)> {
+    pub fn joint_column(&self, joint: JointId, mechanism: &Mechanism) -> Option<(usize, &str)> {
         let before = self.joints.iter().take_while(|other| **other != joint);
         let start: usize = before.map(|other| mechanism.joint(*other).kind().positions()).sum();
-        let at = self.cells.iter().position(|cell| cell.is_some_and(|cell| cell.value == start))?;
+        let at = self.targets.iter().position(|cell| cell.is_some_and(|cell| cell.value == start))?;
         Some((at, &self.names[at]))
     }
 
     /// Reads the numbers of a row from the text of the cells.
-    pub fn read<'c>(
+    pub fn parse_row<'c>(
         &self,
         cells: impl ExactSizeIterator<Item = &'c str>,
         values: &mut [f64],
         at: impl Fn(TableFault) -> TableError,
     ) -> Result<(), TableError> {
-        if cells.len() != self.cells.len() {
-            return Err(at(TableFault::Cells { got: cells.len(), expected: self.cells.len() }));
+        if cells.len() != self.targets.len() {
+            return Err(at(TableFault::Cells { got: cells.len(), expected: self.targets.len() }));
         }
-        for (number, (text, cell)) in cells.zip(&self.cells).enumerate() {
+        for (number, (text, cell)) in cells.zip(&self.targets).enumerate() {
             let Some(cell) = cell else { continue };
             let fault = match text.parse::<f64>() {
-                Ok(read) if cell.put(read, values) => continue,
-                Ok(_) => TableFault::NotFinite { text: shortened(text) },
+                Ok(read) if cell.store(read, values) => continue,
+                Ok(_) => TableFault::NotFinite { text: shorten_cell(text) },
                 Err(_) if text.is_empty() => TableFault::Empty,
-                Err(_) => TableFault::NoNumber { text: shortened(text) },
+                Err(_) => TableFault::NoNumber { text: shorten_cell(text) },
             };
             return Err(at(fault).in_column(number, &self.names[number]));
         }
@@ -155,16 +157,16 @@ impl Columns {
     }
 
     /// Stores the numbers of a row; `numbers`: column index and number, `None` for a null.
-    pub fn take(
+    pub fn store_row(
         &self,
         numbers: impl Iterator<Item = (usize, Option<f64>)>,
         values: &mut [f64],
         at: impl Fn(TableFault) -> TableError,
     ) -> Result<(), TableError> {
         for (number, read) in numbers {
-            let Some(cell) = &self.cells[number] else { continue };
+            let Some(cell) = &self.targets[number] else { continue };
             let fault = match read {
-                Some(read) if cell.put(read, values) => continue,
+                Some(read) if cell.store(read, values) => continue,
                 Some(read) => TableFault::NotFinite { text: read.to_string() },
                 None => TableFault::Null,
             };
@@ -174,13 +176,13 @@ impl Columns {
     }
 
     /// Indices of the columns that are not ignored.
-    pub fn chosen(&self) -> impl Iterator<Item = usize> {
-        self.cells.iter().enumerate().filter(|(_, cell)| cell.is_some()).map(|(number, _)| number)
+    pub fn selected_columns(&self) -> impl Iterator<Item = usize> {
+        self.targets.iter().enumerate().filter(|(_, cell)| cell.is_some()).map(|(number, _)| number)
     }
 }
 
 /// Text of a cell for a message, at most 40 characters.
-fn shortened(text: &str) -> String {
+fn shorten_cell(text: &str) -> String {
     if text.chars().count() > 40 { text.chars().take(40).chain(['…']).collect() } else { text.to_owned() }
 }
 
@@ -194,20 +196,21 @@ fn column_name(mechanism: &Mechanism, joint: JointId, component: usize) -> Strin
 }
 
 /// Position components of all joints by column name.
-fn numbers_by_name(mechanism: &Mechanism) -> HashMap<String, Number> {
+fn components_by_name(mechanism: &Mechanism) -> HashMap<String, PositionComponent> {
     let numbers = mechanism.joint_ids().flat_map(|joint| {
-        (0..mechanism.joint(joint).kind().positions()).map(move |component| Number { joint, component })
+        (0..mechanism.joint(joint).kind().positions())
+            .map(move |component| PositionComponent { joint, component })
     });
     numbers.map(|n| (column_name(mechanism, n.joint, n.component), n)).collect()
 }
 
 /// Position component and unit for a column name.
-fn read_name(
+fn parse_column_name(
     mechanism: &Mechanism,
-    known: &HashMap<String, Number>,
+    known: &HashMap<String, PositionComponent>,
     name: &str,
-) -> Result<(Number, Unit), TableFault> {
-    let expected = |n: Number| position_dimension(mechanism.joint(n.joint).kind(), n.component);
+) -> Result<(PositionComponent, Unit), TableFault> {
+    let expected = |n: PositionComponent| position_dimension(mechanism.joint(n.joint).kind(), n.component);
     if let Some(&number) = known.get(name) {
         return Ok((number, Unit::SI));
     }
@@ -218,7 +221,7 @@ fn read_name(
     if let Some(written) = name.strip_prefix('\'')
         && written.starts_with(['=', '+', '-', '@', '\t', '\r'])
     {
-        return read_name(mechanism, known, written);
+        return parse_column_name(mechanism, known, written);
     }
     let with_unit = name.strip_suffix(']').and_then(|name| name.rsplit_once('['));
     if let Some((before, unit)) = with_unit
@@ -241,7 +244,7 @@ fn read_name(
 }
 
 /// Refuses a header with a single name that contains semicolons or tabs: the separator of the file is no comma.
-pub(crate) fn separated_by_commas(names: &[String]) -> Result<(), TableFault> {
+pub(crate) fn check_separator(names: &[String]) -> Result<(), TableFault> {
     let [name] = names else { return Ok(()) };
     for separator in [';', '\t'] {
         let count = name.matches(separator).count();

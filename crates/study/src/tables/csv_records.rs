@@ -6,7 +6,7 @@ use std::io::{BufRead, Read};
 use std::ops::Range;
 
 /// Records of a text with their line numbers.
-pub(crate) struct Records<R> {
+pub(crate) struct CsvRecords<R> {
     input: R,
     path: String,
     /// Number of the next line, from 1.
@@ -18,7 +18,7 @@ pub(crate) struct Records<R> {
     cells: Vec<Range<usize>>,
 }
 
-impl<R: BufRead> Records<R> {
+impl<R: BufRead> CsvRecords<R> {
     pub fn new(input: R, path: &str) -> Self {
         let (bytes, text, cells) = (Vec::new(), String::new(), Vec::new());
         Self { input, path: path.to_owned(), next: 1, line: 0, bytes, text, cells }
@@ -39,7 +39,7 @@ impl<R: BufRead> Records<R> {
         loop {
             self.bytes.clear();
             self.line = self.next;
-            if !self.read_line()? {
+            if !self.append_line()? {
                 return Ok(false);
             }
             // A line break within quotes belongs to a cell. Each byte is examined once.
@@ -50,8 +50,8 @@ impl<R: BufRead> Records<R> {
                 if !in_quotes {
                     break;
                 }
-                if !self.read_line()? {
-                    return Err(self.fault(TableFault::OpenQuote));
+                if !self.append_line()? {
+                    return Err(self.record_error(TableFault::OpenQuote));
                 }
             }
             while self.bytes.last().is_some_and(|byte| matches!(byte, b'\n' | b'\r')) {
@@ -63,7 +63,7 @@ impl<R: BufRead> Records<R> {
                 continue;
             }
             let Ok(text) = std::str::from_utf8(bytes) else {
-                return Err(self.fault(TableFault::NotText));
+                return Err(self.record_error(TableFault::NotText));
             };
             self.text.clear();
             self.cells.clear();
@@ -73,19 +73,19 @@ impl<R: BufRead> Records<R> {
     }
 
     /// Appends a line to the bytes; false at the end.
-    fn read_line(&mut self) -> Result<bool, TableError> {
+    fn append_line(&mut self) -> Result<bool, TableError> {
         let room = (LONGEST_RECORD + 1).saturating_sub(self.bytes.len()) as u64;
         let read = self.input.by_ref().take(room).read_until(b'\n', &mut self.bytes);
         let read = read.map_err(|error| TableError::unreadable(&self.path, &error))?;
         if self.bytes.len() > LONGEST_RECORD {
-            return Err(self.fault(TableFault::TooLong));
+            return Err(self.record_error(TableFault::TooLong));
         }
         self.next += 1;
         Ok(read > 0)
     }
 
     /// Error of the last record.
-    pub fn fault(&self, fault: TableFault) -> TableError {
+    pub fn record_error(&self, fault: TableFault) -> TableError {
         TableError::at_line(&self.path, self.line, fault)
     }
 }
@@ -132,7 +132,7 @@ mod tests {
     use super::*;
 
     fn records(text: &[u8]) -> Result<Vec<Vec<String>>, TableError> {
-        let mut records = Records::new(text, "t.csv");
+        let mut records = CsvRecords::new(text, "t.csv");
         let mut found = Vec::new();
         while records.read()? {
             found.push(records.cells().map(str::to_owned).collect());

@@ -2,7 +2,7 @@
 //! and their size is limited.
 
 use crate::question::table_error::TableFault;
-use crate::tables::parquet_bounds::{self as bounds, Fault};
+use crate::tables::parquet_bounds::{self as bounds, HeaderFault};
 use crate::thresholds::{LARGEST_DESCRIPTION, LONGEST_PAGE_HEADER, USUAL_PAGE_HEADER};
 use bytes::Bytes;
 use parquet::basic::Encoding;
@@ -36,24 +36,26 @@ pub(crate) fn is_parquet_file(path: &str) -> bool {
 }
 
 /// Storage of the bytes.
-pub(crate) enum Stored {
+pub(crate) enum ParquetStorage {
     File(Mutex<File>),
-    Kept(Arc<[u8]>),
+    Memory(Arc<[u8]>),
 }
 
 /// Parquet file.
-pub(crate) struct Source {
-    stored: Stored,
+pub(crate) struct ParquetSource {
+    stored: ParquetStorage,
     length: u64,
     /// Largest allowed size of a page, bytes, in the file or in memory.
     largest_page: u64,
 }
 
-impl Source {
-    pub fn new(stored: Stored) -> io::Result<Self> {
+impl ParquetSource {
+    pub fn new(stored: ParquetStorage) -> io::Result<Self> {
         let length = match &stored {
-            Stored::File(file) => file.lock().unwrap_or_else(PoisonError::into_inner).metadata()?.len(),
-            Stored::Kept(bytes) => bytes.len() as u64,
+            ParquetStorage::File(file) => {
+                file.lock().unwrap_or_else(PoisonError::into_inner).metadata()?.len()
+            }
+            ParquetStorage::Memory(bytes) => bytes.len() as u64,
         };
         Ok(Self { stored, length, largest_page: 0 })
     }
@@ -67,14 +69,14 @@ impl Source {
     fn bytes(&self, start: u64, count: u64) -> io::Result<Vec<u8>> {
         let count = count.min(self.length.saturating_sub(start));
         match &self.stored {
-            Stored::File(file) => {
+            ParquetStorage::File(file) => {
                 let mut file = file.lock().unwrap_or_else(PoisonError::into_inner);
                 file.seek(SeekFrom::Start(start))?;
                 let mut bytes = Vec::new();
                 (&mut *file).take(count).read_to_end(&mut bytes)?;
                 Ok(bytes)
             }
-            Stored::Kept(bytes) => {
+            ParquetStorage::Memory(bytes) => {
                 // Start and count are at most the length of the slice.
                 let start = usize::try_from(start).unwrap_or(usize::MAX).min(bytes.len());
                 let count = usize::try_from(count).unwrap_or_default();
@@ -84,7 +86,7 @@ impl Source {
     }
 
     /// File metadata (columns and row groups) from the footer.
-    pub fn description(&self) -> Result<ParquetMetaData, TableFault> {
+    pub fn read_metadata(&self) -> Result<ParquetMetaData, TableFault> {
         let unreadable = |error: io::Error| TableFault::Unreadable { why: error.to_string() };
         let end = self.bytes(self.length.saturating_sub(8), 8).map_err(unreadable)?;
         let begin = self.bytes(0, 4).map_err(unreadable)?;
@@ -108,34 +110,34 @@ impl Source {
             )));
         }
         let bytes = self.bytes(start, length).map_err(unreadable)?;
-        bounds::description(&bytes).map_err(|fault| malformed(said(fault)))?;
-        ParquetMetaDataReader::decode_metadata(&bytes).map_err(|error| malformed(words(error)))
+        bounds::check_file_metadata(&bytes).map_err(|fault| malformed(header_fault_text(fault)))?;
+        ParquetMetaDataReader::decode_metadata(&bytes).map_err(|error| malformed(reader_error_text(error)))
     }
 }
 
 /// Text of a header fault.
-fn said(fault: Fault) -> String {
+fn header_fault_text(fault: HeaderFault) -> String {
     match fault {
-        Fault::Ended => "it ends too early".into(),
-        Fault::Wrong(why) => why.into(),
+        HeaderFault::Truncated => "it ends too early".into(),
+        HeaderFault::Malformed(why) => why.into(),
     }
 }
 
 /// Text of a reader error, without the kind of the error.
-pub(crate) fn words(error: ParquetError) -> String {
+pub(crate) fn reader_error_text(error: ParquetError) -> String {
     match error {
         ParquetError::General(why) | ParquetError::NYI(why) | ParquetError::EOF(why) => why,
         other => other.to_string(),
     }
 }
 
-impl Length for Source {
+impl Length for ParquetSource {
     fn len(&self) -> u64 {
         self.length
     }
 }
 
-impl ChunkReader for Source {
+impl ChunkReader for ParquetSource {
     type T = Cursor<Bytes>;
 
     /// Bytes of a page header.
@@ -151,22 +153,26 @@ impl ChunkReader for Source {
                     )));
                 }
                 Ok(_) => return Ok(Cursor::new(bytes.into())),
-                Err(Fault::Ended) if bytes.len() as u64 == most && most < LONGEST_PAGE_HEADER => {}
-                Err(fault) => return Err(ParquetError::General(said(fault))),
+                Err(HeaderFault::Truncated) if bytes.len() as u64 == most && most < LONGEST_PAGE_HEADER => {}
+                Err(fault) => return Err(ParquetError::General(header_fault_text(fault))),
             }
         }
-        Err(ParquetError::General(said(Fault::Ended)))
+        Err(ParquetError::General(header_fault_text(HeaderFault::Truncated)))
     }
 
     fn get_bytes(&self, start: u64, length: usize) -> Result<Bytes> {
         let bytes = self.bytes(start, length as u64)?;
-        if bytes.len() == length { Ok(bytes.into()) } else { Err(ParquetError::EOF(said(Fault::Ended))) }
+        if bytes.len() == length {
+            Ok(bytes.into())
+        } else {
+            Err(ParquetError::EOF(header_fault_text(HeaderFault::Truncated)))
+        }
     }
 }
 
 /// Pages of a column. Each page is checked for properties that the reader assumes without a check.
-pub(crate) struct Pages {
-    pages: SerializedPageReader<Source>,
+pub(crate) struct CheckedPages {
+    pages: SerializedPageReader<ParquetSource>,
     /// True if nulls are possible; pages then begin with definition levels.
     has_levels: bool,
     /// Size of a value, bytes.
@@ -174,8 +180,8 @@ pub(crate) struct Pages {
     has_dictionary: bool,
 }
 
-impl Pages {
-    pub fn new(pages: SerializedPageReader<Source>, has_levels: bool, width: usize) -> Self {
+impl CheckedPages {
+    pub fn new(pages: SerializedPageReader<ParquetSource>, has_levels: bool, width: usize) -> Self {
         Self { pages, has_levels, width, has_dictionary: false }
     }
 
@@ -215,7 +221,7 @@ impl Pages {
             Encoding::BYTE_STREAM_SPLIT => {
                 wrong("a page has another number of values than rows: nulls, or damage")
             }
-            Encoding::DELTA_BINARY_PACKED if bounds::differences(bytes) > 0 || count == 0 => Ok(()),
+            Encoding::DELTA_BINARY_PACKED if bounds::delta_value_count(bytes) > 0 || count == 0 => Ok(()),
             Encoding::DELTA_BINARY_PACKED => wrong("a page has no values"),
             Encoding::RLE_DICTIONARY | Encoding::PLAIN_DICTIONARY if self.has_dictionary => Ok(()),
             Encoding::RLE_DICTIONARY | Encoding::PLAIN_DICTIONARY => {
@@ -234,7 +240,7 @@ fn after(bytes: &[u8], count: Option<u64>) -> Option<&[u8]> {
     bytes.get(usize::try_from(count?).ok()?..)
 }
 
-impl Iterator for Pages {
+impl Iterator for CheckedPages {
     type Item = Result<Page>;
 
     fn next(&mut self) -> Option<Self::Item> {
@@ -242,7 +248,7 @@ impl Iterator for Pages {
     }
 }
 
-impl PageReader for Pages {
+impl PageReader for CheckedPages {
     fn get_next_page(&mut self) -> Result<Option<Page>> {
         let page = self.pages.get_next_page()?;
         if let Some(page) = &page {

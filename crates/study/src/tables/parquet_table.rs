@@ -1,8 +1,8 @@
 //! Table in Parquet (apache/parquet-format), read row by row in bounded memory: one page per column.
 
 use crate::question::table_error::{TableError, TableFault};
-use crate::tables::parquet_source::{Pages, Source, Stored, words};
-use crate::thresholds::{GRID_ROWS, PAGES, PARQUET_ROWS, SMALLEST_LARGEST_PAGE};
+use crate::tables::parquet_source::{CheckedPages, ParquetSource, ParquetStorage, reader_error_text};
+use crate::thresholds::{ALWAYS_ACCEPTED_PAGE, GRID_ROWS, LARGEST_PAGE_MEMORY, PARQUET_ROWS};
 use parquet::basic::{Compression, ConvertedType, LogicalType, Type as Physical};
 use parquet::column::reader::{ColumnReaderImpl, get_column_reader, get_typed_column_reader};
 use parquet::data_type::{DataType, DoubleType, FloatType, Int32Type, Int64Type};
@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// Number type of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum NumberType {
     Double,
     Float,
     /// Integer of 32 bits.
@@ -26,52 +26,52 @@ enum Kind {
     },
 }
 
-impl Kind {
+impl NumberType {
     /// Size of a value, bytes.
     fn width(self) -> usize {
         match self {
-            Kind::Float | Kind::Int { .. } => 4,
-            Kind::Double | Kind::Long { .. } => 8,
+            NumberType::Float | NumberType::Int { .. } => 4,
+            NumberType::Double | NumberType::Long { .. } => 8,
         }
     }
 }
 
 /// Selected column.
-struct Column {
+struct SelectedColumn {
     /// Index among the columns of the table.
     number: usize,
     /// Index among the leaf columns; nested columns have several leaves.
     leaf: usize,
-    kind: Kind,
+    kind: NumberType,
     /// Reader of the current row group; `None` before the first group.
-    reader: Option<Reader>,
+    reader: Option<ColumnValueReader>,
     values: Vec<Option<f64>>,
 }
 
 /// Table and the current row.
 pub(crate) struct ParquetTable {
     path: String,
-    source: Arc<Source>,
-    description: ParquetMetaData,
+    source: Arc<ParquetSource>,
+    metadata: ParquetMetaData,
     names: Vec<String>,
-    columns: Vec<Column>,
+    columns: Vec<SelectedColumn>,
     /// Index of the next row group.
     group: usize,
     /// Number of rows of the current group that are not in `values` yet.
     left: usize,
     /// Index of the next row in `values`, and the number of rows in `values`.
     next: usize,
-    held: usize,
+    rows_read: usize,
     /// Number of the last row, from 0.
     row: Option<usize>,
 }
 
 impl ParquetTable {
     /// Reads the file metadata.
-    pub fn open(stored: Stored, path: &str) -> Result<Self, TableError> {
-        let refuse = |fault| TableError::of_file(path, fault);
-        let source = Source::new(stored).map_err(|error| TableError::unreadable(path, &error))?;
-        let description = guarded(|| source.description()).map_err(refuse)?;
+    pub fn open(stored: ParquetStorage, path: &str) -> Result<Self, TableError> {
+        let refuse = |fault| TableError::in_file(path, fault);
+        let source = ParquetSource::new(stored).map_err(|error| TableError::unreadable(path, &error))?;
+        let description = catch_reader_panic(|| source.read_metadata()).map_err(refuse)?;
         let names: Vec<String> = fields(&description).iter().map(|field| field.name().to_owned()).collect();
         let rows = description.row_groups().iter().map(|group| u128::try_from(group.num_rows()).unwrap_or(0));
         let rows: u128 = rows.sum();
@@ -83,13 +83,13 @@ impl ParquetTable {
         Ok(Self {
             path,
             source,
-            description,
+            metadata: description,
             names,
             columns: Vec::new(),
             group: 0,
             left: 0,
             next: 0,
-            held: 0,
+            rows_read: 0,
             row: None,
         })
     }
@@ -100,15 +100,15 @@ impl ParquetTable {
     }
 
     /// Selects the columns to read, by index. The columns must hold plain numbers.
-    pub fn choose(&mut self, numbers: impl Iterator<Item = usize>) -> Result<(), TableError> {
+    pub fn select_columns(&mut self, numbers: impl Iterator<Item = usize>) -> Result<(), TableError> {
         for number in numbers {
             let refuse = |fault: TableFault| {
-                TableError::of_file(&self.path, fault).in_column(number, &self.names[number])
+                TableError::in_file(&self.path, fault).in_column(number, &self.names[number])
             };
-            let (leaf, kind) = guarded(|| self.kind(number)).map_err(refuse)?;
-            self.columns.push(Column { number, leaf, kind, reader: None, values: Vec::new() });
+            let (leaf, kind) = catch_reader_panic(|| self.column_type(number)).map_err(refuse)?;
+            self.columns.push(SelectedColumn { number, leaf, kind, reader: None, values: Vec::new() });
         }
-        let each = (PAGES / self.columns.len().max(1) as u64).max(SMALLEST_LARGEST_PAGE);
+        let each = (LARGEST_PAGE_MEMORY / self.columns.len().max(1) as u64).max(ALWAYS_ACCEPTED_PAGE);
         match Arc::get_mut(&mut self.source) {
             Some(source) => source.limit_pages(each),
             None => debug_assert!(false, "no column is read yet"),
@@ -117,20 +117,20 @@ impl ParquetTable {
     }
 
     /// Leaf index and number type of a column.
-    fn kind(&self, number: usize) -> Result<(usize, Kind), TableFault> {
+    fn column_type(&self, number: usize) -> Result<(usize, NumberType), TableFault> {
         let refuse = |got: String| TableFault::ColumnKind { got };
-        let all = fields(&self.description);
-        let leaf: usize = all[..number].iter().map(|field| leaves(field)).sum();
+        let all = fields(&self.metadata);
+        let leaf: usize = all[..number].iter().map(|field| leaf_count(field)).sum();
         if all[number].is_group() {
             return Err(refuse("lists or records".into()));
         }
-        let schema = self.description.file_metadata().schema_descr();
+        let schema = self.metadata.file_metadata().schema_descr();
         let column = schema.column(leaf);
         if column.max_rep_level() > 0 || column.max_def_level() > 1 {
             return Err(refuse("lists or records".into()));
         }
-        let kind = kind(&column).map_err(refuse)?;
-        for group in self.description.row_groups() {
+        let kind = number_type(&column).map_err(refuse)?;
+        for group in self.metadata.row_groups() {
             let Some(chunk) = group.columns().get(leaf) else {
                 return Err(malformed("a group of rows lacks a column"));
             };
@@ -155,9 +155,9 @@ impl ParquetTable {
     }
 
     /// Advances to the next row. Returns false at the end.
-    pub fn read(&mut self) -> Result<bool, TableError> {
-        if self.next == self.held
-            && !self.read_some().map_err(|fault| TableError::of_file(&self.path, fault))?
+    pub fn next_row(&mut self) -> Result<bool, TableError> {
+        if self.next == self.rows_read
+            && !self.read_rows().map_err(|fault| TableError::in_file(&self.path, fault))?
         {
             return Ok(false);
         }
@@ -172,31 +172,31 @@ impl ParquetTable {
     }
 
     /// Error at the current row.
-    pub fn fault(&self, fault: TableFault) -> TableError {
-        TableError { row: self.row, ..TableError::of_file(&self.path, fault) }
+    pub fn row_error(&self, fault: TableFault) -> TableError {
+        TableError { row: self.row, ..TableError::in_file(&self.path, fault) }
     }
 
     /// Reads the next rows into `values`. Returns false at the end.
-    fn read_some(&mut self) -> Result<bool, TableFault> {
+    fn read_rows(&mut self) -> Result<bool, TableFault> {
         while self.left == 0 {
-            if self.group == self.description.num_row_groups() {
+            if self.group == self.metadata.num_row_groups() {
                 return Ok(false);
             }
-            guarded(|| self.begin_group())?;
+            catch_reader_panic(|| self.begin_group())?;
         }
         let count = self.left.min(PARQUET_ROWS);
         for column in &mut self.columns {
             column.values.clear();
             let Some(reader) = &mut column.reader else { continue };
-            guarded(|| reader.read(count, &mut column.values))?;
+            catch_reader_panic(|| reader.read(count, &mut column.values))?;
         }
-        (self.next, self.held) = (0, count);
+        (self.next, self.rows_read) = (0, count);
         self.left -= count;
         Ok(true)
     }
 
     fn begin_group(&mut self) -> Result<(), TableFault> {
-        let group = self.description.row_group(self.group);
+        let group = self.metadata.row_group(self.group);
         self.group += 1;
         self.left = usize::try_from(group.num_rows())
             .map_err(|_| malformed("a group of rows has a negative number of them"))?;
@@ -204,16 +204,20 @@ impl ParquetTable {
             let chunk = group.column(column.leaf);
             let source = Arc::clone(&self.source);
             let pages = SerializedPageReader::new(source, chunk, self.left, None);
-            let pages = pages.map_err(|error| malformed(words(error)))?;
+            let pages = pages.map_err(|error| malformed(reader_error_text(error)))?;
             let descriptor = chunk.column_descr_ptr();
             let has_levels = descriptor.max_def_level() > 0;
-            let reader =
-                get_column_reader(descriptor, Box::new(Pages::new(pages, has_levels, column.kind.width())));
+            let reader = get_column_reader(
+                descriptor,
+                Box::new(CheckedPages::new(pages, has_levels, column.kind.width())),
+            );
             column.reader = Some(match column.kind {
-                Kind::Double => Reader::Double(get_typed_column_reader(reader)),
-                Kind::Float => Reader::Float(get_typed_column_reader(reader)),
-                Kind::Int { signed } => Reader::Int(get_typed_column_reader(reader), signed),
-                Kind::Long { signed } => Reader::Long(get_typed_column_reader(reader), signed),
+                NumberType::Double => ColumnValueReader::Double(get_typed_column_reader(reader)),
+                NumberType::Float => ColumnValueReader::Float(get_typed_column_reader(reader)),
+                NumberType::Int { signed } => ColumnValueReader::Int(get_typed_column_reader(reader), signed),
+                NumberType::Long { signed } => {
+                    ColumnValueReader::Long(get_typed_column_reader(reader), signed)
+                }
             });
         }
         Ok(())
@@ -230,12 +234,12 @@ fn fields(description: &ParquetMetaData) -> &[Arc<Type>] {
 }
 
 /// Number of leaf columns of a column.
-fn leaves(field: &Type) -> usize {
-    if field.is_group() { field.get_fields().iter().map(|part| leaves(part)).sum() } else { 1 }
+fn leaf_count(field: &Type) -> usize {
+    if field.is_group() { field.get_fields().iter().map(|part| leaf_count(part)).sum() } else { 1 }
 }
 
 /// Number type of a column, or the name of the type if the values are no plain numbers.
-fn kind(column: &ColumnDescriptor) -> Result<Kind, String> {
+fn number_type(column: &ColumnDescriptor) -> Result<NumberType, String> {
     let signed = match (column.logical_type_ref(), column.converted_type()) {
         (Some(LogicalType::Integer(integer)), _) => integer.is_signed,
         (Some(LogicalType::Timestamp(_)), _) => return Err("times of day and date".into()),
@@ -262,10 +266,10 @@ fn kind(column: &ColumnDescriptor) -> Result<Kind, String> {
         (None, other) => return Err(format!("{other} values").to_lowercase()),
     };
     match column.physical_type() {
-        Physical::DOUBLE => Ok(Kind::Double),
-        Physical::FLOAT => Ok(Kind::Float),
-        Physical::INT32 => Ok(Kind::Int { signed }),
-        Physical::INT64 => Ok(Kind::Long { signed }),
+        Physical::DOUBLE => Ok(NumberType::Double),
+        Physical::FLOAT => Ok(NumberType::Float),
+        Physical::INT32 => Ok(NumberType::Int { signed }),
+        Physical::INT64 => Ok(NumberType::Long { signed }),
         Physical::BOOLEAN => Err("true and false".into()),
         Physical::INT96 => Err("times of day and date".into()),
         Physical::BYTE_ARRAY | Physical::FIXED_LEN_BYTE_ARRAY => Err("bytes".into()),
@@ -273,24 +277,28 @@ fn kind(column: &ColumnDescriptor) -> Result<Kind, String> {
 }
 
 /// Reader of the values of a column in a row group.
-enum Reader {
+enum ColumnValueReader {
     Double(ColumnReaderImpl<DoubleType>),
     Float(ColumnReaderImpl<FloatType>),
     Int(ColumnReaderImpl<Int32Type>, bool),
     Long(ColumnReaderImpl<Int64Type>, bool),
 }
 
-impl Reader {
+impl ColumnValueReader {
     /// Appends `count` values.
     fn read(&mut self, count: usize, values: &mut Vec<Option<f64>>) -> Result<(), TableFault> {
         match self {
-            Reader::Double(column) => append(column, count, values, |x| x),
-            Reader::Float(column) => append(column, count, values, f64::from),
-            Reader::Int(column, true) => append(column, count, values, f64::from),
-            Reader::Int(column, false) => append(column, count, values, |x| f64::from(x.cast_unsigned())),
+            ColumnValueReader::Double(column) => append(column, count, values, |x| x),
+            ColumnValueReader::Float(column) => append(column, count, values, f64::from),
+            ColumnValueReader::Int(column, true) => append(column, count, values, f64::from),
+            ColumnValueReader::Int(column, false) => {
+                append(column, count, values, |x| f64::from(x.cast_unsigned()))
+            }
             // Rounded beyond 2⁵³, as a decimal text would be.
-            Reader::Long(column, true) => append(column, count, values, |x| x as f64),
-            Reader::Long(column, false) => append(column, count, values, |x| x.cast_unsigned() as f64),
+            ColumnValueReader::Long(column, true) => append(column, count, values, |x| x as f64),
+            ColumnValueReader::Long(column, false) => {
+                append(column, count, values, |x| x.cast_unsigned() as f64)
+            }
         }
     }
 }
@@ -304,7 +312,7 @@ fn append<T: DataType>(
     let (mut read, mut levels) = (Vec::with_capacity(count), Vec::new());
     let (rows, ..) = column
         .read_records(count, Some(&mut levels), None, &mut read)
-        .map_err(|error| malformed(words(error)))?;
+        .map_err(|error| malformed(reader_error_text(error)))?;
     if rows != count {
         return Err(malformed("a column ends before its rows do"));
     }
@@ -323,7 +331,7 @@ fn append<T: DataType>(
 
 /// Converts a panic of the reader into an error. The reader asserts properties of well-formed files; the checks
 /// above do not cover all of them.
-fn guarded<T>(read: impl FnOnce() -> Result<T, TableFault>) -> Result<T, TableFault> {
+fn catch_reader_panic<T>(read: impl FnOnce() -> Result<T, TableFault>) -> Result<T, TableFault> {
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(read))
         .unwrap_or_else(|_| Err(malformed("its pages contradict its description")))
 }

@@ -1,13 +1,13 @@
 //! File of positions as rows of a sweep. The file is read twice: first completely, for checks before the first result, and
 //! then row by row.
 
-use crate::evaluation::answer::Prepared;
+use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::model::loading::Input;
 use crate::question::row_source::PositionFile;
 use crate::question::table_error::{TableError, TableFault};
-use crate::tables::columns::{Columns, separated_by_commas};
-use crate::tables::csv_records::Records;
-use crate::tables::parquet_source::{Stored, begins_as_parquet, is_parquet_file};
+use crate::tables::columns::{Columns, check_separator};
+use crate::tables::csv_records::CsvRecords;
+use crate::tables::parquet_source::{ParquetStorage, begins_as_parquet, is_parquet_file};
 use crate::tables::parquet_table::ParquetTable;
 use crate::thresholds::LARGEST_COORDINATE;
 use percuss_dynamics::{AssemblyError, Configuration};
@@ -20,20 +20,20 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Text read row by row.
-type Text = Box<dyn BufRead + Send + Sync>;
+type RowText = Box<dyn BufRead + Send + Sync>;
 
 /// File of positions with resolved columns and checked rows.
 pub(crate) struct Trajectory {
     columns: Columns,
-    positions: Positions,
+    positions: PositionCheck,
     count: usize,
     pub input: Input,
-    table: Table,
+    table: TableReader,
 }
 
 /// Reader of the rows of a file.
-enum Table {
-    Csv(Records<Text>),
+enum TableReader {
+    Csv(CsvRecords<RowText>),
     /// The mutex makes the reader shareable between threads; no thread waits for the lock.
     Parquet(Box<Mutex<ParquetTable>>),
 }
@@ -46,20 +46,20 @@ impl fmt::Debug for Trajectory {
 
 impl Trajectory {
     /// Opens a file, checks all rows, and returns to the first row.
-    pub fn open(prepared: &Prepared, file: &PositionFile) -> Result<Self, TableError> {
-        let bytes = Bytes::of(file)?;
+    pub fn open(prepared: &PreparedQuestion, file: &PositionFile) -> Result<Self, TableError> {
+        let bytes = TableBytes::open(file)?;
         let name = bytes.name();
         let sha256 = bytes.sha256()?;
         let mut table = bytes.table()?;
         let columns = table.header(prepared, file)?;
         let missing = columns.unset_outside_loops(prepared);
         if !missing.is_empty() {
-            return Err(table.fault(TableFault::Missing { columns: missing }));
+            return Err(table.row_error(TableFault::Missing { columns: missing }));
         }
         if columns.width == 0 {
-            return Err(table.fault(TableFault::NoColumns));
+            return Err(table.row_error(TableFault::NoColumns));
         }
-        let positions = Positions::new(prepared, &columns);
+        let positions = PositionCheck::new(prepared, &columns);
         let mut values = vec![0.0; columns.width];
         let mut count = 0;
         while table.read_row(&columns, &positions, &mut values)? {
@@ -69,7 +69,7 @@ impl Trajectory {
             count += 1;
         }
         if count == 0 {
-            return Err(TableError::of_file(name, TableFault::NoRows));
+            return Err(TableError::in_file(name, TableFault::NoRows));
         }
         let mut table = bytes.table()?;
         table.header(prepared, file)?;
@@ -107,24 +107,24 @@ impl Trajectory {
     }
 }
 
-impl Table {
+impl TableReader {
     /// Reads the names of the columns.
-    fn header(&mut self, prepared: &Prepared, file: &PositionFile) -> Result<Columns, TableError> {
+    fn header(&mut self, prepared: &PreparedQuestion, file: &PositionFile) -> Result<Columns, TableError> {
         match self {
-            Table::Csv(records) => {
+            TableReader::Csv(records) => {
                 let path = records.path().to_owned();
                 if !records.read()? {
-                    return Err(TableError::of_file(&path, TableFault::NoHeader));
+                    return Err(TableError::in_file(&path, TableFault::NoHeader));
                 }
                 let names: Vec<String> = records.cells().map(str::to_owned).collect();
-                separated_by_commas(&names).map_err(|fault| records.fault(fault))?;
-                Columns::new(prepared, names, &file.ignore, |fault| records.fault(fault))
+                check_separator(&names).map_err(|fault| records.record_error(fault))?;
+                Columns::new(prepared, names, &file.ignore, |fault| records.record_error(fault))
             }
-            Table::Parquet(table) => {
-                let table = unlocked(table);
+            TableReader::Parquet(table) => {
+                let table = locked_table(table);
                 let names = table.names().to_vec();
-                let columns = Columns::new(prepared, names, &file.ignore, |fault| table.fault(fault))?;
-                table.choose(columns.chosen())?;
+                let columns = Columns::new(prepared, names, &file.ignore, |fault| table.row_error(fault))?;
+                table.select_columns(columns.selected_columns())?;
                 Ok(columns)
             }
         }
@@ -134,61 +134,61 @@ impl Table {
     fn read_row(
         &mut self,
         columns: &Columns,
-        positions: &Positions,
+        positions: &PositionCheck,
         values: &mut [f64],
     ) -> Result<bool, TableError> {
         match self {
-            Table::Csv(records) => {
+            TableReader::Csv(records) => {
                 if !records.read()? {
                     return Ok(false);
                 }
-                columns.read(records.cells(), values, |fault| records.fault(fault))?;
-                positions.check(values).map_err(|fault| records.fault(fault))?;
+                columns.parse_row(records.cells(), values, |fault| records.record_error(fault))?;
+                positions.check(values).map_err(|fault| records.record_error(fault))?;
             }
-            Table::Parquet(table) => {
-                let table = unlocked(table);
-                if !table.read()? {
+            TableReader::Parquet(table) => {
+                let table = locked_table(table);
+                if !table.next_row()? {
                     return Ok(false);
                 }
-                columns.take(table.numbers(), values, |fault| table.fault(fault))?;
-                positions.check(values).map_err(|fault| table.fault(fault))?;
+                columns.store_row(table.numbers(), values, |fault| table.row_error(fault))?;
+                positions.check(values).map_err(|fault| table.row_error(fault))?;
             }
         }
         Ok(true)
     }
 
     /// Error of the last row, or of the header before the first row.
-    fn fault(&mut self, fault: TableFault) -> TableError {
+    fn row_error(&mut self, fault: TableFault) -> TableError {
         match self {
-            Table::Csv(records) => records.fault(fault),
-            Table::Parquet(table) => unlocked(table).fault(fault),
+            TableReader::Csv(records) => records.record_error(fault),
+            TableReader::Parquet(table) => locked_table(table).row_error(fault),
         }
     }
 
     /// Error of the column names.
-    fn fault_of_names(&mut self, fault: TableFault) -> TableError {
+    fn column_name_error(&mut self, fault: TableFault) -> TableError {
         match self {
-            Table::Csv(records) => TableError::at_line(records.path(), 1, fault),
-            Table::Parquet(table) => TableError { row: None, ..unlocked(table).fault(fault) },
+            TableReader::Csv(records) => TableError::at_line(records.path(), 1, fault),
+            TableReader::Parquet(table) => TableError { row: None, ..locked_table(table).row_error(fault) },
         }
     }
 }
 
-fn unlocked(table: &mut Mutex<ParquetTable>) -> &mut ParquetTable {
+fn locked_table(table: &mut Mutex<ParquetTable>) -> &mut ParquetTable {
     table.get_mut().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Checks that the columns set all driving joints of the loops, and no dependent joint.
 fn check_drivers(
-    prepared: &Prepared,
+    prepared: &PreparedQuestion,
     columns: &Columns,
-    positions: &Positions,
+    positions: &PositionCheck,
     values: &[f64],
-    table: &mut Table,
+    table: &mut TableReader,
 ) -> Result<(), TableError> {
     let mechanism = prepared.system.mechanism();
-    let mut at_header = |fault: TableFault| table.fault_of_names(fault);
-    let configuration = positions.set(values).map_err(&mut at_header)?;
+    let mut at_header = |fault: TableFault| table.column_name_error(fault);
+    let configuration = positions.configuration(values).map_err(&mut at_header)?;
     match prepared.system.pose(&configuration) {
         Ok(pose) => {
             let drivers = pose.loops().map_or(&[][..], |loops| &loops.drivers);
@@ -199,7 +199,7 @@ fn check_drivers(
         }
         Err(error @ AssemblyError::Dependent { .. }) => {
             let AssemblyError::Dependent { joint, .. } = &error else { return Ok(()) };
-            let column = mechanism.find_joint(joint).ok().and_then(|id| columns.of_joint(id, mechanism));
+            let column = mechanism.find_joint(joint).ok().and_then(|id| columns.joint_column(id, mechanism));
             column.map_or(Ok(()), |(number, name)| {
                 Err(at_header(TableFault::Dependent(Box::new(error.clone()))).in_column(number, name))
             })
@@ -211,14 +211,14 @@ fn check_drivers(
 
 /// Check of the positions in a row against the joints, such as the norm of a quaternion.
 #[derive(Debug)]
-struct Positions {
+struct PositionCheck {
     base: Configuration,
     /// Joint name, range of its numbers, and true if the numbers are coupled, as in a quaternion.
     joints: Vec<(String, std::ops::Range<usize>, bool)>,
 }
 
-impl Positions {
-    fn new(prepared: &Prepared, columns: &Columns) -> Self {
+impl PositionCheck {
+    fn new(prepared: &PreparedQuestion, columns: &Columns) -> Self {
         let mechanism = prepared.system.mechanism();
         let mut first = 0;
         let joint = |&joint: &JointId| {
@@ -241,7 +241,7 @@ impl Positions {
         Ok(())
     }
 
-    fn set(&self, values: &[f64]) -> Result<Configuration, TableFault> {
+    fn configuration(&self, values: &[f64]) -> Result<Configuration, TableFault> {
         let mut configuration = self.base.clone();
         for (name, numbers, _) in &self.joints {
             configuration.set(name, &values[numbers.clone()])?;
@@ -251,27 +251,27 @@ impl Positions {
 }
 
 /// True if a file name has this extension, in lower or upper case.
-fn ends_in(path: &str, kind: &str) -> bool {
+fn has_extension(path: &str, kind: &str) -> bool {
     Path::new(path).extension().is_some_and(|ending| ending.eq_ignore_ascii_case(kind))
 }
 
 /// Source of the bytes of a file.
-enum Bytes<'f> {
-    Of(&'f str),
+enum TableBytes<'f> {
+    Path(&'f str),
     /// Name and bytes of the standard input, a pipe or a device, which can be read only once.
-    Kept(&'f str, Arc<[u8]>),
+    Memory(&'f str, Arc<[u8]>),
 }
 
-impl<'f> Bytes<'f> {
-    fn of(file: &'f PositionFile) -> Result<Self, TableError> {
+impl<'f> TableBytes<'f> {
+    fn open(file: &'f PositionFile) -> Result<Self, TableError> {
         if file.path != "-" {
-            let is_named = ["csv", "parquet"].iter().any(|kind| ends_in(&file.path, kind));
+            let is_named = ["csv", "parquet"].iter().any(|kind| has_extension(&file.path, kind));
             if !is_named && !is_parquet_file(&file.path) {
-                return Err(TableError::of_file(&file.path, TableFault::Kind));
+                return Err(TableError::in_file(&file.path, TableFault::Kind));
             }
             // A regular file is read several times; a pipe or a device once, and only up to the limit.
             if std::fs::metadata(&file.path).map_or(true, |found| found.is_file()) {
-                return Ok(Bytes::Of(&file.path));
+                return Ok(TableBytes::Path(&file.path));
             }
         }
         let (mut bytes, limit) = (Vec::new(), file.max_size);
@@ -283,11 +283,11 @@ impl<'f> Bytes<'f> {
             opened.take(limit.saturating_add(1)).read_to_end(&mut bytes)
         };
         let name = if file.path == "-" { "<stdin>" } else { &file.path };
-        let kept = Bytes::Kept(name, bytes.into());
+        let kept = TableBytes::Memory(name, bytes.into());
         read.map_err(|error| TableError::unreadable(kept.name(), &error))?;
         match &kept {
-            Bytes::Kept(_, bytes) if bytes.len() as u64 > limit => {
-                Err(TableError::of_file(kept.name(), TableFault::TooLarge { limit }))
+            TableBytes::Memory(_, bytes) if bytes.len() as u64 > limit => {
+                Err(TableError::in_file(kept.name(), TableFault::TooLarge { limit }))
             }
             _ => Ok(kept),
         }
@@ -295,35 +295,37 @@ impl<'f> Bytes<'f> {
 
     fn name(&self) -> &'f str {
         match self {
-            Bytes::Of(path) => path,
-            Bytes::Kept(name, _) => name,
+            TableBytes::Path(path) => path,
+            TableBytes::Memory(name, _) => name,
         }
     }
 
-    fn text(&self) -> Result<Text, TableError> {
+    fn text(&self) -> Result<RowText, TableError> {
         Ok(match self {
-            Bytes::Of(path) => {
+            TableBytes::Path(path) => {
                 let file = File::open(path).map_err(|error| TableError::unreadable(path, &error))?;
                 Box::new(BufReader::with_capacity(1 << 16, file))
             }
-            Bytes::Kept(_, bytes) => Box::new(Cursor::new(Arc::clone(bytes))),
+            TableBytes::Memory(_, bytes) => Box::new(Cursor::new(Arc::clone(bytes))),
         })
     }
 
     /// Opens the table: Parquet for bytes that begin as Parquet and for a regular file with the extension `parquet`; otherwise
     /// CSV.
-    fn table(&self) -> Result<Table, TableError> {
+    fn table(&self) -> Result<TableReader, TableError> {
         let stored = match self {
-            Bytes::Of(path) if ends_in(path, "parquet") || is_parquet_file(path) => {
+            TableBytes::Path(path) if has_extension(path, "parquet") || is_parquet_file(path) => {
                 let file = File::open(path).map_err(|error| TableError::unreadable(path, &error))?;
-                Stored::File(Mutex::new(file))
+                ParquetStorage::File(Mutex::new(file))
             }
-            Bytes::Kept(_, bytes) if begins_as_parquet(bytes) => Stored::Kept(Arc::clone(bytes)),
-            Bytes::Of(_) | Bytes::Kept(..) => {
-                return Ok(Table::Csv(Records::new(self.text()?, self.name())));
+            TableBytes::Memory(_, bytes) if begins_as_parquet(bytes) => {
+                ParquetStorage::Memory(Arc::clone(bytes))
+            }
+            TableBytes::Path(_) | TableBytes::Memory(..) => {
+                return Ok(TableReader::Csv(CsvRecords::new(self.text()?, self.name())));
             }
         };
-        Ok(Table::Parquet(Box::new(Mutex::new(ParquetTable::open(stored, self.name())?))))
+        Ok(TableReader::Parquet(Box::new(Mutex::new(ParquetTable::open(stored, self.name())?))))
     }
 
     fn sha256(&self) -> Result<String, TableError> {

@@ -41,9 +41,9 @@ impl GivenPosition {
     ///
     /// # Errors
     /// [`QuantityError::WrongUnit`].
-    pub(crate) fn of_joint(&self, kind: JointKind) -> Result<Vec<f64>, QuantityError> {
+    pub(crate) fn values_for_joint(&self, kind: JointKind) -> Result<Vec<f64>, QuantityError> {
         let value = |(i, quantity): (usize, &Quantity)| {
-            quantity.of(position_dimension(kind, i), &quantity.to_string())
+            quantity.in_dimension(position_dimension(kind, i), &quantity.to_string())
         };
         self.values.iter().enumerate().map(value).collect()
     }
@@ -56,10 +56,13 @@ mod tests {
     #[test]
     fn units_are_checked_against_the_kind_of_the_joint() {
         let planar = GivenPosition::parse("12mm,1,90deg").unwrap();
-        assert_eq!(planar.of_joint(JointKind::Planar).unwrap(), [0.012, 1.0, std::f64::consts::FRAC_PI_2]);
-        assert!(matches!(planar.of_joint(JointKind::Revolute), Err(QuantityError::WrongUnit { .. })));
         assert_eq!(
-            GivenPosition::from_numbers(&[0.5]).unwrap().of_joint(JointKind::Prismatic).unwrap(),
+            planar.values_for_joint(JointKind::Planar).unwrap(),
+            [0.012, 1.0, std::f64::consts::FRAC_PI_2]
+        );
+        assert!(matches!(planar.values_for_joint(JointKind::Revolute), Err(QuantityError::WrongUnit { .. })));
+        assert_eq!(
+            GivenPosition::from_numbers(&[0.5]).unwrap().values_for_joint(JointKind::Prismatic).unwrap(),
             [0.5]
         );
         assert!(matches!(GivenPosition::from_numbers(&[f64::NAN]), Err(QuantityError::NotFinite { .. })));

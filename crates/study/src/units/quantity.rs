@@ -187,7 +187,7 @@ impl Quantity {
     ///
     /// # Errors
     /// [`QuantityError::WrongUnit`].
-    pub fn of(self, expected: Dimension, text: &str) -> Result<f64, QuantityError> {
+    pub fn in_dimension(self, expected: Dimension, text: &str) -> Result<f64, QuantityError> {
         match self.dimension {
             Some(got) if got != expected => {
                 Err(QuantityError::WrongUnit { text: text.trim().to_owned(), got, expected })
@@ -202,7 +202,10 @@ impl Quantity {
 /// # Errors
 /// [`QuantityError`] of the first invalid number.
 pub fn parse_list(text: &str, dimensions: impl Fn(usize) -> Dimension) -> Result<Vec<f64>, QuantityError> {
-    text.split(',').enumerate().map(|(i, part)| Quantity::parse(part)?.of(dimensions(i), part)).collect()
+    text.split(',')
+        .enumerate()
+        .map(|(i, part)| Quantity::parse(part)?.in_dimension(dimensions(i), part))
+        .collect()
 }
 
 /// Reads three comma-separated numbers of one dimension.

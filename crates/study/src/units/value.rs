@@ -20,12 +20,12 @@ pub(crate) enum NumberOrText {
 }
 
 impl NumberOrText {
-    fn of<E: Error>(self, dimension: Dimension) -> Result<f64, E> {
+    fn in_dimension<E: Error>(self, dimension: Dimension) -> Result<f64, E> {
         match self {
             NumberOrText::Number(number) => Ok(number),
-            NumberOrText::Text(text) => {
-                Quantity::parse(&text).and_then(|quantity| quantity.of(dimension, &text)).map_err(E::custom)
-            }
+            NumberOrText::Text(text) => Quantity::parse(&text)
+                .and_then(|quantity| quantity.in_dimension(dimension, &text))
+                .map_err(E::custom),
         }
     }
 }
@@ -58,7 +58,7 @@ pub(crate) fn positions<'de, D: Deserializer<'de>>(
 fn triple<'de, D: Deserializer<'de>>(from: D, dimension: Dimension) -> Result<[f64; 3], D::Error> {
     let values: Vec<f64> = Vec::<NumberOrText>::deserialize(from)?
         .into_iter()
-        .map(|v| v.of(dimension))
+        .map(|v| v.in_dimension(dimension))
         .collect::<Result<_, _>>()?;
     <[f64; 3]>::try_from(values)
         .map_err(|given| D::Error::custom(format!("{} numbers; expected 3", given.len())))
@@ -84,7 +84,7 @@ pub(crate) fn angles<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D::
     triple(from, Dimension::Angle)
 }
 
-fn measured<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f64, D::Error> {
+fn parse_measure<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f64, D::Error> {
     match NumberOrText::deserialize(from)? {
         NumberOrText::Number(number) => Ok(number),
         NumberOrText::Text(text) => measure.parse(&text).map(|m| m.value).map_err(D::Error::custom),
@@ -93,7 +93,7 @@ fn measured<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f64,
 
 /// Reads a number from 0 to 1, or per cent.
 pub(crate) fn ratio<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
-    measured(from, Measure::Ratio)
+    parse_measure(from, Measure::Ratio)
 }
 
 /// Reads an optional number from 0 to 1, or per cent.
@@ -102,7 +102,7 @@ pub(crate) fn some_ratio<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f6
 }
 
 /// Reads a quantity of a contact or of a rotating joint; the application is determined later.
-fn of_either<'de, D: Deserializer<'de>>(
+fn measured_with_either_unit<'de, D: Deserializer<'de>>(
     from: D,
     measure: Measure,
     turn: Measure,
@@ -118,41 +118,41 @@ fn of_either<'de, D: Deserializer<'de>>(
 
 /// Reads a stiffness, N/m or N·m/rad.
 pub(crate) fn stiffness<'de, D: Deserializer<'de>>(from: D) -> Result<Measured, D::Error> {
-    of_either(from, Measure::Stiffness, Measure::TurnStiffness)
+    measured_with_either_unit(from, Measure::Stiffness, Measure::TurnStiffness)
 }
 
 /// Reads a speed, m/s or rad/s.
 pub(crate) fn speed<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Measured>, D::Error> {
-    of_either(from, Measure::Speed, Measure::TurnSpeed).map(Some)
+    measured_with_either_unit(from, Measure::Speed, Measure::TurnSpeed).map(Some)
 }
 
 /// Reads a force, N.
 pub(crate) fn force<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    measured_as(from, Measure::Force).map(Some)
+    in_default_unit(from, Measure::Force).map(Some)
 }
 
 /// Reads a pressure in Pa; a plain number is in N/cm².
 pub(crate) fn pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    measured_as(from, Measure::Pressure).map(Some)
+    in_default_unit(from, Measure::Pressure).map(Some)
 }
 
 /// Reads an area in m²; a plain number is in cm².
 pub(crate) fn area<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    measured_as(from, Measure::Area).map(Some)
+    in_default_unit(from, Measure::Area).map(Some)
 }
 
 /// Reads an energy, J.
 pub(crate) fn energy<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    measured_as(from, Measure::Energy).map(Some)
+    in_default_unit(from, Measure::Energy).map(Some)
 }
 
 /// Reads a momentum, N·s.
 pub(crate) fn momentum<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    measured_as(from, Measure::Momentum).map(Some)
+    in_default_unit(from, Measure::Momentum).map(Some)
 }
 
 /// Reads a number in the measure's default unit, as on the command line, or text with a unit.
-fn measured_as<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f64, D::Error> {
+fn in_default_unit<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f64, D::Error> {
     let text = match NumberOrText::deserialize(from)? {
         NumberOrText::Number(number) => number.to_string(),
         NumberOrText::Text(text) => text,
@@ -162,7 +162,7 @@ fn measured_as<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f
 
 /// Reads a time, s.
 pub(crate) fn time<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    measured(from, Measure::Time).map(Some)
+    parse_measure(from, Measure::Time).map(Some)
 }
 
 /// One word, or several.
@@ -202,7 +202,7 @@ pub(crate) fn ends<'de, D: Deserializer<'de>>(from: D) -> Result<Option<(f64, f6
 /// Reads masses by link, kg.
 pub(crate) fn masses<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, f64>, D::Error> {
     let read = |(link, mass): (String, NumberOrText)| {
-        let mass = mass.of::<D::Error>(Dimension::Mass);
+        let mass = mass.in_dimension::<D::Error>(Dimension::Mass);
         mass.map(|mass| (link.clone(), mass)).map_err(|e| D::Error::custom(format!("link \"{link}\": {e}")))
     };
     BTreeMap::<String, NumberOrText>::deserialize(from)?.into_iter().map(read).collect()
@@ -212,7 +212,7 @@ pub(crate) fn masses<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<Stri
 pub(crate) fn places<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, [f64; 3]>, D::Error> {
     let read = |(name, place): (String, Vec<NumberOrText>)| {
         let place: Result<Vec<f64>, D::Error> =
-            place.into_iter().map(|number| number.of(Dimension::Length)).collect();
+            place.into_iter().map(|number| number.in_dimension(Dimension::Length)).collect();
         let place = place.and_then(|place| {
             <[f64; 3]>::try_from(place)
                 .map_err(|given| D::Error::custom(format!("{} numbers; expected 3", given.len())))
@@ -241,15 +241,15 @@ pub(crate) enum OneOrMany {
 
 /// Reads a length, m.
 pub(crate) fn length<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    NumberOrText::deserialize(from)?.of(Dimension::Length).map(Some)
+    NumberOrText::deserialize(from)?.in_dimension(Dimension::Length).map(Some)
 }
 
 /// Reads a mass, kg.
 pub(crate) fn mass<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    NumberOrText::deserialize(from)?.of(Dimension::Mass).map(Some)
+    NumberOrText::deserialize(from)?.in_dimension(Dimension::Mass).map(Some)
 }
 
 /// Reads a mass, kg.
 pub(crate) fn load<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
-    NumberOrText::deserialize(from)?.of(Dimension::Mass)
+    NumberOrText::deserialize(from)?.in_dimension(Dimension::Mass)
 }

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 const LONGEST_SHOWN: usize = 200;
 
 /// Text for a message, cut if long.
-pub(crate) fn cut(text: &str) -> Cow<'_, str> {
+pub(crate) fn truncate_for_message(text: &str) -> Cow<'_, str> {
     match text.char_indices().nth(LONGEST_SHOWN) {
         Some((end, _)) => format!("{}…", &text[..end]).into(),
         None => text.into(),

@@ -2,17 +2,19 @@
 //! unreachable row.
 
 use crate::pose::driver::Driver;
-use crate::pose::unreachable_range::{Extent, Missed};
+use crate::pose::unreachable_range::{UnreachableExtent, UnreachedRow};
 use crate::question::error::{Fault, StudyError};
-use crate::question::field::{Field, Names, about_assembly};
-use crate::thresholds::{LEAST_ADVANCE, OTHER_DRIVERS, SHORT_OF_END, TRAVEL_STAGES, UNMOVED};
+use crate::question::field::{Field, Names, assembly_error_message};
+use crate::thresholds::{
+    DEAD_CENTRE_APPROACH, LEAST_ADVANCE, LEAST_POINT_RATE, OTHER_DRIVERS, TRAVEL_STAGES,
+};
 use nalgebra::Vector3;
 use percuss_dynamics::{Configuration, ContactResponse, PointVelocity, Pose, System, TravelError};
 use percuss_mechanism::{JointId, JointKind, LinkId};
 
 /// Travel of a point from its starting pose.
 #[derive(Debug)]
-pub(crate) struct Travel {
+pub(crate) struct PointTravel {
     travel: percuss_dynamics::Travel,
     /// Starting pose.
     pub start: Pose,
@@ -23,9 +25,9 @@ pub(crate) struct Travel {
 }
 
 /// Stage of a travel: pose, driving joint, and requested configuration of the other joints.
-struct Stage {
-    joint: JointId,
-    base: Configuration,
+struct TravelStage {
+    driver: JointId,
+    configuration: Configuration,
     pose: Pose,
 }
 
@@ -36,7 +38,7 @@ fn drivers(pose: &Pose) -> Vec<JointId> {
     all
 }
 
-impl Travel {
+impl PointTravel {
     /// Travel of a point, and the driver: among joints that are not set, the joint with the largest
     /// displacement of the point relative to the resulting motion of all joints.
     pub fn new(
@@ -56,18 +58,18 @@ impl Travel {
         let travel = percuss_dynamics::Travel::new(&start, link, point, direction).map_err(refuse)?;
         let joint = travel.driver(&start, is_set).map_err(refuse)?;
         let set = system.mechanism().joint_ids().filter(|joint| is_set(*joint)).collect();
-        Ok((Self { travel, start, field, set }, Driver { joint, base: base.clone() }))
+        Ok((Self { travel, start, field, set }, Driver { joint, configuration: base.clone() }))
     }
 
     /// Pose with the requested displacement of the point (m), on the branch of the last pose.
-    pub fn reach(
+    pub fn pose_at_displacement(
         &self,
         driver: &Driver,
         last: &Pose,
         requested: f64,
         names: Names,
-    ) -> Result<Result<Pose, Missed>, StudyError> {
-        let error = match self.travel.pose(last, &driver.base, driver.joint, requested) {
+    ) -> Result<Result<Pose, UnreachedRow>, StudyError> {
+        let error = match self.travel.pose(last, &driver.configuration, driver.joint, requested) {
             Ok(pose) => return Ok(Ok(pose)),
             Err(error) => error,
         };
@@ -76,23 +78,23 @@ impl Travel {
             TravelError::Assembly(error) => !error.is_bad_input(),
             _ => false,
         };
-        if let Some(pose) = ended.then(|| self.by_another(driver, last, requested)).flatten() {
+        if let Some(pose) = ended.then(|| self.pose_with_other_drivers(driver, last, requested)).flatten() {
             return Ok(Ok(pose));
         }
         let extent = match &error {
-            TravelError::Unreachable { nearest, .. } => Extent::Probably(*nearest),
-            TravelError::TooFar { reached, .. } => Extent::TooFar(*reached),
+            TravelError::Unreachable { nearest, .. } => UnreachableExtent::ProbablyBeyond(*nearest),
+            TravelError::TooFar { reached, .. } => UnreachableExtent::BeyondWorkLimit(*reached),
             TravelError::Assembly(error) if !error.is_bad_input() => {
-                Extent::Probably(self.travel.displacement(last))
+                UnreachableExtent::ProbablyBeyond(self.travel.displacement(last))
             }
             TravelError::Assembly(error) => return Err(error.clone().into()),
             _ => return Err(StudyError::input(self.field, Fault::Travel(error))),
         };
         let why = match &error {
-            TravelError::Assembly(error) => about_assembly(error, names),
+            TravelError::Assembly(error) => assembly_error_message(error, names),
             other => other.to_string(),
         };
-        Ok(Err(Missed { why, extent }))
+        Ok(Err(UnreachedRow { reason: why, extent }))
     }
 
     /// Pose reached with other driving joints, past the dead centres of the driver; all other drivers stay the
@@ -101,14 +103,18 @@ impl Travel {
     /// Let s be the displacement of the point. Every candidate joint has its own rate ds/dq. The joint with the
     /// smallest rate turns farthest and reaches its dead centre last. A joint that reaches a dead centre
     /// earlier drives the point close to this dead centre, and then the next joint takes over.
-    fn by_another(&self, driver: &Driver, last: &Pose, requested: f64) -> Option<Pose> {
-        let mut stage = Stage { joint: driver.joint, base: driver.base.clone(), pose: last.clone() };
+    fn pose_with_other_drivers(&self, driver: &Driver, last: &Pose, requested: f64) -> Option<Pose> {
+        let mut stage = TravelStage {
+            driver: driver.joint,
+            configuration: driver.configuration.clone(),
+            pose: last.clone(),
+        };
         let least = LEAST_ADVANCE * last.mechanism().characteristic_length();
         for _ in 0..TRAVEL_STAGES {
             let here = self.travel.displacement(&stage.pose);
-            stage.pose = self.travel.pose(&stage.pose, &stage.base, stage.joint, here).ok()?;
-            let mut furthest: Option<(f64, Stage)> = None;
-            for (joint, base) in self.others(&stage)? {
+            stage.pose = self.travel.pose(&stage.pose, &stage.configuration, stage.driver, here).ok()?;
+            let mut furthest: Option<(f64, TravelStage)> = None;
+            for (joint, base) in self.candidate_drivers(&stage)? {
                 let end = match self.driven_by(&stage, joint, &base, requested) {
                     Ok(pose) => return Some(pose),
                     Err(end) => end,
@@ -117,45 +123,48 @@ impl Travel {
                     .as_ref()
                     .is_none_or(|(best, _)| (requested - end).abs() < (requested - best).abs())
                 {
-                    furthest = Some((end, Stage { joint, base, pose: stage.pose.clone() }));
+                    furthest = Some((
+                        end,
+                        TravelStage { driver: joint, configuration: base, pose: stage.pose.clone() },
+                    ));
                 }
             }
             let (end, next) = furthest?;
-            let advance = SHORT_OF_END * (end - here);
+            let advance = DEAD_CENTRE_APPROACH * (end - here);
             if advance * (requested - here).signum() < least {
                 return None;
             }
-            let pose = self.driven_by(&stage, next.joint, &next.base, here + advance).ok()?;
-            stage = Stage { pose, ..next };
+            let pose = self.driven_by(&stage, next.driver, &next.configuration, here + advance).ok()?;
+            stage = TravelStage { pose, ..next };
         }
         None
     }
 
     /// Candidate drivers of a stage with the requested configuration of the other joints; the stage's own joint
     /// is last. `None` if the stage's joint drives no loop.
-    fn others(&self, stage: &Stage) -> Option<Vec<(JointId, Configuration)>> {
+    fn candidate_drivers(&self, stage: &TravelStage) -> Option<Vec<(JointId, Configuration)>> {
         let mechanism = stage.pose.mechanism();
         let size = mechanism.characteristic_length();
         let driven = drivers(&stage.pose);
-        if !driven.contains(&stage.joint) {
+        if !driven.contains(&stage.driver) {
             return None;
         }
         let rate = |joint: JointId| {
             let unit = if mechanism.joint(joint).kind() == JointKind::Prismatic { size } else { 1.0 };
             let rate = (self.travel.rate(&stage.pose, joint)? * unit).abs();
             let is_free = !driven.contains(&joint) && !self.set.contains(&joint);
-            (is_free && rate > UNMOVED * size).then_some((joint, rate))
+            (is_free && rate > LEAST_POINT_RATE * size).then_some((joint, rate))
         };
         let mut rates: Vec<(JointId, f64)> = mechanism.joint_ids().filter_map(rate).collect();
         rates.sort_by(|a, b| a.1.total_cmp(&b.1));
         // The other drivers keep their positions.
-        let mut base = stage.base.clone();
-        for held in driven.iter().filter(|joint| **joint != stage.joint) {
+        let mut base = stage.configuration.clone();
+        for held in driven.iter().filter(|joint| **joint != stage.driver) {
             base.set(mechanism.joint(*held).name(), stage.pose.joint(*held)).ok()?;
         }
         let mut others: Vec<_> =
             rates.into_iter().take(OTHER_DRIVERS).map(|(joint, _)| (joint, base.clone())).collect();
-        others.push((stage.joint, stage.base.clone()));
+        others.push((stage.driver, stage.configuration.clone()));
         Some(others)
     }
 
@@ -163,7 +172,7 @@ impl Travel {
     /// displacement reached.
     fn driven_by(
         &self,
-        stage: &Stage,
+        stage: &TravelStage,
         joint: JointId,
         base: &Configuration,
         requested: f64,
@@ -176,14 +185,14 @@ impl Travel {
         };
         let mut expected: Vec<JointId> = drivers(&stage.pose)
             .into_iter()
-            .map(|own| if own == stage.joint { joint } else { own })
+            .map(|own| if own == stage.driver { joint } else { own })
             .collect();
         expected.sort_unstable();
         if drivers(&pose) == expected { Ok(pose) } else { Err(self.travel.displacement(&stage.pose)) }
     }
 
     /// Driver of the travel at a pose, other than `others`.
-    pub fn driver_at(&self, pose: &Pose, others: &[JointId]) -> Option<JointId> {
+    pub fn select_driver(&self, pose: &Pose, others: &[JointId]) -> Option<JointId> {
         self.travel.driver(pose, &|joint| others.contains(&joint)).ok()
     }
 

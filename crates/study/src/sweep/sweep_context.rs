@@ -1,43 +1,43 @@
 //! Evaluation of the rows of a sweep: pose of a row, and result of the contact.
 
-use crate::checks::finding::{Finding, Tally};
-use crate::evaluation::answer::{Answer, Prepared};
+use crate::checks::finding::{Finding, FindingTally};
+use crate::evaluation::prepared_question::{ContactResult, PreparedQuestion};
 use crate::evaluation::status::Status;
 use crate::pose::driver::Driver;
+use crate::pose::point_travel::PointTravel;
 use crate::pose::positions::Positions;
-use crate::pose::travel::Travel;
-use crate::pose::unreachable_range::Untried;
+use crate::pose::unreachable_range::SkippedRows;
 use crate::question::error::StudyError;
 use crate::question::varied_values::VariedValues;
-use crate::sweep::continuation::{Along, Line, TooFar};
-use crate::sweep::lanes::InLanes;
-use crate::sweep::path_follower::{FollowedRow, Following, Reached};
-use crate::sweep::row_blocks::Block;
-use crate::sweep::row_layout::Setting;
+use crate::sweep::batch_evaluator::BatchEvaluator;
+use crate::sweep::continuation::{DistanceMeasure, LineContinuation, StepLimit};
+use crate::sweep::path_follower::{FollowResult, FollowedRow, PathFollower};
+use crate::sweep::row_blocks::RowBlock;
+use crate::sweep::row_layout::RowLayout;
 use crate::sweep::sweep_report::{SweepHeading, SweepRow};
-use crate::thresholds::{FOLLOWED_BEGINNINGS, FOLLOWED_ROWS};
+use crate::thresholds::{FOLLOWED_ROWS, MOST_PATH_FOLLOWERS};
 use percuss_dynamics::{Contact, Pose};
 use std::ops::Range;
 use std::sync::Arc;
 
 /// Contact of a sweep and layout of the rows.
 #[derive(Debug)]
-pub(crate) struct Swept<'a> {
-    pub prepared: Prepared<'a>,
-    pub setting: Setting,
+pub(crate) struct SweepContext<'a> {
+    pub prepared: PreparedQuestion<'a>,
+    pub row_layout: RowLayout,
     /// Travel, if all rows share the same starting pose.
-    pub travel: Option<Arc<(Travel, Driver)>>,
+    pub travel: Option<Arc<(PointTravel, Driver)>>,
     pub contact: Contact,
     pub heading: SweepHeading,
     /// Number of a row that measures the distance along a line.
-    pub along: Along,
+    pub distance_measure: DistanceMeasure,
     /// SIMD evaluation, if rows need no poses.
-    pub lanes: Option<InLanes>,
+    pub batch_evaluator: Option<BatchEvaluator>,
 }
 
 /// Pose of a row, or the reason for a missing pose.
 #[derive(Debug)]
-pub(crate) enum Stand {
+pub(crate) enum RowPose {
     /// Row with a pose. `first`: first row reached of its line.
     Posed { pose: Arc<Pose>, first: bool },
     /// Row reached and evaluated by the path follower.
@@ -50,7 +50,7 @@ pub(crate) enum Stand {
 
 /// Outcome of a row.
 #[derive(Debug)]
-pub(crate) enum Outcome<T> {
+pub(crate) enum RowOutcome<T> {
     /// Value made of the row, true if the pose was reached, and the reason for a missing result.
     Row { made: T, reached: bool, error: Option<String> },
     /// Row in error. An input error before the first row with a result ends the sweep; any other error leaves
@@ -60,18 +60,18 @@ pub(crate) enum Outcome<T> {
 
 /// Consecutive rows evaluated together.
 #[derive(Debug)]
-pub(crate) struct Portion<T> {
-    pub rows: Vec<Outcome<T>>,
-    pub tally: Tally,
-    pub skipped: Option<Untried>,
-    pub step_limit: TooFar,
+pub(crate) struct RowResults<T> {
+    pub rows: Vec<RowOutcome<T>>,
+    pub tally: FindingTally,
+    pub skipped: Option<SkippedRows>,
+    pub step_limit: StepLimit,
     /// Findings shared by consecutive rows, the first row, and the number of rows.
     shared_findings: Option<(Arc<[Finding]>, usize, usize)>,
 }
 
-impl<T> Portion<T> {
+impl<T> RowResults<T> {
     pub fn new(rows: usize) -> Self {
-        let tally = Tally::default();
+        let tally = FindingTally::default();
         Self { rows: Vec::with_capacity(rows), tally, skipped: None, step_limit: None, shared_findings: None }
     }
 
@@ -80,52 +80,57 @@ impl<T> Portion<T> {
         match &mut self.shared_findings {
             Some((said, _, rows)) if Arc::ptr_eq(said, findings) => *rows += 1,
             _ => {
-                self.count_alike();
+                self.flush_shared_findings();
                 self.shared_findings = Some((Arc::clone(findings), row, 1));
             }
         }
     }
 
-    fn count_alike(&mut self) {
+    fn flush_shared_findings(&mut self) {
         if let Some((findings, first, rows)) = self.shared_findings.take() {
-            self.tally.add_alike(first, rows, &findings);
+            self.tally.add_repeated(first, rows, &findings);
         }
     }
 
     /// All findings of the portion.
-    pub fn drain_findings(&mut self) -> Tally {
-        self.count_alike();
+    pub fn drain_findings(&mut self) -> FindingTally {
+        self.flush_shared_findings();
         std::mem::take(&mut self.tally)
     }
 }
 
 /// Conversion of a row to the caller's type, callable from any thread.
-pub(crate) type Made<'m, T> = &'m (dyn Fn(SweepRow) -> T + Sync);
+pub(crate) type RowConversion<'m, T> = &'m (dyn Fn(SweepRow) -> T + Sync);
 
-impl Swept<'_> {
+impl SweepContext<'_> {
     /// Pose of the next row of a line.
-    pub fn next_pose(&self, line: &mut Line, block: &Block, i: usize) -> Stand {
-        let first = line.is_new();
+    pub fn next_pose(&self, line: &mut LineContinuation, block: &RowBlock, i: usize) -> RowPose {
+        let first = line.has_no_pose();
         let (names, values) = (self.prepared.question.names, block.values(i));
-        match line.pose(&self.prepared.system, &self.setting, names, block.first + i, values) {
-            Ok(Ok(pose)) => Stand::Posed { pose, first },
-            Ok(Err(why)) => Stand::Unreached(why),
-            Err(error) => Stand::Failed(error),
+        match line.pose(&self.prepared.system, &self.row_layout, names, block.first + i, values) {
+            Ok(Ok(pose)) => RowPose::Posed { pose, first },
+            Ok(Err(why)) => RowPose::Unreached(why),
+            Err(error) => RowPose::Failed(error),
         }
     }
 
     /// Poses of consecutive rows of a line.
-    pub fn next_poses(&self, line: &mut Line, block: &Block, rows: Range<usize>) -> Vec<Stand> {
+    pub fn next_poses(
+        &self,
+        line: &mut LineContinuation,
+        block: &RowBlock,
+        rows: Range<usize>,
+    ) -> Vec<RowPose> {
         let mut stands = Vec::with_capacity(rows.len());
         let mut next = rows.start;
         while next < rows.end {
-            if let Some(following) = &mut line.following {
+            if let Some(following) = &mut line.path_follower {
                 let values = block.values_from(next, rows.end);
                 let layout = &self.heading.joints;
                 let reached = following.follow(&self.prepared, layout, values, |reached| {
                     stands.push(match reached {
-                        Reached::Evaluated(row) => Stand::Followed(Box::new(row)),
-                        Reached::Posed(pose) => Stand::Posed { pose, first: false },
+                        FollowResult::Evaluated(row) => RowPose::Followed(Box::new(row)),
+                        FollowResult::Posed(pose) => RowPose::Posed { pose, first: false },
                     });
                 });
                 if reached > 0 {
@@ -139,10 +144,10 @@ impl Swept<'_> {
             }
             let stand = self.next_pose(line, block, next);
             next += 1;
-            if let Stand::Posed { pose, .. } = &stand {
-                self.follow_from(line, pose, rows.end - next);
+            if let RowPose::Posed { pose, .. } = &stand {
+                self.start_path_follower(line, pose, rows.end - next);
             } else {
-                line.following = None;
+                line.path_follower = None;
             }
             stands.push(stand);
         }
@@ -151,55 +156,58 @@ impl Swept<'_> {
 
     /// Prepares the path follower from a pose, if enough rows are left and the number of followers built on the
     /// line is below the limit.
-    fn follow_from(&self, line: &mut Line, pose: &Pose, left: usize) {
-        if line.following.as_mut().is_some_and(|following| following.restart(pose)) {
+    fn start_path_follower(&self, line: &mut LineContinuation, pose: &Pose, left: usize) {
+        if line.path_follower.as_mut().is_some_and(|following| following.restart(pose)) {
             return;
         }
-        line.following = None;
-        if left >= FOLLOWED_ROWS && line.begun < FOLLOWED_BEGINNINGS && self.lanes.is_none() {
-            line.begun += 1;
-            let following = Following::from(&self.prepared, &self.setting, &self.contact, pose);
-            line.following = following.map(Box::new);
+        line.path_follower = None;
+        if left >= FOLLOWED_ROWS
+            && line.followers_built < MOST_PATH_FOLLOWERS
+            && self.batch_evaluator.is_none()
+        {
+            line.followers_built += 1;
+            let following = PathFollower::from(&self.prepared, &self.row_layout, &self.contact, pose);
+            line.path_follower = following.map(Box::new);
         }
     }
 
     /// Evaluates a row and appends the outcome to the portion.
     pub fn evaluate_row<T>(
         &self,
-        portion: &mut Portion<T>,
-        block: &Block,
+        portion: &mut RowResults<T>,
+        block: &RowBlock,
         i: usize,
-        stand: Stand,
-        travel: Option<&Travel>,
-        made: Made<'_, T>,
+        stand: RowPose,
+        travel: Option<&PointTravel>,
+        made: RowConversion<'_, T>,
     ) {
         let row = block.first + i;
-        let varied = VariedValues::new(&self.setting.columns, block.values(i));
-        let failed = |varied, error| Outcome::Failed { row, varied, error };
+        let varied = VariedValues::new(&self.row_layout.columns, block.values(i));
+        let failed = |varied, error| RowOutcome::Failed { row, varied, error };
         let outcome = match stand {
-            Stand::Failed(error) => failed(varied, error),
-            Stand::Unreached(why) => {
-                let made = made(self.unanswered(row, varied, UNREACHABLE, why.clone()));
-                Outcome::Row { made, reached: false, error: Some(why) }
+            RowPose::Failed(error) => failed(varied, error),
+            RowPose::Unreached(why) => {
+                let made = made(self.row_without_result(row, varied, UNREACHABLE, why.clone()));
+                RowOutcome::Row { made, reached: false, error: Some(why) }
             }
-            Stand::Followed(followed) => {
+            RowPose::Followed(followed) => {
                 portion.tally.add(row, followed.own);
                 portion.add_shared_findings(row, &followed.shared_findings);
                 let (mass, error) = followed.mass;
                 let answered =
                     self.without_pose(row, varied, mass, error, Some(followed.residual), followed.positions);
-                Outcome::Row { made: made(answered), reached: true, error: None }
+                RowOutcome::Row { made: made(answered), reached: true, error: None }
             }
-            Stand::Posed { pose, first } => {
+            RowPose::Posed { pose, first } => {
                 if first {
-                    portion.tally.add(row, self.prepared.about_guesses(&pose));
+                    portion.tally.add(row, self.prepared.guess_findings(&pose));
                 }
-                match self.prepared.answer(&pose, &self.contact) {
+                match self.prepared.evaluate(&pose, &self.contact) {
                     Err(error) => failed(varied, error),
                     Ok(answer) => {
                         let answered = self.row_with_pose(row, varied, &pose, &answer, travel);
                         portion.tally.add(row, answer.findings);
-                        Outcome::Row { made: made(answered), reached: true, error: None }
+                        RowOutcome::Row { made: made(answered), reached: true, error: None }
                     }
                 }
             }
@@ -208,23 +216,28 @@ impl Swept<'_> {
     }
 
     /// Evaluates rows of a block without poses. Uncertain rows are posed and evaluated separately.
-    pub fn answer_in_lanes<T>(&self, block: &Block, rows: Range<usize>, made: Made<'_, T>) -> Portion<T> {
-        let mut portion = Portion::new(rows.len());
-        let Some(lanes) = &self.lanes else { return portion };
-        let asked = lanes.ask(block, rows.clone());
+    pub fn evaluate_batch<T>(
+        &self,
+        block: &RowBlock,
+        rows: Range<usize>,
+        made: RowConversion<'_, T>,
+    ) -> RowResults<T> {
+        let mut portion = RowResults::new(rows.len());
+        let Some(lanes) = &self.batch_evaluator else { return portion };
+        let asked = lanes.evaluate(block, rows.clone());
         for (at, i) in rows.enumerate() {
             let Some((mass, error)) = asked.mass(at) else {
-                let mut line = Line::new(self.along, None, None);
+                let mut line = LineContinuation::new(self.distance_measure, None, None);
                 let stand = self.next_pose(&mut line, block, i);
                 self.evaluate_row(&mut portion, block, i, stand, None, made);
                 continue;
             };
             let row = block.first + i;
-            lanes.find(&self.prepared, &asked, at, row, &mut portion.tally);
-            let varied = VariedValues::new(&self.setting.columns, block.values(i));
+            lanes.add_findings(&self.prepared, &asked, at, row, &mut portion.tally);
+            let varied = VariedValues::new(&self.row_layout.columns, block.values(i));
             let positions = asked.positions(&self.heading.joints, at);
             let answered = self.without_pose(row, varied, mass, error, None, positions);
-            portion.rows.push(Outcome::Row { made: made(answered), reached: true, error: None });
+            portion.rows.push(RowOutcome::Row { made: made(answered), reached: true, error: None });
         }
         portion
     }
@@ -260,15 +273,15 @@ impl Swept<'_> {
         row: usize,
         varied: VariedValues,
         pose: &Pose,
-        answer: &Answer,
-        travel: Option<&Travel>,
+        answer: &ContactResult,
+        travel: Option<&PointTravel>,
     ) -> SweepRow {
         let estimate = answer.estimate.as_ref();
         let motion_ratio = match estimate {
             Some(estimate) => estimate.motion_ratio,
-            None => travel.and_then(|travel| travel.motion_ratio(pose, answer.of_mechanism())),
+            None => travel.and_then(|travel| travel.motion_ratio(pose, answer.mechanism_response())),
         };
-        let (status, effective_mass) = Status::of(answer.response.effective_mass);
+        let (status, effective_mass) = Status::classify(answer.response.effective_mass);
         SweepRow {
             row,
             varied,
@@ -280,12 +293,12 @@ impl Swept<'_> {
             motion_ratio,
             estimate: estimate.and_then(|e| e.estimate),
             estimate_error_percent: estimate.and_then(|e| e.error_percent),
-            pose: Positions::of(&self.heading.joints, pose),
+            pose: Positions::from_pose(&self.heading.joints, pose),
             error: None,
         }
     }
 
-    pub fn unanswered(
+    pub fn row_without_result(
         &self,
         row: usize,
         varied: VariedValues,
@@ -312,4 +325,4 @@ impl Swept<'_> {
 /// Status of a row without an existing pose.
 const UNREACHABLE: &str = "unreachable";
 /// Status of a row with a pose and without a result.
-pub(crate) const NO_ANSWER: &str = "no answer";
+pub(crate) const NO_RESULT_STATUS: &str = "no answer";

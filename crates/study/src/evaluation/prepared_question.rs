@@ -1,12 +1,14 @@
 //! Evaluation of a question, shared by all commands. [`Prepared`] resolves names, checks units and compiles the
 //! conditions once; the contact is then evaluated at any number of poses.
 
-use crate::checks::finding::{Finding, Subject};
-use crate::checks::findings::{about_branches, about_guesses, about_pose, about_response};
-use crate::checks::holds::HeldContact;
-use crate::evaluation::estimate::{Estimate, EstimateRecord};
+use crate::checks::finding::{Finding, FindingSubject};
+use crate::checks::findings::{
+    collect_pose_findings, collect_response_findings, guess_findings, singular_pose_finding,
+};
+use crate::checks::held_contact::HeldContact;
+use crate::evaluation::estimate::{EstimateRecord, PreparedEstimate};
 use crate::model::loading::{Input, Model};
-use crate::pose::travels;
+use crate::pose::pose_solver;
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::{MassQuestion, Normal};
@@ -23,7 +25,7 @@ use std::sync::Arc;
 
 /// Question with resolved names, numbers in SI units and compiled conditions.
 #[derive(Debug)]
-pub(crate) struct Prepared<'a> {
+pub(crate) struct PreparedQuestion<'a> {
     pub model: &'a Model,
     pub question: &'a MassQuestion,
     pub system: System,
@@ -32,17 +34,17 @@ pub(crate) struct Prepared<'a> {
     link: LinkId,
     against: Option<LinkId>,
     normal: Direction,
-    estimate: Option<Estimate>,
-    held: Vec<HeldContact>,
+    estimate: Option<PreparedEstimate>,
+    held_contacts: Vec<HeldContact>,
 }
 
 /// Result of a contact at one pose.
 #[derive(Debug)]
-pub(crate) struct Answer {
+pub(crate) struct ContactResult {
     /// Contact response, including a free body on the other side.
     pub response: ContactResponse,
     /// Response of the mechanism alone; set only if there is a free body on the other side.
-    alone: Option<ContactResponse>,
+    mechanism_response: Option<ContactResponse>,
     /// Limits of m̄ of the mechanism alone along the branches of a singular pose; empty at a regular pose.
     pub limits: BranchLimits,
     /// Classical estimate, if requested.
@@ -51,21 +53,21 @@ pub(crate) struct Answer {
     pub findings: Vec<Finding>,
 }
 
-impl Answer {
+impl ContactResult {
     /// The contact response of the mechanism alone, without a free body on the other side.
-    pub fn of_mechanism(&self) -> &ContactResponse {
-        self.alone.as_ref().unwrap_or(&self.response)
+    pub fn mechanism_response(&self) -> &ContactResponse {
+        self.mechanism_response.as_ref().unwrap_or(&self.response)
     }
 
     /// Limits of m̄ along the branches, if all branches are known and their number is finite. The limits then
     /// bound every mass that a motion from the pose can have.
-    pub fn all_branches(&self) -> Option<&[EffectiveMass]> {
+    pub fn complete_branch_limits(&self) -> Option<&[EffectiveMass]> {
         let limits = &self.limits;
         (limits.complete && !limits.continuous && !limits.limits.is_empty()).then_some(&limits.limits)
     }
 }
 
-impl<'a> Prepared<'a> {
+impl<'a> PreparedQuestion<'a> {
     /// Resolves a question.
     pub fn new(model: &'a Model, question: &'a MassQuestion) -> Result<Self, StudyError> {
         let mechanism = &model.mechanism;
@@ -93,7 +95,7 @@ impl<'a> Prepared<'a> {
         }
         let compile = |skipped| compile(mechanism, question, skipped);
         let system = compile(None)?;
-        let estimate = question.estimate.as_ref().map(|e| Estimate::new(mechanism, e)).transpose()?;
+        let estimate = question.estimate.as_ref().map(|e| PreparedEstimate::new(mechanism, e)).transpose()?;
         let mut held = Vec::new();
         for (number, hold) in question.hold.iter().enumerate() {
             if let Some(normal) = hold.normal {
@@ -107,11 +109,21 @@ impl<'a> Prepared<'a> {
             }
         }
         let configuration = configuration(mechanism, question)?;
-        Ok(Self { model, question, system, configuration, link, against, normal, estimate, held })
+        Ok(Self {
+            model,
+            question,
+            system,
+            configuration,
+            link,
+            against,
+            normal,
+            estimate,
+            held_contacts: held,
+        })
     }
 
     /// Link on the other side; `None` for the ground.
-    pub fn against(&self) -> Option<LinkId> {
+    pub fn other_link(&self) -> Option<LinkId> {
         self.against
     }
 
@@ -122,7 +134,7 @@ impl<'a> Prepared<'a> {
 
     /// True if the question asks only for m̄ of the mechanism alone: no estimate, no held contact, no free
     /// body.
-    pub fn is_plain(&self) -> bool {
+    pub fn needs_only_mass(&self) -> bool {
         self.estimate.is_none() && self.question.hold.is_empty() && self.other_mass().is_none()
     }
 
@@ -140,7 +152,7 @@ impl<'a> Prepared<'a> {
     }
 
     /// Contact, if the point is given in the frame of the contact link.
-    pub fn contact_in_link(&self) -> Option<Contact> {
+    pub fn pose_independent_contact(&self) -> Option<Contact> {
         let point = Vector3::from(self.question.point);
         self.point_is_in_link().then_some(Contact {
             link: self.link,
@@ -152,7 +164,7 @@ impl<'a> Prepared<'a> {
 
     /// Finding that reports the converted coordinates of a point given in another frame; `place` names the pose
     /// of the conversion.
-    pub fn about_point(&self, contact: &Contact, place: &str) -> Option<Finding> {
+    pub fn converted_point_finding(&self, contact: &Contact, place: &str) -> Option<Finding> {
         let frame = match self.question.frame {
             Frame::Link => return None,
             Frame::World => "world",
@@ -169,16 +181,19 @@ impl<'a> Prepared<'a> {
             "the contact point given in another frame ({given}) is {x},{y},{z} m in the frame of link \"{link}\", converted \
              {place}; it moves with the link"
         );
-        Some(Finding::note("point-converted", Subject::Link(contact.link), message))
+        Some(Finding::note("point-converted", FindingSubject::Link(contact.link), message))
     }
 
     /// Findings about unused or distant guesses, and about a pose file that belongs to another model.
-    pub fn about_guesses(&self, pose: &Pose) -> Vec<Finding> {
+    pub fn guess_findings(&self, pose: &Pose) -> Vec<Finding> {
         let question = self.question;
         let mut found =
-            about_guesses(&self.system, pose, &self.configuration, &question.guess, question.names);
-        let other = question.pose.as_ref().and_then(|file| file.about_model(self.model, question.names));
-        found.extend(other.map(|message| Finding::warning("pose-of-another-file", Subject::Answer, message)));
+            guess_findings(&self.system, pose, &self.configuration, &question.guess, question.names);
+        let other =
+            question.pose.as_ref().and_then(|file| file.model_mismatch_message(self.model, question.names));
+        found.extend(
+            other.map(|message| Finding::warning("pose-of-another-file", FindingSubject::Result, message)),
+        );
         found
     }
 
@@ -190,34 +205,40 @@ impl<'a> Prepared<'a> {
 
     /// Pose requested by the question.
     pub fn pose(&self) -> Result<Pose, StudyError> {
-        travels::pose(&self.system, &self.configuration, self.question)
+        pose_solver::pose(&self.system, &self.configuration, self.question)
     }
 
     /// Contact response, branch limits, estimate and findings at a pose.
-    pub fn answer(&self, pose: &Pose, contact: &Contact) -> Result<Answer, StudyError> {
+    pub fn evaluate(&self, pose: &Pose, contact: &Contact) -> Result<ContactResult, StudyError> {
         let (system, names) = (&self.system, self.question.names);
         let response = pose.respond(contact)?;
-        let mut findings = about_pose(system, pose, names);
-        findings.extend(about_response(system, contact, &response, names));
+        let mut findings = collect_pose_findings(system, pose, names);
+        findings.extend(collect_response_findings(system, contact, &response, names));
         let limits =
             if response.singular_pose { pose.branch_limits(contact) } else { BranchLimits::default() };
-        findings.extend(about_branches(pose, &response, &limits));
-        for held in &self.held {
-            findings.extend(held.find(pose, contact, self.other_mass(), names)?);
+        findings.extend(singular_pose_finding(pose, &response, &limits));
+        for held in &self.held_contacts {
+            findings.extend(held.lift_off_finding(pose, contact, self.other_mass(), names)?);
         }
-        let estimate = self.estimate.as_ref().map(|e| e.beside(pose, &response));
+        let estimate = self.estimate.as_ref().map(|e| e.evaluate(pose, &response));
         let Some(other) = self.other_mass() else {
-            return Ok(Answer { response, alone: None, limits, estimate, findings });
+            return Ok(ContactResult { response, mechanism_response: None, limits, estimate, findings });
         };
         if response.effective_mass == EffectiveMass::Immovable {
             let message = format!(
                 "the mechanism is immovable at this contact: the result is the mass of the other body alone{}",
                 Field::AgainstMass.hint(names)
             );
-            findings.push(Finding::note("immovable-mechanism", Subject::Answer, message));
+            findings.push(Finding::note("immovable-mechanism", FindingSubject::Result, message));
         }
         let with_other = response.clone().against_mass(other).map_err(ResponseError::from)?;
-        Ok(Answer { response: with_other, alone: Some(response), limits, estimate, findings })
+        Ok(ContactResult {
+            response: with_other,
+            mechanism_response: Some(response),
+            limits,
+            estimate,
+            findings,
+        })
     }
 
     /// Contact response at a pose, including a free body on the other side, without findings or limits.
@@ -237,23 +258,23 @@ impl<'a> Prepared<'a> {
 
 /// Result of a question at its own pose.
 #[derive(Debug)]
-pub(crate) struct Answered<'a> {
-    pub prepared: Prepared<'a>,
+pub(crate) struct EvaluatedQuestion<'a> {
+    pub prepared: PreparedQuestion<'a>,
     pub pose: Pose,
     pub contact: Contact,
-    pub answer: Answer,
+    pub result: ContactResult,
 }
 
-impl<'a> Answered<'a> {
+impl<'a> EvaluatedQuestion<'a> {
     /// Evaluates a question at its own pose.
     pub fn new(model: &'a Model, question: &'a MassQuestion) -> Result<Self, StudyError> {
-        let prepared = Prepared::new(model, question)?;
+        let prepared = PreparedQuestion::new(model, question)?;
         let pose = prepared.pose()?;
         let contact = prepared.contact_at(&pose);
-        let mut answer = prepared.answer(&pose, &contact)?;
-        answer.findings.extend(prepared.about_point(&contact, "at the pose of the answer"));
-        answer.findings.extend(prepared.about_guesses(&pose));
-        Ok(Self { prepared, pose, contact, answer })
+        let mut answer = prepared.evaluate(&pose, &contact)?;
+        answer.findings.extend(prepared.converted_point_finding(&contact, "at the pose of the answer"));
+        answer.findings.extend(prepared.guess_findings(&pose));
+        Ok(Self { prepared, pose, contact, result: answer })
     }
 }
 
@@ -280,7 +301,7 @@ pub(crate) fn compile(
         conditions = conditions.hold(&hold.link, hold.point, hold.normal.map(Vector3::from));
     }
     let system = System::new(Arc::clone(mechanism), &conditions)
-        .map_err(|error| StudyError::input(Field::of_condition(&error), error))?;
+        .map_err(|error| StudyError::input(Field::from_conditions_error(&error), error))?;
     let root = mechanism.root();
     if question.base == Base::Floating && system.rigid_body_mass(root).is_some_and(|mass| mass <= 0.0) {
         let link = mechanism.link(root).name().to_owned();
@@ -297,7 +318,7 @@ pub(crate) fn configuration(
     let values = |field: Field, joint: &String, given: &GivenPosition| {
         let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(field, error))?;
         let wrong = |source| StudyError::input(field, Fault::Position { joint: joint.clone(), source });
-        given.of_joint(mechanism.joint(id).kind()).map_err(wrong)
+        given.values_for_joint(mechanism.joint(id).kind()).map_err(wrong)
     };
     let mut configuration = match &question.pose {
         None => Configuration::zero(mechanism),
@@ -311,7 +332,7 @@ pub(crate) fn configuration(
         let values = values(Field::Set, joint, given)?;
         configuration.set(joint, &values).map_err(|error| StudyError::input(Field::Set, error))?;
     }
-    let whole = question.pose.as_ref().is_some_and(|file| file.is_whole(mechanism));
+    let whole = question.pose.as_ref().is_some_and(|file| file.is_complete(mechanism));
     for (joint, given) in question.guess.iter().filter(|_| !whole) {
         let values = values(Field::Guess, joint, given)?;
         configuration.guess(joint, &values).map_err(|error| StudyError::input(Field::Guess, error))?;
@@ -328,7 +349,7 @@ fn from_file(
     values: impl Fn(Field, &String, &GivenPosition) -> Result<Vec<f64>, StudyError>,
 ) -> Result<Configuration, StudyError> {
     let refuse = |error: ConfigurationError| StudyError::input(Field::Pose, error);
-    if !file.is_whole(mechanism) {
+    if !file.is_complete(mechanism) {
         let mut configuration = Configuration::zero(mechanism);
         let is_set = |joint: &String| question.set.iter().any(|(set, _)| set == joint);
         for (joint, given) in file.positions.iter().filter(|(joint, _)| !is_set(joint)) {

@@ -27,12 +27,12 @@ impl Model {
     /// # Errors
     /// [`DesignError`]: unknown links or points, invalid masses, moved points of a model without a sheet,
     /// errors of the importer for the moved points.
-    pub fn changed(&self, changes: &Changes) -> Result<Model, DesignError> {
+    pub fn with_changes(&self, changes: &Changes) -> Result<Model, DesignError> {
         let all = self.origin.changes.and(changes);
         let (mut model, to_do) = match (&changes.moves[..], self.origin.sheet.as_deref()) {
             ([], _) => (self.clone(), changes),
             (_, Some((sheet, _))) => {
-                let model = Model::of_sheet(sheet, &all.moves, self.inputs.clone())?;
+                let model = Model::from_sheet(sheet, &all.moves, self.inputs.clone())?;
                 let model = model.with_closures_of(self)?;
                 (model, &all)
             }
@@ -42,7 +42,7 @@ impl Model {
             }
         };
         if !(to_do.link_mass.is_empty() && to_do.link_com.is_empty()) {
-            model.mechanism = Arc::new(reweighed(&model.mechanism, to_do)?);
+            model.mechanism = Arc::new(with_changed_inertia(&model.mechanism, to_do)?);
         }
         model.origin.closures.clone_from(&self.origin.closures);
         model.origin.changes = all;
@@ -54,7 +54,7 @@ impl Model {
         if !other.origin.closures.is_empty() {
             let closures = other.origin.closures.iter().cloned();
             let builder = closures.fold(self.mechanism.to_builder(), |b, closure| b.closure(closure));
-            self.mechanism = Arc::new(builder.build().map_err(no_mechanism(Field::Model))?.mechanism);
+            self.mechanism = Arc::new(builder.build().map_err(build_error_as_fault(Field::Model))?.mechanism);
             self.origin.closures.clone_from(&other.origin.closures);
         }
         Ok(self)
@@ -66,7 +66,7 @@ impl Model {
     }
 }
 
-fn no_mechanism(field: Field) -> impl Fn(BuildError) -> StudyError {
+fn build_error_as_fault(field: Field) -> impl Fn(BuildError) -> StudyError {
     move |error| {
         let of_link = |(subject, _): &&(Subject, Problem)| matches!(subject, Subject::Link { .. });
         let message = error
@@ -80,7 +80,7 @@ fn no_mechanism(field: Field) -> impl Fn(BuildError) -> StudyError {
 }
 
 /// Mechanism with changed masses and centres of mass.
-fn reweighed(mechanism: &Mechanism, changes: &Changes) -> Result<Mechanism, StudyError> {
+fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mechanism, StudyError> {
     let mut inertials = BTreeMap::new();
     for (name, mass) in &changes.link_mass {
         let link = find(mechanism, Field::LinkMass, name)?;
@@ -90,7 +90,7 @@ fn reweighed(mechanism: &Mechanism, changes: &Changes) -> Result<Mechanism, Stud
                 Fault::LinkMass { link: name.clone(), mass: *mass },
             ));
         }
-        inertials.insert(name.clone(), with_mass(link, *mass));
+        inertials.insert(name.clone(), scaled_inertia(link, *mass));
     }
     for (name, com) in &changes.link_com {
         let link = find(mechanism, Field::LinkCom, name)?;
@@ -113,7 +113,7 @@ fn reweighed(mechanism: &Mechanism, changes: &Changes) -> Result<Mechanism, Stud
         }
         link
     });
-    let built = builder.build().map_err(no_mechanism(Field::LinkMass))?;
+    let built = builder.build().map_err(build_error_as_fault(Field::LinkMass))?;
     Ok(built.mechanism)
 }
 
@@ -124,7 +124,7 @@ fn find(mechanism: &Mechanism, field: Field, name: &str) -> Result<Option<Inerti
 
 /// Inertia with the same shape and another density; for a link without mass, a point mass at the origin of the
 /// link frame.
-fn with_mass(inertial: Option<Inertial>, mass: f64) -> Inertial {
+fn scaled_inertia(inertial: Option<Inertial>, mass: f64) -> Inertial {
     match inertial.filter(|inertial| inertial.mass > 0.0) {
         Some(inertial) => {
             let factor = mass / inertial.mass;

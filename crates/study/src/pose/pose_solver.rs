@@ -1,13 +1,13 @@
 //! Pose of a question: joints at their set positions, then the travels.
 
 use crate::pose::driver::Driver;
-use crate::pose::travel::Travel;
-use crate::pose::unreachable_range::Missed;
+use crate::pose::point_travel::PointTravel;
+use crate::pose::unreachable_range::UnreachedRow;
 use crate::question::error::StudyError;
 use crate::question::field::{Field, Names};
 use crate::question::given_travel::GivenTravel;
 use crate::question::mass_question::MassQuestion;
-use crate::thresholds::{HALVINGS, LEAST_PART, OTHER_DRIVERS, TRAVEL_MET, TRAVEL_PARTS, TRAVEL_ROUNDS};
+use crate::thresholds::{HALVINGS, LEAST_PART, OTHER_DRIVERS, TRAVEL_PARTS, TRAVEL_ROUNDS, TRAVEL_TOLERANCE};
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::{Configuration, Pose, System};
 use percuss_mechanism::JointId;
@@ -31,34 +31,34 @@ pub(crate) fn pose(
         question.set.iter().filter_map(|(name, _)| mechanism.find_joint(name).ok()).collect();
     let mut travels = Vec::new();
     for given in &question.travel {
-        let travel = Driven::new(system, configuration, given, &driven)?;
+        let travel = DrivenTravel::new(system, configuration, given, &driven)?;
         driven.push(travel.driver.joint);
         travels.push(travel);
     }
     match &travels[..] {
         [] => Ok(start),
-        [alone] => alone.reach(start, question),
-        several => together(system, configuration, several, start, question.names),
+        [alone] => alone.solve_pose(start, question),
+        several => solve_travels(system, configuration, several, start, question.names),
     }
 }
 
 /// Pose at which several travels have the requested displacements. Newton's method on all drivers, with
 /// intermediate targets.
-fn together(
+fn solve_travels(
     system: &System,
     configuration: &Configuration,
-    travels: &[Driven],
+    travels: &[DrivenTravel],
     start: Pose,
     names: Names,
 ) -> Result<Pose, StudyError> {
-    let within = TRAVEL_MET * system.mechanism().characteristic_length();
+    let within = TRAVEL_TOLERANCE * system.mechanism().characteristic_length();
     let mut drivers: Vec<JointId> = travels.iter().map(|travel| travel.driver.joint).collect();
     let mut at = positions(&start, &drivers);
-    let mut pose = moved(system, configuration, &drivers, &start, &at)?;
+    let mut pose = move_drivers(system, configuration, &drivers, &start, &at)?;
     let (mut reached, mut part, mut changes) = (0.0, 1.0 / TRAVEL_PARTS, 0);
     while reached < 1.0 {
         let to = f64::min(reached + part, 1.0);
-        match met(system, configuration, travels, &drivers, (&pose, &at), to, within) {
+        match solve_travel_fraction(system, configuration, travels, &drivers, (&pose, &at), to, within) {
             Ok((next, there)) => {
                 (pose, at, reached) = (next, there, to);
                 part *= 2.0;
@@ -66,9 +66,9 @@ fn together(
             Err(_) if part < LEAST_PART && changes < OTHER_DRIVERS => {
                 // A driver may be at a dead centre; other drivers continue from this pose.
                 changes = if reached > 0.0 { changes + 1 } else { OTHER_DRIVERS };
-                let Some(others) = drivers_at(travels, &pose) else { continue };
+                let Some(others) = select_drivers(travels, &pose) else { continue };
                 let there = positions(&pose, &others);
-                if let Ok(same) = moved(system, configuration, &others, &pose, &there) {
+                if let Ok(same) = move_drivers(system, configuration, &others, &pose, &there) {
                     (drivers, at, pose, part) = (others, there, same, 1.0 / TRAVEL_PARTS);
                 }
             }
@@ -92,10 +92,10 @@ fn together(
 /// Pose at the fraction `part` of the displacements, and the positions of the drivers. `Err(None)` if Newton's
 /// method does not converge to `within` (m).
 #[allow(clippy::type_complexity, reason = "read in one place")]
-fn met(
+fn solve_travel_fraction(
     system: &System,
     configuration: &Configuration,
-    travels: &[Driven],
+    travels: &[DrivenTravel],
     drivers: &[JointId],
     (from, at): (&Pose, &[f64]),
     part: f64,
@@ -117,13 +117,13 @@ fn met(
         let step =
             rates.lu().solve(&missing).filter(|step| step.iter().all(|x| x.is_finite())).ok_or(None)?;
         at.iter_mut().zip(step.iter()).for_each(|(at, step)| *at += step);
-        pose = moved(system, configuration, drivers, &pose, &at).map_err(Some)?;
+        pose = move_drivers(system, configuration, drivers, &pose, &at).map_err(Some)?;
     }
     Err(None)
 }
 
 /// Pose with the drivers at given positions, on the branch of the pose `from`.
-fn moved(
+fn move_drivers(
     system: &System,
     configuration: &Configuration,
     drivers: &[JointId],
@@ -144,24 +144,24 @@ fn positions(pose: &Pose, joints: &[JointId]) -> Vec<f64> {
 }
 
 /// Drivers of the travels, selected at a pose; a joint drives one travel at most, and set joints drive none.
-fn drivers_at(travels: &[Driven], pose: &Pose) -> Option<Vec<JointId>> {
+fn select_drivers(travels: &[DrivenTravel], pose: &Pose) -> Option<Vec<JointId>> {
     // The drivers of the first travel exclude the set joints only.
     let set = travels.first()?.travel.set();
     let mut drivers = Vec::new();
     for travel in travels {
-        drivers.push(travel.travel.driver_at(pose, &[set, &drivers].concat())?);
+        drivers.push(travel.travel.select_driver(pose, &[set, &drivers].concat())?);
     }
     Some(drivers)
 }
 
 /// Travel and the joint that drives the travel.
-struct Driven {
-    travel: Travel,
+struct DrivenTravel {
+    travel: PointTravel,
     driver: Driver,
     distance: f64,
 }
 
-impl Driven {
+impl DrivenTravel {
     fn new(
         system: &System,
         base: &Configuration,
@@ -171,30 +171,31 @@ impl Driven {
         let link = system.mechanism().find_link(&given.link);
         let link = link.map_err(|error| StudyError::input(Field::Travel, error))?;
         let [point, direction] = [given.point, given.direction].map(Vector3::from);
-        let (travel, driver) = Travel::new(system, base, Field::Travel, link, point, direction, &|joint| {
-            driven.contains(&joint)
-        })?;
+        let (travel, driver) =
+            PointTravel::new(system, base, Field::Travel, link, point, direction, &|joint| {
+                driven.contains(&joint)
+            })?;
         Ok(Self { travel, driver, distance: given.distance })
     }
 
     /// Pose with the requested displacement of the point, through intermediate poses if the displacement
     /// exceeds the work limit.
-    fn reach(&self, from: Pose, question: &MassQuestion) -> Result<Pose, StudyError> {
+    fn solve_pose(&self, from: Pose, question: &MassQuestion) -> Result<Pose, StudyError> {
         let mut pose = from;
         let mut parts = 0;
         let mut to = self.distance;
         loop {
-            match self.travel.reach(&self.driver, &pose, to, question.names)? {
+            match self.travel.pose_at_displacement(&self.driver, &pose, to, question.names)? {
                 Ok(reached) if to == self.distance => return Ok(reached),
                 Ok(reached) => {
                     pose = reached;
                     to = self.distance;
                 }
-                Err(Missed { extent, .. }) if extent.is_too_far() && parts < HALVINGS => {
+                Err(UnreachedRow { extent, .. }) if extent.exceeds_work_limit() && parts < HALVINGS => {
                     parts += 1;
                     to = 0.5 * (self.travel.displacement(&pose) + to);
                 }
-                Err(Missed { why, .. }) => return Err(StudyError::TravelNotReached { why }),
+                Err(UnreachedRow { reason: why, .. }) => return Err(StudyError::TravelNotReached { why }),
             }
         }
     }

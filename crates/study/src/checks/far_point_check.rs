@@ -1,16 +1,16 @@
 //! Plausibility of the contact point. A wrong frame, or millimetres instead of metres, is the most common
 //! mistake.
 
-use crate::checks::finding::{Finding, Subject};
+use crate::checks::finding::{Finding, FindingSubject};
 use crate::question::field::{Field, Names};
-use crate::thresholds::{FAR_POINT, MILLIMETRES};
+use crate::thresholds::{FAR_POINT, NEAR_POINT};
 use nalgebra::Vector3;
 use percuss_mechanism::{Geometry, LinkId, Mechanism};
 
 /// Warning if the point lies farther from the link's origin than three times the extent of the link. The extent
 /// is given by the declared shape; for an unknown shape, by the larger of the link's extent and the mechanism's
 /// characteristic length.
-pub(crate) fn doubt(
+pub(crate) fn far_point_finding(
     mechanism: &Mechanism,
     link: LinkId,
     point: &Vector3<f64>,
@@ -25,7 +25,7 @@ pub(crate) fn doubt(
     if reach <= 0.0 || distance <= FAR_POINT * reach {
         return None;
     }
-    let millimetres = distance / 1000.0 <= FAR_POINT * reach && distance / 1000.0 >= MILLIMETRES * reach;
+    let millimetres = distance / 1000.0 <= FAR_POINT * reach && distance / 1000.0 >= NEAR_POINT * reach;
     let frame = Field::Frame.hint(names);
     let hint = if millimetres {
         format!("is it in millimetres (write 12mm), or in another frame{frame}?")
@@ -37,5 +37,5 @@ pub(crate) fn doubt(
          {hint}",
         body.name()
     );
-    Some(Finding::warning("far-point", Subject::Link(link), message))
+    Some(Finding::warning("far-point", FindingSubject::Link(link), message))
 }

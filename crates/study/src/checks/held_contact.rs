@@ -1,9 +1,9 @@
 //! Check of held contacts for tension: a held contact can push but not pull.
 
-use crate::checks::finding::{Finding, Subject};
+use crate::checks::finding::{Finding, FindingSubject};
 use crate::question::error::StudyError;
 use crate::question::field::{Field, Names};
-use crate::thresholds::LEAVES;
+use crate::thresholds::LIFT_OFF_SPEED;
 use nalgebra::Vector3;
 use percuss_dynamics::{Contact, ContactResponse, EffectiveMass, PointVelocity, Pose, ResponseError, System};
 use percuss_mechanism::LinkId;
@@ -24,7 +24,7 @@ pub(crate) struct HeldContact {
 impl HeldContact {
     /// Warning if the impact at a pose lifts the point off, so that the held contact would have to pull.
     /// `other`: mass of a free body on the other side, kg.
-    pub fn find(
+    pub fn lift_off_finding(
         &self,
         pose: &Pose,
         contact: &Contact,
@@ -37,17 +37,17 @@ impl HeldContact {
         // The impact changes the velocities by −v*: the point moves into the held surface if −v*·n > 0, and
         // lifts off if v*·n > 0.
         let lifts = match velocity {
-            Some(PointVelocity::Known(v)) => pose.base().vector(&v).dot(&self.normal) > LEAVES,
+            Some(PointVelocity::Known(v)) => pose.base().vector(&v).dot(&self.normal) > LIFT_OFF_SPEED,
             Some(PointVelocity::Undetermined) | None => false,
         };
         let name = self.without.mechanism().link(self.link).name();
-        let subject = Subject::Hold(self.number);
+        let subject = FindingSubject::Hold(self.number);
         let hold = Field::Hold.hint(names);
         if lifts {
             let message = format!(
                 "the held contact of link \"{name}\"{hold} would need a pulling force: the impact separates it; \
                  without this held contact {}",
-                described(response, other)?
+                mass_text(response, other)?
             );
             return Ok(Some(Finding::warning("hold-pulls", subject, message)));
         }
@@ -63,7 +63,7 @@ impl HeldContact {
 }
 
 /// Effective mass, as text.
-fn described(response: ContactResponse, other: Option<f64>) -> Result<String, StudyError> {
+fn mass_text(response: ContactResponse, other: Option<f64>) -> Result<String, StudyError> {
     let with_other = match other {
         Some(other) => response.against_mass(other).map_err(ResponseError::from)?.effective_mass,
         None => response.effective_mass,
