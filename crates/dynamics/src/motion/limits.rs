@@ -58,7 +58,7 @@ impl Pose {
     }
 }
 
-/// Method for m̄ beside a crossing.
+/// Method for m̄ at poses near a crossing.
 #[derive(Clone, Copy, PartialEq)]
 enum LimitRoute {
     /// Dense route, for small mechanisms.

@@ -54,6 +54,7 @@ pub(crate) struct Recursion<T: Scalar, const K: usize> {
 }
 
 impl<T: Scalar, const K: usize> Recursion<T, K> {
+    /// Workspace for a model; without test wrenches.
     pub fn new(model: &Model) -> Self {
         let bodies = model.bodies.len();
         let mut armature = vec![T::zero(); model.velocity_coordinates.len()];

@@ -47,6 +47,7 @@ pub(super) fn add_to_parent<T: Lanes>(
 }
 
 impl LeafElimination {
+    /// The stored pivot, in all lanes.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn pivot<T: Lanes>(&self) -> Pivot<T> {
         let of = T::from_f64;

@@ -301,8 +301,8 @@ fn eliminate_step<T: Lanes, const ON_PATH: bool>(
     }
 }
 
-/// A hinge on the ground needs one entry of its inertia. The other entries are not formed, so the size of this entry
-/// stands for all.
+/// Eliminates a hinge on the ground. Only one entry of its inertia is needed. The other entries are not computed, so the
+/// size of this entry is used for all.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn eliminate_ground_hinge<T: Lanes>(step: &TreeStep, carried: &mut PropagatedWrench<T>, own: &[f64]) {
     let of = T::from_f64;
