@@ -158,8 +158,9 @@ fn coupled_groups(model: &Model, contact: &Contact) -> Vec<usize> {
     found
 }
 
-/// Limit along a combination of branches. Lagrange's formula interpolates 1/m̄ from four places on each side; a
-/// formula of lower order must agree.
+/// Limit of m̄ at the crossings along combination `number` of their branches, one branch per crossing. Lagrange's formula
+/// interpolates 1/m̄ from four places on each side; a formula of lower order must agree. `None` if they disagree, or if the
+/// places cannot be reached.
 fn limit_along(
     pose: &Pose,
     contact: &Contact,
@@ -200,7 +201,7 @@ fn limit_along(
     best.filter(|(doubt, _)| *doubt <= DOUBTFUL_LIMIT).map(|(_, limit)| limit)
 }
 
-/// Sort key of a limit.
+/// Sort key of a limit: m̄; infinite if immovable, 0 if massless.
 fn value(limit: &EffectiveMass) -> f64 {
     match limit {
         EffectiveMass::Finite(m) => *m,

@@ -115,7 +115,8 @@ fn projected(
     }
 }
 
-/// Projection on the columns of G, orthonormalised one after another.
+/// Squared length of the projection of j (in `room`) on ker A of one cluster, the column space of G. The columns of G are
+/// orthonormalised one after another; `d`: their number; `scale`: scale of each coordinate.
 fn kernel_projection(
     room: &mut ClosingWorkspace,
     groups: &[GroupMobility],

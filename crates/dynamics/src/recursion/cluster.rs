@@ -106,7 +106,8 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         }
     }
 
-    /// S of every velocity and Ψ of every body.
+    /// Motion columns at the contact point `point`, in root axes: S of every velocity, and Ψ of every body (its twist per
+    /// independent coordinate, relative to the parent of the cluster).
     fn fill_motions(
         &mut self,
         model: &Model,
@@ -135,7 +136,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         }
     }
 
-    /// D, U and t.
+    /// Computes D, U and t over the independent coordinates from Ψ, the articulated inertias and the test wrenches.
     fn fill_blocks(&mut self, recursion: &Recursion<T, K>, cluster: &Cluster) {
         let d = self.d;
         if d > LARGE_CLUSTER {

@@ -121,7 +121,7 @@ fn turn_symmetric<T: Lanes, const Z: usize, const ZERO: usize>(m: &mut [T; 6], c
     }
 }
 
-/// R M Rᵀ for a rotation by 90°, without multiplications.
+/// R M Rᵀ for a rotation by +90° about axis `Z`, without multiplications.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn turn_symmetric_right<T: Lanes, const Z: usize>(m: &mut [T; 6]) {
     let (x, y) = after(Z);
@@ -147,7 +147,7 @@ fn rotate_symmetric<T: Lanes>(m: &mut [T; 6], r: &[[T; 3]; 3]) {
 }
 
 impl PackedInertia<Portable<1>> {
-    /// Returns the inertia as `f64`.
+    /// Returns the inertia of a single lane as `f64`.
     pub fn plain(&self) -> PackedInertia<f64> {
         PackedInertia {
             angular: self.angular.map(Portable::number),

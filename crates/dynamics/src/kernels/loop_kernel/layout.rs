@@ -27,7 +27,8 @@ pub(super) struct Layout {
 pub(super) const FRAME: usize = 12;
 
 impl Layout {
-    /// Frames come first.
+    /// Layout for `bodies` bodies, `count` rows of A (also the number of dependent coordinates), `columns` coordinates, of which
+    /// `freedoms` are independent. The frames of the bodies come first.
     pub fn of(bodies: usize, count: usize, columns: usize, freedoms: usize) -> Self {
         let rows = FRAME * bodies;
         let over = rows + count * columns;

@@ -110,7 +110,7 @@ impl LoopKernel {
         }
     }
 
-    /// Positions that are read.
+    /// Indices of the positions that the kernel reads.
     pub fn read_positions(&self) -> impl Iterator<Item = usize> + '_ {
         self.plan.bodies.iter().flat_map(|body| match body.motion {
             LoopMotion::Fixed | LoopMotion::Free => 0..0,

@@ -231,7 +231,8 @@ pub(super) struct TreePlan {
 }
 
 impl TreePlan {
-    /// `None` if bodies are bound together or have negative masses.
+    /// Compiles a tree of joints: frames, transforms, inertias and bounds of sizes of all bodies. `None` if bodies are bound
+    /// together, mimic others or have a negative mass.
     pub fn of(model: &Model) -> Option<Self> {
         let bound = model.clusters.iter().any(|cluster| cluster.is_bound);
         if bound || model.bodies.is_empty() || !model.bodies.iter().all(is_plain) {
@@ -462,7 +463,7 @@ fn common_normal(
 }
 
 impl ParentTransform {
-    /// From X_po with the joint at 0.
+    /// Divides the transform X_po with the joint at 0 into rotations about and shifts along coordinate axes.
     fn of(k: &Transform<f64>) -> Self {
         let (r, p) = (&k.rotation, &k.translation);
         // R = Rz(φ₁) Rx(α) Rz(φ₂).

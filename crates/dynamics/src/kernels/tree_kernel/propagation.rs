@@ -93,7 +93,8 @@ impl<T: Lanes> PropagatedWrench<T> {
     }
 }
 
-/// Update of the contact wrench by the elimination of one velocity. `AXIS`: component of the twist, angular part first.
+/// Elimination of one velocity for the propagated test wrench f, with t = sᵀf: adds t²/D to 1/m̄ and subtracts U t/D from
+/// f. `AXIS`: component of the twist, angular part first.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn update_wrench<T: Lanes, const AXIS: usize>(
     step: &TreeStep,
