@@ -131,7 +131,8 @@ fn crossings_of<'a>(pose: &'a Pose, contact: &Contact) -> Crossings<'a> {
     Crossings { crossings: all.into_iter().filter(|a| !a.branches.is_empty()).collect(), complete }
 }
 
-/// Groups on the trees of the contact's sides, or on trees coupled to these. Groups that move the sides come first.
+/// Groups of constraints that can affect the contact: on the trees of the contact's two links, or on trees coupled to these
+/// by constraints. Groups with an ancestor of these links come first.
 fn coupled_groups(model: &Model, contact: &Contact) -> Vec<usize> {
     let mut tree_of: Vec<usize> = Vec::with_capacity(model.bodies.len());
     for (i, body) in model.bodies.iter().enumerate() {

@@ -147,7 +147,8 @@ fn add_point<T: Lanes>(
     }
 }
 
-/// Adds one row: the power of a wrench about the point `at`.
+/// Adds one row of A: the power of a wrench (moment about the point `at`, force; root axes) on the velocities of the block.
+/// Nothing is added if `row` is `None` (removed as redundant, or unused).
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn add_row<T: Lanes>(
     plan: &LoopPlan,

@@ -80,7 +80,8 @@ pub(super) struct TreeResponse<T> {
     pub roundings: T,
 }
 
-/// 1/m̄ of the configurations from `first` on.
+/// 1/m̄ of the configurations from `first` on, one per lane, and the size of its terms and roundings. `room`: workspace of
+/// all steps.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn evaluate<T: Lanes>(
     steps: &[ScheduledStep],
