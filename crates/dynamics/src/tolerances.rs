@@ -345,9 +345,9 @@ pub(crate) const DIRECTIONS_WORK: usize = 2_500_000;
 /// Angle (rad) between tangents of curves below which both belong to one branch.
 pub(crate) const SAME_TANGENT: f64 = 2e-3;
 /// Angle (rad) between tangent spaces below which both belong to one branch with several degrees of freedom. These
-/// spaces are known only beside the crossing.
+/// spaces are known only at poses near the crossing.
 pub(crate) const SAME_TANGENT_SPACE: f64 = 0.02;
-/// Smallest nonzero singular value beside a crossing, relative to the largest.
+/// Smallest nonzero singular value at a pose near a crossing, relative to the largest.
 pub(crate) const BESIDE_A_CROSSING: f64 = 1e-8;
 /// Distances between the places for the extrapolation of m̄ to the crossing, relative to the groups' sizes. The next
 /// distance is tried if the values vary too much.
@@ -481,7 +481,7 @@ pub(crate) const MATRIX_NOISE: f64 = 16.0;
 /// (n roundings, and the entries' accuracy). Equal to the limit for pivots of the dense route.
 pub(crate) const NEGATIVE_MASS: f64 = 4e3;
 
-/// Largest last step of Newton's method, relative to the requested distance, for a pose beside a crossing.
+/// Largest last step of Newton's method, relative to the requested distance, for a pose near a crossing.
 pub(crate) const TINY_STEP: f64 = 1e-6;
 /// Distance from a limit of a branch, relative to the size of the group, within which a target counts as the limit:
 /// rounding of positions.
@@ -504,7 +504,7 @@ pub(crate) const STALLED_REDUCTION: f64 = 0.99;
 pub(crate) const STALLED_STEP: f64 = 1e-9;
 /// Step of a correction below the rounding of positions, relative to the size of the group.
 pub(crate) const ROUNDING_STEP: f64 = 1e-15;
-/// Distances along a branch at which a pose beside a crossing is sought, relative to the size of the group.
+/// Distances along a branch at which a pose near a crossing is sought, relative to the size of the group.
 pub(crate) const DEPARTURES: [f64; 4] = [0.1, 0.03, 0.01, 1e-3];
 /// Largest number of steps of driving joints to their requested positions.
 pub(crate) const MOST_SET_STEPS: f64 = 1e4;

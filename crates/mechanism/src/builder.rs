@@ -122,6 +122,8 @@ impl MechanismBuilder {
         }
     }
 
+    /// Validates the descriptions and builds the mechanism. Findings are added to `check`; `None` if the tree cannot be
+    /// built. A mechanism can also be returned together with errors, found after the tree was built.
     fn assemble(mut self, check: &mut Check) -> Option<Mechanism> {
         if self.links.is_empty() {
             check.add(Subject::Mechanism, Problem::NoLinks);
@@ -176,7 +178,8 @@ impl MechanismBuilder {
         Some(mechanism)
     }
 
-    /// Converts every joint to a second parent to a closure.
+    /// Removes every joint whose child already has a parent joint, and returns these joints as closures. Adds a finding
+    /// for each.
     fn take_second_parents(
         &mut self,
         check: &mut Check,
@@ -232,7 +235,8 @@ impl MechanismBuilder {
         joint_subject(self.joint_index[i], &self.joints[i].name)
     }
 
-    /// Resolves chains of mimics to their first master. Each joint is resolved once: linear cost.
+    /// Mimic of every joint, with a chain of mimics folded into one relation to the joint at its end, which mimics no
+    /// other. Adds an error for a cycle. Each joint is resolved once: linear cost.
     fn mimics(&self, check: &mut Check, ids: &HashMap<String, usize>) -> Vec<Option<Mimic>> {
         let next: Vec<Option<usize>> = (0..self.joints.len()).map(|i| self.mimicked(check, ids, i)).collect();
         let mut resolved: Vec<Option<Mimic>> = vec![None; self.joints.len()];
@@ -278,7 +282,8 @@ impl MechanismBuilder {
         resolved
     }
 
-    /// Joint that joint `i` mimics directly, if valid.
+    /// Index of the joint that joint `i` mimics directly. `None` if there is no mimic, or if the mimic is invalid (adds an
+    /// error): unknown joint, or a joint without exactly one degree of freedom.
     fn mimicked(&self, check: &mut Check, ids: &HashMap<String, usize>, i: usize) -> Option<usize> {
         let joint = &self.joints[i];
         let mimic = joint.mimic.as_ref()?;
@@ -298,6 +303,8 @@ impl MechanismBuilder {
         Some(master)
     }
 
+    /// Joints of the tree, in the order of the descriptions: axes of unit length, one armature per velocity. `ends`: parent
+    /// and child of each joint; `mimics`: resolved mimic of each joint.
     fn joints(&self, ends: &[(LinkId, LinkId)], mimics: Vec<Option<Mimic>>) -> Vec<Joint> {
         let make = |((joint, &(parent, child)), mimic): ((&JointDescription, _), _)| Joint {
             name: joint.name.clone(),
@@ -328,6 +335,8 @@ fn joint_subject(index: usize, name: &str) -> Subject {
     Subject::Joint { index, name: name.to_owned() }
 }
 
+/// Link with its inertia about the origin and its extent (m): the largest of the distance of the centre of mass, the
+/// radius of gyration and the radius of the shape. Child joints are not yet included.
 fn make_link(link: &LinkDescription) -> Link {
     let reach = match link.geometry {
         Geometry::None | Geometry::Mesh => 0.0,
@@ -349,10 +358,10 @@ fn gyration(inertial: &Inertial) -> f64 {
     if inertial.mass > 0.0 { (inertial.about_com.trace().abs() / inertial.mass).sqrt() } else { 0.0 }
 }
 
-/// Largest distance from a link's origin to its centre of mass, the end of its shape, a child joint or a loop
-/// frame; the root is excluded. If all are zero, the extent of the root, then the largest radius of gyration,
-/// then 1. The radius of gyration comes last, since files give massless frames a tiny mass with an arbitrary
-/// inertia.
+/// Characteristic length, m: largest distance from a link's origin to its centre of mass, the end of its shape, a
+/// child joint or a loop frame, or length of a distance closure; the root is excluded. If all are zero: the extent of the
+/// root, then the largest radius of gyration, then 1. The radius of gyration comes last, since files give massless frames
+/// a tiny mass with an arbitrary inertia.
 fn characteristic_length(
     links: &[Link],
     joints: &[Joint],

@@ -16,20 +16,25 @@ pub(crate) struct Check {
 }
 
 impl Check {
+    /// Adds a finding about a subject.
     pub fn add(&mut self, subject: Subject, problem: Problem) {
         self.findings.push((subject, problem));
     }
 
-    /// Suggests similar names, for a limited number of unknown names: the cost of all comparisons is quadratic.
+    /// Up to three candidates similar to an unknown name. Returns none after a limited number of calls: the cost of all
+    /// comparisons is quadratic.
     pub fn near<'a>(&mut self, name: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<String> {
         self.suggested += 1;
         if self.suggested <= limits::MOST_SUGGESTIONS { near_names(name, candidates) } else { Vec::new() }
     }
 
+    /// True if a finding is an error.
     pub fn has_errors(&self) -> bool {
         self.findings.iter().any(|(_, p)| p.severity() == Severity::Error)
     }
 
+    /// Index of every name. Adds an error for each empty or repeated name; a repeated name keeps the first index.
+    /// `subject` makes the subject of the finding from the index and the name.
     pub fn unique<'a>(
         &mut self,
         names: impl Iterator<Item = &'a String>,
@@ -48,7 +53,8 @@ impl Check {
         ids
     }
 
-    /// Returns true if every value is finite and below the limit of size; otherwise adds an error.
+    /// True if the magnitude of every value is finite and at most [`limits::LARGEST_NUMBER`]; otherwise adds an error that
+    /// names the `quantity`.
     pub fn is_valid<'a>(
         &mut self,
         subject: &Subject,
@@ -68,6 +74,7 @@ impl Check {
         true
     }
 
+    /// Checks centre of mass, inertia and mass of a link: finite, not too large, mass ≥ 0.
     pub fn link_numbers(&mut self, subject: Subject, link: &LinkDescription) {
         let Some(inertial) = &link.inertial else { return };
         self.is_valid(&subject, "centre of mass", &inertial.com);
@@ -77,6 +84,8 @@ impl Check {
         }
     }
 
+    /// Checks the numbers of a joint: origin, rotation matrix, nonzero axis, armature (count and sign), order of the limits,
+    /// mimic.
     pub fn joint_numbers(&mut self, subject: Subject, joint: &JointDescription) {
         self.is_valid(&subject, "origin", &joint.origin.translation);
         if self.is_valid(&subject, "rotation", &joint.origin.rotation) {

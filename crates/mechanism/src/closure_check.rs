@@ -12,15 +12,17 @@ use crate::{
 use percuss_spatial::{Matrix3, Transform, Vector3};
 use std::collections::HashMap;
 
+/// Subject of a finding about closure number `index`.
 fn closure_subject(index: usize, name: &str) -> Subject {
     Subject::Closure { index, name: name.to_owned() }
 }
 
+/// Subject of a finding about coupling number `index`.
 fn coupling_subject(index: usize, name: &str) -> Subject {
     Subject::Coupling { index, name: name.to_owned() }
 }
 
-/// Converts a joint to a second parent to a closure, or returns the reason why this is impossible.
+/// Converts a joint whose child already has a parent joint to a closure, or returns the reason why this is impossible.
 pub(crate) fn of_joint(joint: JointDescription) -> Result<ClosureDescription, &'static str> {
     let kind = match joint.kind {
         JointKind::Fixed => ClosureKind::Fixed,
@@ -79,6 +81,7 @@ pub(crate) fn check(
     circles(couplings, check);
 }
 
+/// Checks the numbers of a closure: loop frames, the axes that its kind uses (nonzero), and the distance (> 0).
 fn closure_numbers(subject: &Subject, closure: &ClosureDescription, check: &mut Check) {
     for frame in [&closure.predecessor_frame, &closure.successor_frame] {
         check.is_valid(subject, "origin", &frame.translation);
@@ -107,10 +110,12 @@ fn closure_numbers(subject: &Subject, closure: &ClosureDescription, check: &mut 
     }
 }
 
-/// Couplings must form no cycle: its ratios would contradict or duplicate each other.
+/// Adds an error for every coupling that closes a cycle of couplings between links: the ratios of a cycle contradict or
+/// duplicate each other.
 fn circles(couplings: &[CouplingDescription], check: &mut Check) {
     let mut group: HashMap<&str, usize> = HashMap::new();
     let mut parent: Vec<usize> = Vec::new();
+    /// Representative of the set of `i` (union–find, with path halving).
     fn root(parent: &mut [usize], mut i: usize) -> usize {
         while parent[i] != i {
             parent[i] = parent[parent[i]];
@@ -137,7 +142,8 @@ fn circles(couplings: &[CouplingDescription], check: &mut Check) {
     }
 }
 
-/// Resolves valid closures and couplings to links and joints of the tree.
+/// Adds the valid closures and couplings to the mechanism, with link names resolved. A coupling whose path has a joint
+/// with several degrees of freedom, or no moving joint, adds an error instead.
 pub(crate) fn attach(
     mechanism: &mut Mechanism,
     closures: &[ClosureDescription],
@@ -177,8 +183,9 @@ pub(crate) fn attach(
     }
 }
 
-/// Terms of Σ q over the successor's path − ratio · Σ q over the predecessor's path, from the nearest common
-/// ancestor.
+/// Joints and factors of the sum that a coupling keeps constant: Σ q over the path from the nearest common ancestor to
+/// the successor, minus ratio · Σ q over the path to the predecessor. Factors: 1 and −ratio. Error if a joint has
+/// several degrees of freedom, or if no joint moves.
 fn terms(
     mechanism: &Mechanism,
     predecessor: LinkId,

@@ -6,7 +6,8 @@ use crate::{
 };
 
 impl Mechanism {
-    /// Builder with all descriptions of this mechanism. Accepted findings stay accepted.
+    /// Builder with all descriptions of this mechanism. Indefinite and implausible inertias are accepted, as they may have
+    /// been accepted when this mechanism was built.
     pub fn to_builder(&self) -> MechanismBuilder {
         let mut builder = self.to_tree_builder(true);
         for closure in &self.closures {
@@ -38,6 +39,8 @@ impl Mechanism {
         self.to_tree_builder(false)
     }
 
+    /// Builder with the links and tree joints, without closures and couplings; `mimics`: keep the mimics. Inertias that the
+    /// checks reject are accepted.
     fn to_tree_builder(&self, mimics: bool) -> MechanismBuilder {
         let mut builder = MechanismBuilder::new(self.name.clone())
             .accept(Accept { indefinite_inertia: true, implausible_inertia: true });

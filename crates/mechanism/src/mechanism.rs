@@ -22,6 +22,7 @@ pub struct Mechanism {
 }
 
 impl Mechanism {
+    /// Mechanism without closures and couplings. `characteristic_length`: m.
     pub(crate) fn new(
         name: String,
         links: Vec<Link>,

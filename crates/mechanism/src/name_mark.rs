@@ -1,7 +1,7 @@
-//! A mark by which an index of a link or a joint is recognised.
+//! Mark of a name, stored in every index of a link or joint to detect indices of another mechanism.
 
-/// Mark of a name. An index carries the mark of its link's or joint's name: it holds in every mechanism that has this name at this
-/// index, variants with other masses and lengths included.
+/// Hash of a name. An index of a link or joint carries the hash of its name. The index is valid in every mechanism that
+/// has the same name at the same position, for example in variants with other masses and lengths.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct NameMark(u32);
 

@@ -50,7 +50,8 @@ pub(crate) fn write_near(f: &mut fmt::Formatter<'_>, near: &[String]) -> fmt::Re
 
 /// Returns up to three candidates similar to `name`, most similar first.
 ///
-/// Similar: equal except for case, or containing `name`, or a Jaro–Winkler similarity of at least 0.8.
+/// Similar: a Jaro–Winkler similarity of at least 0.8 without regard to case, or one of the two names contains the other
+/// (for a `name` of at least three bytes). Names of more than 200 bytes are ignored.
 pub fn near_names<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<String> {
     // Longer names are no typing errors, and the comparison is quadratic.
     const LONGEST: usize = 200;

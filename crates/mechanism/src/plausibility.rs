@@ -1,21 +1,24 @@
-//! Inertias that no body of the link's size has: most come from a wrong unit.
+//! Search for inertias that are impossible for a body of the link's size. The usual reason is a wrong unit.
 
 use crate::inertia_check::principal_moments;
 use crate::limits::{DENSEST, FAR_GYRATION, LEAST_GYRATION, SPHERE_OVER_GYRATION, WIDE_GYRATION};
 use crate::{Accept, Geometry, Mechanism, Problem, Subject};
 
 impl Mechanism {
-    /// Links whose inertia does not fit their mass and size, with k = √(λ_max/m) the largest radius of gyration about the
-    /// centre of mass:
+    /// Links whose inertia does not fit their mass and size.
     ///
-    /// | finding                   | condition                                                                    |
-    /// |---------------------------|------------------------------------------------------------------------------|
-    /// | warning, error far out    | k above 3 times, 30 times the reach of the link and of the mechanism's largest link |
-    /// | warning                   | mass 0 with an inertia, unless a coupling or mimic makes the link a rotor    |
-    /// | warning                   | the sphere of that k is denser than 2e5 kg/m³, unless k is that of a point   |
+    /// k = √(λ_max/m): largest radius of gyration about the centre of mass; for a link without mass, m is the total mass.
+    /// r: the reach of the link, or that of the largest link of the mechanism if larger.
     ///
-    /// The reach of a link: its centre of mass, its declared shape, joints below it and loop frames on it; nothing is found
-    /// where no link has one. Cost: O(links).
+    /// | severity | condition                                                                                |
+    /// |----------|------------------------------------------------------------------------------------------|
+    /// | warning  | k > 3 r, mass > 0                                                                        |
+    /// | error    | k > 30 r, unless accepted (then a warning)                                               |
+    /// | warning  | mass 0 with an inertia, unless a coupling or mimic makes the link a rotor                |
+    /// | warning  | a sphere with the same mass and k is denser than 2e5 kg/m³, unless k is tiny against r   |
+    ///
+    /// Reach of a link: largest distance from its origin to its centre of mass, the end of its declared shape, a child
+    /// joint or a loop frame. If no link has a reach, nothing is reported. Cost: O(links).
     pub fn implausible_inertias(&self, accept: Accept) -> Vec<(Subject, Problem)> {
         let (reaches, rotors) = (self.reaches(), self.rotors());
         let largest = reaches.iter().copied().fold(0.0, f64::max);
@@ -29,7 +32,7 @@ impl Mechanism {
             if reach <= 0.0 || moment <= 0.0 {
                 continue;
             }
-            // A body without mass is measured by the mass of all others.
+            // The radius of gyration of a body without mass is computed with the total mass.
             let mass = if inertial.mass > 0.0 { inertial.mass } else { total };
             let gyration = if mass > 0.0 { (moment / mass).sqrt() } else { f64::INFINITY };
             let far = gyration > FAR_GYRATION * reach;
@@ -52,7 +55,8 @@ impl Mechanism {
         found
     }
 
-    /// Per link: the greatest distance of anything on it from its origin, its inertia left out, m.
+    /// Reach of every link, m: largest distance from its origin to its centre of mass, the end of its shape, a child joint
+    /// or a loop frame.
     fn reaches(&self) -> Vec<f64> {
         let own = self.links().iter().map(|link| {
             let shape = match link.geometry() {
@@ -75,7 +79,8 @@ impl Mechanism {
         reaches
     }
 
-    /// Per link: true if a coupling or a mimic drives it or is driven by it. A gear's rotor may be described by its inertia alone.
+    /// Per link: true if the link is part of a coupling, or the child of a joint that mimics or is mimicked. The rotor of a
+    /// gear may have an inertia without a mass.
     fn rotors(&self) -> Vec<bool> {
         let mut rotors = vec![false; self.links().len()];
         for coupling in self.couplings() {

@@ -13,7 +13,8 @@ pub(crate) struct Tree {
     pub order: Vec<LinkId>,
 }
 
-/// Builds the tree of `links` from the (parent, child) pairs of the joints; no link has two parents.
+/// Builds the tree of `links` from the (parent, child) pairs of the joints. The caller ensures that no link has two
+/// parents. Error if there are several roots, or if some links form a cycle.
 pub(crate) fn build(
     links: &[String],
     joint_names: &[&str],

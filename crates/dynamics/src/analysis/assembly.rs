@@ -61,6 +61,7 @@ pub struct DrawnGap {
 }
 
 impl Assembly {
+    /// Decides the generic ranks of all groups from the facts of the assembly, and collects the remarks.
     pub(crate) fn new(models: Models, facts: Facts) -> Self {
         let generic_kinematics = generic_kinematics(&models, &facts);
         let model = &models.mass_model;

@@ -150,7 +150,7 @@ impl Pose {
         Ok(answer?)
     }
 
-    /// The contact at the frames of this pose.
+    /// Input of the routes to m̄: the contact with the frames and the mobility of this pose.
     fn question<'a>(&'a self, located: &'a LocatedContact) -> RouteInput<'a> {
         RouteInput {
             model: self.assembly.model(),

@@ -97,6 +97,7 @@ pub(crate) struct RecursionWorkspace {
 }
 
 impl RecursionWorkspace {
+    /// Allocates the buffers for a model.
     pub fn new(model: &Model) -> Self {
         Self {
             recursion: Recursion::new(model),
@@ -265,7 +266,7 @@ impl RouteInput<'_> {
     }
 
     /// Kinds of findings about a result, as in [`Pose::respond`](crate::Pose::respond), without the findings of the
-    /// route. Allocates nothing.
+    /// route. `closing_speed`: see [`relative_closing_speed`], dimensionless. Allocates nothing.
     fn remark_flags(
         &self,
         room: &RecursionWorkspace,

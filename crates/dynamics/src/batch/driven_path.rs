@@ -89,8 +89,8 @@ impl Pose {
         of_branch.chain(&base).collect()
     }
 
-    /// Dependence flag of each coordinate; `None` if locks or held contacts change the groups, or the pose is
-    /// singular.
+    /// For each coordinate: true if it is dependent at this pose. `None` if locks or held contacts change the groups, or if the
+    /// pose is singular.
     fn dependent_coordinates(&self) -> Option<Vec<bool>> {
         let (model, loops) = (self.assembly.model(), self.loops.as_ref()?);
         if !self.assembly.has_single_model() || loops.anchors.iter().any(Option::is_some) {

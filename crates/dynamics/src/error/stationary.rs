@@ -119,7 +119,8 @@ impl Stationary<'_> {
         x.inertia(&self.model.bodies[i].inertia)
     }
 
-    /// Wrench transmitted by each joint, without constraint wrenches.
+    /// Per body: impulse wrench left over for its joint: the contact's unit impulses on the subtree minus the subtree's
+    /// momentum at `twists`. Loop constraints are not included. Root axes, at the contact point.
     fn transmitted(&self, inertias: &[SpatialInertia<f64>], twists: &[Twist<f64>]) -> Vec<Wrench<f64>> {
         let model = self.model;
         let mut transmitted: Vec<Wrench<f64>> =
@@ -148,7 +149,8 @@ impl Stationary<'_> {
         speed(self.contact.link) - self.contact.against.map_or(0.0, speed)
     }
 
-    /// Residuals of the equations for given transmitted wrenches.
+    /// Residuals of the equations of motion along the tree velocities and of the loop constraints, for the wrenches of
+    /// [`transmitted`](Self::transmitted).
     fn residuals(&self, transmitted: &[Wrench<f64>]) -> EnergyResiduals {
         let model = self.model;
         let mut left = EnergyResiduals {
@@ -228,6 +230,7 @@ pub(crate) struct Pivoted {
 }
 
 impl Pivoted {
+    /// Takes the pivot rows and columns of a group from its decided mobility.
     pub fn new(group: &Group, known: &GroupMobility) -> Self {
         let (mut row_of, mut column_of) =
             (vec![usize::MAX; group.rows], vec![usize::MAX; group.coordinates.len()]);
@@ -247,11 +250,12 @@ impl Pivoted {
         self.solve(self.entries.iter().map(|&(r, c, a)| (c, r, a)).collect(), forces)
     }
 
-    /// Solves K x = open.
+    /// Solves K x = open; `open`: residual rates of the pivot rows.
     pub fn solve_closing_step(&self, open: &[f64]) -> Vec<f64> {
         self.solve(self.entries.clone(), open)
     }
 
+    /// Solution of the square system with the given (row, column, value) entries and right side; dense for small systems.
     fn solve(&self, entries: Vec<(usize, usize, f64)>, right: &[f64]) -> Vec<f64> {
         let count = self.count;
         if count > DENSE_LIMIT {

@@ -30,6 +30,7 @@ impl Kinematics<f64> {
 }
 
 impl<T: Scalar> Kinematics<T> {
+    /// Buffers for a model: all positions 0, frames not yet computed (identity). See [`refill`](Self::refill).
     pub fn new(model: &Model) -> Self {
         let bodies = model.bodies.len();
         Self {

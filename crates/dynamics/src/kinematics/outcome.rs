@@ -310,7 +310,7 @@ pub enum Remark {
     BaseNotGiven,
 }
 
-/// Up to six names in quotation marks, for messages.
+/// Names of joints in quotation marks, for messages: at most six, then the number of the others. `mimics` if empty.
 fn quoted(names: &[String]) -> String {
     if names.is_empty() {
         return "mimics".into();

@@ -156,7 +156,8 @@ pub(crate) fn largest(residuals: &[f64]) -> (f64, usize) {
 }
 
 /// For each row of a closure: the wrench (root axes, about the successor's loop origin) whose power on the relative
-/// twist is the rate of the residual. The order is that of the table at [`ClosureKind`].
+/// twist is the rate of the residual. Rows of rotations are scaled by `length` (m). The order is that of the table at
+/// [`ClosureKind`].
 pub(crate) fn closure_wrenches<T: Scalar>(
     closure: &CompiledClosure,
     x_rp: &Transform<T>,

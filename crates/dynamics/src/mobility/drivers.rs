@@ -87,8 +87,8 @@ impl Model {
     }
 
     /// Divides the movable coordinates of a group; `count` of the coordinates become dependent. Coordinates of the
-    /// lowest priority come first. Among equal priorities, well-conditioned coordinates far from the root are
-    /// preferred.
+    /// lowest priority become dependent first. Among equal priorities, well-conditioned coordinates far from the root are
+    /// preferred. `given`: true for coordinates with a requested position; `floor`: threshold of the rank.
     fn divide_coordinates(
         &self,
         group: &Group,

@@ -158,6 +158,7 @@ pub(super) struct ZeroFrames {
 }
 
 impl ZeroFrames {
+    /// Computes the frames; joints that mimic are at their offset.
     pub fn of(model: &Model) -> Self {
         let mut frames: Vec<Transform<f64>> = Vec::with_capacity(model.bodies.len());
         for body in &model.bodies {

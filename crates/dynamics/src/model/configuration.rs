@@ -146,7 +146,8 @@ impl Configuration {
         &self.mechanism
     }
 
-    /// All positions, with the guesses for the given joints inserted; `None` if none of these joints has a guess.
+    /// Positions of all joints, with the guesses for the given joints inserted; `None` if none of these joints has a guess.
+    /// `joint_q`: range of each joint's positions; an entry `None` in `joints` is ignored.
     pub(crate) fn guess_for(
         &self,
         joint_q: &[std::ops::Range<usize>],

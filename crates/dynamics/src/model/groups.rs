@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 use percuss_mechanism::JointId;
 
 impl Model {
+    /// Name of a closure or coupling; for a held contact a text with the name of its link.
     pub fn constraint_name(&self, constraint: Constraint) -> String {
         match constraint {
             Constraint::Closure(i) => self.closures[i].name.clone(),

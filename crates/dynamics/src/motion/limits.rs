@@ -58,7 +58,7 @@ impl Pose {
     }
 }
 
-/// Method for m̄ beside a crossing.
+/// Method for m̄ at poses near a crossing.
 #[derive(Clone, Copy, PartialEq)]
 enum LimitRoute {
     /// Dense route, for small mechanisms.
@@ -131,7 +131,8 @@ fn crossings_of<'a>(pose: &'a Pose, contact: &Contact) -> Crossings<'a> {
     Crossings { crossings: all.into_iter().filter(|a| !a.branches.is_empty()).collect(), complete }
 }
 
-/// Groups on the trees of the contact's sides, or on trees coupled to these. Groups that move the sides come first.
+/// Groups of constraints that can affect the contact: on the trees of the contact's two links, or on trees coupled to these
+/// by constraints. Groups with an ancestor of these links come first.
 fn coupled_groups(model: &Model, contact: &Contact) -> Vec<usize> {
     let mut tree_of: Vec<usize> = Vec::with_capacity(model.bodies.len());
     for (i, body) in model.bodies.iter().enumerate() {
@@ -158,8 +159,9 @@ fn coupled_groups(model: &Model, contact: &Contact) -> Vec<usize> {
     found
 }
 
-/// Limit along a combination of branches. Lagrange's formula interpolates 1/m̄ from four places on each side; a
-/// formula of lower order must agree.
+/// Limit of m̄ at the crossings along combination `number` of their branches, one branch per crossing. Lagrange's formula
+/// interpolates 1/m̄ from four places on each side; a formula of lower order must agree. `None` if they disagree, or if the
+/// places cannot be reached.
 fn limit_along(
     pose: &Pose,
     contact: &Contact,
@@ -200,7 +202,7 @@ fn limit_along(
     best.filter(|(doubt, _)| *doubt <= DOUBTFUL_LIMIT).map(|(_, limit)| limit)
 }
 
-/// Sort key of a limit.
+/// Sort key of a limit: m̄; infinite if immovable, 0 if massless.
 fn value(limit: &EffectiveMass) -> f64 {
     match limit {
         EffectiveMass::Finite(m) => *m,

@@ -91,7 +91,7 @@ impl Pose {
         deciding.massless.contains(&true)
     }
 
-    /// v* over the tree velocities.
+    /// Velocities of a contact response, over the tree velocities: those of the joints and of a floating base.
     fn tree_velocities(&self, response: &ContactResponse) -> Vec<f64> {
         let mut tree = vec![0.0; self.assembly.model().velocity_coordinates.len()];
         for body in self.assembly.model().bodies.iter().filter(|b| !b.v.is_empty()) {

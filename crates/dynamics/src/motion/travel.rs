@@ -408,7 +408,7 @@ impl Travel {
     }
 }
 
-/// Σ u², with rates of translations relative to the size of the mechanism.
+/// Size of a motion: Σ u², with rates of translations divided by the characteristic length of the mechanism.
 fn motion(pose: &Pose, u: &[f64]) -> f64 {
     let size = pose.mechanism().characteristic_length();
     let coordinates = &pose.assembly.pose_model().coordinates;

@@ -139,7 +139,7 @@ impl<P> Search<'_, P> {
         }
     }
 
-    /// A step away from a place with an undetermined rate.
+    /// Takes a small step of the driver, in either direction, from a pose at which the rate is undetermined.
     fn step_from_undetermined(&mut self, start: &TravelPoint<P>) -> Result<TravelPoint<P>, SearchError> {
         let step = FIRST_STEP * self.scale.unit;
         let mut first = None;
@@ -176,7 +176,8 @@ impl<P> Search<'_, P> {
         Err(SearchError::TooFar { reached: near.displacement })
     }
 
-    /// Classifies a driver position as seen from a place short of the displacement.
+    /// Visits a driver position and classifies it: displacement reached, nearer than `near`, or far end of a bracket.
+    /// `near`: a pose before the requested displacement; `ahead`: sign of the driver's motion from there.
     fn classify_position(
         &mut self,
         near: &TravelPoint<P>,
@@ -243,7 +244,8 @@ impl<P> Search<'_, P> {
         self.bracket_result(near, far)
     }
 
-    /// Visits the exact limit of the driver. Its rate there may have either sign.
+    /// Visits the exact limit of the driver. `Ok(Ok)`: the limit has the requested displacement; `Ok(Err)`: the limit is the
+    /// far end of a bracket. The rate at the limit is not used, since it may have either sign.
     fn visit_limit(
         &mut self,
         near: &TravelPoint<P>,

@@ -8,7 +8,8 @@ use crate::model::{Cluster, Model, VelocityCoordinate};
 use crate::recursion::Recursion;
 use crate::tolerances::{DEPENDENT_RATES, IMMOVABLE, LEAST_SINGULAR, MOST_GROWTH, RATE_ROUNDINGS};
 
-/// |j on ker A| / |size of the terms of j|, over coordinates scaled by the contact's length.
+/// Relative closing speed: |projection of j on ker A| / |sizes of the terms of j|, dimensionless, over coordinates scaled
+/// by the contact's length. 0: no admissible motion closes the gap.
 ///
 /// ker A is the product of the kernels of the clusters, so the squared projections of j on these kernels are summed.
 pub(crate) fn relative_closing_speed<const K: usize>(
@@ -114,7 +115,8 @@ fn projected(
     }
 }
 
-/// Projection on the columns of G, orthonormalised one after another.
+/// Squared length of the projection of j (in `room`) on ker A of one cluster, the column space of G. The columns of G are
+/// orthonormalised one after another; `d`: their number; `scale`: scale of each coordinate.
 fn kernel_projection(
     room: &mut ClosingWorkspace,
     groups: &[GroupMobility],

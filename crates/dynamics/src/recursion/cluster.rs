@@ -11,6 +11,8 @@ use nalgebra::Vector3;
 use percuss_spatial::{ArticulatedInertia, Scalar, Twist, Wrench};
 
 impl<T: Scalar, const K: usize> Recursion<T, K> {
+    /// Eliminates the bound cluster `number`, stored at `clusters[place]`, and adds the remaining inertia and test wrenches to
+    /// its parent. `point`: contact point in the root frame.
     #[expect(clippy::too_many_arguments, reason = "one step of `eliminate`, which owns all of these")]
     pub(super) fn eliminate_cluster(
         &mut self,
@@ -104,7 +106,8 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         }
     }
 
-    /// S of every velocity and Ψ of every body.
+    /// Motion columns at the contact point `point`, in root axes: S of every velocity, and Ψ of every body (its twist per
+    /// independent coordinate, relative to the parent of the cluster).
     fn fill_motions(
         &mut self,
         model: &Model,
@@ -133,7 +136,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         }
     }
 
-    /// D, U and t.
+    /// Computes D, U and t over the independent coordinates from Ψ, the articulated inertias and the test wrenches.
     fn fill_blocks(&mut self, recursion: &Recursion<T, K>, cluster: &Cluster) {
         let d = self.d;
         if d > LARGE_CLUSTER {
@@ -330,8 +333,8 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         passed
     }
 
-    /// Rates of the independent coordinates for a parent with the twist `twist`: D u = t − Uᵀ V. Dropped coordinates
-    /// have the rates in `free` (zero if `None`). Overwrites `u`.
+    /// Rates u of the independent coordinates for a parent with the twist V (`twist`): D u = t − Uᵀ V, with t = 0 unless
+    /// `loaded`. Dropped coordinates have the rate 0, except coordinate `free` with the rate 1. Overwrites `u`.
     pub fn fill_independent_rates(
         &self,
         twist: &Twist<T>,
@@ -366,6 +369,8 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         self.distribute_velocities(cluster, motion, false, None);
     }
 
+    /// Velocities and twists of the cluster's bodies, from the twist of the parent. `loaded`: with the response to test
+    /// wrench 0; `free`: dropped coordinate that gets the rate 1.
     fn distribute_velocities(
         &self,
         cluster: &Cluster,
@@ -393,7 +398,8 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
 }
 
 impl<const K: usize> ClusterElimination<f64, K> {
-    /// Error of the order of the recursion's own, since the motion has the size of a body's motion.
+    /// Part of [`Recursion::for_each_pivot`] for this cluster. For a dropped coordinate the motion has, in each part, the
+    /// largest magnitude over the bodies, since only its size is used; for a pivot the motion is zero.
     pub fn for_each_pivot(&self, take: &mut impl FnMut(&[f64; K], Option<f64>, &Twist<f64>) -> bool) -> bool {
         let d = self.d;
         let largest = |y: usize| {

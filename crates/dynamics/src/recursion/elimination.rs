@@ -16,6 +16,7 @@ pub(crate) struct RecursionMotion<T: Scalar> {
 }
 
 impl<T: Scalar> RecursionMotion<T> {
+    /// Zero motion, with buffers of the size of the model.
     pub fn new(model: &Model) -> Self {
         Self {
             velocities: vec![T::zero(); model.velocity_coordinates.len()],

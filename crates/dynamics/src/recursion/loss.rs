@@ -63,6 +63,8 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         loss
     }
 
+    /// Part of [`pivot_loss`](Self::pivot_loss) of the bound cluster `number`, stored at `clusters[place]`: its own pivots and
+    /// those of its constraints. `sizes`: per body, with its subtree.
     fn cluster_pivot_loss(
         &self,
         model: &Model,

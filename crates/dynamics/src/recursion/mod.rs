@@ -54,6 +54,7 @@ pub(crate) struct Recursion<T: Scalar, const K: usize> {
 }
 
 impl<T: Scalar, const K: usize> Recursion<T, K> {
+    /// Workspace for a model; without test wrenches.
     pub fn new(model: &Model) -> Self {
         let bodies = model.bodies.len();
         let mut armature = vec![T::zero(); model.velocity_coordinates.len()];
@@ -162,7 +163,8 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         self.base_velocities(model, point, motion);
     }
 
-    /// The velocities of a floating base refer to its own origin, the root's.
+    /// Sets the velocities of a floating base without constraints: the twist of the base, transferred from the contact point
+    /// (`point`) to the origin of the root.
     fn base_velocities(&self, model: &Model, point: &Vector3<T>, motion: &mut RecursionMotion<T>) {
         let RecursionMotion { velocities, twists, .. } = motion;
         let Some(body) = model.bodies.first().filter(|b| b.joint.is_none()) else { return };

@@ -9,7 +9,7 @@ use crate::tolerances::{
 };
 use percuss_spatial::{ArticulatedInertia, Scalar, Transform, Twist, Wrench};
 
-/// Makes or repeats decisions during the recursion.
+/// Decides, or repeats from a record, the order of elimination and which pivots count as zero.
 pub(crate) trait Pivoting<T: Scalar, const K: usize> {
     /// Starts a body with its frame (root axes, at the contact point), its own rigid inertia and test wrenches.
     fn start_body(&mut self, body: usize, x: &Transform<T>, wrenches: &[Wrench<T>; K]);
@@ -43,9 +43,10 @@ pub(crate) trait Pivoting<T: Scalar, const K: usize> {
         cluster: &ClusterElimination<T, K>,
         armature: &[T],
     );
-    /// Next pivot of the cluster; `None` if the remaining motions are massless.
+    /// Independent coordinate to eliminate next in the bound cluster `place`; `None` if the remaining motions are massless.
     fn next_pivot(&mut self, place: usize, cluster: &ClusterElimination<T, K>) -> Option<usize>;
-    /// Records the dropped motions after the last pivot.
+    /// Records the dropped (massless) coordinates of the bound cluster `place` after its last pivot: whether they close the
+    /// gap, and whether their remaining pivot is negative beyond rounding.
     fn record_dropped(&mut self, place: usize, cluster: &ClusterElimination<T, K>);
     /// Adds the sizes of a body's articulated inertia and test wrenches to another body's.
     fn propagate_sizes(&mut self, from: usize, to: usize);
@@ -93,8 +94,11 @@ pub(crate) struct DecidingPivoting<const K: usize> {
     pivot_zero: Vec<f64>,
     /// Size of the terms of D's diagonal without cancellation in G.
     pivot_terms: Vec<f64>,
+    /// Current cluster: size of the terms of t for each coordinate and test wrench.
     test_size: Vec<[f64; K]>,
+    /// Current cluster: sizes of the terms of each body's twist (angular, linear) per coordinate.
     motion_size: Vec<(f64, f64)>,
+    /// Current cluster: sizes of the terms of the entries of G.
     rate_size: Vec<f64>,
     /// True if a massless motion closes the gap, for each test wrench.
     pub massless: [bool; K],
@@ -128,6 +132,7 @@ pub(crate) struct DecidingPivoting<const K: usize> {
 }
 
 impl<const K: usize> DecidingPivoting<K> {
+    /// State before the first body, with buffers of the size of the model.
     pub fn new(model: &Model) -> Self {
         let bodies = model.bodies.len();
         let bound = model.clusters.iter().filter(|c| c.is_bound).count();

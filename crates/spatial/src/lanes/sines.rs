@@ -30,6 +30,7 @@ const COSINE: [f64; 6] = [
     -1.135_964_755_778_819_5e-11,
 ];
 
+/// c₀ + c₁ z + … + c₅ z⁵.
 #[inline(always)]
 fn polynomial<T: Lanes>(c: &[f64; 6], z: T) -> T {
     let of = T::from_f64;

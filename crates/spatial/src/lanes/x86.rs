@@ -16,10 +16,12 @@ use std::arch::x86_64::*;
 use std::hint::black_box;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+/// True if the processor supports AVX2 and FMA.
 pub(super) fn has_avx2() -> bool {
     is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
 }
 
+/// True if the processor supports all parts of AVX-512 that are used here, AVX2 and FMA.
 pub(super) fn has_avx512() -> bool {
     has_avx2()
         && is_x86_feature_detected!("avx512f")
@@ -31,11 +33,12 @@ pub(super) fn has_avx512() -> bool {
 #[repr(align(64))]
 struct Line(#[allow(dead_code, reason = "only where it stands matters")] [u8; 1]);
 
+/// Runs a kernel with two lanes of SSE2, which every x86-64 processor supports.
 pub(super) fn run_two<W: Work>(work: W) {
     work.run::<Two>();
 }
 
-/// Falls back to the baseline if the processor lacks the set, as do the functions below.
+/// Runs a kernel with four lanes of AVX2 and FMA; with two lanes of SSE2 if the processor does not support these.
 pub(super) fn run_four<W: Work>(work: W) {
     #[target_feature(enable = "avx2,fma")]
     fn inside<W: Work>(work: W) {
@@ -51,6 +54,7 @@ pub(super) fn run_four<W: Work>(work: W) {
     }
 }
 
+/// Runs a kernel with eight lanes of AVX-512; with two lanes of SSE2 if the processor does not support this set.
 pub(super) fn run_eight<W: Work>(work: W) {
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
     fn inside<W: Work>(work: W) {
@@ -66,6 +70,8 @@ pub(super) fn run_eight<W: Work>(work: W) {
     }
 }
 
+/// Runs a kernel with one lane and fused multiply-add, which rounds as the lanes of AVX2 and AVX-512 do. Without fused
+/// operations if the processor does not support AVX2 and FMA.
 pub(super) fn run_fused<W: Work>(work: W) {
     #[target_feature(enable = "avx2,fma")]
     fn inside<W: Work>(work: W) {

@@ -100,7 +100,7 @@ impl PackedInertia<f64> {
 /// Value of `ZERO` if no row is zero.
 const NONE: usize = 3;
 
-/// R M Rᵀ for a rotation about axis Z with cosine `c` and sine `s`. `ZERO`: index of a row and column that is zero.
+/// R M Rᵀ for a rotation about axis `Z`, cosine `c`, sine `s`. `ZERO`: row and column that is zero, or [`NONE`].
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn turn_symmetric<T: Lanes, const Z: usize, const ZERO: usize>(m: &mut [T; 6], c: T, s: T) {
     let (x, y) = after(Z);
@@ -121,7 +121,7 @@ fn turn_symmetric<T: Lanes, const Z: usize, const ZERO: usize>(m: &mut [T; 6], c
     }
 }
 
-/// R M Rᵀ for a rotation by 90°, without multiplications.
+/// R M Rᵀ for a rotation by +90° about axis `Z`, without multiplications.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn turn_symmetric_right<T: Lanes, const Z: usize>(m: &mut [T; 6]) {
     let (x, y) = after(Z);
@@ -147,7 +147,7 @@ fn rotate_symmetric<T: Lanes>(m: &mut [T; 6], r: &[[T; 3]; 3]) {
 }
 
 impl PackedInertia<Portable<1>> {
-    /// Returns the inertia as `f64`.
+    /// Returns the inertia of a single lane as `f64`.
     pub fn plain(&self) -> PackedInertia<f64> {
         PackedInertia {
             angular: self.angular.map(Portable::number),
@@ -177,7 +177,7 @@ impl<T: Lanes> PackedInertia<T> {
         turn_symmetric::<T, Z, NONE>(&mut self.angular, c, s);
     }
 
-    /// A [`turn`](Self::turn) by 90°, without multiplications.
+    /// A [`turn`](Self::turn) by +90° about axis `Z`, without multiplications.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn turn_right<const Z: usize>(&mut self) {
         let (x, y) = after(Z);
@@ -190,9 +190,7 @@ impl<T: Lanes> PackedInertia<T> {
         (m[Z][x], m[Z][y]) = (-m[Z][y], m[Z][x]);
     }
 
-    /// Transforms to a frame with parallel axes, in which the present origin is at `d` (m) on axis `Z`.
-    ///
-    /// With the translation r: C ← C + \[r\]L, A ← A − C\[r\] + \[r\]Cᵀ, with the old C, then the new C.
+    /// Transforms to parallel axes, with the present origin at r = `d` (m) along `Z`: C = C₀ + \[r\]L, A = A₀ − C₀\[r\] + \[r\]Cᵀ.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn shift<const Z: usize>(&mut self, d: T) {
         let before = self.shift_coupling::<Z>(d);
@@ -205,8 +203,7 @@ impl<T: Lanes> PackedInertia<T> {
         self.screw_without::<Z, NONE>(c, s, d);
     }
 
-    /// A [`screw`](Self::screw) of an inertia whose row `ZERO` of A and C is zero, as after the elimination of
-    /// a hinge without armature.
+    /// [`screw`](Self::screw) if row `ZERO` of A and C is zero, as after the elimination of a hinge without armature.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn screw_without<const Z: usize, const ZERO: usize>(&mut self, c: T, s: T, d: T) {
         turn_symmetric::<T, Z, NONE>(&mut self.linear, c, s);
@@ -233,6 +230,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
+    /// R C Rᵀ for a rotation about axis `Z`; see [`turn_symmetric`] for `ZERO`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn turn_coupling<const Z: usize, const ZERO: usize>(&mut self, c: T, s: T) {
         let (x, y) = after(Z);
@@ -256,7 +254,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
-    /// Returns the old entries in the plane normal to the axis: rows x and y, columns x and y.
+    /// C ← C + \[r\]L for r = d along `Z`. With x, y the next axes: returns xx, xy, yx, yy of the old C.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn shift_coupling<const Z: usize>(&mut self, d: T) -> [T; 4] {
         let (x, y) = after(Z);
@@ -269,6 +267,7 @@ impl<T: Lanes> PackedInertia<T> {
         before
     }
 
+    /// A ← A − C\[r\] + \[r\]Cᵀ for r = d along `Z`, after [`shift_coupling`](Self::shift_coupling), which returned `before`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn shift_angular<const Z: usize, const ZERO: usize>(&mut self, before: &[T; 4], d: T) {
         let (x, y) = after(Z);
@@ -294,7 +293,7 @@ impl<T: Lanes> PackedInertia<T> {
         self.linear[0] + self.linear[3] + self.linear[5]
     }
 
-    /// Pivot of a rotation about axis `Z`.
+    /// Pivot of a rotation about axis `Z`; armature in kg·m².
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn turn_pivot<const Z: usize>(&self, armature: T) -> Pivot<T> {
         let a = &self.angular;
@@ -303,7 +302,7 @@ impl<T: Lanes> PackedInertia<T> {
         Pivot::new(u, d, armature)
     }
 
-    /// Pivot of a translation along axis `Z`.
+    /// Pivot of a translation along axis `Z`; armature in kg.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn slide_pivot<const Z: usize>(&self, armature: T) -> Pivot<T> {
         let (c, l) = (&self.coupling, &self.linear);
@@ -315,7 +314,7 @@ impl<T: Lanes> PackedInertia<T> {
         Pivot::new(u, d, armature)
     }
 
-    /// Eliminates a rotation about axis `Z`: I ← I − U D⁻¹ Uᵀ. Along the axis, the armature's part of U remains.
+    /// Eliminates a rotation about axis `Z`: I ← I − U D⁻¹ Uᵀ. Row `Z` becomes U · armature/D. `over_d`: U D⁻¹.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn eliminate_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
         self.subtract_turn::<Z>(pivot, over_d);
@@ -332,8 +331,7 @@ impl<T: Lanes> PackedInertia<T> {
         self.clear_row::<Z>();
     }
 
-    /// Sets row `Z` of A and of C, which is known to be zero, to the constant zero, so that the compiler
-    /// removes the dependent operations.
+    /// Sets row `Z` of A and C, already zero, to the constant 0, so that the compiler removes the dependent operations.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn clear_row<const Z: usize>(&mut self) {
         for k in 0..3 {
@@ -363,6 +361,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
+    /// A − U_m D⁻¹ U_mᵀ for the moment U_m of `u`; row and column `BUT` stay unchanged (3: none).
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn subtract_angular<const BUT: usize>(&mut self, u: &PackedWrench<T>, over_d: &PackedWrench<T>) {
         for i in 0..3 {
@@ -375,6 +374,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
+    /// C − U_m D⁻¹ U_fᵀ in the given rows and columns; moment U_m and force U_f of `u`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn subtract_coupling<const R: usize, const C: usize>(
         &mut self,
@@ -391,6 +391,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
+    /// L − U_f D⁻¹ U_fᵀ for the force U_f of `u`; row and column `BUT` stay unchanged (3: none).
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn subtract_linear<const BUT: usize>(&mut self, u: &PackedWrench<T>, over_d: &PackedWrench<T>) {
         for i in 0..3 {

@@ -28,14 +28,14 @@ impl<T: Lanes> PackedWrench<T> {
         Self { moment: [T::zero(); 3], force: [T::zero(); 3] }
     }
 
-    /// See [`PackedInertia::turn`](crate::PackedInertia::turn).
+    /// Transforms to a frame in which the present frame is rotated about axis `Z`, with cosine `c` and sine `s`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn turn<const Z: usize>(&mut self, c: T, s: T) {
         turn_vector::<T, Z>(&mut self.moment, c, s);
         turn_vector::<T, Z>(&mut self.force, c, s);
     }
 
-    /// See [`PackedInertia::turn_right`](crate::PackedInertia::turn_right).
+    /// A [`turn`](Self::turn) by +90° about axis `Z`, without multiplications.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn turn_right<const Z: usize>(&mut self) {
         let (x, y) = after(Z);
@@ -44,14 +44,14 @@ impl<T: Lanes> PackedWrench<T> {
         (f[x], f[y]) = (-f[y], f[x]);
     }
 
-    /// See [`PackedInertia::rotate`](crate::PackedInertia::rotate).
+    /// Transforms to a frame in which the present frame is rotated by R, given by rows.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn rotate(&mut self, r: &[[T; 3]; 3]) {
         self.moment = rotated(&self.moment, r);
         self.force = rotated(&self.force, r);
     }
 
-    /// See [`PackedInertia::shift`](crate::PackedInertia::shift).
+    /// Transforms to a frame with parallel axes, in which the present origin is at `d` (m) on axis `Z`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn shift<const Z: usize>(&mut self, d: T) {
         let (x, y) = after(Z);
@@ -59,7 +59,7 @@ impl<T: Lanes> PackedWrench<T> {
         self.moment[y] = d.mul_add(self.force[x], self.moment[y]);
     }
 
-    /// See [`PackedInertia::screw`](crate::PackedInertia::screw).
+    /// A [`turn`](Self::turn) followed by a [`shift`](Self::shift) along the same axis.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn screw<const Z: usize>(&mut self, c: T, s: T, d: T) {
         self.turn::<Z>(c, s);

@@ -182,6 +182,7 @@ struct LaneConstants<T> {
 }
 
 impl<T: Lanes> LaneConstants<T> {
+    /// Copies the constants to all lanes.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn of(constants: &Constants) -> Self {
         let mut factor = [T::zero(); 21];

@@ -52,7 +52,9 @@ impl InertiaFactor {
         row.iter().all(|x| x.is_finite())
     }
 
-    /// Adds the response of a massless motion: `t` for the six unit wrenches, with the twist `motion`.
+    /// Adds a massless motion to the space of massless responses. `t`: power of the six unit wrenches (moments first) on the
+    /// motion; `motion`: sizes of its twist, for the rounding of `t`. Without effect if `t` is rounding, or if the space already
+    /// contains the motion.
     pub fn add_massless_motion(&mut self, t: &[f64; 6], motion: &Twist<f64>) {
         let row = SVector::<f64, 6>::from_fn(|a, _| if a < 3 { t[a] * self.reach } else { t[a] });
         let terms = motion.angular.norm() * self.reach + motion.linear.norm();

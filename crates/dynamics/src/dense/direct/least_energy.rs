@@ -199,7 +199,8 @@ impl LeastEnergy<'_> {
     }
 }
 
-/// 1/(j M⁻¹ jᵀ) by Cholesky.
+/// m̄ = 1/(j M⁻¹ jᵀ) by Cholesky, and the velocities of least energy at unit closing speed. `mass`: M; `row`: j, both without
+/// constraints.
 fn formula(mass: &Mat<f64>, row: &Mat<f64>) -> (Minimum, Mat<f64>) {
     use faer::linalg::solvers::Solve;
     match mass.llt(Side::Lower) {

@@ -317,7 +317,8 @@ impl MatrixProblem<'_> {
             .try_fold(0.0, |most, moved| Some(f64::max(most, moved?)))
     }
 
-    /// Change of m̄ for one pattern of signs.
+    /// |Change of m̄| (kg) if the entries of M, A and j change by their accuracies, with pattern number `trial` of signs. `None`
+    /// if m̄ is then not a finite minimum.
     fn change_by_signs(&self, m: f64, trial: usize) -> Option<f64> {
         let factor = |r: usize, c: usize, accuracy: f64| {
             1.0 + [1.0, -1.0, 0.5, -0.5][(7 * r + 3 * c + r * c + trial * (5 * r + c + 1)) % 4] * accuracy

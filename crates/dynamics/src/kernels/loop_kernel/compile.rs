@@ -32,6 +32,8 @@ impl LoopPlan {
         plan.blocks.iter().all(|block| block.predecessor.is_some()).then_some(plan)
     }
 
+    /// Plan with rows and columns ordered by the pivots at `positions`; only coordinates with `may(coordinate)` can be
+    /// dependent. `None` if the kernel does not support the mechanism.
     fn at(assembly: &Assembly, positions: &[f64], may: &dyn Fn(usize) -> bool) -> Option<Self> {
         let model = assembly.model();
         let rank: usize = (0..model.groups.len()).map(|g| assembly.expected_rank(g)).sum();
@@ -92,6 +94,8 @@ impl LoopPlan {
         Some(plan)
     }
 
+    /// Compiled rows of one constraint, numbered from `rows`, which is advanced. `size` (m) scales the rows of directions.
+    /// `None` if the kernel does not support the constraint.
     fn block(
         &self,
         model: &Model,
@@ -136,6 +140,7 @@ impl LoopPlan {
         Some(Block { predecessor, successor, forms, terms })
     }
 
+    /// Entries of a constraint's rows: one for each velocity of the bodies on its loop; factors multiplied by `scale`.
     fn terms(&self, model: &Model, constraint: &ConstraintRows, scale: f64) -> Option<Vec<BlockTerm>> {
         let mut seen = vec![false; self.columns];
         let term = |term: &crate::model::ConstraintTerm| {
@@ -153,8 +158,8 @@ impl LoopPlan {
         constraint.terms.iter().map(term).collect()
     }
 
-    /// Rows of a closure, as in [`crate::kinematics::rows::closure_wrenches`], but with a point's rows in root axes. `None` for
-    /// closures that bind the full orientation.
+    /// Rows of a closure, as in [`crate::kinematics::rows::closure_wrenches`], but the rows of coinciding points are in root
+    /// axes. `size` (m) scales the rows of directions. `None` for closures that bind the full orientation.
     fn forms(&self, closure: &CompiledClosure, size: f64) -> Option<Vec<RowForm>> {
         let (p, s) = (&closure.predecessor, &closure.successor);
         let direction = |e: &Vector3<f64>| self.direction(p.body, &p.frame.vector(e));
@@ -274,6 +279,7 @@ fn lengths(model: &Model) -> Vec<f64> {
     lengths
 }
 
+/// Smallest length (m) of the coordinates that are rotations; infinite if there is none.
 fn shortest(model: &Model, lengths: &[f64]) -> f64 {
     let turns = model.coordinates.iter().zip(lengths).filter(|(c, _)| c.turns).map(|(_, length)| *length);
     turns.fold(f64::INFINITY, f64::min)
@@ -289,6 +295,8 @@ fn weight(body: &LoopBody, length: f64) -> f64 {
     rotors + own
 }
 
+/// Compiled body: constant transform to the parent, motion, velocities over scaled coordinates, inertia. `carrier`: frame
+/// of the parent's compiled body in the parent's body. `None` if the kernel does not support the joint.
 fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64]) -> Option<LoopBody> {
     let q = body.q.start;
     let position = match body.mimic {
@@ -331,6 +339,7 @@ fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64])
     })
 }
 
+/// Mass, first moment and upper triangle of the rotational inertia; `None` if all are zero.
 fn components(inertia: &SpatialInertia<f64>) -> Option<[f64; 10]> {
     let (c, i) = (&inertia.first_moment, &inertia.rotational);
     let all = [inertia.mass, c.x, c.y, c.z, i[(0, 0)], i[(0, 1)], i[(0, 2)], i[(1, 1)], i[(1, 2)], i[(2, 2)]];

@@ -496,6 +496,7 @@ struct Closing<'a> {
 }
 
 impl Work for Closing<'_> {
+    /// Closes the loops from the predicted positions; writes m̄, errors, residuals and sizes of the corrections to `outcome`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<T: Lanes>(self) {
         let Self {
@@ -576,8 +577,7 @@ fn apply_newton_steps<T: Lanes>(
     }
 }
 
-/// Rotates a unit quaternion by a small rotation vector in the rotated axes; `h`: half the vector. q ← q ∘ (√(1 −
-/// |h|²), h).
+/// Rotates a unit quaternion, q ← q ∘ (√(1 − |h|²), h). `h`: half of a small rotation vector in the rotated axes.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn rotate_quaternion<T: Lanes>(positions: &mut [f64], q: usize, h: &[T; 3]) {
     let (w, x) = (get::<T>(positions, q), get::<T>(positions, q + 1));

@@ -64,6 +64,7 @@ impl JointPosition {
     }
 }
 
+/// Matrix product a b, both by rows.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn product<T: Lanes>(a: &[[T; 3]; 3], b: &[[T; 3]; 3]) -> [[T; 3]; 3] {
     let mut all = *a;
@@ -78,6 +79,7 @@ fn product<T: Lanes>(a: &[[T; 3]; 3], b: &[[T; 3]; 3]) -> [[T; 3]; 3] {
     all
 }
 
+/// Rotation by rows from the unit quaternion w, x, y, z at the positions from `q` on.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn of_quaternion<T: Lanes>(columns: PositionColumns<'_>, q: usize, first: usize) -> [[T; 3]; 3] {
     let w: T = columns.at(q, first);
@@ -99,6 +101,7 @@ pub(super) fn axis<T: Lanes>(room: &[f64], body: usize, k: usize) -> [T; 3] {
     [get(room, at), get(room, at + 3), get(room, at + 6)]
 }
 
+/// Direction fixed in a body or in the root, in root axes. `room`: workspace with the frames of the bodies.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn direction<T: Lanes>(room: &[f64], heading: &BodyDirection) -> [T; 3] {
     let own: [T; 3] = splat(&heading.e);
@@ -111,6 +114,8 @@ pub(super) fn direction<T: Lanes>(room: &[f64], heading: &BodyDirection) -> [T; 
     }
 }
 
+/// Point fixed in a body or in the root, in the coordinates of the kernel's root frame, m. `room`: workspace with the
+/// frames of the bodies.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn point<T: Lanes>(room: &[f64], place: &BodyPoint) -> [T; 3] {
     let own: [T; 3] = splat(&place.at);

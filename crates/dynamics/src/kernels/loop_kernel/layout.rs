@@ -27,7 +27,8 @@ pub(super) struct Layout {
 pub(super) const FRAME: usize = 12;
 
 impl Layout {
-    /// Frames come first.
+    /// Layout for `bodies` bodies, `count` rows of A (also the number of dependent coordinates), `columns` coordinates, of which
+    /// `freedoms` are independent. The frames of the bodies come first.
     pub fn of(bodies: usize, count: usize, columns: usize, freedoms: usize) -> Self {
         let rows = FRAME * bodies;
         let over = rows + count * columns;
@@ -49,12 +50,14 @@ pub(super) fn store<T: Lanes>(room: &mut [f64], at: usize, x: T) {
     x.store(&mut room[at * T::WIDTH..]);
 }
 
+/// Loads a vector stored by [`put_vector`].
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn get_vector<T: Lanes>(room: &[f64], at: usize) -> [T; 3] {
     let own = &room[at * T::WIDTH..][..3 * T::WIDTH];
     [T::load(own), T::load(&own[T::WIDTH..]), T::load(&own[2 * T::WIDTH..])]
 }
 
+/// Stores a vector at index `at` of the workspace: three numbers, each with lane width.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn put_vector<T: Lanes>(room: &mut [f64], at: usize, v: [T; 3]) {
     let own = &mut room[at * T::WIDTH..][..3 * T::WIDTH];
@@ -63,11 +66,13 @@ pub(super) fn put_vector<T: Lanes>(room: &mut [f64], at: usize, v: [T; 3]) {
     v[2].store(&mut own[2 * T::WIDTH..]);
 }
 
+/// a · b.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn dot<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
     a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
 }
 
+/// a × b.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn cross<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     [

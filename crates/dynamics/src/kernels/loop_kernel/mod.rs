@@ -89,7 +89,8 @@ impl LoopKernel {
         self.plan.direction(on.body, &on.frame.vector(e))
     }
 
-    /// m̄ at one configuration for the current contact.
+    /// m̄ at one configuration for the current contact, with its rounding error. `None` if m̄ is not finite, or if its
+    /// rounding error is not small.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Option<CertifiedMass> {
         CertifiedMass::of_one(|answers| {
             let columns = PositionColumns { values: positions, stride: 1 };
@@ -109,7 +110,7 @@ impl LoopKernel {
         }
     }
 
-    /// Positions that are read.
+    /// Indices of the positions that the kernel reads.
     pub fn read_positions(&self) -> impl Iterator<Item = usize> + '_ {
         self.plan.bodies.iter().flat_map(|body| match body.motion {
             LoopMotion::Fixed | LoopMotion::Free => 0..0,

@@ -106,7 +106,7 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut 
     }
 }
 
-/// Axis of a term, and the vector from its body's origin to the point `at`; root axes.
+/// Axis of the joint velocity of a term, and the vector from its body's origin to the point `at`; root axes.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn lever<T: Lanes>(term: &BlockTerm, bodies: &[LoopBody], at: &[T; 3], room: &[f64]) -> ([T; 3], [T; 3]) {
     let k = match bodies[term.body].motion {
@@ -147,7 +147,8 @@ fn add_point<T: Lanes>(
     }
 }
 
-/// Adds one row: the power of a wrench about the point `at`.
+/// Adds one row of A: the power of a wrench (moment about the point `at`, force; root axes) on the velocities of the block.
+/// Nothing is added if `row` is `None` (removed as redundant, or unused).
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn add_row<T: Lanes>(
     plan: &LoopPlan,

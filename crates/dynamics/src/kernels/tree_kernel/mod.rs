@@ -33,7 +33,7 @@ pub(crate) struct TreeKernel {
 }
 
 impl TreeKernel {
-    /// `None` if the model has mimics, loops or negative masses.
+    /// Compiles the kernel for a model. `None` if the model has mimics, loops or negative masses.
     pub fn compile(model: &Model) -> Option<Self> {
         let plan = TreePlan::of(model)?;
         let selection = ContactPath::none(plan.steps.len(), plan.travel);
@@ -77,7 +77,8 @@ impl TreeKernel {
         true
     }
 
-    /// m̄ at one configuration for the current contact.
+    /// m̄ at one configuration for the current contact, with its rounding error. `None` if m̄ is not finite, or if its
+    /// rounding error is not small.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Option<CertifiedMass> {
         CertifiedMass::of_one(|answers| {
             let columns = PositionColumns { values: positions, stride: 1 };
@@ -93,7 +94,7 @@ impl TreeKernel {
         instructions.run(self.groups(columns, first, answers));
     }
 
-    /// Positions that are read.
+    /// Indices of the positions that the kernel reads.
     pub fn read_positions(&self) -> impl Iterator<Item = usize> + '_ {
         let ContactPath { on_path, subtree_root: top, .. } = &self.selection;
         let steps = self.steps.iter().zip(on_path);

@@ -42,7 +42,7 @@ impl TreeMotion {
         }
     }
 
-    /// Largest displacement by the joint's own positions, each of this size (m).
+    /// Upper bound (m) of the displacement by the joint's own translations, if each position is at most `size` (m).
     fn travel(&self, size: f64) -> f64 {
         match *self {
             Self::Turn { .. } | Self::Ball { .. } | Self::Base => 0.0,
@@ -231,7 +231,8 @@ pub(super) struct TreePlan {
 }
 
 impl TreePlan {
-    /// `None` if bodies are bound together or have negative masses.
+    /// Compiles a tree of joints: frames, transforms, inertias and bounds of sizes of all bodies. `None` if bodies are bound
+    /// together, mimic others or have a negative mass.
     pub fn of(model: &Model) -> Option<Self> {
         let bound = model.clusters.iter().any(|cluster| cluster.is_bound);
         if bound || model.bodies.is_empty() || !model.bodies.iter().all(is_plain) {
@@ -301,6 +302,7 @@ impl TreePlan {
         (0..self.steps.len()).rev().map(place).collect()
     }
 
+    /// Form of a step: the compiled code that eliminates its joint.
     fn form(&self, step: &TreeStep) -> StepForm {
         let Some(parent) = step.parent else {
             return if step.hinge_shape().is_some() && step.leaf.is_none() {
@@ -318,7 +320,8 @@ impl TreePlan {
         StepForm::Hinge(HingeForm { shape, bare, leaf, is_parent_on_ground: next_to_last })
     }
 
-    /// Sizes of every subtree's inertia, over all joint positions.
+    /// Upper bounds of the moment (half the trace, kg·m²) and mass (kg) of every subtree, over all joint positions. A step that
+    /// transmits nothing adds nothing to its parent.
     fn fill_sizes(&mut self) {
         let mut first = vec![0.0; self.steps.len()];
         for i in (0..self.steps.len()).rev() {
@@ -337,6 +340,7 @@ impl TreePlan {
         }
     }
 
+    /// Marks the steps that receive inertia from children, and eliminates the others in advance where the result is constant.
     fn fill_leaves(&mut self) {
         for i in 0..self.steps.len() {
             if let Some(parent) = self.steps[i].parent.filter(|_| !self.steps[i].transmits_nothing()) {
@@ -350,6 +354,7 @@ impl TreePlan {
 }
 
 impl LeafElimination {
+    /// Elimination of the joint of a leaf. `None` unless the joint has one degree of freedom.
     fn of(step: &TreeStep) -> Option<Self> {
         type One = Portable<1>;
         let value = One::number;
@@ -396,6 +401,7 @@ fn is_plain(body: &Body) -> bool {
     body.mimic.is_none() && body.motion.kind != JointKind::Fixed && is_positive(&body.inertia)
 }
 
+/// Motion of the joint of a body, with the index of its first position.
 fn motion_of(body: &Body) -> TreeMotion {
     let q = body.q.start;
     match body.motion.kind {
@@ -457,7 +463,7 @@ fn common_normal(
 }
 
 impl ParentTransform {
-    /// From X_po with the joint at 0.
+    /// Divides the transform X_po with the joint at 0 into rotations about and shifts along coordinate axes.
     fn of(k: &Transform<f64>) -> Self {
         let (r, p) = (&k.rotation, &k.translation);
         // R = Rz(φ₁) Rx(α) Rz(φ₂).

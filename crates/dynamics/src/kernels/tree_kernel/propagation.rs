@@ -47,6 +47,7 @@ pub(super) fn add_to_parent<T: Lanes>(
 }
 
 impl LeafElimination {
+    /// The stored pivot, in all lanes.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn pivot<T: Lanes>(&self) -> Pivot<T> {
         let of = T::from_f64;
@@ -92,7 +93,8 @@ impl<T: Lanes> PropagatedWrench<T> {
     }
 }
 
-/// Update of the contact wrench by the elimination of one velocity. `AXIS`: component of the twist, angular part first.
+/// Elimination of one velocity for the propagated test wrench f, with t = sᵀf: adds t²/D to 1/m̄ and subtracts U t/D from
+/// f. `AXIS`: component of the twist, angular part first.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn update_wrench<T: Lanes, const AXIS: usize>(
     step: &TreeStep,

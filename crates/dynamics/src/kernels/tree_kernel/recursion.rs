@@ -55,7 +55,8 @@ pub(super) struct ContactPath {
 }
 
 impl ContactPath {
-    /// Without a contact.
+    /// Path before a contact is set, for `steps` steps. `travel`: largest translation of a joint (m) for which the bounds of
+    /// sizes hold.
     pub fn none(steps: usize, travel: f64) -> Self {
         let struck = TreeContact { point: [0.0; 3], normal: TreeNormal::Body([0.0; 3]) };
         Self {
@@ -79,7 +80,8 @@ pub(super) struct TreeResponse<T> {
     pub roundings: T,
 }
 
-/// 1/m̄ of the configurations from `first` on.
+/// 1/m̄ of the configurations from `first` on, one per lane, and the size of its terms and roundings. `room`: workspace of
+/// all steps.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn evaluate<T: Lanes>(
     steps: &[ScheduledStep],
@@ -301,8 +303,8 @@ fn eliminate_step<T: Lanes, const ON_PATH: bool>(
     }
 }
 
-/// A hinge on the ground needs one entry of its inertia. The other entries are not formed, so the size of this entry
-/// stands for all.
+/// Eliminates a hinge on the ground. Only one entry of its inertia is needed. The other entries are not computed, so the
+/// size of this entry is used for all.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn eliminate_ground_hinge<T: Lanes>(step: &TreeStep, carried: &mut PropagatedWrench<T>, own: &[f64]) {
     let of = T::from_f64;
@@ -310,7 +312,8 @@ fn eliminate_ground_hinge<T: Lanes>(step: &TreeStep, carried: &mut PropagatedWre
     carried.add_response(of(step.moment), carried.wrench.moment[2], carried.moment_size, T::one() / d);
 }
 
-/// Any joint with any transform, on the contact path or not; one function, so it is long.
+/// Eliminates any joint with any transform, on the contact path or not, and adds the remaining inertia to the parent's.
+/// `carried`: propagated test wrench; `own` and `rest`: workspaces of the body and of the bodies before it.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn eliminate_general_joint<T: Lanes>(
     placed: &ScheduledStep,

@@ -18,7 +18,8 @@ pub(super) struct Sizes<T> {
 }
 
 impl<T: Lanes> Sizes<T> {
-    /// Sizes of an inertia whose children's sizes are in `slot`; `carries`: true if children exist.
+    /// Sizes of a body's inertia, or those of its children stored in `slot` if larger; `carries`: true if the body has
+    /// children.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of(inertia: &PackedInertia<T>, carries: bool, slot: &[f64]) -> Self {
         let (moment, mass) = (inertia.moment_size(), inertia.mass_size());

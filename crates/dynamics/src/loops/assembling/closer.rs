@@ -54,7 +54,7 @@ pub(crate) struct Closer<'a> {
 }
 
 impl Closer<'_> {
-    /// Closes a group.
+    /// Closes the loops of group `number` at the requested positions of its driving joints.
     pub fn close(&mut self, number: usize) -> Result<(), AssemblyError> {
         let (model, facts) = (self.model, &self.facts.groups[number]);
         let group = &model.groups[number];

@@ -220,6 +220,8 @@ fn setting_advice(drivers: &[String], set: &[String]) -> String {
     }
 }
 
+/// Part of a message, for a search that was cut short: starts that were tried, starts allowed, bound coordinates. Empty
+/// if `None`.
 fn cut_search(cut: Option<(u64, u64, usize)>) -> String {
     cut.map_or_else(String::new, |(tried, most, coordinates)| {
         format!(
@@ -228,6 +230,7 @@ fn cut_search(cut: Option<(u64, u64, usize)>) -> String {
     })
 }
 
+/// Part of a message: number of starts of the search for other assembly modes. Empty if 0.
 fn after(starts: usize) -> String {
     if starts == 0 {
         String::new()
@@ -236,6 +239,7 @@ fn after(starts: usize) -> String {
     }
 }
 
+/// Up to six names in quotation marks; `nothing` if empty.
 fn quoted(names: &[String]) -> String {
     if names.is_empty() {
         return "nothing".into();
@@ -243,6 +247,7 @@ fn quoted(names: &[String]) -> String {
     names.iter().take(6).map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", ")
 }
 
+/// Up to six joints with their positions, for messages.
 fn positions(places: &[(String, f64)]) -> String {
     places.iter().take(6).map(|(n, v)| format!("{n} = {v:.12}")).collect::<Vec<_>>().join(", ")
 }

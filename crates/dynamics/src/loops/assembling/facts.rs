@@ -190,7 +190,8 @@ impl Model {
         group.constraints.iter().map(gap).collect()
     }
 
-    /// Joint of the coordinate with the largest scaled displacement between two poses, and the displacement.
+    /// The coordinate of the group with the largest displacement × length (m) between two poses: its joint, and its signed
+    /// displacement (rad or m). `None` if no coordinate moved.
     fn most_moved(&self, group: &Group, from: &[f64], to: &[f64]) -> Option<(JointId, f64)> {
         let u = self.displacement_from(group, from, to);
         let size = |at: usize| (u[at] * group.lengths[at]).abs();
@@ -255,8 +256,8 @@ impl Model {
     }
 
     /// Searches closed poses around the first closed pose for the generic rank. First the poses are found, then the
-    /// largest inexactness over all poses, then the ranks with a common threshold. `room`: frames equal to those of
-    /// `reference`; restored at the end.
+    /// largest inexactness over all poses, then the ranks with a common threshold. `room`: workspace with the same frames
+    /// as `reference`; restored at the end.
     fn find_group_facts(
         &self,
         reference: &Kinematics<f64>,

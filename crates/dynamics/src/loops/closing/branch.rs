@@ -113,7 +113,8 @@ pub(super) enum BranchStep {
 }
 
 impl<'a> DriverPath<'a> {
-    /// Path along the driver displacements `direction` over the group's coordinates; `None` if all are zero.
+    /// Path along the driver displacements `direction` over the group's coordinates; `None` if all are zero. The other
+    /// arguments are the fields of the same name.
     pub fn new(
         model: &'a Model,
         group: &'a Group,

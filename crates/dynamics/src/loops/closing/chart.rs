@@ -70,7 +70,7 @@ impl<'a> Chart<'a> {
     }
 }
 
-/// Columns of X, one after another.
+/// X: the Jacobian with the tangent as its last row. Columns one after another.
 fn stacked(jacobian: &Jacobian, tangent: &[f64]) -> Vec<f64> {
     let rows = jacobian.rows + 1;
     let mut columns = vec![0.0; rows * jacobian.columns];

@@ -75,7 +75,7 @@ impl DriverPath<'_> {
         CrossingStep::None
     }
 
-    /// Moves the group to the target on the branch of a regular point `here`. Returns a regular pose beside the
+    /// Moves the group to the target on the branch of a regular point `here`. Returns a regular pose near the
     /// target. `None`, with the pose unchanged, if the branch does not pass through the target (a limit).
     pub(super) fn interpolate_at_target(
         &self,
