@@ -458,7 +458,7 @@ fn the_page_of_suspensions_runs_as_printed() {
         commands += 1;
     }
     assert_eq!(commands, 8);
-    for file in ["my.urdf", "travel.xlsx", "study.toml", "report.html", "report.json"] {
+    for file in ["my.urdf", "travel.xlsx", "my-study.toml", "report.html", "report.json"] {
         assert!(Path::new(&folder.path(file)).exists(), "{file}");
     }
 }
