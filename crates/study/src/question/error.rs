@@ -463,7 +463,7 @@ impl StudyError {
 
     /// Replaces an error about a dependent joint by a fault of the `Vary` field if the joint is varied, not
     /// set.
-    pub(crate) fn as_varied_fault(self, is_varied: impl Fn(&str) -> bool) -> Self {
+    pub(crate) fn into_varied_fault(self, is_varied: impl Fn(&str) -> bool) -> Self {
         match self {
             StudyError::Assembly(error @ AssemblyError::Dependent { .. }) => match &error {
                 AssemblyError::Dependent { joint, .. } if is_varied(joint) => {

@@ -119,7 +119,7 @@ impl<'a> Sweep<'a> {
                 let travel = travel.as_ref().map(|travel| &travel.0);
                 let reference = continuation::reference(&prepared.system, &setting, travel);
                 let is_varied = |joint: &str| is_varied(&setting.columns, joint);
-                prepared.contact_at(&reference.map_err(|error| error.as_varied_fault(is_varied))?)
+                prepared.contact_at(&reference.map_err(|error| error.into_varied_fault(is_varied))?)
             }
         };
         let about_point = prepared
@@ -178,7 +178,7 @@ impl<'a> Sweep<'a> {
     ) -> Result<SweepEnd, StudyError> {
         let Self { context: swept, rows, point_finding: about_point } = self;
         let came = pipeline::run(&swept, rows, made, each)
-            .map_err(|error| error.as_varied_fault(|joint| is_varied(&swept.heading.varied, joint)))?;
+            .map_err(|error| error.into_varied_fault(|joint| is_varied(&swept.heading.varied, joint)))?;
         let mut end = came.end;
         let of_all =
             about_point.into_iter().chain(continuation_finding(&swept.prepared, swept.heading.continuation));
