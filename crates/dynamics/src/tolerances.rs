@@ -348,7 +348,7 @@ pub(crate) const SAME_TANGENT: f64 = 2e-3;
 /// spaces are known only at poses near the crossing.
 pub(crate) const SAME_TANGENT_SPACE: f64 = 0.02;
 /// Smallest nonzero singular value at a pose near a crossing, relative to the largest.
-pub(crate) const BESIDE_A_CROSSING: f64 = 1e-8;
+pub(crate) const NEAR_CROSSING_RANK_FLOOR: f64 = 1e-8;
 /// Distances between the places for the extrapolation of m̄ to the crossing, relative to the groups' sizes. The next
 /// distance is tried if the values vary too much.
 pub(crate) const LIMIT_STEPS: [f64; 4] = [0.01, 2.5e-3, 6e-4, 1.5e-4];

@@ -78,7 +78,7 @@ pub(crate) fn check(
         }
         check.is_valid(&subject, "ratio", [&coupling.ratio]);
     }
-    circles(couplings, check);
+    check_coupling_cycles(couplings, check);
 }
 
 /// Checks the numbers of a closure: loop frames, the axes that its kind uses (nonzero), and the distance (> 0).
@@ -112,7 +112,7 @@ fn closure_numbers(subject: &Subject, closure: &ClosureDescription, check: &mut 
 
 /// Adds an error for every coupling that closes a cycle of couplings between links: the ratios of a cycle contradict or
 /// duplicate each other.
-fn circles(couplings: &[CouplingDescription], check: &mut Check) {
+fn check_coupling_cycles(couplings: &[CouplingDescription], check: &mut Check) {
     let mut group: HashMap<&str, usize> = HashMap::new();
     let mut parent: Vec<usize> = Vec::new();
     /// Representative of the set of `i` (union–find, with path halving).

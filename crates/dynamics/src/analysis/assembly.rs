@@ -160,11 +160,18 @@ impl Assembly {
     /// Decides the rank and the dependent coordinates of each group at the given frames.
     pub(crate) fn decide_mobility(&self, kinematics: &Kinematics<f64>) -> Vec<GroupMobility> {
         let model = self.model();
-        let mut room = MobilityWorkspace::default();
+        let mut workspace = MobilityWorkspace::default();
         let decide = |(number, group): (usize, &Group)| {
             let mut decided = GroupMobility::default();
             let expected = Some(self.generic[number].rank);
-            model.decide_mobility(&mut room, kinematics, group, self.floors[number], expected, &mut decided);
+            model.decide_mobility(
+                &mut workspace,
+                kinematics,
+                group,
+                self.floors[number],
+                expected,
+                &mut decided,
+            );
             decided
         };
         model.groups.iter().enumerate().map(decide).collect()

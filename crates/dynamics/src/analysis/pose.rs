@@ -67,8 +67,8 @@ impl Pose {
                 known.update_rates(model, group, kinematics);
             } else {
                 let (floor, expected) = (self.assembly.floor(number), Some(known.rank.rank));
-                let room = &mut MobilityWorkspace::default();
-                model.decide_mobility(room, kinematics, group, floor, expected, known);
+                let workspace = &mut MobilityWorkspace::default();
+                model.decide_mobility(workspace, kinematics, group, floor, expected, known);
             }
         }
         groups

@@ -143,15 +143,15 @@ impl Pose {
         choice: RouteChoice,
     ) -> Result<ContactResponse, ResponseError> {
         let located = self.locate(contact)?;
-        let room = self.assembly.workspaces().acquire(self.assembly.model());
-        let mut asked = ContactQuery { pose: self, contact, located: &located, workspace: room };
-        let answer = asked.respond(choice);
-        self.assembly.workspaces().release(asked.workspace);
+        let workspace = self.assembly.workspaces().acquire(self.assembly.model());
+        let mut query = ContactQuery { pose: self, contact, located: &located, workspace };
+        let answer = query.respond(choice);
+        self.assembly.workspaces().release(query.workspace);
         Ok(answer?)
     }
 
     /// Input of the routes to m̄: the contact with the frames and the mobility of this pose.
-    fn question<'a>(&'a self, located: &'a LocatedContact) -> RouteInput<'a> {
+    fn route_input<'a>(&'a self, located: &'a LocatedContact) -> RouteInput<'a> {
         RouteInput {
             model: self.assembly.model(),
             kinematics: &self.kinematics,
@@ -173,11 +173,11 @@ struct ContactQuery<'a> {
 impl ContactQuery<'_> {
     /// Runs the recursion, selects the result, and adds motion, contributions and errors.
     fn respond(&mut self, choice: RouteChoice) -> Result<ContactResponse, RouteError> {
-        let question = self.pose.question(self.located);
-        question.model.refuse_large_clusters::<f64>(&self.pose.groups)?;
-        question.run_recursion(&mut self.workspace);
-        let found = question.select_result(&mut self.workspace, choice)?;
-        let up_to = question.massless_limit(&self.workspace, found.mass);
+        let route_input = self.pose.route_input(self.located);
+        route_input.model.refuse_large_clusters::<f64>(&self.pose.groups)?;
+        route_input.run_recursion(&mut self.workspace);
+        let found = route_input.select_result(&mut self.workspace, choice)?;
+        let up_to = route_input.massless_limit(&self.workspace, found.mass);
         let mut response = self.build_response(found);
         response.remarks.extend(up_to.map(|up_to| Remark::MasslessToRounding { up_to }));
         Ok(response)
@@ -328,15 +328,15 @@ impl Pose {
     /// # Errors
     /// If 1/m̄ is not defined: a motion of negative mass, or a motion without mass that closes the gap.
     pub(crate) fn decisions(&self, located: &LocatedContact) -> Result<Decisions, RouteError> {
-        let mut room = RecursionWorkspace::new(self.assembly.model());
-        let question = self.question(located);
-        question.run_recursion(&mut room);
-        if room.deciding.indefinite {
+        let mut workspace = RecursionWorkspace::new(self.assembly.model());
+        let route_input = self.route_input(located);
+        route_input.run_recursion(&mut workspace);
+        if workspace.deciding.indefinite {
             return Err(RouteError::Indefinite);
         }
-        match question.recursive_mass(&mut room) {
+        match route_input.recursive_mass(&mut workspace) {
             EffectiveMass::Massless => Err(RouteError::MasslessMotion),
-            EffectiveMass::Finite(_) | EffectiveMass::Immovable => Ok(room.deciding.decisions),
+            EffectiveMass::Finite(_) | EffectiveMass::Immovable => Ok(workspace.deciding.decisions),
         }
     }
 }

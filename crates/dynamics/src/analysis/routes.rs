@@ -65,19 +65,19 @@ pub(crate) struct WorkspacePool(Mutex<Vec<RecursionWorkspace>>);
 impl WorkspacePool {
     /// Takes a workspace from the pool, or allocates a new one.
     pub fn acquire(&self, model: &Model) -> RecursionWorkspace {
-        let kept = self.0.try_lock().ok().and_then(|mut rooms| rooms.pop());
+        let kept = self.0.try_lock().ok().and_then(|mut pool| pool.pop());
         kept.unwrap_or_else(|| RecursionWorkspace::new(model))
     }
 
     /// Returns a workspace to the pool, unless the workspace is large or the pool is full.
-    pub fn release(&self, room: RecursionWorkspace) {
-        let numbers: usize = room.recursion.clusters.iter().map(ClusterElimination::stored_count).sum();
-        if room.recursion.inertias.len() <= KEPT_BODIES
+    pub fn release(&self, workspace: RecursionWorkspace) {
+        let numbers: usize = workspace.recursion.clusters.iter().map(ClusterElimination::stored_count).sum();
+        if workspace.recursion.inertias.len() <= KEPT_BODIES
             && numbers <= KEPT_NUMBERS
-            && let Ok(mut rooms) = self.0.try_lock()
-            && rooms.len() < POOLED_WORKSPACES
+            && let Ok(mut pool) = self.0.try_lock()
+            && pool.len() < POOLED_WORKSPACES
         {
-            rooms.push(room);
+            pool.push(workspace);
         }
     }
 }
@@ -176,17 +176,17 @@ impl RecursionWorkspace {
 
 impl RouteInput<'_> {
     /// Runs the recursion and computes the relative closing speed.
-    pub fn run_recursion(&self, room: &mut RecursionWorkspace) {
-        self.eliminate(room);
-        let RecursionWorkspace { recursion, closing_speed, row, closing, .. } = room;
+    pub fn run_recursion(&self, workspace: &mut RecursionWorkspace) {
+        self.eliminate(workspace);
+        let RecursionWorkspace { recursion, closing_speed, row, closing, .. } = workspace;
         self.model.contact_row_into(self.kinematics, self.located, row);
         *closing_speed = relative_closing_speed(closing, self.model, self.groups, recursion, row);
     }
 
     /// Runs the recursion; the closing speed of the last question is kept.
-    pub fn eliminate(&self, room: &mut RecursionWorkspace) {
+    pub fn eliminate(&self, workspace: &mut RecursionWorkspace) {
         let (model, located) = (self.model, self.located);
-        let RecursionWorkspace { recursion, deciding, response, .. } = room;
+        let RecursionWorkspace { recursion, deciding, response, .. } = workspace;
         recursion.clear();
         let unit = Wrench::new(Vector3::zeros(), located.normal_root);
         recursion.add_wrench(model.body_of(located.link), 0, unit);
@@ -199,18 +199,20 @@ impl RouteInput<'_> {
     /// Selects the result after the recursion ran.
     pub fn select_result(
         &self,
-        room: &mut RecursionWorkspace,
+        workspace: &mut RecursionWorkspace,
         choice: RouteChoice,
     ) -> Result<RouteResult, RouteError> {
-        let errors = self.recursion_errors(room);
+        let errors = self.recursion_errors(workspace);
         match choice {
-            RouteChoice::Only(Route::Dense) => self.dense_result_checked(room, errors),
-            RouteChoice::Only(Route::Articulated) if room.deciding.indefinite => Err(RouteError::Indefinite),
-            RouteChoice::Only(Route::Articulated) => Ok(self.recursion_result(room, errors)),
-            RouteChoice::Auto => match room.dense_reason(&errors) {
-                None => Ok(self.recursion_result(room, errors)),
+            RouteChoice::Only(Route::Dense) => self.dense_result_checked(workspace, errors),
+            RouteChoice::Only(Route::Articulated) if workspace.deciding.indefinite => {
+                Err(RouteError::Indefinite)
+            }
+            RouteChoice::Only(Route::Articulated) => Ok(self.recursion_result(workspace, errors)),
+            RouteChoice::Auto => match workspace.dense_reason(&errors) {
+                None => Ok(self.recursion_result(workspace, errors)),
                 Some(reason) => {
-                    let found = self.more_accurate_result(room, errors)?;
+                    let found = self.more_accurate_result(workspace, errors)?;
                     Ok(RouteResult { dense_reason: Some(reason), ..found })
                 }
             },
@@ -218,39 +220,39 @@ impl RouteInput<'_> {
     }
 
     /// m̄ of the recursion alone, after the recursion ran.
-    pub fn recursive_mass(&self, room: &mut RecursionWorkspace) -> EffectiveMass {
-        let errors = self.recursion_errors(room);
-        self.recursion_result(room, errors).mass
+    pub fn recursive_mass(&self, workspace: &mut RecursionWorkspace) -> EffectiveMass {
+        let errors = self.recursion_errors(workspace);
+        self.recursion_result(workspace, errors).mass
     }
 
     /// m̄ after the recursion ran, as [`Self::answer`] with the automatic choice. Allocates nothing if the recursion
     /// is accurate enough.
     pub fn effective_mass(
         &self,
-        room: &mut RecursionWorkspace,
+        workspace: &mut RecursionWorkspace,
     ) -> Result<(EffectiveMass, RemarkFlags), RouteError> {
         // The errors are estimated at least once, so that the error buffers are allocated before they are needed.
-        if room.budget.is_filled() && (room.is_clear() || self.is_recursion_trusted(room)) {
-            return Ok((room.mass(), self.recursive_flags(room, room.mass())));
+        if workspace.budget.is_filled() && (workspace.is_clear() || self.is_recursion_trusted(workspace)) {
+            return Ok((workspace.mass(), self.recursive_flags(workspace, workspace.mass())));
         }
-        let errors = self.recursion_errors(room);
-        match room.dense_reason(&errors) {
+        let errors = self.recursion_errors(workspace);
+        match workspace.dense_reason(&errors) {
             None => {
-                let mass = apply_energy_value(room.mass(), &errors);
-                Ok((mass, self.recursive_flags(room, mass)))
+                let mass = apply_energy_value(workspace.mass(), &errors);
+                Ok((mass, self.recursive_flags(workspace, mass)))
             }
             Some(_) => {
-                let found = self.more_accurate_result(room, errors)?;
+                let found = self.more_accurate_result(workspace, errors)?;
                 let own = found.remarks.iter().collect::<RemarkFlags>();
-                Ok((found.mass, own | self.remark_flags(room, found.mass, found.closing_speed)))
+                Ok((found.mass, own | self.remark_flags(workspace, found.mass, found.closing_speed)))
             }
         }
     }
 
     /// [`remark_flags`](Self::remark_flags) of the recursion's result.
-    fn recursive_flags(&self, room: &RecursionWorkspace, mass: EffectiveMass) -> RemarkFlags {
-        let mut flags = self.remark_flags(room, mass, room.closing_speed);
-        if room.deciding.dropped > 0 {
+    fn recursive_flags(&self, workspace: &RecursionWorkspace, mass: EffectiveMass) -> RemarkFlags {
+        let mut flags = self.remark_flags(workspace, mass, workspace.closing_speed);
+        if workspace.deciding.dropped > 0 {
             flags |= RemarkFlags::MASSLESS_MOTIONS;
             if matches!(mass, EffectiveMass::Finite(_)) {
                 flags |= RemarkFlags::UNDETERMINED_MOTION;
@@ -261,26 +263,26 @@ impl RouteInput<'_> {
 
     /// Upper limit of m̄ (kg) for a contact that is massless only within rounding; `None` if negligible compared with
     /// the mass of the mechanism.
-    pub fn massless_limit(&self, room: &RecursionWorkspace, mass: EffectiveMass) -> Option<f64> {
-        room.massless_limit(self.model).filter(|_| mass == EffectiveMass::Massless)
+    pub fn massless_limit(&self, workspace: &RecursionWorkspace, mass: EffectiveMass) -> Option<f64> {
+        workspace.massless_limit(self.model).filter(|_| mass == EffectiveMass::Massless)
     }
 
     /// Kinds of findings about a result, as in [`Pose::respond`](crate::Pose::respond), without the findings of the
     /// route. `closing_speed`: see [`relative_closing_speed`], dimensionless. Allocates nothing.
     fn remark_flags(
         &self,
-        room: &RecursionWorkspace,
+        workspace: &RecursionWorkspace,
         mass: EffectiveMass,
         closing_speed: f64,
     ) -> RemarkFlags {
         let mut flags = RemarkFlags::NONE;
         let is_finite = matches!(mass, EffectiveMass::Finite(_));
         if is_finite
-            && closing_speed < NEARLY_IMMOVABLE.max(closing_floor(self.model, self.groups, &room.row))
+            && closing_speed < NEARLY_IMMOVABLE.max(closing_floor(self.model, self.groups, &workspace.row))
         {
             flags |= RemarkFlags::NEARLY_IMMOVABLE;
         }
-        if self.massless_limit(room, mass).is_some() {
+        if self.massless_limit(workspace, mass).is_some() {
             flags |= RemarkFlags::MASSLESS_TO_ROUNDING;
         }
         if self.groups.iter().any(|group| !group.rank.clear) {
@@ -290,35 +292,35 @@ impl RouteInput<'_> {
     }
 
     /// True if the recursion's own error is small, for a tree only. Stores the motion in the workspace.
-    fn is_recursion_trusted(&self, room: &mut RecursionWorkspace) -> bool {
-        let finite = !room.deciding.indefinite && matches!(room.mass(), EffectiveMass::Finite(_));
-        let RecursionWorkspace { recursion, motion, budget, .. } = room;
+    fn is_recursion_trusted(&self, workspace: &mut RecursionWorkspace) -> bool {
+        let finite = !workspace.deciding.indefinite && matches!(workspace.mass(), EffectiveMass::Finite(_));
+        let RecursionWorkspace { recursion, motion, budget, .. } = workspace;
         if !finite || !recursion.clusters.is_empty() {
             return false;
         }
         recursion.velocities(self.model, &self.located.point_root, motion);
         let impulse = self.impulse(&motion.twists, &motion.velocities);
-        impulse.route_error(budget, recursion) <= TRUSTED_ERROR && !room.deciding.closes_faintly
+        impulse.route_error(budget, recursion) <= TRUSTED_ERROR && !workspace.deciding.closes_faintly
     }
 
     /// Result of the dense route if more accurate than the recursion, otherwise the result of the recursion. Used if
     /// the recursion is in doubt.
     fn more_accurate_result(
         &self,
-        room: &mut RecursionWorkspace,
+        workspace: &mut RecursionWorkspace,
         errors: RelativeErrors,
     ) -> Result<RouteResult, RouteError> {
-        if room.deciding.indefinite {
-            let found = self.dense_result(room)?;
+        if workspace.deciding.indefinite {
+            let found = self.dense_result(workspace)?;
             if found.massless_motion_count() > 0 {
                 // The recursion has no result, so no bound for the mass of the left-out motions.
-                room.deciding.massless_limit[0] = total_mass(self.model);
+                workspace.deciding.massless_limit[0] = total_mass(self.model);
                 return Ok(RouteResult { errors: found.errors.with_frozen(1.0), ..found });
             }
             return Ok(found);
         }
-        let recursive = self.recursion_result(room, errors);
-        let careful = self.dense_result(room).map(|found| {
+        let recursive = self.recursion_result(workspace, errors);
+        let dense = self.dense_result(workspace).map(|found| {
             // Both routes leave out a massless motion: the bound for the frozen motions of the recursion holds for both.
             let frozen = if recursive.mass == EffectiveMass::Massless { 1.0 } else { errors.frozen };
             let errors = if found.massless_motion_count() > 0 {
@@ -328,17 +330,17 @@ impl RouteInput<'_> {
             };
             RouteResult { errors, ..found }
         });
-        Ok(match careful {
-            Ok(careful) if recursive.mass == EffectiveMass::Massless => careful,
+        Ok(match dense {
+            Ok(dense) if recursive.mass == EffectiveMass::Massless => dense,
             // A motion whose pivot the recursion keeps has a mass, even if an uncertain one.
-            Ok(careful)
-                if careful.mass == EffectiveMass::Massless
-                    || careful.massless_motion_count() > recursive.massless_motion_count() =>
+            Ok(dense)
+                if dense.mass == EffectiveMass::Massless
+                    || dense.massless_motion_count() > recursive.massless_motion_count() =>
             {
                 recursive
             }
             // `total_cmp` ranks NaN as the largest error.
-            Ok(careful) if careful.errors.rounding.total_cmp(&recursive.errors.rounding).is_lt() => careful,
+            Ok(dense) if dense.errors.rounding.total_cmp(&recursive.errors.rounding).is_lt() => dense,
             _ => recursive,
         })
     }
@@ -347,19 +349,19 @@ impl RouteInput<'_> {
     /// recursion finds where the dense route finds none.
     fn dense_result_checked(
         &self,
-        room: &mut RecursionWorkspace,
+        workspace: &mut RecursionWorkspace,
         errors: RelativeErrors,
     ) -> Result<RouteResult, RouteError> {
-        if room.deciding.indefinite {
-            return self.more_accurate_result(room, errors);
+        if workspace.deciding.indefinite {
+            return self.more_accurate_result(workspace, errors);
         }
-        let recursive = self.recursion_result(room, errors).mass;
-        let found = self.dense_result(room)?;
+        let recursive = self.recursion_result(workspace, errors).mass;
+        let found = self.dense_result(workspace)?;
         match (found.mass, recursive) {
             (EffectiveMass::Massless, EffectiveMass::Finite(m)) => {
                 let most = m * (1.0 + errors.rounding);
                 let most = if most.is_finite() { most } else { total_mass(self.model) };
-                let up_to = &mut room.deciding.massless_limit[0];
+                let up_to = &mut workspace.deciding.massless_limit[0];
                 *up_to = up_to.max(most);
                 Ok(found)
             }
@@ -372,12 +374,12 @@ impl RouteInput<'_> {
     }
 
     /// Errors of a finite result of the recursion. Stores the motion in the workspace.
-    fn recursion_errors(&self, room: &mut RecursionWorkspace) -> RelativeErrors {
-        if room.deciding.indefinite || !matches!(room.mass(), EffectiveMass::Finite(_)) {
+    fn recursion_errors(&self, workspace: &mut RecursionWorkspace) -> RelativeErrors {
+        if workspace.deciding.indefinite || !matches!(workspace.mass(), EffectiveMass::Finite(_)) {
             return RelativeErrors::default();
         }
-        let is_clear = room.is_clear();
-        let RecursionWorkspace { recursion, motion, budget, deciding, .. } = room;
+        let is_clear = workspace.is_clear();
+        let RecursionWorkspace { recursion, motion, budget, deciding, .. } = workspace;
         recursion.velocities(self.model, &self.located.point_root, motion);
         let errors =
             self.impulse(&motion.twists, &motion.velocities).recursion_errors(budget, recursion, is_clear);
@@ -385,41 +387,42 @@ impl RouteInput<'_> {
     }
 
     /// 1/m̄ as the stationary value of the energy, after the recursion ran; `None` if motions have no mass.
-    pub fn response_by_energy(&self, room: &mut RecursionWorkspace) -> Option<f64> {
-        let RecursionWorkspace { recursion, motion, .. } = room;
+    pub fn response_by_energy(&self, workspace: &mut RecursionWorkspace) -> Option<f64> {
+        let RecursionWorkspace { recursion, motion, .. } = workspace;
         recursion.velocities(self.model, &self.located.point_root, motion);
         let value = self.impulse(&motion.twists, &motion.velocities).stationary(recursion).value();
         value.map(|(response, _)| response).filter(|response| *response > 0.0)
     }
 
     /// Result of the recursion, corrected according to its errors.
-    fn recursion_result(&self, room: &mut RecursionWorkspace, errors: RelativeErrors) -> RouteResult {
-        let mut mass = apply_energy_value(room.mass(), &errors);
+    fn recursion_result(&self, workspace: &mut RecursionWorkspace, errors: RelativeErrors) -> RouteResult {
+        let mut mass = apply_energy_value(workspace.mass(), &errors);
         let mut velocities = vec![0.0; self.model.velocity_coordinates.len()];
         match mass {
             EffectiveMass::Finite(m) => {
-                velocities.iter_mut().zip(&room.motion.velocities).for_each(|(to, v)| *to = v * m);
-                if room.avoidable_error(&errors) - errors.frozen > NOTHING_LEFT
-                    && !room.has_small_rounding(ROUTE_ROUNDINGS * room.deciding.terms)
+                velocities.iter_mut().zip(&workspace.motion.velocities).for_each(|(to, v)| *to = v * m);
+                if workspace.avoidable_error(&errors) - errors.frozen > NOTHING_LEFT
+                    && !workspace.has_small_rounding(ROUTE_ROUNDINGS * workspace.deciding.terms)
                 {
                     // The remaining energy is only rounding.
                     mass = EffectiveMass::Massless;
-                    let most = m * (1.0 + room.avoidable_error(&errors));
-                    let up_to = &mut room.deciding.massless_limit[0];
+                    let most = m * (1.0 + workspace.avoidable_error(&errors));
+                    let up_to = &mut workspace.deciding.massless_limit[0];
                     *up_to = up_to.max(most);
                 }
             }
             EffectiveMass::Massless => {
-                let free = room.deciding.best_free.map(|free| {
-                    room.recursion.massless_velocities(self.model, &self.located.point_root, free)
+                let free = workspace.deciding.best_free.map(|free| {
+                    workspace.recursion.massless_velocities(self.model, &self.located.point_root, free)
                 });
-                velocities = free.and_then(|free| scale_to_unit_speed(&room.row, free)).unwrap_or(velocities);
+                velocities =
+                    free.and_then(|free| scale_to_unit_speed(&workspace.row, free)).unwrap_or(velocities);
             }
             EffectiveMass::Immovable => {}
         }
         let mut remarks = Vec::new();
-        if room.deciding.dropped > 0 {
-            remarks.push(Remark::MasslessMotions { directions: room.deciding.dropped });
+        if workspace.deciding.dropped > 0 {
+            remarks.push(Remark::MasslessMotions { directions: workspace.deciding.dropped });
             if matches!(mass, EffectiveMass::Finite(_)) {
                 remarks.push(Remark::UndeterminedMotion);
             }
@@ -428,7 +431,7 @@ impl RouteInput<'_> {
             mass,
             route: Route::Articulated,
             dense_reason: None,
-            closing_speed: room.closing_speed,
+            closing_speed: workspace.closing_speed,
             errors,
             velocities,
             remarks,
@@ -449,7 +452,7 @@ impl RouteInput<'_> {
     }
 
     /// Result of the dense route.
-    fn dense_result(&self, room: &mut RecursionWorkspace) -> Result<RouteResult, RouteError> {
+    fn dense_result(&self, workspace: &mut RecursionWorkspace) -> Result<RouteResult, RouteError> {
         let model = self.model;
         // M is formed over the tree velocities; mimics are folded afterwards.
         let coordinates = model.velocity_coordinates.len();
@@ -476,7 +479,7 @@ impl RouteInput<'_> {
         }
         let velocities = model.expand(&solution.velocity);
         let errors = match mass {
-            EffectiveMass::Finite(m) => self.dense_errors(room, &solution, m),
+            EffectiveMass::Finite(m) => self.dense_errors(workspace, &solution, m),
             EffectiveMass::Immovable | EffectiveMass::Massless => RelativeErrors::default(),
         };
         Ok(RouteResult {
@@ -493,7 +496,7 @@ impl RouteInput<'_> {
     /// Errors of the dense route, from its motion scaled to a unit impulse.
     fn dense_errors(
         &self,
-        room: &mut RecursionWorkspace,
+        workspace: &mut RecursionWorkspace,
         solution: &LeastEnergySolution,
         m: f64,
     ) -> RelativeErrors {
@@ -502,7 +505,7 @@ impl RouteInput<'_> {
         let velocities = model.expand(&u);
         let twists = self.twists(&velocities);
         let sizes = model.mass_sizes(self.kinematics);
-        let RecursionWorkspace { recursion, budget, .. } = room;
+        let RecursionWorkspace { recursion, budget, .. } = workspace;
         let errors = self.impulse(&twists, &velocities).dense_errors(budget, recursion, &sizes, &u, 1.0 / m);
         if solution.massless_couples { errors.with_frozen(1.0) } else { errors }
     }

@@ -206,7 +206,7 @@ impl ContactMap<'_> {
     /// memory).
     pub fn principal_masses(&self, point: &Vector3<f64>) -> Option<[PrincipalMass; 3]> {
         let arm = point - self.constants.centre();
-        let free = self.massless_wrenches.of_forces(&arm);
+        let free = self.massless_wrenches.project_forces(&arm);
         let free_part = free.transpose() * free;
         let strength = free_part.trace();
         let matrix = self.inverse_mass(point);
@@ -254,7 +254,7 @@ impl ContactMap<'_> {
 
     /// Λ⁻¹ (1/kg) at a point, in the axes of the contact link, without the responses of massless motions.
     fn inverse_mass(&self, point: &Vector3<f64>) -> Matrix3<f64> {
-        let forces = self.constants.of_forces(&(point - self.constants.centre()));
+        let forces = self.constants.project_forces(&(point - self.constants.centre()));
         forces.transpose() * forces
     }
 

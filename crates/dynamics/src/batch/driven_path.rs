@@ -154,11 +154,11 @@ impl DrivenPath {
         let alike = std::sync::Arc::ptr_eq(&self.from.assembly, &pose.assembly)
             && pose.dependent_coordinates().is_some()
             && pose.dependent_coordinates() == self.from.dependent_coordinates();
-        let stands = alike && self.continuation.set_pose(pose.positions());
-        if stands {
+        let is_accepted = alike && self.continuation.set_pose(pose.positions());
+        if is_accepted {
             self.remarks = pose.branch_remarks(&self.contact);
             self.from = pose.clone();
         }
-        stands
+        is_accepted
     }
 }

@@ -10,11 +10,11 @@ impl<W: Clone> WorkerPool<W> {
     /// Runs `work` with a worker from the pool, or with a clone of `model`; never waits. A worker is dropped if
     /// `work` panics.
     pub fn with_worker<A>(&self, model: &W, work: impl FnOnce(&mut W) -> A) -> A {
-        let waiting = self.0.try_lock().ok().and_then(|mut idle| idle.pop());
+        let waiting = self.0.try_lock().ok().and_then(|mut workers| workers.pop());
         let mut worker = waiting.unwrap_or_else(|| Box::new(model.clone()));
         let answer = work(&mut worker);
-        if let Ok(mut idle) = self.0.try_lock() {
-            idle.push(worker);
+        if let Ok(mut workers) = self.0.try_lock() {
+            workers.push(worker);
         }
         answer
     }

@@ -241,15 +241,15 @@ impl Workspace {
         let model = self.assembly.model();
         let located = model.locate(&self.kinematics, &Transform::identity(), contact)?;
         model.refuse_large_clusters::<f64>(&self.groups)?;
-        let question = RouteInput {
+        let route_input = RouteInput {
             model,
             kinematics: &self.kinematics,
             groups: &self.groups,
             misfits: self.assembly.misfits(),
             located: &located,
         };
-        question.run_recursion(&mut self.recursion);
-        let (mass, flags) = question.effective_mass(&mut self.recursion)?;
+        route_input.run_recursion(&mut self.recursion);
+        let (mass, flags) = route_input.effective_mass(&mut self.recursion)?;
         self.remarks |= flags;
         Ok(mass)
     }

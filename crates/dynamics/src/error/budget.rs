@@ -70,14 +70,16 @@ impl FrameErrors {
         self.walks.clear();
         for (i, body) in model.bodies.iter().enumerate() {
             let (turn, place, depth) = body.parent.map_or((0.0, 0.0, 0.0), |p| self.walks[p]);
-            let (carried, from) =
+            let (parent_turn, parent_position) =
                 body.parent.map_or((0.0, 0.0), |p| (self.bounds[p].0, self.bounds[p].1 - place.sqrt()));
             let step = kinematics.parent_transforms[i].translation.norm();
             let position = kinematics.frames[i].translation.norm();
             let own = SUM_ROUNDINGS * step + 2.0 * position;
             let walk = (turn + TURN_ROUNDINGS * TURN_ROUNDINGS, place + own * own, depth + 1.0);
-            self.bounds
-                .push((walk.0.sqrt() + REPEATED_ROUNDINGS * walk.2, from + carried * step + walk.1.sqrt()));
+            self.bounds.push((
+                walk.0.sqrt() + REPEATED_ROUNDINGS * walk.2,
+                parent_position + parent_turn * step + walk.1.sqrt(),
+            ));
             self.walks.push(walk);
         }
     }
@@ -175,11 +177,11 @@ impl UnitImpulse<'_> {
     /// Errors of the recursion's result. `is_clear`: the rounding of the recursion is known to be negligible.
     pub fn recursion_errors(
         &self,
-        room: &mut BudgetWorkspace,
+        workspace: &mut BudgetWorkspace,
         recursion: &Recursion<f64, 1>,
         is_clear: bool,
     ) -> RelativeErrors {
-        let (mut route, mut stationary) = (self.elimination_error(room, recursion), None);
+        let (mut route, mut stationary) = (self.elimination_error(workspace, recursion), None);
         let response = recursion.response(0, 0);
         // Pivots of a tree contain only inertia transmitted from below the joint, so the energy is not needed.
         if !is_clear && !recursion.clusters.is_empty() && f64::EPSILON * route > VAGUE_RESPONSE * response {
@@ -192,28 +194,28 @@ impl UnitImpulse<'_> {
             }
         }
         let places = if stationary.is_some() { FrameErrorMode::ByJoint } else { FrameErrorMode::Accumulated };
-        let mut sum = self.data_errors(room, recursion, places);
+        let mut sum = self.data_errors(workspace, recursion, places);
         sum.rounding += route;
         sum.route = route;
-        sum.frozen = room.frozen;
+        sum.frozen = workspace.frozen;
         sum.stationary = stationary;
         self.relative(sum, response)
     }
 
     /// Relative error of the recursion itself, from its eliminations alone. Equal to `route` of
     /// [`of_recursion`](Self::of_recursion), if small.
-    pub fn route_error(&self, room: &mut BudgetWorkspace, recursion: &Recursion<f64, 1>) -> f64 {
-        f64::EPSILON * self.elimination_error(room, recursion) / recursion.response(0, 0)
+    pub fn route_error(&self, workspace: &mut BudgetWorkspace, recursion: &Recursion<f64, 1>) -> f64 {
+        f64::EPSILON * self.elimination_error(workspace, recursion) / recursion.response(0, 0)
     }
 
     /// Sum of the errors of all eliminations, in units of ε.
-    fn elimination_error(&self, room: &mut BudgetWorkspace, recursion: &Recursion<f64, 1>) -> f64 {
-        room.composites.clear();
-        room.frozen = 0.0;
+    fn elimination_error(&self, workspace: &mut BudgetWorkspace, recursion: &Recursion<f64, 1>) -> f64 {
+        workspace.composites.clear();
+        workspace.frozen = 0.0;
         let of_cluster = |(number, cluster): (usize, &Cluster)| match recursion.cluster_index[number] {
-            None => self.joint_elimination_error(room, recursion, cluster.bodies[0]),
+            None => self.joint_elimination_error(workspace, recursion, cluster.bodies[0]),
             Some(place) => {
-                self.cluster_elimination_error(room, recursion, cluster, &recursion.clusters[place])
+                self.cluster_elimination_error(workspace, recursion, cluster, &recursion.clusters[place])
             }
         };
         self.model.clusters.iter().enumerate().map(of_cluster).sum()
@@ -265,32 +267,32 @@ impl UnitImpulse<'_> {
     /// Errors common to all routes: frames, body inertias, joint columns, the contact, rows of A.
     fn data_errors(
         &self,
-        room: &mut BudgetWorkspace,
+        workspace: &mut BudgetWorkspace,
         recursion: &Recursion<f64, 1>,
         places: FrameErrorMode,
     ) -> RelativeErrors {
         let (model, kinematics) = (self.model, self.kinematics);
-        self.fill_transmitted(&mut room.transmitted, recursion);
-        room.frames.fill(model, kinematics);
+        self.fill_transmitted(&mut workspace.transmitted, recursion);
+        workspace.frames.fill(model, kinematics);
         let mut sum = RelativeErrors::default();
-        self.add_row_errors(room, places, &mut sum);
-        let BudgetWorkspace { frames, transmitted, .. } = &*room;
+        self.add_row_errors(workspace, places, &mut sum);
+        let BudgetWorkspace { frames, transmitted, .. } = &*workspace;
         let on = frames.at(model.body_of(self.contact.link));
         let against = frames.at(self.contact.against.and_then(|l| model.body_of(l)));
         let point = &self.contact.point_root;
         let reach = point.norm();
-        let own_struck = 2.0 * reach + (on.0 + SUM_ROUNDINGS) * self.contact.point_link.norm();
-        let struck = (on.0.max(against.0), on.1 + own_struck);
+        let own_contact_error = 2.0 * reach + (on.0 + SUM_ROUNDINGS) * self.contact.point_link.norm();
+        let contact_error = (on.0.max(against.0), on.1 + own_contact_error);
         // The normal rotates with a link; a rotation error is multiplied by the relative velocity.
         let relative = self.relative_velocity().norm();
-        sum.rounding += 2.0 * (TURN_ROUNDINGS + struck.0) * relative;
+        sum.rounding += 2.0 * (TURN_ROUNDINGS + contact_error.0) * relative;
         if let Some((end, at)) = self.contact.line {
             // A line rotates by the position errors of its ends divided by its length.
             let far = frames.at(model.body_of(end));
             let position = kinematics.link_frame(model, end).point(&at);
             let off = far.1 + 2.0 * position.norm() + (far.0 + SUM_ROUNDINGS) * at.norm();
             let length = (position - point).norm();
-            sum.rounding += 2.0 * (struck.1 + off) / length * relative;
+            sum.rounding += 2.0 * (contact_error.1 + off) / length * relative;
             sum.file += 2.0 * self.largest_misfit([self.contact.link, end]) / length * relative;
         }
         let by_joint = places == FrameErrorMode::ByJoint;
@@ -302,9 +304,9 @@ impl UnitImpulse<'_> {
             let (turn, place) = frames.bounds[i];
             let arm = kinematics.frames[i].translation - point;
             let off = if by_joint {
-                own_struck + 2.0 * kinematics.frames[i].translation.norm() + arm.norm()
+                own_contact_error + 2.0 * kinematics.frames[i].translation.norm() + arm.norm()
             } else {
-                place + struck.1 + arm.norm()
+                place + contact_error.1 + arm.norm()
             };
             let twist = &self.twists[i];
             let x = Transform::new(kinematics.frames[i].rotation, arm);
@@ -416,7 +418,7 @@ impl UnitImpulse<'_> {
     /// its parent.
     fn joint_elimination_error(
         &self,
-        room: &mut BudgetWorkspace,
+        workspace: &mut BudgetWorkspace,
         recursion: &Recursion<f64, 1>,
         i: usize,
     ) -> f64 {
@@ -443,8 +445,8 @@ impl UnitImpulse<'_> {
         let own = energy_root(&roots, &components(&self.twists[i]));
         sum += SUM_ROUNDINGS * own * own;
         if body.v.clone().any(|v| !recursion.joints[v].counts) {
-            let frozen = self.frozen_change(room, recursion, i, &roots);
-            room.frozen += frozen;
+            let frozen = self.frozen_change(workspace, recursion, i, &roots);
+            workspace.frozen += frozen;
             sum += frozen / f64::EPSILON;
         }
         sum + 2.0 * SUM_ROUNDINGS * dot_abs(&recursion.wrenches[i][0], &components(&self.twists[i]))
@@ -453,20 +455,20 @@ impl UnitImpulse<'_> {
     /// Error of the elimination of a cluster with constraints.
     fn cluster_elimination_error(
         &self,
-        room: &mut BudgetWorkspace,
+        workspace: &mut BudgetWorkspace,
         recursion: &Recursion<f64, 1>,
         cluster: &Cluster,
         eliminated: &ClusterElimination<f64, 1>,
     ) -> f64 {
         let d = eliminated.d;
         let carrier = cluster.parent.map_or_else(Twist::zero, |p| self.twists[p]);
-        let u = &mut room.independent;
+        let u = &mut workspace.independent;
         eliminated.fill_independent_rates(&carrier, true, None, u);
-        let carried = components(&carrier);
+        let parent_motion = components(&carrier);
         let mut sum = 0.0;
         for (at, &b) in cluster.bodies.iter().enumerate() {
             // Roundings of many terms are added as a random walk.
-            let mut squares = carried.component_mul(&carried);
+            let mut squares = parent_motion.component_mul(&parent_motion);
             for (psi, u) in eliminated.psi[at * d..(at + 1) * d].iter().zip(&*u) {
                 let part = components(psi) * *u;
                 squares += part.component_mul(&part);
@@ -479,7 +481,7 @@ impl UnitImpulse<'_> {
         for &y in &eliminated.order {
             let part = eliminated.t[y][0] / eliminated.factor[y * d + y];
             sum += SUM_ROUNDINGS
-                * (eliminated.t[y][0] * part + 2.0 * dot_abs(&eliminated.u[y], &carried) * part.abs());
+                * (eliminated.t[y][0] * part + 2.0 * dot_abs(&eliminated.u[y], &parent_motion) * part.abs());
         }
         sum
     }
@@ -488,13 +490,13 @@ impl UnitImpulse<'_> {
     /// the diagonal entries of M.
     pub fn dense_errors(
         &self,
-        room: &mut BudgetWorkspace,
+        workspace: &mut BudgetWorkspace,
         recursion: &Recursion<f64, 1>,
         mass_size: &[f64],
         coordinates: &[f64],
         response: f64,
     ) -> RelativeErrors {
-        let mut sum = self.data_errors(room, recursion, FrameErrorMode::Accumulated);
+        let mut sum = self.data_errors(workspace, recursion, FrameErrorMode::Accumulated);
         let root: f64 = mass_size.iter().zip(coordinates).map(|(m, v)| m.abs().sqrt() * v.abs()).sum();
         sum.route = SUM_ROUNDINGS * coordinates.len() as f64 * root * root;
         sum.rounding += sum.route;

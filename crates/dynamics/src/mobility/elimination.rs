@@ -71,7 +71,7 @@ impl Model {
     /// largest singular value. `expected`: the generic rank, if known.
     pub fn decide_mobility(
         &self,
-        room: &mut MobilityWorkspace,
+        workspace: &mut MobilityWorkspace,
         kinematics: &Kinematics<f64>,
         group: &Group,
         floor: f64,
@@ -85,7 +85,7 @@ impl Model {
             return;
         }
         decided.floor = floor;
-        let seen = room.eliminate(group, floor, group.rows.min(n), decided);
+        let seen = workspace.eliminate(group, floor, group.rows.min(n), decided);
         let count = decided.pivots.rows.len();
         let sure = expected == Some(count)
             && seen.last >= SURE_PIVOT * seen.first
@@ -99,17 +99,17 @@ impl Model {
             };
             Rank { rank: count, gap, least, clear: true }
         } else {
-            room.fill_scaled(group, &decided.rows);
-            dense::singular_values(&mut room.dense, n, &mut room.values);
-            decide_rank(&room.values, floor)
+            workspace.fill_scaled(group, &decided.rows);
+            dense::singular_values(&mut workspace.dense, n, &mut workspace.values);
+            decide_rank(&workspace.values, floor)
         };
         if decided.rank.rank != count {
-            room.eliminate(group, 0.0, decided.rank.rank, decided);
+            workspace.eliminate(group, 0.0, decided.rank.rank, decided);
         }
         let GroupMobility { pivots, independent, sizes, .. } = decided;
         sizes.clear();
         for r in &pivots.rows {
-            sizes.extend(independent.iter().map(|y| room.sizes[r * n + y]));
+            sizes.extend(independent.iter().map(|y| workspace.sizes[r * n + y]));
         }
     }
 }

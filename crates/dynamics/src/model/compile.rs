@@ -16,8 +16,8 @@ impl Model {
     /// [`ConditionsError`]: an unknown joint or link, a condition given twice, an invalid armature or held contact.
     pub fn compile(mechanism: &Arc<Mechanism>, conditions: &Conditions) -> Result<Self, ConditionsError> {
         let armatures = conditions.resolve_armatures(mechanism)?;
-        let asked = conditions.resolve_locks(mechanism)?;
-        let (locked, redundant_locks) = effective_locks(mechanism, &asked);
+        let requested = conditions.resolve_locks(mechanism)?;
+        let (locked, redundant_locks) = effective_locks(mechanism, &requested);
         let mut joint_q = Vec::with_capacity(mechanism.joints().len());
         let mut positions = 0;
         for joint in mechanism.joints() {
@@ -181,10 +181,10 @@ impl ZeroFrames {
 
 /// Returns the lock flag of every joint, and the number of redundant lock rows. A lock on a mimic also locks its
 /// master and all mimics of the master.
-fn effective_locks(mechanism: &Mechanism, asked: &[bool]) -> (Vec<bool>, usize) {
-    let mut master_locked = vec![false; asked.len()];
+fn effective_locks(mechanism: &Mechanism, requested: &[bool]) -> (Vec<bool>, usize) {
+    let mut master_locked = vec![false; requested.len()];
     let (mut rows, mut rank) = (0, 0);
-    for (i, joint) in mechanism.joints().iter().enumerate().filter(|(i, _)| asked[*i]) {
+    for (i, joint) in mechanism.joints().iter().enumerate().filter(|(i, _)| requested[*i]) {
         rows += joint.kind().dofs();
         let holds = match joint.mimic() {
             None => Some(i),

@@ -88,7 +88,7 @@ impl Pose {
         let mut inertias = Vec::with_capacity(n);
         let mut wrenches = Vec::with_capacity(n);
         for (i, body) in model.bodies.iter().enumerate() {
-            let carried = body
+            let propagated = body
                 .parent
                 .map_or_else(Twist::zero, |p| kinematics.parent_transforms[i].inverse_twist(&motions[p]));
             let own = match body.joint {
@@ -97,7 +97,7 @@ impl Pose {
                     sum + kinematics.column(model, i, k) * velocities[id.index()][k]
                 }),
             };
-            motions[i] = carried + own;
+            motions[i] = propagated + own;
             biases[i] = motions[i].cross_motion(&own);
             if let Some(id) = body.joint.filter(|_| !body.v.is_empty()) {
                 biases[i] += body.motion.bias(&kinematics.q[body.q.clone()], &velocities[id.index()]);
@@ -152,8 +152,8 @@ impl Pose {
             }
             if let Some(parent) = body.parent {
                 let step = &self.kinematics.parent_transforms[i];
-                let carried = transformed(step, &inertias[i]);
-                inertias[parent] += &carried;
+                let propagated = transformed(step, &inertias[i]);
+                inertias[parent] += &propagated;
                 let wrench = step.wrench(&wrenches[i]);
                 wrenches[parent] += wrench;
                 // The trace about the parent's origin is ∫ 2 r² dm, with r at most the sum of the distances.

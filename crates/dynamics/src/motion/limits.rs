@@ -43,7 +43,7 @@ impl Pose {
         let continuous = crossings.iter().any(|c| c.continuous);
         let looked_at = combinations.min(BRANCH_COMBINATIONS).min(route.most_combinations(assembly.model()));
         let mut limits: Vec<EffectiveMass> = (0..looked_at).filter_map(limit).collect();
-        let answered = limits.len() == combinations;
+        let all_followed = limits.len() == combinations;
         if continuous {
             limits.sort_by(|a, b| value(a).total_cmp(&value(b)));
             let last = limits.len().saturating_sub(1);
@@ -54,7 +54,7 @@ impl Pose {
                 .map(|(_, l)| l)
                 .collect();
         }
-        BranchLimits { limits, continuous, complete: answered && complete }
+        BranchLimits { limits, continuous, complete: all_followed && complete }
     }
 }
 
@@ -103,11 +103,11 @@ impl LimitRoute {
             },
             LimitRoute::Recursion => {
                 model.refuse_large_clusters::<f64>(&groups).ok()?;
-                let question =
+                let route_input =
                     RouteInput { model, kinematics, groups: &groups, misfits: assembly.misfits(), located };
-                let mut room = RecursionWorkspace::new(model);
-                question.run_recursion(&mut room);
-                (!room.deciding.indefinite).then(|| room.mass())
+                let mut workspace = RecursionWorkspace::new(model);
+                route_input.run_recursion(&mut workspace);
+                (!workspace.deciding.indefinite).then(|| workspace.mass())
             }
         }
     }

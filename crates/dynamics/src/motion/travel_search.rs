@@ -302,10 +302,10 @@ impl<P> Search<'_, P> {
         let (Some(here), Some(there)) = (near.rate, place.rate) else { return false };
         let (here, there) = (here.abs(), there.abs());
         let gain = |rate: f64| rate * gap * rate / (here + there);
-        let met = DISPLACEMENT_ACCURACY * self.scale.size;
+        let tolerance = DISPLACEMENT_ACCURACY * self.scale.size;
         // If a place beyond the reversal is close enough, so is a place before the reversal.
-        gain(here) <= met
-            || gain(there) <= met
+        gain(here) <= tolerance
+            || gain(there) <= tolerance
                 && self.remaining_displacement(place).abs() > MET_TO_ROUNDING * self.scale.size
     }
 
@@ -369,7 +369,7 @@ mod tests {
         }
 
         /// The result, and the number of places visited.
-        fn go(&self, start: f64, requested: f64) -> (Result<TravelPoint<()>, SearchError>, usize) {
+        fn move_drivers(&self, start: f64, requested: f64) -> (Result<TravelPoint<()>, SearchError>, usize) {
             let mut visits = 0;
             let mut visit = |_: &(), driver: f64| {
                 visits += 1;
@@ -395,7 +395,7 @@ mod tests {
     fn displacements_between_the_turns_are_met() {
         for k in -99..=99 {
             let requested = f64::from(k) / 100.0;
-            let (found, visits) = CRANK.go(0.3, requested);
+            let (found, visits) = CRANK.move_drivers(0.3, requested);
             let place = found.expect("in reach");
             assert!(
                 (place.displacement - requested).abs() <= DISPLACEMENT_ACCURACY
@@ -405,7 +405,7 @@ mod tests {
             assert!(visits <= 20, "{requested}: {visits}");
         }
         // Close to the solution, two visits are enough.
-        let (found, visits) = CRANK.go(0.3, 0.3f64.sin() + 1e-4);
+        let (found, visits) = CRANK.move_drivers(0.3, 0.3f64.sin() + 1e-4);
         assert!(found.is_ok() && visits <= 2, "{visits}");
     }
 
@@ -413,11 +413,11 @@ mod tests {
     #[test]
     fn the_turn_is_met_before_it() {
         for start in [0.3, 1.5, FRAC_PI_2 - 1e-5] {
-            let (found, visits) = CRANK.go(start, 1.0);
+            let (found, visits) = CRANK.move_drivers(start, 1.0);
             let place = found.expect("in reach");
             assert!(place.driver < FRAC_PI_2 && place.rate.expect("a rate") > STATIONARY, "{place:?}");
             assert!(visits <= 60, "{visits}");
-            let (back, _) = CRANK.go(place.driver, 0.9);
+            let (back, _) = CRANK.move_drivers(place.driver, 0.9);
             assert!((back.expect("in reach").driver - 0.9f64.asin()).abs() < 1e-11);
         }
     }
@@ -425,14 +425,16 @@ mod tests {
     #[test]
     fn beyond_the_turns_the_nearest_is_told() {
         for (start, requested, nearest) in [(0.3, 1.2, 1.0), (0.3, -1e12, -1.0), (2.0, 1.0 + 1e-6, 1.0)] {
-            let (found, visits) = CRANK.go(start, requested);
+            let (found, visits) = CRANK.move_drivers(start, requested);
             let Err(SearchError::Unreachable { nearest: got }) = found else { panic!("{found:?}") };
             assert!((got - nearest).abs() < 1e-11 && visits <= 40, "{requested}: {got} {visits}");
         }
         // From the reversal itself to one side.
-        let (found, _) = CRANK.go(FRAC_PI_2, 0.5);
+        let (found, _) = CRANK.move_drivers(FRAC_PI_2, 0.5);
         assert!((found.expect("in reach").driver - PI * 5.0 / 6.0).abs() < 1e-11);
-        let Err(SearchError::Unreachable { nearest }) = CRANK.go(FRAC_PI_2, 1.5).0 else { panic!() };
+        let Err(SearchError::Unreachable { nearest }) = CRANK.move_drivers(FRAC_PI_2, 1.5).0 else {
+            panic!()
+        };
         assert!((nearest - 1.0).abs() < 1e-11);
     }
 
@@ -444,14 +446,14 @@ mod tests {
         for says_ends in [true, false] {
             let motion = Motion { of, ends: [-9.0, 1.0], says_ends };
             for (requested, within) in [(-0.5, 1e-12), (-1e-3, 1e-12), (-1e-7, 1e-9), (0.0, 1e-9)] {
-                let place = motion.go(0.0, requested).0.expect("in reach");
+                let place = motion.move_drivers(0.0, requested).0.expect("in reach");
                 assert!(
                     (place.displacement - requested).abs() <= within,
                     "{requested}: {}",
                     place.displacement
                 );
             }
-            let Err(SearchError::Unreachable { nearest }) = motion.go(0.0, 0.1).0 else { panic!() };
+            let Err(SearchError::Unreachable { nearest }) = motion.move_drivers(0.0, 0.1).0 else { panic!() };
             assert!(nearest.abs() < 2e-8, "{nearest}");
         }
     }
@@ -468,13 +470,13 @@ mod tests {
         for says_ends in [true, false] {
             let motion = Motion { of, ends: [-9.0, 1.0], says_ends };
             for requested in [0.5, 0.74, 0.9, 0.999, 1.0] {
-                let place = motion.go(0.0, requested).0.expect("in reach");
+                let place = motion.move_drivers(0.0, requested).0.expect("in reach");
                 assert!(
                     (place.displacement - requested).abs() <= DISPLACEMENT_ACCURACY && place.driver < 0.75,
                     "{requested}: {place:?}"
                 );
             }
-            let Err(SearchError::Unreachable { nearest }) = motion.go(0.0, 1.1).0 else { panic!() };
+            let Err(SearchError::Unreachable { nearest }) = motion.move_drivers(0.0, 1.1).0 else { panic!() };
             assert!((nearest - 1.0).abs() < 1e-11, "{nearest}");
         }
     }
@@ -482,13 +484,13 @@ mod tests {
     #[test]
     fn a_long_travel_has_a_budget() {
         let line = Motion { of: |t| (t, 1.0), ends: FREE, says_ends: true };
-        let (found, visits) = line.go(0.0, 1e12);
+        let (found, visits) = line.move_drivers(0.0, 1e12);
         assert!(
             matches!(found, Err(SearchError::TooFar { reached }) if (reached - 12.0).abs() < 1e-9),
             "{found:?}"
         );
         assert_eq!(visits, TRAVEL_STEPS);
         let rests = Motion { of: |_| (0.0, 0.0), ends: FREE, says_ends: true };
-        assert_eq!(rests.go(0.0, 1.0).0.err(), Some(SearchError::Unreachable { nearest: 0.0 }));
+        assert_eq!(rests.move_drivers(0.0, 1.0).0.err(), Some(SearchError::Unreachable { nearest: 0.0 }));
     }
 }

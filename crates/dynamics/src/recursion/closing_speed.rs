@@ -13,14 +13,14 @@ use crate::tolerances::{DEPENDENT_RATES, IMMOVABLE, LEAST_SINGULAR, MOST_GROWTH,
 ///
 /// ker A is the product of the kernels of the clusters, so the squared projections of j on these kernels are summed.
 pub(crate) fn relative_closing_speed<const K: usize>(
-    room: &mut ClosingWorkspace,
+    workspace: &mut ClosingWorkspace,
     model: &Model,
     groups: &[GroupMobility],
     recursion: &Recursion<f64, K>,
     row: &ContactRow,
 ) -> f64 {
     let (mut along, mut size) = (0.0, 0.0);
-    let mut members = std::mem::take(&mut room.members);
+    let mut members = std::mem::take(&mut workspace.members);
     fill_members(&mut members, model, recursion, row);
     for (number_of_entry, entry) in row.entries.iter().enumerate() {
         let length = if entry.turns { row.length } else { 1.0 };
@@ -34,12 +34,12 @@ pub(crate) fn relative_closing_speed<const K: usize>(
                 if own[0].1 == number_of_entry {
                     let own = &own[..own.partition_point(|&(cluster, _)| cluster == number)];
                     let of = (&recursion.clusters[place].g[..], recursion.clusters[place].d);
-                    along += projected(room, model, groups, &model.clusters[number], of, (row, own));
+                    along += projected(workspace, model, groups, &model.clusters[number], of, (row, own));
                 }
             }
         }
     }
-    room.members = members;
+    workspace.members = members;
     if size > 0.0 { (along / size).sqrt() } else { 0.0 }
 }
 
@@ -91,7 +91,7 @@ pub(crate) struct ClosingWorkspace {
 /// Squared norm of the projection of j on the kernel within a cluster, without rounding. `of`: G of the cluster and
 /// the number of its independent coordinates. `own`: the entries of the cluster in the row.
 fn projected(
-    room: &mut ClosingWorkspace,
+    workspace: &mut ClosingWorkspace,
     model: &Model,
     groups: &[GroupMobility],
     cluster: &Cluster,
@@ -99,50 +99,50 @@ fn projected(
     (row, own): (&ContactRow, &[(usize, usize)]),
 ) -> f64 {
     let scale = |c: usize| if model.coordinates[cluster.coordinates[c]].turns { row.length } else { 1.0 };
-    room.j.clear();
-    room.j.resize(cluster.coordinates.len(), 0.0);
+    workspace.j.clear();
+    workspace.j.resize(cluster.coordinates.len(), 0.0);
     for entry in own.iter().map(|&(_, entry)| &row.entries[entry]) {
         if let Ok(at) = cluster.velocities.binary_search_by_key(&entry.velocity, |v| v.index) {
             let v = &cluster.velocities[at];
-            room.j[v.coordinate] += entry.value * v.multiplier / scale(v.coordinate);
+            workspace.j[v.coordinate] += entry.value * v.multiplier / scale(v.coordinate);
         }
     }
     let rank: usize = cluster.groups.iter().map(|own| groups[own.group].pivots.rows.len()).sum();
     if rank < of.1 {
-        row_complement_projection(room, model, groups, cluster, &scale)
+        row_complement_projection(workspace, model, groups, cluster, &scale)
     } else {
-        kernel_projection(room, groups, cluster, of, &scale)
+        kernel_projection(workspace, groups, cluster, of, &scale)
     }
 }
 
-/// Squared length of the projection of j (in `room`) on ker A of one cluster, the column space of G. The columns of G are
+/// Squared length of the projection of j (in `workspace`) on ker A of one cluster, the column space of G. The columns of G are
 /// orthonormalised one after another; `d`: their number; `scale`: scale of each coordinate.
 fn kernel_projection(
-    room: &mut ClosingWorkspace,
+    workspace: &mut ClosingWorkspace,
     groups: &[GroupMobility],
     cluster: &Cluster,
     (g, d): (&[f64], usize),
     scale: &dyn Fn(usize) -> f64,
 ) -> f64 {
-    let n = room.j.len();
-    let largest = room.j.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
+    let n = workspace.j.len();
+    let largest = workspace.j.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
     let growth = largest_growth(groups, cluster);
     let mut sum = 0.0;
-    room.basis.clear();
+    workspace.basis.clear();
     for y in 0..d {
-        let start = room.basis.len();
-        room.basis.extend((0..n).map(|c| g[c * d + y] * scale(c)));
-        let (known, column) = room.basis.split_at_mut(start);
+        let start = workspace.basis.len();
+        workspace.basis.extend((0..n).map(|c| g[c * d + y] * scale(c)));
+        let (known, column) = workspace.basis.split_at_mut(start);
         let norm = dot(column, column).sqrt();
         orthogonalise(known, column);
         let left = dot(column, column).sqrt();
         if left <= DEPENDENT_RATES * norm || left == 0.0 {
-            room.basis.truncate(start);
+            workspace.basis.truncate(start);
             continue;
         }
         column.iter_mut().for_each(|c| *c /= left);
-        let value = dot(&room.j, column);
-        let terms = room.j.iter().zip(column.iter()).map(|(a, b)| (a * b).abs()).fold(0.0, f64::max);
+        let value = dot(&workspace.j, column);
+        let terms = workspace.j.iter().zip(column.iter()).map(|(a, b)| (a * b).abs()).fold(0.0, f64::max);
         // Values within the rounding of cancelling terms, or of G, count as zero.
         let rounding = RATE_ROUNDINGS * f64::EPSILON * (terms + growth * largest * norm / left);
         if value.abs() > rounding {
@@ -166,19 +166,19 @@ fn orthogonalise(known: &[f64], vector: &mut [f64]) {
 /// Projection of j on the complement of the independent rows, for clusters with fewer rows than independent
 /// coordinates.
 fn row_complement_projection(
-    room: &mut ClosingWorkspace,
+    workspace: &mut ClosingWorkspace,
     model: &Model,
     groups: &[GroupMobility],
     cluster: &Cluster,
     scale: &dyn Fn(usize) -> f64,
 ) -> f64 {
     for own in &cluster.groups {
-        if own.coordinates.iter().all(|&c| room.j[c] == 0.0) {
+        if own.coordinates.iter().all(|&c| workspace.j[c] == 0.0) {
             continue;
         }
         let (group, known) = (&model.groups[own.group], &groups[own.group]);
         let (n, count) = (own.coordinates.len(), known.pivots.rows.len());
-        let ClosingWorkspace { j, basis, part, positions: place, .. } = room;
+        let ClosingWorkspace { j, basis, part, positions: place, .. } = workspace;
         place.clear();
         place.resize(group.rows, usize::MAX);
         known.pivots.rows.iter().enumerate().for_each(|(i, r)| place[*r] = i);
@@ -207,7 +207,7 @@ fn row_complement_projection(
             j[c] = if nothing { 0.0 } else { *value };
         }
     }
-    dot(&room.j, &room.j)
+    dot(&workspace.j, &workspace.j)
 }
 
 /// Largest entry of |K⁻¹||A| over the groups of a cluster.

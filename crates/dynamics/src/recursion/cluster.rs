@@ -25,22 +25,22 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         pivoting: &mut impl Pivoting<T, K>,
     ) {
         let cluster = &model.clusters[number];
-        let mut room = std::mem::take(&mut self.clusters[place]);
-        room.fill_rates(model, kinematics, groups, cluster, pivoting);
-        room.fill_motions(model, kinematics, cluster, point);
-        room.fill_blocks(self, cluster);
-        pivoting.start_cluster(model, number, groups, &room, &self.armature);
-        room.order.clear();
-        room.dropped.clear();
-        room.open.clear();
-        room.open.resize(room.d, true);
-        while let Some(pivot) = pivoting.next_pivot(place, &room) {
-            room.eliminate(pivot);
+        let mut elimination = std::mem::take(&mut self.clusters[place]);
+        elimination.fill_rates(model, kinematics, groups, cluster, pivoting);
+        elimination.fill_motions(model, kinematics, cluster, point);
+        elimination.fill_blocks(self, cluster);
+        pivoting.start_cluster(model, number, groups, &elimination, &self.armature);
+        elimination.order.clear();
+        elimination.dropped.clear();
+        elimination.open.clear();
+        elimination.open.resize(elimination.d, true);
+        while let Some(pivot) = pivoting.next_pivot(place, &elimination) {
+            elimination.eliminate(pivot);
         }
-        let d = room.d;
-        let ClusterElimination { open, dropped, .. } = &mut room;
+        let d = elimination.d;
+        let ClusterElimination { open, dropped, .. } = &mut elimination;
         dropped.extend((0..d).filter(|y| open[*y]));
-        pivoting.record_dropped(place, &room);
+        pivoting.record_dropped(place, &elimination);
         if let Some(parent) = cluster.parent {
             for &b in &cluster.bodies {
                 let (lower, upper) = self.inertias.split_at_mut(b);
@@ -51,16 +51,16 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
                 }
                 pivoting.propagate_sizes(b, parent);
             }
-            for &y in &room.order {
-                let over_d = room.u[y] * (T::one() / room.factor[y * d + y]);
-                self.inertias[parent].subtract_dyad(&over_d, &room.u[y]);
+            for &y in &elimination.order {
+                let over_d = elimination.u[y] * (T::one() / elimination.factor[y * d + y]);
+                self.inertias[parent].subtract_dyad(&over_d, &elimination.u[y]);
                 for k in 0..K {
-                    self.wrenches[parent][k] -= over_d * room.t[y][k];
+                    self.wrenches[parent][k] -= over_d * elimination.t[y][k];
                 }
-                pivoting.propagate_wrench_change(parent, &room, y);
+                pivoting.propagate_wrench_change(parent, &elimination, y);
             }
         }
-        self.clusters[place] = room;
+        self.clusters[place] = elimination;
     }
 }
 
@@ -379,8 +379,8 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         free: Option<usize>,
     ) {
         let RecursionMotion { velocities, twists, rates } = motion;
-        let carried = cluster.parent.map_or_else(Twist::zero, |p| twists[p]);
-        self.fill_independent_rates(&carried, loaded, free, rates);
+        let parent_twist = cluster.parent.map_or_else(Twist::zero, |p| twists[p]);
+        self.fill_independent_rates(&parent_twist, loaded, free, rates);
         let d = self.d;
         for v in &cluster.velocities {
             let row = &self.g[v.coordinate * d..(v.coordinate + 1) * d];
@@ -388,7 +388,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
             velocities[v.index] = rate * T::from_f64(v.multiplier);
         }
         for (at, &b) in cluster.bodies.iter().enumerate() {
-            let mut twist = carried;
+            let mut twist = parent_twist;
             for (psi, u) in self.psi[at * d..(at + 1) * d].iter().zip(&*rates) {
                 twist += *psi * *u;
             }

@@ -73,21 +73,21 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         groups: &[GroupMobility],
         sizes: &[Size<T>],
     ) -> T {
-        let (cluster, room) = (&model.clusters[number], &self.clusters[place]);
-        let (d, mut loss) = (room.d, T::zero());
-        for &y in &room.order {
+        let (cluster, elimination) = (&model.clusters[number], &self.clusters[place]);
+        let (d, mut loss) = (elimination.d, T::zero());
+        for &y in &elimination.order {
             let mut size = T::zero();
             for (at, &b) in cluster.bodies.iter().enumerate() {
-                size += energy(&room.psi[at * d + y], T::zero(), sizes[b]);
+                size += energy(&elimination.psi[at * d + y], T::zero(), sizes[b]);
             }
             for v in &cluster.velocities {
-                let own = room.g[v.coordinate * d + y] * T::from_f64(v.multiplier);
+                let own = elimination.g[v.coordinate * d + y] * T::from_f64(v.multiplier);
                 size += self.armature[v.index] * own * own;
             }
-            let part = T::from_f64(PIVOT) * size / room.factor[y * d + y];
+            let part = T::from_f64(PIVOT) * size / elimination.factor[y * d + y];
             loss += part * part;
         }
-        for (rates, own) in room.rates.iter().zip(&cluster.groups) {
+        for (rates, own) in elimination.rates.iter().zip(&cluster.groups) {
             loss += rates.pivot_loss(&model.groups[own.group], &groups[own.group]);
         }
         loss

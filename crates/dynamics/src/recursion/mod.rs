@@ -204,13 +204,13 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         };
         let mut moved = vec![false; model.bodies.len()];
         model.clusters[number].bodies.iter().for_each(|&b| moved[b] = true);
-        for carried in (0..number).rev() {
-            let cluster = &model.clusters[carried];
+        for cluster_number in (0..number).rev() {
+            let cluster = &model.clusters[cluster_number];
             if !cluster.parent.is_some_and(|p| moved[p]) {
                 continue;
             }
             cluster.bodies.iter().for_each(|&b| moved[b] = true);
-            match self.cluster_index[carried] {
+            match self.cluster_index[cluster_number] {
                 None => self.joint_velocities(model, cluster.bodies[0], false, &mut motion),
                 Some(place) => self.clusters[place].follow_parent(cluster, &mut motion),
             }

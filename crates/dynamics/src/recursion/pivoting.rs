@@ -329,10 +329,10 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
         model: &Model,
         number: usize,
         groups: &[GroupMobility],
-        room: &ClusterElimination<f64, K>,
+        elimination: &ClusterElimination<f64, K>,
         armature: &[f64],
     ) {
-        let (cluster, d) = (&model.clusters[number], room.d);
+        let (cluster, d) = (&model.clusters[number], elimination.d);
         self.fill_rate_sizes(model, number, groups, d);
         self.cluster_loss = cluster.bodies.iter().map(|&b| self.loss[b]).fold(ROUTE_ROUNDINGS, f64::max);
         self.pivot_size.clear();
@@ -345,7 +345,7 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
         self.test_size.resize(d, [0.0; K]);
         self.motion_size.clear();
         self.motion_size.resize(cluster.bodies.len() * d, (0.0, 0.0));
-        let mut velocities = cluster.velocities.iter().zip(&room.s).peekable();
+        let mut velocities = cluster.velocities.iter().zip(&elimination.s).peekable();
         for (at, &b) in cluster.bodies.iter().enumerate() {
             if let Some(parent) = cluster.parents[at] {
                 self.motion_size.copy_within(parent * d..(parent + 1) * d, at * d);
@@ -356,14 +356,14 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
                     let rate = self.rate_size[v.coordinate * d + y] * v.multiplier.abs();
                     let size = &mut self.motion_size[at * d + y];
                     *size = (size.0 + turn * rate, size.1 + slide * rate);
-                    let own = room.g[v.coordinate * d + y] * v.multiplier;
+                    let own = elimination.g[v.coordinate * d + y] * v.multiplier;
                     self.pivot_size[y] += armature[v.index] * own * own;
                     self.pivot_terms[y] += armature[v.index] * rate * rate;
                 }
             }
             let (moment, mass) = self.inertia[b];
             for y in 0..d {
-                let psi = &room.psi[at * d + y];
+                let psi = &elimination.psi[at * d + y];
                 let (turn, slide) = self.motion_size[at * d + y];
                 let actual = psi.angular.norm_squared() * moment + psi.linear.norm_squared() * mass;
                 self.pivot_size[y] += actual;
@@ -377,20 +377,20 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
         }
     }
 
-    fn next_pivot(&mut self, place: usize, room: &ClusterElimination<f64, K>) -> Option<usize> {
-        let d = room.d;
-        if room.order.is_empty() {
+    fn next_pivot(&mut self, place: usize, elimination: &ClusterElimination<f64, K>) -> Option<usize> {
+        let d = elimination.d;
+        if elimination.order.is_empty() {
             self.pivot_zero
                 .iter_mut()
                 .zip(&self.pivot_terms)
                 .for_each(|(z, terms)| *z += PIVOT_SQUARED * terms);
         }
-        let left = |y: usize| room.factor[y * d + y];
+        let left = |y: usize| elimination.factor[y * d + y];
         let part = |y: usize| left(y) / self.pivot_size[y];
-        let open = (0..d).filter(|y| room.open[*y] && left(*y) > self.pivot_zero[*y]);
+        let open = (0..d).filter(|y| elimination.open[*y] && left(*y) > self.pivot_zero[*y]);
         let pivot = open.max_by(|&a, &b| part(a).total_cmp(&part(b)));
         if let Some(pivot) = pivot {
-            let t = room.t[pivot][0].abs();
+            let t = elimination.t[pivot][0].abs();
             let ratio = t / left(pivot);
             let terms = ratio * (2.0 * self.test_size[pivot][0] + ratio * self.pivot_terms[pivot]);
             self.cluster_loss = self.cluster_loss.max(self.pivot_size[pivot] / left(pivot));
@@ -401,18 +401,18 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
         pivot
     }
 
-    fn record_dropped(&mut self, place: usize, room: &ClusterElimination<f64, K>) {
-        for &y in &room.dropped {
-            self.indefinite |=
-                room.factor[y * room.d + y] < -NEGATIVE_PIVOT * self.pivot_size[y] - self.pivot_zero[y];
+    fn record_dropped(&mut self, place: usize, elimination: &ClusterElimination<f64, K>) {
+        for &y in &elimination.dropped {
+            self.indefinite |= elimination.factor[y * elimination.d + y]
+                < -NEGATIVE_PIVOT * self.pivot_size[y] - self.pivot_zero[y];
             for k in 0..K {
                 // Updates through entries of D that are rounding.
                 let passed = |p: &usize| {
                     let terms = (self.pivot_terms[y] * self.pivot_terms[*p]).sqrt();
-                    room.t[*p][k].abs() / room.factor[p * room.d + p] * terms
+                    elimination.t[*p][k].abs() / elimination.factor[p * elimination.d + p] * terms
                 };
-                let rounding: f64 = room.order.iter().map(passed).sum();
-                let (t, size) = (room.t[y][k].abs(), self.test_size[y][k] + rounding);
+                let rounding: f64 = elimination.order.iter().map(passed).sum();
+                let (t, size) = (elimination.t[y][k].abs(), self.test_size[y][k] + rounding);
                 if t > MASSLESS_CLOSING * size {
                     self.massless[k] = true;
                     self.massless_limit[k] = self.massless_limit[k].max(self.pivot_zero[y] / (t * t));
@@ -422,7 +422,7 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
                 }
             }
         }
-        self.dropped += room.dropped.len();
+        self.dropped += elimination.dropped.len();
     }
 
     fn propagate_sizes(&mut self, from: usize, to: usize) {
@@ -437,13 +437,13 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
         }
     }
 
-    fn propagate_wrench_change(&mut self, to: usize, room: &ClusterElimination<f64, K>, pivot: usize) {
+    fn propagate_wrench_change(&mut self, to: usize, elimination: &ClusterElimination<f64, K>, pivot: usize) {
         self.loss[to] = self.loss[to].max(self.cluster_loss);
-        let d = room.factor[pivot * room.d + pivot];
+        let d = elimination.factor[pivot * elimination.d + pivot];
         for k in 0..K {
-            let part = room.t[pivot][k].abs() / d;
-            self.wrench[to][k].0 += room.u[pivot].moment.norm() * part;
-            self.wrench[to][k].1 += room.u[pivot].force.norm() * part;
+            let part = elimination.t[pivot][k].abs() / d;
+            self.wrench[to][k].0 += elimination.u[pivot].moment.norm() * part;
+            self.wrench[to][k].1 += elimination.u[pivot].force.norm() * part;
         }
     }
 }

@@ -85,13 +85,13 @@ impl Constants {
     /// Scaled size of the wrench w divided by |R w|: at least 1, and large for contacts much heavier than the
     /// lightest.
     pub fn stiffness(&self, arm: &Vector3<f64>, normal: &Vector3<f64>) -> f64 {
-        let answered = (self.of_forces(arm) * normal).norm();
+        let root_of_inverse = (self.project_forces(arm) * normal).norm();
         let moment = arm.cross(normal);
-        self.size * (moment.lp_norm(1) / self.reach + normal.lp_norm(1)) / answered
+        self.size * (moment.lp_norm(1) / self.reach + normal.lp_norm(1)) / root_of_inverse
     }
 
     /// R applied to forces at a point, 6×3.
-    pub fn of_forces(&self, arm: &Vector3<f64>) -> SMatrix<f64, 6, 3> {
+    pub fn project_forces(&self, arm: &Vector3<f64>) -> SMatrix<f64, 6, 3> {
         let mut whole = SMatrix::<f64, 6, 6>::zeros();
         let mut next = 0;
         for row in 0..6 {

@@ -23,7 +23,7 @@ impl ContactMap<'_> {
             let side = |axis: usize| if corner >> axis & 1 == 0 { -1.0 } else { 1.0 };
             let aside = Vector3::new(side(0), side(1), side(2)) * (reach / 3.0_f64.sqrt());
             let arm = if corner == 8 { Vector3::zeros() } else { aside };
-            let forces = self.constants.of_forces(&arm);
+            let forces = self.constants.project_forces(&arm);
             let eigen = SymmetricEigen::new(forces.transpose() * forces);
             (0..3).for_each(|i| probes.push((arm, eigen.eigenvectors.column(i).into_owned())));
             probes.push((arm, probe_direction(corner)));
@@ -35,8 +35,8 @@ impl ContactMap<'_> {
             match response.effective_mass {
                 EffectiveMass::Finite(m) if own == Some(ContactStatus::Finite) => {
                     let Some(error) = response.effective_mass_error() else { return false };
-                    let answered = (self.constants.of_forces(&arm) * normal).norm_squared();
-                    let differs = (1.0 / answered / m - 1.0).abs();
+                    let root_of_inverse = (self.constants.project_forces(&arm) * normal).norm_squared();
+                    let differs = (1.0 / root_of_inverse / m - 1.0).abs();
                     let relative = (error / m).max(differs);
                     coefficient =
                         coefficient.max(MAP_SAFETY * relative / self.constants.stiffness(&arm, &normal));

@@ -134,7 +134,7 @@ impl FreeWrenches {
     }
 
     /// Forces at a point to which massless motions respond, one row each.
-    pub fn of_forces(&self, arm: &Vector3<f64>) -> SMatrix<f64, 6, 3> {
+    pub fn project_forces(&self, arm: &Vector3<f64>) -> SMatrix<f64, 6, 3> {
         let mut rows = SMatrix::<f64, 6, 3>::zeros();
         for (i, unit) in self.units.iter().take(6).enumerate() {
             let moment = unit.fixed_rows::<3>(0) / self.reach;

@@ -59,8 +59,8 @@ fn composites<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> Vec<Spati
     let mut composites: Vec<SpatialInertia<T>> = model.bodies.iter().map(|b| b.inertia.cast()).collect();
     for i in (0..composites.len()).rev() {
         if let Some(parent) = model.bodies[i].parent {
-            let carried = kinematics.parent_transforms[i].inertia(&composites[i]);
-            composites[parent] += carried;
+            let in_parent = kinematics.parent_transforms[i].inertia(&composites[i]);
+            composites[parent] += in_parent;
         }
     }
     composites

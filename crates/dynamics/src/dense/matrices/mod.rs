@@ -198,7 +198,7 @@ pub fn effective_mass<'a>(
         row_noise,
     };
     let decided = rank::decide_rows(constraints, &lengths, &limits);
-    let asked = MatrixProblem {
+    let problem = MatrixProblem {
         mass: &mass,
         row: row.as_slice(),
         rows: &decided.rows,
@@ -206,7 +206,7 @@ pub fn effective_mass<'a>(
         lengths: &lengths,
         accuracy,
     };
-    asked.respond(decided.report)
+    problem.respond(decided.report)
 }
 
 /// Validated matrices.

@@ -18,18 +18,18 @@ impl UnitImpulse<'_> {
     /// motion without a mass a wrench below its rounding is zero.
     pub(super) fn frozen_change(
         &self,
-        room: &mut BudgetWorkspace,
+        workspace: &mut BudgetWorkspace,
         recursion: &Recursion<f64, 1>,
         i: usize,
         roots: &Vector6<f64>,
     ) -> f64 {
         let body = &self.model.bodies[i];
-        if room.composites.is_empty() {
-            self.fill_composites(&mut room.composites);
-            room.response = recursion.response(0, 0);
+        if workspace.composites.is_empty() {
+            self.fill_composites(&mut workspace.composites);
+            workspace.response = recursion.response(0, 0);
         }
-        let response = room.response;
-        let (moment, mass) = room.composites[i];
+        let response = workspace.response;
+        let (moment, mass) = workspace.composites[i];
         let arm = (self.kinematics.frames[i].translation - self.contact.point_root).norm();
         let mut twist = body.parent.map_or_else(Twist::zero, |p| self.twists[p]);
         let mut sum = 0.0;
@@ -42,17 +42,17 @@ impl UnitImpulse<'_> {
             }
             let turn = e.s.angular.norm();
             let own = turn * moment.sqrt() + (e.s.linear.norm() + turn * arm) * mass.sqrt();
-            let carried = twist.angular.norm() * moment.sqrt() + twist.linear.norm() * mass.sqrt();
+            let motion_size = twist.angular.norm() * moment.sqrt() + twist.linear.norm() * mass.sqrt();
             let frozen = energy_root(roots, &components(&twist)).powi(2);
             let passed = e.u.power(&twist).abs();
             let noise = RESOLVED * own;
             let (about, along) = (e.u.moment.norm(), e.u.force.norm());
             let is_resolved = about > noise * moment.sqrt() || along > noise * mass.sqrt();
             sum += 2.0
-                * if passed > noise * carried {
+                * if passed > noise * motion_size {
                     frozen.max(response)
                 } else {
-                    let mut most = passed + SUM_ROUNDINGS * f64::EPSILON * own * carried;
+                    let mut most = passed + SUM_ROUNDINGS * f64::EPSILON * own * motion_size;
                     // An unresolved U is zero, or as small as the rounding of D permits.
                     let least = if is_resolved {
                         let test = &recursion.wrenches[i][0];
@@ -69,7 +69,7 @@ impl UnitImpulse<'_> {
                     let change = most * most / least.max(f64::MIN_POSITIVE);
                     // A first-order estimate: a larger change alters the other free motions too, if any are left toward
                     // the root.
-                    let accepted = if carried > 0.0 { SMALL_CHANGE } else { 1.0 };
+                    let accepted = if motion_size > 0.0 { SMALL_CHANGE } else { 1.0 };
                     if change < accepted * response { change } else { frozen.max(response) }
                 };
         }

@@ -18,13 +18,14 @@ impl UnitImpulse<'_> {
     /// the constraint wrenches are also added to the transmitted wrenches.
     pub(super) fn add_row_errors(
         &self,
-        room: &mut BudgetWorkspace,
+        workspace: &mut BudgetWorkspace,
         places: FrameErrorMode,
         sum: &mut RelativeErrors,
     ) {
         for cluster in self.model.clusters.iter().filter(|c| !c.groups.is_empty()) {
-            self.fill_tree_forces(&mut room.forces, cluster, &room.transmitted);
-            let BudgetWorkspace { frames, forces, rates, terms, largest, multipliers, closing, .. } = room;
+            self.fill_tree_forces(&mut workspace.forces, cluster, &workspace.transmitted);
+            let BudgetWorkspace { frames, forces, rates, terms, largest, multipliers, closing, .. } =
+                workspace;
             rates.clear();
             rates.resize(cluster.coordinates.len(), 0.0);
             for v in cluster.velocities.iter().filter(|v| v.multiplier != 0.0) {
@@ -92,7 +93,7 @@ impl UnitImpulse<'_> {
                 if let Some(parent) = cluster.parents[at] {
                     closing[parent] += own;
                 }
-                room.transmitted[cluster.bodies[at]] += own;
+                workspace.transmitted[cluster.bodies[at]] += own;
             }
         }
     }

@@ -274,15 +274,15 @@ impl Closer<'_> {
         }
         self.move_set_joints(group, divided, drivers, tolerance)?;
         // First move drivers that were not set to 0: all together, or else each on its own as far as possible.
-        let (given, idle): (Vec<&Driver>, Vec<&Driver>) = drivers.iter().partition(|d| d.given);
-        if !self.are_drivers_at_target(&idle) {
+        let (given, others): (Vec<&Driver>, Vec<&Driver>) = drivers.iter().partition(|d| d.given);
+        if !self.are_drivers_at_target(&others) {
             let positions = |closer: &Self| model.group_positions(group, &closer.kinematics.q);
             let before = positions(self);
-            match self.move_drivers(group, divided, drivers, &idle, tolerance) {
+            match self.move_drivers(group, divided, drivers, &others, tolerance) {
                 Ok(found) => anchor = found.anchor,
                 Err(_) => {
                     model.restore_group(&mut self.kinematics, group, &before);
-                    for driver in &idle {
+                    for driver in &others {
                         let before = positions(self);
                         if self.move_drivers(group, divided, drivers, &[driver], tolerance).is_err() {
                             model.restore_group(&mut self.kinematics, group, &before);

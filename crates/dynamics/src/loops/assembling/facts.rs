@@ -122,9 +122,9 @@ impl Model {
         }
         start.refill(self);
         let mut groups = Vec::with_capacity(self.groups.len());
-        let mut room = start.clone();
+        let mut scratch = start.clone();
         for (group, (inexactness, drawn_gaps, moved)) in self.groups.iter().zip(first) {
-            let facts = self.find_group_facts(&start, &mut room, group, inexactness);
+            let facts = self.find_group_facts(&start, &mut scratch, group, inexactness);
             groups.push(GroupFacts { drawn_gaps, moved, ..facts });
         }
         Ok(Facts { reference: start.q, groups })
@@ -256,12 +256,12 @@ impl Model {
     }
 
     /// Searches closed poses around the first closed pose for the generic rank. First the poses are found, then the
-    /// largest inexactness over all poses, then the ranks with a common threshold. `room`: workspace with the same frames
+    /// largest inexactness over all poses, then the ranks with a common threshold. `scratch`: workspace with the same frames
     /// as `reference`; restored at the end.
     fn find_group_facts(
         &self,
         reference: &Kinematics<f64>,
-        room: &mut Kinematics<f64>,
+        scratch: &mut Kinematics<f64>,
         group: &Group,
         at_first: f64,
     ) -> GroupFacts {
@@ -272,16 +272,16 @@ impl Model {
         let enough = if group.coordinates.len() > LARGE_GROUP { 1 } else { GENERIC_POSES_ENOUGH };
         let (mut found, mut unsettled, mut inexactness) = (Vec::new(), None, at_first);
         for attempt in 0..GENERIC_POSES {
-            self.restore_group(room, group, &home);
-            self.perturb(room, group, [0.2, 0.1, 0.03][attempt as usize / 4], 1000 + attempt);
-            let correction = self.correct(room, group, all, tolerance);
+            self.restore_group(scratch, group, &home);
+            self.perturb(scratch, group, [0.2, 0.1, 0.03][attempt as usize / 4], 1000 + attempt);
+            let correction = self.correct(scratch, group, all, tolerance);
             if correction.residual > fits {
                 continue;
             }
-            let apart = self.displacement(group, &reference.q, &room.q);
+            let apart = self.displacement(group, &reference.q, &scratch.q);
             let gone = apart.iter().zip(&group.lengths).map(|(w, l)| (w * l).powi(2)).sum::<f64>().sqrt();
-            let there = self.group_positions(group, &room.q);
-            if gone < SAME_POSE * group.size || !self.is_converged(room, group, at_first) {
+            let there = self.group_positions(group, &scratch.q);
+            if gone < SAME_POSE * group.size || !self.is_converged(scratch, group, at_first) {
                 unsettled.get_or_insert(there);
                 continue;
             }
@@ -298,10 +298,10 @@ impl Model {
             let around = self.surroundings(reference, group, inexactness);
             for branch in &around.branches {
                 let beside = DEPARTURES.into_iter().find_map(|reach| {
-                    self.restore_group(room, group, &home);
+                    self.restore_group(scratch, group, &home);
                     let size = reach * around.group.size;
-                    let beside = self.close_at_distance(room, &around, &branch.along, size);
-                    beside.map(|_| self.group_positions(group, &room.q))
+                    let beside = self.close_at_distance(scratch, &around, &branch.along, size);
+                    beside.map(|_| self.group_positions(group, &scratch.q))
                 });
                 found.extend(beside);
             }
@@ -319,13 +319,13 @@ impl Model {
         // best-conditioned is used.
         let mut best = (home.clone(), reference_rows, at_reference, 0.0);
         for positions in found {
-            self.restore_group(room, group, &positions);
-            let (rank, rows) = rank_of(room);
+            self.restore_group(scratch, group, &positions);
+            let (rank, rows) = rank_of(scratch);
             if rank.rank > best.2.rank || (rank.rank == best.2.rank && rank.least > best.3) {
                 best = (positions, rows, rank, rank.least);
             }
         }
-        self.restore_group(room, group, &home);
+        self.restore_group(scratch, group, &home);
         let (generic, rows, rank, _) = best;
         let drivers = self.default_drivers(group, &rows, floor);
         let reference_is_regular = at_reference.rank == rank.rank;

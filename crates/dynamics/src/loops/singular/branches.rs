@@ -8,8 +8,8 @@ use crate::loops::closing::{Directions, Linearised};
 use crate::mobility::{decide_rank, singular_values};
 use crate::model::{Group, Model};
 use crate::tolerances::{
-    BESIDE_A_CROSSING, BRANCH_CORRECTIONS, BRANCH_DISTANCE, CONE_HALVINGS, DIRECTIONS_IN_A_PLANE,
-    DIRECTIONS_WORK, DIRECTIONS_WORK_IN_ALL, FEWEST_DIRECTIONS, MOST_DIRECTIONS, SAME_TANGENT,
+    BRANCH_CORRECTIONS, BRANCH_DISTANCE, CONE_HALVINGS, DIRECTIONS_IN_A_PLANE, DIRECTIONS_WORK,
+    DIRECTIONS_WORK_IN_ALL, FEWEST_DIRECTIONS, MOST_DIRECTIONS, NEAR_CROSSING_RANK_FLOOR, SAME_TANGENT,
     SAME_TANGENT_SPACE, TINY_STEP,
 };
 use faer::Mat;
@@ -139,7 +139,8 @@ impl Model {
             around.group.size * BRANCH_DISTANCE.max(3.0 * (around.tolerance / around.group.size).sqrt());
         let mut beside = kinematics.clone();
         let displaced = self.close_at_distance(&mut beside, around, direction, reach)?;
-        let tangents = tangent_space(self, &beside, &around.group, around.floor.max(BESIDE_A_CROSSING));
+        let tangents =
+            tangent_space(self, &beside, &around.group, around.floor.max(NEAR_CROSSING_RANK_FLOOR));
         Some(Branch { along: unit(&displaced), tangents })
     }
 
