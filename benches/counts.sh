@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# Counts the instructions that pieces of work take, and compares them with benches/counts.txt: what does not depend on how full the
-# machine is.
+# Counts the instructions of benchmark tasks and compares them with benches/counts.txt. The counts do not depend on the load of the
+# machine.
 #
-#     benches/counts.sh            compares; exit code 1 where one takes more than its tolerance allows
-#     benches/counts.sh --write    writes the table anew
+#     benches/counts.sh            compares; exit code 1 if a task exceeds the tolerance
+#     benches/counts.sh --write    writes a new table
 #
-# Each is run under valgrind twice, without the work and with it; the difference is the work's. Lanes are held to AVX2, which
-# valgrind knows. Without valgrind nothing is counted, and the script says so.
+# Each task runs twice under valgrind, with and without the work; the difference is the cost of the work. Lanes are limited to AVX2,
+# which valgrind supports. Without valgrind nothing is counted, and the script prints a note.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 table=benches/counts.txt
-# Per cent by which a count may grow.
+# Permitted increase of a count, per cent.
 tolerance=3
 if ! command -v valgrind > /dev/null; then
   echo "counts.sh: nothing is counted: there is no valgrind here"
@@ -19,7 +19,7 @@ fi
 program=${PERCUSS_COUNTS:-${CARGO_TARGET_DIR:-target}/release/percuss-counts}
 [ -n "${PERCUSS_COUNTS:-}" ] || cargo build --locked --release -q -p percuss-benches --bin percuss-counts
 
-# count TASK TIMES: instructions of all, and units of work.
+# count TASK TIMES: number of instructions, and units of work.
 count() {
   local units log
   log=$(mktemp)

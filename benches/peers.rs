@@ -179,9 +179,9 @@ fn time(question: &Question) {
         "scalar",
         question.rows.iter().map(|row| batch.effective_mass(row).expect("positions").mass),
     );
-    let doubted =
+    let uncertain_rows =
         question.rows.iter().filter(|row| batch.effective_mass(row).is_ok_and(|a| a.error.is_none())).count();
-    println!("percuss {} lanes: {}, asked again: {doubted}", question.name, batch.has_lanes());
+    println!("percuss {} lanes: {}, asked again: {uncertain_rows}", question.name, batch.has_lanes());
     line(
         "scalar",
         least(count, || {

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# m̄ by percuss on the robots, poses and questions that other programs were timed with, and the ratio to the fastest of them.
+# Time of percuss for m̄ of the robots, poses and contacts with which other programs were timed, and the ratio to the fastest of them.
 #
 #     benches/peers.sh FOLDER [TIMES]
 #
-# FOLDER holds NAME.json for every robot: urdf, link, point, normal_world, base (fixed or floating), joints, poses and
-# effective_mass, the answers. It may hold suspensions, NAME.urdf as `percuss import` writes them: their poses, and the m̄ that is
-# compared, are our own. TIMES is what the others took, on this machine and just now: a line
-# `PROGRAM ROBOT VELOCITIES NANOSECONDS` each. All m̄ are compared to 1e-9 before anything is timed.
+# FOLDER contains NAME.json for every robot: urdf, link, point, normal_world, base (fixed or floating), joints, poses and
+# effective_mass, the expected results. It may contain suspensions, NAME.urdf as written by `percuss import`; their poses and
+# expected m̄ are computed by percuss. TIMES contains the times of the other programs, measured on this machine in the same session:
+# one line `PROGRAM ROBOT VELOCITIES NANOSECONDS` each. All m̄ are compared to 1e-9 before timing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cargo build --locked --release -q -p percuss-benches --bin percuss-peers

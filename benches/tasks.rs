@@ -213,10 +213,10 @@ fn load() -> Task {
     Task { run: Box::new(move || _ = black_box(loaded(black_box(&text)))), units: 1, bodies: 1000 }
 }
 
-fn loops(linkage: Linkage, struck: &str) -> Task {
+fn loops(linkage: Linkage, contact_link: &str) -> Task {
     let row = linkage.closed_start().concat();
     let system = System::new(linkage.mechanism, &Conditions::new()).expect("default conditions fit");
-    let link = system.mechanism().find_link(struck).expect("a coupler");
+    let link = system.mechanism().find_link(contact_link).expect("a coupler");
     let contact = Contact::new(link, [0.35, 0.1, 0.0], [0.2, 0.9, 0.1]);
     let mut workspace = system.reference().expect("it closes").workspace();
     let bodies = system.mechanism().joints().len();

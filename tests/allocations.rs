@@ -131,7 +131,7 @@ fn a_map_allocates_nothing() {
 }
 
 #[test]
-fn a_workspace_allocates_nothing_and_answers_as_a_pose_does() {
+fn a_workspace_allocates_nothing_and_agrees_with_a_pose() {
     let mut rng = StdRng::seed_from_u64(41);
     let mut same = Gauge::new("workspace = pose");
     let (mut immovable, mut massless) = (0, 0);
@@ -210,7 +210,7 @@ fn a_batch_allocates_nothing() {
 }
 
 #[test]
-fn a_workspace_of_loops_allocates_nothing_and_answers_as_a_pose_does() {
+fn a_workspace_of_loops_allocates_nothing_and_agrees_with_a_pose() {
     let mut same = Gauge::new("workspace = pose, loops");
     let (mut asked, mut allocating) = (0, 0);
     for (number, linkage) in linkage::all().into_iter().enumerate() {

@@ -38,8 +38,8 @@ mod percuss {
         pub recursion: Option<f64>,
         /// Rounding error stated by the recursion, relative.
         pub rounding: Option<f64>,
-        /// Dense route; computed only if the recursion stands alone and states more than the limit for eleven digits.
-        pub careful: Option<f64>,
+        /// Dense route; computed only for a recursion without a second route and with fewer than eleven digits.
+        pub dense: Option<f64>,
         /// By a new workspace, and by a workspace after its first result.
         pub first: Option<f64>,
         pub second: Option<f64>,
@@ -137,11 +137,11 @@ mod percuss {
                 let lanes = batch.effective_mass(pose.positions()).map_err(|error| error.to_string())?;
                 let lanes = lanes.error.and_then(|error| Some((finite(lanes.mass?)?, error)));
                 let is_vague = is_alone && rounding.is_some_and(|stated| stated > super::DIGITS);
-                let careful = if is_vague { mass(by(RouteChoice::Only(Route::Dense))) } else { None };
+                let dense = if is_vague { mass(by(RouteChoice::Only(Route::Dense))) } else { None };
                 routes.push(Routes {
                     recursion: mass(recursion),
                     rounding,
-                    careful,
+                    dense,
                     is_alone,
                     auto: mass(auto),
                     first,
@@ -469,8 +469,9 @@ fn judge(
             let zipped = case.contacts.iter().zip(&answers).filter(|(_, answer)| !refused(answer));
             for ((k, reference), answer) in zipped {
                 let near = case.near.map_or(String::new(), |near| format!(", {near:e} from it"));
-                let away = if elsewhere { format!(", joints {pose:.1e} away") } else { String::new() };
-                let case = format!("{name}, seed {}{near}{away}, contact {k}", case.seed);
+                let distance_from_origin =
+                    if elsewhere { format!(", joints {pose:.1e} away") } else { String::new() };
+                let case = format!("{name}, seed {}{near}{distance_from_origin}, contact {k}", case.seed);
                 let found = tally.take(answer, reference, wanted(group));
                 complaints.extend(found.into_iter().map(|what| format!("  {case}: {what}")));
             }

@@ -36,7 +36,7 @@ class Tally:
         if contact["status"] != "finite":
             return
         why = contact["careful_reason"]
-        by = "careful" if contact["route"] == "dense" else "kept" if why else "recursion"
+        by = "dense" if contact["route"] == "dense" else "kept" if why else "recursion"
         self.routes[suite][by] += 1
         if why:
             self.reasons[suite][why] += 1
@@ -60,10 +60,10 @@ class Tally:
         for (peer, status), count in sorted(self.undecided.items()):
             print(f"{peer}: {count} more answered {status} where rounding decides")
         if self.routes:
-            print("\nfinite contacts         recursion  careful     kept  why the careful route was asked")
+            print("\nfinite contacts         recursion    dense     kept  reasons for the dense route")
         for suite, counts in self.routes.items():
             why = ", ".join(f"{reason}: {count}" for reason, count in self.reasons[suite].most_common())
-            line = f"{suite:22}{counts['recursion']:11}{counts['careful']:9}{counts['kept']:9}  {why}"
+            line = f"{suite:22}{counts['recursion']:11}{counts['dense']:9}{counts['kept']:9}  {why}"
             print(line.rstrip())
         if self.conditions:
             print("\nworst conditions of M scaled to unit diagonal")

@@ -37,7 +37,7 @@ fn drawn_turned(seed: u64) -> Option<Mechanism> {
 
 /// A new workspace has the positions of the first closed pose; with all joints at 0 the loops are open.
 #[test]
-fn a_fresh_workspace_stands_at_the_closed_pose() {
+fn a_new_workspace_is_at_the_closed_pose() {
     let (mut asked, mut others) = (0, 0);
     for (seed, mechanism) in (0..COUNT).filter_map(|seed| Some((seed, drawn_turned(seed)?))) {
         let links: Vec<_> = mechanism.link_ids().skip(1).collect();
@@ -100,7 +100,7 @@ fn ranks_of_rounded_files_are_those_of_their_exact_twins() {
 
 /// A normal along a line of 1 µm turns with the full misfit of its ends: the file part of the error includes this.
 #[test]
-fn a_short_line_on_a_rounded_file_is_as_uncertain_as_its_ends() {
+fn the_error_of_a_short_line_is_that_of_its_ends() {
     let (mut asked, mut measured, mut wrong) = (0, 0, 0);
     for seed in 0..40 {
         let drawn = drawn(seed);

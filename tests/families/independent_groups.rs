@@ -3,7 +3,7 @@
 
 use percuss_dynamics::{Contact, EffectiveMass, Route, RouteChoice};
 use percuss_mechanism::{JointId, LinkId, Mechanism};
-use percuss_oracle::alter::{beside, scaled};
+use percuss_oracle::alter::{on_common_ground, scaled};
 use percuss_oracle::linkage::family::{Drawn, Kind, drawn_as};
 use percuss_oracle::linkage::{self, contradicting};
 use percuss_oracle::zoo;
@@ -15,7 +15,7 @@ use std::sync::LazyLock;
 const SIZES: [f64; 5] = [1e-4, 1e-2, 1.0, 1e2, 1e4];
 const FRACTIONS: [f64; 4] = [0.0, 1e-7, 1e-5, 1e-4];
 
-const ANSWERED: &str = "answered beside the other as alone";
+const SOLVED_TOGETHER: &str = "same results together with the other and alone";
 const POSITIONS: &str = "positions";
 const MASS: &str = "mass";
 const ERROR: &str = "stated error";
@@ -23,9 +23,9 @@ const STATUS: &str = "status";
 const SINGULAR: &str = "singular pose";
 const FREEDOMS: &str = "freedoms add up";
 const GENERIC: &str = "generic freedoms and redundant rows add up";
-const CAREFUL: &str = "mass and status by the careful route";
+const DENSE: &str = "mass and status by the dense route";
 const TRUE_MASS: &str = "mass of route C, alone";
-const TRUE_MASS_BESIDE: &str = "mass of route C, beside the other";
+const TRUE_MASS_TOGETHER: &str = "mass of route C, together with the other";
 /// Relative difference of the dense route's mass with and without a second mechanism: sums in another order.
 const REORDERED: f64 = 1e-9;
 
@@ -67,11 +67,11 @@ struct Seen {
     positions: Vec<Vec<u64>>,
     answers: Vec<Answer>,
     /// Results of the dense route.
-    careful: Vec<Answer>,
+    dense: Vec<Answer>,
 }
 
 /// Results for a part of a mechanism, whose names have a prefix in the whole; mobility and rank refer to the whole.
-fn look(model: &Model, mechanism: &Mechanism, part: &Part, prefix: &str) -> Answered<Seen> {
+fn solve_part(model: &Model, mechanism: &Mechanism, part: &Part, prefix: &str) -> Answered<Seen> {
     let zero = model.at(&[])?;
     let joints: Vec<JointId> = part
         .mechanism
@@ -87,7 +87,7 @@ fn look(model: &Model, mechanism: &Mechanism, part: &Part, prefix: &str) -> Answ
         contacts.map(|(choice, contact)| zero.respond_by(choice, &contact)).collect::<Answered<Vec<Answer>>>()
     };
     let answers = respond(RouteChoice::Auto)?;
-    let careful = respond(RouteChoice::Only(Route::Dense))?;
+    let dense = respond(RouteChoice::Only(Route::Dense))?;
     // A part without contacts is a chain: all its joints move.
     let freedoms = answers.first().map_or(joints.len(), |answer| answer.degrees_of_freedom);
     let bits = |id: &JointId| zero.joint(*id).iter().map(|q| q.to_bits()).collect();
@@ -96,13 +96,13 @@ fn look(model: &Model, mechanism: &Mechanism, part: &Part, prefix: &str) -> Answ
         freedoms,
         positions: joints.iter().map(bits).collect(),
         answers,
-        careful,
+        dense,
     })
 }
 
 fn alone(part: &Part) -> Answered<Seen> {
-    let mechanism = beside(&[("", &part.mechanism)]);
-    look(&Model::new(beside(&[("", &part.mechanism)]))?, &mechanism, part, "")
+    let mechanism = on_common_ground(&[("", &part.mechanism)]);
+    solve_part(&Model::new(on_common_ground(&[("", &part.mechanism)]))?, &mechanism, part, "")
 }
 
 /// A pair of parts with questions about `y`.
@@ -122,8 +122,8 @@ fn judge(case: &Case, tally: &mut Tally) {
     let label = format!("{} beside {} (x first: {x_first})", y.what, x.what);
     let parts = [("x_", &x.mechanism), ("y_", &y.mechanism)];
     let parts = if *x_first { parts } else { [parts[1], parts[0]] };
-    let together = beside(&parts);
-    let pair = Model::new(beside(&parts)).and_then(|model| look(&model, &together, y, "y_"));
+    let together = on_common_ground(&parts);
+    let pair = Model::new(on_common_ground(&parts)).and_then(|model| solve_part(&model, &together, y, "y_"));
     let (own, other) = (alone(y), alone(x));
     let (pair, own, other) = match (pair, own, other) {
         (Ok(pair), Ok(own), Ok(other)) => (pair, own, other),
@@ -131,12 +131,13 @@ fn judge(case: &Case, tally: &mut Tally) {
             // The pair is refused exactly if one of its parts is refused.
             let holds = pair.is_ok() == (own.is_ok() && other.is_ok());
             let words = [pair, own, other].map(|seen| seen.map_or_else(|error| error, |_| "answered".into()));
-            tally
-                .check(ANSWERED, column, holds, || format!("{label}: together, alone, the other: {words:?}"));
+            tally.check(SOLVED_TOGETHER, column, holds, || {
+                format!("{label}: together, alone, the other: {words:?}")
+            });
             return;
         }
     };
-    tally.check(ANSWERED, column, true, String::new);
+    tally.check(SOLVED_TOGETHER, column, true, String::new);
     let generic = (own.generic.0 + other.generic.0, own.generic.1 + other.generic.1);
     tally.check(GENERIC, column, pair.generic == generic, || {
         format!("{label}: {:?}, expected {:?} + {:?}", pair.generic, own.generic, other.generic)
@@ -151,9 +152,9 @@ fn judge(case: &Case, tally: &mut Tally) {
         };
         format!("{label}: {:?}, alone {:?}", floats(&pair), floats(&own))
     });
-    for (number, (a, b)) in pair.careful.iter().zip(&own.careful).enumerate() {
+    for (number, (a, b)) in pair.dense.iter().zip(&own.dense).enumerate() {
         let holds = a.status == b.status && (a.mass.is_nan() || (a.mass / b.mass - 1.0).abs() <= REORDERED);
-        tally.check(CAREFUL, column, holds, || format!("{label}, contact {number}: {a:?}, alone {b:?}"));
+        tally.check(DENSE, column, holds, || format!("{label}, contact {number}: {a:?}, alone {b:?}"));
     }
     for (number, ((a, b), contact)) in pair.answers.iter().zip(&own.answers).zip(&y.contacts).enumerate() {
         let line = || format!("{label}, contact {number}: {a:?}, alone {b:?}");
@@ -161,7 +162,7 @@ fn judge(case: &Case, tally: &mut Tally) {
         tally.check(SINGULAR, column, a.singular == b.singular, line);
         tally.check(MASS, column, same(a.mass, b.mass), line);
         tally.check(ERROR, column, same(a.error, b.error), line);
-        for (asked, answer) in [(TRUE_MASS, b), (TRUE_MASS_BESIDE, a)] {
+        for (asked, answer) in [(TRUE_MASS, b), (TRUE_MASS_TOGETHER, a)] {
             let off = (answer.mass / contact.3 - 1.0).abs();
             tally.check(asked, column, off <= y.bound, || format!("{}; route C {} kg", line(), contact.3));
         }
@@ -197,8 +198,8 @@ fn cases() -> Vec<Case> {
 static ALL: LazyLock<Tally> = LazyLock::new(|| over(&cases(), judge));
 
 #[test]
-fn a_pair_is_answered_where_both_are() {
-    ALL.report(ANSWERED, 80);
+fn a_pair_has_a_result_if_both_parts_have_one() {
+    ALL.report(SOLVED_TOGETHER, 80);
 }
 
 #[test]
@@ -217,15 +218,15 @@ fn stated_errors_are_the_same() {
 }
 
 #[test]
-fn masses_by_the_careful_route_are_the_same() {
-    ALL.report(CAREFUL, 1);
+fn masses_by_the_dense_route_are_the_same() {
+    ALL.report(DENSE, 1);
 }
 
 /// A parallelogram at a crossing of its branches: the limits along the branches do not depend on other mechanisms.
 #[test]
 fn limits_at_a_crossing_are_the_same() {
     let limits = |parts: &[(&str, &Mechanism)], link: &str, size: f64| {
-        let mechanism = beside(parts);
+        let mechanism = on_common_ground(parts);
         let link = mechanism.find_link(link).expect("a link");
         let contact = Contact::new(link, [0.31 * size, -0.12 * size, 0.0], [0.2, 0.9, 0.0]);
         let (limits, complete) = Model::new(mechanism)?.at(&[])?.limits(&contact)?;
@@ -282,7 +283,7 @@ fn masses_alone_are_route_cs() {
 
 #[test]
 fn masses_beside_the_other_are_route_cs() {
-    ALL.report(TRUE_MASS_BESIDE, 1);
+    ALL.report(TRUE_MASS_TOGETHER, 1);
 }
 
 /// An exact loop of 1 mm and a loop of a metre that is off by 0.1 mm: with a shared threshold, a twentieth of a percent
@@ -296,7 +297,9 @@ fn a_millimetre_beside_a_metre() {
         let x = Part::of_family(5, Kind::FourBar, 1.0, 1e-4);
         judge(&Case { x, y, column: "1 mm".into(), x_first: seed % 2 == 0 }, &mut tally);
     }
-    for asked in [ANSWERED, GENERIC, FREEDOMS, POSITIONS, STATUS, SINGULAR, TRUE_MASS, TRUE_MASS_BESIDE] {
+    for asked in
+        [SOLVED_TOGETHER, GENERIC, FREEDOMS, POSITIONS, STATUS, SINGULAR, TRUE_MASS, TRUE_MASS_TOGETHER]
+    {
         let result = std::panic::catch_unwind(|| tally.report(asked, 1));
         println!("{asked}: {}", if result.is_ok() { "all hold" } else { "FAILS" });
     }

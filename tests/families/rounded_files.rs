@@ -216,7 +216,7 @@ fn every_file_assembles() {
 }
 
 #[test]
-fn every_file_stands_where_it_is_drawn() {
+fn every_file_closes_near_its_drawing() {
     ALL.report(STANDS_THERE, 1);
 }
 
@@ -226,7 +226,7 @@ fn every_file_has_the_freedoms_of_its_exact_twin() {
 }
 
 #[test]
-fn every_file_has_them_where_it_stands() {
+fn every_file_has_them_at_its_pose() {
     ALL.report(FREEDOMS_HERE, 1);
 }
 
@@ -236,7 +236,7 @@ fn every_contact_is_answered_by_a_number() {
 }
 
 #[test]
-fn what_nothing_moves_is_immovable_or_uncertain() {
+fn contacts_without_motion_are_immovable_or_uncertain() {
     ALL.report(STILL, 1);
 }
 
@@ -256,7 +256,7 @@ fn drivers_can_be_set_to_zero() {
 }
 
 #[test]
-fn drivers_can_be_set_where_the_exact_twin_lets_them() {
+fn drivers_reach_the_positions_of_the_exact_twin() {
     ALL.report(SET, 1);
 }
 

@@ -32,14 +32,14 @@ const ROWS: [(f64, f64); 14] = [
 fn rows_of_cranks() {
     let mut tally = Tally::default();
     let mut warned = 0;
-    for (column, turned, away) in [
+    for (column, turned, distance_from_origin) in [
         ("in the plane of x and y", false, 0.0),
         ("in a plane askew", true, 0.0),
         ("a metre away", true, 1.0),
     ] {
         for (length, spacing) in ROWS {
             // Positions have an error of an ulp of the largest coordinate.
-            let far = f64::max(length, 3.0 * spacing) + away;
+            let far = f64::max(length, 3.0 * spacing) + distance_from_origin;
             let rounding = 30.0 * f64::EPSILON * far / f64::min(length, spacing);
             if rounding > 1e-2 {
                 continue;
@@ -50,7 +50,7 @@ fn rows_of_cranks() {
                 spacing,
                 angle: 1.1,
                 turned,
-                away,
+                distance_from_origin,
                 crank_mass: 0.7,
                 platform_mass: 2.0,
             };

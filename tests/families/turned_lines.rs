@@ -53,7 +53,7 @@ fn turned(pose: &Pose, drawn: &Pose, contact: &Contact) -> (f64, f64) {
 }
 
 #[test]
-fn lines_are_refused_where_they_have_turned() {
+fn turned_lines_are_refused() {
     let mechanism = Arc::new(four_bar());
     let link = |name: &str| mechanism.find_link(name).expect("a link");
     let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");

@@ -253,14 +253,14 @@ fn family(decades: f64, seed: u64) -> Seen {
 }
 
 #[test]
-fn lanes_answer_as_poses_do() {
+fn lanes_agree_with_poses() {
     let seen = family(2.0, 1);
     // Some contacts are immovable and some uncertain; most are neither.
     assert!(seen.by_lanes * 10 > seen.answers * 7, "{seen:?}");
 }
 
 #[test]
-fn lanes_say_what_they_do_not_know_of_masses_over_many_decades() {
+fn lanes_state_their_error_for_masses_over_many_decades() {
     for (decades, seed) in [(9.0, 2), (18.0, 3), (18.0, 4)] {
         let seen = family(decades, seed);
         assert!(seen.by_lanes * 10 > seen.answers, "{seen:?}");
@@ -269,7 +269,7 @@ fn lanes_say_what_they_do_not_know_of_masses_over_many_decades() {
 
 /// Light bracket between heavy links in line: its reduced inertia is the rounding of the inertia of its subtree.
 #[test]
-fn lanes_doubt_light_links_that_carry_heavy_ones() {
+fn lanes_report_light_links_with_heavy_subtrees() {
     let mut rng = StdRng::seed_from_u64(5);
     let mut seen = Seen::default();
     for k in 0..200 {
@@ -330,7 +330,7 @@ fn every_mechanism_is_answered_as_by_a_workspace() {
 /// Linkages at closed poses: each instruction set is bitwise equal to a single configuration, and agrees with a pose
 /// within both errors. An open lane or a NaN lane does not affect other lanes.
 #[test]
-fn linkages_in_lanes_answer_as_poses_do() {
+fn linkages_in_lanes_agree_with_poses() {
     let (mut seen, mut linkages, mut open) = (Seen::default(), 0, 0);
     for (k, subject) in of_linkages(43, 48).into_iter().enumerate() {
         let Subject { name, pose, contact, .. } = &subject;
@@ -394,7 +394,7 @@ fn linkages_in_lanes_answer_as_poses_do() {
 
 /// A massless, immovable or NaN lane has its own status and does not affect other lanes.
 #[test]
-fn one_lane_spoils_no_other() {
+fn lanes_are_independent() {
     let system = System::new(zoo::six_r_arm(), &Conditions::new()).expect("fits");
     let link = *system.mechanism().order().last().expect("links");
     let contact = Contact::new(link, [0.05, -0.02, 0.03], [0.3, -0.5, 0.8]);
@@ -476,14 +476,14 @@ fn wrong_shapes_are_errors_and_a_watcher_stops_it() {
         assert!(error.to_string().contains(expected), "{error}");
     }
     assert_eq!(batch.run(BatchPositions::Rows { values: &[], stride: 6 }, &mut []), Ok(()));
-    let told = AtomicUsize::new(0);
+    let reported = AtomicUsize::new(0);
     let watch = |done| {
-        told.fetch_max(done, Ordering::Relaxed);
+        reported.fetch_max(done, Ordering::Relaxed);
         if done > 1000 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let stopped = batch.run_watched(BatchPositions::Rows { values: &values, stride: 6 }, &mut answers, watch);
     let Err(BatchError::Stopped { done }) = stopped else { panic!("{stopped:?}") };
-    assert_eq!(done, told.into_inner());
+    assert_eq!(done, reported.into_inner());
     assert!((1000..5000).contains(&done), "{done}");
     // A NaN row has no answer; it differs from an immovable row.
     let mut spoilt = values[..12].to_vec();

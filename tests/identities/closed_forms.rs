@@ -203,7 +203,7 @@ fn planar_arms() {
     let rods = [PlanarLink::rod(1.4, 0.6), PlanarLink::rod(0.9, 0.5)];
     let points = [PlanarLink::point(1.0, 1.0), PlanarLink::point(2.5, 0.4)];
     let mixed = [PlanarLink { mass: 3.0, length: 0.7, com: 0.2, inertia: 0.09 }, PlanarLink::rod(0.4, 1.3)];
-    let mut struck = 0;
+    let mut contacts = 0;
     for links in [rods, points, mixed] {
         for armature in [[0.0, 0.0], [0.05, 0.0], [0.0, 0.3], [1.2, 0.02]] {
             // Armatures from conditions replace armatures of the mechanism.
@@ -221,13 +221,13 @@ fn planar_arms() {
                         let expected =
                             closed_form::planar_2r(links, armature, [first, first + second], reach, plane);
                         bench.check_mass(&bench.contact("lower", [reach, 0.0, 0.0], normal), expected);
-                        struck += 1;
+                        contacts += 1;
                     }
                 }
             }
         }
     }
-    assert_eq!(struck, 3 * 4 * 3 * 2 * 3);
+    assert_eq!(contacts, 3 * 4 * 3 * 2 * 3);
 }
 
 #[test]

@@ -198,7 +198,7 @@ fn a_singular_mass_matrix_has_no_condition() {
 }
 
 #[test]
-fn what_is_massless_has_no_inverse() {
+fn massless_contacts_have_no_inverse_inertia() {
     // A massless floating ground: rounding leaves nonzero pivots. All twelve probes must be tested for dependence on
     // them; a single probe, a moment, often does not depend on them.
     let mut rng = StdRng::seed_from_u64(25);

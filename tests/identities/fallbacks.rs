@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 /// Counts of a suite.
 #[derive(Default)]
 struct Row {
-    asked: usize,
-    careful: usize,
+    finite_results: usize,
+    dense: usize,
     /// Counts by reason; for a stated error, by its decade.
     reasons: BTreeMap<String, usize>,
     /// Cases in which the dense result was rejected because its own error is no smaller.
@@ -24,7 +24,7 @@ fn count(row: &mut Row, subject: &Subject) {
     let by = |choice| subject.pose.respond_by_route(&subject.contact, choice);
     let auto = by(RouteChoice::Auto).unwrap_or_else(|error| panic!("{}: {error}", subject.name));
     let recursive = by(RouteChoice::Only(Route::Articulated));
-    row.asked += 1;
+    row.finite_results += 1;
     let part = |response: &percuss_dynamics::ContactResponse| match response.effective_mass {
         EffectiveMass::Finite(m) => response.error.and_then(|e| e.rounding).map(|e| e / m),
         EffectiveMass::Immovable | EffectiveMass::Massless => None,
@@ -36,14 +36,14 @@ fn count(row: &mut Row, subject: &Subject) {
         }
         return;
     }
-    row.careful += 1;
+    row.dense += 1;
     let reason = match &recursive {
         Err(ResponseError::Route(RouteError::Indefinite)) => "a pivot below zero".into(),
         Err(error) => error.to_string(),
         Ok(response) => match (response.effective_mass, part(response)) {
             (EffectiveMass::Finite(m), Some(stated)) => {
-                if let EffectiveMass::Finite(careful) = auto.effective_mass {
-                    row.worst = row.worst.max((m / careful - 1.0).abs());
+                if let EffectiveMass::Finite(dense) = auto.effective_mass {
+                    row.worst = row.worst.max((m / dense - 1.0).abs());
                 }
                 format!("states an error of 1e{:.0}", stated.log10().floor())
             }
@@ -64,8 +64,10 @@ fn fallbacks() {
     for (name, subjects) in suites {
         let mut row = Row::default();
         subjects.iter().for_each(|subject| count(&mut row, subject));
-        let Row { asked, careful, reasons, kept, worst, examples } = row;
-        println!("{name}: {asked} asked, {careful} by the careful route, {kept} vague and kept");
+        let Row { finite_results, dense, reasons, kept, worst, examples } = row;
+        println!(
+            "{name}: {finite_results} finite results, {dense} by the dense route, {kept} uncertain and kept"
+        );
         println!("    the recursion was off by {worst:.1e} at most where it was left");
         reasons.iter().for_each(|(reason, count)| println!("    {count:5} {reason}"));
         examples.iter().take(10).for_each(|line| println!("        {line}"));
@@ -78,6 +80,11 @@ fn the_recursion_is_seldom_left() {
     let subjects = of_trees(15, 2, 120).into_iter().chain(of_linkages(700, 8));
     let mut row = Row::default();
     subjects.for_each(|subject| count(&mut row, &subject));
-    println!("{} of {} by the careful route: {:?}", row.careful, row.asked, row.reasons);
-    assert!(row.asked > 400 && 10 * row.careful < row.asked, "{} of {}", row.careful, row.asked);
+    println!("{} of {} by the dense route: {:?}", row.dense, row.finite_results, row.reasons);
+    assert!(
+        row.finite_results > 400 && 10 * row.dense < row.finite_results,
+        "{} of {}",
+        row.dense,
+        row.finite_results
+    );
 }

@@ -47,7 +47,7 @@ fn in_link(case: &Case, pose: &Pose) -> Contact {
 /// direction has this error divided by its length. Copies of the chain at other positions, all with exact numbers,
 /// round differently.
 #[test]
-fn short_lines_state_what_their_ends_are_off() {
+fn short_lines_state_the_error_of_their_ends() {
     let model = |x: f64| {
         let link = |name: &str, com: f64| {
             format!(
@@ -78,16 +78,17 @@ fn short_lines_state_what_their_ends_are_off() {
     };
     let home = model(0.0);
     let named = |name: &str| home.mechanism().find_link(name).expect("a link");
-    let (struck, end) = (named("b"), named("c"));
+    let (contact_link, end) = (named("b"), named("c"));
     let point = Vector3::new(0.5, 0.125, 0.0);
     let (mut apart, mut most) = (0.0_f64, 0.0_f64);
     // Lines shorter than a tenth of their length as drawn are refused.
     for length in [0.2, 0.5, 1.0, 2.0] {
         for turn in 0..8 {
             let (sin, cos) = (0.4 + f64::from(turn)).sin_cos();
-            let beside = home.link(struck).point(&point) + Vector3::new(cos, sin, 0.0) * length;
-            let at = home.link(end).inverse_point(&beside);
-            let contact = Contact::new(struck, point, Vector3::x()).normal(Direction::TurningToward(end, at));
+            let point_of_line = home.link(contact_link).point(&point) + Vector3::new(cos, sin, 0.0) * length;
+            let at = home.link(end).inverse_point(&point_of_line);
+            let contact =
+                Contact::new(contact_link, point, Vector3::x()).normal(Direction::TurningToward(end, at));
             let answer = |x: f64| {
                 let response = model(x).respond(&contact).expect("an answer");
                 let EffectiveMass::Finite(m) = response.effective_mass else { panic!("{response:?}") };
@@ -128,7 +129,7 @@ fn the_sign_of_the_normal() {
 }
 
 #[test]
-fn which_side_is_called_struck() {
+fn the_order_of_the_two_sides() {
     let mut gauge = Gauge::new("sides swapped");
     for case in all_cases() {
         let Some(other) = case.against else { continue };
@@ -295,14 +296,14 @@ fn the_frame_a_contact_is_given_in() {
         let x_wa = case.against.map_or_else(Transform::identity, |link| pose.link(link));
         let in_against =
             (x_wa.inverse_point(&located.point_world), x_wa.inverse_vector(&located.normal_world));
-        let ways = [
+        let notations = [
             (Frame::Link, located.point_link, located.normal_link),
             (Frame::World, located.point_world, located.normal_world),
             (Frame::Against, in_against.0, in_against.1),
         ];
         let blur = 16.0 * f64::EPSILON * (3.0 + reach(&case));
         let bound = near_at(&pose) + 2.0 * blur * (1.0 + Motion::of(&one).size());
-        for (frame, point, normal) in ways {
+        for (frame, point, normal) in notations {
             let point = pose.point_in_link(case.on, case.against, frame, point);
             points.note(&case.name, (point - case.point).norm(), blur);
             let again = Contact { point, ..contact }.normal(Direction::Along(normal * 3.0, frame));

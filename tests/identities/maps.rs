@@ -202,7 +202,7 @@ fn sets_and_lengths_do_not_matter() {
 
 /// Invalid contacts have no answer and do not affect other contacts.
 #[test]
-fn contacts_that_mean_nothing_are_unanswered() {
+fn invalid_contacts_have_no_answer() {
     let subject = &of_trees(75, 1, 1)[0];
     let link = subject.contact.link;
     let map = subject.pose.contact_map(link, None, [0.0; 3], 0.4).expect("a region");

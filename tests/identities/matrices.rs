@@ -406,7 +406,7 @@ fn refused(mass: &[&[f64]], row: &[f64], rows: &[&[f64]], options: &MatrixOption
 }
 
 #[test]
-fn what_asks_nothing_is_refused() {
+fn invalid_matrices_are_refused() {
     let default = MatrixOptions::new();
     let unit: &[&[f64]] = &[&[1.0, 0.0], &[0.0, 1.0]];
     let row = [1.0, 0.0];

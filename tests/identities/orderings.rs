@@ -51,7 +51,7 @@ fn share_a_moving_ancestor(case: &Case, system: &System, other: LinkId) -> bool 
 }
 
 #[test]
-fn mass_never_lightens_it() {
+fn added_mass_never_reduces_the_mass() {
     let mut rng = StdRng::seed_from_u64(51);
     let (mut heavier, mut tried) = (0, 0);
     for case in all_cases() {
@@ -83,7 +83,7 @@ fn mass_never_lightens_it() {
 }
 
 #[test]
-fn constraints_never_lighten_it() {
+fn constraints_never_reduce_the_mass() {
     let mut rng = StdRng::seed_from_u64(52);
     let (mut heavier, mut stopped) = (0, 0);
     for case in all_cases() {

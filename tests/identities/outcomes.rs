@@ -15,7 +15,7 @@ use percuss_tests::rig::Rig;
 use std::sync::Arc;
 
 #[test]
-fn nothing_moves() {
+fn immovable_contacts() {
     let pendulum = Bench::new(zoo::physical_pendulum(2.3, 0.35, 0.04)).set("hinge", &[0.6]);
     // Into the bearing: along the arm, along the axis, and anywhere on the axis.
     for (point, normal) in
@@ -49,7 +49,7 @@ fn nothing_moves() {
 }
 
 #[test]
-fn hardly_anything_moves() {
+fn nearly_immovable_contacts() {
     // From 1e-10 to 1e-6 of a right angle m̄ is finite, with a remark; below, immovable.
     let (m, h, i_c) = (2.3, 0.35, 0.04);
     let pendulum = Bench::new(zoo::physical_pendulum(m, h, i_c));
@@ -83,7 +83,7 @@ fn hardly_anything_moves() {
 }
 
 #[test]
-fn nothing_opposes() {
+fn massless_contacts() {
     let arm = Bench::new(zoo::massless_tip());
     let across = arm.contact("feeler", [0.2, 0.0, 0.0], Vector3::y());
     let dense = arm.respond_by_route(&across, RouteChoice::Only(Route::Dense));

@@ -46,12 +46,12 @@ impl Routes {
     fn new() -> Self {
         Self {
             tally: Tally::default(),
-            a_b: Gauge::new("careful = recursion"),
-            a_c: Gauge::new("careful = route C"),
+            a_b: Gauge::new("dense route = recursion"),
+            a_c: Gauge::new("dense route = route C"),
             b_c: Gauge::new("recursion = route C"),
             contributions: Gauge::new("contributions, route C"),
             sums: Gauge::new("sum of contributions"),
-            stated: Gauge::new("careful − recursion, in units of what both state"),
+            stated: Gauge::new("dense route − recursion, in units of what both state"),
         }
     }
 
@@ -93,10 +93,10 @@ impl Routes {
         self.tally.massless += usize::from(c.outcome == Outcome::Massless);
     }
 
-    fn with_the_oracle(&mut self, name: &str, ours: &ContactResponse, c: &Answer, near: f64, careful: bool) {
+    fn with_the_oracle(&mut self, name: &str, ours: &ContactResponse, c: &Answer, near: f64, is_dense: bool) {
         match (ours.effective_mass, c.outcome) {
             (EffectiveMass::Finite(m), Outcome::Finite(m_c)) => {
-                let gauge = if careful { &mut self.a_c } else { &mut self.b_c };
+                let gauge = if is_dense { &mut self.a_c } else { &mut self.b_c };
                 gauge.relative(name, m, m_c, near);
                 let contributions = ours.contributions.as_ref().expect("finite");
                 for (part, energy) in contributions.links.iter().zip(&c.links) {

@@ -144,7 +144,7 @@ fn together(four: &[Vec<f64>; 4]) -> Vec<Lanes> {
 
 /// Four configurations of a subject: its own, and three nearby along an admissible motion, for which its decisions
 /// hold.
-fn beside(subject: &Subject, motion: &Motion) -> [Vec<f64>; 4] {
+fn nearby_configurations(subject: &Subject, motion: &Motion) -> [Vec<f64>; 4] {
     let step = |lane: usize| match lane {
         0 => subject.pose.positions().to_vec(),
         _ => subject.positions_after(motion, [1e-3, -2e-3, 5e-3][lane - 1] / motion.size()),
@@ -160,7 +160,7 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
         let Subject { name, pose, contact, .. } = &subject;
         let mut rng = StdRng::seed_from_u64(32 + i as u64);
         let Some(motion) = subject.motion(&mut rng) else { continue };
-        let four = beside(&subject, &motion);
+        let four = nearby_configurations(&subject, &motion);
         let Some(mut lanes) = over::<Lanes>(pose, contact) else { continue };
         lanes.set_positions(&together(&four)).expect("positions that fit");
         let (matrices, inverses) = (lanes.mass_matrix(), lanes.inverse_effective_mass());
@@ -212,7 +212,7 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
 /// In trees without mimics, the configuration decides at most the elimination order of a joint's velocities: lanes may
 /// have any positions.
 #[test]
-fn lanes_of_trees_may_stand_anywhere() {
+fn lanes_of_trees_may_have_any_positions() {
     let mut answers = 0;
     for (i, case) in all_cases().into_iter().enumerate() {
         let system = case.system();
@@ -256,7 +256,7 @@ fn link(mechanism: &Mechanism, name: &str) -> LinkId {
 
 /// A lane reports decisions of its pose that do not hold: a vanishing pivot of the mass or of the constraints.
 #[test]
-fn lanes_tell_where_a_pivot_has_fallen() {
+fn lanes_report_vanished_pivots() {
     // A point mass on a massless arm, folded back onto the shoulder.
     let (_, mut joints) = alter::describe(&zoo::double_pendulum());
     let names: Vec<String> = ["ground", "arm", "tip"].map(String::from).into();
@@ -318,7 +318,7 @@ fn lanes_tell_where_a_pivot_has_fallen() {
 }
 
 #[test]
-fn what_has_no_inverse_mass_is_refused() {
+fn contacts_without_an_inverse_mass_are_refused() {
     let refused = |mechanism: Mechanism, name: &str, point: [f64; 3], normal: [f64; 3]| {
         let contact = Contact::new(link(&mechanism, name), point, normal);
         let system = System::new(mechanism, &Conditions::new()).expect("conditions that fit");

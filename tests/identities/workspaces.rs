@@ -73,7 +73,7 @@ fn on_trees_and_linkages() {
 
 /// An assembly reuses workspaces: earlier questions do not affect results.
 #[test]
-fn what_was_asked_before_changes_nothing() {
+fn earlier_questions_change_nothing() {
     let mut others = 0;
     for subject in of_trees(17, 1, 40).into_iter().chain(of_linkages(801, 2)) {
         let whole = |contact: &Contact| format!("{:?}", subject.pose.respond(contact));
@@ -129,7 +129,7 @@ fn system(mechanism: Mechanism) -> System {
 }
 
 #[test]
-fn on_contacts_that_little_or_nothing_opposes() {
+fn on_nearly_massless_and_massless_contacts() {
     let mut counts = Counts::new();
     let parts = (0..=96).map(|k| 10f64.powf(-0.25 * f64::from(k))).chain([0.0]);
     for (k, part) in parts.enumerate() {

@@ -1,5 +1,4 @@
-//! Putting loops together: from a rough guess, hundreds of them, rounded files, loops that contradict themselves, and
-//! who may be set.
+//! Assembly of loops: rough guesses, hundreds of loops, rounded files, contradictory loops, and joints that may be set.
 
 use percuss_dynamics::{AssemblyError, Conditions, ContactResponse, EffectiveMass, System};
 use percuss_mechanism::{
@@ -48,7 +47,7 @@ fn guesses_a_third_of_a_radian_off() {
     assert!(closed == 160 && same > 120, "{closed} {same}");
 }
 
-/// Says what is done while it is; large linkages take some seconds without optimisation.
+/// Prints the name of a task before its start: large linkages take some seconds without optimisation.
 fn doing<T>(what: &str, run: impl FnOnce() -> T) -> T {
     println!("{what}");
     run()
@@ -115,7 +114,7 @@ fn a_rounded_file_is_its_exact_twin() {
             assert_eq!((near.degrees_of_freedom, near.singular_pose), (1, false));
             let stated = near.effective_mass_error().expect("finite") / mass(&near);
             let case = format!("{link} at {drivers:?}");
-            // Some micrometres on a metre; more where the point hardly moves along the normal and the rest moves fast.
+            // Some micrometres per metre, and more if the point moves slowly along the normal and other parts move fast.
             let fast = 1.0 + exact.mechanism.characteristic_length() * Motion::of(&right).size();
             gauge.relative(&case, mass(&near), mass(&right), 1e-6 * fast);
             assert!(
@@ -127,10 +126,10 @@ fn a_rounded_file_is_its_exact_twin() {
             assert!(stated < 1e-3 * fast, "{case}: {stated:e}");
         }
     }
-    // In one go, and moved on into the contact: contradictory rows lead astray where they are followed.
+    // In one step: following the branch of contradictory rows could lead to another pose.
     for part in [0.02, 0.35, 0.65, 0.98] {
         let drivers = exact.at(part);
-        let [(right, there), (near, beside)] = [&exact, &rounded].map(|rig| {
+        let [(right, there), (near, mass_nearby)] = [&exact, &rounded].map(|rig| {
             let pose = rig.reach(&rig.closed(), &drivers);
             let contact = rig.contact("coupler", [0.3, 0.1, 0.0], Vector3::new(0.5, 0.2, 0.8).normalize());
             let response = rig.respond(&pose, &contact);
@@ -138,12 +137,12 @@ fn a_rounded_file_is_its_exact_twin() {
             (mass(&response), mass(&rig.respond(&pushed, &contact)) / mass(&response))
         });
         assert!((near / right - 1.0).abs() < 1e-4, "{part}: {near} {right}");
-        assert!((beside - there).abs() < 1e-4, "{part}: {beside} {there}");
+        assert!((mass_nearby - there).abs() < 1e-4, "{part}: {mass_nearby} {there}");
     }
     gauge.report();
 }
 
-/// A crank on the ground, 0.5 m long, mass at its tip, held by closures.
+/// Crank of 0.5 m on the ground with a mass at its tip, constrained by closures.
 fn crank(closures: Vec<ClosureDescription>) -> Mechanism {
     let bar =
         |name: &str| LinkDescription::new(name, Inertial::diagonal(1.0, [0.4, 0.0, 0.0], [0.01, 0.02, 0.03]));
@@ -179,21 +178,21 @@ fn loops_that_contradict_themselves() {
             .at(at, [0.5, 0.0, 0.0])
             .distance(length)
     };
-    // One rod asks for a quarter turn, the other for none; one alone closes.
+    // One rod fits a quarter turn, the other no turn; one rod alone can be closed.
     let system = System::new(crank(vec![rod("up", [0.0, 1.0, 0.0], 0.6)]), &Conditions::new()).unwrap();
     let pose = system.pose(&system.configuration()).expect("one rod closes");
     assert!(pose.loops().is_some_and(|l| l.residual < 1e-12));
     let loops = unclosed(crank(vec![rod("up", [0.0, 1.0, 0.0], 0.55), rod("down", [0.0, -1.0, 0.0], 0.55)]));
     assert_eq!(loops.len(), 2);
-    // Out of every reach.
+    // Out of reach for every crank angle.
     assert_eq!(unclosed(crank(vec![rod("far", [3.0, 0.0, 0.0], 1.0)])), ["far"]);
-    // The hinge and its closure have different axes.
+    // Hinge and closure have different axes.
     let tilted = ClosureDescription {
         successor_frame: Transform::new(rotation_from_rpy([0.3, 0.0, 0.0]), Vector3::zeros()),
         ..ClosureDescription::new("tilted", ClosureKind::Revolute, "ground", "crank").axis([0.0, 0.0, 1.0])
     };
     assert_eq!(unclosed(crank(vec![tilted])), ["tilted"]);
-    // Between links that are one body, and do not fit; and that do.
+    // Closures between links of one rigid body, with and without a misfit.
     let weld = |x: f64| {
         ClosureDescription::new("again", ClosureKind::Fixed, "crank", "plate").at([x, 0.0, 0.0], [0.0; 3])
     };
@@ -224,7 +223,7 @@ fn a_joint_that_follows_is_not_set() {
         "{text}"
     );
     assert!(matches!(error, AssemblyError::Dependent { .. }));
-    // Any one alone may drive.
+    // Every joint alone may drive.
     for joint in ["crank_hinge", "crank_pin", "rocker_hinge"] {
         let mut one = rig.system.configuration();
         let at = rig.closed().joint(rig.joint(joint))[0];
@@ -237,7 +236,7 @@ fn a_joint_that_follows_is_not_set() {
 
 #[test]
 fn locks_within_loops() {
-    // Every joint of a loop, one of them, and a coupling over locked shafts: as route C has it.
+    // Locks of every joint of a loop, of one joint, and of coupled shafts: the same result as route C.
     let whole = ["crank_hinge", "crank_pin", "rocker_hinge"];
     type Case<'a> = (fn() -> Linkage, &'a [&'a str], &'a str);
     let cases: [Case; 5] = [
@@ -269,7 +268,7 @@ fn locks_within_loops() {
 
 #[test]
 fn a_sphere_drives_a_loop() {
-    // A plate on a ball carries a slider on a guide by a rod: the ball's three turns drive, the slider follows.
+    // A plate on a ball joint moves a slider on a guide by a rod: the three rotations of the ball drive, the slider follows.
     let body = |name: &str, mass: f64| {
         LinkDescription::new(name, Inertial::diagonal(mass, [0.2, 0.1, 0.0], [0.05, 0.06, 0.08]))
     };
@@ -290,7 +289,7 @@ fn a_sphere_drives_a_loop() {
     assert_eq!(system.degrees_of_freedom(), 3);
     let slide = system.mechanism().find_joint("slide").unwrap();
     let at_zero = system.pose(&system.configuration()).expect("it closes");
-    // On the side where it begins, at any turn: z = p_z ± √(l² − p_x² − p_y²).
+    // On the original side for every rotation: z = p_z ± √(l² − p_x² − p_y²).
     let side = at_zero.joint(slide)[0].signum();
     let mut pose = at_zero;
     for [roll, pitch, yaw] in

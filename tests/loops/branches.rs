@@ -7,7 +7,9 @@
 use percuss_dynamics::{AssemblyError, Contact, DrivenPath};
 use percuss_mechanism::JointId;
 use percuss_oracle::closed_form::Crossing;
-use percuss_oracle::linkage::{self, BRANCHING_KINDS, Branching, apart, branching, nearly_parallel_four_bar};
+use percuss_oracle::linkage::{
+    self, BRANCHING_KINDS, Branching, branching, nearly_parallel_four_bar, position_distance,
+};
 use percuss_tests::rig::Rig;
 use std::collections::BTreeMap;
 
@@ -106,7 +108,7 @@ impl Sweep<'_> {
             .collect();
         for (name, position) in expected {
             let place = places[self.rig.joint(name).index()];
-            let far = apart(&positions[place..place + position.len()], &position);
+            let far = position_distance(&positions[place..place + position.len()], &position);
             if far > SAME {
                 seen.wrong.push(format!("{} {line}: {name} at {value} off by {far:.2e}", self.case.label));
             } else {
@@ -138,7 +140,7 @@ impl Sweep<'_> {
             }
             let value = rows[next];
             next += 1;
-            match self.rig.go(&last, &[value]) {
+            match self.rig.move_drivers(&last, &[value]) {
                 Ok(pose) => {
                     self.judge(value, Some(pose.positions()), line, seen);
                     let restarted = path.as_mut().is_some_and(|path| path.restart(&pose));
@@ -168,8 +170,8 @@ fn judged(mut case: Branching, range: Option<[f64; 2]>, counts: &[usize]) -> See
     let sweep = Sweep { rig: &rig, case: &case, contact, driver };
     let mut seen = Seen::default();
     for &count in counts {
-        for (way, rows) in ["forwards", "backwards", "up", "down"].iter().zip(sweeps(range, count)) {
-            sweep.run(&rows, &format!("{count} {way}"), &mut seen);
+        for (order, rows) in ["forwards", "backwards", "up", "down"].iter().zip(sweeps(range, count)) {
+            sweep.run(&rows, &format!("{count} {order}"), &mut seen);
         }
     }
     seen

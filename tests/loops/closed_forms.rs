@@ -27,7 +27,7 @@ fn contacts() -> impl Iterator<Item = (usize, Vector2<f64>, Vector2<f64>)> {
 }
 
 /// Compares m̄ of every body of a planar linkage at a pose with the bodies' motions.
-fn struck(
+fn compare_contacts(
     rig: &Rig,
     pose: &Pose,
     bodies: [PlanarBody; 3],
@@ -68,7 +68,7 @@ fn full_turns() {
         for i in 0..=360 {
             let theta = f64::from(i) * TAU / 360.0;
             pose = rig.reach(&pose, &[theta]);
-            struck(&rig, &pose, bodies, motions(theta), (1e-12, FORM), &mut gauge);
+            compare_contacts(&rig, &pose, bodies, motions(theta), (1e-12, FORM), &mut gauge);
         }
     };
     let bar = linkage::FOUR_BAR;
@@ -132,7 +132,7 @@ fn two_turns(linkage: Linkage, open: bool, first: f64, rows: i32) -> (Gauge, Gau
             // A residual of ε displaces the pose from the branch by ε over the distance, and changes its motion by that
             // over the distance.
             let bound = (1e-12 + 10.0 * FORM / (near * near)).min(1e-2);
-            struck(&rig, &pose, BODIES, motions, (bound, FORM / near), &mut masses);
+            compare_contacts(&rig, &pose, BODIES, motions, (bound, FORM / near), &mut masses);
             assert_eq!(state.singularities, [Singularity::None], "{case}");
         } else {
             crossings += 1;
@@ -174,10 +174,10 @@ fn no_branch_is_lost_at_a_crossing() {
         let mut crossings = 0;
         for (first, rows) in [(0.0, 24), (-PI, 60), (0.017, 36), (1e-3, 24), (-1e-6, 12), (1e-8, 8), (0.4, 3)]
         {
-            let (angles, masses, met) = two_turns(linkage(), open, first, rows);
+            let (angles, masses, crossings_met) = two_turns(linkage(), open, first, rows);
             angles.report();
             masses.report();
-            crossings += met;
+            crossings += crossings_met;
         }
         assert!(crossings >= 20, "{crossings}");
     }
@@ -185,7 +185,7 @@ fn no_branch_is_lost_at_a_crossing() {
 
 /// Whole turns in one call, with ends near crossings and far from them: the steps are unrestricted.
 #[test]
-fn long_ways_keep_their_branch() {
+fn long_travels_keep_their_branch() {
     let mut gauge = Gauge::new("angles after long ways");
     for (linkage, open) in [(linkage::parallelogram(), true), (linkage::antiparallelogram(), false)] {
         let rig = Rig::new(linkage);
@@ -231,7 +231,7 @@ fn limits_are_found() {
         for crossing in [Crossing::Left, Crossing::Right] {
             let rig =
                 Rig::new(linkage::four_bar_of("triple rocker", bar, BODIES, crossing, start, [-1.3, 1.3]));
-            let places = nearest(rig.go(&rig.closed(), &[wanted]).unwrap_err());
+            let places = nearest(rig.move_drivers(&rig.closed(), &[wanted]).unwrap_err());
             let limit = limit.copysign(wanted);
             let phi = (-a * limit.sin()).atan2(g - a * limit.cos());
             let case = format!("triple rocker from {start} to {wanted}");

@@ -140,7 +140,7 @@ fn the_shipped_wishbone_is_followed() {
 
 /// Random linkages along a driver: SIMD rows have the poses of the general method from row to row.
 #[test]
-fn rows_in_lanes_stand_where_the_general_way_leads() {
+fn rows_in_lanes_have_the_poses_of_the_general_method() {
     let mut seen = Seen::default();
     for subject in of_linkages(47, 120) {
         check(&subject, &mut seen);

@@ -65,7 +65,7 @@ fn a_change_point_is_neared() {
 
 /// The lower bound at the crossing; m̄ near the crossing is not such a bound.
 #[test]
-fn the_bound_is_left_at_once() {
+fn the_lower_bound_holds_only_at_the_crossing() {
     let rig = Rig::new(linkage::parallelogram());
     let contact = rig.contact("coupler", [0.31, -0.12, 0.0], in_plane([0.6, 0.8].into()));
     let start = rig.closed();

@@ -115,7 +115,7 @@ fn rates_are_those_of_poses() {
 
 /// Dependent joints become drivers if set, unless the file declares other drivers.
 #[test]
-fn dependent_joints_drive_in_place_of_others() {
+fn dependent_joints_drive_instead_of_others() {
     let mut gauge = Gauge::new("rates of joints that depend, against differences, sizes a unit");
     let mut compared = 0;
     for (number, linkage) in linkage::all().into_iter().enumerate() {
@@ -145,7 +145,7 @@ fn dependent_joints_drive_in_place_of_others() {
 /// The requested displacement is reached by the chosen driver, from poses over the whole range.
 #[test]
 fn displacements_of_every_linkage_are_met() {
-    let mut met = Gauge::new("displacements met, parts of the size");
+    let mut gauge = Gauge::new("displacements met, parts of the size");
     let (mut reached, mut ended) = (0, 0);
     for (number, linkage) in linkage::all().into_iter().enumerate() {
         let rig = Rig::new(linkage);
@@ -170,7 +170,7 @@ fn displacements_of_every_linkage_are_met() {
             match travel.pose(&pose, &base, driver, wanted) {
                 Ok(there) => {
                     let miss = (travel.displacement(&there) - wanted).abs() / size(&rig.mechanism);
-                    met.note(&case, miss, 2e-12);
+                    gauge.note(&case, miss, 2e-12);
                     assert!(rig.open(&there) < 2e-12, "{case}");
                     reached += 1;
                 }
@@ -182,7 +182,7 @@ fn displacements_of_every_linkage_are_met() {
             }
         }
     }
-    met.report();
+    gauge.report();
     assert!(reached > 60, "{reached} {ended}");
 }
 
@@ -264,7 +264,7 @@ fn a_change_point_is_left_by_a_step() {
 }
 
 #[test]
-fn beyond_its_ends_a_travel_is_told_the_nearest() {
+fn a_travel_beyond_its_end_reports_the_nearest() {
     let system = shipped("four_bar.urdf");
     let start = system.pose(&system.configuration()).expect("closed");
     let travel =
@@ -365,7 +365,7 @@ fn a_travel_may_start_at_its_end() {
 }
 
 #[test]
-fn what_means_nothing_is_refused() {
+fn invalid_travels_are_refused() {
     let system = shipped("four_bar.urdf");
     let other = shipped("double_wishbone.urdf");
     let start = system.pose(&system.configuration()).expect("closed");

@@ -236,8 +236,8 @@ fn linkage(rng: &mut StdRng) -> Exact {
         joint.xyz = scaled(any(rng), 0.4);
         linkage.joints.push(joint);
     }
-    let away = Vector3::from(any(rng)).normalize() * far;
-    for (to, by) in linkage.joints[0].xyz.iter_mut().zip(away.iter()) {
+    let distance_from_origin = Vector3::from(any(rng)).normalize() * far;
+    for (to, by) in linkage.joints[0].xyz.iter_mut().zip(distance_from_origin.iter()) {
         *to += by;
     }
     linkage
@@ -255,8 +255,8 @@ fn close(rng: &mut StdRng, linkage: &mut Exact, freedoms: usize) {
         let link = rng.random_range(2..last);
         let at = scaled(any(rng), 0.3);
         let place = posed.place(link, &at);
-        let away = scaled(any(rng), 0.5);
-        let ground = [0, 1, 2].map(|k| place[k] + away[k]);
+        let distance_from_origin = scaled(any(rng), 0.5);
+        let ground = [0, 1, 2].map(|k| place[k] + distance_from_origin[k]);
         // Length after rounding to doubles.
         let length = Vector3::from_fn(|k, _| ground[k] - place[k]).norm();
         linkage.closures.push(Closure { ends: [(0, ground), (link, at)], rod: Some(length) });
@@ -457,7 +457,7 @@ fn by_definition_aligned_axes() {
 }
 
 /// A hinge along z, a massless link, a hinge tilted by `tilt` about y at the same point, a body. The motion between
-/// the hinges turns the body by the tilt only, about x: the energy tilt² · 22.3 J is lost beside 364 J, but its part of
+/// the hinges turns the body by the tilt only, about x: the energy tilt² · 22.3 J is lost in rounding to 364 J, but its part of
 /// 1/m̄ is not. Without this motion m̄ is 728 kg, with it 42.04 kg at every tilt.
 fn tilted_hinges(tilt: f64) -> (Exact, Touch) {
     let hinge =

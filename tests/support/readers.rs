@@ -33,7 +33,7 @@ const PLANAR: &str = include_str!("../../models/planar_2r.urdf");
 /// Model of the rows: its joints are "shoulder" and "elbow".
 static MODEL: LazyLock<Model> = LazyLock::new(|| {
     let source = Source::from_text("planar_2r.urdf", PLANAR);
-    Model::of(&source, &LoadOptions::default()).expect("the model is right")
+    Model::from_source(&source, &LoadOptions::default()).expect("the model is right")
 });
 
 /// Reads bytes as a file of a kind. True if the reader accepts them.

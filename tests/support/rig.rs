@@ -91,14 +91,15 @@ impl Rig {
     }
 
     /// Follows the branch to the drivers' values.
-    pub fn go(&self, from: &Pose, drivers: &[f64]) -> Result<Pose, AssemblyError> {
+    pub fn move_drivers(&self, from: &Pose, drivers: &[f64]) -> Result<Pose, AssemblyError> {
         self.system.pose_from(from, &self.configuration(drivers))
     }
 
     /// Follows the branch to reachable driver values.
     #[track_caller]
     pub fn reach(&self, from: &Pose, drivers: &[f64]) -> Pose {
-        self.go(from, drivers).unwrap_or_else(|error| panic!("{} at {drivers:?}: {error}", self.name))
+        self.move_drivers(from, drivers)
+            .unwrap_or_else(|error| panic!("{} at {drivers:?}: {error}", self.name))
     }
 
     /// Driver values at a fraction of their ranges.

@@ -12,7 +12,7 @@ pub struct Routes {
     /// By the recursion after the dense route gave no better result.
     pub kept: usize,
     /// By the dense route.
-    pub careful: usize,
+    pub dense: usize,
     /// Reasons for the dense route, by [`reason`].
     pub reasons: BTreeMap<String, usize>,
 }
@@ -33,7 +33,7 @@ impl Routes {
             return;
         }
         match (response.route, response.dense_reason) {
-            (Route::Dense, _) => self.careful += 1,
+            (Route::Dense, _) => self.dense += 1,
             (Route::Articulated, Some(_)) => self.kept += 1,
             (Route::Articulated, None) => self.recursion += 1,
         }
@@ -46,7 +46,7 @@ impl Routes {
     pub fn add(&mut self, other: &Self) {
         self.recursion += other.recursion;
         self.kept += other.kept;
-        self.careful += other.careful;
+        self.dense += other.dense;
         for (why, n) in &other.reasons {
             *self.reasons.entry(why.clone()).or_default() += n;
         }
@@ -54,14 +54,14 @@ impl Routes {
 
     /// Column headings of [`Self::line`].
     pub const HEADER: &str =
-        "finite contacts         recursion  careful     kept  why the careful route was asked";
+        "finite contacts         recursion    dense     kept  reasons for the dense route";
 
     /// A line of the table.
     pub fn line(&self, suite: &str) -> String {
         let mut reasons: Vec<_> = self.reasons.iter().collect();
         reasons.sort_by_key(|(_, n)| Reverse(**n));
         let reasons: Vec<String> = reasons.into_iter().map(|(why, n)| format!("{why}: {n}")).collect();
-        let Self { recursion, careful, kept, .. } = self;
-        format!("{suite:22}{recursion:11}{careful:9}{kept:9}  {}", reasons.join(", ")).trim_end().to_owned()
+        let Self { recursion, dense, kept, .. } = self;
+        format!("{suite:22}{recursion:11}{dense:9}{kept:9}  {}", reasons.join(", ")).trim_end().to_owned()
     }
 }

@@ -75,7 +75,7 @@ fn paths_in_macros_attributes_and_globs_count() {
 }
 
 #[test]
-fn what_a_macro_defines_belongs_to_its_file() {
+fn items_defined_by_a_macro_belong_to_its_file() {
     let found = read(&[
         ("lib.rs", "mod a; mod b; pub use a::{Made};"),
         ("a.rs", "macro_rules! make { ($n:ident) => { pub struct $n; } } make!(Made);"),

@@ -140,7 +140,8 @@ fn compare(c: &Interface, name: &str, text: &str, link: &str) {
         .map(|i| (0..count).map(|q| closed[q] + spread * ((i * 7 + q * 13) as f64).sin()).collect())
         .collect();
 
-    let (mut model, mut compiled, mut assembly, mut room) = (null_mut(), null_mut(), null_mut(), null_mut());
+    let (mut model, mut compiled, mut assembly, mut workspace_handle) =
+        (null_mut(), null_mut(), null_mut(), null_mut());
     let in_c = percuss_contact {
         link: on.index(),
         against: PERCUSS_GROUND,
@@ -157,7 +158,7 @@ fn compare(c: &Interface, name: &str, text: &str, link: &str) {
     // SAFETY: as above.
     unsafe { ok((c.assembly)(compiled, null(), &mut assembly)) };
     // SAFETY: as above.
-    unsafe { ok((c.workspace)(assembly, &mut room)) };
+    unsafe { ok((c.workspace)(assembly, &mut workspace_handle)) };
     let call = c.effective_mass;
     let (mut outcome, mut mass) = (0, 0.0);
     let mut by_rust = |i: usize| {
@@ -168,7 +169,15 @@ fn compare(c: &Interface, name: &str, text: &str, link: &str) {
         let q = black_box(&positions[i % 256]);
         // SAFETY: as above; q has count numbers.
         ok(unsafe {
-            call(room, q.as_ptr(), q.len(), black_box(&in_c), &mut outcome, &mut mass, std::ptr::null_mut())
+            call(
+                workspace_handle,
+                q.as_ptr(),
+                q.len(),
+                black_box(&in_c),
+                &mut outcome,
+                &mut mass,
+                std::ptr::null_mut(),
+            )
         });
         black_box(mass)
     };

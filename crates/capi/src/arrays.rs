@@ -9,7 +9,7 @@ use std::ffi::{CStr, c_char};
 /// Slice of `length` input values; an empty array may be null.
 #[inline]
 pub(crate) fn input<'a, T>(values: *const T, length: usize, name: &str) -> Result<&'a [T], Failure> {
-    check(values, length, name)?;
+    check_array(values, length, name)?;
     if length == 0 {
         return Ok(&[]);
     }
@@ -19,7 +19,7 @@ pub(crate) fn input<'a, T>(values: *const T, length: usize, name: &str) -> Resul
 
 /// Mutable slice of `length` output values; an empty array may be null.
 pub(crate) fn output<'a, T>(values: *mut T, length: usize, name: &str) -> Result<&'a mut [T], Failure> {
-    check(values, length, name)?;
+    check_array(values, length, name)?;
     if length == 0 {
         return Ok(&mut []);
     }
@@ -37,14 +37,20 @@ pub(crate) fn optional_output<'a, T>(
     if values.is_null() { Ok(None) } else { output(values, length, name).map(Some) }
 }
 
+/// Checks a pointer to `length` values: not null, aligned, at most the size of memory.
 #[inline]
-fn check<T>(values: *const T, length: usize, name: &str) -> Result<(), Failure> {
+fn check_array<T>(values: *const T, length: usize, name: &str) -> Result<(), Failure> {
     let fits = length <= isize::MAX as usize / size_of::<T>().max(1);
-    if fits && !values.is_null() && values.is_aligned() { Ok(()) } else { refuse(values, length, fits, name) }
+    if fits && !values.is_null() && values.is_aligned() {
+        Ok(())
+    } else {
+        array_failure(values, length, fits, name)
+    }
 }
 
+/// Error of an invalid array; no error for an empty array with a null pointer.
 #[cold]
-fn refuse<T>(values: *const T, length: usize, fits: bool, name: &str) -> Result<(), Failure> {
+fn array_failure<T>(values: *const T, length: usize, fits: bool, name: &str) -> Result<(), Failure> {
     if !fits {
         let message = format_args!("{name}: {length} values are more than any memory holds");
         return Err(Failure::new(PERCUSS_ERROR_LENGTH, message));
@@ -77,6 +83,7 @@ impl Span {
         Self { first: values as usize, bytes: length.saturating_mul(size_of::<T>()), name }
     }
 
+    /// True if the two ranges share a byte.
     #[inline]
     fn overlaps(&self, other: &Self) -> bool {
         self.bytes > 0
@@ -91,16 +98,18 @@ impl Span {
 pub(crate) fn refuse_overlaps(written: &[Span], read: &[Span]) -> Result<(), Failure> {
     for (i, own) in written.iter().enumerate() {
         if let Some(other) = written[i + 1..].iter().chain(read).find(|other| own.overlaps(other)) {
-            return Err(overlap(own.name, other.name));
+            return Err(overlap_failure(own.name, other.name));
         }
     }
     Ok(())
 }
 
+/// Error of two overlapping arrays.
 #[cold]
-fn overlap(written: &str, other: &str) -> Failure {
-    let message =
-        format_args!("{written} overlaps {other}; expected memory of its own for all that is written");
+fn overlap_failure(written: &str, other: &str) -> Failure {
+    let message = format_args!(
+        "{written} overlaps {other}; expected output arrays that share no memory with other arrays"
+    );
     Failure::new(PERCUSS_ERROR_OVERLAP, message)
 }
 
@@ -139,6 +148,6 @@ pub(crate) fn choice<T: Copy>(all: &[T], number: i32, name: &str) -> Result<T, F
 }
 
 /// Value for C: NaN if unknown.
-pub(crate) fn known(value: Option<f64>) -> f64 {
+pub(crate) fn nan_if_unknown(value: Option<f64>) -> f64 {
     value.unwrap_or(f64::NAN)
 }

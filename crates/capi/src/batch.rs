@@ -1,10 +1,10 @@
 //! Batches: one contact at many configurations, with SIMD lanes and threads.
 
-use crate::arrays::{Span, expect_length, input, known, optional_output, output, refuse_overlaps};
+use crate::arrays::{Span, expect_length, input, nan_if_unknown, optional_output, output, refuse_overlaps};
 use crate::contact::{
-    PERCUSS_MASSLESS_TO_ROUNDING, PERCUSS_NO_ANSWER, outcome, percuss_contact, percuss_outcome,
+    PERCUSS_MASSLESS_TO_ROUNDING, PERCUSS_NO_ANSWER, outcome_code, percuss_contact, percuss_outcome,
 };
-use crate::handle::{Handle, clear, free, get, give, take, value};
+use crate::handle::{Handle, clear_handle, free, lock, object_of, read_target, write_handle};
 use crate::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
 use crate::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_HANDLE, PERCUSS_ERROR_INTERNAL,
@@ -22,14 +22,14 @@ pub struct percuss_batch {
 }
 
 /// Batch with its thread pool and the id of the process that started the pool; `None` without a pool.
-pub(crate) struct Threaded {
+pub(crate) struct ThreadedBatch {
     batch: Batch,
     positions: usize,
     pool: Option<(u32, ThreadPool)>,
 }
 
 impl Handle for percuss_batch {
-    type Object = Threaded;
+    type Object = ThreadedBatch;
     const TAG: u64 = 0x7063_5f62_6174_6368;
     const NAME: &'static str = "percuss_batch";
 }
@@ -37,7 +37,7 @@ impl Handle for percuss_batch {
 /// Number of configurations between two calls of the watch function: some milliseconds for a small mechanism.
 const PORTION: usize = 1 << 14;
 /// Limit of the number of threads.
-const MOST_THREADS: usize = 1024;
+const MAX_THREADS: usize = 1024;
 
 /// Watch function, called periodically on the calling thread with the number of configurations done. Returns 0 to
 /// continue; another value stops the work. It must not use the batch and must not throw.
@@ -59,11 +59,11 @@ pub unsafe extern "C" fn percuss_batch_new(
     batch: *mut *mut percuss_batch,
 ) -> percuss_status {
     guarded(|| {
-        clear(batch)?;
-        let assembled = get(assembly)?;
-        let contact = value(contact, "contact")?.on(&assembled.model)?;
+        clear_handle(batch)?;
+        let assembled = object_of(assembly)?;
+        let contact = read_target(contact, "contact")?.resolve(&assembled.model)?;
         let ready = assembled.assembly.batch(&contact).map_err(Failure::of(PERCUSS_ERROR_CONTACT))?;
-        give(Threaded::new(ready, assembled.model.positions, threads)?, batch)
+        write_handle(ThreadedBatch::new(ready, assembled.model.positions, threads)?, batch)
     })
 }
 
@@ -82,18 +82,19 @@ pub unsafe extern "C" fn percuss_workspace_batch(
     batch: *mut *mut percuss_batch,
 ) -> percuss_status {
     guarded(|| {
-        clear(batch)?;
-        let room = take(get(workspace)?, "percuss_workspace")?;
-        let contact = value(contact, "contact")?.on(&room.model)?;
-        let ready = room.workspace.batch(&contact).map_err(Failure::of(PERCUSS_ERROR_CONTACT))?;
-        give(Threaded::new(ready, room.model.positions, threads)?, batch)
+        clear_handle(batch)?;
+        let workspace_guard = lock(object_of(workspace)?, "percuss_workspace")?;
+        let contact = read_target(contact, "contact")?.resolve(&workspace_guard.model)?;
+        let ready = workspace_guard.workspace.batch(&contact).map_err(Failure::of(PERCUSS_ERROR_CONTACT))?;
+        write_handle(ThreadedBatch::new(ready, workspace_guard.model.positions, threads)?, batch)
     })
 }
 
-impl Threaded {
+impl ThreadedBatch {
+    /// Batch with its own threads; `positions` is the number of joint positions of a configuration.
     fn new(batch: Batch, positions: usize, threads: usize) -> Result<Self, Failure> {
-        if threads > MOST_THREADS {
-            let message = format_args!("threads is {threads}; expected at most {MOST_THREADS}");
+        if threads > MAX_THREADS {
+            let message = format_args!("threads is {threads}; expected at most {MAX_THREADS}");
             return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
         }
         let pool = match threads {
@@ -150,7 +151,7 @@ pub unsafe extern "C" fn percuss_batch_run(
     user: *mut c_void,
 ) -> percuss_status {
     guarded(|| {
-        let threaded = get(batch)?;
+        let threaded = object_of(batch)?;
         let written = [
             Span::of(outcomes, count, "outcomes"),
             Span::of(effective_masses, count, "effective_masses"),
@@ -164,7 +165,7 @@ pub unsafe extern "C" fn percuss_batch_run(
         let mut errors = optional_output(errors, count, "errors")?;
         let mut remarks = optional_output(remarks, count, "remarks")?;
         threaded.check(length, layout, stride, count)?;
-        let pool = threaded.pool()?;
+        let pool = threaded.thread_pool()?;
         outcomes.fill(PERCUSS_NO_ANSWER);
         masses.fill(f64::NAN);
         if let Some(errors) = &mut errors {
@@ -176,8 +177,8 @@ pub unsafe extern "C" fn percuss_batch_run(
         let mut answers = vec![BatchAnswer::NONE; count.min(PORTION)];
         let mut done = 0;
         while done < count {
-            let here = (count - done).min(PORTION);
-            let answers = &mut answers[..here];
+            let portion = (count - done).min(PORTION);
+            let answers = &mut answers[..portion];
             let part = match layout {
                 PERCUSS_ROW_MAJOR => BatchPositions::Rows { values: &values[done * stride..], stride },
                 _ => BatchPositions::Columns { values: &values[done..], stride },
@@ -189,19 +190,19 @@ pub unsafe extern "C" fn percuss_batch_run(
             run.map_err(|error: BatchError| Failure::new(PERCUSS_ERROR_LENGTH, error))?;
             for (at, answer) in (done..).zip(&*answers) {
                 if let Some(mass) = answer.mass {
-                    (outcomes[at], masses[at]) = outcome(mass);
+                    (outcomes[at], masses[at]) = outcome_code(mass);
                 }
                 if answer.is_massless_to_rounding() {
                     outcomes[at] = PERCUSS_MASSLESS_TO_ROUNDING;
                 }
                 if let Some(errors) = &mut errors {
-                    errors[at] = known(answer.error);
+                    errors[at] = nan_if_unknown(answer.error);
                 }
                 if let Some(remarks) = &mut remarks {
                     remarks[at] = answer.remarks.bits();
                 }
             }
-            done += here;
+            done += portion;
             let Some(watch) = watch else { continue };
             // SAFETY: the caller promises that `watch` may be called with `user`.
             if unsafe { watch(done, user) } != 0 && done < count {
@@ -213,9 +214,9 @@ pub unsafe extern "C" fn percuss_batch_run(
     })
 }
 
-impl Threaded {
+impl ThreadedBatch {
     /// Thread pool of the batch. A forked process has none of its parent's threads and would wait for them forever.
-    fn pool(&self) -> Result<Option<&ThreadPool>, Failure> {
+    fn thread_pool(&self) -> Result<Option<&ThreadPool>, Failure> {
         let Some((process, pool)) = &self.pool else { return Ok(None) };
         if *process == std::process::id() {
             return Ok(Some(pool));

@@ -1,7 +1,7 @@
 //! Conditions of an analysis: the base, locks, armatures, held contacts.
 
 use crate::arrays::{choice, input, text};
-use crate::handle::{Exclusive, Handle, clear, free, get, give, take};
+use crate::handle::{Exclusive, Handle, clear_handle, free, lock, object_of, write_handle};
 use crate::status::{Failure, PERCUSS_ERROR_NULL, guarded, percuss_status};
 use percuss::nalgebra::Vector3;
 use percuss::{Base, Conditions};
@@ -30,8 +30,8 @@ pub const PERCUSS_BASE_FLOATING: i32 = 1;
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_conditions_new(conditions: *mut *mut percuss_conditions) -> percuss_status {
     guarded(|| {
-        clear(conditions)?;
-        give(Exclusive::new(Conditions::new()), conditions)
+        clear_handle(conditions)?;
+        write_handle(Exclusive::new(Conditions::new()), conditions)
     })
 }
 
@@ -44,12 +44,13 @@ pub unsafe extern "C" fn percuss_conditions_free(conditions: *mut *mut percuss_c
     guarded(|| free(conditions))
 }
 
-fn change(
+/// Locks the conditions of a handle and replaces them by the result of `change`.
+fn modify(
     handle: *mut percuss_conditions,
-    how: impl FnOnce(Conditions) -> Result<Conditions, Failure>,
+    change: impl FnOnce(Conditions) -> Result<Conditions, Failure>,
 ) -> Result<(), Failure> {
-    let mut conditions = take(get(handle)?, "percuss_conditions")?;
-    *conditions = how(conditions.clone())?;
+    let mut conditions = lock(object_of(handle)?, "percuss_conditions")?;
+    *conditions = change(conditions.clone())?;
     Ok(())
 }
 
@@ -64,7 +65,7 @@ pub unsafe extern "C" fn percuss_conditions_base(
 ) -> percuss_status {
     guarded(|| {
         let base = choice(&[Base::Fixed, Base::Floating], base, "base")?;
-        change(conditions, |conditions| Ok(conditions.base(base)))
+        modify(conditions, |conditions| Ok(conditions.base(base)))
     })
 }
 
@@ -79,7 +80,7 @@ pub unsafe extern "C" fn percuss_conditions_lock(
 ) -> percuss_status {
     guarded(|| {
         let joint = text(joint, "joint")?;
-        change(conditions, |conditions| Ok(conditions.lock(joint)))
+        modify(conditions, |conditions| Ok(conditions.lock(joint)))
     })
 }
 
@@ -97,7 +98,7 @@ pub unsafe extern "C" fn percuss_conditions_armature(
 ) -> percuss_status {
     guarded(|| {
         let (joint, values) = (text(joint, "joint")?, input(values, count, "values")?);
-        change(conditions, |conditions| Ok(conditions.armature(joint, values.to_vec())))
+        modify(conditions, |conditions| Ok(conditions.armature(joint, values.to_vec())))
     })
 }
 
@@ -123,6 +124,6 @@ pub unsafe extern "C" fn percuss_conditions_hold(
             true => None,
             false => Some(Vector3::from_column_slice(input(normal, 3, "normal")?)),
         };
-        change(conditions, |conditions| Ok(conditions.hold(link, point, normal)))
+        modify(conditions, |conditions| Ok(conditions.hold(link, point, normal)))
     })
 }

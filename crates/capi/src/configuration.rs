@@ -1,7 +1,7 @@
 //! Configurations: joint positions given by the user.
 
 use crate::arrays::{input, text};
-use crate::handle::{Exclusive, Handle, clear, free, get, give, take};
+use crate::handle::{Exclusive, Handle, clear_handle, free, lock, object_of, write_handle};
 use crate::model::{Model, percuss_model};
 use crate::status::{Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONDITIONS, guarded, percuss_status};
 use percuss::spatial::Transform;
@@ -15,12 +15,12 @@ pub struct percuss_configuration {
 }
 
 /// A configuration with its model.
-pub(crate) struct Given {
+pub(crate) struct ModelConfiguration {
     model: Arc<Model>,
     pub values: Configuration,
 }
 
-impl Given {
+impl ModelConfiguration {
     /// Refuses a configuration of another model.
     pub fn check(&self, model: &Arc<Model>) -> Result<(), Failure> {
         if Arc::ptr_eq(&self.model, model) {
@@ -34,7 +34,7 @@ impl Given {
 }
 
 impl Handle for percuss_configuration {
-    type Object = Exclusive<Given>;
+    type Object = Exclusive<ModelConfiguration>;
     const TAG: u64 = 0x7063_5f63_6f6e_6669;
     const NAME: &'static str = "percuss_configuration";
 }
@@ -49,10 +49,10 @@ pub unsafe extern "C" fn percuss_configuration_new(
     configuration: *mut *mut percuss_configuration,
 ) -> percuss_status {
     guarded(|| {
-        clear(configuration)?;
-        let model = Arc::clone(get(model)?);
+        clear_handle(configuration)?;
+        let model = Arc::clone(object_of(model)?);
         let values = Configuration::zero(&model.mechanism);
-        give(Exclusive::new(Given { model, values }), configuration)
+        write_handle(Exclusive::new(ModelConfiguration { model, values }), configuration)
     })
 }
 
@@ -76,27 +76,28 @@ pub unsafe extern "C" fn percuss_configuration_reset(
     configuration: *mut percuss_configuration,
 ) -> percuss_status {
     guarded(|| {
-        let mut given = take(get(configuration)?, "percuss_configuration")?;
-        given.values = Configuration::zero(&given.model.mechanism);
+        let mut configuration_guard = lock(object_of(configuration)?, "percuss_configuration")?;
+        configuration_guard.values = Configuration::zero(&configuration_guard.model.mechanism);
         Ok(())
     })
 }
 
 /// Setter of a joint's values.
-type OfJoint =
+type JointSetter =
     for<'a> fn(&'a mut Configuration, &str, &[f64]) -> Result<&'a mut Configuration, ConfigurationError>;
 
-fn of_joint(
+/// Passes the values of a joint to a setter of the locked configuration.
+fn set_joint_values(
     handle: *mut percuss_configuration,
     joint: *const c_char,
     values: *const f64,
     count: usize,
-    how: OfJoint,
+    set: JointSetter,
 ) -> percuss_status {
     guarded(|| {
         let (joint, values) = (text(joint, "joint")?, input(values, count, "values")?);
-        let mut given = take(get(handle)?, "percuss_configuration")?;
-        how(&mut given.values, joint, values).map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
+        let mut configuration_guard = lock(object_of(handle)?, "percuss_configuration")?;
+        set(&mut configuration_guard.values, joint, values).map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
         Ok(())
     })
 }
@@ -115,7 +116,7 @@ pub unsafe extern "C" fn percuss_configuration_set(
     values: *const f64,
     count: usize,
 ) -> percuss_status {
-    of_joint(configuration, joint, values, count, Configuration::set)
+    set_joint_values(configuration, joint, values, count, Configuration::set)
 }
 
 /// Sets the initial position in the search for a dependent joint of a loop, which selects the assembly mode.
@@ -131,7 +132,7 @@ pub unsafe extern "C" fn percuss_configuration_guess(
     values: *const f64,
     count: usize,
 ) -> percuss_status {
-    of_joint(configuration, joint, values, count, Configuration::guess)
+    set_joint_values(configuration, joint, values, count, Configuration::guess)
 }
 
 /// Sets the whole configuration: the positions of all joints, concatenated in joint order; positions of mimics are not
@@ -149,9 +150,9 @@ pub unsafe extern "C" fn percuss_configuration_set_positions(
 ) -> percuss_status {
     guarded(|| {
         let positions = input(positions, count, "positions")?;
-        let mut given = take(get(configuration)?, "percuss_configuration")?;
-        let found = Configuration::from_positions(&given.model.mechanism, positions);
-        given.values = found.map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
+        let mut configuration_guard = lock(object_of(configuration)?, "percuss_configuration")?;
+        let found = Configuration::from_positions(&configuration_guard.model.mechanism, positions);
+        configuration_guard.values = found.map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
         Ok(())
     })
 }
@@ -171,8 +172,8 @@ pub unsafe extern "C" fn percuss_configuration_set_base(
 ) -> percuss_status {
     guarded(|| {
         let x_wr = base_pose(position, quaternion)?;
-        let mut given = take(get(configuration)?, "percuss_configuration")?;
-        given.values.set_base(x_wr);
+        let mut configuration_guard = lock(object_of(configuration)?, "percuss_configuration")?;
+        configuration_guard.values.set_base(x_wr);
         Ok(())
     })
 }
@@ -196,7 +197,7 @@ pub unsafe extern "C" fn percuss_configuration_allow_other_assembly(
     configuration: *mut percuss_configuration,
 ) -> percuss_status {
     guarded(|| {
-        take(get(configuration)?, "percuss_configuration")?.values.allow_other_assembly();
+        lock(object_of(configuration)?, "percuss_configuration")?.values.allow_other_assembly();
         Ok(())
     })
 }

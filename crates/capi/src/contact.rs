@@ -1,7 +1,7 @@
 //! Contacts and their results.
 
-use crate::arrays::{choice, known};
-use crate::handle::place;
+use crate::arrays::{choice, nan_if_unknown};
+use crate::handle::target_mut;
 use crate::model::Model;
 use crate::status::{Failure, PERCUSS_ERROR_CONTACT, guarded, percuss_status};
 use percuss::nalgebra::Vector3;
@@ -58,7 +58,7 @@ pub struct percuss_contact {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_contact_init(contact: *mut percuss_contact) -> percuss_status {
     guarded(|| {
-        *place(contact, "contact")? = percuss_contact {
+        *target_mut(contact, "contact")? = percuss_contact {
             link: PERCUSS_NO_LINK,
             against: PERCUSS_GROUND,
             point: [0.0; 3],
@@ -73,7 +73,7 @@ pub unsafe extern "C" fn percuss_contact_init(contact: *mut percuss_contact) -> 
 impl percuss_contact {
     /// The contact on this model.
     #[inline]
-    pub(crate) fn on(&self, model: &Model) -> Result<Contact, Failure> {
+    pub(crate) fn resolve(&self, model: &Model) -> Result<Contact, Failure> {
         let vector = Vector3::from(self.normal);
         // In the order of PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_TOWARD.
         let frames = [Some(Frame::Link), Some(Frame::World), Some(Frame::Against), None, None];
@@ -103,6 +103,7 @@ fn link(model: &Model, number: usize, field: &str) -> Result<LinkId, Failure> {
     if number == PERCUSS_NO_LINK { Err(no_link(field)) } else { model.link(number) }
 }
 
+/// Error of a contact whose field for a link was not set.
 #[cold]
 fn no_link(field: &str) -> Failure {
     let message =
@@ -203,7 +204,7 @@ pub struct percuss_mass {
 
 /// The outcome and the value, kg.
 #[inline]
-pub(crate) fn outcome(mass: EffectiveMass) -> (percuss_outcome, f64) {
+pub(crate) fn outcome_code(mass: EffectiveMass) -> (percuss_outcome, f64) {
     match mass {
         EffectiveMass::Finite(m) => (PERCUSS_FINITE, m),
         EffectiveMass::Immovable => (PERCUSS_IMMOVABLE, f64::NAN),
@@ -211,12 +212,14 @@ pub(crate) fn outcome(mass: EffectiveMass) -> (percuss_outcome, f64) {
     }
 }
 
+/// Bits PERCUSS_REMARK_… of a list of remarks.
 pub(crate) fn remark_bits(remarks: &[Remark]) -> u32 {
     remarks.iter().collect::<RemarkFlags>().bits()
 }
 
+/// Effective mass, error and remarks of a response, for C.
 pub(crate) fn summary(response: &ContactResponse) -> percuss_mass {
-    let (outcome, effective_mass) = outcome(response.effective_mass);
+    let (outcome, effective_mass) = outcome_code(response.effective_mass);
     let budget = response.error.unwrap_or(ErrorBudget { rounding: None, closing: None, file: None });
     percuss_mass {
         outcome,
@@ -228,13 +231,14 @@ pub(crate) fn summary(response: &ContactResponse) -> percuss_mass {
         reserved: 0,
         degrees_of_freedom: response.degrees_of_freedom,
         effective_mass,
-        error: known(budget.known()),
-        error_rounding: known(budget.rounding),
-        error_closing: known(budget.closing),
-        error_file: known(budget.file),
+        error: nan_if_unknown(budget.known()),
+        error_rounding: nan_if_unknown(budget.rounding),
+        error_closing: nan_if_unknown(budget.closing),
+        error_file: nan_if_unknown(budget.file),
     }
 }
 
+/// Route of a constant `PERCUSS_ROUTE_…`.
 pub(crate) fn route_choice(route: percuss_route) -> Result<RouteChoice, Failure> {
     let choices = [RouteChoice::Auto, RouteChoice::Only(Route::Dense), RouteChoice::Only(Route::Articulated)];
     choice(&choices, route, "route")

@@ -1,8 +1,8 @@
 //! Dense entry: m̄ from matrices of the caller.
 
-use crate::arrays::{Span, expect_length, input, known, optional_output, refuse_overlaps};
-use crate::contact::{PERCUSS_ROUTE_DENSE, outcome, percuss_mass, remark_bits};
-use crate::handle::{optional, place, value};
+use crate::arrays::{Span, expect_length, input, nan_if_unknown, optional_output, refuse_overlaps};
+use crate::contact::{PERCUSS_ROUTE_DENSE, outcome_code, percuss_mass, remark_bits};
+use crate::handle::{read_optional_target, read_target, target_mut};
 use crate::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
 use crate::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_MATRIX, guarded, percuss_status,
@@ -83,7 +83,7 @@ pub struct percuss_rank {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_matrix_options_init(options: *mut percuss_matrix_options) -> percuss_status {
     guarded(|| {
-        *place(options, "options")? = percuss_matrix_options {
+        *target_mut(options, "options")? = percuss_matrix_options {
             lengths: std::ptr::null(),
             length_count: 0,
             rank_floor: PERCUSS_DEFAULT,
@@ -123,6 +123,7 @@ impl percuss_matrix_options {
     }
 }
 
+/// Checked view of a matrix of the caller, without a copy.
 fn view<'a>(matrix: &percuss_matrix, name: &str) -> Result<MatrixView<'a>, Failure> {
     let values: &'a [f64] = input(matrix.values, matrix.length, name)?;
     let percuss_matrix { rows, columns, leading_dimension, layout, .. } = *matrix;
@@ -139,7 +140,8 @@ fn view<'a>(matrix: &percuss_matrix, name: &str) -> Result<MatrixView<'a>, Failu
     view.map_err(|error: LayoutError| Failure::new(PERCUSS_ERROR_LENGTH, format_args!("{name}: {error}")))
 }
 
-fn refusal(error: MatrixError) -> Failure {
+/// Status and message of an error of a matrix.
+fn matrix_failure(error: MatrixError) -> Failure {
     let status = match &error {
         MatrixError::Shape { .. } | MatrixError::LengthCount { .. } => PERCUSS_ERROR_LENGTH,
         MatrixError::NotFinite { .. } | MatrixError::Option { .. } => PERCUSS_ERROR_ARGUMENT,
@@ -174,16 +176,17 @@ pub unsafe extern "C" fn percuss_effective_mass(
     redundant_rows: *mut u8,
 ) -> percuss_status {
     guarded(|| {
-        let mass = value(mass, "mass")?;
-        let constraints = optional(constraints, "constraints")?;
-        let given = optional(options, "options")?;
+        let mass = read_target(mass, "mass")?;
+        let constraints = read_optional_target(constraints, "constraints")?;
+        let given = read_optional_target(options, "options")?;
         let row = input(contact_row, count, "contact_row")?;
         expect_length(count, mass.rows, "contact_row")?;
-        let mut asked = MatrixOptions::new();
+        let mut parsed_options = MatrixOptions::new();
         if let Some(options) = given {
-            asked = options.without_lengths();
+            parsed_options = options.without_lengths();
             if !options.lengths.is_null() {
-                asked = asked.lengths(input(options.lengths, options.length_count, "lengths")?);
+                parsed_options =
+                    parsed_options.lengths(input(options.lengths, options.length_count, "lengths")?);
             }
         }
         let rows = constraints.as_ref().map(|a| view(a, "constraints")).transpose()?;
@@ -210,17 +213,17 @@ pub unsafe extern "C" fn percuss_effective_mass(
             lengths,
         ];
         refuse_overlaps(&written, &read)?;
-        let found = effective_mass(matrix, row, rows, &asked).map_err(refusal)?;
-        let (outcome, m) = outcome(found.effective_mass);
-        *place(mass_result, "mass_result")? = percuss_mass {
+        let found = effective_mass(matrix, row, rows, &parsed_options).map_err(matrix_failure)?;
+        let (outcome, m) = outcome_code(found.effective_mass);
+        *target_mut(mass_result, "mass_result")? = percuss_mass {
             outcome,
             route: PERCUSS_ROUTE_DENSE,
             remarks: remark_bits(&found.remarks),
             reserved: 0,
             degrees_of_freedom: found.degrees_of_freedom,
             effective_mass: m,
-            error: known(found.error),
-            error_rounding: known(found.error),
+            error: nan_if_unknown(found.error),
+            error_rounding: nan_if_unknown(found.error),
             error_closing: f64::NAN,
             error_file: f64::NAN,
         };
@@ -228,10 +231,10 @@ pub unsafe extern "C" fn percuss_effective_mass(
             to.copy_from_slice(&found.velocity);
         }
         if !rank.is_null() {
-            *place(rank, "rank")? = percuss_rank {
+            *target_mut(rank, "rank")? = percuss_rank {
                 rank: found.rank.rank,
                 redundant: found.rank.redundant_rows.len(),
-                gap: known(found.rank.gap),
+                gap: nan_if_unknown(found.rank.gap),
                 is_clear: i32::from(found.rank.is_clear),
                 reserved: 0,
             };

@@ -12,6 +12,7 @@
 pub(crate) struct DefaultEnvironment(Option<control::Register>);
 
 impl DefaultEnvironment {
+    /// Sets the default environment, if it differs, and keeps the environment of the caller.
     #[inline]
     pub fn enter() -> Self {
         let found = control::read();
@@ -42,6 +43,7 @@ mod control {
     /// Exception flags: they persist while no trap is enabled.
     pub const FLAGS: u32 = 0x3f;
 
+    /// Value of the control register.
     #[inline]
     pub fn read() -> u32 {
         let mut register = 0_u32;
@@ -50,6 +52,7 @@ mod control {
         register
     }
 
+    /// Replaces the value of the control register.
     #[inline]
     pub fn write(register: u32) {
         // SAFETY: the instruction loads four bytes from a local number, a value of this register or its default: no
@@ -68,6 +71,7 @@ mod control {
     /// The flags are in a separate register.
     pub const FLAGS: u64 = 0;
 
+    /// Value of the control register.
     #[inline]
     pub fn read() -> u64 {
         let register: u64;
@@ -76,6 +80,7 @@ mod control {
         register
     }
 
+    /// Replaces the value of the control register.
     #[inline]
     pub fn write(register: u64) {
         // SAFETY: a value of this register, or its default.
@@ -90,11 +95,13 @@ mod control {
     pub const DEFAULT: u32 = 0;
     pub const FLAGS: u32 = 0;
 
+    /// Value of the control register.
     #[inline]
     pub fn read() -> u32 {
         DEFAULT
     }
 
+    /// Does nothing.
     #[inline]
     pub fn write(_: u32) {}
 }

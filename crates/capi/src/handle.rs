@@ -31,68 +31,76 @@ struct Tagged<T> {
 
 /// Mutable reference to an argument's target.
 #[inline]
-pub(crate) fn place<'a, T>(pointer: *mut T, name: &str) -> Result<&'a mut T, Failure> {
-    check(pointer, name)?;
+pub(crate) fn target_mut<'a, T>(pointer: *mut T, name: &str) -> Result<&'a mut T, Failure> {
+    check_pointer(pointer, name)?;
     // SAFETY: neither null nor misaligned; the caller of the C function promises that it points to a T of its own.
     Ok(unsafe { &mut *pointer })
 }
 
 /// Copy of an argument's target.
-pub(crate) fn value<T: Copy>(pointer: *const T, name: &str) -> Result<T, Failure> {
-    check(pointer, name)?;
+pub(crate) fn read_target<T: Copy>(pointer: *const T, name: &str) -> Result<T, Failure> {
+    check_pointer(pointer, name)?;
     // SAFETY: as above; T is a type of plain numbers, which have no invalid bit pattern.
     Ok(unsafe { *pointer })
 }
 
 /// Shared reference to an argument's target.
 #[inline]
-pub(crate) fn lent<'a, T: Copy>(pointer: *const T, name: &str) -> Result<&'a T, Failure> {
-    check(pointer, name)?;
+pub(crate) fn target_ref<'a, T: Copy>(pointer: *const T, name: &str) -> Result<&'a T, Failure> {
+    check_pointer(pointer, name)?;
     // SAFETY: as above; the caller of the C function promises that the value does not change during the call.
     Ok(unsafe { &*pointer })
 }
 
-/// Like [`value`]; `None` for a null pointer.
-pub(crate) fn optional<T: Copy>(pointer: *const T, name: &str) -> Result<Option<T>, Failure> {
-    if pointer.is_null() { Ok(None) } else { value(pointer, name).map(Some) }
+/// Like [`read_target`]; `None` for a null pointer.
+pub(crate) fn read_optional_target<T: Copy>(pointer: *const T, name: &str) -> Result<Option<T>, Failure> {
+    if pointer.is_null() { Ok(None) } else { read_target(pointer, name).map(Some) }
 }
 
+/// Checks that a pointer is neither null nor misaligned.
 #[inline]
-fn check<T>(pointer: *const T, name: &str) -> Result<(), Failure> {
-    if pointer.is_null() || !pointer.is_aligned() { Err(no_place(pointer.is_null(), name)) } else { Ok(()) }
+fn check_pointer<T>(pointer: *const T, name: &str) -> Result<(), Failure> {
+    if pointer.is_null() || !pointer.is_aligned() {
+        Err(bad_pointer(pointer.is_null(), name))
+    } else {
+        Ok(())
+    }
 }
 
+/// Error of a null or misaligned pointer.
 #[cold]
-fn no_place(null: bool, name: &str) -> Failure {
+fn bad_pointer(null: bool, name: &str) -> Failure {
     let fault = if null { "null" } else { "not aligned for its type" };
     Failure::new(PERCUSS_ERROR_NULL, format_args!("{name} is {fault}"))
 }
 
 /// Moves an object to the heap and writes its handle to `to`.
-pub(crate) fn give<H: Handle>(object: H::Object, to: *mut *mut H) -> Result<(), Failure> {
-    let to = place(to, "the place for the new handle")?;
+pub(crate) fn write_handle<H: Handle>(object: H::Object, to: *mut *mut H) -> Result<(), Failure> {
+    let to = target_mut(to, "the place for the new handle")?;
     *to = Box::into_raw(Box::new(Tagged { tag: H::TAG, object })).cast();
     Ok(())
 }
 
 /// Sets the new handle to null, so that a failed call leaves a null handle.
-pub(crate) fn clear<H: Handle>(to: *mut *mut H) -> Result<(), Failure> {
-    *place(to, "the place for the new handle")? = std::ptr::null_mut();
+pub(crate) fn clear_handle<H: Handle>(to: *mut *mut H) -> Result<(), Failure> {
+    *target_mut(to, "the place for the new handle")? = std::ptr::null_mut();
     Ok(())
 }
 
+/// Pointer to the object of a handle, after a check of its tag.
 #[inline]
 fn tagged<H: Handle>(handle: *const H) -> Result<*const Tagged<H::Object>, Failure> {
     let pointer: *const Tagged<H::Object> = handle.cast();
-    check(pointer, H::NAME)?;
+    check_pointer(pointer, H::NAME)?;
     // SAFETY: neither null nor misaligned; all handles begin with a tag. A freed handle must not be read: its
     // detection, while its memory is intact, is a help without guarantee.
     let tag = unsafe { pointer.cast::<u64>().read() };
-    if tag == H::TAG { Ok(pointer) } else { Err(no_handle(tag, H::NAME)) }
+    if tag == H::TAG { Ok(pointer) } else { Err(bad_handle(tag, H::NAME)) }
 }
 
+/// Error of a handle with another tag: freed before, or of another type.
 #[cold]
-fn no_handle(tag: u64, name: &str) -> Failure {
+fn bad_handle(tag: u64, name: &str) -> Failure {
     match tag {
         FREED => Failure::new(PERCUSS_ERROR_HANDLE, format_args!("this {name} was freed before")),
         _ => Failure::new(PERCUSS_ERROR_HANDLE, format_args!("this is no handle of a {name}")),
@@ -101,22 +109,22 @@ fn no_handle(tag: u64, name: &str) -> Failure {
 
 /// Object of a handle.
 #[inline]
-pub(crate) fn get<'a, H: Handle>(handle: *const H) -> Result<&'a H::Object, Failure> {
+pub(crate) fn object_of<'a, H: Handle>(handle: *const H) -> Result<&'a H::Object, Failure> {
     let pointer = tagged(handle)?;
-    // SAFETY: the tag proves an object of this kind, made by `give`; the caller promises not to free it during the
+    // SAFETY: the tag proves an object of this kind, made by `write_handle`; the caller promises not to free it during the
     // call. References are shared only: mutable objects are behind a lock.
     Ok(unsafe { &(*pointer).object })
 }
 
 /// Frees the object of a handle and sets the handle to null; a null handle is ignored.
 pub(crate) fn free<H: Handle>(handle: *mut *mut H) -> Result<(), Failure> {
-    let handle = place(handle, "the place of the handle")?;
+    let handle = target_mut(handle, "the place of the handle")?;
     if handle.is_null() {
         return Ok(());
     }
     let pointer = tagged(*handle)?.cast_mut();
     *handle = std::ptr::null_mut();
-    // SAFETY: the tag proves that `give` made the object from a box, and that it was not freed; the caller promises
+    // SAFETY: the tag proves that `write_handle` made the object from a box, and that it was not freed; the caller promises
     // that no other call uses it.
     let mut boxed = unsafe { Box::from_raw(pointer) };
     // SAFETY: the field belongs to the box. The write is volatile, because the compiler could otherwise remove it as
@@ -128,24 +136,24 @@ pub(crate) fn free<H: Handle>(handle: *mut *mut H) -> Result<(), Failure> {
 
 /// Mutable object with exclusive access by one call at a time. No call waits for the lock, so that a release is a
 /// single store.
-pub(crate) struct Exclusive<T>(TryLock<Kept<T>>);
+pub(crate) struct Exclusive<T>(TryLock<Guarded<T>>);
 
-struct Kept<T> {
+struct Guarded<T> {
     /// True if a call panicked while it used the object.
     broken: bool,
     object: T,
 }
 
 /// Lock guard of an [`Exclusive`] object.
-pub(crate) struct Taken<'a, T>(Locked<'a, Kept<T>>);
+pub(crate) struct ExclusiveGuard<'a, T>(Locked<'a, Guarded<T>>);
 
 impl<T> Exclusive<T> {
     pub fn new(object: T) -> Self {
-        Self(TryLock::new(Kept { broken: false, object }))
+        Self(TryLock::new(Guarded { broken: false, object }))
     }
 }
 
-impl<T> Deref for Taken<'_, T> {
+impl<T> Deref for ExclusiveGuard<'_, T> {
     type Target = T;
 
     #[inline]
@@ -154,14 +162,14 @@ impl<T> Deref for Taken<'_, T> {
     }
 }
 
-impl<T> DerefMut for Taken<'_, T> {
+impl<T> DerefMut for ExclusiveGuard<'_, T> {
     #[inline]
     fn deref_mut(&mut self) -> &mut T {
         &mut self.0.object
     }
 }
 
-impl<T> Drop for Taken<'_, T> {
+impl<T> Drop for ExclusiveGuard<'_, T> {
     #[inline]
     fn drop(&mut self) {
         if std::thread::panicking() {
@@ -172,15 +180,16 @@ impl<T> Drop for Taken<'_, T> {
 
 /// Locks a mutable object for one call; fails if another call uses it.
 #[inline]
-pub(crate) fn take<'a, T>(object: &'a Exclusive<T>, name: &str) -> Result<Taken<'a, T>, Failure> {
+pub(crate) fn lock<'a, T>(object: &'a Exclusive<T>, name: &str) -> Result<ExclusiveGuard<'a, T>, Failure> {
     match object.0.try_lock() {
-        Some(kept) if !kept.broken => Ok(Taken(kept)),
-        found => Err(not_taken(found.is_some(), name)),
+        Some(kept) if !kept.broken => Ok(ExclusiveGuard(kept)),
+        found => Err(lock_failure(found.is_some(), name)),
     }
 }
 
+/// Error of an object that a defect made unusable, or that another thread is using.
 #[cold]
-fn not_taken(broken: bool, name: &str) -> Failure {
+fn lock_failure(broken: bool, name: &str) -> Failure {
     match broken {
         true => Failure::new(
             PERCUSS_ERROR_INTERNAL,
@@ -201,19 +210,19 @@ mod tests {
     #[test]
     fn one_call_at_a_time_and_none_after_a_defect() {
         let object = Exclusive::new(1);
-        let mut first = take(&object, "thing").expect("nobody has it");
+        let mut first = lock(&object, "thing").expect("nobody has it");
         *first += 1;
-        let second = take(&object, "thing").err().expect("it is taken");
+        let second = lock(&object, "thing").err().expect("it is taken");
         assert_eq!(second.status, PERCUSS_ERROR_BUSY);
         drop(first);
-        assert_eq!(*take(&object, "thing").expect("it was given back"), 2);
+        assert_eq!(*lock(&object, "thing").expect("it was given back"), 2);
         let panicked = catch_unwind(AssertUnwindSafe(|| {
-            let _taken = take(&object, "thing").expect("nobody has it");
+            let _taken = lock(&object, "thing").expect("nobody has it");
             panic!("a defect");
         }));
         assert!(panicked.is_err());
         for _ in 0..2 {
-            let after = take(&object, "thing").err().expect("it is broken");
+            let after = lock(&object, "thing").err().expect("it is broken");
             assert_eq!(after.status, PERCUSS_ERROR_INTERNAL);
         }
     }

@@ -1,8 +1,8 @@
 //! Contact laws: the damper for a restitution, and the characteristics of an impact.
 
-use crate::arrays::{choice, known, text};
-use crate::handle::{place, value};
-use crate::names::nth;
+use crate::arrays::{choice, nan_if_unknown, text};
+use crate::handle::{read_target, target_mut};
+use crate::names::element;
 use crate::status::{Failure, PERCUSS_ERROR_LAW, PERCUSS_ERROR_NAME, guarded, percuss_status};
 use percuss::contact::{CompliantContact, ContactLawError, Damper, Law, Separation};
 use std::ffi::{CStr, c_char};
@@ -93,14 +93,16 @@ const NAMES: [&CStr; Law::ALL.len()] = [
     c"exudyn-mixed",
 ];
 
-fn of_law<T>(result: Result<T, ContactLawError>) -> Result<T, Failure> {
+/// Converts the error of a contact law to a failure with PERCUSS_ERROR_LAW.
+fn law_result<T>(result: Result<T, ContactLawError>) -> Result<T, Failure> {
     result.map_err(Failure::of(PERCUSS_ERROR_LAW))
 }
 
 impl percuss_spring {
+    /// Compliant contact of this spring; checks the numbers.
     fn contact(&self) -> Result<CompliantContact, Failure> {
-        let linear = of_law(CompliantContact::new(self.effective_mass, self.stiffness))?;
-        of_law(linear.with_exponent(self.exponent))
+        let linear = law_result(CompliantContact::new(self.effective_mass, self.stiffness))?;
+        law_result(linear.with_exponent(self.exponent))
     }
 }
 
@@ -133,9 +135,9 @@ impl percuss_damper {
         match choice(&kinds, self.kind, "kind of the damper")? {
             PERCUSS_DAMPER_KELVIN_VOIGT => {
                 let separation = choice(&Separation::ALL, self.separation, "separation")?;
-                of_law(Damper::kelvin_voigt_from_coefficient(contact, self.coefficient, separation))
+                law_result(Damper::kelvin_voigt_from_coefficient(contact, self.coefficient, separation))
             }
-            _ => of_law(Damper::hunt_crossley(self.dissipation)),
+            _ => law_result(Damper::hunt_crossley(self.dissipation)),
         }
     }
 }
@@ -154,7 +156,7 @@ pub extern "C" fn percuss_law_count() -> usize {
 pub unsafe extern "C" fn percuss_law_name(law: percuss_law, name: *mut *const c_char) -> percuss_status {
     guarded(|| {
         let index = usize::try_from(law).unwrap_or(usize::MAX);
-        *place(name, "name")? = nth(&NAMES, index, "law")?.as_ptr();
+        *target_mut(name, "name")? = element(&NAMES, index, "law")?.as_ptr();
         Ok(())
     })
 }
@@ -168,7 +170,7 @@ pub unsafe extern "C" fn percuss_law_find(name: *const c_char, law: *mut percuss
     guarded(|| {
         let found = Law::from_name(text(name, "name")?).map_err(Failure::of(PERCUSS_ERROR_NAME))?;
         let number = Law::ALL.iter().position(|law| *law == found).unwrap_or_default();
-        *place(law, "law")? = number as percuss_law;
+        *target_mut(law, "law")? = number as percuss_law;
         Ok(())
     })
 }
@@ -191,12 +193,12 @@ pub unsafe extern "C" fn percuss_law_damper(
 ) -> percuss_status {
     guarded(|| {
         let index = usize::try_from(law).unwrap_or(usize::MAX);
-        let law = *nth(&Law::ALL, index, "law")?;
-        let contact = value(spring, "spring")?.contact()?;
+        let law = *element(&Law::ALL, index, "law")?;
+        let contact = read_target(spring, "spring")?.contact()?;
         let separation = choice(&Separation::ALL, separation, "separation")?;
         let speed = (speed != 0.0).then_some(speed);
-        let found = of_law(law.damper(contact, restitution, speed, separation))?;
-        *place(damper, "damper")? = percuss_damper::new(found);
+        let found = law_result(law.damper(contact, restitution, speed, separation))?;
+        *target_mut(damper, "damper")? = percuss_damper::new(found);
         Ok(())
     })
 }
@@ -215,9 +217,9 @@ pub unsafe extern "C" fn percuss_damper_restitution(
     restitution: *mut f64,
 ) -> percuss_status {
     guarded(|| {
-        let contact = value(spring, "spring")?.contact()?;
-        let found = value(damper, "damper")?.on(contact)?.restitution(contact, speed);
-        *place(restitution, "restitution")? = of_law(found)?;
+        let contact = read_target(spring, "spring")?.contact()?;
+        let found = read_target(damper, "damper")?.on(contact)?.restitution(contact, speed);
+        *target_mut(restitution, "restitution")? = law_result(found)?;
         Ok(())
     })
 }
@@ -236,11 +238,11 @@ pub unsafe extern "C" fn percuss_damper_impact(
     impact: *mut percuss_impact,
 ) -> percuss_status {
     guarded(|| {
-        let contact = value(spring, "spring")?.contact()?;
-        let found = of_law(value(damper, "damper")?.on(contact)?.impact(contact, speed))?;
-        *place(impact, "impact")? = percuss_impact {
+        let contact = read_target(spring, "spring")?.contact()?;
+        let found = law_result(read_target(damper, "damper")?.on(contact)?.impact(contact, speed))?;
+        *target_mut(impact, "impact")? = percuss_impact {
             restitution: found.restitution,
-            duration: known(found.duration),
+            duration: nan_if_unknown(found.duration),
             max_penetration: found.max_penetration,
             time_of_max_penetration: found.time_of_max_penetration,
             peak_force: found.peak_force,

@@ -1,8 +1,8 @@
 //! Models: mechanisms read from URDF, the names of their links and joints, and findings about the file.
 
 use crate::arrays::{input, text};
-use crate::handle::{Handle, clear, free, get, give, place};
-use crate::names::{c_string, nth};
+use crate::handle::{Handle, clear_handle, free, object_of, target_mut, write_handle};
+use crate::names::{c_string, element};
 use crate::status::{
     Failure, PERCUSS_ERROR_LOAD, PERCUSS_ERROR_NAME, PERCUSS_ERROR_TEXT, guarded, percuss_status,
 };
@@ -29,10 +29,10 @@ pub(crate) struct Model {
     pub velocities: usize,
     link_names: Vec<CString>,
     joint_names: Vec<CString>,
-    diagnostics: Vec<Note>,
+    diagnostics: Vec<DiagnosticTexts>,
 }
 
-struct Note {
+struct DiagnosticTexts {
     severity: i32,
     code: CString,
     message: CString,
@@ -115,7 +115,7 @@ pub struct percuss_diagnostic {
     pub path: *const c_char,
 }
 
-impl Note {
+impl DiagnosticTexts {
     fn new(diagnostic: &Diagnostic) -> Self {
         Self {
             severity: match diagnostic.severity {
@@ -132,6 +132,7 @@ impl Note {
 }
 
 impl Model {
+    /// Loads a model and prepares its names and texts for C.
     fn read(source: &Source) -> Result<Arc<Self>, Failure> {
         let loaded = load(source, &LoadOptions::default()).map_err(Failure::of(PERCUSS_ERROR_LOAD))?;
         let mechanism = Arc::new(loaded.mechanism);
@@ -148,13 +149,14 @@ impl Model {
             velocities: at.1,
             link_names: mechanism.links().iter().map(|link| c_string(link.name())).collect(),
             joint_names: mechanism.joints().iter().map(|joint| c_string(joint.name())).collect(),
-            diagnostics: loaded.diagnostics.iter().map(Note::new).collect(),
+            diagnostics: loaded.diagnostics.iter().map(DiagnosticTexts::new).collect(),
             mechanism,
         }))
     }
 
+    /// Id of link number `index`.
     pub fn link(&self, index: usize) -> Result<LinkId, Failure> {
-        nth(&self.links, index, "link").copied()
+        element(&self.links, index, "link").copied()
     }
 }
 
@@ -170,13 +172,13 @@ pub unsafe extern "C" fn percuss_model_load_file(
     model: *mut *mut percuss_model,
 ) -> percuss_status {
     guarded(|| {
-        clear(model)?;
+        clear_handle(model)?;
         let path = text(path, "path")?;
         if path == "-" {
             return Err(Failure::new(PERCUSS_ERROR_LOAD, "path is \"-\"; expected the name of a file"));
         }
         let source = Source::read(path, DEFAULT_MAX_SIZE).map_err(Failure::of(PERCUSS_ERROR_LOAD))?;
-        give(Model::read(&source)?, model)
+        write_handle(Model::read(&source)?, model)
     })
 }
 
@@ -195,7 +197,7 @@ pub unsafe extern "C" fn percuss_model_load_memory(
     model: *mut *mut percuss_model,
 ) -> percuss_status {
     guarded(|| {
-        clear(model)?;
+        clear_handle(model)?;
         let name = text(name, "name")?;
         let bytes: &[u8] = input(bytes.cast(), length, "bytes")?;
         if bytes.len() as u64 > DEFAULT_MAX_SIZE {
@@ -208,7 +210,7 @@ pub unsafe extern "C" fn percuss_model_load_memory(
                 format_args!("{name}: not UTF-8 at byte {}", error.valid_up_to()),
             )
         })?;
-        give(Model::read(&Source::from_text(name, urdf))?, model)
+        write_handle(Model::read(&Source::from_text(name, urdf))?, model)
     })
 }
 
@@ -234,11 +236,11 @@ pub unsafe extern "C" fn percuss_model_counts(
     velocities: *mut usize,
 ) -> percuss_status {
     guarded(|| {
-        let model = get(model)?;
+        let model = object_of(model)?;
         let counts = [model.links.len(), model.joints.len(), model.positions, model.velocities];
         for (to, count) in [links, joints, positions, velocities].into_iter().zip(counts) {
             if !to.is_null() {
-                *place(to, "a count")? = count;
+                *target_mut(to, "a count")? = count;
             }
         }
         Ok(())
@@ -256,9 +258,9 @@ pub unsafe extern "C" fn percuss_model_link_name(
     name: *mut *const c_char,
 ) -> percuss_status {
     guarded(|| {
-        let name = place(name, "name")?;
+        let name = target_mut(name, "name")?;
         *name = null();
-        *name = nth(&get(model)?.link_names, index, "link")?.as_ptr();
+        *name = element(&object_of(model)?.link_names, index, "link")?.as_ptr();
         Ok(())
     })
 }
@@ -274,8 +276,8 @@ pub unsafe extern "C" fn percuss_model_find_link(
     index: *mut usize,
 ) -> percuss_status {
     guarded(|| {
-        let found = get(model)?.mechanism.find_link(text(name, "name")?);
-        *place(index, "index")? = found.map_err(Failure::of(PERCUSS_ERROR_NAME))?.index();
+        let found = object_of(model)?.mechanism.find_link(text(name, "name")?);
+        *target_mut(index, "index")? = found.map_err(Failure::of(PERCUSS_ERROR_NAME))?.index();
         Ok(())
     })
 }
@@ -291,8 +293,8 @@ pub unsafe extern "C" fn percuss_model_find_joint(
     index: *mut usize,
 ) -> percuss_status {
     guarded(|| {
-        let found = get(model)?.mechanism.find_joint(text(name, "name")?);
-        *place(index, "index")? = found.map_err(Failure::of(PERCUSS_ERROR_NAME))?.index();
+        let found = object_of(model)?.mechanism.find_joint(text(name, "name")?);
+        *target_mut(index, "index")? = found.map_err(Failure::of(PERCUSS_ERROR_NAME))?.index();
         Ok(())
     })
 }
@@ -308,12 +310,12 @@ pub unsafe extern "C" fn percuss_model_joint(
     joint: *mut percuss_joint,
 ) -> percuss_status {
     guarded(|| {
-        let model = get(model)?;
-        let name = nth(&model.joint_names, index, "joint")?.as_ptr();
+        let model = object_of(model)?;
+        let name = element(&model.joint_names, index, "joint")?.as_ptr();
         let found = &model.mechanism.joints()[index];
         let kind = found.kind();
         let (first_position, first_velocity) = model.first[index];
-        *place(joint, "joint")? = percuss_joint {
+        *target_mut(joint, "joint")? = percuss_joint {
             name,
             kind: match kind {
                 JointKind::Fixed => PERCUSS_FIXED,
@@ -348,7 +350,7 @@ pub unsafe extern "C" fn percuss_model_diagnostic_count(
     count: *mut usize,
 ) -> percuss_status {
     guarded(|| {
-        *place(count, "count")? = get(model)?.diagnostics.len();
+        *target_mut(count, "count")? = object_of(model)?.diagnostics.len();
         Ok(())
     })
 }
@@ -364,14 +366,14 @@ pub unsafe extern "C" fn percuss_model_diagnostic(
     diagnostic: *mut percuss_diagnostic,
 ) -> percuss_status {
     guarded(|| {
-        let note = nth(&get(model)?.diagnostics, index, "diagnostic")?;
-        *place(diagnostic, "diagnostic")? = percuss_diagnostic {
-            severity: note.severity,
-            line: note.line,
-            column: note.column,
-            code: note.code.as_ptr(),
-            message: note.message.as_ptr(),
-            path: note.path.as_ptr(),
+        let texts = element(&object_of(model)?.diagnostics, index, "diagnostic")?;
+        *target_mut(diagnostic, "diagnostic")? = percuss_diagnostic {
+            severity: texts.severity,
+            line: texts.line,
+            column: texts.column,
+            code: texts.code.as_ptr(),
+            message: texts.message.as_ptr(),
+            path: texts.path.as_ptr(),
         };
         Ok(())
     })

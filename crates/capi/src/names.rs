@@ -9,7 +9,7 @@ pub(crate) fn c_string(text: &str) -> CString {
 }
 
 /// Element of a list by its number.
-pub(crate) fn nth<'a, T>(list: &'a [T], index: usize, what: &str) -> Result<&'a T, Failure> {
+pub(crate) fn element<'a, T>(list: &'a [T], index: usize, what: &str) -> Result<&'a T, Failure> {
     list.get(index).ok_or_else(|| {
         let message = format_args!("there is no {what} number {index}; there are {}, from 0", list.len());
         Failure::new(PERCUSS_ERROR_NAME, message)

@@ -3,9 +3,9 @@
 use crate::arrays::{copy_out, expect_length, output};
 use crate::configuration::percuss_configuration;
 use crate::contact::{percuss_contact, percuss_mass, percuss_route, route_choice, summary};
-use crate::handle::{Handle, clear, free, get, give, place, take, value};
+use crate::handle::{Handle, clear_handle, free, lock, object_of, read_target, target_mut, write_handle};
 use crate::model::Model;
-use crate::response::{Answered, percuss_response};
+use crate::response::{NamedResponse, percuss_response};
 use crate::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH,
     guarded, percuss_status,
@@ -21,13 +21,13 @@ pub struct percuss_pose {
 }
 
 /// A pose, with the names of its links and joints.
-pub(crate) struct Posed {
+pub(crate) struct NamedPose {
     pub model: Arc<Model>,
     pub pose: Pose,
 }
 
 impl Handle for percuss_pose {
-    type Object = Posed;
+    type Object = NamedPose;
     const TAG: u64 = 0x7063_5f70_6f73_6521;
     const NAME: &'static str = "percuss_pose";
 }
@@ -55,13 +55,13 @@ pub unsafe extern "C" fn percuss_pose_new(
     pose: *mut *mut percuss_pose,
 ) -> percuss_status {
     guarded(|| {
-        clear(pose)?;
-        let compiled = get(system)?;
-        let configuration = take(get(configuration)?, "percuss_configuration")?;
+        clear_handle(pose)?;
+        let compiled = object_of(system)?;
+        let configuration = lock(object_of(configuration)?, "percuss_configuration")?;
         configuration.check(&compiled.model)?;
         let found = compiled.system.pose(&configuration.values);
         let found = found.map_err(Failure::of(PERCUSS_ERROR_ASSEMBLY))?;
-        give(Posed { model: Arc::clone(&compiled.model), pose: found }, pose)
+        write_handle(NamedPose { model: Arc::clone(&compiled.model), pose: found }, pose)
     })
 }
 
@@ -76,13 +76,13 @@ pub unsafe extern "C" fn percuss_assembly_pose(
     pose: *mut *mut percuss_pose,
 ) -> percuss_status {
     guarded(|| {
-        clear(pose)?;
-        let assembled = get(assembly)?;
-        let configuration = take(get(configuration)?, "percuss_configuration")?;
+        clear_handle(pose)?;
+        let assembled = object_of(assembly)?;
+        let configuration = lock(object_of(configuration)?, "percuss_configuration")?;
         configuration.check(&assembled.model)?;
         let found = assembled.assembly.pose(&configuration.values);
         let found = found.map_err(Failure::of(PERCUSS_ERROR_ASSEMBLY))?;
-        give(Posed { model: Arc::clone(&assembled.model), pose: found }, pose)
+        write_handle(NamedPose { model: Arc::clone(&assembled.model), pose: found }, pose)
     })
 }
 
@@ -98,13 +98,13 @@ pub unsafe extern "C" fn percuss_pose_follow(
     pose: *mut *mut percuss_pose,
 ) -> percuss_status {
     guarded(|| {
-        clear(pose)?;
-        let posed = get(from)?;
-        let configuration = take(get(configuration)?, "percuss_configuration")?;
+        clear_handle(pose)?;
+        let posed = object_of(from)?;
+        let configuration = lock(object_of(configuration)?, "percuss_configuration")?;
         configuration.check(&posed.model)?;
         let found = posed.pose.assembly().pose_from(&posed.pose, &configuration.values);
         let found = found.map_err(Failure::of(PERCUSS_ERROR_ASSEMBLY))?;
-        give(Posed { model: Arc::clone(&posed.model), pose: found }, pose)
+        write_handle(NamedPose { model: Arc::clone(&posed.model), pose: found }, pose)
     })
 }
 
@@ -128,11 +128,16 @@ pub unsafe extern "C" fn percuss_pose_positions(
     positions: *mut f64,
     count: usize,
 ) -> percuss_status {
-    guarded(|| copy_out(get(pose)?.pose.positions(), positions, count, "positions"))
+    guarded(|| copy_out(object_of(pose)?.pose.positions(), positions, count, "positions"))
 }
 
-fn respond(posed: &Posed, contact: *const percuss_contact, route: i32) -> Result<ContactResponse, Failure> {
-    let contact = value(contact, "contact")?.on(&posed.model)?;
+/// Response of a pose to a contact by a route.
+fn respond(
+    posed: &NamedPose,
+    contact: *const percuss_contact,
+    route: i32,
+) -> Result<ContactResponse, Failure> {
+    let contact = read_target(contact, "contact")?.resolve(&posed.model)?;
     let found = posed.pose.respond_by_route(&contact, route_choice(route)?);
     found.map_err(Failure::of(PERCUSS_ERROR_CONTACT))
 }
@@ -151,8 +156,8 @@ pub unsafe extern "C" fn percuss_pose_effective_mass(
     mass: *mut percuss_mass,
 ) -> percuss_status {
     guarded(|| {
-        let response = respond(get(pose)?, contact, route)?;
-        *place(mass, "mass")? = summary(&response);
+        let response = respond(object_of(pose)?, contact, route)?;
+        *target_mut(mass, "mass")? = summary(&response);
         Ok(())
     })
 }
@@ -171,15 +176,15 @@ pub unsafe extern "C" fn percuss_pose_respond(
     response: *mut *mut percuss_response,
 ) -> percuss_status {
     guarded(|| {
-        clear(response)?;
-        let posed = get(pose)?;
+        clear_handle(response)?;
+        let posed = object_of(pose)?;
         let found = respond(posed, contact, route)?;
-        give(Answered { model: Arc::clone(&posed.model), response: found }, response)
+        write_handle(NamedResponse { model: Arc::clone(&posed.model), response: found }, response)
     })
 }
 
 /// Writes a matrix to an array of the caller.
-fn write(
+fn write_matrix(
     matrix: &DMatrix<f64>,
     values: *mut f64,
     length: usize,
@@ -231,7 +236,7 @@ pub unsafe extern "C" fn percuss_pose_mass_matrix(
     layout: percuss_layout,
     leading_dimension: usize,
 ) -> percuss_status {
-    guarded(|| write(&get(pose)?.pose.mass_matrix(), values, length, layout, leading_dimension))
+    guarded(|| write_matrix(&object_of(pose)?.pose.mass_matrix(), values, length, layout, leading_dimension))
 }
 
 /// Number of rows of A, redundant rows included.
@@ -244,7 +249,7 @@ pub unsafe extern "C" fn percuss_pose_constraint_rows(
     rows: *mut usize,
 ) -> percuss_status {
     guarded(|| {
-        *place(rows, "rows")? = get(pose)?.pose.constraint_matrix().nrows();
+        *target_mut(rows, "rows")? = object_of(pose)?.pose.constraint_matrix().nrows();
         Ok(())
     })
 }
@@ -262,7 +267,9 @@ pub unsafe extern "C" fn percuss_pose_constraint_matrix(
     layout: percuss_layout,
     leading_dimension: usize,
 ) -> percuss_status {
-    guarded(|| write(&get(pose)?.pose.constraint_matrix(), values, length, layout, leading_dimension))
+    guarded(|| {
+        write_matrix(&object_of(pose)?.pose.constraint_matrix(), values, length, layout, leading_dimension)
+    })
 }
 
 /// j, the closing speed of a contact at unit rates of the coordinates, 1×n (m, 1): count is n.
@@ -277,8 +284,8 @@ pub unsafe extern "C" fn percuss_pose_contact_row(
     count: usize,
 ) -> percuss_status {
     guarded(|| {
-        let posed = get(pose)?;
-        let contact = value(contact, "contact")?.on(&posed.model)?;
+        let posed = object_of(pose)?;
+        let contact = read_target(contact, "contact")?.resolve(&posed.model)?;
         let located = posed.pose.locate(&contact).map_err(Failure::of(PERCUSS_ERROR_CONTACT))?;
         let row = posed.pose.contact_row(&located);
         expect_length(count, row.len(), "values")?;

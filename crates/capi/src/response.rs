@@ -2,7 +2,7 @@
 
 use crate::arrays::{Span, copy_out, expect_length, output, refuse_overlaps};
 use crate::contact::{percuss_mass, summary};
-use crate::handle::{Handle, free, get, place};
+use crate::handle::{Handle, free, object_of, target_mut};
 use crate::model::Model;
 use crate::status::{Failure, PERCUSS_ERROR_CONTACT, guarded, percuss_status};
 use percuss::ContactResponse;
@@ -14,13 +14,13 @@ pub struct percuss_response {
 }
 
 /// A response, with the names of links and joints.
-pub(crate) struct Answered {
+pub(crate) struct NamedResponse {
     pub model: Arc<Model>,
     pub response: ContactResponse,
 }
 
 impl Handle for percuss_response {
-    type Object = Answered;
+    type Object = NamedResponse;
     const TAG: u64 = 0x7063_5f72_6573_706f;
     const NAME: &'static str = "percuss_response";
 }
@@ -44,7 +44,7 @@ pub unsafe extern "C" fn percuss_response_mass(
     mass: *mut percuss_mass,
 ) -> percuss_status {
     guarded(|| {
-        *place(mass, "mass")? = summary(&get(response)?.response);
+        *target_mut(mass, "mass")? = summary(&object_of(response)?.response);
         Ok(())
     })
 }
@@ -60,8 +60,8 @@ pub unsafe extern "C" fn percuss_response_against_mass(
     mass: *mut percuss_mass,
 ) -> percuss_status {
     guarded(|| {
-        let together = get(response)?.response.clone().against_mass(other);
-        *place(mass, "mass")? = summary(&together.map_err(Failure::of(PERCUSS_ERROR_CONTACT))?);
+        let together = object_of(response)?.response.clone().against_mass(other);
+        *target_mut(mass, "mass")? = summary(&together.map_err(Failure::of(PERCUSS_ERROR_CONTACT))?);
         Ok(())
     })
 }
@@ -78,7 +78,7 @@ pub unsafe extern "C" fn percuss_response_velocities(
     count: usize,
 ) -> percuss_status {
     guarded(|| {
-        let all = get(response)?.response.joint_velocities.concat();
+        let all = object_of(response)?.response.joint_velocities.concat();
         copy_out(&all, velocities, count, "velocities")
     })
 }
@@ -93,7 +93,7 @@ pub unsafe extern "C" fn percuss_response_base_velocity(
     twist: *mut f64,
 ) -> percuss_status {
     guarded(|| {
-        let base = get(response)?.response.base_velocity;
+        let base = object_of(response)?.response.base_velocity;
         let (w, v) = (base.angular, base.linear);
         copy_out(&[w.x, w.y, w.z, v.x, v.y, v.z], twist, 6, "twist")
     })
@@ -113,15 +113,15 @@ pub unsafe extern "C" fn percuss_response_contributions(
     joint_count: usize,
 ) -> percuss_status {
     guarded(|| {
-        let answered = get(response)?;
+        let named_response = object_of(response)?;
         let written = [Span::of(links, link_count, "links"), Span::of(rotors, joint_count, "rotors")];
         refuse_overlaps(&written, &[])?;
-        let contributions = answered.response.contributions.as_ref().ok_or_else(|| {
+        let contributions = named_response.response.contributions.as_ref().ok_or_else(|| {
             Failure::new(PERCUSS_ERROR_CONTACT, "m̄ is not finite: no link contributes to it")
         })?;
         copy_out(&contributions.links, links, link_count, "links")?;
         if !rotors.is_null() {
-            expect_length(joint_count, answered.model.joints.len(), "rotors")?;
+            expect_length(joint_count, named_response.model.joints.len(), "rotors")?;
             let to = output(rotors, joint_count, "rotors")?;
             to.fill(0.0);
             contributions.rotors.iter().for_each(|(joint, part)| to[joint.index()] = *part);

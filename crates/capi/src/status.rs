@@ -73,13 +73,16 @@ pub(crate) fn guarded(call: impl FnOnce() -> Result<(), Failure>) -> percuss_sta
     let _environment = DefaultEnvironment::enter();
     match catch_unwind(AssertUnwindSafe(call)) {
         Ok(Ok(())) => PERCUSS_OK,
-        Ok(Err(failure)) => fail(failure),
-        Err(_) => fail(Failure::new(PERCUSS_ERROR_INTERNAL, "a defect of percuss; please report it")),
+        Ok(Err(failure)) => record_failure(failure),
+        Err(_) => {
+            record_failure(Failure::new(PERCUSS_ERROR_INTERNAL, "a defect of percuss; please report it"))
+        }
     }
 }
 
+/// Keeps the message for this thread and returns the status.
 #[cold]
-fn fail(failure: Failure) -> percuss_status {
+fn record_failure(failure: Failure) -> percuss_status {
     let message = CString::new(failure.message.replace('\0', "\u{fffd}")).unwrap_or_default();
     // Fails at the end of a thread, when its storage is gone.
     let _ = MESSAGE.try_with(|kept| kept.replace(message));

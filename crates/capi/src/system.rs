@@ -2,7 +2,7 @@
 
 use crate::conditions::percuss_conditions;
 use crate::configuration::percuss_configuration;
-use crate::handle::{Handle, clear, free, get, give, place, take};
+use crate::handle::{Handle, clear_handle, free, lock, object_of, target_mut, write_handle};
 use crate::model::{Model, percuss_model};
 use crate::status::{Failure, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONDITIONS, guarded, percuss_status};
 use percuss::{Assembly, Conditions, System};
@@ -15,13 +15,13 @@ pub struct percuss_system {
 
 /// A mechanism under conditions, with the names of its links and joints.
 #[derive(Clone)]
-pub(crate) struct Compiled {
+pub(crate) struct NamedSystem {
     pub model: Arc<Model>,
     pub system: System,
 }
 
 impl Handle for percuss_system {
-    type Object = Compiled;
+    type Object = NamedSystem;
     const TAG: u64 = 0x7063_5f73_7973_7465;
     const NAME: &'static str = "percuss_system";
 }
@@ -32,13 +32,13 @@ pub struct percuss_assembly {
 }
 
 /// An assembly, with the names of its links and joints.
-pub(crate) struct Assembled {
+pub(crate) struct NamedAssembly {
     pub model: Arc<Model>,
     pub assembly: Arc<Assembly>,
 }
 
 impl Handle for percuss_assembly {
-    type Object = Assembled;
+    type Object = NamedAssembly;
     const TAG: u64 = 0x7063_5f61_7373_656d;
     const NAME: &'static str = "percuss_assembly";
 }
@@ -57,15 +57,15 @@ pub unsafe extern "C" fn percuss_system_new(
     system: *mut *mut percuss_system,
 ) -> percuss_status {
     guarded(|| {
-        clear(system)?;
-        let model = get(model)?;
+        clear_handle(system)?;
+        let model = object_of(model)?;
         let conditions = match conditions.is_null() {
             true => Conditions::new(),
-            false => take(get(conditions)?, "percuss_conditions")?.clone(),
+            false => lock(object_of(conditions)?, "percuss_conditions")?.clone(),
         };
         let compiled = System::new(Arc::clone(&model.mechanism), &conditions)
             .map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
-        give(Compiled { model: Arc::clone(model), system: compiled }, system)
+        write_handle(NamedSystem { model: Arc::clone(model), system: compiled }, system)
     })
 }
 
@@ -89,7 +89,7 @@ pub unsafe extern "C" fn percuss_system_coordinates(
     coordinates: *mut usize,
 ) -> percuss_status {
     guarded(|| {
-        *place(coordinates, "coordinates")? = get(system)?.system.coordinates();
+        *target_mut(coordinates, "coordinates")? = object_of(system)?.system.coordinates();
         Ok(())
     })
 }
@@ -108,18 +108,18 @@ pub unsafe extern "C" fn percuss_assembly_new(
     assembly: *mut *mut percuss_assembly,
 ) -> percuss_status {
     guarded(|| {
-        clear(assembly)?;
-        let compiled = get(system)?;
+        clear_handle(assembly)?;
+        let compiled = object_of(system)?;
         let found = match configuration.is_null() {
             true => compiled.system.reference().map(Arc::clone),
             false => {
-                let configuration = take(get(configuration)?, "percuss_configuration")?;
+                let configuration = lock(object_of(configuration)?, "percuss_configuration")?;
                 configuration.check(&compiled.model)?;
                 compiled.system.assemble(&configuration.values)
             }
         };
         let found = found.map_err(Failure::of(PERCUSS_ERROR_ASSEMBLY))?;
-        give(Assembled { model: Arc::clone(&compiled.model), assembly: found }, assembly)
+        write_handle(NamedAssembly { model: Arc::clone(&compiled.model), assembly: found }, assembly)
     })
 }
 
@@ -144,11 +144,11 @@ pub unsafe extern "C" fn percuss_assembly_mobility(
     redundant_constraints: *mut usize,
 ) -> percuss_status {
     guarded(|| {
-        let assembly = &get(assembly)?.assembly;
+        let assembly = &object_of(assembly)?.assembly;
         let counts = [assembly.degrees_of_freedom(), assembly.redundant_constraints()];
         for (to, count) in [degrees_of_freedom, redundant_constraints].into_iter().zip(counts) {
             if !to.is_null() {
-                *place(to, "a count")? = count;
+                *target_mut(to, "a count")? = count;
             }
         }
         Ok(())

@@ -2,8 +2,10 @@
 
 use crate::arrays::{Span, input, refuse_overlaps};
 use crate::configuration::base_pose;
-use crate::contact::{outcome, percuss_contact, percuss_outcome};
-use crate::handle::{Exclusive, Handle, clear, free, get, give, lent, place, take};
+use crate::contact::{outcome_code, percuss_contact, percuss_outcome};
+use crate::handle::{
+    Exclusive, Handle, clear_handle, free, lock, object_of, target_mut, target_ref, write_handle,
+};
 use crate::model::Model;
 use crate::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH,
@@ -19,15 +21,15 @@ pub struct percuss_workspace {
 }
 
 /// A workspace, with its model and its last contact.
-pub(crate) struct Room {
+pub(crate) struct ModelWorkspace {
     pub model: Arc<Model>,
     pub workspace: Workspace,
     /// The last contact, in C form and resolved on the model.
-    asked: Option<(percuss_contact, Contact)>,
+    last_contact: Option<(percuss_contact, Contact)>,
 }
 
 impl Handle for percuss_workspace {
-    type Object = Exclusive<Room>;
+    type Object = Exclusive<ModelWorkspace>;
     const TAG: u64 = 0x7063_5f77_6f72_6b73;
     const NAME: &'static str = "percuss_workspace";
 }
@@ -42,11 +44,11 @@ pub unsafe extern "C" fn percuss_workspace_new(
     workspace: *mut *mut percuss_workspace,
 ) -> percuss_status {
     guarded(|| {
-        clear(workspace)?;
-        let assembled = get(assembly)?;
+        clear_handle(workspace)?;
+        let assembled = object_of(assembly)?;
         let (model, inside) = (Arc::clone(&assembled.model), assembled.assembly.workspace());
-        let room = Room { model, workspace: inside, asked: None };
-        give(Exclusive::new(room), workspace)
+        let workspace_guard = ModelWorkspace { model, workspace: inside, last_contact: None };
+        write_handle(Exclusive::new(workspace_guard), workspace)
     })
 }
 
@@ -87,13 +89,13 @@ pub unsafe extern "C" fn percuss_workspace_effective_mass(
 ) -> percuss_status {
     guarded(|| {
         let read = [Span::of(positions, count, "positions"), Span::of(contact, 1, "contact")];
-        refuse_overlaps(&Places::spans(outcome, effective_mass, remarks), &read)?;
-        let mut room = take(get(workspace)?, "percuss_workspace")?;
-        let places = Places::of(outcome, effective_mass, remarks)?;
-        let given = lent(contact, "contact")?;
+        refuse_overlaps(&ResultPointers::spans(outcome, effective_mass, remarks), &read)?;
+        let mut workspace_guard = lock(object_of(workspace)?, "percuss_workspace")?;
+        let results = ResultPointers::of(outcome, effective_mass, remarks)?;
+        let c_contact = target_ref(contact, "contact")?;
         let positions = input(positions, count, "positions")?;
-        room.workspace.set_positions(positions).map_err(Failure::of(PERCUSS_ERROR_LENGTH))?;
-        room.answer(given, places)
+        workspace_guard.workspace.set_positions(positions).map_err(Failure::of(PERCUSS_ERROR_LENGTH))?;
+        workspace_guard.answer(c_contact, results)
     })
 }
 
@@ -113,10 +115,10 @@ pub unsafe extern "C" fn percuss_workspace_effective_mass_again(
 ) -> percuss_status {
     guarded(|| {
         let read = [Span::of(contact, 1, "contact")];
-        refuse_overlaps(&Places::spans(outcome, effective_mass, remarks), &read)?;
-        let mut room = take(get(workspace)?, "percuss_workspace")?;
-        let places = Places::of(outcome, effective_mass, remarks)?;
-        room.answer(lent(contact, "contact")?, places)
+        refuse_overlaps(&ResultPointers::spans(outcome, effective_mass, remarks), &read)?;
+        let mut workspace_guard = lock(object_of(workspace)?, "percuss_workspace")?;
+        let results = ResultPointers::of(outcome, effective_mass, remarks)?;
+        workspace_guard.answer(target_ref(contact, "contact")?, results)
     })
 }
 
@@ -135,19 +137,20 @@ pub unsafe extern "C" fn percuss_workspace_set_base(
 ) -> percuss_status {
     guarded(|| {
         let x_wr = base_pose(position, quaternion)?;
-        let mut room = take(get(workspace)?, "percuss_workspace")?;
-        room.workspace.set_base(&x_wr).map_err(Failure::of(PERCUSS_ERROR_ARGUMENT))
+        let mut workspace_guard = lock(object_of(workspace)?, "percuss_workspace")?;
+        workspace_guard.workspace.set_base(&x_wr).map_err(Failure::of(PERCUSS_ERROR_ARGUMENT))
     })
 }
 
 /// Output pointers of a result.
-struct Places<'a> {
+struct ResultPointers<'a> {
     outcome: &'a mut percuss_outcome,
     mass: &'a mut f64,
     remarks: Option<&'a mut u32>,
 }
 
-impl Places<'_> {
+impl ResultPointers<'_> {
+    /// Memory ranges of the outputs, for the check of overlaps.
     #[inline]
     fn spans(outcome: *const percuss_outcome, mass: *const f64, remarks: *const u32) -> [Span; 3] {
         [
@@ -157,32 +160,39 @@ impl Places<'_> {
         ]
     }
 
+    /// Checks the pointers; `remarks` may be null.
     #[inline]
     fn of(outcome: *mut percuss_outcome, mass: *mut f64, remarks: *mut u32) -> Result<Self, Failure> {
-        let remarks = if remarks.is_null() { None } else { Some(place(remarks, "remarks")?) };
-        Ok(Self { outcome: place(outcome, "outcome")?, mass: place(mass, "effective_mass")?, remarks })
+        let remarks = if remarks.is_null() { None } else { Some(target_mut(remarks, "remarks")?) };
+        Ok(Self {
+            outcome: target_mut(outcome, "outcome")?,
+            mass: target_mut(mass, "effective_mass")?,
+            remarks,
+        })
     }
 }
 
-impl Room {
+impl ModelWorkspace {
+    /// Computes m̄ of a contact at the workspace's positions and writes the results. The last contact is kept
+    /// resolved.
     #[inline]
-    fn answer(&mut self, given: &percuss_contact, places: Places<'_>) -> Result<(), Failure> {
-        let Room { model, workspace, asked } = self;
-        let (_, contact) = match asked {
-            Some(last) if last.0 == *given => last,
-            _ => asked.insert((*given, given.on(model)?)),
+    fn answer(&mut self, c_contact: &percuss_contact, results: ResultPointers<'_>) -> Result<(), Failure> {
+        let ModelWorkspace { model, workspace, last_contact } = self;
+        let (_, contact) = match last_contact {
+            Some(last) if last.0 == *c_contact => last,
+            _ => last_contact.insert((*c_contact, c_contact.resolve(model)?)),
         };
-        let mass = workspace.effective_mass(contact).map_err(refusal)?;
-        (*places.outcome, *places.mass) = outcome(mass);
-        if let Some(remarks) = places.remarks {
+        let mass = workspace.effective_mass(contact).map_err(response_failure)?;
+        (*results.outcome, *results.mass) = outcome_code(mass);
+        if let Some(remarks) = results.remarks {
             *remarks = workspace.remarks().bits();
         }
         Ok(())
     }
 }
 
-/// Status of a refused row.
-fn refusal(error: ResponseError) -> Failure {
+/// Failure with the status for the kind of the error.
+fn response_failure(error: ResponseError) -> Failure {
     let status = match &error {
         ResponseError::NotFinite { .. } | ResponseError::Quaternion { .. } => PERCUSS_ERROR_ARGUMENT,
         ResponseError::OpenLoops { .. } => PERCUSS_ERROR_ASSEMBLY,

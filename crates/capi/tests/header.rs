@@ -9,7 +9,7 @@ use std::process::Command;
 
 mod built;
 
-fn here() -> &'static Path {
+fn crate_folder() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
@@ -69,7 +69,7 @@ fn generated() -> String {
     };
     let mut builder = cbindgen::Builder::new().with_config(config);
     for file in FILES.into_iter().chain(["dense"]) {
-        builder = builder.with_src(here().join("src").join(format!("{file}.rs")));
+        builder = builder.with_src(crate_folder().join("src").join(format!("{file}.rs")));
     }
     let mut bytes = Vec::new();
     builder.generate().expect("sources that cbindgen reads").write(&mut bytes);
@@ -87,7 +87,7 @@ fn names(header: &str) -> BTreeSet<String> {
 }
 
 /// Compares a file with the expected text, or rewrites the file if PERCUSS_UPDATE is set.
-fn same(path: &Path, expected: &str) {
+fn assert_same_text(path: &Path, expected: &str) {
     if std::env::var_os("PERCUSS_UPDATE").is_some() {
         fs::write(path, expected).expect("a file that can be written");
     }
@@ -101,12 +101,12 @@ fn same(path: &Path, expected: &str) {
 
 #[test]
 fn the_header_is_fresh() {
-    same(&here().join("include/percuss.h"), &generated());
+    assert_same_text(&crate_folder().join("include/percuss.h"), &generated());
 }
 
 #[test]
 fn every_file_with_functions_is_in_the_header() {
-    for entry in fs::read_dir(here().join("src")).expect("sources").flatten() {
+    for entry in fs::read_dir(crate_folder().join("src")).expect("sources").flatten() {
         let name = entry.path().file_stem().expect("a name").to_string_lossy().into_owned();
         let text = fs::read_to_string(entry.path()).expect("a readable file");
         let listed = FILES.contains(&name.as_str()) || name == "dense";
@@ -116,14 +116,14 @@ fn every_file_with_functions_is_in_the_header() {
 
 #[test]
 fn the_exports_are_those_of_the_list() {
-    let header = fs::read_to_string(here().join("include/percuss.h")).expect("a header");
+    let header = fs::read_to_string(crate_folder().join("include/percuss.h")).expect("a header");
     let declared: BTreeSet<String> = names(&header)
         .into_iter()
         .filter(|name| header.contains(&format!(" {name}(")) || header.contains(&format!("*{name}(")))
         .collect();
     assert!(declared.len() > 40, "only {} functions were found", declared.len());
     let list: String = declared.iter().map(|name| format!("{name}\n")).collect();
-    same(&here().join("symbols.txt"), &list);
+    assert_same_text(&crate_folder().join("symbols.txt"), &list);
     if !cfg!(target_os = "linux") {
         println!("the shared library's own table is read on Linux only");
         return;

@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 
 mod built;
 
-fn here() -> &'static Path {
+fn crate_folder() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
@@ -45,7 +45,7 @@ fn prefix() -> &'static Path {
     PREFIX.get_or_init(|| {
         let prefix = Path::new(env!("CARGO_TARGET_TMPDIR")).join("prefix");
         let mut install = Command::new("sh");
-        install.arg(here().join("packaging/install.sh"));
+        install.arg(crate_folder().join("packaging/install.sh"));
         run(install.arg("--prefix").arg(&prefix).arg("--libraries").arg(built::folder()));
         prefix
     })
@@ -62,7 +62,7 @@ fn program(source: &str, linked: Linked) -> String {
     let binary = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}_{kind}"));
     let mut compile = Command::new(compiler);
     compile.args([standard, "-O1", "-g", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]);
-    compile.arg("-I").arg(prefix().join("include")).arg(here().join(source)).arg("-o").arg(&binary);
+    compile.arg("-I").arg(prefix().join("include")).arg(crate_folder().join(source)).arg("-o").arg(&binary);
     let libraries = prefix().join("lib");
     match linked {
         Linked::Static => {

@@ -12,7 +12,7 @@ mod terminal;
 /// Surface of a map, for other user interfaces.
 pub use pictures::map_files::skin as map_skin;
 
-use args::{Cli, Command, asked_of, short_help};
+use args::{Cli, Command, requested_command, short_help};
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
 use std::ffi::OsString;
@@ -25,17 +25,18 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let matches = Cli::definition().try_get_matches_from(&arguments);
     let matches = match matches {
         Ok(matches) => matches,
-        Err(error) if error.kind() == ErrorKind::DisplayHelp => return help(&error, &arguments),
+        Err(error) if error.kind() == ErrorKind::DisplayHelp => return print_help(&error, &arguments),
         Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
             let mut definition = Cli::definition();
             definition.build();
             eprint!("{}", short_help(&definition));
             return 2;
         }
-        Err(error) => refuse(&error, &arguments),
+        Err(error) => exit_with_usage_error(&error, &arguments),
     };
     let parsed = Cli::from_arg_matches(&matches);
-    let cli = parsed.unwrap_or_else(|error| refuse(&error.format(&mut Cli::definition()), &arguments));
+    let cli = parsed
+        .unwrap_or_else(|error| exit_with_usage_error(&error.format(&mut Cli::definition()), &arguments));
     report::show_notes(cli.notes);
     let outcome = match &cli.command {
         Command::Check(args) => commands::check::run(args),
@@ -53,7 +54,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(*shell, &mut Cli::definition(), "percuss", &mut script);
-            report::write_as_is(&script)
+            report::write_unescaped(&script)
         }
     };
     match outcome {
@@ -63,14 +64,14 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
 }
 
 /// Prints the help of `-h` or `--help`.
-fn help(error: &clap::Error, arguments: &[OsString]) -> u8 {
+fn print_help(error: &clap::Error, arguments: &[OsString]) -> u8 {
     let mut definition = Cli::definition();
     definition.build();
-    let text = match asked_of(&definition, arguments) {
+    let text = match requested_command(&definition, arguments) {
         Some(command) => short_help(command),
-        None => wrap::lines(&error.render().to_string()),
+        None => wrap::wrap_lines(&error.render().to_string()),
     };
-    match report::write_as_is(text.as_bytes()) {
+    match report::write_unescaped(text.as_bytes()) {
         Ok(()) => 0,
         Err(failure) => failure.report(),
     }
@@ -78,7 +79,7 @@ fn help(error: &clap::Error, arguments: &[OsString]) -> u8 {
 
 /// Prints the message of the argument parser and ends the process. File names among the arguments may contain control
 /// characters of the terminal; these are escaped.
-fn refuse(error: &clap::Error, arguments: &[OsString]) -> ! {
+fn exit_with_usage_error(error: &clap::Error, arguments: &[OsString]) -> ! {
     let mut text = error.render().to_string();
     let is_plain = arguments.iter().all(|a| !a.to_string_lossy().contains(escape::is_unsafe));
     if is_plain && text.lines().all(|line| wrap::width(line) <= wrap::WIDTH) {
@@ -93,7 +94,7 @@ fn refuse(error: &clap::Error, arguments: &[OsString]) -> ! {
         }
     }
     for line in escape::lines(&text).lines() {
-        eprintln!("{}", wrap::message(line));
+        eprintln!("{}", wrap::wrap_message(line));
     }
     std::process::exit(error.exit_code())
 }

@@ -122,7 +122,7 @@ fn maps_lists_and_safe_speeds() {
 }
 
 #[test]
-fn what_simulators_want_to_know() {
+fn exports_for_simulators_fit_a_terminal() {
     // All lines except the snippets for simulators, which are indented below their titles.
     let line = "damp --mass-from models/double_wishbone.urdf --link bump_stop_pad --point 0,0,0 \
         --along-line bump_stop:0,0,0 --against chassis --stiffness 2e5 --restitution 0.3 --speed 0.5 --for all";

@@ -293,7 +293,7 @@ fn a_small_crossing_beside_a_long_arm_keeps_its_digits() {
 }
 
 #[test]
-fn what_is_no_crossing_of_branches_is_said() {
+fn singular_poses_without_a_crossing_are_reported() {
     let scratch = Scratch::new("crossings-odd");
     // Stretched out: the ground link is as long as the other three together, and no motion is possible.
     let chain = |lengths: [f64; 3], base: f64| {

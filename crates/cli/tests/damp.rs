@@ -177,7 +177,7 @@ fn the_force_history_is_drawn() {
 }
 
 #[test]
-fn what_has_no_damper_says_why() {
+fn contacts_without_a_damper_give_the_reason() {
     for (line, code, words) in [
         ("", 2, "--restitution E (the required restitution) and --stiffness"),
         ("--mass 3", 2, "--restitution E (the required restitution) and --stiffness"),
@@ -305,7 +305,7 @@ fn units_may_follow_numbers() {
     }
 }
 
-/// Every simulator integrates its own law; the parameters are for this law, and a finding says so.
+/// Every simulator integrates its own law; the parameters are for this law, and a finding states this.
 #[test]
 fn exports_are_for_the_restitution_not_for_the_law() {
     let base = "damp --mass 12 --stiffness 4e5 --restitution 0.3 --speed 0.5 --for mujoco,drake --for mujoco --format json";
@@ -327,7 +327,7 @@ fn exports_are_for_the_restitution_not_for_the_law() {
 }
 
 #[test]
-fn the_struck_bodys_own_mass_may_be_given() {
+fn the_own_mass_of_the_contact_body_may_be_given() {
     let report =
         json("damp --mass 12 --stiffness 4e5 --restitution 0.3 --own-mass 3 --for chrono --format json");
     let ratio = report["damping_ratio"].as_f64().expect("a ratio") / 2.0;
@@ -404,7 +404,7 @@ fn rigid_contacts_of_a_lever_have_the_step_of_its_curvature() {
 /// Effective inertia of a joint stop: 1/(e M⁻¹ eᵀ); at the elbow of the two rods M₂₂ − M₁₂²/M₁₁, with the M of
 /// planar_2r.urdf.
 #[test]
-fn the_stop_of_a_joint_feels_what_hangs_on_both_sides() {
+fn the_stop_of_a_joint_has_the_inertia_of_both_sides() {
     let report = json(
         "damp --mass-from models/planar_2r.urdf --limit elbow --set elbow=1 --armature elbow=0.4 \
          --stiffness 200Nm/rad --restitution 0.5 --speed 0.1 --for mujoco --format json",

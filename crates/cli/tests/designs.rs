@@ -47,7 +47,7 @@ fn designs_are_each_what_mass_and_sweep_say() {
 }
 
 #[test]
-fn variants_are_what_the_flags_make() {
+fn variants_equal_the_same_flags() {
     let report = json("compare models/studies/variants.toml --format json");
     let sheet = "models/suspensions/double-wishbone.toml";
     let flags = [

@@ -184,7 +184,7 @@ fn a_rack_slides_where_it_is_asked_to() {
 }
 
 #[test]
-fn what_is_wrong_with_a_file_is_told() {
+fn errors_in_a_file_are_reported() {
     let good = hardpoints("DoubleWishbone");
     let cases = [
         (good.replace("\"Location Chassis Front\"", "\"Location Front\""), 2, "Location Chassis Front"),

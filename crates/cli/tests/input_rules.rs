@@ -2,7 +2,7 @@
 
 use crate::support::{Scratch, percuss};
 
-/// A command with `@` where the number or the vector stands, and how many numbers are expected there.
+/// A command with `@` in place of the number or the vector, with the expected count of numbers.
 struct Entry {
     name: &'static str,
     line: String,

@@ -88,7 +88,7 @@ fn followers_are_not_set() {
 }
 
 #[test]
-fn what_cannot_be_reached_is_told_with_the_loop_and_the_nearest() {
+fn unreachable_positions_are_reported_with_the_loop_and_the_nearest() {
     let outcome = percuss(&format!("{SPRING} --set lower_arm_hinge=2"));
     assert_eq!((outcome.code, outcome.stdout.as_str()), (1, ""));
     let message = outcome.stderr.lines().last().unwrap();

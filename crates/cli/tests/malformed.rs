@@ -139,7 +139,7 @@ fn a_file_cut_short_is_refused_wherever_it_is_cut() {
 }
 
 #[test]
-fn what_is_no_file_is_refused() {
+fn paths_that_are_no_file_are_refused() {
     let directory = percuss("check tests");
     assert_refused("a directory", &directory);
     assert!(directory.stderr.contains("this is a directory"), "{}", directory.stderr);

@@ -117,7 +117,7 @@ fn a_full_device_is_said() {
 
 /// A file that another run writes and has locked is not removed.
 #[test]
-fn what_another_run_is_writing_stays() {
+fn files_of_a_running_run_are_kept() {
     let folder = Scratch::new("locked");
     let (open, left) = (folder.path(".rows.csv.7.percuss-part"), folder.path(".rows.csv.8.percuss-part"));
     let file = fs::File::create(&open).expect("written");
@@ -242,7 +242,7 @@ fn an_input_is_no_output_by_any_path() {
 }
 
 #[test]
-fn what_percuss_did_not_write_is_replaced_on_demand_only() {
+fn foreign_files_are_replaced_on_demand_only() {
     let folder = Scratch::new("others");
     for ending in ["csv", "json", "jsonl", "parquet", "png", "svg", "pdf", "xlsx"] {
         let foreign = folder.write(&format!("rows.{ending}"), "not of percuss\n");

@@ -174,7 +174,7 @@ fn from_an_empty_folder_to_a_report() {
 }
 
 #[test]
-fn what_is_left_of_the_example_is_said() {
+fn leftover_example_values_are_reported() {
     let folder = Scratch::new("own-astray");
     let sheet = done(&folder, &["template", "double-wishbone"]);
     for (change, words) in [

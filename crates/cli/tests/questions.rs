@@ -59,7 +59,7 @@ fn a_travel_stands_where_a_sweep_over_it_does_and_its_json_is_a_pose() {
 }
 
 #[test]
-fn two_travels_are_met_together() {
+fn two_travels_are_reached_together() {
     let at = |left: &str, right: &str| {
         let of = |side: &str, by: &str| format!("--travel wheel_centre_{side}:0,0,0:0,0,1={by}");
         let report = json(&format!("mass {AXLE} {} {} --format json", of("left", left), of("right", right)));

@@ -127,7 +127,7 @@ fn mimics_and_couplings() {
 
 #[test]
 fn ladders_and_rings() {
-    // Rungs of 0.5 m on the ground with connected tips: one degree of freedom; all rungs rotate alike.
+    // Rungs of 0.5 m on the ground with connected tips: one degree of freedom; all rungs rotate by the same angle.
     let (rungs, length, angle) = (301, 0.5, 1.2_f64);
     let mut model = Model::new();
     for i in 0..rungs {

@@ -74,7 +74,7 @@ fn rows_are_the_answers_of_mass() {
 
 /// The displacement equals the requested travel, measured at the pose of every row by another command.
 #[test]
-fn travel_is_the_displacement_asked_for() {
+fn travel_is_the_requested_displacement() {
     let sweep = swept(&format!("{STOP} --vary travel:wheel_centre:0,0,0:0,0,3=-80mm:80mm:5"));
     let centre = |angle: &str| {
         let line = "mass models/double_wishbone.urdf --link wheel_centre --point 0,0,0 --normal 0,0,1";
@@ -99,7 +99,7 @@ fn travel_is_the_displacement_asked_for() {
 }
 
 #[test]
-fn travel_reaches_to_the_end_of_the_range_and_no_further() {
+fn travel_ends_at_the_end_of_its_range() {
     // The wheel centre is lowest at 183.4 mm droop; the arm itself could turn a little more.
     let droop = swept(&format!("{STOP} --vary travel:wheel_centre:0,0,0:0,0,1=-183mm:-184mm:3"));
     assert_eq!([0, 1, 2].map(|row| droop.cell(row, "status")), ["finite", "unreachable", "unreachable"]);
@@ -149,7 +149,7 @@ fn rows_out_of_reach_have_empty_cells_and_the_sweep_goes_on() {
 }
 
 #[test]
-fn what_cannot_be_varied_is_refused() {
+fn invalid_varied_joints_are_refused() {
     let long = format!("{COUPLER} --vary");
     let cases = [
         (format!("{long} crnk_hinge=0:1:3"), "did you mean \"crank_hinge\""),

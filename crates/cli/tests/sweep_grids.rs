@@ -81,7 +81,7 @@ fn no_answer_depends_on_the_number_of_threads() {
 }
 
 #[test]
-fn what_no_grid_can_vary_is_refused() {
+fn invalid_grids_are_refused() {
     let travel = "travel:wheel_centre:0,0,0:0,0,1=-40mm:40mm:3";
     for (line, words) in [
         (format!("{ARM} --vary elbow=0:1:3 --vary elbow=0:1:3"), "--vary: \"elbow\" is varied twice"),

@@ -81,7 +81,7 @@ fn a_ball_has_a_column_for_each_number() {
 }
 
 #[test]
-fn what_is_wrong_with_a_file_is_said_with_its_place() {
+fn errors_in_a_file_are_reported_with_their_position() {
     let scratch = Scratch::new("input-errors");
     let long = "1".repeat(2 << 20);
     let cases: &[(&str, &[u8], &str)] = &[

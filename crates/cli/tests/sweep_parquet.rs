@@ -108,7 +108,7 @@ fn csv(name: &str, values: &[f64]) -> String {
 }
 
 #[test]
-fn what_is_written_is_what_the_csv_has() {
+fn parquet_rows_equal_csv_rows() {
     let scratch = Scratch::new("parquet-out");
     for (at, line) in [
         format!("{COUPLER} --vary crank_hinge=0:360deg:37"),
@@ -262,7 +262,7 @@ fn parquet_files_are_recognised_by_content() {
 }
 
 #[test]
-fn what_is_wrong_is_said_with_its_place() {
+fn damaged_files_are_reported_with_their_position() {
     let scratch = Scratch::new("parquet-wrong");
     let path = scratch.path("path.parquet");
     let plain = WriterProperties::builder;

@@ -209,7 +209,7 @@ fn rows_far_out_of_reach_are_not_tried_one_by_one() {
 
 /// The end of a chain of two rods of 1 m reaches a point 3 m from the base in no row. The search is done only once.
 #[test]
-fn what_does_not_depend_on_the_value_is_tried_once() {
+fn errors_independent_of_the_value_occur_once() {
     let rod = |name: &str, joint: &str, parent: &str, x: f64| {
         format!(
             "<link name=\"{name}\"><inertial><mass value=\"1\"/>\

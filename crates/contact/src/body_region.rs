@@ -46,12 +46,12 @@ impl BodyRegion {
 
     /// Returns the region of a name, ignoring case. Errors: [`ContactLawError::UnknownRegion`].
     pub fn from_name(name: &str) -> Result<&'static Self, ContactLawError> {
-        let wanted = name.trim().to_lowercase().replace(['_', ' '], "-");
+        let normalised = name.trim().to_lowercase().replace(['_', ' '], "-");
         let names = || Self::all().iter().map(|region| region.name.as_str());
-        Self::all().iter().find(|region| region.name == wanted).ok_or_else(|| {
+        Self::all().iter().find(|region| region.name == normalised).ok_or_else(|| {
             ContactLawError::UnknownRegion {
                 name: name.into(),
-                nearest: nearest(&wanted, names()),
+                nearest: nearest(&normalised, names()),
                 known: names().collect::<Vec<_>>().join(", "),
             }
         })

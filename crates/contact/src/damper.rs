@@ -36,7 +36,7 @@ impl Damper {
         separation: Separation,
     ) -> Result<Self, ContactLawError> {
         let ratio = not_negative("damping ratio", ratio)?;
-        let coefficient = match ratio * critical(contact) {
+        let coefficient = match ratio * critical_coefficient(contact) {
             _ if ratio == 0.0 => 0.0,
             c => representable("damping coefficient, N s/m^((p+1)/2)", c)?,
         };
@@ -51,7 +51,7 @@ impl Damper {
         coefficient: f64,
         separation: Separation,
     ) -> Result<Self, ContactLawError> {
-        let ratio = ratio_on(contact, coefficient)?;
+        let ratio = damping_ratio(contact, coefficient)?;
         Ok(Self::KelvinVoigt { ratio, coefficient, separation })
     }
 
@@ -94,6 +94,7 @@ impl Damper {
         impact::history(&*self.trajectory(contact, speed)?, contact, speed, samples)
     }
 
+    /// Dimensionless motion of an impact on the contact at the speed.
     fn trajectory(
         self,
         contact: CompliantContact,
@@ -101,12 +102,14 @@ impl Damper {
     ) -> Result<Box<dyn Trajectory>, ContactLawError> {
         let speed = positive("approach speed, m/s", speed)?;
         match self {
-            Self::KelvinVoigt { coefficient, separation, .. } => {
-                Ok(Box::new(Oscillator::new(ratio_on(contact, coefficient)?, contact.exponent(), separation)))
-            }
+            Self::KelvinVoigt { coefficient, separation, .. } => Ok(Box::new(Oscillator::new(
+                damping_ratio(contact, coefficient)?,
+                contact.exponent(),
+                separation,
+            ))),
             Self::HuntCrossley { dissipation } => {
                 let number = not_negative("dissipation, s/m", dissipation)? * speed;
-                if number > limits::GREATEST_DISSIPATION_NUMBER {
+                if number > limits::MAX_DISSIPATION_NUMBER {
                     return Err(ContactLawError::NotRepresentable {
                         what: "dissipation times approach speed",
                     });
@@ -118,14 +121,15 @@ impl Damper {
 }
 
 /// 2√((p+1)/2)√(k m̄): the coefficient of the damping ratio 1.
-fn critical(contact: CompliantContact) -> f64 {
+fn critical_coefficient(contact: CompliantContact) -> f64 {
     2.0 * (0.5 * (contact.exponent() + 1.0)).sqrt() * contact.stiffness().sqrt() * contact.mass().sqrt()
 }
 
-fn ratio_on(contact: CompliantContact, coefficient: f64) -> Result<f64, ContactLawError> {
+/// ζ of the coefficient c on a contact. Error: ζ overflows.
+fn damping_ratio(contact: CompliantContact, coefficient: f64) -> Result<f64, ContactLawError> {
     let coefficient = not_negative("damping coefficient, N s/m^((p+1)/2)", coefficient)?;
     if coefficient == 0.0 {
         return Ok(0.0);
     }
-    representable("damping ratio", coefficient / critical(contact))
+    representable("damping ratio", coefficient / critical_coefficient(contact))
 }

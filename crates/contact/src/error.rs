@@ -77,16 +77,16 @@ pub enum ContactLawError {
     },
 }
 
-/// Addition to an error message: the suggested name, if any.
+/// Text "did you mean …" at the end of an error message; empty without a similar name.
 pub(crate) fn suggestion(nearest: &Option<&'static str>) -> String {
     nearest.map_or_else(String::new, |name| format!(", did you mean \"{name}\"?"))
 }
 
 /// Returns the name in `known` that is most similar to a given name, if one is close.
 pub(crate) fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> Option<&'static str> {
-    let wanted = name.to_lowercase();
+    let normalised = name.to_lowercase();
     known
-        .map(|other| (strsim::jaro_winkler(&wanted, other), other))
+        .map(|other| (strsim::jaro_winkler(&normalised, other), other))
         .filter(|(likeness, _)| *likeness > 0.8)
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, other)| other)

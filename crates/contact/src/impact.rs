@@ -68,12 +68,13 @@ impl Units {
         Ok(Self { speed, length, time, force })
     }
 
-    fn sample(&self, time: f64, moment: State) -> Sample {
+    /// Converts a dimensionless time and state to SI units.
+    fn sample(&self, time: f64, state: State) -> Sample {
         Sample {
             time: time * self.time,
-            penetration: moment.penetration * self.length,
-            rate: moment.rate * self.speed,
-            force: moment.force * self.force,
+            penetration: state.penetration * self.length,
+            rate: state.rate * self.speed,
+            force: state.force * self.force,
         }
     }
 }
@@ -97,7 +98,7 @@ pub(crate) fn impact(
     Ok(Impact {
         restitution: if trajectory.ends() { representable("restitution", restitution)? } else { restitution },
         duration: duration.map(time).transpose()?,
-        max_penetration: representable("penetration, m", trajectory.greatest_penetration() * units.length)?,
+        max_penetration: representable("penetration, m", trajectory.max_penetration() * units.length)?,
         time_of_max_penetration: time(compression)?,
         peak_force: representable("force, N", peak * units.force)?,
         time_of_peak_force: if to_peak == 0.0 { 0.0 } else { time(to_peak)? },
@@ -128,21 +129,21 @@ pub(crate) fn history(
     let compression = trajectory.time_after_touch(trajectory.compression());
     let total = compression + trajectory.time_before_end(trajectory.expansion());
     let [from_touch, to_end] = trajectory.singularities().map(|power| 1.0 / (1.0 - power));
-    let turn = compression / total;
-    let moment = |i: usize| {
+    let compression_part = compression / total;
+    let state = |i: usize| {
         let fraction = i as f64 / (count - 1) as f64;
-        if fraction <= turn {
-            let s = trajectory.compression() * (fraction / turn).powf(from_touch);
+        if fraction <= compression_part {
+            let s = trajectory.compression() * (fraction / compression_part).powf(from_touch);
             (trajectory.time_after_touch(s), trajectory.after_touch(s))
         } else {
-            let s = trajectory.expansion() * ((1.0 - fraction) / (1.0 - turn)).powf(to_end);
+            let s = trajectory.expansion() * ((1.0 - fraction) / (1.0 - compression_part)).powf(to_end);
             (total - trajectory.time_before_end(s), trajectory.before_end(s))
         }
     };
     (0..count)
         .map(|i| {
-            let (time, moment) = moment(i);
-            let sample = units.sample(time, moment);
+            let (time, state) = state(i);
+            let sample = units.sample(time, state);
             let all = [sample.time, sample.penetration, sample.rate, sample.force];
             if all.iter().all(|value| value.is_finite()) {
                 return Ok(sample);

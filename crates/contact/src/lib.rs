@@ -1,6 +1,6 @@
 //! Contact damping from the coefficient of restitution, and back.
 //!
-//! A mass m̄ (kg) meets a surface at an approach speed v and leaves the surface with the speed e v. The surface is a
+//! A mass m̄ (kg) hits a surface at an approach speed v and leaves it with the speed e v. The surface is a
 //! spring with a damper. The damper for a restitution e depends on the damper law, and several laws are in use. The
 //! mass is an input: this crate does not compute effective masses.
 //!

@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 
 /// Most steps of an iteration for a root: Newton's converge in fewer than 10, and as many bisections reach the last bit
 /// of any bracket within a factor of 2⁵³.
-pub(crate) const MOST_ITERATIONS: usize = 60;
+pub(crate) const MAX_ITERATIONS: usize = 60;
 /// Relative change at which Newton's method has converged: two roundings.
 pub(crate) const CONVERGED: f64 = 2.0 * f64::EPSILON;
 
@@ -14,10 +14,10 @@ pub(crate) const CONVERGED: f64 = 2.0 * f64::EPSILON;
 
 /// Largest dissipation number d v for which the motion is computed; sums and products of the solution stay below the
 /// overflow at 1.8e308.
-pub(crate) const GREATEST_DISSIPATION_NUMBER: f64 = 1e300;
+pub(crate) const MAX_DISSIPATION_NUMBER: f64 = 1e300;
 /// Smallest dissipation number for which the motion is computed. Smaller damping affects only 1 − e, which is below
 /// ε, and gives quotients 0/0 elsewhere.
-pub(crate) const LEAST_DISSIPATION_NUMBER: f64 = 1e-17;
+pub(crate) const MIN_DISSIPATION_NUMBER: f64 = 1e-17;
 /// Largest h for the series of the slope of Langevin's function: the next term, 2h⁴/189, is below 1e-17.
 pub(crate) const LANGEVIN_SERIES: f64 = 1e-4;
 /// Largest h for 16 levels of the continued fraction of Langevin's function, with an error of 1e-17; for larger h,
@@ -53,21 +53,21 @@ pub(crate) const QUADRATURE_AGREEMENT: f64 = 1e-13;
 /// Error of one step, for a penetration and a speed of order 1. The error of the restitution is then about 1e-9.
 pub(crate) const STEP_TOLERANCE: f64 = 1e-12;
 /// Error of a step at which the next step has the largest increase, a factor of four.
-pub(crate) const LEAST_STEP_ERROR: f64 = 1e-30;
+pub(crate) const MIN_STEP_ERROR: f64 = 1e-30;
 /// First step, relative to the shorter of the ramp and the undamped time.
 pub(crate) const FIRST_STEP: f64 = 1e-3;
 /// Number of steps after which a contact counts as endless; bounds the computing time.
-pub(crate) const MOST_STEPS: usize = 400_000;
+pub(crate) const MAX_STEPS: usize = 400_000;
 /// Smallest 1 − e that is integrated; a smaller loss is proportional to the damping within 1e-6.
-pub(crate) const LEAST_LOSS: f64 = 1e-6;
+pub(crate) const MIN_LOSS: f64 = 1e-6;
 /// Smallest restitution: for smaller values the mass almost comes to rest in the contact.
-pub(crate) const LEAST_RESTITUTION: f64 = 1e-3;
+pub(crate) const MIN_RESTITUTION: f64 = 1e-3;
 /// Penetration, relative to the undamped penetration, below which the gap counts as closed: the tolerance of the steps.
 pub(crate) const CLOSED_GAP: f64 = 1e-12;
 /// Ratio of the search for the penetration at which the force is positive again.
 pub(crate) const SEARCH_RATIO: f64 = 0.98;
 /// Largest dimensionless damping in the search; a restitution that needs more damping counts as unreachable.
-pub(crate) const GREATEST_IMPACT_DAMPING: f64 = 1e8;
+pub(crate) const MAX_IMPACT_DAMPING: f64 = 1e8;
 /// Range of the depth of full damping relative to the undamped penetration: below, the force is practically a jump;
 /// above, practically undamped.
 pub(crate) const RAMPS: RangeInclusive<f64> = 1e-4..=1e4;
@@ -77,7 +77,7 @@ pub(crate) const RESTITUTION_TOLERANCE: f64 = 1e-11;
 /// roundings.
 pub(crate) const BRACKET_TOLERANCE: f64 = 1e-15;
 /// Largest number of steps of the search for a damping; the Illinois method needs about ten.
-pub(crate) const MOST_SEARCH_STEPS: usize = 200;
+pub(crate) const MAX_SEARCH_STEPS: usize = 200;
 
 // Parameters of simulators.
 
@@ -143,12 +143,12 @@ pub(crate) const RIGID_TRAVEL: f64 = 3e-4;
 pub(crate) const RIGID_LONGEST_TRAVEL: f64 = 2.0001 * RIGID_TRAVEL;
 /// Least number of Jolt's velocity steps: with the default 10 the error of a hinged body with a rotor is (1 +
 /// e)·8e-4, with 50 zero.
-pub(crate) const JOLT_TURNS: f64 = 50.0;
+pub(crate) const JOLT_VELOCITY_STEPS: f64 = 50.0;
 /// Error that the velocity steps of a hinged body may leave: half of [`JOLT_ERROR`].
-pub(crate) const JOLT_REST: f64 = JOLT_ERROR / 2.0;
+pub(crate) const JOLT_CONVERGENCE: f64 = JOLT_ERROR / 2.0;
 /// Greatest number of velocity steps: sufficient for m̄ of 1,000 times the effective mass without the hinge; a larger
 /// number needs seconds per impact.
-pub(crate) const JOLT_MOST_TURNS: f64 = 10_000.0;
+pub(crate) const JOLT_MAX_VELOCITY_STEPS: f64 = 10_000.0;
 /// Relative difference of m̄ and the effective mass without joints that counts as equal: rounding of both.
 pub(crate) const SAME_MASS: f64 = 1e-9;
 /// Curvature of the motion of a mechanism without a model, 1/m: that of a lever of 0.2 m with the centre of mass at
@@ -156,14 +156,14 @@ pub(crate) const SAME_MASS: f64 = 1e-9;
 pub(crate) const RIGID_CURVATURE: f64 = 10.0;
 /// Least curvature of the motion of a mechanism, 1/m: rounding of second differences; the effect is below 1e-8 at the
 /// recommended travel.
-pub(crate) const LEAST_CURVATURE: f64 = 1e-5;
+pub(crate) const MIN_CURVATURE: f64 = 1e-5;
 /// Standard gravity, m/s², rounded.
 pub(crate) const GRAVITY: f64 = 9.81;
 /// Half of a unit in the last place of coordinates from 0.25 to 0.5 m in single precision, m.
-pub(crate) const SINGLE_PLACE: f64 = 1.5e-8;
+pub(crate) const SINGLE_PRECISION_ROUNDING: f64 = 1.5e-8;
 /// Jolt's velocity steps of closed loops: a four-bar (m̄ = 68.1 kg, open 2.5 kg) has converged; with 500 the error is
 /// 1e-3.
-pub(crate) const JOLT_LOOP_TURNS: f64 = 1000.0;
+pub(crate) const JOLT_LOOP_VELOCITY_STEPS: f64 = 1000.0;
 /// Error bound of the restitution stated for Jolt: measured 3e-5 at the longest travel.
 pub(crate) const JOLT_ERROR: f64 = 1e-4;
 /// Accuracy setting of OpenSim's integrator at the default accuracy.
@@ -175,6 +175,6 @@ pub(crate) const EXUDYN_LONGEST_STEP: f64 = 2.0 * LONGEST_STEP;
 /// Iteration tolerance of contacts in Exudyn, relative to k v h: a hundredth of the travel in a step.
 pub(crate) const EXUDYN_TOLERANCE: f64 = 0.01;
 /// Largest number of iterations of contacts in Exudyn.
-pub(crate) const EXUDYN_TURNS: f64 = 10.0;
+pub(crate) const EXUDYN_MAX_ITERATIONS: f64 = 10.0;
 /// Number of position iterations for the exported damping of TGS: most assets of Isaac Lab have 4.
 pub(crate) const TGS_POSITION_ITERATIONS: f64 = 4.0;

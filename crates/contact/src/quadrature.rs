@@ -14,10 +14,10 @@ pub(crate) fn from_singular_end(span: f64, f: impl Fn(f64) -> f64) -> f64 {
     let term = |t: f64| {
         // The distance from the lower end is span/(1 + e^x), without loss of digits near the end.
         let x = -PI * t.sinh();
-        let below = 1.0 / (1.0 + x.exp());
-        let above = 1.0 / (1.0 + (-x).exp());
-        let s = span * below;
-        if s > 0.0 { PI * t.cosh() * below * above * f(s) } else { 0.0 }
+        let lower = 1.0 / (1.0 + x.exp());
+        let upper = 1.0 / (1.0 + (-x).exp());
+        let s = span * lower;
+        if s > 0.0 { PI * t.cosh() * lower * upper * f(s) } else { 0.0 }
     };
     let [lowest, highest] = limits::QUADRATURE_RANGE;
     let mut step = 0.25;
@@ -57,7 +57,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fast_scale_near_the_end_is_seen() {
+    fn a_steep_decay_near_the_end_is_resolved() {
         let exact = (1.0 + 1e8_f64).ln();
         let error = from_singular_end(1.0, |s| 1.0 / (1e-8 + s)) / exact - 1.0;
         assert!(error.abs() < 1e-12, "{error:e}");

@@ -102,7 +102,7 @@ impl TransientContact {
 
     /// Robot with the mass m_R, in kg, and a rigid fixed body (a person held against a wall): μ = m_R. There is no
     /// spring, so a limit of force does not apply. Errors: m_R is not a finite number above zero.
-    pub fn against_nothing_that_moves(robot_mass: f64) -> Result<Self, ContactLawError> {
+    pub fn against_fixed_body(robot_mass: f64) -> Result<Self, ContactLawError> {
         Ok(Self { reduced_mass: positive("mass of the robot, kg", robot_mass)?, stiffness: f64::INFINITY })
     }
 

@@ -1,4 +1,4 @@
-//! The conditions of the stated errors: mechanisms, drift of the effective mass, single precision, gravity; and the penetrations.
+//! Conditions of the stated errors (mechanisms, drift of the effective mass, single precision, gravity), and penetrations.
 
 use percuss_contact::CompliantContact;
 use percuss_contact::exports::{Export, ExportError, MassDrift, Options, Request, StopMotion, Tool};
@@ -6,7 +6,7 @@ use percuss_contact::exports::{Export, ExportError, MassDrift, Options, Request,
 const STIFFNESS: f64 = 1e5;
 const SPEED: f64 = 1.0;
 
-/// m̄ = 24 kg of a body that has `free` kg at the contact without its hinge.
+/// Contact with m̄ = 24 kg on a hinged body whose effective mass without the hinge is `free` kg.
 fn hinged(e: f64, free: f64) -> Request {
     let options = Options { free_mass: Some(free), moving_bodies: Some(1), ..Options::default() };
     Request { options, ..Request::new(CompliantContact::new(24.0, STIFFNESS).unwrap(), e).at(SPEED) }
@@ -55,7 +55,7 @@ fn rigid_contacts_of_mechanisms_have_an_error_in_proportion_to_the_travel() {
         let step = recommended.time_step.unwrap();
         let slope = (stepping(4.0 * step).unwrap() - stepping(2.0 * step).unwrap()) / (2.0 * step * SPEED);
         assert!((slope / 15.0 - 1.0).abs() < 1e-6, "{tool}: {slope}");
-        // A double pendulum was off by 1.2e-2 at 1/60 s in Rapier, at 0.3 m/s.
+        // Measured error of a double pendulum in Rapier: 1.2e-2 at 1/60 s and 0.3 m/s.
         if tool == Tool::RAPIER {
             assert!(stepping(0.3 / 60.0).unwrap() > 1.2e-2);
         }
@@ -85,7 +85,7 @@ fn drift_of_the_mass_enlarges_every_bound() {
         let own = penetration(&Tool::MUJOCO.export(&still).unwrap());
         moving.options.drift = Some(MassDrift { relative: -0.01, penetration: own });
         let added = bound(tool, &moving) - bound(tool, &still);
-        // 0.423 of the drift for e = 0.5, by the tool's own penetration.
+        // 0.423 of the drift for e = 0.5, at the penetration of the tool.
         let linear = 0.01 * 0.5 * (1.0 + 2.0_f64.ln()) / 2.0;
         assert!(added > 0.6 * linear && added < 2.5 * linear, "{tool}: {added:e}, {linear:e}");
     }
@@ -136,7 +136,7 @@ fn drake_at_a_given_step_states_the_error_of_lagged_too() {
     assert!((bound(Tool::DRAKE, &request) / lagged - 1.0).abs() < 1e-12);
 }
 
-/// Relative to the linear law's at e = 0.15: −61 % in Newton, +39 % in Exudyn.
+/// Deviation from the penetration of the linear law at e = 0.15: −61 % in Newton, +39 % in Exudyn.
 #[test]
 fn penetrations_are_those_of_the_tools_own_laws() {
     let request = hinged(0.15, 24.0);
@@ -151,7 +151,7 @@ fn penetrations_are_those_of_the_tools_own_laws() {
         options: Options { own_mass: Some(24.0), other_own_mass: Some(1e6), ..request.options },
         ..hertz
     };
-    // Hertz: +14 % in OpenSim over the damper that is proportional to x^(1/4).
+    // Hertz contact: the penetration in OpenSim is 14 % larger than with the damper proportional to x^(1/4).
     let ratio = of(Tool::OPENSIM, &hertz) / of(Tool::CHRONO, &chrono);
     assert!((ratio - 1.14).abs() < 0.02, "{ratio}");
     let adams = of(Tool::ADAMS, &request);
@@ -202,7 +202,7 @@ fn the_step_of_rigid_contacts_follows_the_curvature_of_the_motion() {
 
 /// The joints of SemiImplicit are springs, and XPBD has no armature.
 #[test]
-fn newton_has_featherstone_alone_for_mechanisms() {
+fn newton_exports_only_featherstone_for_mechanisms() {
     let solvers = |request: &Request| {
         let export = Tool::NEWTON.export(request).unwrap();
         let text = &export.snippets[0].text;

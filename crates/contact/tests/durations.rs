@@ -1,12 +1,12 @@
-//! The times, which alone are integrals, at light and heavy damping and for stiff exponents.
+//! Times of an impact, which are computed as integrals: light and heavy damping, and large exponents.
 
 #![allow(clippy::excessive_precision, reason = "figures stand as the other program gave them")]
 
-use crate::support::apart;
+use crate::support::relative_difference;
 use percuss_contact::{CompliantContact, Damper, Separation};
 
-/// p, ζ, the time of the greatest penetration and the duration where the force vanishes, in units of X/v, from the
-/// trajectory's integral in 40 digits.
+/// p, ζ, the time of the largest penetration and the duration until the force vanishes, in units of X/v, from the
+/// integral of the trajectory with 40 digits.
 const KELVIN_VOIGT: [(f64, f64, f64, f64); 18] = [
     (1.5, 1e-6, 1.47163700107834933, 2.94324851437268602),
     (1.5, 0.01, 1.4657623636794526, 2.90864866014437978),
@@ -28,7 +28,7 @@ const KELVIN_VOIGT: [(f64, f64, f64, f64); 18] = [
     (10.0, 1e20, 0.00365567238461658793, 0.00711749415631341241),
 ];
 
-/// The same with a = d v, in 40 digits, and 320 on the way for p = 10.
+/// As above with a = d v, with 40 digits; intermediate results have 320 digits for p = 10.
 const HUNT_CROSSLEY: [(f64, f64, f64, f64); 19] = [
     (1.0, 1e-6, 1.57079599346173985, 3.14159265358992414),
     (1.0, 0.01, 1.56748053210926847, 3.1416056569554817),
@@ -51,19 +51,21 @@ const HUNT_CROSSLEY: [(f64, f64, f64, f64); 19] = [
     (10.0, 1e8, 0.531223038462835597, 19956925.7097136002),
 ];
 
-/// Where two steps of the quadrature agree to 1e-13, the second is nearer than that; cancellation in the trajectory takes
-/// the rest.
+/// Two successive steps of the quadrature agree to 1e-13, so the error of the second is smaller. The remainder is
+/// cancellation in the trajectory.
 const TOLERANCE: f64 = 1e-12;
 
-/// X = 1 at the speed 1.
+/// Contact with X = 1 at the speed 1.
 fn unit(exponent: f64) -> CompliantContact {
     CompliantContact::new(1.0, 0.5 * (exponent + 1.0)).unwrap().with_exponent(exponent).unwrap()
 }
 
 fn check(damper: Damper, exponent: f64, compression: f64, duration: f64) -> f64 {
     let impact = damper.impact(unit(exponent), 1.0).unwrap();
-    let errors =
-        [apart(impact.time_of_max_penetration, compression), apart(impact.duration.unwrap(), duration)];
+    let errors = [
+        relative_difference(impact.time_of_max_penetration, compression),
+        relative_difference(impact.duration.unwrap(), duration),
+    ];
     for error in errors {
         assert!(error < TOLERANCE, "{damper:?} p={exponent}: {impact:?} off by {error:e}");
     }

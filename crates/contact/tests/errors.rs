@@ -1,4 +1,4 @@
-//! Every way to be refused, with its words.
+//! Every error of this crate, with its message.
 
 use percuss_contact::{
     BodyRegion, CompliantContact, ContactLawError, Damper, Law, Separation, TransientContact, hunt_crossley,
@@ -12,8 +12,8 @@ fn contact() -> CompliantContact {
     CompliantContact::new(2.0, 1e5).unwrap()
 }
 
-/// That it is refused as out of range, naming the quantity and the value.
-fn refused<T: Debug>(answer: Result<T, ContactLawError>, quantity: &str, value: f64) {
+/// Asserts that the answer is `OutOfRange` with this quantity and this value.
+fn assert_out_of_range<T: Debug>(answer: Result<T, ContactLawError>, quantity: &str, value: f64) {
     let error = answer.expect_err(quantity);
     let ContactLawError::OutOfRange { what, got, valid } = &error else { panic!("{quantity}: {error:?}") };
     assert_eq!(*what, quantity);
@@ -24,11 +24,11 @@ fn refused<T: Debug>(answer: Result<T, ContactLawError>, quantity: &str, value: 
 #[test]
 fn contacts() {
     for bad in NOT_NUMBERS.into_iter().chain([0.0, -1.0, 1e-310]) {
-        refused(CompliantContact::new(bad, 1.0), "effective mass, kg", bad);
-        refused(CompliantContact::new(1.0, bad), "stiffness, N/m^p", bad);
+        assert_out_of_range(CompliantContact::new(bad, 1.0), "effective mass, kg", bad);
+        assert_out_of_range(CompliantContact::new(1.0, bad), "stiffness, N/m^p", bad);
     }
     for bad in NOT_NUMBERS.into_iter().chain([0.999, 10.001, 0.0, -1.5]) {
-        refused(contact().with_exponent(bad), "exponent of the spring", bad);
+        assert_out_of_range(contact().with_exponent(bad), "exponent of the spring", bad);
     }
     assert_eq!(
         CompliantContact::new(-1.0, 1.0).unwrap_err().to_string(),
@@ -40,20 +40,24 @@ fn contacts() {
 fn restitutions() {
     for bad in NOT_NUMBERS.into_iter().chain([-1e-9, 1.0 + 1e-9]) {
         for law in Law::ALL {
-            refused(law.damper(contact(), bad, Some(1.0), Separation::default()), "restitution", bad);
-            refused(law.approximation_error(bad), "restitution", bad);
+            assert_out_of_range(
+                law.damper(contact(), bad, Some(1.0), Separation::default()),
+                "restitution",
+                bad,
+            );
+            assert_out_of_range(law.approximation_error(bad), "restitution", bad);
         }
-        refused(hunt_crossley::dissipation_number(bad), "restitution", bad);
-        refused(hunt_crossley::dissipation_number_of_loss(bad), "1 - restitution", bad);
+        assert_out_of_range(hunt_crossley::dissipation_number(bad), "restitution", bad);
+        assert_out_of_range(hunt_crossley::dissipation_number_from_loss(bad), "1 - restitution", bad);
         for separation in Separation::ALL {
-            refused(kelvin_voigt::ratio(bad, separation), "restitution", bad);
-            refused(kelvin_voigt::ratio_of_loss(bad, separation), "1 - restitution", bad);
+            assert_out_of_range(kelvin_voigt::ratio(bad, separation), "restitution", bad);
+            assert_out_of_range(kelvin_voigt::ratio_from_loss(bad, separation), "1 - restitution", bad);
         }
     }
 }
 
 #[test]
-fn a_restitution_of_nothing() {
+fn a_restitution_of_zero_is_refused() {
     let message = |law: Law| {
         let error = law.damper(contact(), 0.0, Some(1.0), Separation::ForceVanishes).unwrap_err();
         assert!(matches!(error, ContactLawError::Unreachable { restitution: 0.0, .. }), "{error:?}");
@@ -77,12 +81,12 @@ fn a_restitution_of_nothing() {
     for law in [Law::Flores, Law::HuGuo, Law::GharibHurmuzlu, Law::SafaeifarFarshidianfar, Law::ExudynMixed] {
         message(law);
     }
-    // The others stay finite, and so miss.
+    // The damping of the other laws stays finite, so they do not reach e = 0.
     for law in [Law::LeeWang, Law::HuntCrossley1975, Law::CarvalhoMartins, Law::LankaraniNikravesh] {
         assert!(law.approximation_error(0.0).unwrap().achieved > 0.05, "{law:?}");
     }
-    assert!(hunt_crossley::dissipation_number_of_loss(1.0).is_err());
-    assert!(kelvin_voigt::ratio_of_loss(1.0, Separation::ForceVanishes).is_err());
+    assert!(hunt_crossley::dissipation_number_from_loss(1.0).is_err());
+    assert!(kelvin_voigt::ratio_from_loss(1.0, Separation::ForceVanishes).is_err());
 }
 
 #[test]
@@ -94,7 +98,7 @@ fn speeds() {
         assert_eq!(error.to_string(), format!("{}: {expected}", law.name()));
     }
     for bad in NOT_NUMBERS.into_iter().chain([0.0, -1.0]) {
-        refused(
+        assert_out_of_range(
             Law::HuntCrossley.damper(contact(), 0.5, Some(bad), Separation::default()),
             "approach speed, m/s",
             bad,
@@ -103,10 +107,10 @@ fn speeds() {
             Damper::hunt_crossley(0.1).unwrap(),
             Damper::kelvin_voigt(contact(), 0.1, Separation::default()).unwrap(),
         ] {
-            refused(damper.impact(contact(), bad), "approach speed, m/s", bad);
-            refused(damper.restitution(contact(), bad), "approach speed, m/s", bad);
-            refused(damper.restitution_loss(contact(), bad), "approach speed, m/s", bad);
-            refused(damper.history(contact(), bad, 10), "approach speed, m/s", bad);
+            assert_out_of_range(damper.impact(contact(), bad), "approach speed, m/s", bad);
+            assert_out_of_range(damper.restitution(contact(), bad), "approach speed, m/s", bad);
+            assert_out_of_range(damper.restitution_loss(contact(), bad), "approach speed, m/s", bad);
+            assert_out_of_range(damper.history(contact(), bad, 10), "approach speed, m/s", bad);
         }
     }
 }
@@ -116,19 +120,27 @@ fn dampers() {
     let coefficient = "damping coefficient, N s/m^((p+1)/2)";
     for bad in NOT_NUMBERS.into_iter().chain([-1.0]) {
         for separation in Separation::ALL {
-            refused(Damper::kelvin_voigt(contact(), bad, separation), "damping ratio", bad);
-            refused(Damper::kelvin_voigt_from_coefficient(contact(), bad, separation), coefficient, bad);
-            refused(kelvin_voigt::restitution(bad, separation), "damping ratio", bad);
-            refused(kelvin_voigt::restitution_loss(bad, separation), "damping ratio", bad);
-            // Written out by hand, past the constructors.
+            assert_out_of_range(Damper::kelvin_voigt(contact(), bad, separation), "damping ratio", bad);
+            assert_out_of_range(
+                Damper::kelvin_voigt_from_coefficient(contact(), bad, separation),
+                coefficient,
+                bad,
+            );
+            assert_out_of_range(kelvin_voigt::restitution(bad, separation), "damping ratio", bad);
+            assert_out_of_range(kelvin_voigt::restitution_loss(bad, separation), "damping ratio", bad);
+            // Built field by field, without the checks of the constructors.
             let damper = Damper::KelvinVoigt { ratio: 0.1, coefficient: bad, separation };
-            refused(damper.impact(contact(), 1.0), coefficient, bad);
+            assert_out_of_range(damper.impact(contact(), 1.0), coefficient, bad);
         }
-        refused(kelvin_voigt::compression_time(bad), "damping ratio", bad);
-        refused(hunt_crossley::restitution(bad), "dissipation number", bad);
-        refused(hunt_crossley::restitution_loss(bad), "dissipation number", bad);
-        refused(Damper::hunt_crossley(bad), "dissipation, s/m", bad);
-        refused(Damper::HuntCrossley { dissipation: bad }.impact(contact(), 1.0), "dissipation, s/m", bad);
+        assert_out_of_range(kelvin_voigt::compression_time(bad), "damping ratio", bad);
+        assert_out_of_range(hunt_crossley::restitution(bad), "dissipation number", bad);
+        assert_out_of_range(hunt_crossley::restitution_loss(bad), "dissipation number", bad);
+        assert_out_of_range(Damper::hunt_crossley(bad), "dissipation, s/m", bad);
+        assert_out_of_range(
+            Damper::HuntCrossley { dissipation: bad }.impact(contact(), 1.0),
+            "dissipation, s/m",
+            bad,
+        );
     }
 }
 
@@ -136,12 +148,12 @@ fn dampers() {
 fn numbers_of_samples() {
     let damper = Damper::hunt_crossley(0.1).unwrap();
     for bad in [0, 1, 1_000_001, usize::MAX] {
-        refused(damper.history(contact(), 1.0, bad), "number of samples", bad as f64);
+        assert_out_of_range(damper.history(contact(), 1.0, bad), "number of samples", bad as f64);
     }
 }
 
 #[test]
-fn beyond_a_float() {
+fn overflow_is_an_error() {
     let not_representable = |answer: Result<_, ContactLawError>, quantity: &str| {
         let error = answer.expect_err(quantity);
         assert!(
@@ -182,16 +194,20 @@ fn regions_and_robots() {
     let chest = BodyRegion::from_name("chest").unwrap();
     let contact = TransientContact::new(chest, 10.0).unwrap();
     for bad in NOT_NUMBERS.into_iter().chain([0.0, -1.0]) {
-        refused(TransientContact::new(chest, bad), "mass of the robot, kg", bad);
-        refused(TransientContact::with_body(bad, 1.0, 1.0), "mass of the body's region, kg", bad);
-        refused(TransientContact::with_body(1.0, bad, 1.0), "stiffness of the body's region, N/m", bad);
-        refused(contact.speed_for_force(bad), "greatest force, N", bad);
-        refused(contact.speed_for_pressure(bad, 1.0), "greatest pressure, Pa", bad);
-        refused(contact.speed_for_pressure(1.0, bad), "area of the contact, m^2", bad);
-        refused(standard_robot_mass(bad, 1.0), "mass of the moving parts, kg", bad);
+        assert_out_of_range(TransientContact::new(chest, bad), "mass of the robot, kg", bad);
+        assert_out_of_range(TransientContact::with_body(bad, 1.0, 1.0), "mass of the body's region, kg", bad);
+        assert_out_of_range(
+            TransientContact::with_body(1.0, bad, 1.0),
+            "stiffness of the body's region, N/m",
+            bad,
+        );
+        assert_out_of_range(contact.speed_for_force(bad), "greatest force, N", bad);
+        assert_out_of_range(contact.speed_for_pressure(bad, 1.0), "greatest pressure, Pa", bad);
+        assert_out_of_range(contact.speed_for_pressure(1.0, bad), "area of the contact, m^2", bad);
+        assert_out_of_range(standard_robot_mass(bad, 1.0), "mass of the moving parts, kg", bad);
     }
     for bad in NOT_NUMBERS.into_iter().chain([-1.0]) {
-        refused(contact.force(bad), "relative speed, m/s", bad);
-        refused(standard_robot_mass(1.0, bad), "load, kg", bad);
+        assert_out_of_range(contact.force(bad), "relative speed, m/s", bad);
+        assert_out_of_range(standard_robot_mass(1.0, bad), "load, kg", bad);
     }
 }

@@ -1,4 +1,4 @@
-//! The exports: numbers, snippets, refusals; and that models of the engines' steps bounce as asked with them.
+//! Exports: numbers, snippets and errors; models of the engines' steps reach the required restitution with them.
 
 use percuss_contact::exports::{Export, ExportError, ImpactFunction, Options, Request, Tool, Value};
 use percuss_contact::{CompliantContact, ContactLawError, Separation, hunt_crossley, kelvin_voigt};
@@ -17,7 +17,7 @@ fn request(restitution: f64) -> Request {
     }
 }
 
-/// One that the tool has an answer for: OpenSim's spring is Hertz's, and DART has no slow rebounds.
+/// Request that the tool supports: OpenSim has a Hertz spring, and DART suppresses slow rebounds.
 fn request_for(tool: Tool, restitution: f64) -> Request {
     let request = request(restitution);
     match tool.name() {
@@ -43,7 +43,8 @@ fn close(got: f64, expected: f64, relative: f64) {
     assert!((got - expected).abs() <= relative * expected.abs(), "{got:?}, expected {expected:?}");
 }
 
-/// The restitution of an engine's step x, v ↦ v⁺ (x penetration, v approach), the worst of all phases against `e`.
+/// Restitution with the time step x, v ↦ v⁺ of an engine (x penetration, v approach speed): of all phases, the value
+/// with the largest deviation from `e`.
 fn worst(e: f64, step: f64, next: impl Fn(f64, f64) -> f64) -> f64 {
     let mut worst: f64 = 0.0;
     for phase in 0..40 {
@@ -61,7 +62,7 @@ fn worst(e: f64, step: f64, next: impl Fn(f64, f64) -> f64) -> f64 {
 }
 
 /// max(0, k(x + h v⁺) + c v⁺) by implicit Euler: ODE, Bullet, PhysX, SAP.
-/// `early`: at a step that will touch, too.
+/// `early`: the force also acts in the step in which the touch occurs.
 fn implicit(k: f64, c: f64, mass: f64, h: f64, early: bool) -> impl Fn(f64, f64) -> f64 {
     move |x, v| {
         if x <= 0.0 && !early {
@@ -72,7 +73,7 @@ fn implicit(k: f64, c: f64, mass: f64, h: f64, early: bool) -> impl Fn(f64, f64)
     }
 }
 
-/// max(0, kx + cv) by semi-implicit Euler, only where x > 0: MuJoCo, Chrono.
+/// max(0, kx + cv) by semi-implicit Euler, only for x > 0: MuJoCo, Chrono.
 fn explicit(k: f64, c: f64, mass: f64, h: f64) -> impl Fn(f64, f64) -> f64 {
     move |x, v| if x > 0.0 { v - h / mass * (k * x + c * v).max(0.0) } else { v }
 }
@@ -80,7 +81,7 @@ fn explicit(k: f64, c: f64, mass: f64, h: f64) -> impl Fn(f64, f64) -> f64 {
 const RESTITUTIONS: [f64; 12] = [0.005, 0.01, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99];
 
 #[test]
-fn mujoco_bounces_as_asked_whatever_its_diagonal() {
+fn mujoco_reaches_the_restitution_for_every_diagonal() {
     for e in RESTITUTIONS {
         for accuracy in [1e-2, 1e-3, 1e-4] {
             for alpha in [None, Some(0.165), Some(55.7)] {
@@ -91,7 +92,7 @@ fn mujoco_bounces_as_asked_whatever_its_diagonal() {
                 let (h, solref) = (export.time_step.unwrap(), numbers(&export, "solref"));
                 let d = numbers(&export, "solimp")[0];
                 let f = d + (1.0 - d) * alpha.unwrap_or(1.0);
-                // The row solved: stiffness −solref₀/f, damping −solref₁/f, per unit of m̄.
+                // Constraint row of MuJoCo: stiffness −solref₀/f, damping −solref₁/f, per unit of m̄.
                 close(-solref[0] / f * MASS, STIFFNESS, 1e-14);
                 let engine = explicit(-solref[0] / f, -solref[1] / f, 1.0, h);
                 let (found, bound) = (worst(e, h, engine), export.error_bound.unwrap());
@@ -109,7 +110,7 @@ fn mujoco_bounces_as_asked_whatever_its_diagonal() {
 }
 
 #[test]
-fn mujoco_settles_the_equalities_of_loops() {
+fn mujoco_exports_parameters_of_equality_constraints() {
     let mut request = request(0.5);
     assert!(Tool::MUJOCO.export(&request).unwrap().parameter("equality_solref").is_none());
     request.options.constrained = true;
@@ -120,12 +121,12 @@ fn mujoco_settles_the_equalities_of_loops() {
 }
 
 #[test]
-fn implicit_engines_bounce_as_asked() {
+fn implicit_engines_reach_the_restitution() {
     for e in RESTITUTIONS {
         let request = request(e);
         for tool in [Tool::ODE, Tool::BULLET, Tool::GAZEBO_CLASSIC, Tool::PHYSX, Tool::DRAKE] {
             if tool == Tool::PHYSX && e < 0.01 {
-                // The error of single precision is larger than e.
+                // The error by single precision is larger than e.
                 assert!(matches!(tool.export(&request), Err(ExportError::Unreachable { .. })), "{e}");
                 continue;
             }
@@ -141,7 +142,7 @@ fn implicit_engines_bounce_as_asked() {
                 }
                 "gazebo-classic" => (number(&export, "kp") / 2.0, number(&export, "kd") * 2.0),
                 "physx" => {
-                    // TGS is PGS of as many shorter steps.
+                    // TGS with N position iterations is PGS with N shorter steps.
                     let shorter = h / number(&export, "tgs_position_iterations");
                     let k = number(&export, "compliant_contact_stiffness");
                     let tgs = number(&export, "compliant_contact_damping_tgs");
@@ -158,7 +159,7 @@ fn implicit_engines_bounce_as_asked() {
                 }
             };
             close(k, STIFFNESS, 1e-9);
-            // Less what single precision adds in PhysX; Drake's is that of its lagged plants too.
+            // Bound without the part of single precision in PhysX; the bound of Drake also covers lagged plants.
             let shorter = h / 4.0;
             let single = if tool == Tool::PHYSX { ROUNDING / (SPEED * shorter) } else { 0.0 };
             let bound = export.error_bound.unwrap() - single;
@@ -196,11 +197,11 @@ fn a_step_too_long_for_an_implicit_engine_names_the_longest() {
     }
 }
 
-/// max(0, k(x + h v⁺))(1 + d v⁺)₊ by implicit Euler: Drake's similar, and lagged along the normal.
+/// max(0, k(x + h v⁺))(1 + d v⁺)₊ by implicit Euler: Drake's approximation `similar`, and `lagged` along the normal.
 fn drake_lagged(k: f64, d: f64, mass: f64, h: f64) -> impl Fn(f64, f64) -> f64 {
     move |x, v| {
         let force = |u: f64| (k * (x + h * u)).max(0.0) * (1.0 + d * u).max(0.0);
-        // v⁺ + h f(v⁺)/m = v has one root, the left side rising.
+        // v⁺ + h f(v⁺)/m = v has one root, because the left side increases.
         let (mut low, mut high) = (-2.0_f64.max(v.abs()), v);
         for _ in 0..60 {
             let middle = (low + high) / 2.0;
@@ -211,21 +212,21 @@ fn drake_lagged(k: f64, d: f64, mass: f64, h: f64) -> impl Fn(f64, f64) -> f64 {
 }
 
 #[test]
-fn drake_bounces_as_asked_continuous_and_lagged() {
+fn drake_reaches_the_restitution_continuous_and_lagged() {
     for e in [0.05, 0.1, 0.2, 0.5, 0.8, 0.95] {
         let export = Tool::DRAKE.export(&request(e)).unwrap();
         let d = number(&export, "hunt_crossley_dissipation");
         close(hunt_crossley::restitution(d * SPEED).unwrap(), e, 1e-12);
         let h = number(&export, "time_step_lagged");
         let frequency = (STIFFNESS / MASS).sqrt();
-        // At 1 m/s in place of the request's speed.
+        // At 1 m/s instead of the speed of the request.
         let found = worst(e, h, drake_lagged(STIFFNESS, d * SPEED, MASS, h));
         assert!(found <= 1e-3, "{e}: {found:e} at ωh = {}", frequency * h);
     }
 }
 
 #[test]
-fn drake_without_a_speed_still_gives_the_rest() {
+fn drake_without_a_speed_exports_the_other_parameters() {
     let export = Tool::DRAKE.export(&Request { speed: None, ..request(0.5) }).unwrap();
     assert!(export.parameter("hunt_crossley_dissipation").is_none());
     assert_eq!(export.missing.len(), 1);
@@ -236,13 +237,13 @@ fn drake_without_a_speed_still_gives_the_rest() {
     }
 }
 
-/// Chrono's conversion from a material's restitution to a damping ratio on the bodies' own masses.
+/// Chrono's conversion from the restitution of a material to a damping ratio for the own masses of the bodies.
 fn chrono_ratio(cr: f64) -> f64 {
     1.0 / (1.0 + (std::f64::consts::PI / cr.ln()).powi(2)).sqrt()
 }
 
 #[test]
-fn chrono_takes_its_own_masses() {
+fn chrono_uses_the_masses_of_the_bodies() {
     let own = 1.5 * 3.0 / 4.5;
     for e in RESTITUTIONS {
         let export = Tool::CHRONO.export(&request(e)).unwrap();
@@ -264,7 +265,7 @@ fn chrono_takes_its_own_masses() {
 
 #[test]
 fn chrono_corrects_a_material_restitution() {
-    // Published beside the law: 0.2, 0.5, 0.8 ask for these where m_eff = m̄.
+    // Published with the law: restitutions 0.2, 0.5, 0.8 need these values for m_eff = m̄.
     for (e, cr) in [(0.2, 0.034462), (0.5, 0.436288), (0.8, 0.791170)] {
         let contact = CompliantContact::new(1.0, STIFFNESS).unwrap().with_exponent(1.5).unwrap();
         let options = Options { own_mass: Some(2.0), other_own_mass: Some(2.0), ..Options::default() };
@@ -302,7 +303,7 @@ fn adams_impact_agrees_with_an_independent_integration() {
             assert!((impact.restitution(damping).unwrap() - e).abs() < 1e-9);
         }
     }
-    // Where the ramp vanishes it is the linear damper.
+    // Without a ramp the force is that of the linear damper.
     let ratio = kelvin_voigt::ratio(0.5, Separation::ForceVanishes).unwrap();
     close(ImpactFunction::new(1.0, 1e-4).unwrap().damping(0.5).unwrap(), 2.0 * ratio, 1e-4);
 }
@@ -312,7 +313,7 @@ fn adams_gives_its_numbers_in_si() {
     let contact = CompliantContact::new(MASS, 3e8).unwrap().with_exponent(1.5).unwrap();
     let export = Tool::ADAMS.export(&Request::new(contact, 0.5).at(0.7)).unwrap();
     let (cmax, d) = (number(&export, "cmax"), number(&export, "d"));
-    // The motion in kg, m, s by a plain fourth-order Runge–Kutta of small steps.
+    // Motion in kg, m, s by the classical fourth-order Runge–Kutta method with small steps.
     let rates = |[x, v]: [f64; 2]| {
         let part = (x.max(0.0) / d).min(1.0);
         let force = 3e8 * x.max(0.0).powf(1.5) + cmax * part * part * (3.0 - 2.0 * part) * v;
@@ -333,7 +334,7 @@ fn adams_gives_its_numbers_in_si() {
 }
 
 #[test]
-fn simscape_and_rapier_say_what_they_are_told() {
+fn simscape_and_rapier_export_the_request() {
     let export = Tool::SIMSCAPE.export(&request(0.5)).unwrap();
     let ratio = kelvin_voigt::ratio(0.5, Separation::ForceVanishes).unwrap();
     close(number(&export, "Damping"), 2.0 * ratio * (STIFFNESS * MASS).sqrt(), 1e-14);
@@ -345,7 +346,7 @@ fn simscape_and_rapier_say_what_they_are_told() {
 }
 
 #[test]
-fn what_defaults_would_spoil_is_written() {
+fn defaults_that_change_the_restitution_are_overridden() {
     let export = Tool::GAZEBO_CLASSIC.export(&request(0.5)).unwrap();
     assert!(number(&export, "max_vel") >= 3.0);
     for text in ["<type>world</type>", "<mu>0.0</mu>", "<max_vel>"] {
@@ -367,10 +368,10 @@ fn what_defaults_would_spoil_is_written() {
 }
 
 #[test]
-fn dart_multiplies_and_refuses_what_it_lets_die() {
+fn dart_multiplies_restitutions_and_refuses_slow_rebounds() {
     let export = Tool::DART.export(&request(0.5)).unwrap();
     assert_eq!(number(&export, "RestitutionCoeff") * number(&export, "RestitutionCoeff_other"), 0.5);
-    // Its softening takes (1 + e)·1e-5.
+    // The constraint force mixing reduces e by (1 + e)·1e-5.
     assert!((1.5e-5..2e-5).contains(&export.error_bound.unwrap()));
     for (e, speed) in [(0.5, 0.19), (0.2, 0.4), (1e-3, 200.0), (0.5, 201.0)] {
         let error = Tool::DART.export(&request(e).at(speed)).unwrap_err();
@@ -383,7 +384,7 @@ fn dart_multiplies_and_refuses_what_it_lets_die() {
 }
 
 #[test]
-fn jolt_lowers_its_threshold_and_bounds_short_travels_only() {
+fn jolt_lowers_its_threshold_and_states_bounds_for_short_travels() {
     let mut free = request(0.5);
     free.options.free_mass = Some(MASS);
     let export = Tool::JOLT.export(&free).unwrap();
@@ -407,7 +408,7 @@ fn opensim_takes_the_dissipation_number_and_hertz() {
         let export = Tool::OPENSIM.export(&request_for(Tool::OPENSIM, e)).unwrap();
         let number_of = 1.5 * number(&export, "dissipation") * SPEED;
         close(hunt_crossley::restitution(number_of).unwrap(), e, 1e-12);
-        // Simbody's 4/3 E √(R E) of two moduli stiffness^(2/3) in series, here with R = 1 m.
+        // Simbody's 4/3 E √(R E) for two moduli stiffness^(2/3) in series, here with R = 1 m.
         let modulus = number(&export, "stiffness·sqrt(R)").powf(2.0 / 3.0) / 2.0;
         close(4.0 / 3.0 * modulus * modulus.sqrt(), STIFFNESS, 1e-14);
     }
@@ -415,18 +416,18 @@ fn opensim_takes_the_dissipation_number_and_hertz() {
     assert!(error.contains("1.5"), "{error}");
 }
 
-/// kx + cv while x > 0 by the trapezoidal rule, as Exudyn's: the contact is there where a step ends inside. Gives v⁺.
+/// v⁺ after a step of the trapezoidal rule with kx + cv, as in Exudyn: the force acts if the step ends with x > 0.
 fn trapezoidal(k: f64, c: f64, mass: f64, h: f64) -> impl Fn(f64, f64) -> f64 {
     move |x, v| {
         let (now, half) = (if x > 0.0 { k * x + c * v } else { 0.0 }, h / 2.0 / mass);
-        // Inside at the end: v⁺ = v − half (now + k x⁺ + c v⁺), x⁺ = x + h (v + v⁺)/2.
+        // The step ends with x > 0: v⁺ = v − half (now + k x⁺ + c v⁺), x⁺ = x + h (v + v⁺)/2.
         let inside = (v - half * (now + k * (x + h * v / 2.0))) / (1.0 + half * (c + k * h / 2.0));
         if x + h * (v + inside) / 2.0 > 0.0 { inside } else { v - half * now }
     }
 }
 
 #[test]
-fn exudyn_bounces_as_asked_with_the_half_period() {
+fn exudyn_reaches_the_restitution_with_the_half_period() {
     for e in RESTITUTIONS {
         for accuracy in [1e-2, 1e-3, 1e-4] {
             let mut request = request(e);
@@ -462,10 +463,10 @@ fn exudyn_bounces_as_asked_with_the_half_period() {
 }
 
 #[test]
-fn newton_bounces_as_asked_with_a_damper_on_approach() {
+fn newton_reaches_the_restitution_with_a_damper_on_approach() {
     for e in RESTITUTIONS {
         for accuracy in [1e-2, 1e-3, 1e-4] {
-            // So fast that single precision is not all of the error.
+            // At this speed single precision is not the largest part of the error.
             let mut request = request(e).at(40.0);
             request.options.accuracy = accuracy;
             let export = Tool::NEWTON.export(&request).unwrap();
@@ -490,7 +491,7 @@ fn every_snippet_is_well_formed_and_holds_the_numbers_in_full() {
     for tool in Tool::ALL {
         for e in [0.2, 0.5, 0.8] {
             for loops in [false, true] {
-                // At 0.4 m/s new Gazebo has no rebound of 0.2.
+                // At 0.4 m/s new Gazebo suppresses a rebound with e = 0.2.
                 let mut request = request_for(tool, e).at(0.6);
                 request.options.constrained = loops;
                 let export = tool.export(&request).unwrap();
@@ -509,7 +510,7 @@ fn every_snippet_is_well_formed_and_holds_the_numbers_in_full() {
                 }
                 let json = serde_json::to_value(&export).unwrap();
                 assert_eq!(json["tool"], tool.name());
-                // Null for tools of one precision.
+                // `null` for tools with builds of one precision.
                 let text = json.to_string().replace("\"single_precision_error\":null", "");
                 assert!(!text.contains("null") || export.time_step.is_none() || export.error_bound.is_none());
             }
@@ -550,7 +551,7 @@ fn tools_are_found_by_name_and_alias() {
 }
 
 #[test]
-fn a_curved_spring_is_for_those_that_have_one() {
+fn other_exponents_are_refused_by_linear_tools() {
     let curved = CompliantContact::new(MASS, STIFFNESS).unwrap().with_exponent(2.0).unwrap();
     for tool in Tool::ALL {
         let answer = tool.export(&Request { contact: curved, ..request(0.5) });
@@ -562,7 +563,7 @@ fn a_curved_spring_is_for_those_that_have_one() {
 }
 
 #[test]
-fn what_is_out_of_range_is_refused_and_nothing_overflows() {
+fn numbers_out_of_range_are_refused_and_nothing_overflows() {
     let wrong = [
         Request { restitution: -0.1, ..request(0.5) },
         Request { restitution: f64::NAN, ..request(0.5) },

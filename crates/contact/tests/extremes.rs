@@ -1,4 +1,4 @@
-//! Nothing panics, and no NaN or infinity comes out, whatever goes in.
+//! No input causes a panic, and no result is NaN or infinite.
 
 use percuss_contact::{
     CompliantContact, Damper, Law, Sample, Separation, TransientContact, hunt_crossley, kelvin_voigt,
@@ -6,13 +6,13 @@ use percuss_contact::{
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 
-/// A positive number whose exponent is even between 1e-300 and 1e300, near the middle half of the time.
+/// Random positive number with a uniform exponent: from 1e-300 to 1e300, or (half of the numbers) near 1.
 fn number(rng: &mut StdRng) -> f64 {
     let range = if rng.random_bool(0.5) { 300.0 } else { 8.0 };
     10f64.powf(rng.random_range(-range..range))
 }
 
-/// A restitution near 0, near 1 or between.
+/// Random restitution near 0, near 1 or between.
 fn restitution(rng: &mut StdRng) -> f64 {
     match rng.random_range(0..5) {
         0 => 10f64.powf(rng.random_range(-300.0..0.0)),
@@ -37,7 +37,7 @@ fn all_finite(samples: &[Sample]) -> bool {
     samples.iter().flat_map(|s| [s.time, s.penetration, s.rate, s.force]).all(f64::is_finite)
 }
 
-/// Whether there was an answer; an impact's figures must agree among themselves.
+/// True if the impact has a result. Asserts that the figures of the impact are consistent.
 fn respond(damper: Damper, contact: CompliantContact, speed: f64, name: &str) -> bool {
     if let Ok(e) = damper.restitution(contact, speed) {
         assert!((0.0..=1.0).contains(&e), "{name}: {e}");
@@ -65,7 +65,7 @@ fn respond(damper: Damper, contact: CompliantContact, speed: f64, name: &str) ->
         "{name}: {impact:?}"
     );
     assert!(impact.rebound_speed <= speed, "{name}: {impact:?}");
-    // A speed that falls from v to 0 cannot have gone further than v t, nor be stopped by a lesser mean force.
+    // While the speed decreases from v to 0 the travel is at most v t, and the mean force is at least m̄ v/t.
     let bound = speed * impact.time_of_max_penetration;
     assert!(impact.max_penetration <= bound * (1.0 + 1e-9), "{name}: {impact:?}");
     let momentum = contact.mass().sqrt() * speed * contact.mass().sqrt();
@@ -77,7 +77,7 @@ fn respond(damper: Damper, contact: CompliantContact, speed: f64, name: &str) ->
 #[test]
 fn impacts_of_every_law() {
     let mut rng = StdRng::seed_from_u64(20_250_917);
-    let mut answered = 0;
+    let mut results = 0;
     let rounds = 6000;
     for _ in 0..rounds {
         let contact = contact(&mut rng);
@@ -86,17 +86,17 @@ fn impacts_of_every_law() {
         let separation = Separation::ALL[rng.random_range(0..2)];
         let name = format!("{law:?} {e:e} {contact:?} {speed:e} {separation:?}");
         if let Ok(damper) = law.damper(contact, e, Some(speed), separation) {
-            answered += usize::from(respond(damper, contact, speed, &name));
+            results += usize::from(respond(damper, contact, speed, &name));
         }
     }
-    // The products of such numbers overflow often, not always.
-    assert!(answered > rounds / 4, "{answered} of {rounds}");
+    // Products of such numbers overflow often, but not always.
+    assert!(results > rounds / 4, "{results} of {rounds}");
 }
 
 #[test]
 fn dampers_of_any_size() {
     let mut rng = StdRng::seed_from_u64(4711);
-    let mut answered = 0;
+    let mut results = 0;
     let rounds = 6000;
     for _ in 0..rounds {
         let contact = contact(&mut rng);
@@ -109,10 +109,10 @@ fn dampers_of_any_size() {
         };
         let name = format!("{damper:?} {contact:?} {speed:e}");
         if let Ok(damper) = damper {
-            answered += usize::from(respond(damper, contact, speed, &name));
+            results += usize::from(respond(damper, contact, speed, &name));
         }
     }
-    assert!(answered > rounds / 5, "{answered} of {rounds}");
+    assert!(results > rounds / 5, "{results} of {rounds}");
 }
 
 #[test]

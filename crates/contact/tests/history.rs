@@ -1,9 +1,9 @@
-//! The history of an impact: its ends, its turn, its loop.
+//! History of an impact: first and last sample, reversal, and loop of force over penetration.
 
-use crate::support::apart;
+use crate::support::relative_difference;
 use percuss_contact::{CompliantContact, Damper, Law, Sample, Separation};
 
-/// Every kind of trajectory: both laws, both ends, three exponents, light and heavy damping.
+/// Every kind of trajectory: both laws, both definitions of the end, three exponents, light and heavy damping.
 fn cases() -> Vec<(Damper, CompliantContact, f64)> {
     let mut cases = Vec::new();
     for exponent in [1.0, 1.5, 4.0] {
@@ -25,19 +25,19 @@ fn cases() -> Vec<(Damper, CompliantContact, f64)> {
     cases
 }
 
-/// The trapezium's error is the square of the step but for the corner where the force sets in: x^(1/4) under heavy
-/// damping with p = 3/2, whose first step of a thousand is a tenth of the peak.
+/// Tolerance of the trapezoidal rule. Its error is proportional to the square of the step, except at the first touch: for
+/// p = 3/2 with heavy damping the force grows as x^(1/4), and one step of a thousand reaches a tenth of the peak.
 const TRAPEZIUM: f64 = 1e-3;
 
 /// ∫ F dx.
-fn loop_area(course: &[Sample]) -> f64 {
-    course
+fn loop_area(samples: &[Sample]) -> f64 {
+    samples
         .windows(2)
         .map(|pair| 0.5 * (pair[0].force + pair[1].force) * (pair[1].penetration - pair[0].penetration))
         .sum()
 }
 
-/// The area within the loop of the force over the penetration is ½ m̄ v² (1 − e²).
+/// The area enclosed by the loop of force over penetration is ½ m̄ v² (1 − e²).
 #[test]
 fn the_loop_encloses_the_energy_lost() {
     let count = 1501;
@@ -51,51 +51,54 @@ fn the_loop_encloses_the_energy_lost() {
             "{damper:?} {contact:?}: {area:e} beside {:e}, {error:e}",
             impact.energy_lost
         );
-        assert!(apart(impact.energy_lost, energy * (1.0 - impact.restitution.powi(2))) < 1e-12);
+        assert!(relative_difference(impact.energy_lost, energy * (1.0 - impact.restitution.powi(2))) < 1e-12);
     }
 }
 
-/// Newton's law along the course: what the force takes from the speed, sample by sample.
+/// Newton's second law along the history: the impulse between two samples equals the change of momentum.
 #[test]
 fn the_force_changes_the_speed() {
     for (damper, contact, speed) in cases() {
-        let course = damper.history(contact, speed, 1001).unwrap();
-        let greatest = course_greatest(&course);
+        let samples = damper.history(contact, speed, 1001).unwrap();
+        let greatest = max_force(&samples);
         let mut impulse = 0.0;
-        let mut way = 0.0;
-        for pair in course.windows(2) {
+        let mut travel = 0.0;
+        for pair in samples.windows(2) {
             let time = pair[1].time - pair[0].time;
             assert!(time > 0.0, "{damper:?} {contact:?}: time stands at {pair:?}");
             impulse += 0.5 * (pair[0].force + pair[1].force) * time;
-            way += 0.5 * (pair[0].rate + pair[1].rate) * time;
+            travel += 0.5 * (pair[0].rate + pair[1].rate) * time;
             let momentum = contact.mass() * (speed - pair[1].rate);
             assert!(
                 (impulse - momentum).abs() < TRAPEZIUM * contact.mass() * speed,
                 "{damper:?} {contact:?} {pair:?}"
             );
-            assert!((way - pair[1].penetration).abs() < TRAPEZIUM * greatest, "{damper:?} {contact:?}");
+            assert!((travel - pair[1].penetration).abs() < TRAPEZIUM * greatest, "{damper:?} {contact:?}");
         }
     }
 }
 
-fn course_greatest(course: &[Sample]) -> f64 {
-    course.iter().map(|sample| sample.penetration).fold(0.0, f64::max)
+fn max_force(samples: &[Sample]) -> f64 {
+    samples.iter().map(|sample| sample.penetration).fold(0.0, f64::max)
 }
 
 #[test]
-fn the_course_has_the_impacts_figures() {
+fn the_history_agrees_with_the_figures_of_the_impact() {
     for (damper, contact, speed) in cases() {
         let name = format!("{damper:?} {contact:?}");
         let impact = damper.impact(contact, speed).unwrap();
-        let course = damper.history(contact, speed, 1001).unwrap();
-        let [first, last] = [course[0], course[1000]];
-        assert!(first.time == 0.0 && first.penetration == 0.0 && apart(first.rate, speed) < 1e-14, "{name}");
-        assert!(apart(last.time, impact.duration.unwrap()) < 1e-14, "{name}");
-        assert!(apart(-last.rate, impact.rebound_speed) < 1e-12, "{name}: {last:?}");
-        let greatest = course_greatest(&course);
+        let samples = damper.history(contact, speed, 1001).unwrap();
+        let [first, last] = [samples[0], samples[1000]];
+        assert!(
+            first.time == 0.0 && first.penetration == 0.0 && relative_difference(first.rate, speed) < 1e-14,
+            "{name}"
+        );
+        assert!(relative_difference(last.time, impact.duration.unwrap()) < 1e-14, "{name}");
+        assert!(relative_difference(-last.rate, impact.rebound_speed) < 1e-12, "{name}: {last:?}");
+        let greatest = max_force(&samples);
         assert!(greatest <= impact.max_penetration * (1.0 + 1e-14), "{name}");
         assert!(greatest > impact.max_penetration * (1.0 - 1e-4), "{name}");
-        let peak = course.iter().map(|sample| sample.force).fold(0.0, f64::max);
+        let peak = samples.iter().map(|sample| sample.force).fold(0.0, f64::max);
         assert!(
             peak <= impact.peak_force * (1.0 + 1e-14) && peak > impact.peak_force * (1.0 - 1e-3),
             "{name}"
@@ -104,32 +107,35 @@ fn the_course_has_the_impacts_figures() {
             Damper::KelvinVoigt { separation: Separation::GapCloses, coefficient, .. } => {
                 assert!(last.penetration == 0.0 && last.force <= 0.0, "{name}: {last:?}");
                 if contact.exponent() == 1.0 {
-                    assert!(apart(last.force, coefficient * last.rate) < 1e-12, "{name}: {last:?}");
+                    assert!(
+                        relative_difference(last.force, coefficient * last.rate) < 1e-12,
+                        "{name}: {last:?}"
+                    );
                 }
             }
             Damper::KelvinVoigt { .. } => {
                 assert!(last.force == 0.0 && last.penetration > 0.0, "{name}: {last:?}");
-                assert!(course.iter().all(|sample| sample.force >= 0.0), "{name}");
+                assert!(samples.iter().all(|sample| sample.force >= 0.0), "{name}");
             }
             Damper::HuntCrossley { .. } => {
                 assert!(last.force == 0.0 && last.penetration == 0.0, "{name}: {last:?}");
-                assert!(course.iter().all(|sample| sample.force >= 0.0), "{name}");
+                assert!(samples.iter().all(|sample| sample.force >= 0.0), "{name}");
             }
         }
     }
 }
 
-/// Critically damped and beyond, the gap takes forever to close.
+/// With critical or larger damping the gap never closes.
 #[test]
-fn a_contact_that_never_ends_is_shown_settling() {
+fn a_contact_without_end_has_a_decaying_history() {
     for ratio in [1.0, 3.0] {
         let contact = CompliantContact::new(2.0, 5e4).unwrap();
         let damper = Damper::kelvin_voigt(contact, ratio, Separation::GapCloses).unwrap();
         let impact = damper.impact(contact, 1.0).unwrap();
         assert_eq!((impact.duration, impact.restitution, impact.rebound_speed), (None, 0.0, 0.0));
-        assert!(apart(impact.energy_lost, 1.0) < 1e-15);
+        assert!(relative_difference(impact.energy_lost, 1.0) < 1e-15);
         let last = *damper.history(contact, 1.0, 300).unwrap().last().unwrap();
-        // e⁻⁸ is 3e-4, times 1 + 8 where the damping is critical.
+        // e⁻⁸ is 3e-4; for critical damping the factor is 1 + 8.
         assert!(
             last.penetration > 0.0 && last.penetration < 4e-3 * impact.max_penetration,
             "{ratio}: {last:?}"
@@ -138,10 +144,13 @@ fn a_contact_that_never_ends_is_shown_settling() {
 }
 
 #[test]
-fn the_shortest_course_is_its_two_ends() {
+fn the_shortest_history_has_two_samples() {
     for (damper, contact, speed) in cases() {
-        let course = damper.history(contact, speed, 2).unwrap();
-        assert!(course.len() == 2 && course[0].time == 0.0);
-        assert!(apart(course[1].time, damper.impact(contact, speed).unwrap().duration.unwrap()) < 1e-14);
+        let samples = damper.history(contact, speed, 2).unwrap();
+        assert!(samples.len() == 2 && samples[0].time == 0.0);
+        assert!(
+            relative_difference(samples[1].time, damper.impact(contact, speed).unwrap().duration.unwrap())
+                < 1e-14
+        );
     }
 }

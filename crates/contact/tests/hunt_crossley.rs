@@ -1,11 +1,11 @@
-//! Hunt–Crossley's relation between dissipation and restitution, in figures and at its limits.
+//! Relation of the Hunt–Crossley law between dissipation and restitution: reference values and limits.
 
 #![allow(clippy::excessive_precision, reason = "figures stand as the other program gave them")]
 
-use crate::support::apart;
+use crate::support::relative_difference;
 use percuss_contact::{CompliantContact, Damper, Law, Separation, hunt_crossley};
 
-/// a, e and 1 − e from the implicit relation in 60 digits; from a = 100 on e is 1/a to more digits than a float has.
+/// a, e and 1 − e from the implicit relation with 60 digits; from a = 100 on, e = 1/a to all digits of a float.
 const REFERENCE: [(f64, f64, f64); 17] = [
     (1e-12, 0.99999999999933333333, 6.6666666666622220881e-13),
     (1e-9, 0.99999999933333333378, 6.6666666622222226407e-10),
@@ -27,16 +27,16 @@ const REFERENCE: [(f64, f64, f64); 17] = [
 ];
 
 #[test]
-fn the_functions_keep_their_digits() {
+fn the_functions_are_accurate_to_rounding() {
     for (a, e, loss) in REFERENCE {
         let got = hunt_crossley::restitution(a).unwrap();
-        assert!(apart(got, e) < 8.0 * f64::EPSILON, "e({a}) = {got:?}");
+        assert!(relative_difference(got, e) < 8.0 * f64::EPSILON, "e({a}) = {got:?}");
         let got = hunt_crossley::restitution_loss(a).unwrap();
-        assert!(apart(got, loss) < 8.0 * f64::EPSILON, "1 - e({a}) = {got:?}");
+        assert!(relative_difference(got, loss) < 8.0 * f64::EPSILON, "1 - e({a}) = {got:?}");
     }
 }
 
-/// e, a, of the floats nearest to these e, in 50 digits.
+/// e and a, for the floats nearest to these e, with 50 digits.
 const TABLE: [(f64, f64); 12] = [
     (0.1, 9.9981593974956673),
     (0.2, 4.9191667157907862),
@@ -65,7 +65,7 @@ fn the_implicit_relation_holds() {
     for i in 1..1000 {
         let e = f64::from(i) / 1000.0;
         let a = hunt_crossley::dissipation_number(e).unwrap();
-        // 1 − e a is a difference: its error grows as 1/(1 − e a), which is e^a where e is small.
+        // 1 − e a is a difference: its relative error grows as 1/(1 − e a), which is e^a for small e.
         let left = a * (1.0 + e);
         let right = ((1.0 + a) / (1.0 - e * a)).ln();
         let rounding = 4.0 * f64::EPSILON * (left + 1.0 / (1.0 - e * a) + 1.0);
@@ -75,18 +75,18 @@ fn the_implicit_relation_holds() {
 }
 
 #[test]
-fn there_and_back() {
+fn conversions_are_inverse() {
     let mut restitutions: Vec<f64> = (1..1000).map(|i| f64::from(i) / 1000.0).collect();
     restitutions.extend([1e-2, 1e-6, 1e-12, 1e-100, 1e-300, 1.0 - 1e-6, 1.0 - 1e-9, 1.0 - 1e-12]);
     for e in restitutions {
         let a = hunt_crossley::dissipation_number(e).unwrap();
         let back = hunt_crossley::restitution(a).unwrap();
-        assert!(apart(back, e) < 1e-14, "{e}: {a:?} gives {back:?}");
+        assert!(relative_difference(back, e) < 1e-14, "{e}: {a:?} gives {back:?}");
     }
     for loss in [1e-300, 1e-20, 1e-12, 1e-9, 1e-3, 0.5] {
-        let a = hunt_crossley::dissipation_number_of_loss(loss).unwrap();
+        let a = hunt_crossley::dissipation_number_from_loss(loss).unwrap();
         let back = hunt_crossley::restitution_loss(a).unwrap();
-        assert!(apart(back, loss) < 1e-14, "1 - {loss:e}: {a:?} gives {back:?}");
+        assert!(relative_difference(back, loss) < 1e-14, "1 - {loss:e}: {a:?} gives {back:?}");
     }
 }
 
@@ -95,12 +95,12 @@ fn there_and_back() {
 fn the_series_near_no_loss() {
     for loss in [1e-12, 1e-9, 1e-6, 1e-4, 1e-3] {
         let series = loss * (1.5 + loss * (1.5 + loss * (1.35 + loss * (1.2 + loss * (759.0 / 700.0)))));
-        let a = hunt_crossley::dissipation_number_of_loss(loss).unwrap();
+        let a = hunt_crossley::dissipation_number_from_loss(loss).unwrap();
         // The next term is ε⁵ of the first.
-        assert!(apart(a, series) < 8.0 * f64::EPSILON + loss.powi(5), "{loss:e}: {a:?}");
-        // And back: e = 1 − (2/3)a + (4/9)a² − (44/135)a³ + ….
+        assert!(relative_difference(a, series) < 8.0 * f64::EPSILON + loss.powi(5), "{loss:e}: {a:?}");
+        // Inverse series: e = 1 − (2/3)a + (4/9)a² − (44/135)a³ + ….
         let back = a * (2.0 / 3.0 - a * (4.0 / 9.0 - a * (44.0 / 135.0 - a * (104.0 / 405.0))));
-        assert!(apart(back, loss) < 8.0 * f64::EPSILON + a.powi(4), "{loss:e}: {back:?}");
+        assert!(relative_difference(back, loss) < 8.0 * f64::EPSILON + a.powi(4), "{loss:e}: {back:?}");
     }
 }
 
@@ -109,14 +109,14 @@ fn the_series_near_no_loss() {
 fn the_limit_near_no_rebound() {
     for e in [1e-2, 1e-6, 1e-12, 1e-300] {
         let a = hunt_crossley::dissipation_number(e).unwrap();
-        assert!(apart(a, 1.0 / e) < 4.0 * f64::EPSILON, "{e:e}: {a:?}");
+        assert!(relative_difference(a, 1.0 / e) < 4.0 * f64::EPSILON, "{e:e}: {a:?}");
     }
     for a in [0.1, 1.0, 10.0, 30.0] {
         assert!(hunt_crossley::restitution(a).unwrap() * a < 1.0);
     }
 }
 
-/// No term of k, m̄ or p is in the relation.
+/// The relation does not contain k, m̄ or p.
 #[test]
 fn the_restitution_depends_on_dissipation_times_speed_alone() {
     for (mass, stiffness, exponent, speed) in
@@ -125,11 +125,11 @@ fn the_restitution_depends_on_dissipation_times_speed_alone() {
         let contact = CompliantContact::new(mass, stiffness).unwrap().with_exponent(exponent).unwrap();
         let damper = Damper::hunt_crossley(1.0 / speed).unwrap();
         let e = damper.restitution(contact, speed).unwrap();
-        assert!(apart(e, 0.59362426004004009232) < 1e-15, "{contact:?}: {e:?}");
+        assert!(relative_difference(e, 0.59362426004004009232) < 1e-15, "{contact:?}: {e:?}");
     }
 }
 
-/// 2 √π Γ(1 + 1/(p+1))/Γ(1/2 + 1/(p+1)) X/v, in 50 digits.
+/// 2 √π Γ(1 + 1/(p+1))/Γ(1/2 + 1/(p+1)) X/v, with 50 digits.
 #[test]
 fn the_duration_without_damping() {
     let durations = [
@@ -149,22 +149,28 @@ fn the_duration_without_damping() {
             Damper::kelvin_voigt(contact, 1e-16, Separation::GapCloses).unwrap(),
         ] {
             let impact = damper.impact(contact, 1.0).unwrap();
-            // What two steps of the quadrature must agree to.
-            assert!(apart(impact.duration.unwrap(), expected) < 1e-13, "p={p} {damper:?}: {impact:?}");
-            assert!(apart(impact.max_penetration, 1.0) < 1e-14, "p={p} {damper:?}: {impact:?}");
+            // Required agreement of two successive steps of the quadrature.
+            assert!(
+                relative_difference(impact.duration.unwrap(), expected) < 1e-13,
+                "p={p} {damper:?}: {impact:?}"
+            );
+            assert!(relative_difference(impact.max_penetration, 1.0) < 1e-14, "p={p} {damper:?}: {impact:?}");
         }
     }
 }
 
 #[test]
-fn light_damping_still_takes_its_energy() {
+fn light_damping_dissipates_the_predicted_energy() {
     let contact = CompliantContact::new(2.0, 1e4).unwrap().with_exponent(1.5).unwrap();
     for dissipation in [1e-9, 1e-16, 1e-100] {
         let damper = Damper::hunt_crossley(dissipation).unwrap();
         // ½ m̄ v² (1 − e²) = ½ m̄ v² (4/3) d v for small d v.
         let lost = damper.impact(contact, 3.0).unwrap().energy_lost;
         let expected = 9.0 * 4.0 / 3.0 * dissipation * 3.0;
-        assert!(apart(lost, expected) < 1e-15 + 2.0 * dissipation * 3.0, "{dissipation:e}: {lost:e}");
+        assert!(
+            relative_difference(lost, expected) < 1e-15 + 2.0 * dissipation * 3.0,
+            "{dissipation:e}: {lost:e}"
+        );
     }
     let damper = Law::HuntCrossley.damper(contact, 1.0, Some(3.0), Separation::ForceVanishes).unwrap();
     assert_eq!(damper, Damper::HuntCrossley { dissipation: 0.0 });

@@ -1,22 +1,22 @@
-//! The closed forms against the integrated equation of motion.
+//! Closed forms compared with the integrated equation of motion.
 
-use crate::support::apart;
 use crate::support::integrated::{IntegratedImpact, Measured};
+use crate::support::relative_difference;
 use percuss_contact::{CompliantContact, Damper, Impact, Law, Separation};
 
-/// From nearly dead to nearly elastic, finer than the tenths.
+/// Restitutions from nearly plastic to nearly elastic.
 const RESTITUTIONS: [f64; 11] = [0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.65, 0.8, 0.95, 0.99];
 const MASSES: [f64; 3] = [0.05, 2.3, 700.0];
 const STIFFNESSES: [f64; 3] = [3e3, 1e5, 4e7];
 const EXPONENTS: [f64; 3] = [1.0, 1.5, 3.0];
 
-/// A run: its name, and the figures both ways.
+/// One impact: closed form and integration.
 struct Case {
     name: String,
     impact: Impact,
     measured: Measured,
     energy: f64,
-    asked: f64,
+    required: f64,
 }
 
 fn run(law: Law, e: f64, contact: CompliantContact, speed: f64, separation: Separation) -> Case {
@@ -41,22 +41,22 @@ fn run(law: Law, e: f64, contact: CompliantContact, speed: f64, separation: Sepa
         impact: damper.impact(contact, speed).unwrap(),
         measured: impact.measure(),
         energy: 0.5 * contact.mass() * speed * speed,
-        asked: e,
+        required: e,
     }
 }
 
-/// The integration keeps 1e-12 a step, and its events are found to the last digit.
+/// The integration has a tolerance of 1e-12 per step, and its events are located to rounding.
 const TOLERANCE: f64 = 1e-11;
 
-/// The force is flat at its peak: its time is found to the root of what a float holds of the force.
+/// The force is stationary at the peak, so the time of the peak has an error of about √ε.
 const TIME_OF_PEAK: f64 = 1e-6;
 
-/// The worst relative error of each figure, and where.
+/// Largest relative error of each figure, with the name of its case.
 #[derive(Default)]
 struct Worst(Vec<(&'static str, f64, String)>);
 
 impl Worst {
-    fn see(&mut self, what: &'static str, error: f64, name: &str) {
+    fn record(&mut self, what: &'static str, error: f64, name: &str) {
         let tolerance = if what == "time of peak" { TIME_OF_PEAK } else { TOLERANCE };
         assert!(error < tolerance, "{what} is off by {error:e} at {name}");
         match self.0.iter_mut().find(|entry| entry.0 == what) {
@@ -68,22 +68,34 @@ impl Worst {
 
     fn compare(&mut self, case: &Case) {
         let (impact, measured, name) = (&case.impact, &case.measured, case.name.as_str());
-        self.see("restitution", apart(measured.restitution, case.asked), name);
-        self.see("restitution of the impact", apart(impact.restitution, case.asked), name);
-        self.see("duration", apart(measured.duration, impact.duration.unwrap()), name);
-        self.see("penetration", apart(measured.max_penetration, impact.max_penetration), name);
-        self.see("peak force", apart(measured.peak_force, impact.peak_force), name);
+        self.record("restitution", relative_difference(measured.restitution, case.required), name);
+        self.record(
+            "restitution of the impact",
+            relative_difference(impact.restitution, case.required),
+            name,
+        );
+        self.record("duration", relative_difference(measured.duration, impact.duration.unwrap()), name);
+        self.record(
+            "penetration",
+            relative_difference(measured.max_penetration, impact.max_penetration),
+            name,
+        );
+        self.record("peak force", relative_difference(measured.peak_force, impact.peak_force), name);
         let compression = impact.time_of_max_penetration;
-        self.see("time of penetration", apart(measured.time_of_max_penetration, compression), name);
+        self.record(
+            "time of penetration",
+            relative_difference(measured.time_of_max_penetration, compression),
+            name,
+        );
         let late = measured.time_of_peak_force - impact.time_of_peak_force;
-        self.see("time of peak", (late / compression).abs(), name);
-        self.see("work of the loop", apart(measured.work, impact.energy_lost), name);
-        let lost = case.energy * (1.0 - case.asked) * (1.0 + case.asked);
-        self.see("energy", apart(impact.energy_lost, lost), name);
+        self.record("time of peak", (late / compression).abs(), name);
+        self.record("work of the loop", relative_difference(measured.work, impact.energy_lost), name);
+        let lost = case.energy * (1.0 - case.required) * (1.0 + case.required);
+        self.record("energy", relative_difference(impact.energy_lost, lost), name);
     }
 
-    /// For `--nocapture`.
-    fn tell(&self) {
+    /// Prints the errors; visible with `--nocapture`.
+    fn print(&self) {
         for (what, error, name) in &self.0 {
             println!("{what}: {error:.1e} at {name}");
         }
@@ -106,7 +118,7 @@ fn sweep(law: Law, separation: Separation, exponents: &[f64]) {
         }
     }
     assert_eq!(count, RESTITUTIONS.len() * exponents.len() * MASSES.len() * STIFFNESSES.len());
-    worst.tell();
+    worst.print();
 }
 
 #[test]

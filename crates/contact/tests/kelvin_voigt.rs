@@ -1,13 +1,13 @@
-//! Kelvin–Voigt's relation between damping ratio and restitution, in figures and at its limits.
+//! Relation of the Kelvin–Voigt law between damping ratio and restitution: reference values and limits.
 
 #![allow(clippy::excessive_precision, reason = "figures stand as the other program gave them")]
 
-use crate::support::apart;
+use crate::support::relative_difference;
 use percuss_contact::{CompliantContact, Damper, Law, Separation, kelvin_voigt};
 
 const BOTH: [Separation; 2] = Separation::ALL;
 
-/// ζ, C(ζ), e and 1 − e where the force vanishes, from the definitions in 60 digits.
+/// ζ, C(ζ), e and 1 − e for a contact that ends when the force vanishes, from the definitions with 60 digits.
 const REFERENCE: [(f64, f64, f64, f64); 21] = [
     (1e-12, 1.5707963267938966192, 0.99999999999685840735, 3.1415926535828583731e-12),
     (1e-9, 1.57079632579489662, 0.99999999685840735335, 3.1415926466549912466e-9),
@@ -32,22 +32,25 @@ const REFERENCE: [(f64, f64, f64, f64); 21] = [
     (1e100, 2.3095165647996451005e-98, 2.4999999999999999205e-201, 1.0),
 ];
 
-/// e is the exponential of up to 461: its error is that many roundings.
+/// e is the exponential of a number up to 461, which multiplies its rounding error by 461.
 #[test]
-fn the_functions_keep_their_digits() {
+fn the_functions_are_accurate_to_rounding() {
     let eps = f64::EPSILON;
     for (ratio, time, e, loss) in REFERENCE {
         let decrement = 2.0 * ratio * time;
-        assert!(apart(kelvin_voigt::compression_time(ratio).unwrap(), time) < 4.0 * eps, "C({ratio})");
+        assert!(
+            relative_difference(kelvin_voigt::compression_time(ratio).unwrap(), time) < 4.0 * eps,
+            "C({ratio})"
+        );
         let got = kelvin_voigt::restitution(ratio, Separation::ForceVanishes).unwrap();
-        assert!(apart(got, e) < (4.0 + 4.0 * decrement) * eps, "e({ratio}) = {got:?}");
+        assert!(relative_difference(got, e) < (4.0 + 4.0 * decrement) * eps, "e({ratio}) = {got:?}");
         let got = kelvin_voigt::restitution_loss(ratio, Separation::ForceVanishes).unwrap();
-        assert!(apart(got, loss) < 8.0 * eps, "1 - e({ratio}) = {got:?}");
+        assert!(relative_difference(got, loss) < 8.0 * eps, "1 - e({ratio}) = {got:?}");
     }
 }
 
-/// ζ, e where the gap closes, e where the force vanishes, and there ω·duration, ω/v·penetration and
-/// peak force/(v√(k m̄)): confirmed by integration with events elsewhere.
+/// ζ; e if the gap closes; e if the force vanishes, and for this end ω·duration, ω/v·penetration and
+/// peak force/(v√(k m̄)). Confirmed by integration with event location in another program.
 const TABLE: [(f64, f64, f64, f64, f64, f64); 14] = [
     (0.01, 0.969070903976, 0.969264750464, 3.121748411564, 0.984512443022, 0.984709378332),
     (0.05, 0.854467893007, 0.858758101775, 3.045360022172, 0.926692020995, 0.931344860811),
@@ -65,7 +68,7 @@ const TABLE: [(f64, f64, f64, f64, f64, f64); 14] = [
     (10.0, 0.0, 0.002437934049, 0.601660429971, 0.049375439731, 20.0),
 ];
 
-/// The table has twelve decimals.
+/// Compares with the table, which has twelve decimals.
 #[test]
 fn the_table_of_damping_ratios() {
     let (mass, stiffness, speed) = (2.5_f64, 4e4_f64, 0.7);
@@ -98,7 +101,7 @@ fn the_table_of_damping_ratios() {
     }
 }
 
-/// e, ζ where the gap closes, ζ where the force vanishes.
+/// e, ζ if the gap closes, ζ if the force vanishes.
 const INVERSE: [(f64, f64, f64); 13] = [
     (0.99, 0.00319910489126, 0.00320564684954),
     (0.95, 0.01632498691666, 0.01649823092017),
@@ -125,18 +128,18 @@ fn the_table_of_restitutions() {
     }
 }
 
-/// What a damping ratio from the textbook's half period gives in a simulator that lets no contact pull.
+/// Restitution in a simulator without adhesion for a damping ratio from the half-period formula of textbooks.
 #[test]
-fn the_half_periods_ratio_gives_more_where_nothing_pulls() {
-    for (asked, got) in [(0.2, 0.324863), (0.5, 0.550283), (0.8, 0.808099)] {
-        let ratio = kelvin_voigt::ratio(asked, Separation::GapCloses).unwrap();
+fn the_half_period_ratio_gives_a_larger_restitution_without_adhesion() {
+    for (required, got) in [(0.2, 0.324863), (0.5, 0.550283), (0.8, 0.808099)] {
+        let ratio = kelvin_voigt::ratio(required, Separation::GapCloses).unwrap();
         let e = kelvin_voigt::restitution(ratio, Separation::ForceVanishes).unwrap();
-        assert!((e - got).abs() < 6e-7, "{asked}: {e}");
+        assert!((e - got).abs() < 6e-7, "{required}: {e}");
     }
 }
 
 #[test]
-fn there_and_back() {
+fn conversions_are_inverse() {
     let mut restitutions: Vec<f64> = (1..1000).map(|i| f64::from(i) / 1000.0).collect();
     restitutions.extend([1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1.0 - 1e-6, 1.0 - 1e-9, 1.0 - 1e-12]);
     let critical = (-2.0_f64).exp();
@@ -145,40 +148,46 @@ fn there_and_back() {
         for &e in &restitutions {
             let ratio = kelvin_voigt::ratio(e, separation).unwrap();
             let back = kelvin_voigt::restitution(ratio, separation).unwrap();
-            assert!(apart(back, e) < 1e-12, "{e} {separation:?}: {ratio:?} gives {back:?}");
+            assert!(relative_difference(back, e) < 1e-12, "{e} {separation:?}: {ratio:?} gives {back:?}");
         }
         for loss in [1e-300, 1e-20, 1e-12, 1e-9, 1e-3, 0.5] {
-            let ratio = kelvin_voigt::ratio_of_loss(loss, separation).unwrap();
+            let ratio = kelvin_voigt::ratio_from_loss(loss, separation).unwrap();
             let back = kelvin_voigt::restitution_loss(ratio, separation).unwrap();
-            assert!(apart(back, loss) < 1e-14, "1 - {loss:e} {separation:?}: {ratio:?} gives {back:?}");
+            assert!(
+                relative_difference(back, loss) < 1e-14,
+                "1 - {loss:e} {separation:?}: {ratio:?} gives {back:?}"
+            );
         }
     }
 }
 
-/// ζ = ε/π (1 + ε/2 + 2ε/π²) + O(ε³) for e = 1 − ε under no tension: −ln e = ε + ε²/2, ζ = (L/π)(1 + 2L/π²).
+/// ζ = ε/π (1 + ε/2 + 2ε/π²) + O(ε³) for e = 1 − ε without adhesion: −ln e = ε + ε²/2, ζ = (L/π)(1 + 2L/π²).
 #[test]
 fn the_series_near_no_loss() {
     let pi = std::f64::consts::PI;
     for loss in [1e-9, 1e-6] {
         let series = loss / pi * (1.0 + 0.5 * loss + 2.0 * loss / (pi * pi));
-        let ratio = kelvin_voigt::ratio_of_loss(loss, Separation::ForceVanishes).unwrap();
+        let ratio = kelvin_voigt::ratio_from_loss(loss, Separation::ForceVanishes).unwrap();
         // The next term of the series is of the order ε².
-        assert!(apart(ratio, series) < 4.0 * f64::EPSILON + loss * loss, "{loss:e}: {ratio:?}");
+        assert!(relative_difference(ratio, series) < 4.0 * f64::EPSILON + loss * loss, "{loss:e}: {ratio:?}");
     }
-    // 1 − 1e-9 is a float 2.8e-17 off its name: the exact difference is used.
+    // The float nearest to 1 − 1e-9 differs from it by 2.8e-17: the exact difference is used.
     let e = 1.0 - 1e-9;
     let direct = kelvin_voigt::ratio(e, Separation::ForceVanishes).unwrap();
-    let by_loss = kelvin_voigt::ratio_of_loss(1.0 - e, Separation::ForceVanishes).unwrap();
-    assert!(apart(direct, by_loss) < 4.0 * f64::EPSILON);
+    let by_loss = kelvin_voigt::ratio_from_loss(1.0 - e, Separation::ForceVanishes).unwrap();
+    assert!(relative_difference(direct, by_loss) < 4.0 * f64::EPSILON);
 }
 
-/// ζ → ½ e^(−1/2), where e is small.
+/// ζ → ½ e^(−1/2) for small e.
 #[test]
 fn the_limit_near_no_rebound() {
     for e in [1e-6_f64, 1e-12, 1e-100, 1e-300] {
         let ratio = kelvin_voigt::ratio(e, Separation::ForceVanishes).unwrap();
-        // ln e = −2 ln(2ζ) − (2 ln(2ζ) − 1)/(2ζ²) + …: off by about e |ln e| of itself.
-        assert!(apart(ratio, 0.5 / e.sqrt()) < 2.0 * e * e.ln().abs() + 2e-13, "{e:e}: {ratio:e}");
+        // ln e = −2 ln(2ζ) − (2 ln(2ζ) − 1)/(2ζ²) + …: relative error of about e |ln e|.
+        assert!(
+            relative_difference(ratio, 0.5 / e.sqrt()) < 2.0 * e * e.ln().abs() + 2e-13,
+            "{e:e}: {ratio:e}"
+        );
     }
 }
 
@@ -197,11 +206,11 @@ fn the_ends_of_the_range() {
     let damper = elastic.damper(contact, 1.0, None, Separation::ForceVanishes).unwrap();
     let impact = damper.impact(contact, 1.0).unwrap();
     assert_eq!((impact.energy_lost, impact.rebound_speed), (0.0, 1.0));
-    assert!(apart(impact.duration.unwrap(), std::f64::consts::PI) < 2.0 * f64::EPSILON);
-    assert!(apart(impact.peak_force, 1.0) < 2.0 * f64::EPSILON);
+    assert!(relative_difference(impact.duration.unwrap(), std::f64::consts::PI) < 2.0 * f64::EPSILON);
+    assert!(relative_difference(impact.peak_force, 1.0) < 2.0 * f64::EPSILON);
 }
 
-/// Damping first lowers, then raises, the peak force: least at ζ = 0.264932.
+/// With increasing damping the peak force first decreases, then increases: the minimum is at ζ = 0.264932.
 #[test]
 fn the_least_peak_force() {
     let contact = CompliantContact::new(1.0, 1.0).unwrap();
@@ -213,15 +222,15 @@ fn the_least_peak_force() {
     assert!(peak(0.2549320861) > 0.81013 && peak(0.2749320861) > 0.81013);
 }
 
-/// What it does on another contact follows from c, not from the ratio on the first.
+/// On another contact the coefficient c determines the force, not the damping ratio on the first contact.
 #[test]
 fn the_coefficient_is_the_damper() {
     let [first, heavier] = [1.5, 6.0].map(|mass| CompliantContact::new(mass, 1e5).unwrap());
     let damper = Law::KelvinVoigt.damper(first, 0.5, None, Separation::ForceVanishes).unwrap();
     let Damper::KelvinVoigt { ratio, coefficient, separation } = damper else { panic!("{damper:?}") };
-    assert!(apart(coefficient, 2.0 * ratio * (1e5_f64 * 1.5).sqrt()) < 1e-15);
+    assert!(relative_difference(coefficient, 2.0 * ratio * (1e5_f64 * 1.5).sqrt()) < 1e-15);
     let expected = kelvin_voigt::restitution(0.5 * ratio, separation).unwrap();
-    assert!(apart(damper.restitution(heavier, 1.0).unwrap(), expected) < 1e-15);
+    assert!(relative_difference(damper.restitution(heavier, 1.0).unwrap(), expected) < 1e-15);
     let again = Damper::kelvin_voigt_from_coefficient(first, coefficient, separation).unwrap();
-    assert!(apart(again.restitution(first, 1.0).unwrap(), 0.5) < 1e-15);
+    assert!(relative_difference(again.restitution(first, 1.0).unwrap(), 0.5) < 1e-15);
 }

@@ -1,12 +1,12 @@
-//! The laws as a set: names, both ways through a damper, and how far the approximations miss.
+//! All laws: names, conversion to a damper and back, and errors of the approximations.
 
-use crate::support::apart;
 use crate::support::integrated::IntegratedImpact;
+use crate::support::relative_difference;
 use percuss_contact::{CompliantContact, ContactLawError, Damper, Law, Separation};
 use std::collections::BTreeSet;
 
-/// The restitution that each approximation gives where e is asked for, e = 0.1, 0.2, …, 0.9, 0.95; and the largest
-/// error among them. Four decimals, from the formulas and the exact relation by another program.
+/// Restitution of each approximation for the required e = 0.1, 0.2, …, 0.9, 0.95, and the largest error of the ten. Four
+/// decimals, computed by another program from the formulas and the exact relation.
 const ACHIEVED: [(Law, [f64; 10], f64); 12] = [
     (
         Law::HuntCrossley1975,
@@ -54,27 +54,27 @@ const ACHIEVED: [(Law, [f64; 10], f64); 12] = [
     ),
 ];
 
-const ASKED: [f64; 10] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95];
+const REQUIRED: [f64; 10] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95];
 
 fn contact() -> CompliantContact {
     CompliantContact::new(1.3, 4.1e4).unwrap().with_exponent(1.5).unwrap()
 }
 
 #[test]
-fn the_approximations_miss_by_this_much() {
+fn the_approximations_have_the_tabulated_errors() {
     let mut listed = 0;
     for (law, achieved, worst) in ACHIEVED {
         assert!(!law.is_exact(), "{law:?}");
         let mut most = 0.0_f64;
-        for (asked, expected) in ASKED.into_iter().zip(achieved) {
-            let error = law.approximation_error(asked).unwrap();
-            assert_eq!(error.requested, asked);
-            assert!((error.achieved - expected).abs() < 6e-5, "{law:?} {asked}: {error:?}");
+        for (required, expected) in REQUIRED.into_iter().zip(achieved) {
+            let error = law.approximation_error(required).unwrap();
+            assert_eq!(error.requested, required);
+            assert!((error.achieved - expected).abs() < 6e-5, "{law:?} {required}: {error:?}");
             most = most.max(error.error().abs());
-            // The damper gives what was predicted.
-            let damper = law.damper(contact(), asked, Some(0.7), Separation::default()).unwrap();
+            // The damper has the predicted restitution.
+            let damper = law.damper(contact(), required, Some(0.7), Separation::default()).unwrap();
             let e = damper.restitution(contact(), 0.7).unwrap();
-            assert!(apart(e, error.achieved) < 1e-14, "{law:?} {asked}: {e}");
+            assert!(relative_difference(e, error.achieved) < 1e-14, "{law:?} {required}: {e}");
         }
         assert!((most - worst).abs() < 6e-4, "{law:?} misses by up to {most}");
         listed += 1;
@@ -82,14 +82,14 @@ fn the_approximations_miss_by_this_much() {
     assert_eq!(listed, Law::ALL.iter().filter(|law| !law.is_exact()).count());
 }
 
-/// The exact relation that judges the approximations stands against the motion itself, forevery law.
+/// For every law, the predicted restitution agrees with the integrated motion.
 #[test]
 fn every_laws_damper_gives_the_predicted_rebound() {
     let (contact, speed) = (contact(), 0.7);
     for law in Law::ALL {
-        for asked in [0.2, 0.5, 0.8] {
-            let predicted = law.approximation_error(asked).unwrap().achieved;
-            let damper = law.damper(contact, asked, Some(speed), Separation::default()).unwrap();
+        for required in [0.2, 0.5, 0.8] {
+            let predicted = law.approximation_error(required).unwrap().achieved;
+            let damper = law.damper(contact, required, Some(speed), Separation::default()).unwrap();
             let (k, p) = (contact.stiffness(), contact.exponent());
             let force = |x: f64, rate: f64| match damper {
                 Damper::KelvinVoigt { coefficient, .. } => k * x.powf(p) + coefficient * x.powf(0.25) * rate,
@@ -103,13 +103,16 @@ fn every_laws_damper_gives_the_predicted_rebound() {
                 ends_with_the_force: law == Law::KelvinVoigt,
             };
             let measured = impact.measure().restitution;
-            // As in integration.rs.
-            assert!(apart(measured, predicted) < 1e-11, "{law:?} {asked}: {measured}, not {predicted}");
+            // Tolerance as in integration.rs.
+            assert!(
+                relative_difference(measured, predicted) < 1e-11,
+                "{law:?} {required}: {measured}, not {predicted}"
+            );
         }
     }
 }
 
-/// How each approximation's a compares with the exact one as e → 1, and as e → 0.
+/// Ratio of the dissipation number of each approximation to the exact one for e → 1 and for e → 0.
 #[test]
 fn the_limits_of_the_approximations() {
     use percuss_contact::hunt_crossley::dissipation_number;
@@ -135,7 +138,7 @@ fn the_limits_of_the_approximations() {
         (Law::ExudynMixed, 1.0),
     ];
     for (law, limit) in near_one {
-        // First order in 1 − e at the least.
+        // At least first order in 1 − e.
         assert!((share(law, 1.0 - 1e-7) - limit).abs() < 1e-6, "{law:?}: {}", share(law, 1.0 - 1e-7));
     }
     let near_zero = [
@@ -154,14 +157,14 @@ fn the_limits_of_the_approximations() {
 }
 
 #[test]
-fn the_exact_laws_give_what_is_asked() {
+fn the_exact_laws_reach_the_restitution() {
     for law in Law::ALL.into_iter().filter(|law| law.is_exact()) {
         for separation in Separation::ALL {
             for i in 1..=1000 {
                 let e = f64::from(i) / 1000.0;
                 let damper = law.damper(contact(), e, Some(2.5), separation).unwrap();
                 let got = damper.restitution(contact(), 2.5).unwrap();
-                assert!(apart(got, e) < 1e-12, "{law:?} {separation:?} {e}: {got}");
+                assert!(relative_difference(got, e) < 1e-12, "{law:?} {separation:?} {e}: {got}");
                 assert_eq!(law.approximation_error(e).unwrap().achieved, e);
             }
         }
@@ -169,7 +172,7 @@ fn the_exact_laws_give_what_is_asked() {
 }
 
 #[test]
-fn names_are_unique_and_lead_back() {
+fn names_are_unique_and_are_parsed_back() {
     let mut names = BTreeSet::new();
     for law in Law::ALL {
         assert_eq!(Law::from_name(law.name()), Ok(law));
@@ -209,10 +212,12 @@ fn an_unknown_name_lists_the_known() {
     assert!(matches!(Law::from_name(""), Err(ContactLawError::UnknownLaw { nearest: None, .. })));
 }
 
-/// The law by Tsuji and others has √5 ζ √(k m̄) x^(1/4) for the exponent 3/2.
+/// The damper of Tsuji and others is √5 ζ √(k m̄) x^(1/4) for the exponent 3/2.
 #[test]
 fn tsujis_coefficient() {
     let damper = Damper::kelvin_voigt(contact(), 0.3, Separation::default()).unwrap();
     let Damper::KelvinVoigt { coefficient, .. } = damper else { panic!("{damper:?}") };
-    assert!(apart(coefficient, 5f64.sqrt() * 0.3 * (4.1e4_f64 * 1.3).sqrt()) < 4.0 * f64::EPSILON);
+    assert!(
+        relative_difference(coefficient, 5f64.sqrt() * 0.3 * (4.1e4_f64 * 1.3).sqrt()) < 4.0 * f64::EPSILON
+    );
 }

@@ -1,11 +1,11 @@
-//! What the exports say was measured: within their stated bounds, and as the documentation has it; and what follows from it.
+//! Measurements stated by the exports: within the stated bounds, equal to the documentation, and used for refusals.
 
 use percuss_contact::CompliantContact;
 use percuss_contact::exports::{Export, ExportError, Options, Request, Tool};
 
 const STIFFNESS: f64 = 1e5;
 
-fn asked(restitution: f64) -> Request {
+fn request(restitution: f64) -> Request {
     Request::new(CompliantContact::new(2.0, STIFFNESS).unwrap(), restitution).at(0.4)
 }
 
@@ -14,7 +14,7 @@ fn number_of(export: &Export, name: &str) -> f64 {
 }
 
 #[test]
-fn what_was_measured_is_within_the_stated_bound() {
+fn measurements_are_within_the_stated_bound() {
     for tool in Tool::ALL {
         for (at, e) in [0.2, 0.5, 0.8].into_iter().enumerate() {
             for measured in tool.facts().measured {
@@ -36,9 +36,9 @@ fn what_was_measured_is_within_the_stated_bound() {
     }
 }
 
-/// The table at the head of docs/reference/SIMULATORS.md, from what the exports say of themselves.
+/// The first table of docs/reference/SIMULATORS.md, generated from the facts of the exports.
 #[test]
-fn the_table_of_simulators_is_what_the_exports_say() {
+fn the_table_of_simulators_agrees_with_the_exports() {
     let mut table = String::from(
         "| simulator (`--for`) | run in | restitution within (e = 0.2, 0.5, 0.8) | of | watch for |\n|---|---|---|---|---|\n",
     );
@@ -70,7 +70,7 @@ fn the_table_of_simulators_is_what_the_exports_say() {
     let page = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/SIMULATORS.md");
     let text = std::fs::read_to_string(page).expect("the page");
     for table in [table, two_sides] {
-        // Markdown takes a bare `<` for HTML.
+        // Markdown would read an unescaped `<` as HTML.
         let table = table.replace('<', "\\<");
         assert!(text.contains(&table), "docs/reference/SIMULATORS.md should have this table:\n{table}");
     }
@@ -80,14 +80,14 @@ fn the_table_of_simulators_is_what_the_exports_say() {
 }
 
 #[test]
-fn gazebo_gives_e_to_one_side_and_refuses_rebounds_that_die() {
-    let export = Tool::GAZEBO.export(&asked(0.5)).unwrap();
+fn gazebo_sets_e_on_one_side_and_refuses_slow_rebounds() {
+    let export = Tool::GAZEBO.export(&request(0.5)).unwrap();
     assert_eq!(number_of(&export, "restitution_coefficient"), 0.5);
-    // DART multiplies the two.
+    // DART multiplies the restitutions of the two sides.
     assert_eq!(number_of(&export, "other_restitution_coefficient"), 1.0);
     let text = &export.snippets[0].text;
     assert!(text.contains("<restitution_coefficient>0.5<") && text.contains("<restitution_coefficient>1.0<"));
-    for (e, speed, answered) in [
+    for (e, speed, is_supported) in [
         (0.2, 0.3, false),
         (0.2, 0.5, false),
         (0.2, 0.51, true),
@@ -95,17 +95,17 @@ fn gazebo_gives_e_to_one_side_and_refuses_rebounds_that_die() {
         (1.0, 99.0, true),
         (1.0, 101.0, false),
     ] {
-        match Tool::GAZEBO.export(&asked(e).at(speed)) {
-            Ok(_) => assert!(answered, "{e} at {speed}"),
+        match Tool::GAZEBO.export(&request(e).at(speed)) {
+            Ok(_) => assert!(is_supported, "{e} at {speed}"),
             Err(error) => {
                 assert!(
-                    !answered && matches!(error, ExportError::Unreachable { .. }),
+                    !is_supported && matches!(error, ExportError::Unreachable { .. }),
                     "{e} at {speed}: {error}"
                 );
             }
         }
     }
-    let export = Tool::GAZEBO.export(&Request { speed: None, ..asked(0.5) }).unwrap();
+    let export = Tool::GAZEBO.export(&Request { speed: None, ..request(0.5) }).unwrap();
     assert!(export.error_bound.is_none() && export.missing.len() == 1);
 }
 

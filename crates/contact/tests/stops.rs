@@ -1,4 +1,4 @@
-//! The stops of joints: which tools have one, and that models of the engines' steps return from it as asked.
+//! Joint stops: supported tools; models of the engines' steps reach the required restitution at the stop.
 
 use percuss_contact::CompliantContact;
 use percuss_contact::exports::{Export, ExportError, Options, Request, StopMotion, Tool};
@@ -6,7 +6,7 @@ use percuss_contact::exports::{Export, ExportError, Options, Request, StopMotion
 const INERTIA: f64 = 0.6;
 const STIFFNESS: f64 = 700.0;
 const RESTITUTIONS: [f64; 12] = [0.005, 0.01, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99];
-const WRITTEN: [Tool; 4] = [Tool::MUJOCO, Tool::ODE, Tool::NEWTON, Tool::PHYSX];
+const SUPPORTED: [Tool; 4] = [Tool::MUJOCO, Tool::ODE, Tool::NEWTON, Tool::PHYSX];
 
 fn request(restitution: f64, motion: StopMotion) -> Request {
     let options = Options { stop: Some(motion), ..Options::default() };
@@ -16,7 +16,7 @@ fn request(restitution: f64, motion: StopMotion) -> Request {
     }
 }
 
-/// Error of single precision in the bound: the rounding of an angle from 0.25 to 0.5 rad over the travel of a step.
+/// Error by single precision in the bound: the rounding of an angle from 0.25 to 0.5 rad divided by the travel of a step.
 fn single(step: f64) -> f64 {
     1.5e-8 / (0.1 * step)
 }
@@ -25,8 +25,8 @@ fn number(export: &Export, name: &str) -> f64 {
     export.number(name).unwrap_or_else(|| panic!("{}: no {name}", export.tool))
 }
 
-/// The restitution of an engine's step x, v ↦ v⁺ past the stop (x past it, v into it), the worst of all phases against `e`. The
-/// engine sees the stop where the joint is past it at the beginning of a step.
+/// Restitution with the time step x, v ↦ v⁺ of an engine (x displacement beyond the stop, v speed into the stop): of all
+/// phases, the value with the largest deviation from `e`. The stop acts in steps that begin beyond the stop.
 fn worst(e: f64, step: f64, next: impl Fn(f64, f64) -> f64) -> f64 {
     let mut worst: f64 = 0.0;
     for phase in 0..40 {
@@ -41,7 +41,7 @@ fn worst(e: f64, step: f64, next: impl Fn(f64, f64) -> f64) -> f64 {
 }
 
 #[test]
-fn implicit_engines_return_as_asked() {
+fn implicit_engines_reach_the_restitution_at_stops() {
     for e in RESTITUTIONS {
         for tool in [Tool::ODE, Tool::PHYSX] {
             let export = tool.export(&request(e, StopMotion::Turn)).unwrap();
@@ -56,7 +56,7 @@ fn implicit_engines_return_as_asked() {
             assert!((k / STIFFNESS - 1.0).abs() < 1e-9, "{tool} {e}: {k}");
             let found = worst(e, h, |x, v| {
                 let stopped = (v - h / INERTIA * k * x) / (1.0 + h / INERTIA * (h * k + c));
-                // PhysX's limits pull.
+                // Joint limits of PhysX pull.
                 let pulls = tool == Tool::PHYSX || k * (x + h * stopped) + c * stopped > 0.0;
                 if pulls { stopped } else { v }
             });
@@ -66,10 +66,10 @@ fn implicit_engines_return_as_asked() {
 }
 
 #[test]
-fn newton_returns_as_asked_though_its_damper_pulls() {
+fn newton_reaches_the_restitution_at_stops_with_a_pulling_damper() {
     for e in RESTITUTIONS {
         for accuracy in [1e-2, 1e-3, 1e-4] {
-            // 40 rad/s: the error of single precision is small.
+            // At 40 rad/s the error by single precision is small.
             let mut request = request(e, StopMotion::Turn).at(40.0);
             request.options.accuracy = accuracy;
             if accuracy > e {
@@ -90,12 +90,12 @@ fn newton_returns_as_asked_though_its_damper_pulls() {
 }
 
 #[test]
-fn a_tool_has_a_stop_or_says_why_not_and_what_to_do() {
+fn tools_without_stops_give_reason_and_remedy() {
     for tool in Tool::ALL {
         for motion in [StopMotion::Turn, StopMotion::Slide] {
             match tool.export(&request(0.5, motion)) {
                 Ok(export) => {
-                    assert!(WRITTEN.contains(&tool) && !export.snippets.is_empty(), "{tool}");
+                    assert!(SUPPORTED.contains(&tool) && !export.snippets.is_empty(), "{tool}");
                     for snippet in &export.snippets {
                         let step = format!("{:?}", export.time_step.unwrap());
                         assert!(snippet.text.contains(&step) && !snippet.text.contains("inf"), "{tool}");
@@ -107,7 +107,7 @@ fn a_tool_has_a_stop_or_says_why_not_and_what_to_do() {
                     );
                 }
                 Err(error) => {
-                    assert!(!WRITTEN.contains(&tool), "{tool}: {error}");
+                    assert!(!SUPPORTED.contains(&tool), "{tool}: {error}");
                     let ExportError::NoStop { why, remedy, known, .. } = &error else {
                         panic!("{tool}: {error}")
                     };

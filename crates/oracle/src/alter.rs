@@ -13,6 +13,7 @@ pub fn describe(mechanism: &Mechanism) -> (Vec<LinkDescription>, Vec<JointDescri
     (links, joints)
 }
 
+/// Description of a link.
 fn describe_link(link: &Link) -> LinkDescription {
     LinkDescription {
         name: link.name().to_owned(),
@@ -21,6 +22,7 @@ fn describe_link(link: &Link) -> LinkDescription {
     }
 }
 
+/// Description of a joint with its limits, armature and mimic.
 fn describe_joint(mechanism: &Mechanism, joint: &Joint) -> JointDescription {
     JointDescription {
         name: joint.name().to_owned(),
@@ -126,14 +128,14 @@ pub fn scaled(mechanism: &Mechanism, length: f64, mass: f64) -> Mechanism {
             JointKind::Floating => [[turning; 3], [sliding; 3]].concat(),
         };
         joint.armature.iter_mut().zip(factors).for_each(|(value, factor)| *value *= factor);
-        let unit = |kind| unit(kind, length);
+        let scale = |kind| position_scale(kind, length);
         if let Some(Limits { lower, upper }) = &mut joint.limits {
-            *lower *= unit(joint.kind);
-            *upper *= unit(joint.kind);
+            *lower *= scale(joint.kind);
+            *upper *= scale(joint.kind);
         }
         if let (Some(mimic), Some(Mimic { master, .. })) = (&mut joint.mimic, own.mimic()) {
-            mimic.multiplier *= unit(joint.kind) / unit(mechanism.joint(master).kind());
-            mimic.offset *= unit(joint.kind);
+            mimic.multiplier *= scale(joint.kind) / scale(mechanism.joint(master).kind());
+            mimic.offset *= scale(joint.kind);
         }
     }
     let (mut closures, mut couplings) = describe_loops(mechanism);
@@ -147,7 +149,7 @@ pub fn scaled(mechanism: &Mechanism, length: f64, mass: f64) -> Mechanism {
         let (on, against): (Vec<_>, Vec<_>) =
             own.terms().iter().map(|term| term.0).partition(|&id| below(own.successor(), id));
         let side = |joints: &[JointId]| {
-            let units = joints.iter().map(|&id| unit(mechanism.joint(id).kind(), length));
+            let units = joints.iter().map(|&id| position_scale(mechanism.joint(id).kind(), length));
             let first = units.clone().next();
             assert!(units.clone().all(|u| Some(u) == first), "coupling {}: a sum of rad and m", own.name());
             first
@@ -160,7 +162,7 @@ pub fn scaled(mechanism: &Mechanism, length: f64, mass: f64) -> Mechanism {
 }
 
 /// Scale factor of the joint position for a scale factor of length.
-fn unit(kind: JointKind, length: f64) -> f64 {
+fn position_scale(kind: JointKind, length: f64) -> f64 {
     if kind == JointKind::Prismatic { length } else { 1.0 }
 }
 
@@ -224,29 +226,32 @@ pub fn rebased(mechanism: &Mechanism, x_gr: Transform<f64>) -> Mechanism {
 pub fn written(mechanism: &Mechanism, decimals: usize) -> Mechanism {
     let (links, mut joints) = describe(mechanism);
     for joint in &mut joints {
-        joint.origin = written_frame(&joint.origin, decimals);
-        joint.axis = written_vector(&joint.axis, decimals);
+        joint.origin = rounded_frame(&joint.origin, decimals);
+        joint.axis = rounded_vector(&joint.axis, decimals);
     }
     let (mut closures, couplings) = describe_loops(mechanism);
     for closure in &mut closures {
-        closure.predecessor_frame = written_frame(&closure.predecessor_frame, decimals);
-        closure.successor_frame = written_frame(&closure.successor_frame, decimals);
-        closure.axis = written_vector(&closure.axis, decimals);
-        closure.axis2 = written_vector(&closure.axis2, decimals);
+        closure.predecessor_frame = rounded_frame(&closure.predecessor_frame, decimals);
+        closure.successor_frame = rounded_frame(&closure.successor_frame, decimals);
+        closure.axis = rounded_vector(&closure.axis, decimals);
+        closure.axis2 = rounded_vector(&closure.axis2, decimals);
     }
     build_with_loops(mechanism.name(), links, joints, closures, couplings)
 }
 
-fn written_frame(frame: &Transform<f64>, decimals: usize) -> Transform<f64> {
-    let rpy = rpy_from_rotation(&frame.rotation).map(|angle| written_number(angle, decimals));
-    Transform::new(rotation_from_rpy(rpy), written_vector(&frame.translation, decimals))
+/// Frame with rounded translation and rounded roll, pitch and yaw.
+fn rounded_frame(frame: &Transform<f64>, decimals: usize) -> Transform<f64> {
+    let rpy = rpy_from_rotation(&frame.rotation).map(|angle| rounded_number(angle, decimals));
+    Transform::new(rotation_from_rpy(rpy), rounded_vector(&frame.translation, decimals))
 }
 
-fn written_vector(vector: &Vector3<f64>, decimals: usize) -> Vector3<f64> {
-    vector.map(|x| written_number(x, decimals))
+/// Vector with rounded components.
+fn rounded_vector(vector: &Vector3<f64>, decimals: usize) -> Vector3<f64> {
+    vector.map(|x| rounded_number(x, decimals))
 }
 
-fn written_number(x: f64, decimals: usize) -> f64 {
+/// Number rounded to the given decimals.
+fn rounded_number(x: f64, decimals: usize) -> f64 {
     format!("{x:.decimals$}").parse().expect("a number that was printed")
 }
 
@@ -254,7 +259,7 @@ fn written_number(x: f64, decimals: usize) -> f64 {
 ///
 /// # Panics
 /// If a root has mass, which would be lost in the ground.
-pub fn beside(parts: &[(&str, &Mechanism)]) -> Mechanism {
+pub fn on_common_ground(parts: &[(&str, &Mechanism)]) -> Mechanism {
     const GROUND: &str = "ground";
     let mut links = vec![LinkDescription::massless(GROUND)];
     let (mut joints, mut closures, mut couplings) = (Vec::new(), Vec::new(), Vec::new());
@@ -317,7 +322,7 @@ mod tests {
     use percuss_mechanism::Inertial;
 
     #[test]
-    fn a_mechanism_survives_being_described() {
+    fn descriptions_rebuild_the_same_mechanism() {
         for (name, mechanism) in zoo::all() {
             let (links, joints) = describe(&mechanism);
             let again = build(name, links.clone(), joints.clone());

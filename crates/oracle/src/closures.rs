@@ -7,7 +7,7 @@ use percuss_spatial::{Matrix3, Transform, Vector3, rotation_about, rotation_from
 
 /// Admissible relative pose X_ps of the loop frames for a closure kind, from its axis and parameters; for a
 /// universal closure also the axis of the successor's pin.
-pub(crate) fn fitting(
+pub(crate) fn admissible_relative_pose(
     kind: ClosureKind,
     axis: &Vector3<f64>,
     p: Vector3<f64>,
@@ -33,7 +33,7 @@ pub(crate) fn fitting(
 
 /// Completes a closure with given predecessor and axis: sets the successor's loop frame such that the relative
 /// pose at these tree positions is X_ps.
-pub(crate) fn closing(
+pub(crate) fn complete_closure(
     tree: &Mechanism,
     positions: &[Vec<f64>],
     closure: ClosureDescription,
@@ -50,6 +50,7 @@ pub(crate) fn closing(
     ClosureDescription { successor_frame, axis2: pin, distance, ..closure }
 }
 
+/// Rigid transform of a homogeneous 4×4 matrix.
 fn transform(x: &Matrix4<f64>) -> Transform<f64> {
     Transform::new(x.fixed_view::<3, 3>(0, 0).into_owned(), x.fixed_view::<3, 1>(0, 3).into_owned())
 }

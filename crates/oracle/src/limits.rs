@@ -25,17 +25,17 @@ pub(crate) const DIFFERENCE_STEP: f64 = 1e-5;
 /// Ratio of singular values of the Jacobian below which the smaller one is an error of the finite differences.
 pub(crate) const DIFFERENCE_NOISE: f64 = 1e-9;
 /// Limit of accepted steps of the assembler.
-pub(crate) const MOST_ROUNDS: usize = 200;
+pub(crate) const MAX_STEPS: usize = 200;
 /// Limit of attempts at one step, each with ten times the damping: enough to increase the damping from the
 /// minimum to the largest singular value.
-pub(crate) const MOST_ATTEMPTS: usize = 12;
+pub(crate) const MAX_ATTEMPTS: usize = 12;
 /// Damping of the first step relative to the largest singular value.
 pub(crate) const FIRST_DAMPING: f64 = 1e-3;
 /// Minimum damping after a rejected step.
-pub(crate) const LEAST_DAMPING: f64 = 1e-12;
+pub(crate) const MIN_DAMPING: f64 = 1e-12;
 /// Damping below which a step is undamped: the square is below rounding.
 pub(crate) const NO_DAMPING: f64 = 1e-16;
 /// Step of a driver relative to its range.
 pub(crate) const DRIVER_STEP: f64 = 0.05;
 /// Limit of the steps of one motion of a linkage.
-pub(crate) const MOST_DRIVER_STEPS: f64 = 1e4;
+pub(crate) const MAX_DRIVER_STEPS: f64 = 1e4;

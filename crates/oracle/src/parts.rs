@@ -3,14 +3,17 @@
 use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription};
 use percuss_spatial::{Matrix3, Transform, Vector3, rotation_from_rpy};
 
+/// Joint between two links by name.
 pub(crate) fn joint(name: &str, kind: JointKind, parent: &str, child: &str) -> JointDescription {
     JointDescription::new(name, kind, parent, child)
 }
 
+/// Massless link `ground`.
 pub(crate) fn ground() -> LinkDescription {
     LinkDescription::massless("ground")
 }
 
+/// Frame with roll, pitch and yaw (rad) and origin (m).
 pub(crate) fn frame(rpy: [f64; 3], p: [f64; 3]) -> Transform<f64> {
     Transform::new(rotation_from_rpy(rpy), p.into())
 }

@@ -1,7 +1,7 @@
 //! Random mechanisms, positions and contacts. The caller provides the generator (`StdRng::seed_from_u64`).
 
 use crate::alter::{build, build_with_loops, describe};
-use crate::closures::{closing, fitting};
+use crate::closures::{admissible_relative_pose, complete_closure};
 pub use crate::positions::{follow, zero_positions};
 use nalgebra::{Rotation3, Vector3};
 use percuss_mechanism::{
@@ -38,7 +38,7 @@ pub fn mechanism<R: Rng + ?Sized>(rng: &mut R, bodies: usize) -> Mechanism {
         joint.origin = frame(rng, 0.5);
         joint.axis = direction(rng);
         if rng.random_bool(0.35) {
-            joint.armature = (0..joint.kind.dofs()).map(|_| decades(rng, -3.0, 0.0)).collect();
+            joint.armature = (0..joint.kind.dofs()).map(|_| log_uniform(rng, -3.0, 0.0)).collect();
         }
         if joint.kind.dofs() == 1 && rng.random_bool(0.2) {
             let masters: Vec<&JointDescription> = joints.iter().filter(|j| j.kind.dofs() == 1).collect();
@@ -75,13 +75,13 @@ pub fn linkage<R: Rng + ?Sized>(rng: &mut R, bodies: usize, closures: usize) -> 
         let before = if rng.random_bool(0.15) { "world".into() } else { format!("link_{before}") };
         let axis = direction(rng);
         let turn = [0; 3].map(|_| rng.random_range(-1.5..1.5));
-        let fit = fitting(kind, &axis, vector(rng, 0.4), turn);
+        let fit = admissible_relative_pose(kind, &axis, vector(rng, 0.4), turn);
         let closure = ClosureDescription {
             predecessor_frame: frame(rng, 0.4),
             axis,
             ..ClosureDescription::new(format!("closure_{i}"), kind, before, format!("link_{after}"))
         };
-        made.push(closing(&tree, &positions, closure, fit));
+        made.push(complete_closure(&tree, &positions, closure, fit));
     }
     let (links, joints) = describe(&tree);
     (build_with_loops("random linkage", links, joints, made, Vec::new()), positions)
@@ -138,6 +138,7 @@ fn rigid_groups(mechanism: &Mechanism) -> Vec<usize> {
     group
 }
 
+/// Random joint kind.
 fn kind<R: Rng + ?Sized>(rng: &mut R) -> JointKind {
     match rng.random_range(0..16) {
         0..=5 => JointKind::Revolute,
@@ -153,7 +154,7 @@ fn kind<R: Rng + ?Sized>(rng: &mut R) -> JointKind {
 /// Body of 0.03 to 30 kg with principal moments from radii of gyration about three axes, which satisfy the
 /// triangle inequality.
 pub(crate) fn body<R: Rng + ?Sized>(rng: &mut R, index: usize) -> LinkDescription {
-    let mass = decades(rng, -1.5, 1.5);
+    let mass = log_uniform(rng, -1.5, 1.5);
     let [a, b, c] = [0; 3].map(|_| mass * rng.random_range(0.03f64..0.3).powi(2));
     let turn = Rotation3::new(direction(rng) * rng.random_range(0.0..PI)).into_inner();
     let moments = Matrix3::from_diagonal(&Vector3::new(b + c, a + c, a + b));
@@ -163,10 +164,11 @@ pub(crate) fn body<R: Rng + ?Sized>(rng: &mut R, index: usize) -> LinkDescriptio
 }
 
 /// 10 to the power of a uniform random number.
-pub(crate) fn decades<R: Rng + ?Sized>(rng: &mut R, from: f64, to: f64) -> f64 {
+pub(crate) fn log_uniform<R: Rng + ?Sized>(rng: &mut R, from: f64, to: f64) -> f64 {
     10f64.powf(rng.random_range(from..to))
 }
 
+/// Random frame with an origin in a cube of half side `reach`, m.
 pub(crate) fn frame<R: Rng + ?Sized>(rng: &mut R, reach: f64) -> Transform<f64> {
     let turn = Rotation3::new(direction(rng) * rng.random_range(0.0..PI)).into_inner();
     Transform::new(turn, vector(rng, reach))
@@ -198,7 +200,7 @@ mod tests {
     use rand::{SeedableRng, rngs::StdRng};
 
     #[test]
-    fn a_seed_gives_the_same_again_and_all_kinds_come() {
+    fn seeds_are_reproducible_and_give_all_kinds() {
         let make = || mechanism(&mut StdRng::seed_from_u64(7), 60);
         let (one, two) = (make(), make());
         assert_eq!(crate::alter::describe(&one), crate::alter::describe(&two));
@@ -214,14 +216,14 @@ mod tests {
         let mut rng = StdRng::seed_from_u64(11);
         let mechanism = mechanism(&mut rng, 40);
         let q = positions(&mut rng, &mechanism);
-        let mut seen = 0;
+        let mut count = 0;
         for (joint, q_joint) in mechanism.joints().iter().zip(&q) {
             if let Some(mimic) = joint.mimic() {
                 assert_eq!(q_joint[0], mimic.multiplier * q[mimic.master.index()][0] + mimic.offset);
-                seen += 1;
+                count += 1;
             }
         }
-        assert!(seen > 0, "no mimic in this seed");
+        assert!(count > 0, "no mimic in this seed");
     }
 
     #[test]

@@ -1,6 +1,6 @@
-//! Route C against everything that can be written down.
+//! Route C compared with closed forms.
 //!
-//! Tolerances: the matrices have unit columns and rows, and m̄ is stationary in v, so what is left is some tens of
+//! Tolerances: the matrices have unit columns and rows, and m̄ is stationary in v, so its error is some tens of
 //! roundings times the condition of the null space: 1e-13 for these small mechanisms.
 
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
@@ -15,7 +15,7 @@ fn respond(mechanism: &Mechanism, q: &[f64], on: &str, point: [f64; 3], normal: 
     effective_mass(&question(mechanism, q, on, point, normal))
 }
 
-/// A question with one-dof joints at `q`, in order; fixed joints are skipped.
+/// Question with the joints of one degree of freedom at the values `q`, in order; fixed joints have no value.
 fn question<'a>(
     mechanism: &'a Mechanism,
     q: &[f64],
@@ -41,7 +41,7 @@ fn point_mass_on_a_massless_rod() {
     for (r_b, angle) in [(0.8, 0.0), (0.4, 0.7), (2.0, -2.2), (1e-3, 0.3)] {
         let normal = Vector3::new(-f64::sin(angle), f64::cos(angle), 0.0);
         let got = respond(&mechanism, &[angle], "rod", [r_b, 0.0, 0.0], normal);
-        // The closing speed of a point near the hinge is a small difference: |j| / |j Z| digits are lost.
+        // The closing speed of a point near the hinge is a small difference: the error grows by the factor |j| / |j Z|.
         let tolerance = TOL * (0.8 / r_b).max(1.0);
         assert_mass(got, closed_form::point_mass_pendulum(1.5, 0.8, r_b), tolerance);
     }
@@ -58,7 +58,7 @@ fn physical_pendulum_with_an_oblique_normal() {
         1.287,
         TOL,
     );
-    // Only the arm of the normal's line counts.
+    // m̄ depends only on the moment arm of the line of the normal.
     let (point, tilt) = (Vector3::new(0.3, 0.2, -0.1), Vector3::new(0.48, 0.64, 0.6));
     let arm = point.cross(&tilt).z;
     let got = respond(&mechanism, &[0.0], "body", point.into(), tilt);
@@ -143,7 +143,7 @@ fn general_two_link_arms_with_armature() {
 fn a_needle_keeps_its_digits_on_ten_tonnes() {
     let mechanism = zoo::needle_on_heavy_base();
     let got = respond(&mechanism, &[0.2, 0.0], "needle", [0.04, 0.0, 0.0], Vector3::y());
-    // Ten decades between the masses: the needle's share must not drown in the base's rounding.
+    // The masses differ by ten decades: the rounding of the base must not hide the share of the needle.
     assert_mass(got, closed_form::rod_tip_on_sliding_base(1e-6, 1e4), TOL);
     let along =
         respond(&mechanism, &[0.2, std::f64::consts::FRAC_PI_2], "needle", [0.04, 0.0, 0.0], Vector3::y());
@@ -158,7 +158,7 @@ fn a_rod_on_a_sliding_base_at_all_mass_ratios() {
         links[1].inertial.as_mut().unwrap().mass = base;
         let mechanism = percuss_oracle::alter::build("sliding", links, joints);
         let got = respond(&mechanism, &[0.0, 0.0], "needle", [0.04, 0.0, 0.0], Vector3::y());
-        // The base's held velocities are zero to some ε; their energy is M (8 ε)² beside the needle's m/3.
+        // The velocities of the fixed base are some ε instead of zero; their energy M (8 ε)² adds to m/3 of the needle.
         let tolerance = TOL + base / 1e-6 * (8.0 * f64::EPSILON).powi(2);
         assert_mass(got, closed_form::rod_tip_on_sliding_base(1e-6, base), tolerance);
     }
@@ -174,8 +174,8 @@ fn mimics_are_gears() {
     let point = Vector3::new(0.1, 0.0, 0.0);
     let mut question = Question::new(&mechanism, q.clone(), finger, point, Vector3::x());
     question.locked = vec![mechanism.find_joint("lift").unwrap()];
-    // With the lift locked there is one freedom; by hand from its energy, J about each hinge with the rates
-    // 1, −1, 1 − 0.5 (the pad, in the palm), −0.03 (the plunger).
+    // With a locked lift there is one degree of freedom. Energy by hand: J about each hinge with the rates 1, −1, 1 − 0.5
+    // (pad relative to the palm), and −0.03 of the plunger.
     let about_y = |link: &str, offset: Vector3<f64>| {
         let inertia = mechanism.link(mechanism.find_link(link).unwrap()).inertia();
         let r = offset + inertia.first_moment / inertia.mass;
@@ -186,14 +186,14 @@ fn mimics_are_gears() {
     energy += moment + m * r.xz().norm_squared();
     let (m, moment, r) = about_y("right_finger", Vector3::zeros());
     energy += moment + m * r.xz().norm_squared();
-    // The pad, in the finger's axes: carried by the hinge at rate 1, turning about its own at −0.5.
+    // The pad in the axes of the finger: the hinge of the finger has the rate 1, the hinge of the pad −0.5.
     let tip = q[mechanism.find_joint("left_tip").unwrap().index()][0];
     let (m, moment, c) = about_y("left_pad", Vector3::zeros());
     let turned = Vector3::new(c.x * tip.cos() + c.z * tip.sin(), 0.0, c.z * tip.cos() - c.x * tip.sin());
     let velocity = Vector3::y().cross(&Vector3::new(0.08, 0.0, 0.02)) + 0.5 * Vector3::y().cross(&turned);
     energy += 0.25 * moment + m * velocity.norm_squared();
     energy += 0.3 * 0.03 * 0.03;
-    // The struck point, 0.1 along the finger's x-axis turned by 0.3 about y: its velocity along x is −0.1 sin 0.3.
+    // Contact point at 0.1 along the x-axis of the finger, rotated by 0.3 about y: its velocity along x is −0.1 sin 0.3.
     let arm = 0.1 * 0.3f64.sin();
     assert_mass(effective_mass(&question), energy / (arm * arm), TOL * 10.0);
 }
@@ -209,7 +209,7 @@ fn three_hinges_with_massless_links_are_a_ball_joint() {
         panic!("the ball joint moves")
     };
     assert_mass(respond(&chain, &[a, b, c], "body", point, normal), expected, TOL);
-    // And by hand: 1/m̄ = (r × n)ᵀ I_O⁻¹ (r × n), in the body's axes.
+    // By hand: 1/m̄ = (r × n)ᵀ I_O⁻¹ (r × n), in the axes of the body.
     let body = ball.link(ball.find_link("body").unwrap()).inertia();
     let arm = Vector3::from(point).cross(&(q.inverse() * normal));
     let mobility = arm.dot(&(body.rotational.try_inverse().unwrap() * arm));

@@ -1,5 +1,5 @@
-//! The conventions of positions and velocities: route C against the joint space as differences of poses show it,
-//! and massless links that only armatures hold.
+//! Conventions of positions and velocities: route C compared with the joint space from finite differences of poses, and
+//! massless links with armatures.
 
 use nalgebra::{DMatrix, DVector, Matrix4, Quaternion, UnitQuaternion, Vector3};
 use percuss_mechanism::{JointDescription, JointKind, LinkDescription, Mechanism};
@@ -12,14 +12,14 @@ use rand::{SeedableRng, rngs::StdRng};
 /// Step of the central differences: their error is h² / 6 ≈ 2e-11 and ε / h ≈ 2e-11.
 const H: f64 = 1e-5;
 
-/// The quaternion `q` turned by `h` about axis `i` of its own frame.
+/// Quaternion `q` rotated by `h` about axis `i` of its own frame.
 fn turned(q: &[f64], i: usize, h: f64) -> [f64; 4] {
     let q = UnitQuaternion::from_quaternion(Quaternion::new(q[0], q[1], q[2], q[3]));
     let q = q * UnitQuaternion::from_scaled_axis(Vector3::ith(i, h));
     [q.w, q.i, q.j, q.k]
 }
 
-/// Positions after the joint's velocity number `i` has run for `h`; mimics follow.
+/// Positions after a motion with unit velocity component `i` of the joint for the time `h`; mimics follow.
 fn moved(mechanism: &Mechanism, positions: &[Vec<f64>], joint: usize, i: usize, h: f64) -> Vec<Vec<f64>> {
     let mut moved = positions.to_vec();
     let q = &mut moved[joint];
@@ -44,7 +44,7 @@ fn rotation(x: &Matrix4<f64>) -> nalgebra::Matrix3<f64> {
     x.fixed_view::<3, 3>(0, 0).into_owned()
 }
 
-/// 1 / (j M⁻¹ jᵀ), M and j from differences of poses.
+/// 1 / (j M⁻¹ jᵀ), with M and j from finite differences of poses.
 fn by_differences(question: &Question) -> f64 {
     let mechanism = question.mechanism;
     let columns: Vec<(usize, usize)> = (0..mechanism.joints().len())
@@ -65,12 +65,12 @@ fn by_differences(question: &Question) -> f64 {
     for (l, link) in mechanism.links().iter().enumerate() {
         let inertia = link.inertia();
         let point = x_wl[l].try_inverse().unwrap().transform_point(&p_w);
-        // Velocities in the link's axes, at its origin: those in which the ten parameters are given.
+        // Twist in the axes of the link, at its origin, as for the ten inertia parameters.
         let mut angular = Vec::new();
         let mut linear = Vec::new();
         for (k, [plus, minus]) in steps.iter().enumerate() {
             let turn = rotation(&minus[l]).transpose() * rotation(&plus[l]);
-            // The skew part, sin θ times the axis; an angle from the trace would keep half the digits.
+            // Skew part of the rotation, sin θ times the axis; the angle from the trace would lose half of the digits.
             let sine = Vector3::new(turn.m32 - turn.m23, turn.m13 - turn.m31, turn.m21 - turn.m12) / 2.0;
             angular.push(sine / (2.0 * H));
             let shift = (plus[l] - minus[l]).fixed_view::<3, 1>(0, 3) / (2.0 * H);
@@ -114,11 +114,11 @@ fn differences_of_poses_show_the_same_mass() {
         }
     }
     println!("worst {worst:e}");
-    // 1e-10 of the differences, times a condition of M that reaches some thousands.
+    // Error 1e-10 of the differences times the condition of M, up to some thousands.
     assert!(worst < 1e-8, "{worst:e}");
 }
 
-/// A massless link on one joint with the armature given, and 1/m̄ by hand.
+/// Massless link on one joint with an armature; compared with 1/m̄ by hand.
 fn held_by_rotors(kind: JointKind, armature: &[f64], q: Vec<f64>, expected: impl Fn(&Frames) -> f64) {
     let axis = Vector3::new(0.3, -0.5, 0.8).normalize();
     let x_pj = Transform::new(rotation_from_rpy([0.4, 0.9, -1.3]), Vector3::new(0.3, -0.2, 0.5));
@@ -137,7 +137,7 @@ fn held_by_rotors(kind: JointKind, armature: &[f64], q: Vec<f64>, expected: impl
     assert!((mass * mobility - 1.0).abs() < 1e-13, "{kind:?}: {mass} against {}", 1.0 / mobility);
 }
 
-/// What a hand calculation needs: the axis and the normal in the joint frame, the point in the link.
+/// Input of the calculation by hand: axis and normal in the joint frame, point in the link frame.
 struct Frames {
     axis: Vector3<f64>,
     n_j: Vector3<f64>,
@@ -181,10 +181,10 @@ fn armatures_act_on_the_velocities_of_the_table() {
 
 #[test]
 fn poses_are_those_of_the_table() {
-    // Against the words of the table: X_pc = origin · motion(q), a plane is left by no motion, a point stays.
+    // Definitions of the table: X_pc = origin · motion(q); planar motions stay in the plane; the centre of a ball is fixed.
     let mut rng = StdRng::seed_from_u64(43);
     let mechanism = zoo::every_joint();
-    let mut seen = 0;
+    let mut count = 0;
     for _ in 0..5 {
         let positions = random::positions(&mut rng, &mechanism);
         let x_wl = poses(&mechanism, &positions);
@@ -209,11 +209,11 @@ fn poses_are_those_of_the_table() {
                     (rotation_from_quaternion([q[3], q[4], q[5], q[6]]), p)
                 }
             };
-            // A chain of four products of numbers of order one.
+            // Rounding of four consecutive products of numbers of order one.
             assert!((x_jc.rotation - r).amax() < 1e-14, "{}", joint.name());
             assert!((x_jc.translation - p).amax() < 1e-14, "{}", joint.name());
-            seen += 1;
+            count += 1;
         }
     }
-    assert_eq!(seen, 5 * mechanism.joints().len());
+    assert_eq!(count, 5 * mechanism.joints().len());
 }

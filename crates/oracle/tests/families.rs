@@ -1,4 +1,4 @@
-//! The drawn families: what they claim, and that what is asked of the library about rounded files can be had of them.
+//! Families of linkages: their stated properties, and bounds for the tests of rounded files.
 
 use nalgebra::Vector3;
 use percuss_mechanism::{JointId, Mechanism};
@@ -48,9 +48,9 @@ fn a_seed_gives_the_same_again() {
     }
 }
 
-/// That the bounds which the library is held to are bounds on the files: route C, with a rank cut between the singular
-/// values that count and those that rounding leaves, keeps well within them. So does the pose that least squares finds
-/// while a joint that drives well stays at 0.
+/// The bounds that the tests require of the library are achievable: route C, with a rank threshold between the singular
+/// values of the constraints and those of rounding, is well within them, and so is the least-squares pose with a
+/// well-conditioned driver at 0.
 #[test]
 fn rounded_twins_can_be_answered() {
     for decimals in DECIMALS {
@@ -61,8 +61,9 @@ fn rounded_twins_can_be_answered() {
             let twin = drawn.written(decimals);
             let zero = at_zero(&twin);
             open = open.max(residual(&twin, &zero) / unit);
-            let ease = |id: &JointId| drawn.ease(&zero, *id);
-            let best = drawn.loop_joints.iter().copied().max_by(|a, b| ease(a).total_cmp(&ease(b)));
+            let conditioning = |id: &JointId| drawn.conditioning_of_driver(&zero, *id);
+            let best =
+                drawn.loop_joints.iter().copied().max_by(|a, b| conditioning(a).total_cmp(&conditioning(b)));
             let closed = driven(&drawn, &twin, best.expect("joints"), &zero);
             off = off.max(closed.concat().iter().fold(0.0, |most: f64, q| most.max(q.abs())) / unit);
             for touch in &drawn.contacts {
@@ -75,10 +76,11 @@ fn rounded_twins_can_be_answered() {
             for &driver in &drawn.loop_joints {
                 for value in [-0.1, 0.1] {
                     let Some(exact) = drawn.at(driver, value) else { continue };
-                    let there = driven(&drawn, &twin, driver, &exact);
+                    let positions = driven(&drawn, &twin, driver, &exact);
                     for touch in &drawn.contacts {
                         let exactly = drawn.mass_of(&drawn.mechanism, &exact, touch, None);
-                        let got = drawn.mass_of(&twin, &there, touch, Some(1e-2)).finite().expect("finite");
+                        let got =
+                            drawn.mass_of(&twin, &positions, touch, Some(1e-2)).finite().expect("finite");
                         let deviation = got / exactly.finite().expect("finite") - 1.0;
                         set_mass = set_mass.max(deviation.abs() / unit);
                         set += 1;
@@ -94,7 +96,7 @@ fn rounded_twins_can_be_answered() {
     }
 }
 
-/// Closed as far as can be, from `guess`, a joint held where it is.
+/// Least-squares closed position from `guess` with one joint held.
 fn driven(drawn: &Drawn, twin: &Mechanism, driver: JointId, guess: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let followers: Vec<_> = drawn.loop_joints.iter().copied().filter(|id| *id != driver).collect();
     close_as_far_as_possible(twin, guess, &followers).0
@@ -106,10 +108,13 @@ fn gaps_as_drawn_are_what_was_asked_for() {
     for seed in 0..60 {
         for fraction in [0.0, 0.005, 0.04] {
             let open = drawn_open(seed, fraction);
-            let wanted = fraction * open.closed.size;
+            let expected_gap = fraction * open.closed.size;
             for (i, gap) in open.gaps.iter().enumerate() {
-                let wanted = if i == open.moved { wanted } else { 0.0 };
-                assert!((gap - wanted).abs() < 1e-14, "{seed} {fraction}: {gap}, wanted {wanted}");
+                let expected_gap = if i == open.moved { expected_gap } else { 0.0 };
+                assert!(
+                    (gap - expected_gap).abs() < 1e-14,
+                    "{seed} {fraction}: {gap}, wanted {expected_gap}"
+                );
             }
             let Some(closed) = &open.closes else { continue };
             closes += 1;
@@ -132,7 +137,7 @@ fn contradictions_are_as_large_as_asked_for() {
                 let (_, open) = close_as_far_as_possible(&mechanism, &at_zero(&mechanism), &loops);
                 let part = open / size;
                 assert!(part <= 2.0 * fraction + 1e-14 && part >= 0.1 * fraction, "{part:e}");
-                // The scaled exact twin weighs what the drawn one does.
+                // The scaled exact twin has the same m̄ as the drawn linkage.
                 let exact = drawn_as(seed, kind);
                 for touch in &exact.contacts {
                     let touch = Touch { point: touch.point * (size / exact.size), ..touch.clone() };
@@ -155,7 +160,7 @@ fn crank_rows_weigh_what_they_say() {
             spacing: 0.4,
             angle: 1.1,
             turned,
-            away: 0.7,
+            distance_from_origin: 0.7,
             crank_mass: 0.7,
             platform_mass: 2.0,
         };

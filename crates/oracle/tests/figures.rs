@@ -1,8 +1,8 @@
-//! Figures that were computed elsewhere: suspensions of Project Chrono, a published linkage at its change point.
+//! Values from other programs and publications: suspensions of Project Chrono, a linkage at its change point.
 //!
 //! Hardpoints, masses and inertias of the suspensions: Project Chrono, data/vehicle, `HMMWV_DoubleWishboneFront.json`
-//! and `Sedan_DoubleWishbone.json` (BSD 3-clause). Inertias of arms are given there in axes u from front to back hinge
-//! point, w normal to the arm's plane, v = w × u.
+//! and `Sedan_DoubleWishbone.json` (BSD 3-clause). The inertias of arms are given in the axes u from the front to the rear hinge
+//! point, w normal to the plane of the arm, v = w × u.
 
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::{
@@ -25,7 +25,7 @@ fn arm(mass: f64, com: Point, moments: Point, hinge: [Point; 2], ball: Point) ->
     Arm { hinge, ball, body: Inertial { mass, com: com.into(), about_com } }
 }
 
-/// m̄ at the spring's seat on the lower arm, along its line, in the design position; spin free and locked.
+/// m̄ at the spring seat on the lower arm, along the line of the spring, in the design position; wheel free and locked.
 fn felt_by_the_spring(corner: &Corner) -> [f64; 2] {
     let linkage = double_wishbone_of(corner);
     let mechanism = &linkage.mechanism;
@@ -70,7 +70,7 @@ fn front_suspension_of_the_hmmwv() {
         spring: [[0.104, 0.51, 0.197], [0.097, 0.543, -0.047]],
     };
     assert_figure(felt_by_the_spring(&corner)[0], 207.342164, 1e-6);
-    // The axle's inertia about its axis belongs to the spindle; free to spin it does not matter.
+    // The inertia of the axle about its axis belongs to the spindle; it has no effect if the spindle is free to rotate.
     corner.spindle.about_com.m22 += 0.4;
     let [free, locked] = felt_by_the_spring(&corner);
     assert_figure(free, 207.342164, 1e-6);
@@ -127,10 +127,10 @@ fn two_freedoms_at_a_change_point() {
         let normal = Vector3::y();
         solve(&Question::new(&four_bar, positions, on, Vector3::new(0.4, 0.0, 0.0), normal))
     };
-    let here = ask(random::zero_positions(&four_bar));
-    assert_eq!((here.degrees_of_freedom, here.redundant_constraints), (2, 4));
-    assert_figure(here.outcome.finite().unwrap(), 1.134, 1e-3);
-    // Along its two branches, the parallelogram and the crossed one, close by.
+    let at_crossing = ask(random::zero_positions(&four_bar));
+    assert_eq!((at_crossing.degrees_of_freedom, at_crossing.redundant_constraints), (2, 4));
+    assert_figure(at_crossing.outcome.finite().unwrap(), 1.134, 1e-3);
+    // Near the change point on both branches, parallelogram and antiparallelogram.
     let tiny = 1e-4;
     let (psi, _) = percuss_oracle::closed_form::antiparallelogram(1.0, 0.5, tiny);
     let pin = f64::atan2(0.5 * (psi.sin() - tiny.sin()), 1.0 + 0.5 * (psi.cos() - tiny.cos()));
@@ -138,14 +138,14 @@ fn two_freedoms_at_a_change_point() {
         (vec![vec![tiny], vec![-tiny], vec![tiny]], 3.641, 1e-3),
         (vec![vec![tiny], vec![pin - tiny], vec![psi]], 15.80, 1e-2),
     ] {
-        let there = ask(positions);
-        assert_eq!((there.degrees_of_freedom, there.redundant_constraints), (1, 3));
-        assert_figure(there.outcome.finite().unwrap(), figure, unit);
+        let on_branch = ask(positions);
+        assert_eq!((on_branch.degrees_of_freedom, on_branch.redundant_constraints), (1, 3));
+        assert_figure(on_branch.outcome.finite().unwrap(), figure, unit);
     }
 }
 
-/// The project's rounded reference linkage: crank 0.3, coupler 0.7, rocker 0.5, ground 0.8 m in the x-z plane; rolls of
-/// the two hinges on the ground as given.
+/// Rounded reference linkage: crank 0.3, coupler 0.7, rocker 0.5, ground 0.8 m in the x-z plane; the arguments are the roll
+/// angles of the two hinges on the ground.
 fn reference_four_bar(rolls: [f64; 2]) -> (usize, f64) {
     let z = [0.0, 0.0, 1.0];
     let bar =
@@ -186,6 +186,6 @@ fn the_rounded_reference_has_the_mass_of_its_ideal_twin() {
     let (rounded_degrees, rounded) =
         reference_four_bar([1e4, 1e6].map(|unit| (FRAC_PI_2 * unit).round() / unit));
     assert_eq!((degrees, rounded_degrees), (1, 1));
-    // Frames that are 4e-6 rad off leave as much.
+    // Frame errors of 4e-6 rad cause a residual of the same size.
     assert!((rounded / ideal - 1.0).abs() < 1e-5, "{rounded} {ideal}");
 }

@@ -1,4 +1,4 @@
-//! What must not change m̄: where the world is, its units, the sign of the normal, who is called the struck link.
+//! Invariance of m̄: position of the world frame, units, sign of the normal, choice of the contact link.
 
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::Mechanism;
@@ -9,7 +9,7 @@ use percuss_spatial::{Transform, rotation_from_rpy};
 use rand::{SeedableRng, rngs::StdRng};
 use std::time::Instant;
 
-/// Random chains of eight: roundings times a condition that reaches a thousand.
+/// Random chains of eight bodies: rounding times a condition up to a thousand.
 const TOL: f64 = 1e-11;
 
 fn cases(seed: u64) -> Vec<Mechanism> {
@@ -33,18 +33,18 @@ fn difference(a: Outcome, b: Outcome) -> f64 {
     }
 }
 
-/// Runs `other` beside each case, fixed base and floating; all must agree.
+/// Asserts that `other` has the same outcome as each case, with fixed and floating base.
 fn agree(seed: u64, tolerance: f64, other: impl Fn(&Question) -> Outcome) {
     let mut rng = StdRng::seed_from_u64(seed);
     let (mut worst, mut finite) = (0.0f64, 0);
     for mechanism in cases(seed) {
         for floating_base in [false, true] {
             let question = Question { floating_base, ..ask(&mut rng, &mechanism) };
-            let here = effective_mass(&question);
-            finite += usize::from(here.finite().is_some());
-            let error = difference(other(&question), here);
+            let expected = effective_mass(&question);
+            finite += usize::from(expected.finite().is_some());
+            let error = difference(other(&question), expected);
             worst = worst.max(error);
-            assert!(error <= tolerance, "{}: {error:e}, {here:?}", mechanism.name());
+            assert!(error <= tolerance, "{}: {error:e}, {expected:?}", mechanism.name());
         }
     }
     assert!(finite > 40, "only {finite} finite cases");
@@ -57,7 +57,7 @@ fn the_sign_of_the_normal() {
 }
 
 #[test]
-fn which_side_is_called_struck() {
+fn the_order_of_the_two_sides() {
     agree(2, TOL, |q| {
         let Some(against) = q.against else { return effective_mass(q) };
         let x_wl = poses(q.mechanism, &q.positions);
@@ -69,7 +69,7 @@ fn which_side_is_called_struck() {
 }
 
 #[test]
-fn the_place_of_the_world() {
+fn the_position_of_the_world() {
     let x_gr = Transform::new(rotation_from_rpy([0.4, -1.0, 2.2]), Vector3::new(30.0, -20.0, 10.0));
     agree(3, TOL, |q| {
         let moved = rebased(q.mechanism, x_gr);
@@ -97,8 +97,8 @@ fn the_units() {
 
 #[test]
 fn the_choice_of_link_frames() {
-    // Every link's frame moved in its link; hinges and slides keep their place, being fixed joints' neighbours:
-    // each joint gets a massless link between its motion and the child's new frame.
+    // Every link frame is moved within its link, and the axes stay: a massless link and a fixed joint are inserted between
+    // each joint and the new frame of its child.
     let shift = Transform::new(rotation_from_rpy([0.7, 0.2, -0.5]), Vector3::new(0.3, -0.1, 0.2));
     agree(5, TOL, |q| {
         let (mut links, mut joints) = describe(q.mechanism);
@@ -112,7 +112,7 @@ fn the_choice_of_link_frames() {
             links.push(LinkDescription::massless(between.clone()));
             joints.push(JointDescription::new(weld, JointKind::Fixed, between, child.clone()).origin(shift));
             positions.push(Vec::new());
-            // In the new frame, what was at p is at X⁻¹ p.
+            // A point p has the coordinates X⁻¹ p in the new frame.
             let back = shift.inverse();
             let link = links.iter_mut().find(|l| l.name == child).unwrap();
             if let Some(inertial) = &mut link.inertial {
@@ -138,15 +138,15 @@ fn sixty_bodies_are_feasible_and_as_exact() {
         let mechanism = random::mechanism(&mut rng, 60);
         let question = ask(&mut rng, &mechanism);
         let start = Instant::now();
-        let here = effective_mass(&question);
-        println!("60 bodies: {here:?} in {:?}", start.elapsed());
-        assert!(here.finite().is_some());
+        let expected = effective_mass(&question);
+        println!("60 bodies: {expected:?} in {:?}", start.elapsed());
+        assert!(expected.finite().is_some());
         let mirrored = Question { normal: -question.normal, ..question.clone() };
-        assert!(difference(effective_mass(&mirrored), here) <= TOL);
+        assert!(difference(effective_mass(&mirrored), expected) <= TOL);
         let other = scaled(&mechanism, 10.0, 1.0);
         let positions = scaled_positions(&mechanism, &question.positions, 10.0);
         let large =
             Question { mechanism: &other, positions, point: question.point * 10.0, ..question.clone() };
-        assert!(difference(effective_mass(&large), here) <= TOL);
+        assert!(difference(effective_mass(&large), expected) <= TOL);
     }
 }

@@ -1,4 +1,4 @@
-//! Route C on closed loops against everything that can be written down.
+//! Route C on closed loops compared with closed forms.
 
 use nalgebra::{Vector2, Vector3};
 use percuss_mechanism::Mechanism;
@@ -10,7 +10,7 @@ use percuss_oracle::maximal::{Answer, Outcome, Question, poses, solve};
 use percuss_spatial::Transform;
 use std::f64::consts::{PI, TAU};
 
-/// Loops in general position: roundings times a condition of some tens.
+/// Loops in general position: rounding times a condition of some tens.
 const TOL: f64 = 1e-11;
 
 fn ask(linkage: &Linkage, positions: &[Vec<f64>], on: &str, point: [f64; 3], normal: Vector3<f64>) -> Answer {
@@ -28,8 +28,8 @@ fn in_plane(n: Vector2<f64>) -> Vector3<f64> {
     linkage::plane().vector(&n.push(0.0))
 }
 
-/// Every link of a planar linkage with one driver, struck in many directions over the whole range; the worst relative
-/// error. Links and bodies are in the same order, the ground first.
+/// Largest relative error for contacts on every link of a planar linkage with one driver, in many directions, over the whole
+/// range. Links and bodies are in the same order, the ground first.
 fn planar(
     linkage: &Linkage,
     bodies: [PlanarBody; 3],
@@ -46,7 +46,7 @@ fn planar(
             for k in 0..3 {
                 let (sin, cos) = (0.3 + f64::from(k) * TAU / 7.0).sin_cos();
                 let (point, n) = (Vector2::from(point), Vector2::new(cos, sin));
-                // Digits are lost where the point hardly moves along the normal.
+                // The error grows if the velocity of the point along the normal is small.
                 let closing = n.dot(&poses[i].velocity_of(point));
                 if closing.abs() < 0.02 {
                     continue;
@@ -81,7 +81,7 @@ fn planar_linkages_over_their_whole_range() {
     assert!(planar(&linkage::slider_crank(), linkage::SLIDER_CRANK_BODIES, poses, 3) < TOL);
     let poses = four_bar(linkage::PARALLELOGRAM, Crossing::Left);
     assert!(planar(&linkage::parallelogram(), bodies, poses, 3) < TOL);
-    // At 0.3 rad from the change point the condition is ten times worse.
+    // At 0.3 rad from the change point the condition is ten times larger.
     let poses = four_bar(linkage::PARALLELOGRAM, Crossing::Right);
     assert!(planar(&linkage::antiparallelogram(), bodies, poses, 3) < 10.0 * TOL);
 }
@@ -90,7 +90,7 @@ fn planar_linkages_over_their_whole_range() {
 fn parallelograms_by_hand() {
     let [crank, coupler, rocker] = linkage::FOUR_BAR_BODIES;
     let moment = |b: PlanarBody| b.inertia + b.mass * b.com.norm_squared();
-    // The coupler does not turn: 2T = (J₁ + J₃ + m₂ a²) θ̇².
+    // The coupler does not rotate: 2T = (J₁ + J₃ + m₂ a²) θ̇².
     let energy = moment(crank) + moment(rocker) + coupler.mass * 0.4 * 0.4;
     let linkage = linkage::parallelogram();
     for positions in linkage.sweep(9) {
@@ -153,7 +153,7 @@ fn rods_between_sliders() {
             let tilt = Vector3::new(0.6, 0.3, -0.4).normalize();
             let answer = ask(&linkage, &positions, "first", [0.1, 0.0, 0.2], linkage::plane().vector(&tilt));
             let along = closed_form::elliptic_trammel(first, second, x, y);
-            // Both move when the first is struck out of the plane; its guide's share of the normal counts.
+            // Both sliders move under a contact out of the plane at the first; the component of the normal along its guide counts.
             assert!(relative(answer.outcome, closed_form::slider(along, tilt.x)) < TOL, "{}", linkage.name);
             assert_eq!((answer.degrees_of_freedom, answer.redundant_constraints), (degrees, 0));
         }
@@ -207,7 +207,7 @@ fn ladders_of_any_length() {
 }
 
 #[test]
-fn separate_loops_do_not_feel_each_other() {
+fn separate_loops_are_independent() {
     let linkage = linkage::separate(3);
     let positions = &linkage.sweep(3)[1];
     let mechanism = &linkage.mechanism;
@@ -236,13 +236,13 @@ fn one_suspension_in_two_descriptions() {
     let axis = (Vector3::from(linkage::GENERIC_CORNER.lower.hinge[1]) - Vector3::from(hinge)).normalize();
     let mut worst = 0.0f64;
     for positions in balls.sweep(7) {
-        // The angle of the lower arm about its hinge.
+        // Angle of the lower arm about its hinge.
         let arm = balls.mechanism.find_link("lower_arm").unwrap();
         let turn = poses(&balls.mechanism, &positions)[arm.index()].fixed_view::<3, 3>(0, 0).into_owned();
         let sine = Vector3::new(turn.m32 - turn.m23, turn.m13 - turn.m31, turn.m21 - turn.m12) / 2.0;
         let angle = axis.dot(&sine).asin();
         let spin = balls.drivers_at(&positions)[1];
-        let same = hinged.go(&start, &[angle, spin]).unwrap();
+        let same = hinged.move_drivers(&start, &[angle, spin]).unwrap();
         let n = Vector3::new(0.1, -0.2, 0.9).normalize();
         for (link, point) in
             [("lower_arm", [0.1, 0.15, 0.02]), ("upright", [0.0; 3]), ("spindle", [0.2, 0.1, -0.3])]
@@ -275,7 +275,7 @@ fn a_rounded_four_bar_is_its_exact_twin() {
             assert_eq!((a.degrees_of_freedom, a.redundant_constraints), (1, 3));
             assert_eq!((b.degrees_of_freedom, b.redundant_constraints), (1, 3));
             worst = worst.max(relative(b.outcome, a.outcome.finite().unwrap()));
-            // The rule of the exact file would call it rigid.
+            // With the default threshold of the exact file the linkage would be rigid.
             let question = Question {
                 threshold: Some(1e-10),
                 ..Question::new(
@@ -290,6 +290,6 @@ fn a_rounded_four_bar_is_its_exact_twin() {
         }
     }
     println!("{worst:e}");
-    // Some micrometres on a metre, times the transmission.
+    // Some micrometres per metre, times the transmission ratio.
     assert!(worst < 1e-4, "{worst:e}");
 }

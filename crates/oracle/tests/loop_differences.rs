@@ -1,4 +1,4 @@
-//! The rows of closures and couplings against the joint space as differences of poses and of residuals show it.
+//! Rows of closures and couplings compared with finite differences of poses and of residuals.
 
 use faer::Mat;
 use nalgebra::{DMatrix, DVector, Vector3};
@@ -12,15 +12,15 @@ fn question<'a>(mechanism: &'a Mechanism, positions: &[Vec<f64>], rng: &mut StdR
     Question { against, ..Question::new(mechanism, positions.to_vec(), on, point, normal) }
 }
 
-/// Velocities of the tree that are not mimics'.
+/// Velocities of the tree, without those of mimics.
 fn velocities(mechanism: &Mechanism) -> Vec<(JointId, usize)> {
     let own = |id: &JointId| mechanism.joint(*id).mimic().is_none();
     let dofs = |id: JointId| (0..mechanism.joint(id).kind().dofs()).map(move |i| (id, i));
     mechanism.joint_ids().filter(own).flat_map(dofs).collect()
 }
 
-/// Joint space by differences of poses and residuals alone: the kernel of the constraints, M and j on it, and
-/// 1/(j M⁻¹ jᵀ) there. `None` where the contact does not close.
+/// m̄ in joint space, from finite differences of poses and residuals alone: kernel of the constraints, M and j on the
+/// kernel, and 1/(j M⁻¹ jᵀ). `None` if no admissible motion closes the contact.
 fn by_differences(question: &Question) -> (usize, Option<f64>) {
     const H: f64 = 1e-5;
     let mechanism = question.mechanism;
@@ -40,7 +40,7 @@ fn by_differences(question: &Question) -> (usize, Option<f64>) {
         }
         steps.push((poses(mechanism, &plus), poses(mechanism, &minus), unit));
     }
-    // In metres per metre: differences err by 1e-11.
+    // In metres per metre: the differences have an error of 1e-11.
     let svd = a.svd().unwrap();
     let values: Vec<f64> = svd.S().column_vector().iter().copied().collect();
     let rank = values.iter().filter(|s| **s > 1e-7).count();
@@ -96,14 +96,14 @@ fn rows_are_derivatives_of_residuals() {
         let answer = solve(&question);
         let (degrees, mass) = by_differences(&question);
         assert_eq!(answer.degrees_of_freedom, degrees, "{}: {:?}", mechanism.name(), answer.singular_values);
-        if let (Some(mass), Some(here)) = (mass, answer.outcome.finite()) {
-            let error = (mass / here - 1.0).abs();
+        if let (Some(mass), Some(expected)) = (mass, answer.outcome.finite()) {
+            let error = (mass / expected - 1.0).abs();
             assert!(error < 1e-5, "{}: {error:e}, {:?}", mechanism.name(), answer.singular_values);
             worst = worst.max(error);
             compared += 1;
         }
     };
-    // Massless spins make M singular; their linkages have closed forms.
+    // Massless rotations make M singular; these linkages are tested against closed forms.
     for linkage in linkage::all().iter().filter(|l| l.name != "trammel_with_rod") {
         check(&linkage.mechanism, &linkage.closed_start(), &mut rng);
     }

@@ -1,4 +1,4 @@
-//! Rows, mobility and outcomes where loops are closed.
+//! Rows, mobility and outcomes of closed loops.
 
 use nalgebra::Vector3;
 use percuss_mechanism::{ClosureKind, Mechanism};
@@ -36,7 +36,7 @@ fn every_kind_of_closure_is_in_the_zoo() {
     }
 }
 
-/// Mobility on the ground, redundant rows.
+/// Mobility on the ground and number of redundant rows of each linkage.
 fn counted(name: &str) -> (usize, usize) {
     match name {
         "four_bar" | "slider_crank" | "parallelogram" | "antiparallelogram" | "massless_arm_suspension" => {
@@ -79,11 +79,11 @@ fn freedoms_and_redundancy_over_the_whole_range() {
                 linkage.name,
                 answer.singular_values
             );
-            // Far from the threshold on both sides.
+            // Singular values are far from the threshold on both sides.
             let rank = rows(mechanism) - redundant;
             least_gap = least_gap.min(answer.singular_values[rank - 1]);
             assert!(answer.singular_values[rank..].iter().all(|s| *s < 1e-13), "{}", linkage.name);
-            // A flying base adds six; no loop that closes within the mechanism minds, the world holds what it holds.
+            // A floating base adds six degrees of freedom and no redundant row.
             let flying = solve(&Question { floating_base: true, ..question });
             assert_eq!(
                 (flying.degrees_of_freedom, flying.redundant_constraints),
@@ -106,8 +106,8 @@ fn drivers_go_anywhere_in_their_ranges() {
         let start = linkage.closed_start();
         for _ in 0..3 {
             let drivers: Vec<f64> = linkage.range.iter().map(|r| rng.random_range(r[0]..r[1])).collect();
-            match linkage.go(&start, &drivers) {
-                Ok(there) => assert_eq!(linkage.drivers_at(&there), drivers),
+            match linkage.move_drivers(&start, &drivers) {
+                Ok(other_outcome) => assert_eq!(linkage.drivers_at(&other_outcome), drivers),
                 Err(error) => panic!("{} at {drivers:?}: {error}", linkage.name),
             }
         }
@@ -115,7 +115,7 @@ fn drivers_go_anywhere_in_their_ranges() {
 }
 
 #[test]
-fn units_and_the_place_of_the_world_do_not_matter() {
+fn units_and_the_position_of_the_world_do_not_matter() {
     let mut rng = StdRng::seed_from_u64(13);
     let mut worst = 0.0f64;
     let x_gr = Transform::new(rotation_from_rpy([0.4, -1.0, 2.2]), Vector3::new(3.0, -2.0, 1.0));
@@ -124,22 +124,22 @@ fn units_and_the_place_of_the_world_do_not_matter() {
         let positions = linkage.closed_start();
         for floating_base in [false, true] {
             let question = Question { floating_base, ..question(mechanism, &positions, &mut rng) };
-            let Some(here) = effective_mass(&question).finite() else { continue };
+            let Some(expected) = effective_mass(&question).finite() else { continue };
             let large = scaled(mechanism, 10.0, 3.0);
-            let there = effective_mass(&Question {
+            let other_outcome = effective_mass(&Question {
                 mechanism: &large,
                 positions: scaled_positions(mechanism, &positions, 10.0),
                 point: question.point * 10.0,
                 ..question.clone()
             });
-            worst = worst.max((there.finite().unwrap() / here / 3.0 - 1.0).abs());
+            worst = worst.max((other_outcome.finite().unwrap() / expected / 3.0 - 1.0).abs());
             let moved = rebased(mechanism, x_gr);
             let mut longer = positions.clone();
             longer.push(Vec::new());
             let normal = x_gr.vector(&question.normal);
-            let there =
+            let other_outcome =
                 effective_mass(&Question { mechanism: &moved, positions: longer, normal, ..question });
-            let error = (there.finite().unwrap() / here - 1.0).abs();
+            let error = (other_outcome.finite().unwrap() / expected - 1.0).abs();
             assert!(error < 1e-9, "{}: {error:e}", linkage.name);
             worst = worst.max(error);
         }
@@ -149,7 +149,7 @@ fn units_and_the_place_of_the_world_do_not_matter() {
 }
 
 #[test]
-fn loops_survive_being_described() {
+fn descriptions_rebuild_the_same_loops() {
     for linkage in linkage::all() {
         let mechanism = &linkage.mechanism;
         let (links, joints) = describe(mechanism);
@@ -164,24 +164,24 @@ fn loops_survive_being_described() {
 }
 
 #[test]
-fn locks_and_holds_close_what_is_open() {
+fn locks_and_holds_reduce_the_mobility() {
     let linkage = linkage::four_bar();
     let positions = linkage.closed_start();
     let mechanism = &linkage.mechanism;
     let on = mechanism.find_link("coupler").unwrap();
     let n = linkage::plane().vector(&Vector3::new(0.6, 0.8, 0.0));
     let free = Question::new(mechanism, positions, on, Vector3::new(0.3, 0.1, 0.0), n);
-    // Out of the plane nothing gives way.
+    // No admissible motion out of the plane.
     let across = linkage::plane().vector(&Vector3::z());
     assert_eq!(effective_mass(&Question { normal: across, ..free.clone() }), Outcome::Immovable);
-    // Any one joint locked is enough; a second lock is one row too many.
+    // One locked joint leaves no motion; the row of a second lock is redundant.
     for joints in [1, 2, 3] {
         let locked = mechanism.joint_ids().take(joints).collect();
         let answer = solve(&Question { locked, ..free.clone() });
         assert_eq!(answer.outcome, Outcome::Immovable);
         assert_eq!((answer.degrees_of_freedom, answer.redundant_constraints), (0, 3 + joints - 1));
     }
-    // A hold in three directions is one row of use, and two too many; one across the plane is of none.
+    // A hold in three directions has one independent row and two redundant rows; a hold normal to the plane is redundant.
     let rocker = mechanism.find_link("rocker").unwrap();
     let held = |normal| vec![Held { link: rocker, point: Vector3::new(0.2, 0.0, 0.0), normal }];
     let answer = solve(&Question { held: held(None), ..free.clone() });
@@ -190,7 +190,7 @@ fn locks_and_holds_close_what_is_open() {
     let answer = solve(&Question { held: held(Some(across)), ..free.clone() });
     assert_eq!((answer.degrees_of_freedom, answer.redundant_constraints), (1, 4));
     assert_eq!(answer.outcome.finite().map(f64::is_finite), Some(true));
-    // In a tree: a double pendulum held at its tip across the lower rod is struck there alone.
+    // In a tree: double pendulum with its tip held normal to the lower rod.
     let pendulum = zoo::double_pendulum();
     let tip = Held {
         link: pendulum.find_link("lower").unwrap(),
@@ -200,30 +200,30 @@ fn locks_and_holds_close_what_is_open() {
     let bent = vec![vec![0.0], vec![0.0]];
     let elbow = Question::new(&pendulum, bent, tip.link, Vector3::zeros(), Vector3::y());
     let answer = solve(&Question { held: vec![tip], ..elbow });
-    // Stretched, the tip still: θ̇₁ l₁ = v, θ̇₂ l₂ = −v; m₁/3 + m₂/3.
+    // Stretched, with the tip at rest: θ̇₁ l₁ = v, θ̇₂ l₂ = −v; m₁/3 + m₂/3.
     assert!((answer.outcome.finite().unwrap() / (2.3 / 3.0) - 1.0).abs() < 1e-13);
     assert_eq!(answer.degrees_of_freedom, 1);
 }
 
 #[test]
-fn massless_where_only_what_weighs_nothing_moves() {
-    // The rod of a trammel spins: across its line it spins freely, along it it moves both sliders.
+fn contacts_that_move_massless_links_only_are_massless() {
+    // The rod of a trammel rotates freely about its line; a contact along the line moves both sliders.
     let linkage = linkage::trammel_with_rod();
     let mechanism = &linkage.mechanism;
     let positions = linkage.closed_start();
     let rod = mechanism.find_link("rod").unwrap();
     let x = poses(mechanism, &positions)[rod.index()];
     let axis = |i| x.fixed_view::<3, 1>(0, i).into_owned();
-    let beside = Question::new(mechanism, positions.clone(), rod, Vector3::new(0.4, 0.1, 0.0), axis(2));
-    assert_eq!(effective_mass(&beside), Outcome::Massless);
-    let on_line = Question { point: Vector3::new(0.4, 0.0, 0.0), ..beside.clone() };
+    let off_line = Question::new(mechanism, positions.clone(), rod, Vector3::new(0.4, 0.1, 0.0), axis(2));
+    assert_eq!(effective_mass(&off_line), Outcome::Massless);
+    let on_line = Question { point: Vector3::new(0.4, 0.0, 0.0), ..off_line.clone() };
     assert_eq!(effective_mass(&on_line), Outcome::Immovable);
     let sideways = Question { normal: axis(1), ..on_line };
     assert!(effective_mass(&sideways).finite().unwrap() > 0.1);
     let locked = vec![mechanism.find_joint("first").unwrap()];
     assert_eq!(effective_mass(&Question { locked, ..sideways }), Outcome::Immovable);
 
-    // A parallelogram without any mass.
+    // A massless parallelogram.
     let light = linkage::massless_arm_suspension();
     let (mut links, joints) = describe(&light.mechanism);
     links.iter_mut().for_each(|link| link.inertial = None);
@@ -234,7 +234,7 @@ fn massless_where_only_what_weighs_nothing_moves() {
     let question = Question::new(&light_mechanism, light.closed_start(), on, Vector3::new(0.2, 0.0, 0.0), n);
     assert_eq!(effective_mass(&question), Outcome::Massless);
 
-    // A wheel free to spin on its upright has no influence; nor has its suspension's strut, which has no mass.
+    // The rotation of the wheel on its upright has no influence, and neither has the massless strut of the suspension.
     let corner = linkage::two_point_wishbone();
     let piston = corner.mechanism.find_link("piston").unwrap();
     let question =
@@ -260,9 +260,9 @@ fn constraints_never_lower_it_and_energies_sum() {
             Outcome::Massless => 0.0,
         };
         assert!(mass(answer.outcome) >= mass(open) * (1.0 - 1e-11), "{}", linkage.name);
-        if let Outcome::Finite(here) = answer.outcome {
+        if let Outcome::Finite(expected) = answer.outcome {
             let sum: f64 = answer.links.iter().chain(&answer.rotors).sum();
-            assert!((sum / here - 1.0).abs() < 1e-13, "{}", linkage.name);
+            assert!((sum / expected - 1.0).abs() < 1e-13, "{}", linkage.name);
             compared += 1;
         }
         let link = mechanism.links().len() - 1;

@@ -1,4 +1,4 @@
-//! The oracle against closed forms and itself.
+//! Tests of the oracle: closed forms and internal consistency.
 
 mod closed_forms;
 mod differences;

@@ -1,4 +1,4 @@
-//! When there is no finite effective mass, and what the answer contains then.
+//! Outcomes without a finite effective mass, and the contents of their answers.
 
 use nalgebra::Vector3;
 use percuss_mechanism::{JointDescription, JointKind, LinkDescription, Mechanism};
@@ -18,9 +18,9 @@ fn an_impact_into_the_bearings_moves_nothing() {
     for (point, normal) in [([0.5, 0.0, 0.0], Vector3::x()), ([0.5, 0.1, 0.0], Vector3::z())] {
         assert_eq!(effective_mass(&at_zero(&pendulum, "body", point, normal)), Outcome::Immovable);
     }
-    // On the hinge's axis every direction is a bearing's.
+    // The bearing constrains a point on the hinge axis in every direction.
     assert_eq!(effective_mass(&at_zero(&pendulum, "body", [0.0; 3], Vector3::y())), Outcome::Immovable);
-    // A stage of slides has mass along them only; the needle's base not across its slide.
+    // The slide constrains the base of the needle normal to its axis.
     let needle = zoo::needle_on_heavy_base();
     assert_eq!(effective_mass(&at_zero(&needle, "base", [0.1; 3], Vector3::x())), Outcome::Immovable);
 }
@@ -32,7 +32,7 @@ fn nearly_into_the_bearings_is_finite() {
     let Outcome::Finite(mass) = effective_mass(&at_zero(&pendulum, "body", [0.5, 0.0, 0.0], normal)) else {
         panic!("it moves")
     };
-    // j is 1e-6 of its rows: ten digits are left of sixteen, in m̄ nine and a half.
+    // j Z is 1e-6 of j: of 16 digits 10 remain, and 9.5 in m̄.
     assert!((mass / 1.287e12 - 1.0).abs() < 1e-9, "{mass}");
 }
 
@@ -62,7 +62,7 @@ fn a_free_massless_link_weighs_nothing() {
     let arm = zoo::massless_tip();
     let mut question = at_zero(&arm, "feeler", [0.2, 0.0, 0.0], Vector3::y());
     assert_eq!(effective_mass(&question), Outcome::Massless);
-    // Along itself it pushes the arm's hinge; its hinge locked, it is a part of the arm.
+    // A contact along the feeler loads the hinge of the arm; with a locked hinge the feeler is a part of the arm.
     question.normal = Vector3::x();
     assert_eq!(effective_mass(&question), Outcome::Immovable);
     question.normal = Vector3::y();
@@ -70,7 +70,7 @@ fn a_free_massless_link_weighs_nothing() {
     let inertia = arm.link(arm.find_link("arm").unwrap()).inertia().rotational[(2, 2)];
     let mass = effective_mass(&question).finite().unwrap();
     assert!((mass * 0.64 / inertia - 1.0).abs() < 1e-13, "{mass}");
-    // A rotor at its hinge gives it inertia.
+    // A rotor at the hinge of the feeler gives inertia.
     let mut question = at_zero(&arm, "feeler", [0.2, 0.0, 0.0], Vector3::y());
     question.armature = vec![(arm.find_joint("feeler_hinge").unwrap(), vec![0.01])];
     assert!(effective_mass(&question).finite().unwrap() > 0.1);
@@ -78,8 +78,8 @@ fn a_free_massless_link_weighs_nothing() {
 
 #[test]
 fn a_point_mass_is_felt_at_itself_and_nowhere_beside() {
-    // Free to turn, with no moment of inertia: beside its centre it gives way without effort. Many places, since
-    // the parallel-axis theorem leaves another rounding at each, and at most of them none.
+    // A free body without moment of inertia: an eccentric contact is massless. Many contact points are tested, because
+    // the rounding of the parallel-axis theorem differs between them and is zero at most of them.
     let mut rng = StdRng::seed_from_u64(13);
     for _ in 0..200 {
         let c: [f64; 3] = std::array::from_fn(|_| rng.random_range(-2.0..2.0));
@@ -109,17 +109,17 @@ fn bare_mechanisms_are_massless_or_immovable() {
 fn freedoms_and_redundancy_are_counted() {
     let gripper = zoo::mimic_gripper();
     let mut question = at_zero(&gripper, "palm", [0.0; 3], Vector3::z());
-    // Lift and left; the other three follow.
+    // Independent joints: lift and left; the other three are mimics.
     assert_eq!(solve(&question).degrees_of_freedom, 2);
     assert_eq!(solve(&question).redundant_constraints, 0);
     question.floating_base = true;
     assert_eq!(solve(&question).degrees_of_freedom, 8);
-    // Master and slave both locked: the gear between them is one row too many.
+    // With master and mimic both locked, the row of the mimic is redundant.
     question.locked = vec![gripper.find_joint("left").unwrap(), gripper.find_joint("right").unwrap()];
     assert_eq!(solve(&question).degrees_of_freedom, 7);
     assert_eq!(solve(&question).redundant_constraints, 1);
     let every = zoo::every_joint();
-    // 1 + 1 + 1 + 0 + 3 + 3 + 6 + 1, the last joint following.
+    // 1 + 1 + 1 + 0 + 3 + 3 + 6 + 1; the last joint is a mimic.
     assert_eq!(solve(&at_zero(&every, "puck", [0.1; 3], Vector3::z())).degrees_of_freedom, 16);
 }
 
@@ -134,7 +134,7 @@ fn energies_of_links_and_rotors_sum_to_the_mass() {
         if let Outcome::Finite(mass) = answer.outcome {
             let sum: f64 = answer.links.iter().chain(&answer.rotors).sum();
             assert!((sum / mass - 1.0).abs() < 1e-14, "{name}: {sum} {mass}");
-            // The ground stands still to rounding, and its energy to rounding squared.
+            // The velocity of the ground is of the order of rounding, and its energy of rounding squared.
             assert!(answer.links[mechanism.root().index()] <= 1e-28 * mass, "{name}: the ground moves");
         }
     }
@@ -155,7 +155,7 @@ fn mass_and_constraints_never_lower_it() {
             Outcome::Massless => 0.0,
         };
         let base = mass(&fixed);
-        // Slack for rounding where the change does not reach the contact at all.
+        // Margin for rounding if the change has no effect on the contact.
         let least = base * (1.0 - 1e-11);
         let floating = Question { floating_base: true, ..fixed.clone() };
         assert!(mass(&floating) <= base * (1.0 + 1e-11));

@@ -37,14 +37,14 @@ fn main() {
     let mut kept = vec![BatchAnswer::NONE; count];
     let [mut of_new, mut of_kept] = [f64::INFINITY; 2];
     for _ in 0..REPETITIONS {
-        let begun = ProcessTime::now();
+        let start = ProcessTime::now();
         let mut answers = vec![BatchAnswer::NONE; count];
         ask(&mut answers);
-        of_new = of_new.min(begun.elapsed().as_secs_f64());
+        of_new = of_new.min(start.elapsed().as_secs_f64());
         black_box(answers);
-        let begun = ProcessTime::now();
+        let start = ProcessTime::now();
         ask(&mut kept);
-        of_kept = of_kept.min(begun.elapsed().as_secs_f64());
+        of_kept = of_kept.min(start.elapsed().as_secs_f64());
         black_box(&kept);
     }
     println!("{of_new} {of_kept}");

@@ -2,7 +2,7 @@
 //! the value and the expected type.
 
 use crate::errors::input;
-use crate::labels::{AXES, Labels, reordered};
+use crate::labels::{AXES, Labels, permute_last_axis};
 use numpy::{
     PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArray2, PyReadonlyArrayDyn, PyUntypedArray,
     PyUntypedArrayMethods,
@@ -25,11 +25,11 @@ impl<'py> Numbers<'py> {
     /// Array of float64 with a permitted number of dimensions. A float64 array is read in place; sparse matrices become
     /// dense.
     pub fn of(value: &Bound<'py, PyAny>, what: &str, dimensions: &[usize], expected: &str) -> PyResult<Self> {
-        refuse_hidden(value, what)?;
+        refuse_masked(value, what)?;
         let labels = Labels::of(value, what)?;
         let (found, accuracy) = match value.cast::<PyArrayDyn<f64>>() {
             Ok(array) => (array.clone(), f64::EPSILON),
-            Err(_) => converted(value, what)?,
+            Err(_) => to_float64(value, what)?,
         };
         if !dimensions.contains(&found.ndim()) {
             return Err(input(format_args!(
@@ -42,9 +42,9 @@ impl<'py> Numbers<'py> {
     }
 
     /// Reorders the last axis by the given names if the value has labels.
-    pub fn in_order<S: AsRef<str>>(self, what: &str, names: &[S], hint: &str) -> PyResult<Self> {
+    pub fn in_order_of<S: AsRef<str>>(self, what: &str, names: &[S], hint: &str) -> PyResult<Self> {
         let Some(order) = self.labels.order(what, names, hint)? else { return Ok(self) };
-        let found = reordered(&self.array.as_any().cast::<PyArrayDyn<f64>>()?.clone(), Some(order))?;
+        let found = permute_last_axis(&self.array.as_any().cast::<PyArrayDyn<f64>>()?.clone(), Some(order))?;
         let array = found.try_readonly().map_err(|error| input(format_args!("{what}: {error}")))?;
         Ok(Self { array, ..self })
     }
@@ -70,13 +70,13 @@ pub fn float64_matrix<'py, S: AsRef<str>>(
     names: &[S],
     hint: &str,
 ) -> PyResult<PyReadonlyArray2<'py, f64>> {
-    let found = Numbers::of(value, what, &[2], expected)?.in_order(what, names, hint)?;
+    let found = Numbers::of(value, what, &[2], expected)?.in_order_of(what, names, hint)?;
     let found = found.array.cast::<PyArray2<f64>>()?.clone();
     found.try_readonly().map_err(|error| input(format_args!("{what}: {error}")))
 }
 
 /// Refuses arrays with masked entries: as plain numbers they would count.
-fn refuse_hidden(value: &Bound<'_, PyAny>, what: &str) -> PyResult<()> {
+fn refuse_masked(value: &Bound<'_, PyAny>, what: &str) -> PyResult<()> {
     let py = value.py();
     if value.get_type().is(PyUntypedArray::type_object(py)) || !value.hasattr("mask")? {
         return Ok(());
@@ -103,7 +103,7 @@ fn accuracy_of_type(name: &str) -> f64 {
 }
 
 /// Converts to an array of float64 and returns the relative error of the original type.
-fn converted<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<(Bound<'py, PyArrayDyn<f64>>, f64)> {
+fn to_float64<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<(Bound<'py, PyArrayDyn<f64>>, f64)> {
     let py = value.py();
     if value.is_instance_of::<PyString>() {
         let text = value.repr()?;
@@ -153,7 +153,7 @@ pub fn list(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<f64>> {
 
 /// Three finite components, matched by the names x, y, z if the value has labels.
 pub fn triple(value: &Bound<'_, PyAny>, what: &str) -> PyResult<[f64; 3]> {
-    let found = Numbers::of(value, what, &[1], "(3,)")?.in_order(what, &AXES, "")?;
+    let found = Numbers::of(value, what, &[1], "(3,)")?.in_order_of(what, &AXES, "")?;
     let found: Vec<f64> = found.array.as_array().iter().copied().collect();
     let found = <[f64; 3]>::try_from(found)
         .map_err(|found| input(format_args!("{what} has {} numbers; expected 3", found.len())))?;

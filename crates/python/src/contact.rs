@@ -26,11 +26,11 @@ pub struct Contact {
     #[pyo3(get)]
     pub against: Option<String>,
     point: [f64; 3],
-    normal: Given,
+    normal: NormalGiven,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Given {
+enum NormalGiven {
     Along([f64; 3], Frame),
     Toward(String, [f64; 3]),
     /// Toward a point, along a line that may turn.
@@ -47,6 +47,7 @@ pub fn frame(name: &str, what: &str) -> PyResult<Frame> {
     }
 }
 
+/// Name of a frame in Python.
 fn name(frame: Frame) -> &'static str {
     match frame {
         Frame::Link => "link",
@@ -73,11 +74,15 @@ impl Contact {
                 return Err(input("turning is of toward: a given normal does not turn with a line"));
             }
             (Some(normal), None) => {
-                Given::Along(triple(normal, "normal")?, frame(normal_frame, "normal_frame")?)
+                NormalGiven::Along(triple(normal, "normal")?, frame(normal_frame, "normal_frame")?)
             }
             (None, Some((link, point))) => {
                 let point = triple(&point, "point of toward")?;
-                if turning { Given::TurningToward(link, point) } else { Given::Toward(link, point) }
+                if turning {
+                    NormalGiven::TurningToward(link, point)
+                } else {
+                    NormalGiven::Toward(link, point)
+                }
             }
             _ => return Err(input("give one of normal and toward")),
         };
@@ -94,8 +99,8 @@ impl Contact {
     #[getter]
     fn normal(&self) -> Option<(f64, f64, f64)> {
         match &self.normal {
-            Given::Along(normal, _) => Some((*normal).into()),
-            Given::Toward(..) | Given::TurningToward(..) => None,
+            NormalGiven::Along(normal, _) => Some((*normal).into()),
+            NormalGiven::Toward(..) | NormalGiven::TurningToward(..) => None,
         }
     }
 
@@ -103,8 +108,8 @@ impl Contact {
     #[getter]
     fn toward(&self) -> Option<(String, (f64, f64, f64))> {
         match &self.normal {
-            Given::Along(..) => None,
-            Given::Toward(link, point) | Given::TurningToward(link, point) => {
+            NormalGiven::Along(..) => None,
+            NormalGiven::Toward(link, point) | NormalGiven::TurningToward(link, point) => {
                 Some((link.clone(), (*point).into()))
             }
         }
@@ -113,15 +118,15 @@ impl Contact {
     /// True if the line of toward may turn: a spring, a damper, a rod.
     #[getter]
     fn turning(&self) -> bool {
-        matches!(self.normal, Given::TurningToward(..))
+        matches!(self.normal, NormalGiven::TurningToward(..))
     }
 
     /// "link", "world" or "against".
     #[getter]
     fn normal_frame(&self) -> &'static str {
         match &self.normal {
-            Given::Along(_, frame) => name(*frame),
-            Given::Toward(..) | Given::TurningToward(..) => name(Frame::Link),
+            NormalGiven::Along(_, frame) => name(*frame),
+            NormalGiven::Toward(..) | NormalGiven::TurningToward(..) => name(Frame::Link),
         }
     }
 
@@ -144,10 +149,12 @@ impl Contact {
 
     fn __repr__(&self) -> String {
         let normal = match &self.normal {
-            Given::Along(normal, Frame::Link) => format!("normal={normal:?}"),
-            Given::Along(normal, frame) => format!("normal={normal:?}, normal_frame=\"{}\"", name(*frame)),
-            Given::Toward(link, point) => format!("toward=(\"{link}\", {point:?})"),
-            Given::TurningToward(link, point) => {
+            NormalGiven::Along(normal, Frame::Link) => format!("normal={normal:?}"),
+            NormalGiven::Along(normal, frame) => {
+                format!("normal={normal:?}, normal_frame=\"{}\"", name(*frame))
+            }
+            NormalGiven::Toward(link, point) => format!("toward=(\"{link}\", {point:?})"),
+            NormalGiven::TurningToward(link, point) => {
                 format!("toward=(\"{link}\", {point:?}), turning=True")
             }
         };
@@ -158,12 +165,14 @@ impl Contact {
 
 impl Contact {
     /// Resolves the link names in a mechanism.
-    pub fn on(&self, mechanism: &Mechanism) -> PyResult<Resolved> {
+    pub fn resolve(&self, mechanism: &Mechanism) -> PyResult<Resolved> {
         let find = |name: &str| mechanism.find_link(name).map_err(input);
         let normal = match &self.normal {
-            Given::Along(normal, frame) => Direction::Along(Vector3::from(*normal), *frame),
-            Given::Toward(link, point) => Direction::Toward(find(link)?, Vector3::from(*point)),
-            Given::TurningToward(link, point) => Direction::TurningToward(find(link)?, Vector3::from(*point)),
+            NormalGiven::Along(normal, frame) => Direction::Along(Vector3::from(*normal), *frame),
+            NormalGiven::Toward(link, point) => Direction::Toward(find(link)?, Vector3::from(*point)),
+            NormalGiven::TurningToward(link, point) => {
+                Direction::TurningToward(find(link)?, Vector3::from(*point))
+            }
         };
         Ok(Resolved {
             link: find(&self.link)?,

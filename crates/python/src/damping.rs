@@ -31,7 +31,7 @@ pub fn damp(
     let damping = damping.question()?;
     let report = match (contact, stop) {
         (Some(contact), None) => {
-            let question = conditions.of_contact(&model.read.mechanism, contact)?;
+            let question = conditions.question_at(&model.read.mechanism, contact)?;
             detached(py, || study::damp_contact(&model.read, &question, &damping))?
         }
         (None, Some((joint, end))) => {

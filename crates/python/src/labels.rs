@@ -63,7 +63,7 @@ impl Labels {
             Some(names) => Err(input(format_args!(
                 "{what} has the labels {}, which have no meaning here; expected numbers without labels: .to_numpy() gives \
                  them in their order",
-                listed(names)
+                list_names(names)
             ))),
         }
     }
@@ -80,13 +80,13 @@ impl Labels {
         if let Some(twice) = names.iter().enumerate().find(|(n, name)| names[..*n].contains(name)) {
             return Err(input(format_args!("{what} has the label \"{}\" twice", twice.1)));
         }
-        let place = |name: &S| names.iter().position(|found| found == name.as_ref());
-        let order: Option<Vec<usize>> = expected.iter().map(place).collect();
+        let index_of = |name: &S| names.iter().position(|found| found == name.as_ref());
+        let order: Option<Vec<usize>> = expected.iter().map(index_of).collect();
         match order.filter(|order| order.len() == names.len()) {
             None => Err(input(format_args!(
                 "{what} has the labels {}; expected {}, in any order{hint}",
-                listed(names),
-                listed(expected)
+                list_names(names),
+                list_names(expected)
             ))),
             Some(order) if order.iter().copied().eq(0..order.len()) => Ok(None),
             Some(order) => Ok(Some(order)),
@@ -112,7 +112,7 @@ fn names(labels: &Bound<'_, PyAny>, what: &str) -> PyResult<Names> {
 }
 
 /// Permutes the last axis of an array.
-pub fn reordered<'py>(
+pub fn permute_last_axis<'py>(
     array: &Bound<'py, PyArrayDyn<f64>>,
     order: Option<Vec<usize>>,
 ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
@@ -126,7 +126,7 @@ pub fn reordered<'py>(
 }
 
 /// First eight names, for messages.
-fn listed<S: AsRef<str>>(names: &[S]) -> String {
+fn list_names<S: AsRef<str>>(names: &[S]) -> String {
     let shown: Vec<String> = names.iter().take(8).map(|name| format!("\"{}\"", name.as_ref())).collect();
     let more = names.len().saturating_sub(8);
     let more = if more > 0 { format!(" and {more} more") } else { String::new() };

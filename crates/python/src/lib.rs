@@ -21,6 +21,7 @@ mod response;
 mod suspension;
 mod sweep;
 mod sweep_columns;
+mod sweep_portions;
 mod system;
 mod threads;
 
@@ -57,9 +58,10 @@ mod module {
     #[pymodule_export]
     use crate::system::{Assembly, System, Workspace};
 
+    /// Records the id of the importing process.
     #[pymodule_init]
-    fn begin(_module: &pyo3::Bound<'_, pyo3::types::PyModule>) -> pyo3::PyResult<()> {
-        crate::threads::begin();
+    fn record_process(_module: &pyo3::Bound<'_, pyo3::types::PyModule>) -> pyo3::PyResult<()> {
+        crate::threads::record_process();
         Ok(())
     }
 }

@@ -30,7 +30,7 @@ pub fn code(status: ContactStatus) -> u8 {
 }
 
 /// Contact map: Φ of a link about `centre`, for contacts within the radius `reach` (m).
-fn prepared<'a>(
+fn contact_map_about<'a>(
     pose: &'a Pose,
     link: &str,
     against: Option<&str>,
@@ -49,7 +49,7 @@ fn columns(values: ArrayView2<'_, f64>) -> [Vec<f64>; 3] {
 }
 
 /// Refuses entries that are not finite.
-fn refuse(values: ArrayView2<'_, f64>, what: &str) -> PyResult<()> {
+fn check_finite(values: ArrayView2<'_, f64>, what: &str) -> PyResult<()> {
     match values.indexed_iter().find(|(_, x)| !x.is_finite()) {
         Some(((row, axis), bad)) => {
             Err(input(format_args!("{what}[{row}, {axis}] is {bad}; expected finite numbers")))
@@ -78,15 +78,15 @@ pub fn contact_map<'py>(
                 shape(array.shape())
             )));
         }
-        refuse(array.as_array(), what)?;
+        check_finite(array.as_array(), what)?;
     }
     let (points, normals) = (columns(points.as_array()), columns(normals.as_array()));
     // Φ refers to the middle of a box around the points; error bounds hold for contacts in this box.
-    let least = |axis: usize| points[axis].iter().copied().reduce(f64::min).unwrap_or(0.0);
+    let minimum = |axis: usize| points[axis].iter().copied().reduce(f64::min).unwrap_or(0.0);
     let most = |axis: usize| points[axis].iter().copied().reduce(f64::max).unwrap_or(0.0);
-    let centre = Vector3::from_fn(|axis, _| 0.5 * (least(axis) + most(axis)));
-    let reach = Vector3::from_fn(|axis, _| 0.5 * (most(axis) - least(axis))).norm();
-    let map = py.detach(|| prepared(pose, link, against, centre, reach))?;
+    let centre = Vector3::from_fn(|axis, _| 0.5 * (minimum(axis) + most(axis)));
+    let reach = Vector3::from_fn(|axis, _| 0.5 * (most(axis) - minimum(axis))).norm();
+    let map = py.detach(|| contact_map_about(pose, link, against, centre, reach))?;
     let (mut masses, mut errors) = (vec![0.0; count], vec![0.0; count]);
     let mut statuses = vec![ContactStatus::Finite; count];
     for first in (0..count).step_by(PORTION) {
@@ -125,8 +125,9 @@ pub fn principal_masses<'py>(
     against: Option<&str>,
 ) -> PyResult<Option<Vec<Bound<'py, PyDict>>>> {
     let point = Vector3::from(triple(point, "point")?);
-    let found =
-        py.detach(|| PyResult::Ok(prepared(pose, link, against, point, 0.0)?.principal_masses(&point)))?;
+    let found = py.detach(|| {
+        PyResult::Ok(contact_map_about(pose, link, against, point, 0.0)?.principal_masses(&point))
+    })?;
     let Some(found) = found else { return Ok(None) };
     let one = |principal: percuss::PrincipalMass| {
         let record = PyDict::new(py);

@@ -90,7 +90,7 @@ impl MatrixResponse {
 }
 
 /// Options in owned form, for use while the interpreter is released.
-struct Reading {
+struct OwnedOptions {
     lengths: Option<Vec<f64>>,
     rank_floor: Option<f64>,
     row_noise: Option<f64>,
@@ -103,11 +103,11 @@ struct Matrices<'py> {
     mass: PyReadonlyArrayDyn<'py, f64>,
     row: PyReadonlyArrayDyn<'py, f64>,
     constraints: Option<PyReadonlyArrayDyn<'py, f64>>,
-    reading: Reading,
+    reading: OwnedOptions,
 }
 
 /// Arguments of the caller before validation.
-struct Given<'a, 'py> {
+struct MatrixArguments<'a, 'py> {
     mass: &'a Bound<'py, PyAny>,
     row: &'a Bound<'py, PyAny>,
     constraints: Option<&'a Bound<'py, PyAny>>,
@@ -124,7 +124,8 @@ struct Shapes {
     constraints: (&'static [usize], &'static str),
 }
 
-impl<'py> Given<'_, 'py> {
+impl<'py> MatrixArguments<'_, 'py> {
+    /// Converts M, j and A to float64 with their coordinates in the order of M, and checks the shapes.
     fn read(self, shapes: &Shapes) -> PyResult<Matrices<'py>> {
         let mass = Numbers::of(self.mass, "M", shapes.mass.0, shapes.mass.1)?;
         let names = &mass.labels.columns;
@@ -138,23 +139,23 @@ impl<'py> Given<'_, 'py> {
         if names.is_none() && mass.labels.rows.is_some() {
             return Err(input("M has labels on its rows and none on its columns; expected the same on both"));
         }
-        let in_order = |found: Numbers<'py>, what: &str| match names {
-            Some(names) => found.in_order(what, names, ": the coordinates of M"),
+        let in_order_of = |found: Numbers<'py>, what: &str| match names {
+            Some(names) => found.in_order_of(what, names, ": the coordinates of M"),
             None if found.labels.columns.is_some() => Err(input(format_args!(
                 "{what} names its coordinates and M does not; expected labels on both, or on none"
             ))),
             None => Ok(found),
         };
-        let row = in_order(Numbers::of(self.row, "j", shapes.row.0, shapes.row.1)?, "j")?;
+        let row = in_order_of(Numbers::of(self.row, "j", shapes.row.0, shapes.row.1)?, "j")?;
         let constraints = self
             .constraints
-            .map(|a| in_order(Numbers::of(a, "A", shapes.constraints.0, shapes.constraints.1)?, "A"))
+            .map(|a| in_order_of(Numbers::of(a, "A", shapes.constraints.0, shapes.constraints.1)?, "A"))
             .transpose()?;
         let lengths = self
             .lengths
             .map(|lengths| {
                 let expected = "one dimension: a length for each coordinate";
-                let found = in_order(Numbers::of(lengths, "lengths", &[1], expected)?, "lengths")?;
+                let found = in_order_of(Numbers::of(lengths, "lengths", &[1], expected)?, "lengths")?;
                 PyResult::Ok(found.array.as_array().iter().copied().collect())
             })
             .transpose()?;
@@ -164,12 +165,18 @@ impl<'py> Given<'_, 'py> {
             mass: mass.array,
             row: row.array,
             constraints: constraints.map(|a| a.array),
-            reading: Reading { lengths, rank_floor: self.rank_floor, row_noise: self.row_noise, accuracy },
+            reading: OwnedOptions {
+                lengths,
+                rank_floor: self.rank_floor,
+                row_noise: self.row_noise,
+                accuracy,
+            },
         })
     }
 }
 
-impl Reading {
+impl OwnedOptions {
+    /// Options for a call of the library.
     fn options(&self) -> MatrixOptions<'_> {
         let [mass, constraints, row] = self.accuracy;
         let mut options = MatrixOptions::new()
@@ -197,6 +204,7 @@ struct Block<'a> {
 }
 
 impl<'a> Block<'a> {
+    /// Block of an array; copies the values if they are not contiguous.
     fn of(array: &'a PyReadonlyArrayDyn<'_, f64>) -> Self {
         let view = array.as_array();
         let shape = view.shape().to_vec();
@@ -267,7 +275,7 @@ pub fn effective_mass(
     accuracy: Option<f64>,
     row_noise: Option<f64>,
 ) -> PyResult<MatrixResponse> {
-    let given = Given { mass: M, row: j, constraints: A, lengths, rank_floor, accuracy, row_noise };
+    let given = MatrixArguments { mass: M, row: j, constraints: A, lengths, rank_floor, accuracy, row_noise };
     let shapes = Shapes {
         mass: (&[2], "(n, n); effective_masses takes a batch"),
         row: (&[1, 2], "(n,)"),
@@ -305,7 +313,7 @@ pub fn effective_masses<'py>(
     accuracy: Option<f64>,
     row_noise: Option<f64>,
 ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>)> {
-    let given = Given { mass: M, row: j, constraints: A, lengths, rank_floor, accuracy, row_noise };
+    let given = MatrixArguments { mass: M, row: j, constraints: A, lengths, rank_floor, accuracy, row_noise };
     let shapes = Shapes {
         mass: (&[3], "(b, n, n)"),
         row: (&[1, 2], "(b, n) or (n,)"),
@@ -329,7 +337,7 @@ pub fn effective_masses<'py>(
         let rows = rows.as_ref().map(|rows| rows.matrix(c)).transpose()?;
         let found = of_matrices(mass.matrix(c)?, row.row(c)?, rows, &options)
             .map_err(|error| input(format_args!("number {c} of the batch: {error}")))?;
-        let (mass, code) = coded(Some(found.effective_mass));
+        let (mass, code) = mass_and_code(Some(found.effective_mass));
         Ok((mass, found.error.unwrap_or(f64::NAN), code))
     };
     // 256 problems per portion, with a check for Ctrl-C between portions.
@@ -349,7 +357,7 @@ pub fn effective_masses<'py>(
 }
 
 /// m̄ (NaN unless finite) and status code of an outcome.
-pub fn coded(mass: Option<EffectiveMass>) -> (f64, u8) {
+pub fn mass_and_code(mass: Option<EffectiveMass>) -> (f64, u8) {
     match mass {
         Some(EffectiveMass::Finite(m)) => (m, 0),
         Some(EffectiveMass::Immovable) => (f64::NAN, 1),

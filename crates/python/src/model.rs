@@ -50,13 +50,15 @@ impl Model {
         Ok(Self { read: Arc::new(read), source: None })
     }
 
+    /// Loads a model from a source and issues its warnings.
     fn of(py: Python<'_>, source: Source, accept: Vec<String>) -> PyResult<Self> {
         let options = options(&accept)?;
-        let read = py.detach(|| Read::of(&source, &options)).map_err(errors::load)?;
+        let read = py.detach(|| Read::from_source(&source, &options)).map_err(errors::load)?;
         Ok(Self { source: Some(Arc::new((source, accept))), ..Self::new(py, read)? })
     }
 }
 
+/// Load options for the names of accepted findings.
 fn options(accept: &[String]) -> PyResult<LoadOptions> {
     let mut accepted = Accept::default();
     for word in accept {

@@ -133,7 +133,7 @@ impl Model {
     /// Assembles the loops with every joint free and a fixed base: system().assemble(guess).
     #[pyo3(signature = (guess=None))]
     fn assemble(&self, py: Python<'_>, guess: Option<&Bound<'_, PyDict>>) -> PyResult<Assembly> {
-        System::plain(self)?.assemble(py, guess)
+        System::unconstrained(self)?.assemble(py, guess)
     }
 
     /// The pose at a configuration with every joint free and a fixed base: system().pose(…).
@@ -146,7 +146,7 @@ impl Model {
         base_pose: Option<&Bound<'_, PyAny>>,
         other_assembly: bool,
     ) -> PyResult<Pose> {
-        System::plain(self)?.pose(py, q, guess, base_pose, other_assembly)
+        System::unconstrained(self)?.pose(py, q, guess, base_pose, other_assembly)
     }
 
     /// Pickles a model as its source text; a model from hardpoints is pickled as URDF.

@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 /// Largest relative residual of A v for admissible velocities, as a fraction of the sum of the terms' sizes: the
 /// rounding of single precision, in which users may have stored the velocities.
-const OPENING: f64 = 1e-6;
+const RESIDUAL_TOLERANCE: f64 = 1e-6;
 
 /// Travel of a point along a direction, measured from the point's position at a pose. Immutable, so that threads can
 /// share it.
@@ -32,7 +32,8 @@ pub struct Travel {
 }
 
 impl Travel {
-    fn of_the_model(&self, pose: &Pose) -> PyResult<()> {
+    /// Refuses a pose of another model than that of the travel.
+    fn check_model(&self, pose: &Pose) -> PyResult<()> {
         match Arc::ptr_eq(&pose.model.read.mechanism, &self.model.read.mechanism) {
             true => Ok(()),
             false => Err(input(format_args!(
@@ -81,14 +82,14 @@ impl Travel {
 
     /// Displacement of the point at a pose of the same model, m.
     fn displacement(&self, pose: &Pose) -> PyResult<f64> {
-        self.of_the_model(pose)?;
+        self.check_model(pose)?;
         Ok(self.travel.displacement(&pose.pose))
     }
 
     /// ds/dq at a pose: displacement per motion of a driving joint, m/rad or m/m. The loops stay closed and other
     /// drivers are at rest. None at a change point, at a dead centre of the joint, and for a joint that cannot drive.
     fn rate(&self, pose: &Pose, joint: &str) -> PyResult<Option<f64>> {
-        self.of_the_model(pose)?;
+        self.check_model(pose)?;
         let joint = self.model.read.mechanism.find_joint(joint).map_err(input)?;
         Ok(self.travel.rate(&pose.pose, joint))
     }
@@ -97,7 +98,7 @@ impl Travel {
     /// are excluded. Raises NoAnswerError if no joint moves the point.
     #[pyo3(signature = (pose, *, set=Vec::new()))]
     fn driver(&self, pose: &Pose, set: Vec<String>) -> PyResult<String> {
-        self.of_the_model(pose)?;
+        self.check_model(pose)?;
         let mechanism = &self.model.read.mechanism;
         let taken = set.iter().map(|joint| mechanism.find_joint(joint)).collect::<Result<Vec<_>, _>>();
         let taken = taken.map_err(input)?;
@@ -119,7 +120,7 @@ impl Travel {
         driver: Option<&str>,
         q: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Pose> {
-        self.of_the_model(start)?;
+        self.check_model(start)?;
         let mechanism = &self.model.read.mechanism;
         let others = configuration(mechanism, q.map(|q| q.as_any()), None)?;
         let driver = match driver {
@@ -159,7 +160,7 @@ fn velocities(mechanism: &Mechanism, given: Option<&Bound<'_, PyDict>>) -> PyRes
         if let Some(mimic) = joint.mimic() {
             let master = mechanism.joint(mimic.master).name();
             return Err(input(format_args!(
-                "velocity of \"{name}\": it follows \"{master}\"; give that one's"
+                "velocity of \"{name}\": it follows \"{master}\"; give the velocity of \"{master}\" instead"
             )));
         }
         if values.len() != all[id.index()].len() {
@@ -203,7 +204,7 @@ pub fn effective_mass_rate(
     given: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Option<f64>> {
     let mechanism = &pose.model.read.mechanism;
-    let contact = contact.on(mechanism)?;
+    let contact = contact.resolve(mechanism)?;
     let velocities = velocities(mechanism, given)?;
     refuse_opening(pose, &velocities)?;
     let rates = pose.system.position_rates(pose.pose.positions(), &velocities).map_err(input)?;
@@ -240,7 +241,7 @@ fn refuse_opening(pose: &Pose, velocities: &[Vec<f64>]) -> PyResult<()> {
     for row in rows.row_iter() {
         let terms = || row.iter().enumerate().map(|(column, x)| x * rate(column));
         let (sum, size) = (terms().sum::<f64>(), terms().map(f64::abs).sum::<f64>());
-        if sum.abs() > OPENING * size {
+        if sum.abs() > RESIDUAL_TOLERANCE * size {
             return Err(input(
                 "velocities: with these the loops open (A v is not 0); give the rates of all joints of the loops, such as \
                  Response.joint_velocities",

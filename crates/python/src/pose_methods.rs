@@ -18,8 +18,9 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 impl Pose {
+    /// The contact resolved at this pose.
     fn located(&self, contact: &Contact) -> PyResult<LocatedContact> {
-        self.pose.locate(&contact.on(&self.model.read.mechanism)?).map_err(input)
+        self.pose.locate(&contact.resolve(&self.model.read.mechanism)?).map_err(input)
     }
 }
 
@@ -246,7 +247,7 @@ impl Pose {
     /// m̄ at a contact, and the quantities derived from it. route: "auto", "dense" (O(n³)) or "articulated" (O(n)).
     #[pyo3(signature = (contact, *, route="auto"))]
     fn respond(&self, py: Python<'_>, contact: &Contact, route: &str) -> PyResult<Response> {
-        let (contact, route) = (contact.on(&self.model.read.mechanism)?, route_choice(route)?);
+        let (contact, route) = (contact.resolve(&self.model.read.mechanism)?, route_choice(route)?);
         let response = py.detach(|| self.pose.respond_by_route(&contact, route)).map_err(errors::response)?;
         Ok(Response {
             model: self.model.clone(),

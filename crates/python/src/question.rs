@@ -89,8 +89,8 @@ impl Conditions<'_> {
     }
 
     /// Mass question for a contact of the mechanism.
-    pub fn of_contact(&self, mechanism: &Mechanism, contact: &Contact) -> PyResult<MassQuestion> {
-        let resolved = contact.on(mechanism)?;
+    pub fn question_at(&self, mechanism: &Mechanism, contact: &Contact) -> PyResult<MassQuestion> {
+        let resolved = contact.resolve(mechanism)?;
         let name = |link| mechanism.link(link).name().to_owned();
         let question = self.question()?;
         let (normal, normal_frame) = match resolved.normal {
@@ -133,6 +133,7 @@ pub struct Damping {
 }
 
 impl Damping {
+    /// Converts the fields to a damping question of the study crate.
     pub fn question(&self) -> PyResult<DampingQuestion> {
         let mut question = DampingQuestion::new(self.restitution, self.stiffness);
         let end = |name: &String| {

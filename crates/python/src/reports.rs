@@ -24,14 +24,14 @@ pub fn json(report: &impl Serialize) -> PyResult<String> {
 }
 
 /// Evaluates `answer` for a contact of a model under conditions and returns the report as JSON.
-fn asked<R: Serialize + Send>(
+fn contact_report<R: Serialize + Send>(
     py: Python<'_>,
     model: &Model,
     contact: &Contact,
     conditions: &Conditions<'_>,
     answer: impl FnOnce(&study::Model, &MassQuestion) -> Result<R, StudyError> + Send,
 ) -> PyResult<String> {
-    let question = conditions.of_contact(&model.read.mechanism, contact)?;
+    let question = conditions.question_at(&model.read.mechanism, contact)?;
     json(&detached(py, || answer(&model.read, &question))?.map_err(errors::study)?)
 }
 
@@ -51,7 +51,7 @@ pub fn mass_report(
     damping: Option<Damping>,
 ) -> PyResult<String> {
     let damping = damping.map(|damping| damping.question()).transpose()?;
-    asked(py, model, contact, &conditions, |model, question| match &damping {
+    contact_report(py, model, contact, &conditions, |model, question| match &damping {
         Some(damping) => study::mass_with_damper(model, question, damping),
         None => study::mass(model, question),
     })
@@ -65,7 +65,7 @@ pub fn explain(
     contact: &Contact,
     conditions: Conditions<'_>,
 ) -> PyResult<String> {
-    asked(py, model, contact, &conditions, study::explain)
+    contact_report(py, model, contact, &conditions, study::explain)
 }
 
 /// Variation of the mass of a contact within tolerances; null if the contact has no finite mass. samples: their number
@@ -81,7 +81,7 @@ pub fn tolerate(
 ) -> PyResult<String> {
     let tolerance = Tolerance::parse(tolerance).map_err(input)?;
     let sampling = samples.map(|(count, seed)| Sampling { count, seed });
-    asked(py, model, contact, &conditions, |model, question| {
+    contact_report(py, model, contact, &conditions, |model, question| {
         study::tolerance_report(model, question, tolerance, sampling)
     })
 }
@@ -97,15 +97,15 @@ pub fn sweep_report<'py>(
     input: Option<(String, Vec<String>)>,
     random: Option<(usize, u64)>,
 ) -> PyResult<String> {
-    let question = conditions.of_contact(&model.read.mechanism, contact)?;
+    let question = conditions.question_at(&model.read.mechanism, contact)?;
     let source = rows(vary, input, random)?;
     let sweep = || Sweep::new(&model.read, &question, source);
-    let report = watched(py, &model.read, sweep)?;
+    let report = run_watched(py, &model.read, sweep)?;
     json(&report)
 }
 
 /// Runs a sweep; stops on Ctrl-C.
-fn watched<'a>(
+fn run_watched<'a>(
     py: Python<'_>,
     model: &study::Model,
     sweep: impl FnOnce() -> Result<Sweep<'a>, StudyError> + Send,
@@ -201,7 +201,9 @@ pub fn map_point_report(
     conditions: Conditions<'_>,
     directions: usize,
 ) -> PyResult<String> {
-    asked(py, model, contact, &conditions, |model, question| study::map_point(model, question, directions))
+    contact_report(py, model, contact, &conditions, |model, question| {
+        study::map_point(model, question, directions)
+    })
 }
 
 /// Python class `percuss._reports._SafeSpeed`.
@@ -236,7 +238,7 @@ pub fn safe_speed(
     let limit = StatedLimits { force, pressure, area, energy, momentum }.one().map_err(errors::input)?;
     let rows = optional_rows(vary, input, random)?;
     let asked_for = SafeSpeedQuestion { region, limit, load };
-    asked(py, model, contact, &conditions, |model, question| {
+    contact_report(py, model, contact, &conditions, |model, question| {
         let contact = question.clone();
         StudySafeSpeed { contact, limit_question: asked_for, directions, worst_direction: worst, rows }
             .reports(model)
@@ -268,12 +270,12 @@ pub fn compare(
         PyResult::Ok(study::Design {
             name: design.name.clone(),
             model: study::Model::clone(model),
-            question: design.conditions.of_contact(&model.mechanism, design.contact.get())?,
+            question: design.conditions.question_at(&model.mechanism, design.contact.get())?,
             rows: source.clone(),
         })
     };
     let designs: Vec<study::Design> = designs.iter().map(design).collect::<PyResult<_>>()?;
-    compared(py, &designs)
+    comparison_json(py, &designs)
 }
 
 /// Compares the designs of a study file: its model under a name, then its variants.
@@ -282,10 +284,11 @@ pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<Stri
     let path = path.to_string_lossy().into_owned();
     let study = detached(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
     errors::warn(py, &study.model.diagnostics)?;
-    compared(py, &study.designs(name))
+    comparison_json(py, &study.designs(name))
 }
 
-fn compared(py: Python<'_>, designs: &[study::Design]) -> PyResult<String> {
+/// Compares designs and returns the report as JSON.
+fn comparison_json(py: Python<'_>, designs: &[study::Design]) -> PyResult<String> {
     let report = detached(py, || study::compare(designs))?;
     json(&report.map_err(|error| input(error.message(Names::Fields)))?)
 }
@@ -312,7 +315,7 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
     match (&study.question, &study.sweep) {
         (Some(question), Some(sweep)) => {
             let rows = sweep.rows.clone();
-            json(&watched(py, &study.model, || Sweep::new(&study.model, question, rows))?)
+            json(&run_watched(py, &study.model, || Sweep::new(&study.model, question, rows))?)
         }
         (Some(question), None) => {
             let report = detached(py, || match &study.damping {
@@ -321,12 +324,12 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
             })?;
             json(&report.map_err(errors::study)?)
         }
-        (None, _) => without_contact(py, &study),
+        (None, _) => run_without_contact(py, &study),
     }
 }
 
 /// Runs a study without a contact: a stop, a map, a safe speed.
-fn without_contact(py: Python<'_>, study: &StudyFile) -> PyResult<String> {
+fn run_without_contact(py: Python<'_>, study: &StudyFile) -> PyResult<String> {
     if let Some(study::StudyDamping { question, stop: Some((stop, conditions)), .. }) = &study.damping {
         let report = detached(py, || study::damp_stop(&study.model, stop, conditions.clone(), question))?;
         return json(&report.map_err(errors::study)?);
@@ -339,7 +342,9 @@ fn without_contact(py: Python<'_>, study: &StudyFile) -> PyResult<String> {
             let report = detached(py, || study::map_point(&study.model, question, *count))?;
             json(&report.map_err(errors::study)?)
         }
-        (None, Some(asked)) => json(&detached(py, || asked.reports(&study.model))?.map_err(errors::study)?),
-        (None, None) => Err(errors::input("the study asks for nothing")),
+        (None, Some(contact_report)) => {
+            json(&detached(py, || contact_report.reports(&study.model))?.map_err(errors::study)?)
+        }
+        (None, None) => Err(errors::input("the study contains no question")),
     }
 }

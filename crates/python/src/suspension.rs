@@ -13,6 +13,7 @@ use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+/// Parses the name of a length unit.
 fn unit(name: &str) -> PyResult<LengthUnit> {
     match name {
         "m" => Ok(LengthUnit::Metre),
@@ -23,6 +24,7 @@ fn unit(name: &str) -> PyResult<LengthUnit> {
     }
 }
 
+/// Parses the name of vehicle axes.
 fn axes(name: &str) -> PyResult<VehicleAxes> {
     match name {
         "iso" => Ok(VehicleAxes::Iso),
@@ -31,6 +33,7 @@ fn axes(name: &str) -> PyResult<VehicleAxes> {
     }
 }
 
+/// Parses the name of a side.
 fn side(name: &str) -> PyResult<Side> {
     match name {
         "left" => Ok(Side::Left),
@@ -78,7 +81,7 @@ pub fn load_suspension(
     let shapes = vec![Vec::new(); imported.mechanism.links().len()];
     let read = Read {
         mechanism: Arc::new(imported.mechanism),
-        inputs: vec![percuss::study::Input::of(&source)],
+        inputs: vec![percuss::study::Input::from_source(&source)],
         shapes: Arc::new(shapes),
         diagnostics,
         origin: percuss::study::Origin::default(),

@@ -4,11 +4,11 @@ use crate::arrays::{float64_matrix as matrix, shape};
 use crate::contact::Contact;
 use crate::diagnostic::Diagnostic;
 use crate::errors::{self, input};
-use crate::matrices::coded;
+use crate::matrices::mass_and_code;
 use crate::model::Model;
 use crate::sweep_columns::{Columns, MASSLESS_TO_ROUNDING, zeros};
+use crate::sweep_portions::{run_fixed_portions, run_timed_portions};
 use crate::system::{Assembly, System, in_root_axes, position_names, root_frame};
-use crate::threads::detached;
 use numpy::ndarray::{ArrayView2, s};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use percuss::study::row_findings;
@@ -23,23 +23,12 @@ use pyo3::types::PyAny;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
 
-/// Number of path rows between two checks for Ctrl-C. Fixed, because other portions change the last digits of a
-/// followed path. A single row takes up to some milliseconds.
-const PATH_PORTION: usize = 512;
-/// Portion sizes in configurations: limit of the first portion, limit of all portions, and growth factor. Ctrl-C is
-/// checked between portions. Rows that are solved independently do not depend on the portions.
-const FIRST: usize = 1024;
-const LARGEST: usize = 1 << 22;
-const GROWTH: f64 = 8.0;
-/// Target duration of a portion.
-const LOOK_AFTER: Duration = Duration::from_millis(50);
 /// Least and greatest block size of a thread, in configurations. At the greatest size, positions and results stay in
 /// the cache.
-const AT_ONCE: (usize, usize) = (256, 1 << 11);
+const BLOCK_SIZES: (usize, usize) = (256, 1 << 11);
 /// Blocks per thread and portion. Several blocks balance the load from other processes.
-const SHARES: usize = 8;
+const BLOCKS_PER_THREAD: usize = 8;
 
 /// m̄ of a contact at many configurations.
 #[pyclass(frozen, module = "percuss")]
@@ -65,23 +54,25 @@ pub struct Sweep {
 }
 
 /// Arrays, link name and reason of a pickled sweep.
-type Parts =
+type PickledSweep =
     (Py<PyArray1<f64>>, Py<PyArray1<f64>>, Py<PyArray1<u8>>, Py<PyArray1<u32>>, String, Option<String>);
 
 /// Model and assembly of a sweep.
-fn swept(over: &Bound<'_, PyAny>) -> PyResult<(Model, Arc<Assembled>)> {
-    let of_system = |system: &System| PyResult::Ok((system.model.clone(), system.reference(over.py())?));
-    if let Ok(found) = over.cast::<Assembly>() {
+fn model_and_assembly(model_or_assembly: &Bound<'_, PyAny>) -> PyResult<(Model, Arc<Assembled>)> {
+    let from_system = |system: &System| {
+        PyResult::Ok((system.model.clone(), system.assemble_at_zero(model_or_assembly.py())?))
+    };
+    if let Ok(found) = model_or_assembly.cast::<Assembly>() {
         Ok((found.get().model.clone(), Arc::clone(&found.get().assembly)))
-    } else if let Ok(found) = over.cast::<System>() {
-        of_system(found.get())
-    } else if let Ok(model) = over.cast::<Model>() {
-        of_system(&System::plain(model.get())?)
+    } else if let Ok(found) = model_or_assembly.cast::<System>() {
+        from_system(found.get())
+    } else if let Ok(model) = model_or_assembly.cast::<Model>() {
+        from_system(&System::unconstrained(model.get())?)
     } else {
         Err(PyTypeError::new_err(format!(
             "model is {} ({}); expected a Model, as percuss.load reads it from a file, a System or an Assembly",
-            over.repr()?,
-            over.get_type().name()?
+            model_or_assembly.repr()?,
+            model_or_assembly.get_type().name()?
         )))
     }
 }
@@ -113,10 +104,10 @@ pub fn sweep(
     base_pose: Option<&Bound<'_, PyAny>>,
     other_assembly: bool,
 ) -> PyResult<Sweep> {
-    let (model, assembly) = swept(model)?;
+    let (model, assembly) = model_and_assembly(model)?;
     let base = base_pose.map(root_frame).transpose()?;
-    let resolved = in_root_axes(contact.on(&model.read.mechanism)?, base.as_ref());
-    let joints = joints.map(words).transpose()?;
+    let resolved = in_root_axes(contact.resolve(&model.read.mechanism)?, base.as_ref());
+    let joints = joints.map(column_names).transpose()?;
     let (names, hint) = match &joints {
         Some(names) => (names.clone(), ": those of joints"),
         None => {
@@ -137,7 +128,7 @@ pub fn sweep(
         errors: errors.as_slice_mut()?,
         codes: codes.as_slice_mut()?,
         remarks: flags.as_slice_mut()?,
-        base_is_given: base.is_some(),
+        has_base_pose: base.is_some(),
     };
     match joints {
         None => {
@@ -150,14 +141,14 @@ pub fn sweep(
                     if count == expected { "; of its transpose, q.T, there are as many" } else { "" }
                 )));
             }
-            whole(py, &batch, &q, columns)?;
+            solve_all_positions(py, &batch, &q, columns)?;
         }
         Some(names) => {
-            let places = drivers(&model, &names, q.shape())?;
+            let position_indices = drivers(&model, &names, q.shape())?;
             match assembly.groups().is_empty() {
-                true => of_tree(py, &batch, &model, &q, &places, columns)?,
+                true => solve_tree(py, &batch, &model, &q, &position_indices, columns)?,
                 false => {
-                    let path = Path::new(&model, &assembly, resolved, &places, other_assembly)?;
+                    let path = Path::new(&model, &assembly, resolved, &position_indices, other_assembly)?;
                     no_answer = path.follow(py, &q, columns)?;
                 }
             }
@@ -175,7 +166,7 @@ pub fn sweep(
 }
 
 /// Names from a list or another sequence of strings; a single string is refused.
-fn words(names: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
+fn column_names(names: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     names.extract().map_err(|_| {
         let given = names.repr().map_or_else(|_| "no text".to_owned(), |text| text.to_string());
         input(format_args!("joints is {given}; expected a list of names, one for each column"))
@@ -217,131 +208,98 @@ fn is_finite(values: &[f64]) -> bool {
 }
 
 /// Error that names the first nonfinite entry of some rows.
-fn refuse(q: ArrayView2<'_, f64>, rows: Range<usize>) -> PyErr {
-    let places = rows.flat_map(|row| (0..q.ncols()).map(move |column| (row, column)));
-    let mut bad = places.filter(|place| !q[*place].is_finite());
-    let (row, column) = bad.next().unwrap_or_default();
+fn nonfinite_error(q: ArrayView2<'_, f64>, rows: Range<usize>) -> PyErr {
+    let entries = rows.flat_map(|row| (0..q.ncols()).map(move |column| (row, column)));
+    let mut nonfinite = entries.filter(|entry| !q[*entry].is_finite());
+    let (row, column) = nonfinite.next().unwrap_or_default();
     input(format_args!("q[{row}, {column}] is {}; expected finite numbers", q[(row, column)]))
-}
-
-/// Runs portions of configurations, with sizes adapted to [`LOOK_AFTER`]; checks for Ctrl-C after each.
-fn portions(
-    py: Python<'_>,
-    count: usize,
-    mut portion: impl FnMut(Range<usize>) -> PyResult<()> + Send,
-) -> PyResult<()> {
-    let (mut first, mut size) = (0, FIRST);
-    while first < count {
-        let here = size.min(count - first);
-        let begun = Instant::now();
-        detached(py, || portion(first..first + here))??;
-        py.check_signals()?;
-        first += here;
-        let spent = begun.elapsed().as_secs_f64().max(1e-9);
-        let factor = (LOOK_AFTER.as_secs_f64() / spent).clamp(1.0 / GROWTH, GROWTH);
-        size = ((here as f64 * factor) as usize).clamp(16, LARGEST);
-    }
-    Ok(())
-}
-
-/// Runs portions of a path, of [`PATH_PORTION`] rows; checks for Ctrl-C after each.
-fn fixed_portions(
-    py: Python<'_>,
-    count: usize,
-    mut portion: impl FnMut(Range<usize>) -> PyResult<()> + Send,
-) -> PyResult<()> {
-    for first in (0..count).step_by(PATH_PORTION) {
-        detached(py, || portion(first..count.min(first + PATH_PORTION)))??;
-        py.check_signals()?;
-    }
-    Ok(())
 }
 
 /// Layout of the rows of q.
 #[derive(Clone, Copy)]
 enum Rows<'a> {
     /// All positions, row by row.
-    One(&'a [f64]),
+    RowMajor(&'a [f64]),
     /// All positions, column by column.
     Columns(&'a [f64]),
     /// All positions, with any strides.
-    Apart,
-    /// Some positions: `places` maps each column to its position; `others` holds all positions of the zero
+    Strided,
+    /// Some positions: `position_indices` maps each column to its position; `zero_positions` holds all positions of the zero
     /// configuration.
-    Some { places: &'a [usize], others: &'a [f64] },
+    Some { position_indices: &'a [usize], zero_positions: &'a [f64] },
 }
 
 /// Solves the rows of q in blocks, on all threads. Each number is read, checked, solved and written while it is in the
 /// cache.
-fn answer(
+fn solve_rows(
     py: Python<'_>,
     batch: &Batch,
     q: ArrayView2<'_, f64>,
-    stand: Rows<'_>,
+    layout: Rows<'_>,
     columns: Columns<'_>,
 ) -> PyResult<()> {
     let count = q.nrows();
     // Pool of position buffers.
-    let rooms = Mutex::new(Vec::new());
-    let rooms = || rooms.lock().unwrap_or_else(PoisonError::into_inner);
-    let of_all = columns.known(batch.remarks());
-    portions(py, count, |rows| {
+    let buffers = Mutex::new(Vec::new());
+    let buffers = || buffers.lock().unwrap_or_else(PoisonError::into_inner);
+    let common_remarks = columns.reported_bits(batch.remarks());
+    run_timed_portions(py, count, |rows| {
         // Of the pool of this process.
         let threads = rayon::current_num_threads();
-        let block = rows.len().div_ceil(threads * SHARES).clamp(AT_ONCE.0, AT_ONCE.1);
+        let block = rows.len().div_ceil(threads * BLOCKS_PER_THREAD).clamp(BLOCK_SIZES.0, BLOCK_SIZES.1);
         let masses = columns.masses[rows.clone()].par_chunks_mut(block);
         let errors = columns.errors[rows.clone()].par_chunks_mut(block);
         let codes = columns.codes[rows.clone()].par_chunks_mut(block);
         let remarks = columns.remarks[rows.clone()].par_chunks_mut(block);
-        let base = if columns.base_is_given { RemarkFlags::BASE_NOT_GIVEN.bits() } else { 0 };
+        let base = if columns.has_base_pose { RemarkFlags::BASE_NOT_GIVEN.bits() } else { 0 };
         let blocks = masses.zip(errors).zip(codes.zip(remarks)).enumerate();
         let done = blocks.try_for_each(|(number, ((masses, errors), (codes, remarks)))| {
             let first = rows.start + number * block;
-            let own = first..first + masses.len();
-            let mut room = rooms().pop().unwrap_or_default();
-            let Some(positions) = stand.of_block(q, own.clone(), &mut room) else {
-                return Err(Stopped::NotFinite);
+            let row_positions = first..first + masses.len();
+            let mut buffer = buffers().pop().unwrap_or_default();
+            let Some(positions) = layout.block_positions(q, row_positions.clone(), &mut buffer) else {
+                return Err(BlockFailure::NotFinite);
             };
             // `codes` already holds the code of finite masses, and `remarks` no finding.
-            if of_all != 0 {
-                remarks.fill(of_all);
+            if common_remarks != 0 {
+                remarks.fill(common_remarks);
             }
             let other = |at: usize, answer: BatchAnswer| {
                 remarks[at] = answer.remarks.bits() & !base;
                 let rounding = answer.is_massless_to_rounding();
-                codes[at] = if rounding { MASSLESS_TO_ROUNDING } else { coded(answer.mass).1 };
+                codes[at] = if rounding { MASSLESS_TO_ROUNDING } else { mass_and_code(answer.mass).1 };
             };
-            batch.run_columns(positions, masses, errors, other).map_err(Stopped::Refused)?;
-            rooms().push(room);
+            batch.run_columns(positions, masses, errors, other).map_err(BlockFailure::Refused)?;
+            buffers().push(buffer);
             Ok(())
         });
-        done.map_err(|stopped| match stopped {
-            Stopped::NotFinite => refuse(q, rows),
-            Stopped::Refused(error) => input(error),
+        done.map_err(|failure| match failure {
+            BlockFailure::NotFinite => nonfinite_error(q, rows),
+            BlockFailure::Refused(error) => input(error),
         })
     })
 }
 
 /// Reason for a failed block.
-enum Stopped {
+enum BlockFailure {
     NotFinite,
     Refused(BatchError),
 }
 
 impl<'a> Rows<'a> {
     /// Positions of a range of rows; `None` if a number is not finite.
-    fn of_block<'b>(
+    fn block_positions<'b>(
         self,
         q: ArrayView2<'_, f64>,
         rows: Range<usize>,
-        room: &'b mut Vec<f64>,
+        buffer: &'b mut Vec<f64>,
     ) -> Option<BatchPositions<'b>>
     where
         'a: 'b,
     {
-        let (count, width, here) = (q.nrows(), q.ncols(), rows.len());
+        let (count, width, row_count) = (q.nrows(), q.ncols(), rows.len());
         let (values, positions) = match self {
-            Rows::One(values) => {
+            Rows::RowMajor(values) => {
                 let values = &values[rows.start * width..rows.end * width];
                 (values, BatchPositions::Rows { values, stride: width })
             }
@@ -353,20 +311,20 @@ impl<'a> Rows<'a> {
                 };
                 return (0..width).all(|c| is_finite(column(c))).then_some(positions);
             }
-            Rows::Apart => {
-                room.clear();
-                q.slice(s![rows, ..]).rows().into_iter().for_each(|row| room.extend(row));
-                (&room[..], BatchPositions::Rows { values: room, stride: width })
+            Rows::Strided => {
+                buffer.clear();
+                q.slice(s![rows, ..]).rows().into_iter().for_each(|row| buffer.extend(row));
+                (&buffer[..], BatchPositions::Rows { values: buffer, stride: width })
             }
             // Column by column: the fastest layout.
-            Rows::Some { places, others } => {
-                room.clear();
-                others.iter().for_each(|x| room.extend(std::iter::repeat_n(*x, here)));
-                for (column, place) in places.iter().enumerate() {
-                    let to = &mut room[place * here..(place + 1) * here];
+            Rows::Some { position_indices, zero_positions } => {
+                buffer.clear();
+                zero_positions.iter().for_each(|x| buffer.extend(std::iter::repeat_n(*x, row_count)));
+                for (column, index) in position_indices.iter().enumerate() {
+                    let to = &mut buffer[index * row_count..(index + 1) * row_count];
                     to.iter_mut().zip(q.slice(s![rows.clone(), column])).for_each(|(to, x)| *to = *x);
                 }
-                (&room[..], BatchPositions::Columns { values: room, stride: here })
+                (&buffer[..], BatchPositions::Columns { values: buffer, stride: row_count })
             }
         };
         is_finite(values).then_some(positions)
@@ -374,29 +332,40 @@ impl<'a> Rows<'a> {
 }
 
 /// Solves rows with all positions.
-fn whole(py: Python<'_>, batch: &Batch, q: &PyReadonlyArray2<'_, f64>, columns: Columns<'_>) -> PyResult<()> {
-    let stand = match q.as_slice() {
-        Ok(values) if q.is_c_contiguous() => Rows::One(values),
+fn solve_all_positions(
+    py: Python<'_>,
+    batch: &Batch,
+    q: &PyReadonlyArray2<'_, f64>,
+    columns: Columns<'_>,
+) -> PyResult<()> {
+    let layout = match q.as_slice() {
+        Ok(values) if q.is_c_contiguous() => Rows::RowMajor(values),
         Ok(values) => Rows::Columns(values),
-        Err(_) => Rows::Apart,
+        Err(_) => Rows::Strided,
     };
-    answer(py, batch, q.as_array(), stand, columns)
+    solve_rows(py, batch, q.as_array(), layout, columns)
 }
 
 /// Solves rows with some positions and the others at 0, for mechanisms without loops.
-fn of_tree(
+fn solve_tree(
     py: Python<'_>,
     batch: &Batch,
     model: &Model,
     q: &PyReadonlyArray2<'_, f64>,
-    places: &[(JointId, usize)],
+    position_indices: &[(JointId, usize)],
     columns: Columns<'_>,
 ) -> PyResult<()> {
     let mechanism = &model.read.mechanism;
     let zero = Configuration::zero(mechanism);
-    let others: Vec<f64> = mechanism.joint_ids().flat_map(|joint| zero.get(joint).to_vec()).collect();
-    let places: Vec<usize> = places.iter().map(|(_, place)| *place).collect();
-    answer(py, batch, q.as_array(), Rows::Some { places: &places, others: &others }, columns)
+    let zero_positions: Vec<f64> = mechanism.joint_ids().flat_map(|joint| zero.get(joint).to_vec()).collect();
+    let position_indices: Vec<usize> = position_indices.iter().map(|(_, index)| *index).collect();
+    solve_rows(
+        py,
+        batch,
+        q.as_array(),
+        Rows::Some { position_indices: &position_indices, zero_positions: &zero_positions },
+        columns,
+    )
 }
 
 /// Path of a linkage by its drivers; each row continues from the row before.
@@ -406,7 +375,7 @@ struct Path<'a> {
     contact: Resolved,
     joints: Vec<JointId>,
     /// Pose of the last reached row.
-    stands: Posed,
+    last_pose: Posed,
     driven: Option<DrivenPath>,
     /// True if rows on another assembly mode are solved.
     other_assembly: bool,
@@ -419,13 +388,22 @@ impl<'a> Path<'a> {
         model: &'a Model,
         assembly: &'a Arc<Assembled>,
         contact: Resolved,
-        places: &[(JointId, usize)],
+        position_indices: &[(JointId, usize)],
         other_assembly: bool,
     ) -> PyResult<Self> {
-        let joints = places.iter().map(|(joint, _)| *joint).collect();
+        let joints = position_indices.iter().map(|(joint, _)| *joint).collect();
         let zero = Configuration::zero(&model.read.mechanism);
-        let stands = assembly.pose(&zero).map_err(errors::assembly)?;
-        Ok(Self { model, assembly, contact, joints, stands, driven: None, other_assembly, no_answer: None })
+        let last_pose = assembly.pose(&zero).map_err(errors::assembly)?;
+        Ok(Self {
+            model,
+            assembly,
+            contact,
+            joints,
+            last_pose,
+            driven: None,
+            other_assembly,
+            no_answer: None,
+        })
     }
 
     /// Solves all rows; returns the reason of the first row without an answer.
@@ -438,19 +416,19 @@ impl<'a> Path<'a> {
         let (count, width) = (q.shape()[0], self.joints.len());
         let view = q.as_array();
         let mut values = Vec::new();
-        fixed_portions(py, count, |rows| {
-            let (first, here) = (rows.start, rows.len());
+        run_fixed_portions(py, count, |rows| {
+            let (first, row_count) = (rows.start, rows.len());
             values.clear();
             view.slice(s![rows.clone(), ..]).rows().into_iter().for_each(|row| values.extend(row));
             if !is_finite(&values) {
-                return Err(refuse(view, rows));
+                return Err(nonfinite_error(view, rows));
             }
             let mut done = 0;
-            while done < here {
-                done += self.in_lanes(&values[done * width..], first + done, &mut columns);
-                if done < here {
+            while done < row_count {
+                done += self.solve_in_lanes(&values[done * width..], first + done, &mut columns);
+                if done < row_count {
                     let row = &values[done * width..(done + 1) * width];
-                    if let Err(reason) = self.by_itself(row, first + done, &mut columns) {
+                    if let Err(reason) = self.solve_row(row, first + done, &mut columns) {
                         columns.set(first + done, None, None, RemarkFlags::NO_ANSWER);
                         self.no_answer.get_or_insert(reason);
                     }
@@ -463,13 +441,13 @@ impl<'a> Path<'a> {
     }
 
     /// Solves rows in SIMD lanes while the branch is certain. Returns their number.
-    fn in_lanes(&mut self, rows: &[f64], first: usize, columns: &mut Columns<'_>) -> usize {
+    fn solve_in_lanes(&mut self, rows: &[f64], first: usize, columns: &mut Columns<'_>) -> usize {
         let Some(driven) = &mut self.driven else { return 0 };
         let (mut answers, mut positions): (Vec<PathAnswer>, Vec<f64>) = (Vec::new(), Vec::new());
         let reached = driven.follow(rows, &mut answers, &mut positions);
         let width = positions.len() / reached.max(1);
         for (number, answer) in answers.iter().enumerate() {
-            let (at, own) = (first + number, &positions[number * width..(number + 1) * width]);
+            let (at, row_positions) = (first + number, &positions[number * width..(number + 1) * width]);
             let done = match answer.mass {
                 Some((mass, error)) => {
                     let mass = Some(percuss::EffectiveMass::Finite(mass));
@@ -477,7 +455,7 @@ impl<'a> Path<'a> {
                     Ok(())
                 }
                 None => driven
-                    .pose_at(own, answer.residual)
+                    .pose_at(row_positions, answer.residual)
                     .map_err(|error| error.to_string())
                     .and_then(|pose| columns.respond(&pose, &self.contact, at)),
             };
@@ -487,7 +465,7 @@ impl<'a> Path<'a> {
             }
         }
         if reached > 0 {
-            self.stands = driven.pose();
+            self.last_pose = driven.pose();
         }
         reached
     }
@@ -496,22 +474,25 @@ impl<'a> Path<'a> {
     ///
     /// # Errors
     /// The reason of a row without an answer.
-    fn by_itself(&mut self, row: &[f64], at: usize, columns: &mut Columns<'_>) -> Result<(), String> {
+    fn solve_row(&mut self, row: &[f64], at: usize, columns: &mut Columns<'_>) -> Result<(), String> {
         let mechanism = &self.model.read.mechanism;
-        let mut there = Configuration::zero(mechanism);
+        let mut configuration = Configuration::zero(mechanism);
         if self.other_assembly {
-            there.allow_other_assembly();
+            configuration.allow_other_assembly();
         }
         for (joint, value) in self.joints.iter().zip(row) {
-            there.set(mechanism.joint(*joint).name(), &[*value]).map_err(|error| error.to_string())?;
+            configuration
+                .set(mechanism.joint(*joint).name(), &[*value])
+                .map_err(|error| error.to_string())?;
         }
-        let pose = self.assembly.pose_from(&self.stands, &there).map_err(|error| error.to_string())?;
+        let pose =
+            self.assembly.pose_from(&self.last_pose, &configuration).map_err(|error| error.to_string())?;
         let done = columns.respond(&pose, &self.contact, at);
-        let goes_on = self.driven.as_mut().is_some_and(|driven| driven.restart(&pose));
-        if !goes_on {
+        let is_restarted = self.driven.as_mut().is_some_and(|driven| driven.restart(&pose));
+        if !is_restarted {
             self.driven = pose.driven_path(&self.contact, &self.joints).ok().flatten();
         }
-        self.stands = pose;
+        self.last_pose = pose;
         done
     }
 }
@@ -546,7 +527,7 @@ impl Sweep {
     }
 
     /// Arrays of the sweep, for pickle.
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts)> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, PickledSweep)> {
         let [effective_mass, error] = [&self.effective_mass, &self.error].map(|array| array.clone_ref(py));
         let (status, remarks) = (self.status.clone_ref(py), self.remarks.clone_ref(py));
         let parts = (effective_mass, error, status, remarks, self.link.clone(), self.no_answer.clone());

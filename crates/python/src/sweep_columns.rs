@@ -1,6 +1,6 @@
 //! Results of a sweep by columns, in arrays of numpy.
 
-use crate::matrices::coded;
+use crate::matrices::mass_and_code;
 use numpy::{Element, PyArray1, PyArrayMethods, PyReadwriteArray1};
 use percuss::{Contact, Pose, Remark, RemarkFlags};
 use pyo3::prelude::*;
@@ -15,7 +15,7 @@ pub struct Columns<'a> {
     pub codes: &'a mut [u8],
     pub remarks: &'a mut [u32],
     /// True if the base pose is given; the poses of a path do not contain it.
-    pub base_is_given: bool,
+    pub has_base_pose: bool,
 }
 
 /// Array of zeros in numpy's memory. numpy allocates large arrays in large pages, so the first write is almost free.
@@ -26,6 +26,7 @@ pub fn zeros<T: Element>(py: Python<'_>, count: usize) -> (Bound<'_, PyArray1<T>
 }
 
 impl Columns<'_> {
+    /// Writes the result of a row: NaN without a mass or an error.
     pub fn set(
         &mut self,
         at: usize,
@@ -33,14 +34,14 @@ impl Columns<'_> {
         error: Option<f64>,
         remarks: RemarkFlags,
     ) {
-        (self.masses[at], self.codes[at]) = coded(mass);
+        (self.masses[at], self.codes[at]) = mass_and_code(mass);
         self.errors[at] = error.unwrap_or(f64::NAN);
-        self.remarks[at] = self.known(remarks);
+        self.remarks[at] = self.reported_bits(remarks);
     }
 
     /// Bits of the findings, without that of a missing base pose if the sweep has a base pose.
-    pub fn known(&self, remarks: RemarkFlags) -> u32 {
-        let base = if self.base_is_given { RemarkFlags::BASE_NOT_GIVEN.bits() } else { 0 };
+    pub fn reported_bits(&self, remarks: RemarkFlags) -> u32 {
+        let base = if self.has_base_pose { RemarkFlags::BASE_NOT_GIVEN.bits() } else { 0 };
         remarks.bits() & !base
     }
 

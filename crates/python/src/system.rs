@@ -93,7 +93,7 @@ pub fn configuration(
     let mut found = match q {
         Some(q) if !q.is_instance_of::<PyDict>() => {
             let q = Numbers::of(q, "q", &[1], "one dimension, or a dict of joints")?;
-            let q = q.in_order("q", &position_names(mechanism), ": the positions of all joints")?;
+            let q = q.in_order_of("q", &position_names(mechanism), ": the positions of all joints")?;
             let q: Vec<f64> = q.array.as_array().iter().copied().collect();
             Configuration::from_positions(mechanism, &q).map_err(input)?
         }
@@ -162,12 +162,12 @@ impl System {
     }
 
     /// System with every joint free and a fixed base.
-    pub fn plain(model: &Model) -> PyResult<Self> {
+    pub fn unconstrained(model: &Model) -> PyResult<Self> {
         Self::new(model, "fixed", Vec::new(), None, Vec::new())
     }
 
     /// Assembly of the loops from all joints at 0.
-    pub fn reference(&self, py: Python<'_>) -> PyResult<Arc<Assembled>> {
+    pub fn assemble_at_zero(&self, py: Python<'_>) -> PyResult<Arc<Assembled>> {
         py.detach(|| self.system.reference().map(Arc::clone)).map_err(errors::assembly)
     }
 }
@@ -197,7 +197,7 @@ impl System {
     #[pyo3(signature = (guess=None))]
     pub fn assemble(&self, py: Python<'_>, guess: Option<&Bound<'_, PyDict>>) -> PyResult<Assembly> {
         let assembly = match guess {
-            None => self.reference(py)?,
+            None => self.assemble_at_zero(py)?,
             Some(_) => {
                 let given = configuration(&self.model.read.mechanism, None, guess)?;
                 py.detach(|| self.system.assemble(&given)).map_err(errors::assembly)?
@@ -350,7 +350,7 @@ impl Assembly {
     #[pyo3(signature = (contact, *, base_pose=None))]
     fn workspace(&self, contact: &Contact, base_pose: Option<&Bound<'_, PyAny>>) -> PyResult<Workspace> {
         let base = base_pose.map(root_frame).transpose()?;
-        let contact = contact.on(&self.model.read.mechanism)?;
+        let contact = contact.resolve(&self.model.read.mechanism)?;
         let batch = self.assembly.batch(&in_root_axes(contact, base.as_ref())).map_err(errors::response)?;
         Ok(Workspace { of: self.clone(), contact, base, batch, last: None, positions: Vec::new() })
     }
@@ -399,12 +399,12 @@ impl Workspace {
         let mut q = Numbers::of(q, "q", &[1], "one dimension: the positions of all joints")?;
         if q.labels != Labels::default() {
             let names = position_names(&self.of.model.read.mechanism);
-            q = q.in_order("q", &names, ": the positions of all joints")?;
+            q = q.in_order_of("q", &names, ": the positions of all joints")?;
         }
         self.last = None;
         let answer = match q.array.as_slice() {
-            Ok(positions) => self.at(positions),
-            Err(_) => self.at(&q.array.as_array().iter().copied().collect::<Vec<f64>>()),
+            Ok(positions) => self.solve_at(positions),
+            Err(_) => self.solve_at(&q.array.as_array().iter().copied().collect::<Vec<f64>>()),
         }?;
         self.last = Some(answer);
         Ok(if let EffectiveMass::Finite(m) = answer { Some(m) } else { None })
@@ -425,13 +425,13 @@ impl Workspace {
             return Ok(None);
         }
         let Assembly { model, system, assembly } = &self.of;
-        let mut there =
+        let mut configuration =
             Configuration::from_positions(&model.read.mechanism, &self.positions).map_err(input)?;
         if let Some(base) = self.base {
-            there.set_base(base);
+            configuration.set_base(base);
         }
         py.detach(|| {
-            let pose = assembly.pose(&there).map_err(errors::assembly)?;
+            let pose = assembly.pose(&configuration).map_err(errors::assembly)?;
             let response = pose.respond(&self.contact).map_err(errors::response)?;
             let found = response_findings(system, &pose, &self.contact, &response);
             Ok(Some(found.into_iter().map(Diagnostic).collect()))
@@ -444,7 +444,8 @@ impl Workspace {
 }
 
 impl Workspace {
-    fn at(&mut self, positions: &[f64]) -> PyResult<EffectiveMass> {
+    /// m̄ at the positions of all joints; keeps the positions for `findings`.
+    fn solve_at(&mut self, positions: &[f64]) -> PyResult<EffectiveMass> {
         if let Some(at) = positions.iter().position(|x| !x.is_finite()) {
             return Err(input(format_args!("q[{at}] is {}; expected finite numbers", positions[at])));
         }

@@ -8,15 +8,15 @@ use std::process;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 /// Id of the process that loaded this module; it uses rayon's global pool.
-static FIRST: OnceLock<u32> = OnceLock::new();
+static LOADING_PROCESS: OnceLock<u32> = OnceLock::new();
 
 /// Pool of a forked process, with the process id. Never dropped: in another fork, dropping would wait for threads that
 /// do not exist.
-static FORKED: Mutex<Option<(u32, &'static ThreadPool)>> = Mutex::new(None);
+static FORKED_POOL: Mutex<Option<(u32, &'static ThreadPool)>> = Mutex::new(None);
 
 /// Records the id of the loading process.
-pub fn begin() {
-    FIRST.get_or_init(process::id);
+pub fn record_process() {
+    LOADING_PROCESS.get_or_init(process::id);
 }
 
 /// Runs `work` without the interpreter, on the thread pool of this process.
@@ -24,7 +24,7 @@ pub fn begin() {
 /// # Errors
 /// RuntimeError: a forked process cannot start threads. `work` would wait for the threads of the parent process.
 pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
-    py.detach(|| match forked() {
+    py.detach(|| match forked_pool() {
         Ok(None) => Ok(work()),
         Ok(Some(pool)) => Ok(pool.install(work)),
         Err(error) => Err(PyRuntimeError::new_err(format!(
@@ -35,12 +35,12 @@ pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyR
 }
 
 /// Pool of a forked process; `None` in the process that loaded this module.
-fn forked() -> Result<Option<&'static ThreadPool>, ThreadPoolBuildError> {
+fn forked_pool() -> Result<Option<&'static ThreadPool>, ThreadPoolBuildError> {
     let own = process::id();
-    if *FIRST.get_or_init(|| own) == own {
+    if *LOADING_PROCESS.get_or_init(|| own) == own {
         return Ok(None);
     }
-    let mut kept = FORKED.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut kept = FORKED_POOL.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, pool)) = kept.filter(|(process, _)| *process == own) {
         return Ok(Some(pool));
     }

@@ -1,4 +1,4 @@
-//! A sweep as `percuss sweep` draws it, from made-up numbers: `cargo run -p percuss-render --example sweep -- FILE.png`.
+//! Figure in the style of `percuss sweep` with invented numbers: `cargo run -p percuss-render --example sweep -- FILE.png`.
 
 use percuss_render::{Figure, Mark, Panel, Series, Style};
 use std::path::PathBuf;

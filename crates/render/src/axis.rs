@@ -44,17 +44,17 @@ pub(crate) fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
 }
 
 impl Axis {
-    /// Axis from the smallest to the largest value, with at most `most` + 1 ticks.
-    pub fn tight(range: Option<(f64, f64)>, most: u32) -> Axis {
-        let (low, high) = widen(range);
-        Axis::stepped(low, high, most)
+    /// Axis from the smallest to the largest value, with at most `max_intervals` + 1 ticks.
+    pub fn without_margin(range: Option<(f64, f64)>, max_intervals: u32) -> Axis {
+        let (low, high) = nonempty_range(range);
+        Axis::with_coarsest_step(low, high, max_intervals)
     }
 
     /// Axis with a margin of 4 % at both ends, extended to the next minor grid line.
-    pub fn roomy(range: Option<(f64, f64)>, most: u32) -> Axis {
-        let (low, high) = widen(range);
-        let room = 0.04 * (high - low);
-        let axis = Axis::stepped(low - room, high + room, most);
+    pub fn with_margin(range: Option<(f64, f64)>, max_intervals: u32) -> Axis {
+        let (low, high) = nonempty_range(range);
+        let margin = 0.04 * (high - low);
+        let axis = Axis::with_coarsest_step(low - margin, high + margin, max_intervals);
         let minor = axis.step.minor();
         let count = |v: f64| v / minor.value(1);
         let low = minor.value(count(axis.low).floor() as i64);
@@ -62,11 +62,12 @@ impl Axis {
         Axis { low, high, ..axis }
     }
 
-    /// Takes the coarsest step with at most `most` intervals and at least two ticks.
-    fn stepped(low: f64, high: f64, most: u32) -> Axis {
-        let with = |most| Axis { low, high, step: Step::for_span(high - low, most) };
-        let found = (most..most + 8).map(with).find(|axis| axis.multiples(axis.step).len() >= 2);
-        found.unwrap_or_else(|| with(most + 8))
+    /// Takes the coarsest step with at most `max_intervals` intervals and at least two ticks.
+    fn with_coarsest_step(low: f64, high: f64, max_intervals: u32) -> Axis {
+        let with = |max_intervals| Axis { low, high, step: Step::for_span(high - low, max_intervals) };
+        let found =
+            (max_intervals..max_intervals + 8).map(with).find(|axis| axis.multiples(axis.step).len() >= 2);
+        found.unwrap_or_else(|| with(max_intervals + 8))
     }
 
     /// Position of a value along the axis: 0 to 1 inside the range.
@@ -74,15 +75,16 @@ impl Axis {
         (value - self.low) / (self.high - self.low)
     }
 
-    pub fn holds(&self, value: f64) -> bool {
+    /// True if the value is in the range of the axis.
+    pub fn contains(&self, value: f64) -> bool {
         self.low <= value && value <= self.high
     }
 
     /// Major ticks in ascending order.
     pub fn ticks(&self) -> Vec<Tick> {
         let counts = self.multiples(self.step);
-        let most = counts.iter().map(|n| n.abs()).max().unwrap_or(0);
-        let exponent = self.step.engineering_exponent(most);
+        let max_intervals = counts.iter().map(|n| n.abs()).max().unwrap_or(0);
+        let exponent = self.step.engineering_exponent(max_intervals);
         let tick = |&n: &i64| Tick {
             fraction: self.fraction(self.step.value(n)),
             label: self.step.label(n, exponent),
@@ -108,21 +110,21 @@ impl Axis {
 }
 
 /// Replaces an empty range by 0 to 1, and a single value by its neighbourhood.
-fn widen(range: Option<(f64, f64)>) -> (f64, f64) {
+fn nonempty_range(range: Option<(f64, f64)>) -> (f64, f64) {
     let Some((low, high)) = range else { return (0.0, 1.0) };
     let size = low.abs().max(high.abs());
     if high - low > limits::FLAT * size {
         return (low, high);
     }
     let middle = low + 0.5 * (high - low);
-    let room = if size == 0.0 { 1.0 } else { 0.05 * size };
-    (middle - room, middle + room)
+    let margin = if size == 0.0 { 1.0 } else { 0.05 * size };
+    (middle - margin, middle + margin)
 }
 
 impl Step {
-    /// Smallest 1-2-5 step with at most `most` intervals in the span.
-    fn for_span(span: f64, most: u32) -> Step {
-        let raw = span / f64::from(most.max(1));
+    /// Smallest 1-2-5 step with at most `max_intervals` intervals in the span.
+    fn for_span(span: f64, max_intervals: u32) -> Step {
+        let raw = span / f64::from(max_intervals.max(1));
         let exponent = raw.log10().floor() as i32;
         let leading = raw / 10f64.powi(exponent);
         match [1, 2, 5].into_iter().find(|&m| leading <= m as f64 * (1.0 + limits::STEP_SLACK)) {
@@ -145,6 +147,7 @@ impl Step {
         if self.mantissa == 2 { 4 } else { 5 }
     }
 
+    /// Step of the minor grid.
     fn minor(self) -> Step {
         match self.mantissa {
             1 => Step { mantissa: 2, exponent: self.exponent - 1 },
@@ -173,9 +176,9 @@ impl Step {
         let shift = self.exponent - exponent;
         let number = match usize::try_from(-shift) {
             Err(_) | Ok(0) => digits + &"0".repeat(shift.max(0) as usize),
-            Ok(places) => {
-                let padded = format!("{digits:0>width$}", width = places + 1);
-                let (whole, part) = padded.split_at(padded.len() - places);
+            Ok(decimals) => {
+                let padded = format!("{digits:0>width$}", width = decimals + 1);
+                let (whole, part) = padded.split_at(padded.len() - decimals);
                 format!("{whole}.{part}")
             }
         };
@@ -185,6 +188,7 @@ impl Step {
     }
 }
 
+/// Number in superscript digits.
 fn superscript(n: i32) -> String {
     let raised = |c: char| match c.to_digit(10) {
         Some(d) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][d as usize],

@@ -38,8 +38,8 @@ pub enum RenderError {
     },
     /// The picture would be larger than 2^25 pixels.
     #[error(
-        "a PNG of {width:.0} by {height:.0} pixels was asked for, and {most:.0} pixels are the most: \
-         take a scale below {fitting:.2}, or write an SVG"
+        "a PNG of {width:.0} by {height:.0} pixels was asked for, and {max_pixels:.0} pixels are the most: \
+         take a scale below {max_scale:.2}, or write an SVG"
     )]
     TooLarge {
         /// Width, pixels.
@@ -47,9 +47,9 @@ pub enum RenderError {
         /// Height, pixels.
         height: f64,
         /// Limit of the number of pixels.
-        most: f64,
+        max_pixels: f64,
         /// Largest scale within the limit.
-        fitting: f64,
+        max_scale: f64,
     },
     /// The SVG could not be read back.
     #[error("the SVG could not be read back")]
@@ -73,6 +73,7 @@ pub enum RenderError {
     },
 }
 
+/// Parses an SVG with the embedded fonts.
 pub(crate) fn tree(svg: &str) -> Result<Tree, RenderError> {
     let options =
         Options { fontdb: FONTS.clone(), font_family: crate::font::FAMILY.into(), ..Options::default() };
@@ -88,27 +89,28 @@ pub(crate) fn png(svg: &str, scale: f32) -> Result<Vec<u8>, RenderError> {
     let size = [tree.size().width(), tree.size().height()].map(f64::from);
     let [width, height] = size.map(|s| (s * f64::from(scale)).round().max(1.0));
     let too_large = || {
-        let fitting = (limits::MOST_PIXELS / (size[0] * size[1])).sqrt();
-        RenderError::TooLarge { width, height, most: limits::MOST_PIXELS, fitting }
+        let max_scale = (limits::MAX_PIXELS / (size[0] * size[1])).sqrt();
+        RenderError::TooLarge { width, height, max_pixels: limits::MAX_PIXELS, max_scale }
     };
-    if width * height > limits::MOST_PIXELS {
+    if width * height > limits::MAX_PIXELS {
         return Err(too_large());
     }
     let mut pixmap = Pixmap::new(width as u32, height as u32).ok_or_else(too_large)?;
     resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixmap.as_mut());
     // The page is opaque, so the alpha channel is dropped.
     let pixels: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
-    encoded(&pixels, pixmap.width(), pixmap.height())
+    encode_png(&pixels, pixmap.width(), pixmap.height())
         .map_err(|source| RenderError::Encoder { source: Box::new(source) })
 }
 
 /// Encodes RGB pixels as PNG; `None` if they do not form a rectangle.
-pub(crate) fn of_pixels(pixels: &[u8], columns: usize) -> Option<Vec<u8>> {
+pub(crate) fn png_from_pixels(pixels: &[u8], columns: usize) -> Option<Vec<u8>> {
     let rows = (pixels.len() / 3).checked_div(columns)?;
-    encoded(&pixels[..3 * columns * rows], u32::try_from(columns).ok()?, u32::try_from(rows).ok()?).ok()
+    encode_png(&pixels[..3 * columns * rows], u32::try_from(columns).ok()?, u32::try_from(rows).ok()?).ok()
 }
 
-fn encoded(pixels: &[u8], width: u32, height: u32) -> Result<Vec<u8>, png::EncodingError> {
+/// Encodes RGB pixels as PNG, with the producer comment.
+fn encode_png(pixels: &[u8], width: u32, height: u32) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Rgb);

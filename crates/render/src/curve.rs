@@ -11,7 +11,7 @@ pub(crate) struct Curve {
     /// Polylines of two points or more.
     pub chains: Vec<Vec<Point>>,
     /// Points between two gaps.
-    pub lone: Vec<Point>,
+    pub isolated: Vec<Point>,
 }
 
 /// Upper left and lower right corner of a rectangle.
@@ -24,62 +24,62 @@ pub(crate) fn is_inside(p: Point, (from, to): Corners) -> bool {
 
 impl Curve {
     /// Clips the curve to a rectangle.
-    pub fn within(self, corners: Corners) -> Curve {
-        let chains = self.chains.iter().flat_map(|chain| cut(chain, corners)).collect();
-        Curve { chains, lone: self.lone.into_iter().filter(|p| is_inside(*p, corners)).collect() }
+    pub fn clipped_to(self, corners: Corners) -> Curve {
+        let chains = self.chains.iter().flat_map(|chain| clip_polyline(chain, corners)).collect();
+        Curve { chains, isolated: self.isolated.into_iter().filter(|p| is_inside(*p, corners)).collect() }
     }
 }
 
 /// Clips a polyline to a rectangle (Liang and Barsky 1984).
-fn cut(chain: &[Point], (from, to): Corners) -> Vec<Vec<Point>> {
+fn clip_polyline(chain: &[Point], (from, to): Corners) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     for pair in chain.windows(2) {
         let ((x, y), (dx, dy)) = (pair[0], (pair[1].0 - pair[0].0, pair[1].1 - pair[0].1));
-        let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
-        for (step, room) in [(-dx, x - from.0), (dx, to.0 - x), (-dy, y - from.1), (dy, to.1 - y)] {
+        let (mut t_entry, mut t_exit) = (0.0_f64, 1.0_f64);
+        for (step, distance) in [(-dx, x - from.0), (dx, to.0 - x), (-dy, y - from.1), (dy, to.1 - y)] {
             match step {
-                0.0 if room < 0.0 => leaves = -1.0,
+                0.0 if distance < 0.0 => t_exit = -1.0,
                 0.0 => {}
-                step if step < 0.0 => enters = enters.max(room / step),
-                step => leaves = leaves.min(room / step),
+                step if step < 0.0 => t_entry = t_entry.max(distance / step),
+                step => t_exit = t_exit.min(distance / step),
             }
         }
-        if enters > leaves {
+        if t_entry > t_exit {
             continue;
         }
         let at = |t: f64| ((x + t * dx).clamp(from.0, to.0), (y + t * dy).clamp(from.1, to.1));
-        match parts.last_mut().filter(|part| enters == 0.0 && part.last() == Some(&pair[0])) {
-            Some(part) => part.push(at(leaves)),
-            None => parts.push(vec![at(enters), at(leaves)]),
+        match parts.last_mut().filter(|part| t_entry == 0.0 && part.last() == Some(&pair[0])) {
+            Some(part) => part.push(at(t_exit)),
+            None => parts.push(vec![at(t_entry), at(t_exit)]),
         }
     }
     parts
 }
 
-/// Converts the points to a line; `place` maps values to the page.
-pub(crate) fn line(points: &[(f64, Option<f64>)], place: impl Fn(f64, f64) -> Point) -> Curve {
-    let on_page = |&(x, y): &(f64, Option<f64>)| Some(place(drawable(x)?, drawable(y?)?));
-    let places: Vec<Option<Point>> = points.iter().map(on_page).collect();
-    let runs = places.split(Option::is_none).filter(|run| !run.is_empty());
-    let (mut chains, mut lone) = (Vec::new(), Vec::new());
+/// Converts points to polylines, with a gap at each missing value; `to_page` maps values to the page.
+pub(crate) fn polylines(points: &[(f64, Option<f64>)], to_page: impl Fn(f64, f64) -> Point) -> Curve {
+    let map_point = |&(x, y): &(f64, Option<f64>)| Some(to_page(drawable(x)?, drawable(y?)?));
+    let points_on_page: Vec<Option<Point>> = points.iter().map(map_point).collect();
+    let runs = points_on_page.split(Option::is_none).filter(|run| !run.is_empty());
+    let (mut chains, mut isolated) = (Vec::new(), Vec::new());
     for run in runs {
         let run: Vec<Point> = run.iter().copied().flatten().collect();
         match run[..] {
-            [only] => lone.push(only),
+            [only] => isolated.push(only),
             _ => chains.push(envelope(&run)),
         }
     }
     // Too many chains, or a line that crosses many columns repeatedly: thin evenly, keeping the ends.
-    let most_chains = limits::MOST_PLACES / 4;
-    let chains = every(chains, most_chains);
-    let share = limits::MOST_PLACES / chains.len().max(1);
-    let chains = chains.into_iter().map(|chain| every(chain, share.max(2))).collect();
-    Curve { chains, lone: dots(lone) }
+    let most_chains = limits::MAX_POINTS / 4;
+    let chains = thin_evenly(chains, most_chains);
+    let share = limits::MAX_POINTS / chains.len().max(1);
+    let chains = chains.into_iter().map(|chain| thin_evenly(chain, share.max(2))).collect();
+    Curve { chains, isolated: merge_dots(isolated) }
 }
 
-/// Converts the points to dots.
-pub(crate) fn scatter(points: &[(f64, Option<f64>)], place: impl Fn(f64, f64) -> Point) -> Vec<Point> {
-    dots(points.iter().filter_map(|&(x, y)| Some(place(drawable(x)?, drawable(y?)?))).collect())
+/// Converts points to dots; dots at nearly the same position are merged.
+pub(crate) fn merged_dots(points: &[(f64, Option<f64>)], to_page: impl Fn(f64, f64) -> Point) -> Vec<Point> {
+    merge_dots(points.iter().filter_map(|&(x, y)| Some(to_page(drawable(x)?, drawable(y?)?))).collect())
 }
 
 /// Keeps the first, lowest, highest and last point of each run within one column. The picture, peaks included,
@@ -100,20 +100,20 @@ fn envelope(run: &[Point]) -> Vec<Point> {
 }
 
 /// Keeps one dot per cell of half a page unit.
-fn dots(places: Vec<Point>) -> Vec<Point> {
+fn merge_dots(points_on_page: Vec<Point>) -> Vec<Point> {
     let mut taken = HashSet::new();
     let cell = |p: &Point| ((p.0 / limits::COLUMN).round() as i64, (p.1 / limits::COLUMN).round() as i64);
-    every(places.into_iter().filter(|p| taken.insert(cell(p))).collect(), limits::MOST_PLACES)
+    thin_evenly(points_on_page.into_iter().filter(|p| taken.insert(cell(p))).collect(), limits::MAX_POINTS)
 }
 
-/// Thins a list evenly to `most` elements, keeping the first and the last.
-fn every<T>(all: Vec<T>, most: usize) -> Vec<T> {
-    if all.len() <= most {
+/// Thins a list evenly to `max_count` elements, keeping the first and the last.
+fn thin_evenly<T>(all: Vec<T>, max_count: usize) -> Vec<T> {
+    if all.len() <= max_count {
         return all;
     }
-    let (last, steps) = (all.len() - 1, most - 1);
-    let mut wanted = (0..most).map(|i| i * last / steps).peekable();
-    let chosen = all.into_iter().enumerate().filter(|(i, _)| wanted.next_if_eq(i).is_some());
+    let (last, steps) = (all.len() - 1, max_count - 1);
+    let mut indices = (0..max_count).map(|i| i * last / steps).peekable();
+    let chosen = all.into_iter().enumerate().filter(|(i, _)| indices.next_if_eq(i).is_some());
     chosen.map(|(_, item)| item).collect()
 }
 
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_breaks_at_what_is_missing_or_not_a_number() {
+    fn a_line_has_gaps_at_missing_values_and_nan() {
         let points = [
             (0.0, Some(1.0)),
             (1.0, Some(2.0)),
@@ -138,46 +138,46 @@ mod tests {
             (7.0, Some(8.0)),
             (8.0, Some(9.0)),
         ];
-        let curve = line(&points, as_is);
+        let curve = polylines(&points, as_is);
         assert_eq!(curve.chains, [vec![(0.0, 1.0), (1.0, 2.0)], vec![(7.0, 8.0), (8.0, 9.0)]]);
-        assert_eq!(curve.lone, [(3.0, 4.0), (5.0, 6.0)]);
-        assert_eq!(scatter(&points, as_is).len(), 6);
+        assert_eq!(curve.isolated, [(3.0, 4.0), (5.0, 6.0)]);
+        assert_eq!(merged_dots(&points, as_is).len(), 6);
     }
 
     #[test]
     fn a_chain_is_cut_at_the_edges() {
         let corners = ((0.0, 0.0), (10.0, 10.0));
         let chain = [(-5.0, 5.0), (5.0, 5.0), (5.0, 8.0), (5.0, 20.0), (15.0, 5.0), (5.0, -5.0)];
-        let parts = cut(&chain, corners);
+        let parts = clip_polyline(&chain, corners);
         assert_eq!(parts[0], [(0.0, 5.0), (5.0, 5.0), (5.0, 8.0), (5.0, 10.0)]);
         assert!(parts.iter().flatten().all(|p| is_inside(*p, corners)));
         assert_eq!(parts.last().map(|part| part.len()), Some(2));
-        assert!(cut(&[(-1.0, -1.0), (-1.0, 11.0), (20.0, 11.0)], corners).is_empty());
+        assert!(clip_polyline(&[(-1.0, -1.0), (-1.0, 11.0), (20.0, 11.0)], corners).is_empty());
     }
 
     #[test]
     fn thinning_keeps_the_peak() {
         let spike = |i: usize| if i == 54_321 { 100.0 } else { (i as f64 * 0.1).sin() };
         let points: Vec<_> = (0..100_000).map(|i| (i as f64 * 0.008, Some(spike(i)))).collect();
-        let curve = line(&points, as_is);
-        assert!(curve.chains[0].len() <= limits::MOST_PLACES);
+        let curve = polylines(&points, as_is);
+        assert!(curve.chains[0].len() <= limits::MAX_POINTS);
         assert!(curve.chains[0].iter().any(|p| p.1 == 100.0));
         assert_eq!(curve.chains[0].first(), Some(&(0.0, 0.0)));
         assert_eq!(curve.chains[0].last().map(|p| p.0), points.last().map(|p| p.0));
     }
 
     #[test]
-    fn whatever_comes_its_size_is_bounded() {
+    fn the_size_is_bounded_for_every_input() {
         // A line that crosses the whole width at each step, and a line with a gap after every two points.
         let zigzag: Vec<_> = (0..200_000).map(|i| (f64::from(i % 2) * 800.0, Some(f64::from(i)))).collect();
         let broken: Vec<_> =
             (0..200_000).map(|i| (f64::from(i) * 1e-2, (i % 3 != 0).then_some(1.0))).collect();
         for points in [zigzag, broken] {
-            let curve = line(&points, as_is);
-            let places: usize = curve.chains.iter().map(Vec::len).sum();
-            assert!(places <= limits::MOST_PLACES && places > 1_000, "{places}");
-            assert!(scatter(&points, as_is).len() <= limits::MOST_PLACES);
+            let curve = polylines(&points, as_is);
+            let points_on_page: usize = curve.chains.iter().map(Vec::len).sum();
+            assert!(points_on_page <= limits::MAX_POINTS && points_on_page > 1_000, "{points_on_page}");
+            assert!(merged_dots(&points, as_is).len() <= limits::MAX_POINTS);
         }
-        assert_eq!(every((0..10).collect(), 4), [0, 3, 6, 9]);
+        assert_eq!(thin_evenly((0..10).collect(), 4), [0, 3, 6, 9]);
     }
 }

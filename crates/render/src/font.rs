@@ -23,10 +23,11 @@ pub(crate) const FACES: [(&[u8], Weight); 2] = [
     (include_bytes!("../assets/Roboto-Medium.subset.ttf"), Weight::Medium),
 ];
 
-static REGULAR: LazyLock<Face<'static>> = LazyLock::new(|| embedded(FACES[0].0));
-static MEDIUM: LazyLock<Face<'static>> = LazyLock::new(|| embedded(FACES[1].0));
+static REGULAR: LazyLock<Face<'static>> = LazyLock::new(|| parse_face(FACES[0].0));
+static MEDIUM: LazyLock<Face<'static>> = LazyLock::new(|| parse_face(FACES[1].0));
 
-fn embedded(bytes: &'static [u8]) -> Face<'static> {
+/// Parses an embedded font file.
+fn parse_face(bytes: &'static [u8]) -> Face<'static> {
     Face::parse(bytes, 0).expect("the embedded face is a font")
 }
 
@@ -57,7 +58,7 @@ pub(crate) fn advance(weight: Weight, character: char) -> f64 {
         let width = f64::from(face.glyph_hor_advance(glyph).unwrap_or(0));
         width / f64::from(face.units_per_em())
     };
-    match (face.glyph_index(character), stand_in(character)) {
+    match (face.glyph_index(character), substitute(character)) {
         (Some(glyph), _) => of(glyph),
         (None, Some(others)) => others.chars().filter_map(|c| face.glyph_index(c)).map(of).sum(),
         (None, None) => of(GlyphId(0)),
@@ -65,11 +66,11 @@ pub(crate) fn advance(weight: Weight, character: char) -> f64 {
 }
 
 /// Replaces characters that the faces lack, if a substitute exists.
-pub(crate) fn spelt(words: &str) -> String {
+pub(crate) fn substitute_missing(text: &str) -> String {
     let has = |c| Weight::Regular.face().glyph_index(c).is_some();
-    let mut out = String::with_capacity(words.len());
-    for c in words.chars().filter(|c| !is_invisible(*c)) {
-        match stand_in(c).filter(|_| !has(c)) {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars().filter(|c| !is_invisible(*c)) {
+        match substitute(c).filter(|_| !has(c)) {
             Some(others) => out += others,
             None => out.push(c),
         }
@@ -83,13 +84,14 @@ fn is_invisible(c: char) -> bool {
         | '\u{FE00}'..='\u{FE0F}' | '\u{FEFF}' | '\u{00AD}')
 }
 
+/// True for combining accents, which have zero width.
 fn is_accent(c: char) -> bool {
     matches!(c, '\u{0300}'..='\u{036F}' | '\u{1AB0}'..='\u{1AFF}' | '\u{1DC0}'..='\u{1DFF}'
         | '\u{20D0}'..='\u{20FF}')
 }
 
 /// Substitute of a character that the faces lack.
-fn stand_in(c: char) -> Option<&'static str> {
+fn substitute(c: char) -> Option<&'static str> {
     Some(match c {
         '→' | '⟶' => "->",
         '←' | '⟵' => "<-",

@@ -4,15 +4,15 @@ use crate::figure::{Series, Style};
 use crate::font::Font;
 use crate::palette::{Colour, INK};
 use crate::scene::{Anchor, Point, Scene, Stroke};
-use crate::text::{fit, regular, width};
+use crate::text::{fit_to_width, regular, width};
 
 const FONT: Font = regular(12.5);
 /// Length of a line sample.
 const SAMPLE: f64 = 24.0;
 const AFTER_SAMPLE: f64 = 7.0;
-const BETWEEN: f64 = 20.0;
+const ENTRY_DISTANCE: f64 = 20.0;
 /// Width reserve: the reader's sans-serif may be wider than the embedded face; DejaVu Sans is 12.5 % wider.
-pub(crate) const SLACK: f64 = 1.13;
+pub(crate) const WIDTH_RESERVE: f64 = 1.13;
 /// Height of one row.
 pub(crate) const ROW: f64 = 19.0;
 /// Radius of an isolated value and of a measurement.
@@ -27,29 +27,33 @@ pub(crate) struct Legend {
     width: f64,
 }
 
-/// Lays out a legend for two or more series. `room` is the width of the page, `beside` the width left in the
+/// Lays out a legend for two or more series. `page_width` is the width of the page, `heading_width` the width left in the
 /// heading line.
-pub(crate) fn plan(series: &[Series], room: f64, beside: f64) -> Legend {
+pub(crate) fn layout_legend(series: &[Series], page_width: f64, heading_width: f64) -> Legend {
     if series.len() < 2 {
         return Legend { entries: Vec::new(), rows: 0, width: 0.0 };
     }
-    let name = |s: &Series| fit(if s.name.trim().is_empty() { "—" } else { &s.name }, FONT, 0.5 * room);
+    let name = |s: &Series| {
+        fit_to_width(if s.name.trim().is_empty() { "—" } else { &s.name }, FONT, 0.5 * page_width)
+    };
     let names: Vec<String> = series.iter().map(name).collect();
-    let length = |words: &String| SAMPLE + AFTER_SAMPLE + SLACK * width(words, FONT);
+    let length = |name: &String| SAMPLE + AFTER_SAMPLE + WIDTH_RESERVE * width(name, FONT);
     // At the right end the page margin serves as reserve.
-    let spare = names.last().map_or(0.0, |last| ((SLACK - 1.0) * width(last, FONT)).min(16.0));
-    let whole = names.iter().map(length).sum::<f64>() + BETWEEN * (names.len() - 1) as f64 - spare;
-    let beside = whole <= beside;
+    let margin_reserve =
+        names.last().map_or(0.0, |last| ((WIDTH_RESERVE - 1.0) * width(last, FONT)).min(16.0));
+    let total_width =
+        names.iter().map(length).sum::<f64>() + ENTRY_DISTANCE * (names.len() - 1) as f64 - margin_reserve;
+    let fits_in_heading = total_width <= heading_width;
     let (mut x, mut row, mut entries) = (0.0, 0, Vec::new());
-    for words in names {
-        let length = length(&words);
-        if !beside && x > 0.0 && x + length > room {
+    for name in names {
+        let length = length(&name);
+        if !fits_in_heading && x > 0.0 && x + length > page_width {
             (x, row) = (0.0, row + 1);
         }
-        entries.push((words, x, row));
-        x += length + BETWEEN;
+        entries.push((name, x, row));
+        x += length + ENTRY_DISTANCE;
     }
-    Legend { entries, rows: if beside { 0 } else { row + 1 }, width: whole }
+    Legend { entries, rows: if fits_in_heading { 0 } else { row + 1 }, width: total_width }
 }
 
 impl Legend {
@@ -65,7 +69,7 @@ impl Legend {
         let (left, right) = ends;
         let start = if self.rows == 0 { right - self.width } else { left };
         let first = if self.rows == 0 { baseline } else { baseline + ROW };
-        for (((words, x, row), series), &colour) in self.entries.into_iter().zip(series).zip(colours) {
+        for (((name, x, row), series), &colour) in self.entries.into_iter().zip(series).zip(colours) {
             let (x, y) = (start + x, first + ROW * row as f64);
             let middle = y - 4.5;
             let dots = |scene: &mut Scene, at: &[Point]| scene.dots(at.to_vec(), DOT, colour);
@@ -73,7 +77,7 @@ impl Legend {
                 Style::Dots => dots(scene, &[(x + 6.0, middle), (x + SAMPLE - 6.0, middle)]),
                 style => scene.lines(vec![vec![(x, middle), (x + SAMPLE, middle)]], stroke(style, colour)),
             }
-            scene.text(words, (x + SAMPLE + AFTER_SAMPLE, y), Anchor::Start, FONT, INK);
+            scene.text(name, (x + SAMPLE + AFTER_SAMPLE, y), Anchor::Start, FONT, INK);
         }
     }
 }

@@ -26,8 +26,8 @@ const SERIES: [Colour; 7] = [
 ];
 
 /// Assigns a colour to every series, panel by panel. Equal names get the same colour, each unnamed series a new one.
-pub(crate) fn assign(figure: &Figure) -> Vec<Vec<Colour>> {
-    let mut seen = std::collections::HashMap::new();
+pub(crate) fn assign_colours(figure: &Figure) -> Vec<Vec<Colour>> {
+    let mut assigned = std::collections::HashMap::new();
     let mut used = 0;
     let mut next = || {
         used += 1;
@@ -39,7 +39,7 @@ pub(crate) fn assign(figure: &Figure) -> Vec<Vec<Colour>> {
         .map(|panel| {
             let colour_of = |series: &crate::Series| match series.name.as_str() {
                 "" => next(),
-                name => *seen.entry(name.to_owned()).or_insert_with(&mut next),
+                name => *assigned.entry(name.to_owned()).or_insert_with(&mut next),
             };
             panel.series.iter().map(colour_of).collect()
         })

@@ -1,10 +1,10 @@
-//! Puts the objects of a PDF into an order that follows from the picture alone. The writer of the library lists fonts and
-//! resources in the random order of its hash tables.
+//! Sorts the objects of a PDF so that their order depends only on the picture. svg2pdf writes fonts and resources in the
+//! random order of its hash tables.
 
 use pdf_writer::{Chunk, Primitive, Ref};
 use std::collections::HashMap;
 
-/// Body of an object, as it is written.
+/// Body of an object, already encoded.
 struct Body(Vec<u8>);
 
 impl Primitive for Body {
@@ -13,10 +13,10 @@ impl Primitive for Body {
     }
 }
 
-/// Returns the objects in the order in which they are reached from `root`, entries of dictionaries sorted.
+/// Returns the objects in depth-first order of their references from `root`, with sorted dictionary entries.
 pub(crate) fn in_order_of_use(chunk: &Chunk, root: Ref) -> Chunk {
     let mut objects: HashMap<Ref, Chunk> = HashMap::new();
-    for (id, body) in bodies(chunk) {
+    for (id, body) in object_bodies(chunk) {
         let mut object = Chunk::new();
         object.indirect(id).primitive(Body(with_sorted_references(body)));
         objects.insert(id, object);
@@ -26,7 +26,7 @@ pub(crate) fn in_order_of_use(chunk: &Chunk, root: Ref) -> Chunk {
     while let Some(id) = next.pop() {
         let Some(object) = objects.remove(&id) else { continue };
         let mut references = Vec::new();
-        // Calls the function with every reference, the object's own number first.
+        // `renumber` calls the function with every reference; the first is the number of the object itself.
         object.renumber(|reference| {
             references.push(reference);
             reference
@@ -38,14 +38,14 @@ pub(crate) fn in_order_of_use(chunk: &Chunk, root: Ref) -> Chunk {
 }
 
 /// Numbers and bodies of the objects, without `N 0 obj` and `endobj`.
-fn bodies(chunk: &Chunk) -> Vec<(Ref, &[u8])> {
+fn object_bodies(chunk: &Chunk) -> Vec<(Ref, &[u8])> {
     let ids: Vec<Ref> = chunk.refs().collect();
     let mut rest = chunk.as_bytes();
     let mut bodies = Vec::with_capacity(ids.len());
     for (i, id) in ids.iter().enumerate() {
         let head = format!("{} 0 obj\n", id.get());
         rest = rest.strip_prefix(head.as_bytes()).unwrap_or(rest);
-        // An object ends where the next one begins: a stream may contain `endobj`.
+        // The end of an object is found by the header of the next, because a stream may contain `endobj`.
         let end = match ids.get(i + 1) {
             Some(next) => format!("\nendobj\n\n{} 0 obj\n", next.get()),
             None => "\nendobj\n\n".to_owned(),
@@ -61,7 +61,7 @@ fn bodies(chunk: &Chunk) -> Vec<(Ref, &[u8])> {
     bodies
 }
 
-/// A body whose lines `/NAME N 0 R`, entries of one dictionary that follow one another, are sorted.
+/// Sorts consecutive lines of the form `/NAME N 0 R`, which are entries of one dictionary.
 fn with_sorted_references(body: &[u8]) -> Vec<u8> {
     let end = body.windows(STREAM.len()).position(|window| window == STREAM).unwrap_or(body.len());
     let mut lines: Vec<&[u8]> = body[..end].split(|byte| *byte == b'\n').collect();
@@ -71,9 +71,10 @@ fn with_sorted_references(body: &[u8]) -> Vec<u8> {
     [&lines.join(&b'\n'), &body[end..]].concat()
 }
 
-/// Begin of the data of a stream, after its dictionary.
+/// Start of the data of a stream, after its dictionary.
 const STREAM: &[u8] = b"\nstream\n";
 
+/// True for a line `/NAME N 0 R`.
 fn is_reference(line: &[u8]) -> bool {
     line.trim_ascii_start().starts_with(b"/") && line.ends_with(b" 0 R")
 }
@@ -105,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn the_order_of_writing_leaves_no_trace() {
+    fn the_result_does_not_depend_on_the_order_of_writing() {
         let [forward, backward] = [false, true].map(|reversed| {
             let ordered = in_order_of_use(&written(reversed), Ref::new(3));
             assert_eq!(ordered.refs().count(), 3, "no object is lost");

@@ -1,4 +1,4 @@
-//! Triangle rasteriser with a depth buffer.
+//! Rasteriser of triangles with a depth buffer.
 
 use crate::palette::{Colour, PAPER};
 
@@ -38,11 +38,11 @@ impl Raster {
         for row in least(1)..=most(1) {
             for column in least(0)..=most(0) {
                 let (x, y) = (column as f64 + 0.5, row as f64 + 0.5);
-                let part = |p: &[f64; 3], q: &[f64; 3]| {
+                let edge_function = |p: &[f64; 3], q: &[f64; 3]| {
                     ((q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0])) / area
                 };
-                let (wa, wb, wc) = (part(b, c), part(c, a), part(a, b));
-                // The tolerance lets neighbouring triangles share the pixels of their edge, so that no gap remains.
+                let (wa, wb, wc) = (edge_function(b, c), edge_function(c, a), edge_function(a, b));
+                // With the tolerance, neighbouring triangles share the pixels of their edge, so that no gap remains.
                 if wa < -1e-9 || wb < -1e-9 || wc < -1e-9 {
                     continue;
                 }

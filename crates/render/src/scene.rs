@@ -47,7 +47,7 @@ pub(crate) struct Stroke {
 #[derive(Clone, Debug)]
 pub(crate) struct Text {
     /// Printable characters only, see [`crate::text::fit`].
-    pub words: String,
+    pub content: String,
     pub at: Point,
     pub anchor: Anchor,
     pub font: Font,
@@ -78,17 +78,17 @@ impl Scene {
     }
 
     /// Adds a centred text on a patch of paper colour, so that lines below do not cross it.
-    pub fn text_on_paper(&mut self, words: String, at: Point, font: Font, colour: Colour) {
-        let half = 0.5 * width(&words, font) + 3.0;
+    pub fn text_on_paper(&mut self, content: String, at: Point, font: Font, colour: Colour) {
+        let half = 0.5 * width(&content, font) + 3.0;
         let (top, bottom) = (at.1 - 0.85 * font.size, at.1 + 0.3 * font.size);
         self.items.push(Item::Patch { from: (at.0 - half, top), to: (at.0 + half, bottom), colour: PAPER });
-        self.text(words, at, Anchor::Middle, font, colour);
+        self.text(content, at, Anchor::Middle, font, colour);
     }
 
     /// Adds a text, unless it is empty.
-    pub fn text(&mut self, words: String, at: Point, anchor: Anchor, font: Font, colour: Colour) {
-        if !words.is_empty() {
-            self.items.push(Item::Text(Text { words, at, anchor, font, colour }));
+    pub fn text(&mut self, content: String, at: Point, anchor: Anchor, font: Font, colour: Colour) {
+        if !content.is_empty() {
+            self.items.push(Item::Text(Text { content, at, anchor, font, colour }));
         }
     }
 }
@@ -99,6 +99,6 @@ pub(crate) fn solid(colour: Colour, width: f64) -> Stroke {
 }
 
 /// Centre of the unit square that contains `v`, so that a line one unit wide covers whole pixels.
-pub(crate) fn crisp(v: f64) -> f64 {
+pub(crate) fn pixel_centre(v: f64) -> f64 {
     v.floor() + 0.5
 }

@@ -11,7 +11,7 @@ impl Figure {
     /// Cost: linear in the number of points. The length of the document is bounded by the number of series, not
     /// of points.
     pub fn to_svg(&self) -> String {
-        svg::write(&layout::arrange(self))
+        svg::write(&layout::layout_figure(self))
     }
 
     /// Returns the figure as a PNG with `scale` pixels per page unit: 1 for a small screen, 2 for a sharp
@@ -28,7 +28,7 @@ impl Figure {
     /// # Errors
     /// Errors of the PDF writer.
     pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
-        pdf::write(&layout::arrange(self))
+        pdf::write(&layout::layout_figure(self))
     }
 }
 
@@ -42,7 +42,7 @@ pub struct Sheet {
 impl Sheet {
     /// Returns the sheet as an SVG document.
     pub fn to_svg(&self) -> String {
-        svg::write(&self.arrange())
+        svg::write(&self.layout_scene())
     }
 
     /// Returns the sheet as a PNG with `scale` pixels per page unit.
@@ -58,15 +58,16 @@ impl Sheet {
     /// # Errors
     /// Errors of the PDF writer.
     pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
-        pdf::write(&self.arrange())
+        pdf::write(&self.layout_scene())
     }
 
-    fn arrange(&self) -> Scene {
-        let mut scenes = self.figures.iter().map(layout::arrange);
-        let Some(mut page) = scenes.next() else { return layout::arrange(&Figure::default()) };
+    /// Stacks the scenes of the figures on one page.
+    fn layout_scene(&self) -> Scene {
+        let mut scenes = self.figures.iter().map(layout::layout_figure);
+        let Some(mut page) = scenes.next() else { return layout::layout_figure(&Figure::default()) };
         for scene in scenes {
             let down = page.height;
-            page.items.extend(scene.items.into_iter().map(|item| lowered(item, down)));
+            page.items.extend(scene.items.into_iter().map(|item| shifted_down(item, down)));
             page.width = page.width.max(scene.width);
             page.height += scene.height;
             page.caption = format!("{}; {}", page.caption, scene.caption);
@@ -75,7 +76,8 @@ impl Sheet {
     }
 }
 
-fn lowered(item: Item, down: f64) -> Item {
+/// Item moved down the page by a distance.
+fn shifted_down(item: Item, down: f64) -> Item {
     let lower = |(x, y): Point| (x, y + down);
     match item {
         Item::Lines { chains, stroke } => {
@@ -109,19 +111,20 @@ mod tests {
     }
 
     #[test]
-    fn figures_follow_one_another() {
+    fn figures_are_stacked() {
         let (first, second) = (figure("first"), figure("second"));
-        let page = Sheet { figures: vec![first.clone(), second.clone()] }.arrange();
-        let [a, b] = [&first, &second].map(layout::arrange);
+        let page = Sheet { figures: vec![first.clone(), second.clone()] }.layout_scene();
+        let [a, b] = [&first, &second].map(layout::layout_figure);
         assert_eq!(page.height, a.height + b.height);
         assert_eq!(page.items.len(), a.items.len() + b.items.len());
-        let place = |scene: &Scene, words: &str| {
+        let position_of = |scene: &Scene, content: &str| {
             scene.items.iter().find_map(|item| match item {
-                Item::Text(text) if text.words == words => Some(text.at),
+                Item::Text(text) if text.content == content => Some(text.at),
                 _ => None,
             })
         };
-        let (alone, below) = (place(&b, "second").expect("drawn"), place(&page, "second").expect("drawn"));
+        let (alone, below) =
+            (position_of(&b, "second").expect("drawn"), position_of(&page, "second").expect("drawn"));
         assert_eq!(below, (alone.0, alone.1 + a.height));
         assert_eq!(Sheet { figures: vec![first.clone()] }.to_svg(), first.to_svg());
         assert!(Sheet::default().to_svg().starts_with("<svg"));

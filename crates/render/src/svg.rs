@@ -1,6 +1,6 @@
 //! Writes a scene as an SVG document.
 
-use crate::backend::{MADE_BY, of_pixels};
+use crate::backend::{MADE_BY, png_from_pixels};
 use crate::palette::{Colour, PAPER};
 use crate::scene::{Anchor, Item, Point, Scene, Stroke, Text};
 use base64::Engine;
@@ -13,25 +13,27 @@ const FAMILY: &str = "Roboto, 'Helvetica Neue', Helvetica, Arial, 'Liberation Sa
 pub(crate) fn write(scene: &Scene) -> String {
     let mut out = String::new();
     // Writing to a string cannot fail.
-    let _ = document(scene, &mut out);
+    let _ = write_document(scene, &mut out);
     out
 }
 
 /// Returns the document without paper and images; the PDF writer adds these below.
 pub(crate) fn write_over(scene: &Scene) -> String {
     let mut out = String::new();
-    let _ = head(scene, &mut out).and_then(|()| items(scene, false, &mut out));
+    let _ = write_head(scene, &mut out).and_then(|()| write_items(scene, false, &mut out));
     out
 }
 
-fn document(scene: &Scene, out: &mut String) -> Result {
-    head(scene, out)?;
+/// Writes the document with paper and images.
+fn write_document(scene: &Scene, out: &mut String) -> Result {
+    write_head(scene, out)?;
     let (w, h) = (Number(scene.width), Number(scene.height));
     writeln!(out, r#"<rect width="{w}" height="{h}" fill="{PAPER}"/>"#)?;
-    items(scene, true, out)
+    write_items(scene, true, out)
 }
 
-fn head(scene: &Scene, out: &mut String) -> Result {
+/// Writes the opening `<svg>` tag with the caption.
+fn write_head(scene: &Scene, out: &mut String) -> Result {
     let (w, h) = (Number(scene.width), Number(scene.height));
     writeln!(
         out,
@@ -41,21 +43,23 @@ fn head(scene: &Scene, out: &mut String) -> Result {
     writeln!(out, "<metadata>{MADE_BY}</metadata>")
 }
 
-fn items(scene: &Scene, with_images: bool, out: &mut String) -> Result {
+/// Writes the items of a scene and the closing tag; images only if `with_images`.
+fn write_items(scene: &Scene, with_images: bool, out: &mut String) -> Result {
     for item in &scene.items {
         match item {
-            Item::Lines { chains, stroke } => lines(chains, stroke, out)?,
-            Item::Dots { centres, radius, colour } => dots(centres, *radius, *colour, out)?,
-            Item::Patch { from, to, colour } => patch(*from, *to, *colour, out)?,
+            Item::Lines { chains, stroke } => write_lines(chains, stroke, out)?,
+            Item::Dots { centres, radius, colour } => write_dots(centres, *radius, *colour, out)?,
+            Item::Patch { from, to, colour } => write_patch(*from, *to, *colour, out)?,
             Item::Image { .. } if !with_images => {}
-            Item::Image { at, size, pixels, columns } => image(*at, *size, pixels, *columns, out)?,
-            Item::Text(text) => words(text, out)?,
+            Item::Image { at, size, pixels, columns } => write_image(*at, *size, pixels, *columns, out)?,
+            Item::Text(text) => write_text(text, out)?,
         }
     }
     writeln!(out, "</svg>")
 }
 
-fn lines(chains: &[Vec<Point>], stroke: &Stroke, out: &mut String) -> Result {
+/// Writes polylines as one `<path>`.
+fn write_lines(chains: &[Vec<Point>], stroke: &Stroke, out: &mut String) -> Result {
     write!(out, r#"<path d=""#)?;
     for chain in chains {
         let mut command = 'M';
@@ -72,7 +76,7 @@ fn lines(chains: &[Vec<Point>], stroke: &Stroke, out: &mut String) -> Result {
 }
 
 /// Writes dots as lines of zero length with round ends: a third of the bytes of circles.
-fn dots(centres: &[Point], radius: f64, colour: Colour, out: &mut String) -> Result {
+fn write_dots(centres: &[Point], radius: f64, colour: Colour, out: &mut String) -> Result {
     write!(out, r#"<path d=""#)?;
     for &(x, y) in centres {
         write!(out, "M{} {}h0", Number(x), Number(y))?;
@@ -81,22 +85,24 @@ fn dots(centres: &[Point], radius: f64, colour: Colour, out: &mut String) -> Res
     writeln!(out, r#"" fill="none" stroke="{colour}" stroke-width="{width}" stroke-linecap="round"/>"#)
 }
 
-fn patch(from: Point, to: Point, colour: Colour, out: &mut String) -> Result {
+/// Writes a filled rectangle.
+fn write_patch(from: Point, to: Point, colour: Colour, out: &mut String) -> Result {
     write!(out, r#"<rect x="{}" y="{}""#, Number(from.0), Number(from.1))?;
     let (width, height) = (Number(to.0 - from.0), Number(to.1 - from.1));
     writeln!(out, r#" width="{width}" height="{height}" fill="{colour}"/>"#)
 }
 
 /// Writes pixels as an embedded PNG.
-fn image(at: Point, size: (f64, f64), pixels: &[u8], columns: usize, out: &mut String) -> Result {
-    let Some(bytes) = of_pixels(pixels, columns) else { return Ok(()) };
+fn write_image(at: Point, size: (f64, f64), pixels: &[u8], columns: usize, out: &mut String) -> Result {
+    let Some(bytes) = png_from_pixels(pixels, columns) else { return Ok(()) };
     write!(out, r#"<image x="{}" y="{}""#, Number(at.0), Number(at.1))?;
     write!(out, r#" width="{}" height="{}""#, Number(size.0), Number(size.1))?;
     let text = base64::engine::general_purpose::STANDARD.encode(bytes);
     writeln!(out, r#" href="data:image/png;base64,{text}"/>"#)
 }
 
-fn words(text: &Text, out: &mut String) -> Result {
+/// Writes one line of text.
+fn write_text(text: &Text, out: &mut String) -> Result {
     write!(out, r#"<text x="{}" y="{}""#, Number(text.at.0), Number(text.at.1))?;
     write!(out, r#" font-size="{}" fill="{}""#, Number(text.font.size), text.colour)?;
     if text.font.weight == crate::font::Weight::Medium {
@@ -107,7 +113,7 @@ fn words(text: &Text, out: &mut String) -> Result {
         Anchor::Middle => write!(out, r#" text-anchor="middle""#)?,
         Anchor::End => write!(out, r#" text-anchor="end""#)?,
     }
-    writeln!(out, ">{}</text>", Escaped(&text.words))
+    writeln!(out, ">{}</text>", Escaped(&text.content))
 }
 
 /// Coordinate rounded to 0.01, without trailing zeros.
@@ -161,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn markup_in_words_stays_words() {
+    fn markup_in_text_is_escaped() {
         assert_eq!(Escaped("a<b> & \"c\"").to_string(), "a&lt;b&gt; &amp; \"c\"");
     }
 }

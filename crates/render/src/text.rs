@@ -1,38 +1,38 @@
 //! Prepares text for the page: printable characters, one line, limited width.
 
-use crate::font::{Font, Weight, advance, spelt};
+use crate::font::{Font, Weight, advance, substitute_missing};
 use crate::limits;
 
-/// Removes control characters and outer spaces, and shortens the text to `room` page units with an ellipsis.
-pub(crate) fn fit(words: &str, font: Font, room: f64) -> String {
+/// Removes control characters and outer spaces, and shortens the text to `max_width` page units with an ellipsis.
+pub(crate) fn fit_to_width(text: &str, font: Font, max_width: f64) -> String {
     let mut length = 0.0;
     let ellipsis = width("…", font);
     // Length of the text that fits together with an ellipsis.
-    let (mut kept, mut safe) = (String::new(), 0);
-    for (i, c) in spelt(words.trim()).chars().map(printable).enumerate() {
+    let (mut kept, mut length_with_ellipsis) = (String::new(), 0);
+    for (i, c) in substitute_missing(text.trim()).chars().map(replace_unprintable).enumerate() {
         length += advance(font.weight, c);
-        let reach = length * font.size;
-        if reach > room || i >= limits::MOST_CHARACTERS {
-            kept.truncate(safe);
+        let needed_width = length * font.size;
+        if needed_width > max_width || i >= limits::MAX_CHARACTERS {
+            kept.truncate(length_with_ellipsis);
             kept.truncate(kept.trim_end().len());
             kept.push('…');
             return kept;
         }
         kept.push(c);
-        if reach + ellipsis <= room {
-            safe = kept.len();
+        if needed_width + ellipsis <= max_width {
+            length_with_ellipsis = kept.len();
         }
     }
     kept
 }
 
 /// Width of a text, in page units.
-pub(crate) fn width(words: &str, font: Font) -> f64 {
-    words.chars().map(|c| advance(font.weight, c)).sum::<f64>() * font.size
+pub(crate) fn width(text: &str, font: Font) -> f64 {
+    text.chars().map(|c| advance(font.weight, c)).sum::<f64>() * font.size
 }
 
 /// Replaces control characters by spaces, and characters that XML cannot hold by U+FFFD.
-fn printable(c: char) -> char {
+fn replace_unprintable(c: char) -> char {
     match c {
         c if c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') => ' ',
         '\u{FFFE}' | '\u{FFFF}' => '\u{FFFD}',
@@ -62,14 +62,14 @@ mod tests {
     }
 
     #[test]
-    fn accents_take_no_room() {
+    fn accents_have_no_width() {
         assert_eq!(width("m̄", regular(10.0)), width("m", regular(10.0)));
     }
 
     #[test]
-    fn what_the_face_lacks_is_spelt_or_boxed() {
+    fn missing_characters_are_substituted_or_boxed() {
         assert_eq!(width("→", regular(10.0)), width("->", regular(10.0)));
-        assert_eq!(fit("a → b", regular(10.0), 100.0), "a -> b");
+        assert_eq!(fit_to_width("a → b", regular(10.0), 100.0), "a -> b");
         assert!(width("質", regular(10.0)) > 0.0);
         assert_eq!(width("a\u{200B}b", regular(10.0)), width("ab", regular(10.0)));
         // The faces contain every character that percuss itself writes.
@@ -82,13 +82,13 @@ mod tests {
     }
 
     #[test]
-    fn long_words_end_in_an_ellipsis_within_their_room() {
+    fn long_texts_end_in_an_ellipsis_within_their_width() {
         let font = medium(13.0);
-        let cut = fit(&"effective ".repeat(50), font, 200.0);
+        let cut = fit_to_width(&"effective ".repeat(50), font, 200.0);
         assert!(cut.ends_with('…') && width(&cut, font) <= 200.0 && width(&cut, font) > 150.0, "{cut}");
-        assert_eq!(fit("  mass  ", font, 200.0), "mass");
-        assert_eq!(fit("a\nb\u{0}c\u{FFFF}", font, 200.0), "a b c\u{FFFD}");
-        assert!(fit(&format!("m{}", "\u{304}".repeat(100_000)), font, 200.0).chars().count() <= 241);
-        assert_eq!(fit("mass", font, 0.0), "…");
+        assert_eq!(fit_to_width("  mass  ", font, 200.0), "mass");
+        assert_eq!(fit_to_width("a\nb\u{0}c\u{FFFF}", font, 200.0), "a b c\u{FFFD}");
+        assert!(fit_to_width(&format!("m{}", "\u{304}".repeat(100_000)), font, 200.0).chars().count() <= 241);
+        assert_eq!(fit_to_width("mass", font, 0.0), "…");
     }
 }

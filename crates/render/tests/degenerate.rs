@@ -1,4 +1,4 @@
-//! Figures with nothing, too little or nonsense in them are drawn all the same.
+//! Figures without data, with too few data or with invalid data are drawn without an error.
 
 use percuss_render::{Figure, Mark, Panel, Series, Style};
 use rand::rngs::StdRng;
@@ -13,8 +13,8 @@ fn one_series(style: Style, points: Vec<(f64, Option<f64>)>) -> Figure {
     Figure { panels: vec![Panel { y_label: "y".into(), series, ..Panel::default() }], ..Figure::default() }
 }
 
-/// A well-formed document with every place on the page; its texts.
-fn sound(figure: &Figure) -> Vec<String> {
+/// Asserts that the SVG of a figure is well-formed and that every coordinate is on the page. Returns its texts.
+fn check_svg(figure: &Figure) -> Vec<String> {
     let svg = figure.to_svg();
     let document = Document::parse(&svg).unwrap_or_else(|e| panic!("{e}: {svg}"));
     let root = document.root_element();
@@ -25,40 +25,41 @@ fn sound(figure: &Figure) -> Vec<String> {
         if let (Some(x), Some(y)) = (node.attribute("x"), node.attribute("y")) {
             assert!(inside(number(x), number(y)), "{node:?} is off the page");
         }
-        for place in node.attribute("d").unwrap_or_default().split(['M', 'L']).filter(|s| !s.is_empty()) {
-            let (x, y) = place.trim_end_matches("h0").split_once(' ').expect("two numbers");
-            assert!(inside(number(x), number(y)), "{place} is off the page");
+        for coordinates in node.attribute("d").unwrap_or_default().split(['M', 'L']).filter(|s| !s.is_empty())
+        {
+            let (x, y) = coordinates.trim_end_matches("h0").split_once(' ').expect("two numbers");
+            assert!(inside(number(x), number(y)), "{coordinates} is off the page");
         }
     }
     let texts = root.descendants().filter(|n| n.has_tag_name("text"));
     texts.map(|n| n.text().unwrap_or_default().to_owned()).collect()
 }
 
-/// How many paths are in a colour of the palette: curves and dots.
-fn drawn(figure: &Figure) -> usize {
+/// Number of paths in a colour of the palette: curves and dots.
+fn count_blue_paths(figure: &Figure) -> usize {
     figure.to_svg().matches("#0072b2").count()
 }
 
 #[test]
-fn nothing_is_said_to_be_nothing() {
-    assert_eq!(sound(&Figure::default()), ["nothing to draw"]);
+fn empty_figures_have_a_note() {
+    assert_eq!(check_svg(&Figure::default()), ["nothing to draw"]);
     assert!(Figure::default().to_png(1.0).is_ok());
     let no_series = Figure { panels: vec![Panel::default()], ..Figure::default() };
     let gaps = one_series(Style::Line, vec![(0.0, None), (1.0, None), (2.0, Some(f64::NAN))]);
     for figure in [no_series, one_series(Style::Dots, Vec::new()), gaps] {
-        assert!(sound(&figure).contains(&"no value to draw".into()));
-        assert_eq!(drawn(&figure), 0);
+        assert!(check_svg(&figure).contains(&"no value to draw".into()));
+        assert_eq!(count_blue_paths(&figure), 0);
         assert!(figure.to_png(1.0).is_ok());
     }
 }
 
 #[test]
-fn one_point_is_a_dot_amid_numbers() {
+fn one_point_is_a_dot_between_ticks() {
     for style in STYLES {
         let figure = one_series(style, vec![(3.0, Some(12.5))]);
-        let texts = sound(&figure);
+        let texts = check_svg(&figure);
         assert!(texts.contains(&"3.00".into()) && texts.contains(&"12.5".into()), "{texts:?}");
-        assert_eq!(drawn(&figure), 1);
+        assert_eq!(count_blue_paths(&figure), 1);
     }
 }
 
@@ -66,24 +67,24 @@ fn one_point_is_a_dot_amid_numbers() {
 fn equal_values_are_a_level_line_in_the_middle() {
     for value in [0.0, 207.342, -1e-12, 1e300, -1e300] {
         let figure = one_series(Style::Line, vec![(0.0, Some(value)), (1.0, Some(value))]);
-        sound(&figure);
-        assert_eq!(drawn(&figure), 1, "{value:e}");
+        check_svg(&figure);
+        assert_eq!(count_blue_paths(&figure), 1, "{value:e}");
     }
-    // One x, several y.
-    sound(&one_series(Style::Line, vec![(5.0, Some(1.0)), (5.0, Some(2.0))]));
+    // One x with several y.
+    check_svg(&one_series(Style::Line, vec![(5.0, Some(1.0)), (5.0, Some(2.0))]));
 }
 
 #[test]
-fn a_missing_end_still_shows_on_the_axis() {
+fn points_without_a_value_extend_the_x_axis() {
     let points = vec![(-80.0, None), (0.0, Some(1.0)), (10.0, Some(2.0)), (80.0, None)];
-    let texts = sound(&one_series(Style::Line, points));
+    let texts = check_svg(&one_series(Style::Line, points));
     assert!(texts.contains(&"−80".into()) && texts.contains(&"80".into()), "{texts:?}");
 }
 
 #[test]
 fn marks_alone_make_a_range() {
     let marks = vec![Mark { x: -80.0, label: "rebound".into() }, Mark { x: 80.0, label: "bump".into() }];
-    let texts = sound(&Figure { panels: vec![Panel::default()], marks, ..Figure::default() });
+    let texts = check_svg(&Figure { panels: vec![Panel::default()], marks, ..Figure::default() });
     assert!(texts.contains(&"rebound".into()) && texts.contains(&"bump".into()), "{texts:?}");
 }
 
@@ -159,7 +160,7 @@ fn whatever_is_in_it_a_figure_is_drawn() {
     let mut random = StdRng::seed_from_u64(0x9e_7c05);
     for i in 0..400 {
         let figure = random_figure(&mut random);
-        sound(&figure);
+        check_svg(&figure);
         if i % 8 == 0 {
             figure.to_png(0.5).unwrap_or_else(|e| panic!("{e}: {figure:?}"));
         }

@@ -1,4 +1,4 @@
-//! The picture: what is on it, where, and that both back ends draw the same.
+//! Contents of a picture and their positions; equality of the two back ends.
 
 use percuss_render::{Figure, Mark, Panel, RenderError, Series, Style};
 use resvg::tiny_skia::Pixmap;
@@ -47,7 +47,7 @@ fn hex(colour: (u8, u8, u8)) -> String {
     format!("#{:02x}{:02x}{:02x}", colour.0, colour.1, colour.2)
 }
 
-/// The chains of the widest path of this colour: the curve, not its sample in the legend.
+/// Polylines of the widest path of this colour, which is the curve and not its sample in the legend.
 fn curve(svg: &str, colour: (u8, u8, u8)) -> Vec<Vec<(f64, f64)>> {
     let document = Document::parse(svg).expect("well-formed");
     let paths = document.descendants().filter(|n| n.attribute("stroke") == Some(&hex(colour)));
@@ -95,13 +95,13 @@ fn every_word_and_number_is_on_the_picture() {
 fn values_are_where_the_numbers_say() {
     let svg = sweep().to_svg();
     let document = Document::parse(&svg).unwrap();
-    let tick = |words: &str, axis: &str| {
-        let text = document.descendants().find(|n| n.text() == Some(words) && n.has_tag_name("text"));
+    let tick = |content: &str, axis: &str| {
+        let text = document.descendants().find(|n| n.text() == Some(content) && n.has_tag_name("text"));
         text.unwrap().attribute(axis).unwrap().parse::<f64>().unwrap()
     };
     let estimate = &curve(&svg, VERMILION)[0];
     let (x0, x60) = (tick("0", "x"), tick("60", "x"));
-    // Labels sit a fixed way below their lines.
+    // The baseline of a label is a fixed distance below its grid line.
     let (y202, y204) = (tick("202", "y"), tick("204", "y"));
     assert!(y204 < y202, "greater is higher");
     let value = |y: f64| 204.0 - 2.0 * (y - (y204 - 4.3)) / (y202 - y204);
@@ -139,7 +139,7 @@ fn the_png_has_its_size_and_its_ink_where_the_svg_has_it() {
         assert_eq!(f64::from(picture.width()), (size("width") * scale).round());
         assert_eq!(f64::from(picture.height()), (size("height") * scale).round());
         assert_eq!(pixel(&picture, (2.0, 2.0), scale), (255, 255, 255));
-        // The formula is drawn over all else: inside each chain its own colour is on every place.
+        // The first series is drawn on top: every interior point of its polylines has its colour.
         for chain in curve(&svg, BLUE) {
             for &place in &chain[1..chain.len() - 1] {
                 let (r, g, b) = pixel(&picture, place, scale);
@@ -147,7 +147,7 @@ fn the_png_has_its_size_and_its_ink_where_the_svg_has_it() {
                 assert!(near(r, BLUE.0) && near(g, BLUE.1) && near(b, BLUE.2), "{place:?}: {r} {g} {b}");
             }
         }
-        // The title is dark and in the upper left.
+        // The title is dark and in the upper left corner.
         let dark = |x, y| pixel(&picture, (f64::from(x), f64::from(y)), scale).0 < 100;
         assert!((20..45).any(|y| (28..300).any(|x| dark(x, y))), "no title");
     }
@@ -162,7 +162,7 @@ fn letters_stand_on_their_baseline() {
     let y = title.attribute("y").unwrap().parse::<u32>().unwrap() * 4;
     let picture = Pixmap::decode_png(&figure.to_png(4.0).unwrap()).unwrap();
     let ink = |row: u32| (0..800).filter(|&x| picture.pixel(x, row).unwrap().red() < 128).count();
-    // The foot of an L is wide, its top narrow; capitals are 0.71 em high and the title is 19 units.
+    // The letter L is wide at the bottom and narrow at the top; capitals are 0.71 em high and the title has 19 units.
     assert!(ink(y - 2) > 3 * ink(y - 45) && ink(y - 45) > 0);
     assert_eq!((ink(y + 2), ink(y - 56)), (0, 0));
 }
@@ -206,8 +206,8 @@ fn a_scale_that_cannot_be_is_an_error_that_says_so() {
         assert!(matches!(sweep().to_png(scale), Err(RenderError::Scale { .. })));
     }
     let error = sweep().to_png(100.0).unwrap_err();
-    let RenderError::TooLarge { fitting, .. } = error else { panic!("{error}") };
-    assert!(sweep().to_png((fitting * 0.99) as f32).is_ok());
+    let RenderError::TooLarge { max_scale, .. } = error else { panic!("{error}") };
+    assert!(sweep().to_png((max_scale * 0.99) as f32).is_ok());
     assert!(error.to_string().contains("take a scale below 7.2"), "{error}");
 }
 
@@ -219,17 +219,17 @@ fn limits_are_the_ends_of_the_axes_and_cut_what_is_beyond() {
     let (svg, texts) = (figure.to_svg(), texts(&figure.to_svg()));
     assert!(texts.iter().any(|t| t == "60") && !texts.iter().any(|t| t == "−80"), "{texts:?}");
     let document = Document::parse(&svg).unwrap();
-    let place = |words: &str, axis: &str| {
-        let text = document.descendants().find(|n| n.text() == Some(words) && n.has_tag_name("text"));
+    let place = |content: &str, axis: &str| {
+        let text = document.descendants().find(|n| n.text() == Some(content) && n.has_tag_name("text"));
         text.unwrap().attribute(axis).unwrap().parse::<f64>().unwrap()
     };
     let (left, right) = (place("−60", "x"), place("60", "x"));
-    let room = 0.02;
+    let tolerance = 0.02;
     let (top, bottom) = (place("206", "y") - 4.3, place("202", "y") - 4.3);
     for chain in curve(&svg, VERMILION) {
         for (x, y) in chain {
             assert!(
-                x >= left - room && x <= right + room && y >= top - 0.02 && y <= bottom + 0.02,
+                x >= left - tolerance && x <= right + tolerance && y >= top - 0.02 && y <= bottom + 0.02,
                 "({x}, {y})"
             );
         }
@@ -244,7 +244,7 @@ fn a_pdf_has_its_fonts_and_its_mark() {
     assert!(has(b"Roboto") && has(b"/FontFile") && has(percuss_render::MADE_BY.as_bytes()));
 }
 
-/// Hash tables of the library have another order in every call.
+/// The hash tables of svg2pdf have a different order in every call.
 #[test]
 fn a_pdf_has_the_same_bytes_each_time_and_its_table_of_objects_is_right() {
     let first = sweep().to_pdf().unwrap();

@@ -1,8 +1,8 @@
-//! Pictures and files of skins: what they hold, also where there is nothing to show.
+//! Contents of pictures and files of skins, including skins without facets.
 
 use percuss_render::{Skin, SkinFacet, SkinMark, SkinPiece};
 
-/// A tetrahedron, a value on each face but one.
+/// Tetrahedron with a value on three of its four facets.
 fn skin() -> Skin {
     let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
@@ -54,7 +54,7 @@ fn a_ply_has_the_announced_bytes() {
 }
 
 #[test]
-fn nothing_to_show_is_no_error() {
+fn empty_skins_are_no_error() {
     let odd =
         SkinFacet { corners: [[f64::NAN; 3]; 3], normal: [0.0; 3], value: Some(f64::INFINITY), status: 9 };
     let piece = SkinPiece { name: String::new(), facets: vec![odd] };

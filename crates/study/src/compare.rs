@@ -168,6 +168,7 @@ fn difference(first: Option<f64>, other: Option<f64>) -> Option<f64> {
     (first > 0.0).then(|| 100.0 * (other - first) / first)
 }
 
+/// Result of a design at its pose; its findings are added to `diagnostics`. Error: an invalid question.
 fn record(design: &Design, diagnostics: &mut Vec<DiagnosticRecord>) -> Result<DesignRecord, CompareError> {
     let mut record = DesignRecord {
         name: design.name.clone(),
@@ -213,6 +214,7 @@ fn merge_diagnostics(all: &mut Vec<DiagnosticRecord>, found: Vec<DiagnosticRecor
     }
 }
 
+/// Results of all designs over their ranges, row by row.
 fn rows(
     designs: &[Design],
     diagnostics: &mut Vec<DiagnosticRecord>,

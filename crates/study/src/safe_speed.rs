@@ -172,10 +172,10 @@ pub struct AlongRecord {
 pub fn safe_speed(
     model: &Model,
     question: &MassQuestion,
-    asked: &SafeSpeedQuestion,
+    limit_question: &SafeSpeedQuestion,
 ) -> Result<SafeSpeedReport, StudyError> {
-    let region = asked.region.as_deref().map(BodyRegion::from_name).transpose()?;
-    if region.is_none() && matches!(asked.limit, Limit::Force(_) | Limit::Pressure(..)) {
+    let region = limit_question.region.as_deref().map(BodyRegion::from_name).transpose()?;
+    if region.is_none() && matches!(limit_question.limit, Limit::Force(_) | Limit::Pressure(..)) {
         return Err(StudyError::NoRegion);
     }
     if question.against.is_some() || question.against_mass.is_some() {
@@ -183,16 +183,17 @@ pub fn safe_speed(
     }
     let bare = EvaluatedQuestion::new(model, question)?;
     let moving_mass = moving_mass(&bare);
-    let loaded = if asked.load > 0.0 { Some(model_with_load(&bare, asked.load)?) } else { None };
-    let answered = loaded.as_ref().map_or(Ok(bare), |model| EvaluatedQuestion::new(model, question))?;
-    let speed = |robot_mass: Option<f64>| safe_speed_record(region, asked.limit, robot_mass);
-    let by_standard = standard_robot_mass(moving_mass, asked.load)?;
+    let loaded =
+        if limit_question.load > 0.0 { Some(model_with_load(&bare, limit_question.load)?) } else { None };
+    let evaluated = loaded.as_ref().map_or(Ok(bare), |model| EvaluatedQuestion::new(model, question))?;
+    let speed = |robot_mass: Option<f64>| safe_speed_record(region, limit_question.limit, robot_mass);
+    let by_standard = standard_robot_mass(moving_mass, limit_question.load)?;
     // Without a region the standard has no formula; the full moving mass at the speed of the contact is used.
-    let by_standard = if region.is_some() { by_standard } else { moving_mass + asked.load };
+    let by_standard = if region.is_some() { by_standard } else { moving_mass + limit_question.load };
     let (standard, safe) = speed(Some(by_standard))?;
     let mut diagnostics = model.diagnostics.clone();
-    diagnostics.extend(answered.result.findings.iter().cloned().map(DiagnosticRecord::from));
-    let (reflected, _) = match largest_possible_mass(&answered.result)? {
+    diagnostics.extend(evaluated.result.findings.iter().cloned().map(DiagnosticRecord::from));
+    let (reflected, _) = match largest_possible_mass(&evaluated.result)? {
         EffectiveMass::Finite(m) => speed(Some(m))?,
         EffectiveMass::Immovable => {
             let message =
@@ -214,12 +215,12 @@ pub fn safe_speed(
     Ok(SafeSpeedReport {
         schema: "percuss.safe-speed/2",
         percuss: env!("CARGO_PKG_VERSION"),
-        inputs: answered.prepared.inputs(),
+        inputs: evaluated.prepared.inputs(),
         region: region.map(|region| region.name.clone()),
         region_mass: region.map(|region| region.mass),
         region_stiffness: region.map(|region| region.stiffness),
         region_note: region.and_then(|region| region.note.clone()),
-        limited_by: match asked.limit {
+        limited_by: match limit_question.limit {
             Limit::Force(_) => "force",
             Limit::Pressure(..) => "pressure",
             Limit::Energy(_) => "energy",
@@ -229,9 +230,9 @@ pub fn safe_speed(
         energy: safe.map_or(0.0, |safe| safe.energy),
         standard,
         reflected,
-        normal_world: answered.result.response.contact.normal_world.into(),
+        normal_world: evaluated.result.response.contact.normal_world.into(),
         moving_mass,
-        load: asked.load,
+        load: limit_question.load,
         along: None,
         diagnostics,
     })
@@ -246,7 +247,7 @@ fn safe_speed_record(
     let contact = match (robot_mass, region) {
         (Some(mass), Some(region)) => TransientContact::new(region, mass)?,
         (None, Some(region)) => TransientContact::immovable(region),
-        (Some(mass), None) => TransientContact::against_nothing_that_moves(mass)?,
+        (Some(mass), None) => TransientContact::against_fixed_body(mass)?,
         (None, None) => {
             return Ok((SpeedRecord { robot_mass, reduced_mass: None, speed: 0.0 }, None));
         }
@@ -271,7 +272,7 @@ fn safe_speed_record(
 pub fn safe_speed_directions(
     model: &Model,
     question: &MassQuestion,
-    asked: &SafeSpeedQuestion,
+    limit_question: &SafeSpeedQuestion,
     directions: &[[f64; 3]],
     worst: bool,
 ) -> Result<Vec<SafeSpeedReport>, StudyError> {
@@ -281,7 +282,7 @@ pub fn safe_speed_directions(
     }
     let of_direction = |direction: &[f64; 3]| {
         let (normal, normal_frame) = (Normal::Along(*direction), Frame::World);
-        safe_speed(model, &MassQuestion { normal, normal_frame, ..question.clone() }, asked)
+        safe_speed(model, &MassQuestion { normal, normal_frame, ..question.clone() }, limit_question)
     };
     all.iter().map(of_direction).collect()
 }
@@ -294,13 +295,14 @@ pub fn safe_speed_directions(
 pub fn safe_speed_along(
     model: &Model,
     question: &MassQuestion,
-    asked: &SafeSpeedQuestion,
+    limit_question: &SafeSpeedQuestion,
     source: &RowSource,
 ) -> Result<SafeSpeedReport, StudyError> {
-    let mut report = safe_speed(model, question, asked)?;
-    let region = asked.region.as_deref().map(BodyRegion::from_name).transpose()?;
+    let mut report = safe_speed(model, question, limit_question)?;
+    let region = limit_question.region.as_deref().map(BodyRegion::from_name).transpose()?;
     let bare = EvaluatedQuestion::new(model, question)?;
-    let loaded = if asked.load > 0.0 { Some(model_with_load(&bare, asked.load)?) } else { None };
+    let loaded =
+        if limit_question.load > 0.0 { Some(model_with_load(&bare, limit_question.load)?) } else { None };
     let (mut slowest, mut failed): (Option<AlongRecord>, _) = (None, None);
     let (mut unanswered, mut first_unanswered) = (0, None);
     let sweep = Sweep::new(loaded.as_ref().unwrap_or(model), question, source)?;
@@ -315,7 +317,7 @@ pub fn safe_speed_along(
                 return ControlFlow::Continue(());
             }
         };
-        match safe_speed_record(region, asked.limit, mass) {
+        match safe_speed_record(region, limit_question.limit, mass) {
             Ok((speed, _)) if slowest.as_ref().is_none_or(|s| speed.speed < s.slowest.speed) => {
                 let (row, pose) = (row.row, row.pose);
                 let (rows, unanswered, first_unanswered) = (0, 0, None);
@@ -403,11 +405,11 @@ fn model_with_load(bare: &EvaluatedQuestion, load: f64) -> Result<Model, StudyEr
     let at = bare.contact.point;
     let name = (0..).map(|i| format!("load{i}")).find(|name| mechanism.find_link(name).is_err());
     let name = name.unwrap_or_default();
-    let struck = mechanism.link(bare.contact.link).name();
-    let builder = mechanism
-        .to_builder()
-        .link(LinkDescription::new(&name, Inertial::point(load, at.into())))
-        .joint(JointDescription::new(format!("{name} on {struck}"), JointKind::Fixed, struck, &name));
+    let contact_link = mechanism.link(bare.contact.link).name();
+    let builder =
+        mechanism.to_builder().link(LinkDescription::new(&name, Inertial::point(load, at.into()))).joint(
+            JointDescription::new(format!("{name} on {contact_link}"), JointKind::Fixed, contact_link, &name),
+        );
     let built = builder.build().map_err(|_| ContactLawError::OutOfRange {
         what: "load, kg",
         got: load,
@@ -418,8 +420,8 @@ fn model_with_load(bare: &EvaluatedQuestion, load: f64) -> Result<Model, StudyEr
 
 /// Mass of the links that can move: all links with a movable, unlocked joint between the link and the root, or
 /// all links with a floating base.
-fn moving_mass(answered: &EvaluatedQuestion) -> f64 {
-    let prepared = &answered.prepared;
+fn moving_mass(evaluated: &EvaluatedQuestion) -> f64 {
+    let prepared = &evaluated.prepared;
     let mechanism: &Mechanism = &prepared.model.mechanism;
     let moves = |link: &LinkId| {
         let above = std::iter::successors(mechanism.parent_joint(*link), |joint| {

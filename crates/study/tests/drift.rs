@@ -1,4 +1,4 @@
-//! Relative change of m̄ over the penetration for pendulums whose point B at radius r meets a wall. With the
+//! Relative change of m̄ over the penetration for pendulums whose point B at radius r hits a wall. With the
 //! closing distance δ = r sin θ,
 //!
 //! m̄(δ)/m̄(0) − 1 = 1/(1 − (δ/r)²) − 1.
@@ -32,7 +32,8 @@ fn drift(radius: f64, part: f64, slide: bool) -> (Option<f64>, Option<f64>, bool
          <parent link=\"ground\"/><child link=\"rod\"/><axis xyz=\"0 1 0\"/></joint>{beside}</robot>",
         -0.5 * radius
     );
-    let model = Model::of(&Source::from_text("p.urdf", text), &LoadOptions::default()).expect("a pendulum");
+    let model =
+        Model::from_source(&Source::from_text("p.urdf", text), &LoadOptions::default()).expect("a pendulum");
     let question = MassQuestion {
         link: "rod".into(),
         point: [0.0, 0.0, -radius],

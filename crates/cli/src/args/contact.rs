@@ -1,7 +1,9 @@
 //! Flags of the contact and of its conditions.
 
-use super::headings::{BESIDE, CONDITIONS, CONTACT, POSE};
-use super::words::{armature, estimate, hold, kilograms, line, normal, point, position, ratio_at, travel};
+use super::headings::{ADDITIONAL, CONDITIONS, CONTACT, POSE};
+use super::value_parsers::{
+    armature, estimate, hold, kilograms, line, normal, point, position, ratio_at, travel,
+};
 use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_dynamics::{Base, Frame};
@@ -132,20 +134,20 @@ pub struct ContactArgs {
     /// The total mass of these links is reduced to the contact by the motion ratio of point A (m, frame of the first
     /// link; default: its origin). The ratio uses the full speed of A, or its component along a direction (world
     /// axes).
-    #[arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", value_parser = estimate, help_heading = BESIDE)]
+    #[arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", value_parser = estimate, help_heading = ADDITIONAL)]
     pub estimate: Option<EstimateQuestion>,
     /// Motion ratio at this point (m, link frame), along a direction (world axes; default z).
     ///
     /// The ratio relates the speed of the point to the closing speed of the contact. If the model has a wheel and one
     /// degree of freedom, the ratios of the wheel centre and the contact patch are always shown.
-    #[arg(long, value_name = "LINK:X,Y,Z[:DX,DY,DZ]", value_parser = ratio_at, help_heading = BESIDE)]
+    #[arg(long, value_name = "LINK:X,Y,Z[:DX,DY,DZ]", value_parser = ratio_at, help_heading = ADDITIONAL)]
     pub ratio_at: Vec<RatioPoint>,
 }
 
 impl ContactArgs {
     /// The contact, or an error if the contact is missing or incomplete; for commands in which clap does not require
     /// it.
-    pub fn needed(given: Option<&Self>) -> Result<&Self, Failure> {
+    pub fn require(given: Option<&Self>) -> Result<&Self, Failure> {
         let whole = |c: &&Self| {
             c.link.is_some() && c.point.is_some() && (c.normal.is_some() || c.along_line.is_some())
         };
@@ -158,7 +160,7 @@ impl ContactArgs {
 
     /// Converts the flags to a question.
     pub fn question(&self) -> Result<MassQuestion, Failure> {
-        Self::needed(Some(self))?.conditions()
+        Self::require(Some(self))?.conditions()
     }
 
     /// Converts the flags to a question; link, point and normal may be missing.

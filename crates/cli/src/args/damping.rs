@@ -3,8 +3,8 @@
 use super::contact::ContactArgs;
 use super::format::CheckFormat;
 use super::model::ReadingArgs;
-use super::words::{
-    Tools, area, energy, force, joint_stop, kilograms, law, momentum, normal, plain, plain_kilograms,
+use super::value_parsers::{
+    Tools, area, energy, force, joint_stop, kilograms, law, momentum, normal, plain_kilograms, plain_number,
     pressure, ratio, speed, stiffness, time, tools,
 };
 use super::writing::WritingArgs;
@@ -50,7 +50,7 @@ pub struct DampingArgs {
         long,
         value_name = "P",
         allow_hyphen_values = true,
-        value_parser = plain,
+        value_parser = plain_number,
         requires = "restitution",
         help_heading = DAMPER
     )]
@@ -143,7 +143,7 @@ pub struct DampingArgs {
         long,
         value_name = "A",
         allow_hyphen_values = true,
-        value_parser = plain,
+        value_parser = plain_number,
         requires = "restitution",
         help_heading = DAMPER
     )]

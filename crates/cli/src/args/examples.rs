@@ -206,7 +206,7 @@ its [[variant]]s), the stop of a joint, the [map], the [safe_speed].";
 #[cfg(test)]
 mod tests {
     #[test]
-    fn no_line_is_broken_by_a_narrow_terminal() {
+    fn example_lines_fit_a_terminal() {
         for text in [
             super::TOP,
             super::CHECK,

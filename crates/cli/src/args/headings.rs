@@ -7,7 +7,7 @@ pub const POSE: &str = "Pose";
 /// Locks, fixed points, armatures, base.
 pub const CONDITIONS: &str = "Conditions";
 /// Output in addition to the effective mass.
-pub const BESIDE: &str = "Additional results";
+pub const ADDITIONAL: &str = "Additional results";
 /// Changes to masses and hardpoints.
 pub const CHANGES: &str = "Changes to the model";
 /// Limits and checks of input files.

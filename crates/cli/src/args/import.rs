@@ -1,7 +1,7 @@
 //! Flags of `percuss import` and `percuss template`.
 
 use super::headings::OUTPUT;
-use super::words::{kilograms, metres, moments, moved_point};
+use super::value_parsers::{kilograms, metres, moments, point_shift};
 use super::writing::WritingArgs;
 use clap::{Args, ValueEnum};
 use percuss_formats::DEFAULT_MAX_SIZE;
@@ -101,7 +101,7 @@ pub struct ImportArgs {
     #[arg(
         long = "move",
         value_name = "POINT=X,Y,Z",
-        value_parser = moved_point,
+        value_parser = point_shift,
         allow_hyphen_values = true,
         help_heading = CAR
     )]

@@ -1,7 +1,7 @@
 //! Flags of `percuss map`.
 
 use super::headings::{OUTPUT, READING};
-use super::words::{edge, package};
+use super::value_parsers::{edge, package};
 use super::{ContactArgs, MassFormat, ModelArgs, TableArgs, WritingArgs};
 use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};

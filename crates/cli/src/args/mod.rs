@@ -13,7 +13,7 @@ mod short_help;
 #[cfg(test)]
 mod study_keys_tests;
 mod table;
-mod words;
+mod value_parsers;
 mod writing;
 
 pub use compare::CompareArgs;
@@ -23,18 +23,18 @@ pub use format::{CheckFormat, MassFormat};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
 pub use map::MapArgs;
 pub use model::ModelArgs;
-pub use short_help::{asked_of, short_help};
+pub use short_help::{requested_command, short_help};
 pub use table::{FigureArgs, TableArgs};
 pub use writing::WritingArgs;
 
 use crate::terminal::failure::Failure;
 use clap::builder::Resettable;
 use clap::{Args, CommandFactory, Parser, Subcommand};
-use headings::{ANSWER, BESIDE, OUTPUT};
+use headings::{ADDITIONAL, ANSWER, OUTPUT};
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::{PositionFile, RowSource, Sampling, Vary};
-pub use words::ToleranceArg;
-use words::{any_tolerance, kilograms};
+pub use value_parsers::ToleranceArg;
+use value_parsers::{kilograms, tolerance_argument};
 
 /// Heading of the flags that select the rows of a sweep.
 const ROWS: &str = "Rows";
@@ -174,19 +174,19 @@ pub struct MassArgs {
     /// Tolerances of the model's data, and their effect on the effective mass: masses and armatures in percent,
     /// centres of mass and hardpoints of a sheet as lengths. A single number is the relative tolerance of --expect
     /// (default 1e-9).
-    #[arg(long, value_name = "PART=VALUE,…", value_parser = any_tolerance, help_heading = BESIDE)]
+    #[arg(long, value_name = "PART=VALUE,…", value_parser = tolerance_argument, help_heading = ADDITIONAL)]
     pub tolerance: Vec<ToleranceArg>,
     /// Number of random designs within --tolerance, in addition to the first-order estimate.
-    #[arg(long, value_name = "COUNT", requires = "tolerance", help_heading = BESIDE)]
+    #[arg(long, value_name = "COUNT", requires = "tolerance", help_heading = ADDITIONAL)]
     pub samples: Option<usize>,
     /// Random seed of --samples; default 0.
-    #[arg(long, value_name = "NUMBER", requires = "samples", help_heading = BESIDE)]
+    #[arg(long, value_name = "NUMBER", requires = "samples", help_heading = ADDITIONAL)]
     pub seed: Option<u64>,
     /// Show sensitivities, and the most effective changes.
     ///
     /// Derivatives of the effective mass with respect to each link's mass and centre of mass, each armature and each
     /// hardpoint of a sheet, and the changes that reduce the effective mass most.
-    #[arg(long, help_heading = BESIDE)]
+    #[arg(long, help_heading = ADDITIONAL)]
     pub explain: bool,
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = MassFormat::Text, help_heading = ANSWER)]

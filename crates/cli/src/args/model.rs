@@ -1,7 +1,7 @@
 //! Flags of the model and of its reading.
 
 use super::headings::{CHANGES, READING};
-use super::words::{link_com, link_mass, moved_point};
+use super::value_parsers::{link_com, link_mass, point_shift};
 use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
@@ -48,7 +48,7 @@ pub struct ReadingArgs {
     #[arg(
         long = "move",
         value_name = "POINT=X,Y,Z",
-        value_parser = moved_point,
+        value_parser = point_shift,
         allow_hyphen_values = true,
         help_heading = CHANGES
     )]

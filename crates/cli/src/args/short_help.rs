@@ -1,7 +1,7 @@
 //! Output of `-h` on one screen. Common flags are explained, the others are only listed by heading; `--help` explains
 //! all.
 
-use crate::terminal::wrap::{hanging, lines, width};
+use crate::terminal::wrap::{width, wrap_hanging, wrap_lines};
 use clap::{Arg, Command};
 
 /// Column at which explanations begin.
@@ -126,16 +126,16 @@ pub fn short_help(command: &Command) -> String {
     let explained = EXPLAINED.iter().find(|(known, _)| *known == name).map_or(&[][..], |(_, ids)| ids);
     let mut out = String::new();
     if let Some(about) = command.get_about() {
-        out += &(hanging(&about.to_string(), 0) + "\n\n");
+        out += &(wrap_hanging(&about.to_string(), 0) + "\n\n");
     }
     let usage = command.clone().render_usage().to_string();
-    out += &(lines(&usage) + "\n");
+    out += &(wrap_lines(&usage) + "\n");
     let arguments: Vec<&Arg> = command.get_positionals().filter(|a| !a.is_hide_set()).collect();
     if !arguments.is_empty() {
         out.push('\n');
     }
     for argument in arguments {
-        out += &explanation(argument);
+        out += &help_row(argument);
     }
     let subcommands: Vec<&Command> = command.get_subcommands().filter(|c| c.get_name() != "help").collect();
     if !subcommands.is_empty() {
@@ -148,18 +148,19 @@ pub fn short_help(command: &Command) -> String {
     out.push('\n');
     for heading in headings(command) {
         let of_heading = |a: &&Arg| a.get_help_heading().unwrap_or("Options") == heading;
-        let flags: Vec<&Arg> = command.get_opts().chain(switches(command)).filter(of_heading).collect();
+        let flags: Vec<&Arg> =
+            command.get_opts().chain(flags_without_value(command)).filter(of_heading).collect();
         let (main, rest): (Vec<&Arg>, Vec<&Arg>) =
             flags.into_iter().partition(|a| explained.contains(&a.get_id().as_str()));
-        let names: Vec<String> = rest.into_iter().filter_map(spelling).collect();
+        let names: Vec<String> = rest.into_iter().filter_map(flag_name).collect();
         out += &match (names.is_empty(), main.is_empty()) {
             (true, _) => format!("{heading}\n"),
-            (false, false) => hanging(&format!("{heading}, also {}", names.join(" ")), 4) + "\n",
-            (false, true) => hanging(&format!("{heading}: {}", names.join(" ")), 4) + "\n",
+            (false, false) => wrap_hanging(&format!("{heading}, also {}", names.join(" ")), 4) + "\n",
+            (false, true) => wrap_hanging(&format!("{heading}: {}", names.join(" ")), 4) + "\n",
         };
         // The table has the order in which the flags are usually given.
         for id in explained {
-            out += &main.iter().find(|a| a.get_id() == id).map_or_else(String::new, |a| explanation(a));
+            out += &main.iter().find(|a| a.get_id() == id).map_or_else(String::new, |a| help_row(a));
         }
     }
     if let Some(example) = first_example(command) {
@@ -172,7 +173,7 @@ pub fn short_help(command: &Command) -> String {
 }
 
 /// Flags without a value.
-fn switches(command: &Command) -> impl Iterator<Item = &Arg> {
+fn flags_without_value(command: &Command) -> impl Iterator<Item = &Arg> {
     command.get_arguments().filter(|a| !a.is_positional() && !a.get_action().takes_values())
 }
 
@@ -189,7 +190,8 @@ fn headings(command: &Command) -> Vec<&str> {
     headings
 }
 
-fn spelling(argument: &Arg) -> Option<String> {
+/// `--NAME` of a flag; `None` for arguments without a name and hidden flags.
+fn flag_name(argument: &Arg) -> Option<String> {
     match (argument.get_long(), argument.is_hide_set()) {
         (Some(long), false) => Some(format!("--{long}")),
         _ => None,
@@ -197,10 +199,10 @@ fn spelling(argument: &Arg) -> Option<String> {
 }
 
 /// Help row of a flag or argument: name, value and effect.
-fn explanation(argument: &Arg) -> String {
+fn help_row(argument: &Arg) -> String {
     let values = argument.get_value_names().unwrap_or_default();
     let value = values.first().map_or_else(String::new, ToString::to_string);
-    let mut name = match spelling(argument) {
+    let mut name = match flag_name(argument) {
         Some(flag) if argument.get_action().takes_values() => format!("{flag} {value}"),
         Some(flag) => flag,
         None => value,
@@ -212,13 +214,14 @@ fn explanation(argument: &Arg) -> String {
     row(&name, &help, COLUMN)
 }
 
+/// Row of the help: name, and explanation from a column on.
 fn row(name: &str, help: &str, column: usize) -> String {
     let name = format!("  {name}");
     if width(&name) + 2 > column {
-        return format!("{name}\n{}\n", hanging(&(" ".repeat(column) + help), column));
+        return format!("{name}\n{}\n", wrap_hanging(&(" ".repeat(column) + help), column));
     }
     let padding = " ".repeat(column - width(&name));
-    hanging(&format!("{name}{padding}{help}"), column) + "\n"
+    wrap_hanging(&format!("{name}{padding}{help}"), column) + "\n"
 }
 
 /// First command of the examples, with its continuation lines.
@@ -236,10 +239,14 @@ fn first_example(command: &Command) -> Option<String> {
 
 /// Command for which `-h` was given: the first argument that is no flag, because no flag before the command has a
 /// value.
-pub fn asked_of<'c>(definition: &'c Command, arguments: &[std::ffi::OsString]) -> Option<&'c Command> {
-    let words: Vec<&str> = arguments.iter().skip(1).filter_map(|a| a.to_str()).collect();
-    let is_short = words.iter().find(|w| ["-h", "--help", "help"].contains(w)).is_none_or(|w| *w == "-h");
-    let named = words.iter().find_map(|word| definition.find_subcommand(word));
+pub fn requested_command<'c>(
+    definition: &'c Command,
+    arguments: &[std::ffi::OsString],
+) -> Option<&'c Command> {
+    let value_parsers: Vec<&str> = arguments.iter().skip(1).filter_map(|a| a.to_str()).collect();
+    let is_short =
+        value_parsers.iter().find(|w| ["-h", "--help", "help"].contains(w)).is_none_or(|w| *w == "-h");
+    let named = value_parsers.iter().find_map(|word| definition.find_subcommand(word));
     is_short.then(|| named.unwrap_or(definition))
 }
 
@@ -263,7 +270,7 @@ mod tests {
             for line in text.lines() {
                 assert!(width(line) <= WIDTH, "{line}");
             }
-            for flag in command.get_arguments().filter_map(spelling) {
+            for flag in command.get_arguments().filter_map(flag_name) {
                 let named = text.split_whitespace().any(|word| word == flag);
                 assert!(named, "{}: {flag} is not in\n{text}", command.get_name());
             }

@@ -52,7 +52,7 @@ impl TableArgs {
             TableUnit::Deg => study::TableUnit::Degree,
         };
         let units = self.unit.iter().map(unit).collect();
-        TableStyle::of(&study::StudyTable { units, comma: self.decimal == Decimal::Comma })
+        TableStyle::from_study(&study::StudyTable { units, comma: self.decimal == Decimal::Comma })
     }
 }
 
@@ -63,10 +63,10 @@ pub struct FigureArgs {
     #[arg(long, value_name = "TEXT", help_heading = OUTPUT)]
     pub title: Option<String>,
     /// Ends of the horizontal axis, in its unit.
-    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = ends, help_heading = OUTPUT)]
+    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = axis_limits, help_heading = OUTPUT)]
     pub x_limits: Option<(f64, f64)>,
     /// Ends of the axis of the effective mass (kg).
-    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = ends, help_heading = OUTPUT)]
+    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = axis_limits, help_heading = OUTPUT)]
     pub y_limits: Option<(f64, f64)>,
 }
 
@@ -78,10 +78,11 @@ impl FigureArgs {
     }
 }
 
-fn ends(text: &str) -> Result<(f64, f64), String> {
+/// `LOW,HIGH`: the two ends of an axis.
+fn axis_limits(text: &str) -> Result<(f64, f64), String> {
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
-    let ends = text.split_once(':').and_then(|(from, to)| Some((number(from)?, number(to)?)));
-    match ends {
+    let axis_limits = text.split_once(':').and_then(|(from, to)| Some((number(from)?, number(to)?)));
+    match axis_limits {
         Some((from, to)) if from < to => Ok((from, to)),
         Some((from, to)) => Err(format!("{from} is not below {to}")),
         None => Err("expected FROM:TO, two numbers such as -80:80".into()),

@@ -14,6 +14,6 @@ pub struct WritingArgs {
 impl WritingArgs {
     /// Applies the flag to all files of this run.
     pub fn apply(&self) {
-        crate::files::output::force(self.force);
+        crate::files::output::allow_replacement(self.force);
     }
 }

@@ -5,7 +5,7 @@ use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number};
-use crate::terminal::wrap::hanging;
+use crate::terminal::wrap::wrap_hanging;
 use percuss_study::{CheckReport, check};
 use std::fmt::Write;
 
@@ -29,9 +29,9 @@ pub fn facts(report: &CheckReport) -> [(&'static str, String); 8] {
         ("links", format!("{} ({} kg in all)", report.links.len(), number(report.total_mass))),
         ("joints", format!("{} ({movable} can move)", report.joints.len())),
         ("loops", report.closures.len().to_string()),
-        ("degrees of freedom", freedom(report)),
-        ("redundant constraints", redundancy(report)),
-        ("diagnostics", summary(report)),
+        ("degrees of freedom", degrees_of_freedom_text(report)),
+        ("redundant constraints", redundancy_text(report)),
+        ("diagnostics", diagnostics_text(report)),
     ]
 }
 
@@ -76,10 +76,11 @@ pub fn tables(report: &CheckReport) -> Tables {
     Tables { links, joints, loops }
 }
 
+/// Report as text.
 fn text(report: &CheckReport) -> String {
     let mut out = String::new();
     for (name, value) in facts(report) {
-        out += &(hanging(&format!("{name:<22} {}", line(&value)), 23) + "\n");
+        out += &(wrap_hanging(&format!("{name:<22} {}", line(&value)), 23) + "\n");
     }
     let Tables { links, joints, loops } = tables(report);
     let _ = write!(out, "\n{links}\n{joints}");
@@ -89,25 +90,29 @@ fn text(report: &CheckReport) -> String {
     out
 }
 
-fn redundancy(report: &CheckReport) -> String {
+/// Number of redundant rows, with the loops that contain them.
+fn redundancy_text(report: &CheckReport) -> String {
     let loops: Vec<String> = report.redundant_loops.iter().map(|names| names.join("+")).collect();
-    let place = if loops.is_empty() { String::new() } else { format!(" (in {})", loops.join("; ")) };
-    format!("{}{place}", report.redundant_constraints)
+    let suffix = if loops.is_empty() { String::new() } else { format!(" (in {})", loops.join("; ")) };
+    format!("{}{suffix}", report.redundant_constraints)
 }
 
-fn freedom(report: &CheckReport) -> String {
+/// Degrees of freedom with a fixed root, with a remark for a singular pose and the driving joints.
+fn degrees_of_freedom_text(report: &CheckReport) -> String {
     let generic = report.generic_degrees_of_freedom;
-    let here = report.degrees_of_freedom;
-    let place = if here == generic { String::new() } else { format!(" ({here} at this singular pose)") };
+    let at_pose = report.degrees_of_freedom;
+    let suffix =
+        if at_pose == generic { String::new() } else { format!(" ({at_pose} at this singular pose)") };
     let drivers = if report.drivers.is_empty() {
         String::new()
     } else {
         format!("; loops driven by {}", report.drivers.join(", "))
     };
-    format!("{generic} with the root fixed{place}{drivers}")
+    format!("{generic} with the root fixed{suffix}{drivers}")
 }
 
-fn summary(report: &CheckReport) -> String {
+/// Number of warnings and notes.
+fn diagnostics_text(report: &CheckReport) -> String {
     let count = |severity| report.diagnostics.iter().filter(|d| d.severity == severity).count();
     match (count("warning"), count("note")) {
         (0, 0) => "none".into(),

@@ -2,13 +2,13 @@
 
 use crate::args::{CompareArgs, ContactArgs, MassFormat};
 use crate::files::csv::{self, Cell};
-use crate::files::output::{is_input, write_file};
+use crate::files::output::{record_input, write_file};
 use crate::files::table_style::{ColumnUnit, TableStyle};
 use crate::files::xlsx_rows;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number};
-use crate::terminal::wrap::message;
+use crate::terminal::wrap::wrap_message;
 use percuss_render::{Figure, Panel, Series, Style};
 use percuss_study::{
     CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Names, RowSource, StudyFigure,
@@ -23,7 +23,7 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
     let studies: Vec<bool> =
         args.designs.iter().map(|path| StudyFile::is_study(path, args.reading.max_size)).collect();
     let designs = if studies.iter().all(|is_study| *is_study) {
-        of_studies(args)?
+        designs_of_studies(args)?
     } else if let Some(study) = studies.iter().position(|is_study| *is_study) {
         return Err(Failure::bad_input(format!(
             "{} is a study and has its own contact, the others are models or sheets; give only studies, or only \
@@ -31,20 +31,21 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
             args.designs[study]
         )));
     } else {
-        of_models(args)?
+        designs_of_models(args)?
     };
     let names = if studies[0] { Names::Keys } else { Names::Flags };
-    let written = Written {
+    let output = ComparisonOutput {
         output: args.output.as_deref(),
         table: args.table.style(),
         figure: &args.figure.figure(),
         format: args.format,
         strict: args.reading.strict,
     };
-    show(&designs, names, &written)
+    show(&designs, names, &output)
 }
 
-fn of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
+/// Designs of studies, with their variants.
+fn designs_of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
     if args.contact.as_ref().is_some_and(|contact| contact.link.is_some()) || !args.vary.is_empty() {
         return Err(Failure::bad_input(
             "--link, --point, --vary and similar flags apply to models and sheets; a study contains its own \
@@ -59,7 +60,7 @@ fn of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
         ));
     }
     let mut designs = Vec::new();
-    for (path, name) in args.designs.iter().zip(names_of(&args.designs)) {
+    for (path, name) in args.designs.iter().zip(design_names(&args.designs)) {
         let of_study = StudyFile::load(path, args.reading.max_size)?.designs(&name);
         if of_study.is_empty() {
             return Err(Failure::bad_input(format!(
@@ -71,14 +72,15 @@ fn of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
     Ok(designs)
 }
 
-fn of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
-    let question = ContactArgs::needed(args.contact.as_ref())?.question()?;
+/// Designs of models with the contact given by flags.
+fn designs_of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
+    let question = ContactArgs::require(args.contact.as_ref())?.question()?;
     let rows = (!args.vary.is_empty()).then(|| RowSource::Grid(args.vary.clone()));
     let design = |(path, name): (&String, String)| {
         let (question, rows) = (question.clone(), rows.clone());
         Ok(Design { name, model: args.reading.load(path)?, question, rows })
     };
-    args.designs.iter().zip(names_of(&args.designs)).map(design).collect()
+    args.designs.iter().zip(design_names(&args.designs)).map(design).collect()
 }
 
 /// Name of a study; used for its model among the variants.
@@ -87,7 +89,7 @@ pub fn study_name(path: &str) -> String {
 }
 
 /// File names without folder and extension; the full paths if two names coincide.
-fn names_of(paths: &[String]) -> Vec<String> {
+fn design_names(paths: &[String]) -> Vec<String> {
     let stem = |path: &String| {
         Path::new(path).file_stem().map_or_else(|| path.clone(), |stem| stem.to_string_lossy().into_owned())
     };
@@ -102,7 +104,7 @@ fn names_of(paths: &[String]) -> Vec<String> {
 
 /// Output options of a comparison.
 #[derive(Clone, Copy)]
-pub struct Written<'a> {
+pub struct ComparisonOutput<'a> {
     pub output: Option<&'a str>,
     pub table: TableStyle,
     pub figure: &'a StudyFigure,
@@ -111,13 +113,13 @@ pub struct Written<'a> {
 }
 
 /// Compares designs and writes the result.
-pub fn show(designs: &[Design], names: Names, written: &Written) -> Result<(), Failure> {
-    let Written { output, table: style, format, strict, figure: asked } = *written;
+pub fn show(designs: &[Design], names: Names, output: &ComparisonOutput) -> Result<(), Failure> {
+    let ComparisonOutput { output, table: style, format, strict, figure: requested } = *output;
     let report = compare(designs).map_err(|error| failure(&error, names))?;
     write_diagnostics(&report.diagnostics, strict)?;
     if let Some(path) = output {
-        let bytes = file(&report, path, style, asked)?;
-        designs.iter().flat_map(|design| &design.model.inputs).for_each(|input| is_input(&input.path));
+        let bytes = file_bytes(&report, path, style, requested)?;
+        designs.iter().flat_map(|design| &design.model.inputs).for_each(|input| record_input(&input.path));
         write_file(path, &bytes)?;
     }
     match format {
@@ -131,6 +133,7 @@ pub fn show(designs: &[Design], names: Names, written: &Written) -> Result<(), F
     Ok(())
 }
 
+/// Failure of a comparison; the names of fields are flags or keys.
 pub fn failure(error: &CompareError, names: Names) -> Failure {
     match error {
         CompareError::Question { source, .. } if source.has_no_result() => {
@@ -140,7 +143,8 @@ pub fn failure(error: &CompareError, names: Names) -> Failure {
     }
 }
 
-fn answer(design: &DesignRecord) -> String {
+/// m̄ of a design, or its outcome; "no answer" without either.
+fn answer_text(design: &DesignRecord) -> String {
     match (design.effective_mass, design.status) {
         (Some(mass), _) => number(mass),
         (None, Some(status)) => status.name().to_owned(),
@@ -148,13 +152,14 @@ fn answer(design: &DesignRecord) -> String {
     }
 }
 
+/// Signed percentage with two decimals.
 fn percent(x: f64) -> String {
     // A value that rounds to zero has no sign.
     if x.abs() < 0.005 { "0.00 %".to_owned() } else { format!("{x:+.2} %") }
 }
 
 /// Table of designs, one row each.
-pub fn designs(report: &ComparisonReport) -> Table<5> {
+pub fn design_table(report: &ComparisonReport) -> Table<5> {
     let mut table = Table::new(["design", "kg", "difference", "over the range", "most of it"]);
     for (i, design) in report.designs.iter().enumerate() {
         let difference = match design.difference_percent {
@@ -166,26 +171,27 @@ pub fn designs(report: &ComparisonReport) -> Table<5> {
         let range = range.map_or_else(String::new, |[a, b]| format!("{} to {}", percent(a), percent(b)));
         let most = design.most.iter().map(|(link, share)| format!("{link} {:.1} %", 100.0 * share));
         let most: Vec<String> = most.collect();
-        table.row([design.name.clone(), answer(design), difference, range, most.join(", ")]);
+        table.row([design.name.clone(), answer_text(design), difference, range, most.join(", ")]);
     }
     table
 }
 
+/// Report as text.
 fn text(report: &ComparisonReport) -> String {
-    let mut out = format!("effective mass of {} designs\n\n{}", report.designs.len(), designs(report));
+    let mut out = format!("effective mass of {} designs\n\n{}", report.designs.len(), design_table(report));
     for design in &report.designs {
         if let Some(error) = &design.error {
-            let _ = writeln!(out, "\n{}", message(&format!("{}: {error}", design.name)));
+            let _ = writeln!(out, "\n{}", wrap_message(&format!("{}: {error}", design.name)));
         }
     }
     out
 }
 
 /// Column names and rows of the table: over the ranges if any, otherwise over the designs.
-fn cells(report: &ComparisonReport, style: TableStyle) -> (Vec<String>, Vec<Vec<Cell>>) {
-    let rounded = |x: Option<f64>, error| Cell::of(x.map(|x| style.number(x, error)));
+fn table_cells(report: &ComparisonReport, style: TableStyle) -> (Vec<String>, Vec<Vec<Cell>>) {
+    let rounded = |x: Option<f64>, error| Cell::from_value(x.map(|x| style.number(x, error)));
     if report.varied.is_empty() {
-        let mass = style.named("effective_mass", "kg");
+        let mass = style.name_with_unit("effective_mass", "kg");
         let names = ["design", "status", &mass, "difference_percent"].map(str::to_owned).to_vec();
         let row = |design: &DesignRecord| {
             let status = design.status.map_or("no answer", |status| status.name());
@@ -205,7 +211,7 @@ fn cells(report: &ComparisonReport, style: TableStyle) -> (Vec<String>, Vec<Vec<
         Some(_) => csv::with_unit(&column.name, unit),
         None => format!("travel_{}", unit.name),
     }));
-    header.extend(report.designs.iter().map(|design| style.named(&design.name, "kg")));
+    header.extend(report.designs.iter().map(|design| style.name_with_unit(&design.name, "kg")));
     header.extend(report.designs.iter().skip(1).map(|design| format!("{} difference_percent", design.name)));
     let row = |row: &ComparisonRow| {
         let mut cells = vec![Cell::Number(row.row as f64)];
@@ -218,36 +224,38 @@ fn cells(report: &ComparisonReport, style: TableStyle) -> (Vec<String>, Vec<Vec<
     (header, report.rows.iter().map(row).collect())
 }
 
+/// Table as CSV.
 fn table(report: &ComparisonReport, style: TableStyle) -> String {
-    let (header, rows) = cells(report, style);
+    let (header, rows) = table_cells(report, style);
     let line = |row: &Vec<Cell>| {
-        let cells: Vec<String> = row.iter().map(|cell| csv::cell_in(cell, style)).collect();
-        csv::line_in(&cells, style)
+        let cells: Vec<String> = row.iter().map(|cell| csv::styled_cell(cell, style)).collect();
+        csv::styled_line(&cells, style)
     };
-    csv::line_in(&header, style) + &rows.iter().map(line).collect::<String>()
+    csv::styled_line(&header, style) + &rows.iter().map(line).collect::<String>()
 }
 
-fn file(
+/// Contents of the output file, in the format of its extension.
+fn file_bytes(
     report: &ComparisonReport,
     path: &str,
     style: TableStyle,
-    asked: &StudyFigure,
+    requested: &StudyFigure,
 ) -> Result<Vec<u8>, Failure> {
     let ending = Path::new(path).extension().and_then(|ending| ending.to_str()).unwrap_or("");
     match ending.to_ascii_lowercase().as_str() {
         "csv" => Ok(table(report, style).into_bytes()),
         "xlsx" => {
-            let (columns, rows) = cells(report, style);
-            xlsx_rows::book(path, "comparison", &columns, rows)
+            let (columns, rows) = table_cells(report, style);
+            xlsx_rows::workbook(path, "comparison", &columns, rows)
         }
         "json" => {
             let text = serde_json::to_string_pretty(report);
             let text = text.map_err(|e| Failure::NoAnswer(format!("the result has no JSON form: {e}")))?;
             Ok((text + "\n").into_bytes())
         }
-        "svg" => Ok(figure(report, asked)?.to_svg().into_bytes()),
-        "png" => figure(report, asked)?.to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string())),
-        "pdf" => figure(report, asked)?.to_pdf().map_err(|e| Failure::NoAnswer(e.to_string())),
+        "svg" => Ok(figure(report, requested)?.to_svg().into_bytes()),
+        "png" => figure(report, requested)?.to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string())),
+        "pdf" => figure(report, requested)?.to_pdf().map_err(|e| Failure::NoAnswer(e.to_string())),
         _ => Err(Failure::bad_input(format!(
             "--output {path}: its name must end in .csv, .xlsx, .json, .svg, .png or .pdf"
         ))),
@@ -255,7 +263,7 @@ fn file(
 }
 
 /// Figure of m̄ of all designs over the range, with the differences from the first design below.
-pub fn figure(report: &ComparisonReport, asked: &StudyFigure) -> Result<Figure, Failure> {
+pub fn figure(report: &ComparisonReport, requested: &StudyFigure) -> Result<Figure, Failure> {
     let [varied] = &report.varied[..] else {
         return Err(Failure::bad_input(
             "--output: a figure shows designs over one range; give --vary once (a study: [sweep] with one range), or a file \
@@ -278,12 +286,12 @@ pub fn figure(report: &ComparisonReport, asked: &StudyFigure) -> Result<Figure, 
     let differences = all.skip(1).map(|i| series(i, &|row| report.rows[row].difference_percent[i])).collect();
     let first = report.designs.first().map_or("", |design| &design.name);
     Ok(Figure {
-        title: asked.title.clone().unwrap_or_else(|| "Effective mass of designs".into()),
-        x_limits: asked.x_limits,
+        title: requested.title.clone().unwrap_or_else(|| "Effective mass of designs".into()),
+        x_limits: requested.x_limits,
         subtitle: report.designs.iter().map(|d| d.name.clone()).collect::<Vec<_>>().join(", "),
         x_label: format!("{} ({unit})", varied.name),
         panels: vec![
-            Panel { y_label: "m̄ (kg)".into(), series: masses, y_limits: asked.y_limits },
+            Panel { y_label: "m̄ (kg)".into(), series: masses, y_limits: requested.y_limits },
             Panel {
                 y_label: format!("difference from {first} (%)"),
                 series: differences,

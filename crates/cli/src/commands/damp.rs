@@ -1,13 +1,13 @@
-//! `percuss damp`, and the damper beside an effective mass.
+//! `percuss damp`, and the damper in the output of an effective mass.
 
 use crate::args::{CheckFormat, ContactArgs, DampArgs};
-use crate::files::output::{is_input, write_file};
+use crate::files::output::{record_input, write_file};
 use crate::terminal::escape;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
-use crate::terminal::text::{Table, bound, number};
-use crate::terminal::wrap::{fact, hanging};
+use crate::terminal::text::{Table, number, upper_bound};
+use crate::terminal::wrap::{fact_line, wrap_hanging};
 use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
 use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
 use percuss_study::contact::{Law, Sample};
@@ -49,7 +49,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
                 damp_stop(&model, stop, conditions, &question)?
             }
             None => {
-                let contact = ContactArgs::needed(contact.as_ref())?;
+                let contact = ContactArgs::require(contact.as_ref())?;
                 damp_contact(&args.reading.load(path)?, &contact.question()?, &question)?
             }
         },
@@ -65,15 +65,15 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
         }
     };
     write_diagnostics(&report.diagnostics, args.reading.strict)?;
-    args.mass_from.iter().for_each(|path| is_input(path));
+    args.mass_from.iter().for_each(|path| record_input(path));
     if let Some(path) = &args.output {
-        draw(&report, &question, path)?;
+        write_history(&report, &question, path)?;
     }
     print(&report, args.format)
 }
 
 /// Options of a study: the damper of a joint's stop or of the contact.
-pub fn of_study(study: &StudyFile, damping: &StudyDamping) -> Result<DampingReport, Failure> {
+pub fn study_report(study: &StudyFile, damping: &StudyDamping) -> Result<DampingReport, Failure> {
     let StudyDamping { question, stop, .. } = damping;
     Ok(match (stop, &study.question) {
         (Some((stop, conditions)), _) => damp_stop(&study.model, stop, conditions.clone(), question)?,
@@ -88,7 +88,7 @@ pub fn print(report: &DampingReport, format: CheckFormat) -> Result<(), Failure>
         CheckFormat::Json => write_json(report),
         CheckFormat::Text => {
             let (name, value) = headline(report);
-            let mut out = fact(name, &value);
+            let mut out = fact_line(name, &value);
             out += &damper(report);
             out += &exports(report);
             write_out(&out)
@@ -98,7 +98,7 @@ pub fn print(report: &DampingReport, format: CheckFormat) -> Result<(), Failure>
 
 /// Mass, or inertia for a rotational stop, of the damper.
 pub fn headline(report: &DampingReport) -> (&'static str, String) {
-    let units = Units::of(report);
+    let units = Units::from_report(report);
     (units.name, format!("{} {}", number(report.effective_mass), units.mass))
 }
 
@@ -113,7 +113,8 @@ struct Units {
 }
 
 impl Units {
-    fn of(report: &DampingReport) -> Self {
+    /// Units of a contact or of the stop of a joint.
+    fn from_report(report: &DampingReport) -> Self {
         if report.stop.as_ref().is_some_and(|stop| stop.motion == StopMotion::Turn) {
             let shown = ("mrad", 1e3);
             return Self { name: "effective inertia", mass: "kg·m²", length: "rad", shown, force: "N·m" };
@@ -124,17 +125,18 @@ impl Units {
 
 /// Damper, impact, and validity over the travel.
 pub fn damper(report: &DampingReport) -> String {
-    facts(report).iter().map(|(name, value)| fact(name, &escape::line(value))).collect()
+    facts(report).iter().map(|(name, value)| fact_line(name, &escape::line(value))).collect()
 }
 
 /// Text for simulators.
 pub fn exports(report: &DampingReport) -> String {
-    report.exports.iter().map(|(name, export)| exported(name, export)).collect()
+    report.exports.iter().map(|(name, export)| export_text(name, export)).collect()
 }
 
+/// Damper, impact and validity as names with values.
 pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     let damper = &report.damper;
-    let Units { length, shown: (shown, factor), force, .. } = Units::of(report);
+    let Units { length, shown: (shown, factor), force, .. } = Units::from_report(report);
     let e = damper.restitution;
     let mut facts = Vec::new();
     let law = match damper.separation {
@@ -147,7 +149,7 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     facts.push(("stiffness", stiffness(report)));
     match (damper.damping_ratio, damper.damping) {
         (Some(ratio), Some(c)) => {
-            let power = power(0.5 * (damper.exponent + 1.0));
+            let power = unit_power(0.5 * (damper.exponent + 1.0));
             let value = format!("{} {force}·s/{length}{power}   (ratio {})", number(c), number(ratio));
             facts.push(("damping", value));
             if let Some(d) = damper.dissipation {
@@ -205,23 +207,25 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     facts
 }
 
+/// Stiffness with its unit.
 fn stiffness(report: &DampingReport) -> String {
-    let (damper, Units { length, force, .. }) = (&report.damper, Units::of(report));
-    format!("{} {force}/{length}{}", number(damper.stiffness), power(damper.exponent))
+    let (damper, Units { length, force, .. }) = (&report.damper, Units::from_report(report));
+    format!("{} {force}/{length}{}", number(damper.stiffness), unit_power(damper.exponent))
 }
 
 /// Exponent of a unit, if any.
-fn power(exponent: f64) -> String {
+fn unit_power(exponent: f64) -> String {
     if exponent == 1.0 { String::new() } else { format!("^{}", number(exponent)) }
 }
 
-pub fn exported(name: &str, export: &ExportRecord) -> String {
+/// Parameters, errors, assumptions and snippets of one simulator.
+pub fn export_text(name: &str, export: &ExportRecord) -> String {
     let mut out = format!("\n{} ({name})\n", export.title);
     if let Some(error) = &export.error {
-        return out + &hanging(&format!("  cannot: {error}"), 4) + "\n";
+        return out + &wrap_hanging(&format!("  cannot: {error}"), 4) + "\n";
     }
     let mut line = |what: &str, text: &str| {
-        out += &fact(&format!("  {what}"), &escape::line(text));
+        out += &fact_line(&format!("  {what}"), &escape::line(text));
     };
     line("integrates", export.law);
     for (name, value) in &export.parameters {
@@ -230,8 +234,9 @@ pub fn exported(name: &str, export: &ExportRecord) -> String {
         line(name, format!("{value} {unit}").trim_end());
     }
     if let Some(step) = export.time_step {
-        let bound =
-            export.error_bound.map_or_else(String::new, |b| format!(", restitution within {}", bound(b)));
+        let bound = export
+            .error_bound
+            .map_or_else(String::new, |b| format!(", restitution within {}", upper_bound(b)));
         line("time step", &format!("{} s{bound}", number(step)));
     }
     for penetration in &export.penetrations {
@@ -263,7 +268,7 @@ pub fn exported(name: &str, export: &ExportRecord) -> String {
         }
     }
     if !export.sources.is_empty() {
-        out += &(hanging(&format!("  sources: {}", export.sources.join("; ")), 4) + "\n");
+        out += &(wrap_hanging(&format!("  sources: {}", export.sources.join("; ")), 4) + "\n");
     }
     out
 }
@@ -278,6 +283,7 @@ fn measurement(measured: &Measurement) -> String {
     format!("{engine}{solver}: {scenes}; errors {low}, {middle}, {high} for e = 0.2, 0.5, 0.8{by_hand}")
 }
 
+/// Table of the contact laws.
 fn laws() -> String {
     let mut out = String::new();
     for law in Law::ALL {
@@ -285,15 +291,16 @@ fn laws() -> String {
         let speed = if law.needs_speed() { ", needs --speed" } else { "" };
         let _ = writeln!(out, "{}  ({kind}{speed})", law.name());
         for text in [law.title(), law.formula(), law.source()] {
-            out += &(hanging(&format!("    {text}"), 6) + "\n");
+            out += &(wrap_hanging(&format!("    {text}"), 6) + "\n");
         }
         for alias in Law::ALIASES.iter().filter(|alias| alias.law == law) {
-            out += &(hanging(&format!("    also {}: {}", alias.name, alias.note), 6) + "\n");
+            out += &(wrap_hanging(&format!("    also {}: {}", alias.name, alias.note), 6) + "\n");
         }
     }
     out
 }
 
+/// Table of the simulators.
 fn tools() -> String {
     let mut table = Table::new(["name", "simulator", "also"]);
     for tool in Tool::ALL {
@@ -303,17 +310,19 @@ fn tools() -> String {
 }
 
 /// Writes the force history of the impact as a plot or as numbers.
-pub fn draw(report: &DampingReport, question: &DampingQuestion, path: &str) -> Result<(), Failure> {
-    report.inputs.iter().for_each(|input| is_input(&input.path));
+pub fn write_history(report: &DampingReport, question: &DampingQuestion, path: &str) -> Result<(), Failure> {
+    report.inputs.iter().for_each(|input| record_input(&input.path));
     let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
     let samples = || {
         impact_history(question, report.effective_mass, limits::HISTORY_SAMPLES)
             .map_err(percuss_study::StudyError::from)
     };
     let bytes = match ending.as_str() {
-        "svg" => sheet(report, &samples()?).to_svg().into_bytes(),
-        "png" => sheet(report, &samples()?).to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string()))?,
-        "pdf" => sheet(report, &samples()?).to_pdf().map_err(|e| Failure::NoAnswer(e.to_string()))?,
+        "svg" => history_sheet(report, &samples()?).to_svg().into_bytes(),
+        "png" => {
+            history_sheet(report, &samples()?).to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string()))?
+        }
+        "pdf" => history_sheet(report, &samples()?).to_pdf().map_err(|e| Failure::NoAnswer(e.to_string()))?,
         "csv" => csv(&samples()?).into_bytes(),
         _ => {
             return Err(Failure::bad_input(format!(
@@ -324,6 +333,7 @@ pub fn draw(report: &DampingReport, question: &DampingQuestion, path: &str) -> R
     write_file(path, &bytes)
 }
 
+/// Samples as CSV.
 fn csv(samples: &[Sample]) -> String {
     let mut out = "time,penetration,rate,force\n".to_owned();
     for s in samples {
@@ -333,9 +343,9 @@ fn csv(samples: &[Sample]) -> String {
 }
 
 /// Force over time, and over penetration; the loop encloses the dissipated energy.
-pub fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
+pub fn history_sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
     let damper = &report.damper;
-    let units = Units::of(report);
+    let units = Units::from_report(report);
     let (shown, factor) = units.shown;
     let panel = |x: &dyn Fn(&Sample) -> f64| Panel {
         y_label: format!("force ({})", units.force),

@@ -1,13 +1,13 @@
 //! `percuss import`.
 
 use crate::args::{AxesArg, ImportArgs, SideArg, UnitArg};
-use crate::files::output::{is_input, may_be_written, write_file};
-use crate::files::own_files::sealed;
+use crate::files::output::{check_writable, record_input, write_file};
+use crate::files::own_files::append_hash;
 use crate::files::picture;
 use crate::pictures::import_picture;
 use crate::terminal::failure::Failure;
-use crate::terminal::import_text::understood;
-use crate::terminal::report::{write_as_is, write_diagnostics, write_out};
+use crate::terminal::import_text::import_summary;
+use crate::terminal::report::{write_diagnostics, write_out, write_unescaped};
 use percuss_formats::suspension::{ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import};
 use percuss_formats::{Source, write_urdf_with};
 use percuss_study::DiagnosticRecord;
@@ -15,27 +15,28 @@ use percuss_study::DiagnosticRecord;
 /// Runs the command.
 pub fn run(args: &ImportArgs) -> Result<(), Failure> {
     args.writing.apply();
-    is_input(&args.hardpoints);
+    record_input(&args.hardpoints);
     if args.output != "-" {
-        may_be_written(&args.output)?;
+        check_writable(&args.output)?;
     }
     let source = Source::read(&args.hardpoints, args.max_size)?;
     let imported = import(&source, &options(args))?;
-    imported.inputs.iter().for_each(|path| is_input(path));
+    imported.inputs.iter().for_each(|path| record_input(path));
     let diagnostics: Vec<DiagnosticRecord> = imported.diagnostics.into_iter().map(Into::into).collect();
     write_diagnostics(&diagnostics, args.strict)?;
-    let text = sealed(write_urdf_with(&imported.mechanism, &imported.comments));
+    let text = append_hash(write_urdf_with(&imported.mechanism, &imported.comments));
     if let Some(path) = &args.picture {
         let drawing = import_picture::picture(&imported.understood, &args.hardpoints);
         write_file(path, &picture::bytes(&drawing, "--picture", path)?)?;
     }
     if args.output == "-" {
-        return write_as_is(text.as_bytes());
+        return write_unescaped(text.as_bytes());
     }
     write_file(&args.output, text.as_bytes())?;
-    write_out(&understood(&imported.understood, &args.output))
+    write_out(&import_summary(&imported.understood, &args.output))
 }
 
+/// Import options of the flags.
 fn options(args: &ImportArgs) -> ImportOptions {
     ImportOptions {
         unit: args.unit.map(unit),

@@ -1,10 +1,10 @@
 //! Commands `percuss init` and `percuss schema`: initial studies, and the schema of studies.
 
 use crate::args::InitArgs;
-use crate::files::output::{is_input, write_file};
+use crate::files::output::{record_input, write_file};
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_as_is, write_diagnostics, write_out};
-use crate::terminal::text::word;
+use crate::terminal::report::{write_diagnostics, write_out, write_unescaped};
+use crate::terminal::text::shell_quoted;
 use percuss_study::{starting_study, study_schema};
 use std::path::Path;
 
@@ -22,18 +22,22 @@ pub fn run(args: &InitArgs) -> Result<(), Failure> {
         ));
     }
     let model = args.model.load()?;
-    model.inputs.iter().for_each(|input| is_input(&input.path));
+    model.inputs.iter().for_each(|input| record_input(&input.path));
     write_diagnostics(&model.diagnostics, args.model.reading.strict)?;
     let path = match &args.output {
-        Some(output) => from_folder_of(output, &args.model.model),
+        Some(output) => relative_model_path(output, &args.model.model),
         None => args.model.model.clone(),
     };
     let study = starting_study(&model, &path)?;
     match &args.output {
-        None => write_as_is(study.as_bytes()),
+        None => write_unescaped(study.as_bytes()),
         Some(output) => {
             write_file(output, study.as_bytes())?;
-            write_out(&format!("{:<20} {output}; run it with: percuss run {}\n", "written", word(output)))
+            write_out(&format!(
+                "{:<20} {output}; run it with: percuss run {}\n",
+                "written",
+                shell_quoted(output)
+            ))
         }
     }
 }
@@ -42,11 +46,11 @@ pub fn run(args: &InitArgs) -> Result<(), Failure> {
 pub fn schema() -> Result<(), Failure> {
     let text = serde_json::to_string_pretty(study_schema());
     let text = text.map_err(|error| Failure::NoAnswer(format!("the schema has no JSON form: {error}")))?;
-    write_as_is((text + "\n").as_bytes())
+    write_unescaped((text + "\n").as_bytes())
 }
 
 /// Path of the model as written in the study: relative to the folder of the study if both exist and are on one drive.
-fn from_folder_of(study: &str, model: &str) -> String {
+fn relative_model_path(study: &str, model: &str) -> String {
     let folder = Path::new(study).parent().filter(|folder| !folder.as_os_str().is_empty());
     let folder = dunce::canonicalize(folder.unwrap_or(Path::new(".")));
     let relative = match (folder, dunce::canonicalize(model)) {

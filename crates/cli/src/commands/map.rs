@@ -2,14 +2,14 @@
 
 use crate::args::{MapArgs, MassFormat};
 use crate::commands::sweep::use_threads;
-use crate::files::output::{Output, is_input, may_be_written};
+use crate::files::output::{Output, check_writable, record_input};
 use crate::files::table_style::TableStyle;
 use crate::pictures::map_files::{self, MapFormat};
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{note, write_diagnostics, write_json, write_out};
-use crate::terminal::text::{Table, bound, number, short, triple};
-use crate::terminal::wrap::{fact, hanging};
+use crate::terminal::text::{Table, number, short_number, triple, upper_bound};
+use crate::terminal::wrap::{fact_line, wrap_hanging};
 use percuss_study::{
     DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, Model, PointMapReport, StudyMapQuestion, map,
     map_point,
@@ -27,11 +27,11 @@ pub fn run(args: &MapArgs) -> Result<(), Failure> {
         Some(count) => StudyMapQuestion::Directions(args.contact.conditions()?, count),
         None => StudyMapQuestion::Surfaces(args.question()?),
     };
-    show(&model, &question, &Written { formats, table: args.table.style(), format: args.format, strict })
+    show(&model, &question, &MapOutput { formats, table: args.table.style(), format: args.format, strict })
 }
 
 /// Output options of a map.
-pub struct Written {
+pub struct MapOutput {
     pub formats: Vec<(String, MapFormat)>,
     pub table: TableStyle,
     pub format: MassFormat,
@@ -40,60 +40,62 @@ pub struct Written {
 
 /// Output files with their formats, determined by the file extensions.
 pub fn formats(outputs: &[String]) -> Result<Vec<(String, MapFormat)>, Failure> {
-    outputs.iter().map(|path| Ok((path.clone(), MapFormat::of(path)?))).collect()
+    outputs.iter().map(|path| Ok((path.clone(), MapFormat::from_path(path)?))).collect()
 }
 
 /// Computes a map and writes it.
-pub fn show(model: &Model, question: &StudyMapQuestion, written: &Written) -> Result<(), Failure> {
-    model.inputs.iter().for_each(|input| is_input(&input.path));
+pub fn show(model: &Model, question: &StudyMapQuestion, output: &MapOutput) -> Result<(), Failure> {
+    model.inputs.iter().for_each(|input| record_input(&input.path));
     // The check precedes the computation.
-    written.formats.iter().try_for_each(|(path, _)| may_be_written(path))?;
+    output.formats.iter().try_for_each(|(path, _)| check_writable(path))?;
     match question {
-        StudyMapQuestion::Surfaces(question) => surfaces(&map(model, question)?, written),
+        StudyMapQuestion::Surfaces(question) => surfaces(&map(model, question)?, output),
         StudyMapQuestion::Directions(question, count) => {
-            directions(&map_point(model, question, *count)?, written)
+            directions(&map_point(model, question, *count)?, output)
         }
     }
 }
 
-fn directions(report: &PointMapReport, written: &Written) -> Result<(), Failure> {
-    write_diagnostics(&report.diagnostics, written.strict)?;
-    for (path, format) in &written.formats {
+/// Writes the map of the directions at a point.
+fn directions(report: &PointMapReport, output: &MapOutput) -> Result<(), Failure> {
+    write_diagnostics(&report.diagnostics, output.strict)?;
+    for (path, format) in &output.formats {
         let mut out = Output::open(Some(path))?;
-        map_files::write_point(report, *format, written.table, &mut out)
+        map_files::write_point(report, *format, output.table, &mut out)
             .map_err(|error| error.failure(path, &out))?;
         out.finish()?;
     }
-    match written.format {
+    match output.format {
         MassFormat::Text => write_out(&point_text(report)),
         MassFormat::Json => write_json(report),
         MassFormat::Csv => {
             let mut bytes = Vec::new();
-            map_files::point_csv(report, written.table, &mut bytes)?;
+            map_files::point_csv(report, output.table, &mut bytes)?;
             write_out(&String::from_utf8_lossy(&bytes))
         }
     }
 }
 
-fn surfaces(answer: &MapAnswer, written: &Written) -> Result<(), Failure> {
+/// Writes the map of surfaces.
+fn surfaces(answer: &MapAnswer, output: &MapOutput) -> Result<(), Failure> {
     // The mesh files are known only after the computation.
-    answer.report.inputs.iter().for_each(|input| is_input(&input.path));
-    write_diagnostics(&answer.report.diagnostics, written.strict)?;
+    answer.report.inputs.iter().for_each(|input| record_input(&input.path));
+    write_diagnostics(&answer.report.diagnostics, output.strict)?;
     for left in &answer.report.left_out {
         note(&format!("left out: {}", left.reason));
     }
-    for (path, format) in &written.formats {
+    for (path, format) in &output.formats {
         let mut out = Output::open(Some(path))?;
-        map_files::write(answer, *format, written.table, &mut out)
+        map_files::write(answer, *format, output.table, &mut out)
             .map_err(|error| error.failure(path, &out))?;
         out.finish()?;
     }
-    match written.format {
+    match output.format {
         MassFormat::Text => write_out(&text(answer)),
         MassFormat::Json => write_json(&answer.report),
         MassFormat::Csv => {
             let mut out = Output::open(None)?;
-            map_files::csv(answer, written.table, &mut out).map_err(|error| out.failure(error))?;
+            map_files::csv(answer, output.table, &mut out).map_err(|error| out.failure(error))?;
             out.finish()
         }
     }
@@ -112,49 +114,52 @@ pub fn links(report: &MapReport) -> Table<8> {
         "largest at (m)",
     ]);
     for link in &report.links {
-        let mass = |e: &Option<Extreme>| e.as_ref().map_or_else(|| "–".into(), |e| short(e.effective_mass));
-        let place = |e: &Option<Extreme>| e.as_ref().map_or_else(String::new, |e| rounded(&e.point_link));
+        let mass =
+            |e: &Option<Extreme>| e.as_ref().map_or_else(|| "–".into(), |e| short_number(e.effective_mass));
+        let point_of =
+            |e: &Option<Extreme>| e.as_ref().map_or_else(String::new, |e| round_point(&e.point_link));
         table.row([
             link.link.clone(),
             link.contacts.to_string(),
             mass(&link.smallest),
             mass(&link.largest),
-            link.area_mean.map_or_else(|| "–".into(), short),
-            others(link),
-            place(&link.smallest),
-            place(&link.largest),
+            link.area_mean.map_or_else(|| "–".into(), short_number),
+            counts_without_finite_mass(link),
+            point_of(&link.smallest),
+            point_of(&link.largest),
         ]);
     }
     table
 }
 
 /// Explanation of the table of links.
-pub const OF_LINKS: &str = "One contact in each facet, along its outward normal; points in the link frame.\n\
+pub const LINKS_EXPLANATION: &str = "One contact in each facet, along its outward normal; points in the link frame.\n\
                             The mean is the reciprocal of the area mean of 1/m.\n";
 
+/// Map of surfaces as text.
 fn text(answer: &MapAnswer) -> String {
     let report = &answer.report;
     let mut out = links(report).to_string();
     out += "\n";
-    out += OF_LINKS;
-    out += &windings(report);
+    out += LINKS_EXPLANATION;
+    out += &winding_changes(report);
     let against = report.against.clone().unwrap_or_else(|| match report.conditions.against_mass {
         Some(mass) => format!("a free body of {} kg", number(mass)),
         None => "the ground".into(),
     });
     out.push('\n');
-    out += &fact("against", &line(&against));
-    out += &fact("base", report.conditions.base);
+    out += &fact_line("against", &line(&against));
+    out += &fact_line("base", report.conditions.base);
     let worst = report.links.iter().filter_map(|l| l.worst_relative_error).reduce(f64::max);
     if let Some(worst) = worst {
-        out += &fact("relative errors", &format!("below {}", bound(worst)));
+        out += &fact_line("relative errors", &format!("below {}", upper_bound(worst)));
     }
     out + "\nNot included: friction, compliance of the links, several impacts at once.\n\
            See docs/explanation/LIMITS.md and docs/howto/MAPS.md.\n"
 }
 
 /// Number of contacts without a finite mass, by status.
-fn others(link: &LinkMap) -> String {
+fn counts_without_finite_mass(link: &LinkMap) -> String {
     let counts =
         [(link.immovable, "immovable"), (link.massless, "massless"), (link.unanswered, "without an answer")];
     let some = counts.into_iter().filter(|(count, _)| *count > 0);
@@ -162,7 +167,7 @@ fn others(link: &LinkMap) -> String {
 }
 
 /// Changes made to the orientation of meshes.
-fn windings(report: &MapReport) -> String {
+fn winding_changes(report: &MapReport) -> String {
     let mut out = String::new();
     for link in &report.links {
         let Some(o) = link.orientation.as_ref().filter(|o| o.turned + o.open + o.conflicting > 0) else {
@@ -183,28 +188,29 @@ fn windings(report: &MapReport) -> String {
         }
         let text =
             format!("{}: {}; the sign of a normal does not change the mass.", link.link, done.join("; "));
-        out += &(hanging(&text, 2) + "\n");
+        out += &(wrap_hanging(&text, 2) + "\n");
     }
     out
 }
 
 /// Rounds to 0.1 mm.
-fn rounded(p: &[f64; 3]) -> String {
+fn round_point(p: &[f64; 3]) -> String {
     triple(&p.map(|x| (x * 1e4).round() / 1e4))
 }
 
+/// Map at a point as text.
 pub fn point_text(report: &PointMapReport) -> String {
     let mut out = String::new();
-    let place = format!("{} at {} m, in the link frame", report.link, triple(&report.point_link));
-    out += &fact("point", &place);
-    out += &fact("in the world", &format!("{} m", triple(&report.point_world)));
+    let point_of = format!("{} at {} m, in the link frame", report.link, triple(&report.point_link));
+    out += &fact_line("point", &point_of);
+    out += &fact_line("in the world", &format!("{} m", triple(&report.point_world)));
     out += "\nprincipal effective masses (the belted ellipsoid)\n";
     let mut table = Table::new(["  mass", "direction (link)", "direction (world)"]);
     for p in &report.principal {
         table.row([
             format!("  {}", mass(p)),
-            triple(&p.direction_link.map(tidy)),
-            triple(&p.direction_world.map(tidy)),
+            triple(&p.direction_link.map(round_component)),
+            triple(&p.direction_world.map(round_component)),
         ]);
     }
     out += &table.to_string();
@@ -220,19 +226,20 @@ pub fn point_text(report: &PointMapReport) -> String {
     let _ = writeln!(out, "\n{:<20} {} uniform over the sphere", "directions", report.directions.len());
     for (name, found) in [("smallest of them", least), ("largest of them", most)] {
         if let Some((m, d)) = found {
-            let along = triple(&d.direction_link.map(tidy));
-            out += &fact(name, &format!("{} kg along {along} (link)", number(m)));
+            let along = triple(&d.direction_link.map(round_component));
+            out += &fact_line(name, &format!("{} kg along {along} (link)", number(m)));
         }
     }
     out + "\n1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹.\n\
            See docs/howto/MAPS.md.\n"
 }
 
+/// m̄ of a direction, or its status.
 fn mass(d: &DirectionMass) -> String {
     d.effective_mass.map_or_else(|| d.status.to_owned(), |m| format!("{} kg", number(m)))
 }
 
 /// Rounds a component of a unit vector to nine decimals.
-fn tidy(x: f64) -> f64 {
+fn round_component(x: f64) -> f64 {
     (x * 1e9).round() / 1e9
 }

@@ -7,8 +7,8 @@ use crate::terminal::explanation::{explanation, motion_ratio};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::report::{note, write_diagnostics, write_json, write_out};
-use crate::terminal::text::{bar, bound, number, triple};
-use crate::terminal::wrap::{self, fact};
+use crate::terminal::text::{bar, number, triple, upper_bound};
+use crate::terminal::wrap::{self, fact_line};
 use percuss_study::{
     DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, Status, StudyMass, Tolerance,
     explain, mass, mass_with_damper, tolerance_report,
@@ -29,23 +29,23 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
         &args.contact.question()?,
         damping.as_ref(),
         args.format,
-        &Asked { expected, explain: args.explain, tolerance: of_parts, sampling: args.sampling() },
+        &MassRequests { expected, explain: args.explain, tolerance: of_parts, sampling: args.sampling() },
         args.model.reading.strict,
     )
 }
 
 /// Additional requests of a mass question: expected value, sensitivities, tolerances.
 #[derive(Clone, Copy, Default)]
-pub struct Asked {
+pub struct MassRequests {
     expected: Option<Expected>,
     explain: bool,
     tolerance: Option<Tolerance>,
     sampling: Option<Sampling>,
 }
 
-impl Asked {
+impl MassRequests {
     /// Requests of a study.
-    pub fn of_study(study: &StudyMass) -> Self {
+    pub fn from_study(study: &StudyMass) -> Self {
         let tolerance = study.expect_tolerance.unwrap_or(limits::DEFAULT_TOLERANCE);
         let expected = study.expect.map(|mass| Expected { mass, tolerance });
         Self { expected, explain: study.explain, tolerance: study.tolerance, sampling: study.sampling }
@@ -68,7 +68,7 @@ impl Asked {
     }
 
     /// Compares the result with the expected value; a mismatch gives exit code 1.
-    pub fn is_met(&self, report: &MassReport) -> Result<(), Failure> {
+    pub fn check_expected(&self, report: &MassReport) -> Result<(), Failure> {
         self.expected.map_or(Ok(()), |e| compare(report, e.mass, e.tolerance))
     }
 }
@@ -114,31 +114,31 @@ pub fn show(
     question: &MassQuestion,
     damping: Option<&DampingQuestion>,
     format: MassFormat,
-    asked: &Asked,
+    requested: &MassRequests,
     strict: bool,
 ) -> Result<(), Failure> {
     let mut report = match damping {
         Some(damping) => mass_with_damper(model, question, damping)?,
         None => mass(model, question)?,
     };
-    asked.add_to(&mut report, model, question)?;
+    requested.add_to(&mut report, model, question)?;
     write_diagnostics(&report.diagnostics, strict)?;
-    let unanswered = asked.explain && report.explanation.is_none()
-        || asked.tolerance.is_some() && report.tolerance.is_none();
+    let unanswered = requested.explain && report.explanation.is_none()
+        || requested.tolerance.is_some() && report.tolerance.is_none();
     if unanswered {
         note("--explain and --tolerance: sensitivities require a single finite effective mass as the result");
     }
-    let expected = asked.expected;
+    let expected = requested.expected;
     match format {
         MassFormat::Json => write_json(&report)?,
         MassFormat::Csv if report.damper.is_some() => {
             note("CSV does not contain the damper; use --format text or json");
-            write_out(&csv::of_mass(&report, &report.assumptions.set))?;
+            write_out(&csv::mass_row(&report, &report.assumptions.set))?;
         }
-        MassFormat::Csv => write_out(&csv::of_mass(&report, &report.assumptions.set))?,
+        MassFormat::Csv => write_out(&csv::mass_row(&report, &report.assumptions.set))?,
         MassFormat::Text => write_out(&text(&report, expected.map(|e| e.mass)))?,
     }
-    asked.is_met(&report)
+    requested.check_expected(&report)
 }
 
 /// Compares the result with an expected value; a mismatch gives exit code 1.
@@ -157,26 +157,27 @@ fn compare(report: &MassReport, expected: f64, tolerance: f64) -> Result<(), Fai
     }
 }
 
+/// Report as text.
 fn text(report: &MassReport, expected: Option<f64>) -> String {
     let mut out = String::new();
-    out += &fact("effective mass", &headline(report));
+    out += &fact_line("effective mass", &headline(report));
     if let (Some(expected), Some(m)) = (expected, report.effective_mass) {
         let off = (m / expected - 1.0).abs();
-        out += &fact("expected", &format!("{} kg   (relative difference {off:.1e})", number(expected)));
+        out += &fact_line("expected", &format!("{} kg   (relative difference {off:.1e})", number(expected)));
     }
     out.push('\n');
     for (name, value) in facts(report) {
-        out += &fact(name, &line(&value));
+        out += &fact_line(name, &line(&value));
     }
     if let Some(estimate) = &report.estimate {
-        out += &estimated(estimate);
+        out += &estimate_text(estimate);
     }
     if let Some(damper) = &report.damper {
         out.push('\n');
         out += &crate::commands::damp::damper(damper);
     }
     if report.effective_mass.is_some() {
-        out += &shares(report);
+        out += &contribution_text(report);
     }
     out += &report.explanation.as_ref().map_or_else(String::new, explanation);
     out += &report.tolerance.as_ref().map_or_else(String::new, crate::terminal::explanation::tolerances);
@@ -189,6 +190,7 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     out
 }
 
+/// m̄, or the outcome in words.
 pub fn headline(report: &MassReport) -> String {
     match (report.status, report.effective_mass) {
         (Status::Immovable, _) => "immovable: no motion of the mechanism closes this gap".into(),
@@ -198,27 +200,30 @@ pub fn headline(report: &MassReport) -> String {
 }
 
 /// Classical estimate, its error, and the contributions that it leaves out.
-fn estimated(record: &EstimateRecord) -> String {
+fn estimate_text(record: &EstimateRecord) -> String {
     let links = line(&record.links.join(", ")).into_owned();
     let first = line(&record.links[0]);
     let (Some(ratio), Some(estimate)) = (record.motion_ratio, record.estimate) else {
         let none = format!("none: the speed of point A on {first} is undetermined");
-        return format!("\n{}", fact("estimate", &none));
+        return format!("\n{}", fact_line("estimate", &none));
     };
     let off = record.error_percent.map_or_else(String::new, |p| {
         // A value that rounds to zero is shown without a sign.
         let p = if p.abs() < limits::ESTIMATE_ROUNDING { 0.0 } else { p };
         format!("   ({p:+.2} %)")
     });
-    let mut out = format!("\n{}", fact("estimate m_K/l²", &format!("{} kg{off}", number(estimate))));
+    let mut out = format!("\n{}", fact_line("estimate m_K/l²", &format!("{} kg{off}", number(estimate))));
     let lever = record.lever.map_or_else(|| "–".to_owned(), number);
     let takes =
         format!("{} kg of {links}, at {} m of {first}", number(record.mass), triple(&record.point_link));
-    out += &fact("  takes", &takes);
-    out += &fact("  motion ratio", &format!("{} (A over contact), {lever} (contact over A)", number(ratio)));
+    out += &fact_line("  takes", &takes);
+    out += &fact_line(
+        "  motion ratio",
+        &format!("{} (A over contact), {lever} (contact over A)", number(ratio)),
+    );
     if let Some(share) = record.share_left_out {
         let percent = 100.0 * share;
-        out += &fact(
+        out += &fact_line(
             "  leaves out",
             &format!("{percent:.2} % of the effective mass, contributed by other links"),
         );
@@ -277,11 +282,11 @@ pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
             report.assembly_modes.iter().map(|m| ["−", "singular", "+"][(m + 1) as usize]).collect();
         facts.push(("assembly mode", modes.join(" ")));
     }
-    facts.push(("degrees of freedom", freedom(report)));
+    facts.push(("degrees of freedom", degrees_of_freedom_text(report)));
     if report.redundant_constraints > 0 {
         let loops: Vec<String> = report.redundant_loops.iter().map(|names| names.join("+")).collect();
-        let place = if loops.is_empty() { String::new() } else { format!(" (in {})", loops.join("; ")) };
-        facts.push(("redundant rows", format!("{}{place}", report.redundant_constraints)));
+        let suffix = if loops.is_empty() { String::new() } else { format!(" (in {})", loops.join("; ")) };
+        facts.push(("redundant rows", format!("{}{suffix}", report.redundant_constraints)));
     }
     if let Some(residual) = report.closure_residual {
         let gap = report.rank_gap.map_or_else(String::new, |g| format!(", rank gap {g:.1e}"));
@@ -297,11 +302,12 @@ pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
     }
     facts.extend(report.motion_ratios.iter().map(|ratio| ("motion ratio", motion_ratio(ratio))));
     let condition = report.condition.map_or_else(String::new, |c| format!(", condition {c:.1e}"));
-    facts.push(("computed by", format!("{} route{condition}{}", report.route, uncertainty(report))));
+    facts.push(("computed by", format!("{} route{condition}{}", report.route, error_suffix(report))));
     facts
 }
 
-fn freedom(report: &MassReport) -> String {
+/// Degrees of freedom and redundant constraints as text.
+fn degrees_of_freedom_text(report: &MassReport) -> String {
     if report.degrees_of_freedom == report.generic_degrees_of_freedom {
         report.degrees_of_freedom.to_string()
     } else {
@@ -309,17 +315,18 @@ fn freedom(report: &MassReport) -> String {
     }
 }
 
-fn uncertainty(report: &MassReport) -> String {
+/// Upper bound of the relative error, to be appended to the mass; empty if unknown.
+fn error_suffix(report: &MassReport) -> String {
     match (report.effective_mass_error, report.effective_mass) {
         (Some(error), Some(m)) => {
-            format!(", relative error below {}", bound((error / m).max(f64::EPSILON)))
+            format!(", relative error below {}", upper_bound((error / m).max(f64::EPSILON)))
         }
         _ => String::new(),
     }
 }
 
 /// Contribution of each link, largest first; negligible ones are counted.
-fn shares(report: &MassReport) -> String {
+fn contribution_text(report: &MassReport) -> String {
     let links = report.bodies.iter().filter_map(|b| Some((b.link.clone(), b.share?)));
     let rotors = report.rotors.iter().filter_map(|r| Some((format!("rotor of {}", r.joint), r.share?)));
     let other = report.other_mass_share.map(|share| ("the other body".to_owned(), share));
@@ -327,7 +334,7 @@ fn shares(report: &MassReport) -> String {
     let mut all: Vec<(String, f64)> = all.map(|(name, share)| (line(&name).into_owned(), share)).collect();
     all.sort_by(|a, b| b.1.total_cmp(&a.1));
     let (shown, rest): (Vec<_>, Vec<_>) =
-        all.into_iter().partition(|(_, share)| share.abs() >= limits::LEAST_CONTRIBUTION);
+        all.into_iter().partition(|(_, share)| share.abs() >= limits::MIN_CONTRIBUTION);
     let width = shown.iter().map(|(name, _)| wrap::width(name)).max().unwrap_or(0).max(20);
     let mut out = "\ncontribution of each link (share of the kinetic energy)\n".to_owned();
     // Long names shorten the bars.
@@ -338,7 +345,7 @@ fn shares(report: &MassReport) -> String {
         let _ = writeln!(out, "{}", row.trim_end());
     }
     if !rest.is_empty() {
-        let _ = writeln!(out, "  and {} of less than {} %", rest.len(), 100.0 * limits::LEAST_CONTRIBUTION);
+        let _ = writeln!(out, "  and {} of less than {} %", rest.len(), 100.0 * limits::MIN_CONTRIBUTION);
     }
     out
 }

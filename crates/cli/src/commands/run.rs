@@ -5,12 +5,12 @@ use crate::commands::compare;
 use crate::commands::damp;
 use crate::commands::map;
 use crate::commands::mass;
-use crate::commands::mass::Asked;
+use crate::commands::mass::MassRequests;
 use crate::commands::report_page;
 use crate::commands::safe_speed;
 use crate::commands::sweep;
-use crate::commands::sweep::Written;
-use crate::files::output::is_input;
+use crate::commands::sweep::SweepOutput;
+use crate::files::output::record_input;
 use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::note;
@@ -22,35 +22,36 @@ use std::path::{Path, PathBuf};
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let study = StudyFile::load(&args.study, args.max_size)?;
     args.writing.apply();
-    inputs(&study).for_each(|path| is_input(&path));
-    different(outputs(&study, args))?;
+    input_files(&study).for_each(|path| record_input(&path));
+    check_distinct_outputs(output_files(&study, args))?;
     if !args.allow_outside {
-        outputs(&study, args).try_for_each(|(name, path)| inside(&path, &study.folder, name))?;
+        output_files(&study, args)
+            .try_for_each(|(name, path)| check_inside_folder(&path, &study.folder, name))?;
     }
     sweep::use_threads(args.threads);
-    let answered = match (&args.report, args.format) {
+    let result = match (&args.report, args.format) {
         (Some(path), _) => report_page::write(&study, args, path),
-        (None, Some(format)) => in_format(&study, format, args.strict),
-        (None, None) => all(&study, args),
+        (None, Some(format)) => show_in_format(&study, format, args.strict),
+        (None, None) => run_all(&study, args),
     };
-    answered.map_err(|failure| failure.in_study(&args.study, &study.keys))
+    result.map_err(|failure| failure.in_study(&args.study, &study.keys))
 }
 
 /// Input files named by any part of the study.
-fn inputs(study: &StudyFile) -> impl Iterator<Item = String> + '_ {
+fn input_files(study: &StudyFile) -> impl Iterator<Item = String> + '_ {
     let models = [&study.model].into_iter().chain(study.variants.iter().map(|variant| &variant.model));
     let of_models = models.flat_map(|model| &model.inputs).map(|input| input.path.clone());
     let poses = study.conditions.pose.iter().map(|pose| pose.input.path.clone());
     let rows = study.sweep.iter().map(|sweep| &sweep.rows);
-    let rows = rows.chain(study.safe_speed.iter().filter_map(|asked| asked.rows.as_ref()));
+    let rows = rows.chain(study.safe_speed.iter().filter_map(|requested| requested.rows.as_ref()));
     let of_rows =
         rows.filter_map(|rows| if let RowSource::File(file) = rows { Some(file.path.clone()) } else { None });
     of_models.chain(poses).chain(of_rows)
 }
 
 /// Refuses two outputs with the same name, because the second would overwrite the first.
-fn different(outputs: impl Iterator<Item = (&'static str, String)>) -> Result<(), Failure> {
-    let mut seen: Vec<(&str, PathBuf)> = Vec::new();
+fn check_distinct_outputs(outputs: impl Iterator<Item = (&'static str, String)>) -> Result<(), Failure> {
+    let mut targets: Vec<(&str, PathBuf)> = Vec::new();
     for (name, path) in outputs {
         // For a file that does not exist yet, the folder is resolved.
         let target = Path::new(&path);
@@ -60,17 +61,17 @@ fn different(outputs: impl Iterator<Item = (&'static str, String)>) -> Result<()
             (Ok(folder), Some(file)) => folder.join(file),
             _ => target.to_owned(),
         };
-        if let Some((other, _)) = seen.iter().find(|(_, known)| *known == at) {
+        if let Some((other, _)) = targets.iter().find(|(_, known)| *known == at) {
             let other = if *other == name { "is given twice".into() } else { format!("is {other} too") };
             return Err(Failure::bad_input(format!("{name}: {path} {other}; give each its own file")));
         }
-        seen.push((name, at));
+        targets.push((name, at));
     }
     Ok(())
 }
 
 /// Output files of this run, with the keys and flags that name them.
-fn outputs<'a>(
+fn output_files<'a>(
     study: &'a StudyFile,
     args: &'a RunArgs,
 ) -> Box<dyn Iterator<Item = (&'static str, String)> + 'a> {
@@ -88,35 +89,35 @@ fn outputs<'a>(
 }
 
 /// Runs the contact, then the stop, the map and the safe speed.
-fn all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
+fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     let strict = args.strict;
     if let Some(question) = &study.question {
-        contact(study, question, args)?;
+        run_contact(study, question, args)?;
     }
     if let Some(damping) = &study.damping {
         let is_drawn = damping.output.is_some() && study.question.is_some();
         if damping.stop.is_some() || is_drawn {
-            let report = damp::of_study(study, damping)?;
+            let report = damp::study_report(study, damping)?;
             if damping.stop.is_some() {
                 crate::terminal::report::write_diagnostics(&report.diagnostics, strict)?;
                 damp::print(&report, CheckFormat::Text)?;
             }
             if let Some(path) = &damping.output {
-                damp::draw(&report, &damping.question, path)?;
+                damp::write_history(&report, &damping.question, path)?;
             }
         }
     }
-    if let Some(asked) = &study.map {
-        map::show(&study.model, &asked.question, &of_map(asked, MassFormat::Text, strict)?)?;
+    if let Some(requested) = &study.map {
+        map::show(&study.model, &requested.question, &map_output(requested, MassFormat::Text, strict)?)?;
     }
-    if let Some(asked) = &study.safe_speed {
-        safe_speed::show(&asked.reports(&study.model)?, CheckFormat::Text, strict)?;
+    if let Some(requested) = &study.safe_speed {
+        safe_speed::show(&requested.reports(&study.model)?, CheckFormat::Text, strict)?;
     }
     Ok(())
 }
 
 /// Runs the contact: with its variants, over the rows of a sweep, or at its pose.
-fn contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Result<(), Failure> {
+fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Result<(), Failure> {
     let strict = args.strict;
     let of_pose = study.damping.is_some() || study.mass != StudyMass::default();
     if of_pose && (study.sweep.is_some() || !study.variants.is_empty()) {
@@ -126,36 +127,38 @@ fn contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Result
         );
     }
     let output = study.sweep.as_ref().and_then(|sweep| sweep.output.as_deref());
-    let table = study.sweep.as_ref().map_or_else(TableStyle::default, |sweep| TableStyle::of(&sweep.table));
+    let table =
+        study.sweep.as_ref().map_or_else(TableStyle::default, |sweep| TableStyle::from_study(&sweep.table));
     let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
     if !study.variants.is_empty() {
         let format = MassFormat::Text;
-        let written = compare::Written { output, table, figure: &figure, format, strict };
+        let written = compare::ComparisonOutput { output, table, figure: &figure, format, strict };
         return compare::show(&study.designs(&compare::study_name(&args.study)), Names::Keys, &written);
     }
     match &study.sweep {
         Some(sweep) => {
-            let written = Written { output, table, figure: &figure, strict };
-            sweep::go_through(&study.model, question, &sweep.rows, &written)
+            let written = SweepOutput { output, table, figure: &figure, strict };
+            sweep::run_sweep(&study.model, question, &sweep.rows, &written)
         }
-        None => of_mass(study, question, MassFormat::Text, strict),
+        None => run_mass(study, question, MassFormat::Text, strict),
     }
 }
 
-fn of_mass(
+/// Runs the contact at the pose of the study.
+fn run_mass(
     study: &StudyFile,
     question: &MassQuestion,
     format: MassFormat,
     strict: bool,
 ) -> Result<(), Failure> {
     let damping = study.damping.as_ref().map(|damping| &damping.question);
-    mass::show(&study.model, question, damping, format, &Asked::of_study(&study.mass), strict)
+    mass::show(&study.model, question, damping, format, &MassRequests::from_study(&study.mass), strict)
 }
 
 /// Writes the main result in a format: the contact at its pose, otherwise the stop, the map or the safe speed.
-fn in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result<(), Failure> {
+fn show_in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result<(), Failure> {
     if let Some(question) = &study.question {
-        return of_mass(study, question, format, strict);
+        return run_mass(study, question, format, strict);
     }
     let plain = match format {
         MassFormat::Text => Ok(CheckFormat::Text),
@@ -166,27 +169,28 @@ fn in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result<(), 
     };
     match (&study.damping, &study.map, &study.safe_speed) {
         (Some(damping), ..) => {
-            let report = damp::of_study(study, damping)?;
+            let report = damp::study_report(study, damping)?;
             crate::terminal::report::write_diagnostics(&report.diagnostics, strict)?;
             damp::print(&report, plain?)
         }
-        (None, Some(asked), _) => {
-            let written = map::Written { formats: Vec::new(), ..of_map(asked, format, strict)? };
-            map::show(&study.model, &asked.question, &written)
+        (None, Some(requested), _) => {
+            let written = map::MapOutput { formats: Vec::new(), ..map_output(requested, format, strict)? };
+            map::show(&study.model, &requested.question, &written)
         }
-        (None, None, Some(asked)) => safe_speed::show(&asked.reports(&study.model)?, plain?, strict),
+        (None, None, Some(requested)) => safe_speed::show(&requested.reports(&study.model)?, plain?, strict),
         // The parser of studies refuses a study without any question.
         (None, None, None) => Ok(()),
     }
 }
 
-fn of_map(asked: &StudyMap, format: MassFormat, strict: bool) -> Result<map::Written, Failure> {
-    let formats = map::formats(&asked.outputs)?;
-    Ok(map::Written { formats, table: TableStyle::of(&asked.table), format, strict })
+/// Output options of the map of a study.
+fn map_output(requested: &StudyMap, format: MassFormat, strict: bool) -> Result<map::MapOutput, Failure> {
+    let formats = map::formats(&requested.outputs)?;
+    Ok(map::MapOutput { formats, table: TableStyle::from_study(&requested.table), format, strict })
 }
 
 /// Refuses an output outside the study's folder, with symbolic links resolved.
-fn inside(path: &str, folder: &Path, name: &str) -> Result<(), Failure> {
+fn check_inside_folder(path: &str, folder: &Path, name: &str) -> Result<(), Failure> {
     let whole = |path: &Path| {
         let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
         fs::canonicalize(path).ok()

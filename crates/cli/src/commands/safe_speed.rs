@@ -22,11 +22,11 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
             "a model and --region, the region of the body that the robot hits, are required",
         ));
     };
-    let limit = limit(args)?;
+    let limit = limit_from_flags(args)?;
     let model = args.reading.load(path)?;
-    let asked = SafeSpeedQuestion { region: args.region.clone(), limit, load: args.load };
+    let requested = SafeSpeedQuestion { region: args.region.clone(), limit, load: args.load };
     let contact = if args.direction.is_empty() && !args.worst_direction {
-        ContactArgs::needed(args.contact.as_ref())?.question()?
+        ContactArgs::require(args.contact.as_ref())?.question()?
     } else {
         let contact =
             args.contact.as_ref().filter(|contact| contact.link.is_some() && contact.point.is_some());
@@ -40,7 +40,7 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
         RowSource::File(PositionFile { path: path.clone(), ignore, max_size })
     });
     let (directions, worst_direction) = (args.direction.clone(), args.worst_direction);
-    let study = StudySafeSpeed { contact, limit_question: asked, directions, worst_direction, rows };
+    let study = StudySafeSpeed { contact, limit_question: requested, directions, worst_direction, rows };
     show(&study.reports(&model)?, args.format, args.reading.strict)
 }
 
@@ -62,11 +62,12 @@ pub fn show(reports: &[SafeSpeedReport], format: CheckFormat, strict: bool) -> R
     match format {
         CheckFormat::Json if reports.len() > 1 => write_json(&reports),
         CheckFormat::Json => write_json(slowest),
-        CheckFormat::Text => write_out(&(text(slowest) + &directions(reports) + CLOSING)),
+        CheckFormat::Text => write_out(&(text(slowest) + &directions(reports) + DISCLAIMER)),
     }
 }
 
-fn limit(args: &SafeSpeedArgs) -> Result<Limit, Failure> {
+/// The one limit given by the flags. Error: none, or several.
+fn limit_from_flags(args: &SafeSpeedArgs) -> Result<Limit, Failure> {
     let SafeSpeedArgs { force, pressure, area, energy, momentum, .. } = *args;
     // The argument parser already refuses several limits.
     StatedLimits { force, pressure, area, energy, momentum }.one().map_err(|_| {
@@ -77,7 +78,7 @@ fn limit(args: &SafeSpeedArgs) -> Result<Limit, Failure> {
     })
 }
 
-pub const CLOSING: &str = "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of\n\
+pub const DISCLAIMER: &str = "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of\n\
      ISO/TS 15066:2016, now part of ISO 10218-2:2025. The data are from public\n\
      secondary sources; the standards themselves were not read. The standard's\n\
      M/2 + m_L depends neither on the pose nor on the direction. Compare regions and\n\
@@ -97,10 +98,11 @@ pub fn directions(reports: &[SafeSpeedReport]) -> String {
     format!("\n{table}")
 }
 
+/// Report as text.
 fn text(report: &SafeSpeedReport) -> String {
     let mut out = String::new();
     for (name, value) in facts(report) {
-        out += &wrap::fact(name, &line(&value));
+        out += &wrap::fact_line(name, &line(&value));
     }
     out
 }
@@ -140,6 +142,7 @@ pub fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
     facts
 }
 
+/// Table of the body regions.
 fn regions() -> String {
     let mut table = Table::new(["name", "region", "kg", "N/m", "note"]);
     for r in BodyRegion::all() {

@@ -1,12 +1,12 @@
 //! Command `percuss sweep`, and the output of all sweeps.
 
 use crate::args::SweepArgs;
-use crate::files::output::{Output, is_input, may_be_written, write_file};
+use crate::files::output::{Output, check_writable, record_input, write_file};
 use crate::files::parquet_rows;
 use crate::files::sweep_rows;
 use crate::files::table_style::TableStyle;
 use crate::files::xlsx_rows;
-use crate::pictures::sweep_figure::drawn;
+use crate::pictures::sweep_figure::sweep_figure;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{warn, write_diagnostics};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -18,11 +18,11 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     use_threads(args.threads);
     args.writing.apply();
     let model = args.model.load()?;
-    go_through(
+    run_sweep(
         &model,
         &args.contact.question()?,
         &args.source()?,
-        &Written {
+        &SweepOutput {
             output: args.output.as_deref(),
             table: args.table.style(),
             figure: &args.figure.figure(),
@@ -39,7 +39,7 @@ pub fn use_threads(count: Option<u16>) {
 }
 
 /// Output options of a sweep.
-pub struct Written<'a> {
+pub struct SweepOutput<'a> {
     pub output: Option<&'a str>,
     pub table: TableStyle,
     pub figure: &'a StudyFigure,
@@ -47,20 +47,20 @@ pub struct Written<'a> {
 }
 
 /// Runs a sweep, with a progress bar, and writes each row when it is computed.
-pub fn go_through(
+pub fn run_sweep(
     model: &Model,
     question: &MassQuestion,
     source: &RowSource,
-    written: &Written,
+    destination: &SweepOutput,
 ) -> Result<(), Failure> {
-    let Written { output, strict, .. } = *written;
-    let format = Format::of(output)?;
-    model.inputs.iter().for_each(|input| is_input(&input.path));
+    let SweepOutput { output, strict, .. } = *destination;
+    let format = Format::from_output(output)?;
+    model.inputs.iter().for_each(|input| record_input(&input.path));
     if let RowSource::File(file) = source {
-        is_input(&file.path);
+        record_input(&file.path);
     }
     // The check precedes the computation.
-    output.map_or(Ok(()), may_be_written)?;
+    output.map_or(Ok(()), check_writable)?;
     let sweep = Sweep::new(model, question, source)?;
     write_diagnostics(&model.diagnostics, strict)?;
     // The bar is hidden if stderr is not a terminal.
@@ -73,29 +73,30 @@ pub fn go_through(
             ProgressStyle::with_template("{pos} rows").unwrap_or_else(|_| ProgressStyle::default_bar()),
         ),
     };
-    let end = write(sweep, model, format, written, question, &bar);
+    let end = write(sweep, model, format, destination, question, &bar);
     bar.finish_and_clear();
     let end = end?;
     write_diagnostics(&end.diagnostics, strict)?;
     summary(&end)
 }
 
+/// Writes the rows in a format while the sweep runs.
 fn write(
     sweep: Sweep,
     model: &Model,
     format: Format,
-    written: &Written,
+    destination: &SweepOutput,
     question: &MassQuestion,
     bar: &ProgressBar,
 ) -> Result<SweepEnd, Failure> {
-    let (output, path) = (written.output, written.output.unwrap_or_default());
+    let (output, path) = (destination.output, destination.output.unwrap_or_default());
     let (figure, end) = match format {
-        Format::Csv => return sweep_rows::csv(sweep, model, written.table, Output::open(output)?, bar),
-        Format::Xlsx => return xlsx_rows::write(sweep, model, written.table, path, bar),
+        Format::Csv => return sweep_rows::csv(sweep, model, destination.table, Output::open(output)?, bar),
+        Format::Xlsx => return xlsx_rows::write(sweep, model, destination.table, path, bar),
         Format::Json => return sweep_rows::json(sweep, model, Output::open(output)?, bar),
         Format::JsonLines => return sweep_rows::json_lines(sweep, Output::open(output)?, bar),
         Format::Parquet => return parquet_rows::write(sweep, model, path, bar),
-        Format::Svg | Format::Png | Format::Pdf => drawn(sweep, question, written.figure, bar)?,
+        Format::Svg | Format::Png | Format::Pdf => sweep_figure(sweep, question, destination.figure, bar)?,
     };
     let bytes = match format {
         Format::Png => figure.to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string()))?,
@@ -122,7 +123,7 @@ enum Format {
 
 impl Format {
     /// Determines the format from the file extension; CSV on stdout.
-    fn of(output: Option<&str>) -> Result<Self, Failure> {
+    fn from_output(output: Option<&str>) -> Result<Self, Failure> {
         let Some(path) = output else { return Ok(Format::Csv) };
         let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("");
         match ending.to_ascii_lowercase().as_str() {

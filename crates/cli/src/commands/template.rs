@@ -2,10 +2,10 @@
 
 use crate::args::TemplateArgs;
 use crate::commands::import::{axes, unit};
-use crate::files::output::{force, write_file};
+use crate::files::output::{allow_replacement, write_file};
 use crate::terminal::failure::Failure;
 use crate::terminal::report::write_out;
-use crate::terminal::wrap::hanging;
+use crate::terminal::wrap::wrap_hanging;
 use percuss_formats::suspension::{TemplateOptions, template_names, template_sheet};
 use percuss_mechanism::near_names;
 use std::path::Path;
@@ -13,7 +13,7 @@ use std::path::Path;
 /// Runs the command.
 pub fn run(args: &TemplateArgs) -> Result<(), Failure> {
     let Some(name) = &args.name else {
-        let row = |(name, title)| hanging(&format!("{name:<24} {title}"), 25) + "\n";
+        let row = |(name, title)| wrap_hanging(&format!("{name:<24} {title}"), 25) + "\n";
         let rows = template_names().into_iter().map(row);
         return write_out(&rows.collect::<String>());
     };
@@ -34,6 +34,6 @@ pub fn run(args: &TemplateArgs) -> Result<(), Failure> {
     if Path::new(path).is_file() && !args.force {
         return Err(Failure::bad_input(format!("{path} exists; --force replaces it")));
     }
-    force(args.force);
+    allow_replacement(args.force);
     write_file(path, sheet.as_bytes())
 }

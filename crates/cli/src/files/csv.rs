@@ -1,6 +1,6 @@
 //! Results as rows of a CSV table (RFC 4180), always with a header. An empty cell is a null.
 
-use crate::files::table_style::{ColumnUnit, TableStyle, digits};
+use crate::files::table_style::{ColumnUnit, TableStyle, round_to_digits};
 use crate::terminal::limits;
 use percuss_mechanism::{JointKind, Mechanism};
 use percuss_study::{MassReport, SweepHeading, SweepRow};
@@ -9,7 +9,7 @@ use std::fmt::Write;
 use std::ops::Range;
 
 /// Columns between the drivers and the joints.
-pub const FIXED: [&str; 7] = [
+pub const FIXED_COLUMNS: [&str; 7] = [
     "status",
     "effective_mass",
     "closure_residual",
@@ -20,12 +20,12 @@ pub const FIXED: [&str; 7] = [
 ];
 
 /// Formats a single result as the row of a sweep over the drivers.
-pub fn of_mass(report: &MassReport, drivers: &[String]) -> String {
+pub fn mass_row(report: &MassReport, drivers: &[String]) -> String {
     let estimate = report.estimate.as_ref();
     let mut header = vec!["row".to_owned()];
     let mut row = vec!["0".to_owned()];
     let mut position = |header: &mut Vec<String>, joint: &str, values: &[f64]| {
-        columns(header, joint, values.len());
+        add_joint_columns(header, joint, values.len());
         row.extend(values.iter().map(|value| number(*value)));
     };
     for joint in drivers {
@@ -43,7 +43,7 @@ pub fn of_mass(report: &MassReport, drivers: &[String]) -> String {
         cell(estimate.and_then(|e| e.estimate)),
         cell(estimate.and_then(|e| e.error_percent)),
     ];
-    header.splice(fixed_at..fixed_at, FIXED.map(str::to_owned));
+    header.splice(fixed_at..fixed_at, FIXED_COLUMNS.map(str::to_owned));
     row.splice(fixed_at..fixed_at, fixed);
     line(&header) + &line(&row)
 }
@@ -57,7 +57,7 @@ pub struct SweepTable {
     /// Number of these values.
     count: usize,
     style: TableStyle,
-    /// Units of the varied numbers, and of the numbers in `others`.
+    /// Units of the varied numbers, and of the numbers in `other_numbers`.
     varied_units: Vec<ColumnUnit>,
     other_units: Vec<ColumnUnit>,
 }
@@ -72,7 +72,8 @@ pub enum Cell {
 }
 
 impl Cell {
-    pub fn of(value: Option<f64>) -> Self {
+    /// Number, or an empty cell.
+    pub fn from_value(value: Option<f64>) -> Self {
         value.map_or(Cell::Empty, Cell::Number)
     }
 }
@@ -87,7 +88,7 @@ impl SweepTable {
             Some(_) => with_unit(&column.name, unit),
             None => format!("travel_{}", unit.name),
         }));
-        header.extend(FIXED.map(|name| match (style.names_units, name) {
+        header.extend(FIXED_COLUMNS.map(|name| match (style.names_units, name) {
             (true, "effective_mass" | "estimate") => format!("{name}_kg"),
             (true, "closure_residual") => format!("{name}_{}", style.unit("m").name),
             _ => name.to_owned(),
@@ -104,7 +105,7 @@ impl SweepTable {
                     _ => "",
                 });
                 let before = header.len();
-                columns(&mut header, joint, numbers);
+                add_joint_columns(&mut header, joint, numbers);
                 if style.names_units {
                     header[before..].iter_mut().for_each(|name| *name = with_unit(name, &unit));
                 }
@@ -117,7 +118,7 @@ impl SweepTable {
             first += numbers;
         }
         let count = others.iter().map(Range::len).sum();
-        let header_line = in_style(line(&header), &header, style);
+        let header_line = header_in_style(line(&header), &header, style);
         Self { header: header_line, names: header, others, count, style, varied_units, other_units }
     }
 
@@ -127,7 +128,7 @@ impl SweepTable {
     }
 
     /// Numbers of the joints that are not varied; `None` if the pose was not reached.
-    pub fn others<'r>(&'r self, row: &'r SweepRow) -> impl Iterator<Item = Option<f64>> + 'r {
+    pub fn other_numbers<'r>(&'r self, row: &'r SweepRow) -> impl Iterator<Item = Option<f64>> + 'r {
         let numbers = row.pose.numbers();
         self.others.iter().flat_map(|run| run.clone()).map(|number| numbers.get(number).copied())
     }
@@ -140,9 +141,10 @@ impl SweepTable {
     /// Formats a row as a line. A row that was not reached has no pose; the cells of its joints are empty.
     pub fn row(&self, row: &SweepRow) -> String {
         if self.style.names_units || self.style.comma {
-            return self.styled(row);
+            return self.styled_row(row);
         }
-        let mut text = String::with_capacity(24 * (self.count + row.varied.values().len() + FIXED.len()));
+        let mut text =
+            String::with_capacity(24 * (self.count + row.varied.values().len() + FIXED_COLUMNS.len()));
         // Writing to a string cannot fail.
         let _ = write!(text, "{}", row.row);
         row.varied.values().iter().for_each(|value| push_number(&mut text, Some(*value)));
@@ -174,24 +176,25 @@ impl SweepTable {
         let mut cells = vec![Cell::Number(row.row as f64)];
         let varied = row.varied.values().iter().zip(&self.varied_units);
         cells.extend(varied.map(|(value, unit)| Cell::Number(scaled(*value, unit))));
-        let few = |value: f64, count| if style.names_units { digits(value, count) } else { value };
+        let few = |value: f64, count| if style.names_units { round_to_digits(value, count) } else { value };
         let length = style.unit("m");
         cells.extend([
             Cell::Text(row.status.into()),
-            Cell::of(row.effective_mass.map(|m| style.number(m, row.effective_mass_error))),
-            Cell::of(row.closure_residual.map(|r| few(r * length.factor, 3))),
+            Cell::from_value(row.effective_mass.map(|m| style.number(m, row.effective_mass_error))),
+            Cell::from_value(row.closure_residual.map(|r| few(r * length.factor, 3))),
             row.singular_pose.map_or(Cell::Empty, Cell::Logical),
-            Cell::of(row.motion_ratio.map(|r| style.number(r, None))),
-            Cell::of(row.estimate.map(|m| style.number(m, None))),
-            Cell::of(row.estimate_error_percent.map(|e| few(e, 6))),
+            Cell::from_value(row.motion_ratio.map(|r| style.number(r, None))),
+            Cell::from_value(row.estimate.map(|m| style.number(m, None))),
+            Cell::from_value(row.estimate_error_percent.map(|e| few(e, 6))),
         ]);
-        let others = self.others(row).zip(&self.other_units);
-        cells.extend(others.map(|(value, unit)| Cell::of(value.map(|value| scaled(value, unit)))));
+        let others = self.other_numbers(row).zip(&self.other_units);
+        cells.extend(others.map(|(value, unit)| Cell::from_value(value.map(|value| scaled(value, unit)))));
         cells
     }
 
-    fn styled(&self, row: &SweepRow) -> String {
-        let cells: Vec<String> = self.cells(row).iter().map(|cell| cell_in(cell, self.style)).collect();
+    /// Row with units, rounding and decimal sign of the style.
+    fn styled_row(&self, row: &SweepRow) -> String {
+        let cells: Vec<String> = self.cells(row).iter().map(|cell| styled_cell(cell, self.style)).collect();
         cells.join(if self.style.comma { ";" } else { "," }) + "\n"
     }
 }
@@ -202,11 +205,11 @@ pub fn with_unit(name: &str, unit: &ColumnUnit) -> String {
 }
 
 /// Line of names, separated by semicolons if the table has decimal commas.
-fn in_style(line: String, names: &[String], style: TableStyle) -> String {
+fn header_in_style(line: String, names: &[String], style: TableStyle) -> String {
     if !style.comma {
         return line;
     }
-    names.iter().map(|name| quoted(name)).collect::<Vec<_>>().join(";") + "\n"
+    names.iter().map(|name| quote(name)).collect::<Vec<_>>().join(";") + "\n"
 }
 
 /// Appends a comma, and the number if present.
@@ -218,17 +221,19 @@ fn push_number(text: &mut String, value: Option<f64>) {
 }
 
 /// Adds the columns of a joint: `name`, or `name[0]`, `name[1]`, … for several numbers.
-fn columns(header: &mut Vec<String>, joint: &str, numbers: usize) {
+fn add_joint_columns(header: &mut Vec<String>, joint: &str, numbers: usize) {
     match numbers {
         1 => header.push(joint.to_owned()),
         _ => header.extend((0..numbers).map(|i| format!("{joint}[{i}]"))),
     }
 }
 
+/// Text of a number; empty if absent.
 pub fn cell(value: Option<f64>) -> String {
     value.map_or_else(String::new, number)
 }
 
+/// Shortest text that reads back as the same number.
 pub fn number(x: f64) -> String {
     let mut text = String::new();
     write_number(&mut text, x);
@@ -246,19 +251,20 @@ fn write_number(text: &mut String, x: f64) {
     };
 }
 
+/// Line of quoted cells, with a line end.
 pub fn line(cells: &[String]) -> String {
-    cells.iter().map(|c| quoted(c)).collect::<Vec<_>>().join(",") + "\n"
+    cells.iter().map(|c| quote(c)).collect::<Vec<_>>().join(",") + "\n"
 }
 
 /// Formats a number with the decimal sign of the style.
-pub fn number_in(x: f64, style: TableStyle) -> String {
+pub fn styled_number(x: f64, style: TableStyle) -> String {
     if style.comma { number(x).replace('.', ",") } else { number(x) }
 }
 
 /// Formats a cell; numbers are rounded already.
-pub fn cell_in(cell: &Cell, style: TableStyle) -> String {
+pub fn styled_cell(cell: &Cell, style: TableStyle) -> String {
     match cell {
-        Cell::Number(x) => number_in(*x, style),
+        Cell::Number(x) => styled_number(*x, style),
         Cell::Text(text) => text.clone().into_owned(),
         Cell::Logical(value) => value.to_string(),
         Cell::Empty => String::new(),
@@ -266,30 +272,30 @@ pub fn cell_in(cell: &Cell, style: TableStyle) -> String {
 }
 
 /// Formats a mass, rounded to its error if the style rounds; empty if absent.
-pub fn mass_in(mass: Option<f64>, error: Option<f64>, style: TableStyle) -> String {
-    mass.map_or_else(String::new, |mass| number_in(style.number(mass, error), style))
+pub fn styled_mass(mass: Option<f64>, error: Option<f64>, style: TableStyle) -> String {
+    mass.map_or_else(String::new, |mass| styled_number(style.number(mass, error), style))
 }
 
 /// Formats an error, with three digits if the style rounds.
-pub fn error_in(error: Option<f64>, style: TableStyle) -> String {
-    let rounded = |error: f64| if style.names_units { digits(error, 3) } else { error };
-    error.map_or_else(String::new, |error| number_in(rounded(error), style))
+pub fn styled_error(error: Option<f64>, style: TableStyle) -> String {
+    let rounded = |error: f64| if style.names_units { round_to_digits(error, 3) } else { error };
+    error.map_or_else(String::new, |error| styled_number(rounded(error), style))
 }
 
-/// Line of cells, separated by semicolons if the table has decimal commas. [`number_in`] formats the numbers.
-pub fn line_in(cells: &[String], style: TableStyle) -> String {
+/// Line of cells, separated by semicolons if the table has decimal commas. [`styled_number`] formats the numbers.
+pub fn styled_line(cells: &[String], style: TableStyle) -> String {
     if !style.comma {
         return line(cells);
     }
     // A decimal comma does not separate cells here.
     let is_number = |cell: &str| cell.replace(',', ".").parse::<f64>().is_ok();
-    let cell = |cell: &String| if is_number(cell) { cell.clone() } else { quoted(cell) };
+    let cell = |cell: &String| if is_number(cell) { cell.clone() } else { quote(cell) };
     cells.iter().map(cell).collect::<Vec<_>>().join(";") + "\n"
 }
 
 /// Quotes a cell with a separator, a quote or a line break. A text that a spreadsheet would evaluate as a formula
 /// gets an apostrophe, which marks it as text.
-fn quoted(cell: &str) -> String {
+fn quote(cell: &str) -> String {
     let is_formula = cell.starts_with(['=', '+', '-', '@', '\t', '\r']) && cell.parse::<f64>().is_err();
     let cell = if is_formula { format!("'{cell}") } else { cell.to_owned() };
     if is_formula || cell.contains([',', ';', '"', '\n', '\r']) {

@@ -25,9 +25,9 @@ img{max-width:100%;height:auto}figure{margin:.6rem 0;break-inside:avoid}\
 tr,figure,table.short{break-inside:avoid}pre{font-size:7.6pt}table.data{font-size:8.4pt}}";
 
 /// Escapes text between tags.
-pub fn text(words: &str) -> String {
-    let mut out = String::with_capacity(words.len());
-    for c in escape::lines(words).chars() {
+pub fn escape_text(content: &str) -> String {
+    let mut out = String::with_capacity(content.len());
+    for c in escape::lines(content).chars() {
         match c {
             '&' => out += "&amp;",
             '<' => out += "&lt;",
@@ -46,7 +46,7 @@ pub struct Page {
 
 impl Page {
     pub fn new(title: &str) -> Self {
-        let title = text(title);
+        let title = escape_text(title);
         // The security policy forbids loading external content and running scripts.
         let out = format!(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -59,16 +59,19 @@ impl Page {
         Self { out }
     }
 
-    pub fn heading(&mut self, words: &str) {
-        let _ = writeln!(self.out, "<h2>{}</h2>", text(words));
+    /// Adds a heading.
+    pub fn heading(&mut self, content: &str) {
+        let _ = writeln!(self.out, "<h2>{}</h2>", escape_text(content));
     }
 
-    pub fn paragraph(&mut self, class: &str, words: &str) {
-        let _ = writeln!(self.out, "<p class=\"{class}\">{}</p>", text(words));
+    /// Adds a paragraph with a class of the style sheet.
+    pub fn paragraph(&mut self, class: &str, content: &str) {
+        let _ = writeln!(self.out, "<p class=\"{class}\">{}</p>", escape_text(content));
     }
 
-    pub fn code(&mut self, words: &str) {
-        let _ = writeln!(self.out, "<pre>{}</pre>", text(words));
+    /// Adds preformatted text.
+    pub fn code(&mut self, content: &str) {
+        let _ = writeln!(self.out, "<pre>{}</pre>", escape_text(content));
     }
 
     /// Adds a table of names and values.
@@ -78,8 +81,8 @@ impl Page {
             let _ = writeln!(
                 self.out,
                 "<tr><td class=\"name\">{}</td><td class=\"wrap\">{}</td></tr>",
-                text(name),
-                text(&value)
+                escape_text(name),
+                escape_text(&value)
             );
         }
         self.out += "</table>\n";
@@ -90,7 +93,8 @@ impl Page {
         self.out += "<table class=\"data\">\n";
         for (i, row) in rows.iter().enumerate() {
             let tag = if i == 0 { "th" } else { "td" };
-            let cells: String = row.iter().map(|cell| format!("<{tag}>{}</{tag}>", text(cell))).collect();
+            let cells: String =
+                row.iter().map(|cell| format!("<{tag}>{}</{tag}>", escape_text(cell))).collect();
             let (begin, end) = if i == 0 { ("<thead>", "</thead>") } else { ("", "") };
             let _ = writeln!(self.out, "{begin}<tr>{cells}</tr>{end}");
         }
@@ -98,13 +102,13 @@ impl Page {
     }
 
     /// Adds a table of shares of a whole, with bars.
-    pub fn parts(&mut self, names: &str, parts: &[(String, f64)]) {
+    pub fn table_of_shares(&mut self, names: &str, parts: &[(String, f64)]) {
         // A short table is not split between pages.
         let class = if parts.len() <= SHORT { "short" } else { "long" };
         let _ = writeln!(
             self.out,
             "<table class=\"{class}\">\n<tr><th>{}</th><th></th><th></th></tr>",
-            text(names)
+            escape_text(names)
         );
         for (name, part) in parts {
             let width = 16.0 * part.clamp(0.0, 1.0);
@@ -112,7 +116,7 @@ impl Page {
                 self.out,
                 "<tr><td class=\"wrap\">{}</td><td class=\"number\">{:.2} %</td>\
                  <td><span class=\"bar\" style=\"width:{width:.2}rem\"></span></td></tr>",
-                text(name),
+                escape_text(name),
                 100.0 * part
             );
         }
@@ -120,15 +124,16 @@ impl Page {
     }
 
     /// Adds an SVG as an image, which isolates its contents from the page.
-    pub fn picture(&mut self, svg: &str, words: &str) {
+    pub fn picture(&mut self, svg: &str, content: &str) {
         let data = base64::engine::general_purpose::STANDARD.encode(svg);
         let _ = writeln!(
             self.out,
             "<figure><img alt=\"{}\" src=\"data:image/svg+xml;base64,{data}\"></figure>",
-            text(words)
+            escape_text(content)
         );
     }
 
+    /// Text of the complete page.
     pub fn finish(mut self) -> String {
         self.out += "</body>\n</html>\n";
         self.out

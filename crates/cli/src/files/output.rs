@@ -15,13 +15,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// Longest time between two flushes of buffered bytes, so that a reader of stdout sees progress.
-const PASSED_ON: Duration = Duration::from_millis(200);
+const FLUSH_INTERVAL: Duration = Duration::from_millis(200);
 
 /// Longest wait for a file that another program holds: longer than a virus scanner needs, and short for a user who
 /// has the table open in a spreadsheet.
-const HELD: Duration = Duration::from_secs(2);
+const MAX_HELD_WAIT: Duration = Duration::from_secs(2);
 /// Pause between two attempts.
-const HELD_PAUSE: Duration = Duration::from_millis(10);
+const RETRY_PAUSE: Duration = Duration::from_millis(10);
 /// Windows error for the replacement of an open file.
 const ACCESS_DENIED: i32 = 5;
 /// Windows error for opening a file that another program does not share.
@@ -30,15 +30,15 @@ const SHARING_VIOLATION: i32 = 32;
 /// Input files of this run. No output replaces an input file.
 static INPUTS: Mutex<Vec<String>> = Mutex::new(Vec::new());
 /// True if files that percuss did not write are replaced; set once, from the command line.
-static FORCED: AtomicBool = AtomicBool::new(false);
+static REPLACE_FOREIGN: AtomicBool = AtomicBool::new(false);
 
 /// Allows the replacement of files that percuss did not write.
-pub fn force(forced: bool) {
-    FORCED.store(forced, Ordering::Relaxed);
+pub fn allow_replacement(forced: bool) {
+    REPLACE_FOREIGN.store(forced, Ordering::Relaxed);
 }
 
 /// Records an input file; outputs do not replace recorded files.
-pub fn is_input(path: &str) {
+pub fn record_input(path: &str) {
     // A panic of another thread does not change the list.
     INPUTS.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).push(path.to_owned());
 }
@@ -48,18 +48,18 @@ pub fn is_input(path: &str) {
 pub struct Output {
     out: BufWriter<Box<dyn Write + Send>>,
     path: Option<String>,
-    beside: Option<Beside>,
-    passed_on: Instant,
+    unfinished: Option<UnfinishedFile>,
+    last_flush: Instant,
 }
 
 /// Unfinished file; removed when the value is dropped.
-struct Beside {
+struct UnfinishedFile {
     temporary: PathBuf,
     path: PathBuf,
     file: File,
 }
 
-impl Drop for Beside {
+impl Drop for UnfinishedFile {
     fn drop(&mut self) {
         // After the renaming no unfinished file exists.
         let _ = fs::remove_file(&self.temporary);
@@ -69,28 +69,29 @@ impl Drop for Beside {
 impl Output {
     /// Opens a file, or stdout for `None`.
     pub fn open(path: Option<&str>) -> Result<Self, Failure> {
-        let mut beside = None;
+        let mut unfinished = None;
         let out: Box<dyn Write + Send> = match path {
             None if io::stdout().is_terminal() => Box::new(Terminal::new(io::stdout())),
             None => Box::new(io::stdout()),
             Some(path) => {
-                may_be_written(path)?;
-                let (file, kept) = file(Path::new(path)).map_err(|error| cannot_write(path, &error))?;
-                beside = kept;
+                check_writable(path)?;
+                let (file, kept) =
+                    open_output(Path::new(path)).map_err(|error| cannot_write(path, &error))?;
+                unfinished = kept;
                 Box::new(file)
             }
         };
         let path = path.map(str::to_owned);
-        Ok(Self { out: BufWriter::with_capacity(1 << 16, out), path, beside, passed_on: Instant::now() })
+        Ok(Self { out: BufWriter::with_capacity(1 << 16, out), path, unfinished, last_flush: Instant::now() })
     }
 
     /// Writes the remaining bytes and renames the file.
     pub fn finish(mut self) -> Result<(), Failure> {
-        let renamed = self.out.flush().and_then(|()| match &self.beside {
-            Some(Beside { temporary, path, file }) => {
+        let renamed = self.out.flush().and_then(|()| match &self.unfinished {
+            Some(UnfinishedFile { temporary, path, file }) => {
                 // Without the synchronisation, a power cut could leave the new name with a part of the bytes.
                 file.sync_all()?;
-                when_free(&[ACCESS_DENIED, SHARING_VIOLATION], || fs::rename(temporary, path))
+                retry_while_held(&[ACCESS_DENIED, SHARING_VIOLATION], || fs::rename(temporary, path))
             }
             None => Ok(()),
         });
@@ -114,14 +115,14 @@ impl Output {
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.out.write(bytes)?;
-        if self.passed_on.elapsed() > PASSED_ON {
+        if self.last_flush.elapsed() > FLUSH_INTERVAL {
             self.flush()?;
         }
         Ok(written)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.passed_on = Instant::now();
+        self.last_flush = Instant::now();
         self.out.flush()
     }
 }
@@ -137,7 +138,7 @@ pub fn write_file(path: &str, bytes: &[u8]) -> Result<(), Failure> {
 ///
 /// # Errors
 /// The file and the remedy.
-pub fn may_be_written(path: &str) -> Result<(), Failure> {
+pub fn check_writable(path: &str) -> Result<(), Failure> {
     let inputs = INPUTS.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     // The comparison opens both files, and a pipe would wait for its other end. Writing to pipes and devices destroys nothing.
     let is_file = |path: &str| fs::metadata(path).is_ok_and(|found| found.is_file());
@@ -150,7 +151,9 @@ pub fn may_be_written(path: &str) -> Result<(), Failure> {
             )));
         }
     }
-    if FORCED.load(Ordering::Relaxed) || is_own(Path::new(path)).map_err(|e| cannot_write(path, &e))? {
+    if REPLACE_FOREIGN.load(Ordering::Relaxed)
+        || is_own(Path::new(path)).map_err(|e| cannot_write(path, &e))?
+    {
         return Ok(());
     }
     Err(Failure::bad_input(format!(
@@ -159,7 +162,7 @@ pub fn may_be_written(path: &str) -> Result<(), Failure> {
 }
 
 /// Opens the output: a device or pipe directly, otherwise a new file in the same folder.
-fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
+fn open_output(path: &Path) -> io::Result<(File, Option<UnfinishedFile>)> {
     let found = fs::metadata(path);
     if let Ok(found) = &found
         && !found.is_file()
@@ -169,13 +172,13 @@ fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
     let path = match &found {
         Ok(_) => {
             // A read-only file is not replaced.
-            when_free(&[SHARING_VIOLATION], || OpenOptions::new().write(true).open(path))?;
+            retry_while_held(&[SHARING_VIOLATION], || OpenOptions::new().write(true).open(path))?;
             fs::canonicalize(path)?
         }
         Err(_) => link_target(path)?,
     };
-    let (temporary, file) = beside(&path)?;
-    let kept = Beside { temporary, path, file: file.try_clone()? };
+    let (temporary, file) = create_unfinished(&path)?;
+    let kept = UnfinishedFile { temporary, path, file: file.try_clone()? };
     if let Ok(found) = found {
         file.set_permissions(found.permissions())?;
     }
@@ -185,27 +188,27 @@ fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
 /// Target of a chain of links without an existing file; for a path that is no link, the path.
 fn link_target(path: &Path) -> io::Result<PathBuf> {
     let mut target = path.to_owned();
-    for _ in 0..MOST_LINKS {
+    for _ in 0..MAX_LINKS {
         match fs::read_link(&target) {
             Ok(next) => target = target.parent().unwrap_or(Path::new("")).join(next),
             Err(_) => return Ok(target),
         }
     }
-    Err(io::Error::other(format!("more than {MOST_LINKS} links, one to the next")))
+    Err(io::Error::other(format!("more than {MAX_LINKS} links, one to the next")))
 }
 
 /// Repeats an operation for a limited time if another program holds the file. On Windows, scanners, indexers and
 /// other runs open a file for a moment, and an open file cannot be replaced.
-fn when_free<T>(held: &[i32], mut action: impl FnMut() -> io::Result<T>) -> io::Result<T> {
-    let begun = Instant::now();
+fn retry_while_held<T>(held: &[i32], mut action: impl FnMut() -> io::Result<T>) -> io::Result<T> {
+    let start = Instant::now();
     let is_held = |error: &io::Error| {
         cfg!(windows)
             && error.raw_os_error().is_some_and(|code| held.contains(&code))
-            && begun.elapsed() < HELD
+            && start.elapsed() < MAX_HELD_WAIT
     };
     loop {
         match action() {
-            Err(error) if is_held(&error) => std::thread::sleep(HELD_PAUSE),
+            Err(error) if is_held(&error) => std::thread::sleep(RETRY_PAUSE),
             done => return done,
         }
     }
@@ -213,26 +216,26 @@ fn when_free<T>(held: &[i32], mut action: impl FnMut() -> io::Result<T>) -> io::
 
 /// Creates a file `.NAME.NUMBER.percuss-part` in the same folder and locks the file. Unfinished files of killed runs
 /// for the same output are removed first.
-fn beside(path: &Path) -> io::Result<(PathBuf, File)> {
-    remove_left(path);
-    let name = |attempt: u32| {
-        let number = u64::from(std::process::id()) + (u64::from(attempt) << 32);
-        let mut name = part_of(path);
-        name.push(format!("{number}{PART}"));
+fn create_unfinished(path: &Path) -> io::Result<(PathBuf, File)> {
+    remove_unfinished(path);
+    let name = |operation: u32| {
+        let number = u64::from(std::process::id()) + (u64::from(operation) << 32);
+        let mut name = unfinished_prefix(path);
+        name.push(format!("{number}{UNFINISHED_SUFFIX}"));
         path.with_file_name(name)
     };
-    let mut attempt = 0;
+    let mut operation = 0;
     loop {
-        let temporary = name(attempt);
+        let temporary = name(operation);
         match OpenOptions::new().write(true).create_new(true).open(&temporary) {
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists && attempt < 100 => attempt += 1,
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists && operation < 100 => operation += 1,
             opened => {
                 let file = opened?;
                 // Before the lock, another run may have removed the file as unfinished.
                 let is_taken =
                     matches!(file.try_lock(), Err(TryLockError::WouldBlock)) || !temporary.exists();
-                if is_taken && attempt < 100 {
-                    attempt += 1;
+                if is_taken && operation < 100 {
+                    operation += 1;
                     continue;
                 }
                 return Ok((temporary, file));
@@ -242,19 +245,19 @@ fn beside(path: &Path) -> io::Result<(PathBuf, File)> {
 }
 
 /// End of the names of unfinished files.
-const PART: &str = ".percuss-part";
+const UNFINISHED_SUFFIX: &str = ".percuss-part";
 /// Largest number of unfinished files removed at once.
-const MOST_LEFT: usize = 1000;
+const MAX_REMOVED: usize = 1000;
 
 /// Largest number of links from an output to its file, as on Linux.
-const MOST_LINKS: usize = 40;
+const MAX_LINKS: usize = 40;
 /// Longest name (bytes) that becomes a part of another name. Systems allow 255 bytes, and `..NUMBER.percuss-part` has
 /// 36.
 const LONGEST_WHOLE_NAME: usize = 200;
 
 /// Start of the names of unfinished files of an output: `.NAME.`. A long name is cut, and a hash of the full name
 /// follows.
-fn part_of(path: &Path) -> OsString {
+fn unfinished_prefix(path: &Path) -> OsString {
     let whole = path.file_name().unwrap_or_default();
     let mut name = OsString::from(".");
     if whole.len() <= LONGEST_WHOLE_NAME {
@@ -273,19 +276,19 @@ fn part_of(path: &Path) -> OsString {
 
 /// Removes the unfinished files of killed runs for an output: regular files with a name of this form and without a
 /// lock. A file that cannot be locked, or that another system may have locked, is kept.
-fn remove_left(path: &Path) {
-    let begin = part_of(path);
+fn remove_unfinished(path: &Path) {
+    let begin = unfinished_prefix(path);
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let Ok(entries) = fs::read_dir(folder) else { return };
     let is_part = |entry: &fs::DirEntry| {
         let name = entry.file_name();
         let number = name.as_encoded_bytes().strip_prefix(begin.as_encoded_bytes());
-        let number = number.and_then(|rest| rest.strip_suffix(PART.as_bytes()));
+        let number = number.and_then(|rest| rest.strip_suffix(UNFINISHED_SUFFIX.as_bytes()));
         // Links are not followed: percuss creates none.
         number.is_some_and(|n| !n.is_empty() && n.len() <= 20 && n.iter().all(u8::is_ascii_digit))
             && entry.file_type().is_ok_and(|kind| kind.is_file())
     };
-    for entry in entries.flatten().filter(is_part).take(MOST_LEFT) {
+    for entry in entries.flatten().filter(is_part).take(MAX_REMOVED) {
         let Ok(file) = OpenOptions::new().read(true).write(true).open(entry.path()) else { continue };
         if file.try_lock().is_ok() {
             // Without permission, the file remains.

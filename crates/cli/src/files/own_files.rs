@@ -37,7 +37,7 @@ pub fn is_own(path: &Path) -> io::Result<bool> {
         Ok::<_, io::Error>(end)
     };
     if has(&head, b"<!-- imported by percuss from ") {
-        return is_sealed(file);
+        return has_valid_hash(file);
     }
     Ok(match &head[..] {
         [b'P', b'A', b'R', b'1', ..] => has(&end()?, b"percuss.heading"),
@@ -47,20 +47,20 @@ pub fn is_own(path: &Path) -> io::Result<bool> {
 }
 
 /// Start and end of the last line of an imported model.
-const SEAL: (&str, &str) = ("<!-- SHA-256 of the lines above, as percuss wrote them: ", " -->");
+const HASH_LINE: (&str, &str) = ("<!-- SHA-256 of the lines above, as percuss wrote them: ", " -->");
 
 /// Imported model with the hash of its text in the last line, which reveals changes by hand.
-pub fn sealed(text: String) -> String {
+pub fn append_hash(text: String) -> String {
     let hash = hash(&text);
-    format!("{text}{}{hash}{}\n", SEAL.0, SEAL.1)
+    format!("{text}{}{hash}{}\n", HASH_LINE.0, HASH_LINE.1)
 }
 
 fn hash(text: &str) -> String {
-    Input::of(&Source::from_text("", text)).sha256
+    Input::from_source(&Source::from_text("", text)).sha256
 }
 
 /// True if an imported model is unchanged since percuss wrote it.
-fn is_sealed(mut file: File) -> io::Result<bool> {
+fn has_valid_hash(mut file: File) -> io::Result<bool> {
     let mut text = String::new();
     file.seek(SeekFrom::Start(0))?;
     if file.take(DEFAULT_MAX_SIZE).read_to_string(&mut text).is_err() {
@@ -68,7 +68,8 @@ fn is_sealed(mut file: File) -> io::Result<bool> {
     }
     // Git may have changed the line ends.
     let text = text.replace("\r\n", "\n");
-    let above = text.strip_suffix(&format!("{}\n", SEAL.1)).and_then(|text| text.rsplit_once(SEAL.0));
+    let above =
+        text.strip_suffix(&format!("{}\n", HASH_LINE.1)).and_then(|text| text.rsplit_once(HASH_LINE.0));
     Ok(above.is_some_and(|(above, found)| found == hash(above)))
 }
 

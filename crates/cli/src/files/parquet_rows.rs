@@ -1,6 +1,6 @@
 //! Rows of a sweep in Parquet (apache/parquet-format): the columns of the CSV, in row groups.
 
-use crate::files::csv::{FIXED, SweepTable};
+use crate::files::csv::{FIXED_COLUMNS, SweepTable};
 use crate::files::output::{Output, cannot_write};
 use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
@@ -29,10 +29,10 @@ pub fn write(
     let out = Output::open(Some(path))?;
     let heading = sweep.heading().clone();
     let table = SweepTable::new(&heading, &model.mechanism, TableStyle::default());
-    let mut rows = Rows::new(&table, heading.varied.len());
+    let mut rows = RowBuffer::new(&table, heading.varied.len());
     let group =
         (CELLS_OF_A_GROUP / table.names().len()).clamp(*ROWS_OF_A_GROUP.start(), *ROWS_OF_A_GROUP.end());
-    let mut writer = match start(&table, &heading, out) {
+    let mut writer = match new_writer(&table, &heading, out) {
         Ok(writer) => writer,
         Err(error) => return Err(io::Error::other(error).into()),
     };
@@ -48,14 +48,14 @@ pub fn write(
     if written.is_ok() && !rows.numbers.is_empty() {
         written = rows.write(&mut writer);
     }
-    written.map_err(|error| writer.inner().failure(cause(error)))?;
+    written.map_err(|error| writer.inner().failure(io_cause(error)))?;
     // The footer with the schema is written last.
-    writer.into_inner().map_err(|error| cannot_write(path, &cause(error)))?.finish()?;
+    writer.into_inner().map_err(|error| cannot_write(path, &io_cause(error)))?.finish()?;
     Ok(end)
 }
 
 /// Error of the operating system inside a Parquet error, if any.
-fn cause(error: ParquetError) -> io::Error {
+fn io_cause(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(error) => match error.downcast::<io::Error>() {
             Ok(error) => *error,
@@ -65,14 +65,21 @@ fn cause(error: ParquetError) -> io::Error {
     }
 }
 
-fn start(table: &SweepTable, heading: &SweepHeading, out: Output) -> Result<SerializedFileWriter<Output>> {
+/// Writer with the schema of the table; the heading is in the file metadata.
+fn new_writer(
+    table: &SweepTable,
+    heading: &SweepHeading,
+    out: Output,
+) -> Result<SerializedFileWriter<Output>> {
     let status = 1 + heading.varied.len();
     let column = |(at, name): (usize, &String)| {
         let (physical, needed) = match at {
             0 => (Physical::INT64, true),
             _ if at < status => (Physical::DOUBLE, true),
             _ if at == status => (Physical::BYTE_ARRAY, true),
-            _ if name == FIXED[SINGULAR] && at == status + SINGULAR => (Physical::BOOLEAN, false),
+            _ if name == FIXED_COLUMNS[SINGULAR_POSE_COLUMN] && at == status + SINGULAR_POSE_COLUMN => {
+                (Physical::BOOLEAN, false)
+            }
             _ => (Physical::DOUBLE, false),
         };
         let repetition = if needed { Repetition::REQUIRED } else { Repetition::OPTIONAL };
@@ -89,14 +96,14 @@ fn start(table: &SweepTable, heading: &SweepHeading, out: Output) -> Result<Seri
         .set_compression(Compression::SNAPPY)
         // Masses rarely repeat; only the status benefits from a dictionary.
         .set_dictionary_enabled(false)
-        .set_column_dictionary_enabled(FIXED[0].into(), true)
+        .set_column_dictionary_enabled(FIXED_COLUMNS[0].into(), true)
         .set_statistics_enabled(EnabledStatistics::Chunk)
         .build();
     SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))
 }
 
 /// Index of `singular_pose` among the fixed columns.
-const SINGULAR: usize = 3;
+const SINGULAR_POSE_COLUMN: usize = 3;
 
 /// Column with nulls: the values that are not null, and the definition level of each row.
 struct Nullable<T> {
@@ -109,11 +116,13 @@ impl<T> Nullable<T> {
         Self { values: Vec::new(), levels: Vec::new() }
     }
 
+    /// Appends a value or a null.
     fn push(&mut self, value: Option<T>) {
         self.levels.push(value.is_some().into());
         self.values.extend(value);
     }
 
+    /// Removes all values.
     fn clear(&mut self) {
         self.values.clear();
         self.levels.clear();
@@ -121,7 +130,7 @@ impl<T> Nullable<T> {
 }
 
 /// Buffered rows, by columns.
-struct Rows {
+struct RowBuffer {
     numbers: Vec<i64>,
     varied: Vec<Vec<f64>>,
     status: Vec<&'static str>,
@@ -130,7 +139,7 @@ struct Rows {
     others: Vec<Nullable<f64>>,
 }
 
-impl Rows {
+impl RowBuffer {
     fn new(table: &SweepTable, varied: usize) -> Self {
         // The row number, the status and the singular pose have separate columns.
         let others = table.names().len() - varied - 3;
@@ -143,6 +152,7 @@ impl Rows {
         }
     }
 
+    /// Buffers a row.
     fn push(&mut self, table: &SweepTable, row: &SweepRow) {
         self.numbers.push(row.row.try_into().unwrap_or(i64::MAX));
         for (column, value) in self.varied.iter_mut().zip(row.varied.values()) {
@@ -157,7 +167,8 @@ impl Rows {
             row.estimate,
             row.estimate_error_percent,
         ];
-        for (column, value) in self.others.iter_mut().zip(answer.into_iter().chain(table.others(row))) {
+        for (column, value) in self.others.iter_mut().zip(answer.into_iter().chain(table.other_numbers(row)))
+        {
             column.push(value);
         }
     }
@@ -165,20 +176,20 @@ impl Rows {
     /// Writes the buffered rows as a row group and clears the buffer.
     fn write(&mut self, writer: &mut SerializedFileWriter<Output>) -> Result<()> {
         let mut group = writer.next_row_group()?;
-        column(&mut group, |c| c.typed::<Int64Type>().write_batch(&self.numbers, None, None))?;
+        write_column(&mut group, |c| c.typed::<Int64Type>().write_batch(&self.numbers, None, None))?;
         for values in &self.varied {
-            column(&mut group, |c| c.typed::<DoubleType>().write_batch(values, None, None))?;
+            write_column(&mut group, |c| c.typed::<DoubleType>().write_batch(values, None, None))?;
         }
         let status: Vec<ByteArray> = self.status.iter().map(|status| ByteArray::from(*status)).collect();
-        column(&mut group, |c| c.typed::<ByteArrayType>().write_batch(&status, None, None))?;
-        let (before, after) = self.others.split_at(SINGULAR - 1);
+        write_column(&mut group, |c| c.typed::<ByteArrayType>().write_batch(&status, None, None))?;
+        let (before, after) = self.others.split_at(SINGULAR_POSE_COLUMN - 1);
         let double = |group: &mut _, numbers: &Nullable<f64>| {
             let (values, levels) = (&numbers.values, Some(&numbers.levels[..]));
-            column(group, |c| c.typed::<DoubleType>().write_batch(values, levels, None))
+            write_column(group, |c| c.typed::<DoubleType>().write_batch(values, levels, None))
         };
         before.iter().try_for_each(|numbers| double(&mut group, numbers))?;
         let (values, levels) = (&self.singular.values, Some(&self.singular.levels[..]));
-        column(&mut group, |c| c.typed::<BoolType>().write_batch(values, levels, None))?;
+        write_column(&mut group, |c| c.typed::<BoolType>().write_batch(values, levels, None))?;
         after.iter().try_for_each(|numbers| double(&mut group, numbers))?;
         group.close()?;
         self.numbers.clear();
@@ -191,7 +202,7 @@ impl Rows {
 }
 
 /// Writes the next column of a row group.
-fn column(
+fn write_column(
     group: &mut SerializedRowGroupWriter<'_, Output>,
     write: impl FnOnce(&mut parquet::file::writer::SerializedColumnWriter<'_>) -> Result<usize>,
 ) -> Result<()> {

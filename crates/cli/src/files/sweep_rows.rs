@@ -29,21 +29,21 @@ pub fn json_lines(sweep: Sweep, out: Output, bar: &ProgressBar) -> Result<SweepE
     lines(sweep, "", &|row| serde_json::to_string(&row).unwrap_or_default() + "\n", out, bar)
 }
 
-/// Writes a header and the text `made` of each row.
+/// Writes a header and the text `row_text` of each row.
 fn lines(
     sweep: Sweep,
     header: &str,
-    made: &(dyn Fn(SweepRow) -> String + Sync),
+    row_text: &(dyn Fn(SweepRow) -> String + Sync),
     mut out: Output,
     bar: &ProgressBar,
 ) -> Result<SweepEnd, Failure> {
     let mut written = Ok(());
     let mut header = Some(header);
-    let end = sweep.run_with_conversion(made, &mut |row| {
+    let end = sweep.run_with_conversion(row_text, &mut |row| {
         bar.inc(1);
         // The header is written with the first row: a sweep without rows writes nothing.
-        let begun = out.write_all(header.take().unwrap_or_default().as_bytes());
-        written = begun.and_then(|()| out.write_all(row.as_bytes()));
+        let header_result = out.write_all(header.take().unwrap_or_default().as_bytes());
+        written = header_result.and_then(|()| out.write_all(row.as_bytes()));
         if written.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     })?;
     written.map_err(|error| out.failure(error))?;
@@ -54,7 +54,7 @@ fn lines(
 /// Writes a sweep as JSON, in the form of a [`SweepReport`](percuss_study::SweepReport), without storing the report.
 pub fn json(sweep: Sweep, model: &Model, mut out: Output, bar: &ProgressBar) -> Result<SweepEnd, Failure> {
     let heading = sweep.heading().clone();
-    let rows = Rows { sweep: Cell::new(Some(sweep)), end: RefCell::new(None), bar };
+    let rows = SerializedRows { sweep: Cell::new(Some(sweep)), end: RefCell::new(None), bar };
     let document = Document { heading, rows: &rows, diagnostics: Diagnostics { model, rows: &rows } };
     let written = document.serialize(&mut serde_json::Serializer::pretty(&mut out));
     let written = written.map_err(io::Error::from);
@@ -76,18 +76,18 @@ pub fn json(sweep: Sweep, model: &Model, mut out: Output, bar: &ProgressBar) -> 
 struct Document<'a> {
     #[serde(flatten)]
     heading: SweepHeading,
-    rows: &'a Rows<'a>,
+    rows: &'a SerializedRows<'a>,
     diagnostics: Diagnostics<'a>,
 }
 
 /// Rows of the document; serialisation computes them, once.
-struct Rows<'a> {
+struct SerializedRows<'a> {
     sweep: Cell<Option<Sweep<'a>>>,
     end: RefCell<Option<Result<SweepEnd, StudyError>>>,
     bar: &'a ProgressBar,
 }
 
-impl Serialize for Rows<'_> {
+impl Serialize for SerializedRows<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut list = serializer.serialize_seq(None)?;
         let mut written = Ok(());
@@ -111,7 +111,7 @@ impl Serialize for Rows<'_> {
 /// Diagnostics of the file and of the rows; complete after the rows are written.
 struct Diagnostics<'a> {
     model: &'a Model,
-    rows: &'a Rows<'a>,
+    rows: &'a SerializedRows<'a>,
 }
 
 impl Serialize for Diagnostics<'_> {

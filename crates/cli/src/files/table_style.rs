@@ -40,11 +40,11 @@ pub struct ColumnUnit {
 /// Number of digits for a number without a known error.
 const DIGITS: i32 = 12;
 /// Positions below this value are rounding errors of loop closure, rad or m.
-const NO_POSITION: f64 = 1e-14;
+const ZERO_POSITION: f64 = 1e-14;
 
 impl TableStyle {
     /// Creates the style of a study; for two units of one kind, the last counts.
-    pub fn of(table: &StudyTable) -> Self {
+    pub fn from_study(table: &StudyTable) -> Self {
         let mut style = Self { comma: table.comma, ..Self::default() };
         for unit in &table.units {
             style.names_units = true;
@@ -59,7 +59,7 @@ impl TableStyle {
     }
 
     /// Name with the unit appended, if columns name their units.
-    pub fn named(&self, name: &str, unit: &str) -> String {
+    pub fn name_with_unit(&self, name: &str, unit: &str) -> String {
         if self.names_units && !unit.is_empty() { format!("{name}_{unit}") } else { name.to_owned() }
     }
 
@@ -78,28 +78,28 @@ impl TableStyle {
             return value;
         }
         match error {
-            Some(error) if error > 0.0 => to_decimals(value, (-error.log10()).floor() as i32),
-            _ => digits(value, DIGITS),
+            Some(error) if error > 0.0 => round_to_decimals(value, (-error.log10()).floor() as i32),
+            _ => round_to_digits(value, DIGITS),
         }
     }
 
     /// Rounds a position (rad or m) for output; a value below the rounding of loop closure becomes 0.
     pub fn position(&self, value: f64, unit: &ColumnUnit) -> f64 {
-        let shown = if self.names_units && value.abs() < NO_POSITION { 0.0 } else { value };
+        let shown = if self.names_units && value.abs() < ZERO_POSITION { 0.0 } else { value };
         self.number(shown * unit.factor, None)
     }
 }
 
 /// Rounds to a number of significant digits.
-pub fn digits(value: f64, count: i32) -> f64 {
+pub fn round_to_digits(value: f64, count: i32) -> f64 {
     if value == 0.0 || !value.is_finite() {
         return value;
     }
-    to_decimals(value, count - 1 - value.abs().log10().floor() as i32)
+    round_to_decimals(value, count - 1 - value.abs().log10().floor() as i32)
 }
 
 /// Rounds to a number of decimals; a negative number rounds to tens, hundreds and so on.
-fn to_decimals(value: f64, decimals: i32) -> f64 {
+fn round_to_decimals(value: f64, decimals: i32) -> f64 {
     // Largest number of decimals in a double.
     let most = if value == 0.0 { 0 } else { 15 - value.abs().log10().floor() as i32 };
     let decimals = decimals.min(most);

@@ -11,11 +11,11 @@ use rust_xlsxwriter::{DocProperties, Format, Workbook, Worksheet, XlsxError};
 use std::ops::ControlFlow;
 
 /// Largest number of rows of a sheet, including the row of column names.
-const MOST_ROWS: usize = 1 << 20;
+const MAX_ROWS: usize = 1 << 20;
 /// Largest number of columns of a sheet.
-const MOST_COLUMNS: usize = 1 << 14;
+const MAX_COLUMNS: usize = 1 << 14;
 /// Largest number of cells of a workbook; a cell takes some 160 bytes of memory.
-const MOST_CELLS: usize = 5_000_000;
+const MAX_CELLS: usize = 5_000_000;
 
 /// Writes the rows of a sweep as XLSX. All rows stay in memory until the workbook is saved.
 pub fn write(
@@ -27,23 +27,23 @@ pub fn write(
 ) -> Result<SweepEnd, Failure> {
     let table = SweepTable::new(sweep.heading(), &model.mechanism, style);
     let (columns, rows) = (table.names().len(), sweep.count());
-    if columns > MOST_COLUMNS || rows.is_some_and(|rows| rows >= MOST_ROWS) {
+    if columns > MAX_COLUMNS || rows.is_some_and(|rows| rows >= MAX_ROWS) {
         let rows = rows.map_or_else(String::new, |rows| format!("{rows} rows, "));
         return Err(Failure::bad_input(format!(
-            "--output {path}: {rows}{columns} columns; a sheet has at most {} rows and {MOST_COLUMNS} columns; write .csv or \
+            "--output {path}: {rows}{columns} columns; a sheet has at most {} rows and {MAX_COLUMNS} columns; write .csv or \
              .parquet",
-            MOST_ROWS - 1
+            MAX_ROWS - 1
         )));
     }
     check_cells(path, rows.unwrap_or(0), columns)?;
-    let unwritten = |error: XlsxError| unwritten(path, &error);
-    let mut workbook = begun("sweep", table.names()).map_err(unwritten)?;
+    let unwritten = |error: XlsxError| xlsx_failure(path, &error);
+    let mut workbook = new_workbook("sweep", table.names()).map_err(unwritten)?;
     let sheet = workbook.worksheet_from_index(0).map_err(unwritten)?;
     let mut written = Ok(());
     let end = sweep.run(&mut |row| {
         bar.inc(1);
         let line = row.row as u32 + 1;
-        written = put(sheet, line, table.cells(&row));
+        written = write_cells(sheet, line, table.cells(&row));
         if written.is_err() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })?;
     written.map_err(unwritten)?;
@@ -52,21 +52,26 @@ pub fn write(
 }
 
 /// Workbook with one sheet that contains a table.
-pub fn book(path: &str, name: &str, columns: &[String], rows: Vec<Vec<Cell>>) -> Result<Vec<u8>, Failure> {
-    if columns.len() > MOST_COLUMNS || rows.len() >= MOST_ROWS {
+pub fn workbook(
+    path: &str,
+    name: &str,
+    columns: &[String],
+    rows: Vec<Vec<Cell>>,
+) -> Result<Vec<u8>, Failure> {
+    if columns.len() > MAX_COLUMNS || rows.len() >= MAX_ROWS {
         return Err(Failure::bad_input(format!(
-            "--output {path}: {} rows, {} columns; a sheet has at most {} rows and {MOST_COLUMNS} columns; write .csv",
+            "--output {path}: {} rows, {} columns; a sheet has at most {} rows and {MAX_COLUMNS} columns; write .csv",
             rows.len(),
             columns.len(),
-            MOST_ROWS - 1
+            MAX_ROWS - 1
         )));
     }
     check_cells(path, rows.len(), columns.len())?;
-    let unwritten = |error: XlsxError| unwritten(path, &error);
-    let mut workbook = begun(name, columns).map_err(unwritten)?;
+    let unwritten = |error: XlsxError| xlsx_failure(path, &error);
+    let mut workbook = new_workbook(name, columns).map_err(unwritten)?;
     let sheet = workbook.worksheet_from_index(0).map_err(unwritten)?;
     for (line, cells) in (1..).zip(rows) {
-        put(sheet, line, cells).map_err(unwritten)?;
+        write_cells(sheet, line, cells).map_err(unwritten)?;
     }
     workbook.save_to_buffer().map_err(unwritten)
 }
@@ -74,21 +79,22 @@ pub fn book(path: &str, name: &str, columns: &[String], rows: Vec<Vec<Cell>>) ->
 /// Refuses a table that would not fit into memory: a workbook stays in memory until the last row is written.
 fn check_cells(path: &str, rows: usize, columns: usize) -> Result<(), Failure> {
     let cells = rows.saturating_mul(columns);
-    if cells <= MOST_CELLS {
+    if cells <= MAX_CELLS {
         return Ok(());
     }
     Err(Failure::bad_input(format!(
-        "--output {path}: {rows} rows of {columns} columns are {cells} cells; a workbook is written with at most {MOST_CELLS}; \
+        "--output {path}: {rows} rows of {columns} columns are {cells} cells; a workbook is written with at most {MAX_CELLS}; \
          write .csv or .parquet"
     )))
 }
 
-fn unwritten(path: &str, error: &XlsxError) -> Failure {
+/// Failure of writing a workbook.
+fn xlsx_failure(path: &str, error: &XlsxError) -> Failure {
     Failure::bad_input(format!("{path} cannot be written: {error}"))
 }
 
 /// New workbook with one sheet and its row of column names.
-fn begun(name: &str, columns: &[String]) -> Result<Workbook, XlsxError> {
+fn new_workbook(name: &str, columns: &[String]) -> Result<Workbook, XlsxError> {
     let mut workbook = Workbook::new();
     // Fixed date: the same query gives the same file.
     let dated = rust_xlsxwriter::ExcelDateTime::from_ymd(2000, 1, 1)?;
@@ -105,7 +111,7 @@ fn begun(name: &str, columns: &[String]) -> Result<Workbook, XlsxError> {
 }
 
 /// Writes the cells of a row.
-fn put(sheet: &mut Worksheet, line: u32, cells: Vec<Cell>) -> Result<(), XlsxError> {
+fn write_cells(sheet: &mut Worksheet, line: u32, cells: Vec<Cell>) -> Result<(), XlsxError> {
     for (column, cell) in (0..).zip(cells) {
         match cell {
             Cell::Number(x) => sheet.write_number(line, column, x)?,

@@ -1,17 +1,17 @@
 //! Belted ellipsoid as a surface. The distance of the surface from the point is m̄ in that direction; 1 corresponds
 //! to 1 kg.
 
-use crate::terminal::text::short;
+use crate::terminal::text::short_number;
 use percuss_render::{Skin, SkinFacet, SkinMark, SkinPiece};
 use percuss_study::{DirectionMass, PointMapReport};
 use std::f64::consts::{PI, TAU};
 
 /// Number of facets around the axis, and from pole to pole.
-const AROUND: usize = 96;
-const DOWN: usize = 48;
+const AZIMUTH_FACETS: usize = 96;
+const POLAR_FACETS: usize = 48;
 
 /// Cut-off distance if m̄ is infinite in some direction, as a multiple of the largest finite principal mass.
-const CUT: f64 = 4.0;
+const CUTOFF: f64 = 4.0;
 
 /// 1/m̄ = Σ (n · eᵢ)²/m̄ᵢ over the principal directions eᵢ, world axes (Khatib 1995).
 struct Ellipsoid<'a> {
@@ -34,13 +34,16 @@ pub fn skin(report: &PointMapReport) -> Result<Skin, &'static str> {
         return Err("no direction has a finite effective mass other than zero: there is no surface");
     }
     let is_infinite = report.principal.iter().any(|d| d.status == "immovable");
-    let ellipsoid = Ellipsoid { principal: &report.principal, cut: is_infinite.then_some(CUT * largest) };
+    let ellipsoid = Ellipsoid { principal: &report.principal, cut: is_infinite.then_some(CUTOFF * largest) };
     let marks = report.principal.iter().filter_map(|d| {
         let mass = d.effective_mass?;
-        Some(SkinMark { at: d.direction_world.map(|e| e * mass), label: format!("{} kg", short(mass)) })
+        Some(SkinMark {
+            at: d.direction_world.map(|e| e * mass),
+            label: format!("{} kg", short_number(mass)),
+        })
     });
-    let cut = ellipsoid.cut.map_or_else(String::new, |cut| format!(", cut off at {} kg", short(cut)));
-    let [x, y, z] = report.point_link.map(short);
+    let cut = ellipsoid.cut.map_or_else(String::new, |cut| format!(", cut off at {} kg", short_number(cut)));
+    let [x, y, z] = report.point_link.map(short_number);
     Ok(Skin {
         title: format!("Effective mass in all directions at ({x}, {y}, {z}) m of {}", report.link),
         subtitle: format!("distance from the point proportional to m̄{cut}"),
@@ -71,6 +74,7 @@ impl Ellipsoid<'_> {
         (mass.is_finite() && self.cut.is_none_or(|cut| mass <= cut)).then_some(mass)
     }
 
+    /// Point of the surface in a direction, at the distance m̄ or at the cut-off.
     fn point(&self, n: [f64; 3]) -> [f64; 3] {
         let far = self.mass(n).or(self.cut).unwrap_or(0.0);
         n.map(|e| e * far)
@@ -78,8 +82,8 @@ impl Ellipsoid<'_> {
 
     /// Direction at given parameters: a sphere stretched along the principal directions by √m̄ᵢ. The directions are
     /// dense near the heavy ones, where m̄ changes most.
-    fn direction(&self, (down, around): (f64, f64)) -> [f64; 3] {
-        let on_sphere = [down.sin() * around.cos(), down.sin() * around.sin(), down.cos()];
+    fn direction(&self, (polar, azimuth): (f64, f64)) -> [f64; 3] {
+        let on_sphere = [polar.sin() * azimuth.cos(), polar.sin() * azimuth.sin(), polar.cos()];
         let [a, b, c] = [0, 1, 2].map(|i| self.principal[i].direction_world);
         let most = self.cut.unwrap_or(f64::MAX);
         let stretch = |i: usize| {
@@ -96,19 +100,21 @@ impl Ellipsoid<'_> {
         unit([0, 1, 2].map(|k| first * a[k] + second * b[k] + last * c[k]))
     }
 
+    /// Facets of the whole surface.
     fn facets(&self) -> Vec<SkinFacet> {
-        let mut facets = Vec::with_capacity(2 * AROUND * DOWN);
-        for down in 0..DOWN {
-            for around in 0..AROUND {
-                let [a, b] = [around, around + 1].map(|k| TAU * (k % AROUND) as f64 / AROUND as f64);
-                let [top, low] = [down, down + 1].map(|k| PI * k as f64 / DOWN as f64);
+        let mut facets = Vec::with_capacity(2 * AZIMUTH_FACETS * POLAR_FACETS);
+        for polar in 0..POLAR_FACETS {
+            for azimuth in 0..AZIMUTH_FACETS {
+                let [a, b] =
+                    [azimuth, azimuth + 1].map(|k| TAU * (k % AZIMUTH_FACETS) as f64 / AZIMUTH_FACETS as f64);
+                let [top, low] = [polar, polar + 1].map(|k| PI * k as f64 / POLAR_FACETS as f64);
                 let [one, two, three, four] =
                     [(top, a), (low, a), (low, b), (top, b)].map(|at| self.direction(at));
                 // At the poles, one of the two triangles has no area.
-                if down + 1 < DOWN {
+                if polar + 1 < POLAR_FACETS {
                     facets.extend(self.facet([one, two, three]));
                 }
-                if down > 0 {
+                if polar > 0 {
                     facets.extend(self.facet([one, three, four]));
                 }
             }
@@ -129,14 +135,17 @@ impl Ellipsoid<'_> {
     }
 }
 
+/// Vector product.
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
+/// Scalar product.
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+/// Difference a − b.
 fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }

@@ -5,7 +5,7 @@ use percuss_render::{Drawing, DrawnCircle, DrawnLine};
 
 /// Drawing from the front and from the left.
 pub fn picture(of: &Understood, source: &str) -> Drawing {
-    let line = |line: &percuss_formats::suspension::Line| DrawnLine { ends: line.ends, part: None };
+    let line = |line: &percuss_formats::suspension::Line| DrawnLine { ends: line.ends, intensity: None };
     let circle = |wheel: &percuss_formats::suspension::WheelCircle| {
         let (centre, axis) = (wheel.centre, wheel.axis);
         Some(DrawnCircle { centre, axis, radius: wheel.radius? })

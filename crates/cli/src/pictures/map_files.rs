@@ -5,7 +5,7 @@ use crate::files::output::Output;
 use crate::files::table_style::TableStyle;
 use crate::pictures::ellipsoid;
 use crate::terminal::failure::Failure;
-use crate::terminal::text::short;
+use crate::terminal::text::short_number;
 use percuss_dynamics::ContactStatus;
 use percuss_render::{RenderError, Skin, SkinFacet, SkinMark, SkinPiece};
 use percuss_study::{DirectionMass, Extreme, MapAnswer, PointMapReport};
@@ -27,7 +27,7 @@ pub enum MapFormat {
 
 impl MapFormat {
     /// Determines the format from the file extension.
-    pub fn of(path: &str) -> Result<Self, Failure> {
+    pub fn from_path(path: &str) -> Result<Self, Failure> {
         let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("");
         match ending.to_ascii_lowercase().as_str() {
             "ply" => Ok(MapFormat::Ply),
@@ -46,25 +46,26 @@ impl MapFormat {
 }
 
 /// Reason for a file that is not written.
-pub enum NotWritten {
+pub enum MapWriteError {
     /// Error of the operating system.
     Io(io::Error),
     /// Other reason: the map has no surface, or rendering failed.
     Other(String),
 }
 
-impl NotWritten {
+impl MapWriteError {
+    /// Failure of the command for this reason.
     pub fn failure(self, path: &str, out: &Output) -> Failure {
         match self {
-            NotWritten::Io(error) => out.failure(error),
-            NotWritten::Other(message) => Failure::bad_input(format!("--output {path}: {message}")),
+            MapWriteError::Io(error) => out.failure(error),
+            MapWriteError::Other(message) => Failure::bad_input(format!("--output {path}: {message}")),
         }
     }
 }
 
-impl From<io::Error> for NotWritten {
+impl From<io::Error> for MapWriteError {
     fn from(error: io::Error) -> Self {
-        NotWritten::Io(error)
+        MapWriteError::Io(error)
     }
 }
 
@@ -74,7 +75,7 @@ pub fn write(
     format: MapFormat,
     table: TableStyle,
     out: &mut Output,
-) -> Result<(), NotWritten> {
+) -> Result<(), MapWriteError> {
     match format {
         MapFormat::Csv => csv(answer, table, out)?,
         MapFormat::Json => json(answer, out)?,
@@ -84,8 +85,8 @@ pub fn write(
 }
 
 /// Writes a surface; does nothing for table formats.
-fn write_skin(skin: &Skin, format: MapFormat, out: &mut Output) -> Result<(), NotWritten> {
-    let failed = |error: RenderError| NotWritten::Other(error.to_string());
+fn write_skin(skin: &Skin, format: MapFormat, out: &mut Output) -> Result<(), MapWriteError> {
+    let failed = |error: RenderError| MapWriteError::Other(error.to_string());
     match format {
         MapFormat::Ply => skin.write_ply(out)?,
         MapFormat::Glb => out.write_all(&skin.to_glb())?,
@@ -104,18 +105,19 @@ pub fn write_point(
     format: MapFormat,
     table: TableStyle,
     out: &mut Output,
-) -> Result<(), NotWritten> {
+) -> Result<(), MapWriteError> {
     match format {
         MapFormat::Csv => point_csv(report, table, out)?,
         MapFormat::Json => json(report, out)?,
         surface => {
-            let skin = ellipsoid::skin(report).map_err(|why| NotWritten::Other(why.into()))?;
+            let skin = ellipsoid::skin(report).map_err(|why| MapWriteError::Other(why.into()))?;
             write_skin(&skin, surface, out)?;
         }
     }
     Ok(())
 }
 
+/// Writes a value as indented JSON.
 fn json(value: &impl serde::Serialize, out: &mut Output) -> io::Result<()> {
     serde_json::to_writer_pretty(&mut *out, value)?;
     writeln!(out)
@@ -126,31 +128,31 @@ pub fn csv(answer: &MapAnswer, style: TableStyle, out: &mut impl Write) -> io::R
     let length = style.unit("m");
     let square = format!("{}2", length.name);
     let named = |name: &str| match name {
-        "x" | "y" | "z" | "world_x" | "world_y" | "world_z" => style.named(name, length.name),
-        "area" => style.named(name, &square),
-        "effective_mass" | "effective_mass_error" => style.named(name, "kg"),
+        "x" | "y" | "z" | "world_x" | "world_y" | "world_z" => style.name_with_unit(name, length.name),
+        "area" => style.name_with_unit(name, &square),
+        "effective_mass" | "effective_mass_error" => style.name_with_unit(name, "kg"),
         _ => name.to_owned(),
     };
     let names = "link,x,y,z,normal_x,normal_y,normal_z,world_x,world_y,world_z,area,status,effective_mass,effective_mass_error";
-    out.write_all(csv::line_in(&names.split(',').map(named).collect::<Vec<_>>(), style).as_bytes())?;
+    out.write_all(csv::styled_line(&names.split(',').map(named).collect::<Vec<_>>(), style).as_bytes())?;
     for record in answer.skins.iter().flat_map(|skin| skin.records()) {
         let mut cells = vec![record.link.to_owned()];
-        let places = [
+        let vectors = [
             (record.point_link, length.factor),
             (record.normal_link, 1.0),
             (record.point_world, length.factor),
         ];
-        let shown = |x: f64, factor: f64| csv::number_in(style.number(x * factor, None), style);
-        for (place, factor) in places {
-            cells.extend(place.map(|x| shown(x, factor)));
+        let shown = |x: f64, factor: f64| csv::styled_number(style.number(x * factor, None), style);
+        for (vector, factor) in vectors {
+            cells.extend(vector.map(|x| shown(x, factor)));
         }
         cells.extend([
             shown(record.area, length.factor * length.factor),
             record.status.to_owned(),
-            csv::mass_in(record.effective_mass, record.effective_mass_error, style),
-            csv::error_in(record.effective_mass_error, style),
+            csv::styled_mass(record.effective_mass, record.effective_mass_error, style),
+            csv::styled_error(record.effective_mass_error, style),
         ]);
-        out.write_all(csv::line_in(&cells, style).as_bytes())?;
+        out.write_all(csv::styled_line(&cells, style).as_bytes())?;
     }
     Ok(())
 }
@@ -159,24 +161,24 @@ pub fn csv(answer: &MapAnswer, style: TableStyle, out: &mut impl Write) -> io::R
 pub fn point_csv(report: &PointMapReport, style: TableStyle, out: &mut impl Write) -> io::Result<()> {
     // Directions have no unit.
     let named = |name: &str| match name {
-        "effective_mass" | "effective_mass_error" => style.named(name, "kg"),
+        "effective_mass" | "effective_mass_error" => style.name_with_unit(name, "kg"),
         _ => name.to_owned(),
     };
     let names = "kind,x,y,z,world_x,world_y,world_z,status,effective_mass,effective_mass_error";
-    out.write_all(csv::line_in(&names.split(',').map(named).collect::<Vec<_>>(), style).as_bytes())?;
+    out.write_all(csv::styled_line(&names.split(',').map(named).collect::<Vec<_>>(), style).as_bytes())?;
     let principal = report.principal.iter().map(|d| ("principal", d));
     for (kind, d) in principal.chain(report.directions.iter().map(|d| ("direction", d))) {
         let DirectionMass { direction_link, direction_world, status, effective_mass, effective_mass_error } =
             d;
         let mut cells = vec![kind.to_owned()];
-        let shown = |x: &f64| csv::number_in(style.number(*x, None), style);
+        let shown = |x: &f64| csv::styled_number(style.number(*x, None), style);
         cells.extend(direction_link.iter().chain(direction_world).map(shown));
         cells.extend([
             (*status).to_owned(),
-            csv::mass_in(*effective_mass, *effective_mass_error, style),
-            csv::error_in(*effective_mass_error, style),
+            csv::styled_mass(*effective_mass, *effective_mass_error, style),
+            csv::styled_error(*effective_mass_error, style),
         ]);
-        out.write_all(csv::line_in(&cells, style).as_bytes())?;
+        out.write_all(csv::styled_line(&cells, style).as_bytes())?;
     }
     Ok(())
 }
@@ -211,7 +213,7 @@ pub fn skin(answer: &MapAnswer) -> Skin {
     };
     let mark = |name: &str, e: &Extreme| SkinMark {
         at: e.point_world,
-        label: format!("{name} {} kg", short(e.effective_mass)),
+        label: format!("{name} {} kg", short_number(e.effective_mass)),
     };
     let smallest = extreme(|l| l.smallest.as_ref(), 1.0).map(|e| mark("smallest", e));
     let largest = extreme(|l| l.largest.as_ref(), -1.0).map(|e| mark("largest", e));

@@ -1,7 +1,7 @@
 //! Picture of a sweep: effective mass with the estimate, and the motion ratio below.
 
 use crate::terminal::failure::Failure;
-use crate::terminal::text::short;
+use crate::terminal::text::short_number;
 use indicatif::ProgressBar;
 use percuss_render::{Figure, Mark, Panel, Series, Style};
 use percuss_study::{Continuation, MassQuestion, StudyFigure, Sweep, SweepEnd, VariedColumn};
@@ -11,13 +11,13 @@ use std::ops::ControlFlow;
 type Curve = Vec<(f64, Option<f64>)>;
 
 /// Largest number of marks at singular poses; more would merge into a line.
-const MARKS: usize = 10_000;
+const MAX_MARKS: usize = 10_000;
 
 /// Largest number of curves in one picture; more cannot be distinguished.
-const SERIES: usize = 7;
+const MAX_CURVES: usize = 7;
 
 /// Scale factor from SI, and unit of the axis for a varied number.
-fn shown_in(column: &VariedColumn) -> (f64, &'static str) {
+fn axis_unit(column: &VariedColumn) -> (f64, &'static str) {
     match column.unit {
         "m" => (1e3, "mm"),
         "rad" => (180.0 / std::f64::consts::PI, "deg"),
@@ -32,10 +32,10 @@ fn estimate_name(question: &MassQuestion) -> String {
 }
 
 /// Runs a sweep and keeps only the data of the picture.
-pub fn drawn(
+pub fn sweep_figure(
     sweep: Sweep,
     question: &MassQuestion,
-    asked: &StudyFigure,
+    requested: &StudyFigure,
     bar: &ProgressBar,
 ) -> Result<(Figure, SweepEnd), Failure> {
     let heading = sweep.heading().clone();
@@ -51,7 +51,7 @@ pub fn drawn(
             ));
         }
     };
-    let (scale, unit) = shown_in(varied);
+    let (scale, unit) = axis_unit(varied);
     let (mut estimates, mut ratios) = (Curve::new(), Curve::new());
     // One curve per value of the outer range.
     let mut masses: Vec<(f64, Curve)> = Vec::new();
@@ -64,7 +64,7 @@ pub fn drawn(
         if masses.last().is_none_or(|(last, _)| *last != of) {
             masses.push((of, Curve::new()));
         }
-        if masses.len() > SERIES {
+        if masses.len() > MAX_CURVES {
             return ControlFlow::Break(());
         }
         if let Some((_, curve)) = masses.last_mut() {
@@ -72,16 +72,16 @@ pub fn drawn(
         }
         estimates.push((x, row.estimate));
         ratios.push((x, row.motion_ratio));
-        if row.singular_pose == Some(true) && marks.len() < MARKS {
+        if row.singular_pose == Some(true) && marks.len() < MAX_MARKS {
             marks.push(Mark { x, label: "singular".into() });
         }
         ControlFlow::Continue(())
     })?;
     let series = |name: &str, style, points| Series { name: name.into(), style, points };
     let is_drawn = |curve: &Curve| curve.iter().any(|(_, value)| value.is_some());
-    if masses.len() > SERIES {
+    if masses.len() > MAX_CURVES {
         return Err(Failure::bad_input(format!(
-            "--output: the first range has more than {SERIES} values, and each value is one curve; use fewer \
+            "--output: the first range has more than {MAX_CURVES} values, and each value is one curve; use fewer \
              values, or give a file that ends in .csv, .xlsx, .parquet, .json or .jsonl"
         )));
     }
@@ -90,8 +90,8 @@ pub fn drawn(
         .map(|(value, curve)| match outer {
             None => series("effective mass", Style::Line, curve),
             Some(outer) => {
-                let (scale, unit) = shown_in(outer);
-                let name = format!("{} = {} {unit}", outer.name, short(scale * value));
+                let (scale, unit) = axis_unit(outer);
+                let name = format!("{} = {} {unit}", outer.name, short_number(scale * value));
                 series(name.trim_end(), Style::Line, curve)
             }
         })
@@ -101,7 +101,7 @@ pub fn drawn(
     if alone && is_drawn(&estimates) {
         first.push(series(&estimate_name(question), Style::Dashed, estimates));
     }
-    let mut panels = vec![Panel { y_label: "m̄ (kg)".into(), series: first, y_limits: asked.y_limits }];
+    let mut panels = vec![Panel { y_label: "m̄ (kg)".into(), series: first, y_limits: requested.y_limits }];
     if alone && is_drawn(&ratios) {
         let of = if question.estimate.is_some() { "A over contact" } else { "travel over contact" };
         let ratio = series(of, Style::Line, ratios);
@@ -112,8 +112,8 @@ pub fn drawn(
         });
     }
     let figure = Figure {
-        title: asked.title.clone().unwrap_or_else(|| format!("Effective mass at {}", heading.link)),
-        x_limits: asked.x_limits,
+        title: requested.title.clone().unwrap_or_else(|| format!("Effective mass at {}", heading.link)),
+        x_limits: requested.x_limits,
         subtitle: heading.inputs.first().map_or_else(String::new, |input| input.path.clone()),
         x_label: if unit.is_empty() { varied.name.clone() } else { format!("{} ({unit})", varied.name) },
         panels,

@@ -31,6 +31,7 @@ pub fn json(text: &str) -> Cow<'_, str> {
     )
 }
 
+/// Replaces unsafe characters; borrows the text if there are none.
 fn escaped(text: &str, is_unsafe: impl Fn(char) -> bool, escape: impl Fn(char) -> String) -> Cow<'_, str> {
     if !text.contains(&is_unsafe) {
         return Cow::Borrowed(text);
@@ -46,25 +47,25 @@ fn escaped(text: &str, is_unsafe: impl Fn(char) -> bool, escape: impl Fn(char) -
 pub struct Terminal<W> {
     to: W,
     /// Bytes of an incomplete character.
-    begun: Vec<u8>,
+    incomplete: Vec<u8>,
 }
 
 impl<W> Terminal<W> {
     pub fn new(to: W) -> Self {
-        Self { to, begun: Vec::new() }
+        Self { to, incomplete: Vec::new() }
     }
 }
 
 impl<W: Write> Write for Terminal<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.begun.extend_from_slice(bytes);
-        let whole = match std::str::from_utf8(&self.begun) {
+        self.incomplete.extend_from_slice(bytes);
+        let whole = match std::str::from_utf8(&self.incomplete) {
             Ok(text) => text.len(),
             Err(error) => error.valid_up_to(),
         };
-        let text = String::from_utf8_lossy(&self.begun[..whole]);
+        let text = String::from_utf8_lossy(&self.incomplete[..whole]);
         self.to.write_all(lines(&text).as_bytes())?;
-        self.begun.drain(..whole);
+        self.incomplete.drain(..whole);
         Ok(bytes.len())
     }
 
@@ -78,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_would_forge_a_line_is_shown() {
+    fn characters_that_forge_a_line_are_escaped() {
         assert_eq!(line("arm\neffective mass 0.001 kg"), "arm\\neffective mass 0.001 kg");
         assert_eq!(line("\u{1b}[2J\u{9b}2J\u{202e}x\u{7f}"), "\\u{1b}[2J\\u{9b}2J\\u{202e}x\\u{7f}");
         assert_eq!(lines("a\nb\r"), "a\nb\\r");
@@ -87,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn a_character_may_come_in_parts() {
+    fn characters_may_be_split_between_writes() {
         let mut terminal = Terminal::new(Vec::new());
         for byte in "m̄ \u{9b} 質".as_bytes() {
             terminal.write_all(&[*byte]).expect("a list of bytes");

@@ -1,8 +1,8 @@
 //! Sensitivities of an effective mass, and effects of tolerances, as text.
 
 use crate::terminal::escape::line;
-use crate::terminal::text::{Table, number, short, triple};
-use crate::terminal::wrap::fact;
+use crate::terminal::text::{Table, number, short_number, triple};
+use crate::terminal::wrap::fact_line;
 use percuss_study::{Explanation, MotionRatioRecord, ToleranceReport};
 use std::fmt::Write;
 
@@ -11,17 +11,17 @@ pub fn explanation(explained: &Explanation) -> String {
     let mut out = String::from("\nsensitivities (first order; an opposite change has the opposite effect)\n");
     let list = |name: &str, items: Vec<String>| {
         let names = std::iter::once(name).chain(std::iter::repeat(""));
-        names.zip(items).map(|(name, item)| fact(name, &line(&item))).collect::<String>()
+        names.zip(items).map(|(name, item)| fact_line(name, &line(&item))).collect::<String>()
     };
     let masses = explained.most_per_kilogram.iter();
     let masses: Vec<String> =
-        masses.map(|c| format!("1 kg less of {}: {} kg less", c.link, short(c.lowers_by))).collect();
+        masses.map(|c| format!("1 kg less of {}: {} kg less", c.link, short_number(c.lowers_by))).collect();
     if !masses.is_empty() {
         out += &list("most per kilogram", masses);
     }
     let moves = explained.most_per_millimetre.iter().map(|c| {
         let direction = c.direction.map(|x| (x * 1e4).round() / 1e4);
-        format!("{} 1 mm along {}: {} kg less", c.point, triple(&direction), short(c.lowers_by))
+        format!("{} 1 mm along {}: {} kg less", c.point, triple(&direction), short_number(c.lowers_by))
     });
     let moves: Vec<String> = moves.collect();
     if !moves.is_empty() {
@@ -31,13 +31,13 @@ pub fn explanation(explained: &Explanation) -> String {
     for link in &explained.links {
         let com = link.per_metre_of_com.map_or_else(|| "–".to_owned(), |rates| per_millimetre(&rates));
         let share = format!("{:.2}", 100.0 * link.share);
-        table.row([link.link.clone(), short(link.mass), share, short(link.per_kilogram), com]);
+        table.row([link.link.clone(), short_number(link.mass), share, short_number(link.per_kilogram), com]);
     }
     let _ = write!(out, "\n{table}");
     if !explained.rotors.is_empty() {
         let mut table = Table::new(["joint", "per kg·m² (kg) of armature"]);
         for rotor in &explained.rotors {
-            let rates: Vec<String> = rotor.per_armature.iter().map(|rate| short(*rate)).collect();
+            let rates: Vec<String> = rotor.per_armature.iter().map(|rate| short_number(*rate)).collect();
             table.row([rotor.joint.clone(), rates.join(", ")]);
         }
         let _ = write!(out, "\n{table}");
@@ -68,33 +68,34 @@ pub fn tolerances(report: &ToleranceReport) -> String {
         [("mass", given.mass, &report.parts.mass), ("armature", given.armature, &report.parts.armature)]
     {
         if part > 0.0 {
-            words.push(format!("{name} {} %: {} kg", short(100.0 * part), short(*of)));
+            words.push(format!("{name} {} %: {} kg", short_number(100.0 * part), short_number(*of)));
         }
     }
     for (name, part, of) in
         [("com", given.com, &report.parts.com), ("point", given.point, &report.parts.point)]
     {
         if part > 0.0 {
-            words.push(format!("{name} {} mm: {} kg", short(1e3 * part), short(*of)));
+            words.push(format!("{name} {} mm: {} kg", short_number(1e3 * part), short_number(*of)));
         }
     }
-    let percent = |kg: f64| format!("{} kg ({} %)", short(kg), short(100.0 * kg / report.effective_mass));
+    let percent =
+        |kg: f64| format!("{} kg ({} %)", short_number(kg), short_number(100.0 * kg / report.effective_mass));
     let mut out = String::from("\neffect of the tolerances\n");
     let _ = writeln!(out, "  root sum square    ± {}", percent(report.root_sum_square));
     let _ = writeln!(out, "  all at the limit   ± {}", percent(report.worst_case));
-    out += &fact("  of which", &words.join("; "));
+    out += &fact_line("  of which", &words.join("; "));
     if let Some(samples) = &report.samples {
         let text = format!(
             "{} ± {} kg (mean, standard deviation), 95 % within {} to {} kg, seed {}",
             number(samples.mean),
-            short(samples.standard_deviation),
+            short_number(samples.standard_deviation),
             number(samples.percentile_2_5),
             number(samples.percentile_97_5),
             samples.seed
         );
-        out += &fact(&format!("  {} samples", samples.count), &text);
+        out += &fact_line(&format!("  {} samples", samples.count), &text);
         if samples.unanswered > 0 {
-            out += &fact("", &format!("{} more had no answer", samples.unanswered));
+            out += &fact_line("", &format!("{} more had no answer", samples.unanswered));
         }
     }
     out

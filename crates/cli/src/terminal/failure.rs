@@ -19,7 +19,7 @@ pub enum Failure {
     /// Question without a result, or an invalid question: the error determines the exit code.
     Question(Box<StudyError>),
     /// The reader of the output closed the pipe: exit code 0, no message.
-    Unread,
+    ClosedPipe,
 }
 
 impl Failure {
@@ -31,7 +31,7 @@ impl Failure {
     /// Adds the file name of the study, and the line of the key at fault.
     pub fn in_study(self, path: &str, keys: &StudyKeys) -> Self {
         // A message begins with its key.
-        let place = |key: &str| match keys.line_of(key) {
+        let position = |key: &str| match keys.line_of(key) {
             Some(line) => format!("{path}:{line}"),
             None => path.to_owned(),
         };
@@ -43,7 +43,7 @@ impl Failure {
                         let named = message.strip_prefix('"').and_then(|rest| rest.split_once("\": "));
                         let key =
                             named.map_or(message, |(_, rest)| rest).split(':').next().unwrap_or_default();
-                        format!("{}: error: {message}", place(key))
+                        format!("{}: error: {message}", position(key))
                     }
                     None => line,
                 };
@@ -54,12 +54,13 @@ impl Failure {
                 Failure::NoAnswer(format!("{path}: {}", error.message(Names::Keys)))
             }
             Failure::Question(error) => {
-                let key = error.field().map(|field| field.key()).or(lacking(&error).map(|(_, key)| key));
+                let key =
+                    error.field().map(|field| field.key()).or(missing_number(&error).map(|(_, key)| key));
                 let message = error.message(Names::Keys);
                 let key = key.unwrap_or_else(|| message.split(':').next().unwrap_or_default());
-                Failure::BadInput(vec![format!("{}: error: {message}{}", place(key), key_of(&error))])
+                Failure::BadInput(vec![format!("{}: error: {message}{}", position(key), key_of(&error))])
             }
-            Failure::Unread => Failure::Unread,
+            Failure::ClosedPipe => Failure::ClosedPipe,
         }
     }
 
@@ -72,12 +73,12 @@ impl Failure {
                 let code = if error.has_no_result() { 1 } else { 2 };
                 (vec![format!("error: {}{}", error.message(Names::Flags), flag_of(&error))], code)
             }
-            Failure::Unread => return 0,
+            Failure::ClosedPipe => return 0,
         };
         let mut stderr = io::stderr().lock();
         for line in lines {
             // A closed stderr does not affect the exit code.
-            let _ = writeln!(stderr, "{}", wrap::message(&escape::line(&line)));
+            let _ = writeln!(stderr, "{}", wrap::wrap_message(&escape::line(&line)));
         }
         code
     }
@@ -109,25 +110,26 @@ impl From<StudyError> for Failure {
 }
 
 /// Flag and key of the number that a contact law or a simulator needs, or that is out of range.
-fn lacking(error: &StudyError) -> Option<(&'static str, &'static str)> {
+fn missing_number(error: &StudyError) -> Option<(&'static str, &'static str)> {
     match error {
         StudyError::Damping(ContactLawError::SpeedNeeded { .. }) => Some(("--speed", "damping.speed")),
         StudyError::Export(error) if matches!(**error, ExportError::Missing { .. }) => {
             Some(("--own-mass", "damping.own_mass"))
         }
         StudyError::Export(error) => match &**error {
-            ExportError::Contact(ContactLawError::OutOfRange { what, .. }) => number_of(what),
+            ExportError::Contact(ContactLawError::OutOfRange { what, .. }) => flag_and_key_of(what),
             ExportError::StepTooLong { .. } => Some(("--time-step", "damping.time_step")),
             ExportError::Exponent { .. } => Some(("--exponent", "damping.exponent")),
             _ => None,
         },
-        StudyError::Damping(ContactLawError::OutOfRange { what, .. }) => number_of(what),
+        StudyError::Damping(ContactLawError::OutOfRange { what, .. }) => flag_and_key_of(what),
         StudyError::Damping(ContactLawError::UnknownRegion { .. }) => Some(("--region", "safe_speed.region")),
         _ => None,
     }
 }
 
-fn number_of(what: &str) -> Option<(&'static str, &'static str)> {
+/// Flag and key of a number by its description in an error.
+fn flag_and_key_of(what: &str) -> Option<(&'static str, &'static str)> {
     NUMBERS.iter().find(|(number, ..)| *number == what).map(|(_, flag, key)| (*flag, *key))
 }
 
@@ -151,12 +153,14 @@ const NUMBERS: [(&str, &str, &str); 16] = [
     ("greatest momentum, N·s", "--momentum", "safe_speed.momentum"),
 ];
 
+/// Flag of the number at fault, for the end of a message.
 fn flag_of(error: &StudyError) -> String {
-    lacking(error).map_or_else(String::new, |(flag, _)| format!(" ({flag})"))
+    missing_number(error).map_or_else(String::new, |(flag, _)| format!(" ({flag})"))
 }
 
+/// Key of the number at fault, for the end of a message.
 fn key_of(error: &StudyError) -> String {
-    lacking(error).map_or_else(String::new, |(_, key)| format!(" ({key})"))
+    missing_number(error).map_or_else(String::new, |(_, key)| format!(" ({key})"))
 }
 
 impl From<StudyFileError> for Failure {
@@ -184,7 +188,7 @@ impl From<StudyFileError> for Failure {
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         match error.kind() {
-            io::ErrorKind::BrokenPipe => Failure::Unread,
+            io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
             // Other kinds of errors of the operating system.
             _ => Failure::NoAnswer(format!("the result cannot be written: {error}")),
         }

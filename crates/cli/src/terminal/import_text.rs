@@ -6,10 +6,10 @@ use percuss_formats::suspension::{Side, Understood};
 use std::fmt::Write;
 
 /// Summary as one table: contents of the file, lengths, masses.
-pub fn understood(of: &Understood, output: &str) -> String {
+pub fn import_summary(of: &Understood, output: &str) -> String {
     let mut out = String::new();
     let mut fact = |name: &str, value: String| {
-        out += &wrap::fact(name, &line(&value));
+        out += &wrap::fact_line(name, &line(&value));
     };
     let side = match of.side {
         Side::Left => "the left side",
@@ -51,6 +51,7 @@ pub fn understood(of: &Understood, output: &str) -> String {
     out
 }
 
+/// Length in mm with one decimal.
 fn millimetres(metres: f64) -> String {
     format!("{:.1} mm", 1e3 * metres)
 }

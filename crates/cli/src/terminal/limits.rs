@@ -8,11 +8,11 @@ pub const DIAGNOSTICS_SHOWN: usize = 3;
 /// Joints listed on one line of text; more do not fit in a terminal.
 pub const JOINTS_SHOWN: usize = 8;
 /// Share of the effective mass below which a contribution is only counted, because it would be shown as 0.0 %.
-pub const LEAST_CONTRIBUTION: f64 = 5e-4;
+pub const MIN_CONTRIBUTION: f64 = 5e-4;
 /// Length of the bar of a contribution of 100 %, in characters; half of a terminal of 80 columns remains for names.
 pub const BAR_WIDTH: usize = 30;
 /// Smallest width of a wrapped last column, in characters: about four words per line.
-pub const LEAST_COLUMN: usize = 24;
+pub const MIN_COLUMN: usize = 24;
 /// Indentation of continued table columns, in characters, to distinguish them from the next row.
 pub const BAND_INDENT: usize = 4;
 /// Error of the estimate, in percent, below which zero is shown: half of the last digit shown (two decimals).

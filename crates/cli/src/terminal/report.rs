@@ -27,7 +27,7 @@ pub fn write_out(text: &str) -> Result<(), Failure> {
 
 /// Writes a result for another program to stdout, with unchanged names; on a terminal, with escapes for control
 /// characters and marks of direction.
-pub fn write_as_is(bytes: &[u8]) -> Result<(), Failure> {
+pub fn write_unescaped(bytes: &[u8]) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     if stdout.is_terminal() {
         Terminal::new(&mut stdout).write_all(bytes)?;
@@ -41,24 +41,28 @@ pub fn write_as_is(bytes: &[u8]) -> Result<(), Failure> {
 /// Writes a result to stdout as indented JSON.
 pub fn write_json(result: &impl serde::Serialize) -> Result<(), Failure> {
     match serde_json::to_string_pretty(result) {
-        Ok(text) => write_as_is((escape::json(&text) + "\n").as_bytes()),
+        Ok(text) => write_unescaped((escape::json(&text) + "\n").as_bytes()),
         Err(error) => Err(Failure::NoAnswer(format!("the result has no JSON form: {error}"))),
     }
 }
 
 /// Writes a note about the command itself to stderr. A closed stderr changes nothing.
 pub fn note(message: &str) {
-    remark("note", message);
+    write_message("note", message);
 }
 
 /// Writes a warning about the command to stderr. A closed stderr changes nothing.
 pub fn warn(message: &str) {
-    remark("warning", message);
+    write_message("warning", message);
 }
 
-fn remark(severity: &str, message: &str) {
-    let _ =
-        writeln!(io::stderr().lock(), "{}", wrap::message(&format!("{severity}: {}", escape::line(message))));
+/// Writes `severity: message` to stderr.
+fn write_message(severity: &str, message: &str) {
+    let _ = writeln!(
+        io::stderr().lock(),
+        "{}",
+        wrap::wrap_message(&format!("{severity}: {}", escape::line(message)))
+    );
 }
 
 /// Writes diagnostics to stderr.
@@ -77,7 +81,7 @@ pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Resu
     }
     let mut stderr = io::stderr().lock();
     for line in lines {
-        let _ = writeln!(stderr, "{}", wrap::message(&escape::line(&line)));
+        let _ = writeln!(stderr, "{}", wrap::wrap_message(&escape::line(&line)));
     }
     Ok(())
 }

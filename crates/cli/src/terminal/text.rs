@@ -2,7 +2,7 @@
 
 use crate::terminal::escape::line;
 use crate::terminal::limits;
-use crate::terminal::wrap::{WIDTH, hanging, width};
+use crate::terminal::wrap::{WIDTH, width, wrap_hanging};
 use std::fmt;
 
 /// Formats nine significant digits without trailing zeros; scientific notation for very small and very large numbers.
@@ -14,7 +14,7 @@ pub fn number(x: f64) -> String {
     if !(-4.0..9.0).contains(&magnitude) {
         let text = format!("{x:.8e}");
         let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-        return format!("{}e{exponent}", trimmed(digits));
+        return format!("{}e{exponent}", trim_zeros(digits));
     }
     // The shortest representation is used if it has at most nine digits, because it is faster to compute.
     let shortest = x.to_string();
@@ -22,17 +22,17 @@ pub fn number(x: f64) -> String {
         return shortest;
     }
     let decimals = (8.0 - magnitude).max(0.0) as usize;
-    trimmed(&format!("{x:.decimals$}"))
+    trim_zeros(&format!("{x:.decimals$}"))
 }
 
 /// Formats five significant digits.
-pub fn short(x: f64) -> String {
+pub fn short_number(x: f64) -> String {
     let rounded: f64 = format!("{x:.4e}").parse().unwrap_or(x);
     number(rounded)
 }
 
 /// Formats one digit, rounded up: for upper bounds.
-pub fn bound(x: f64) -> String {
+pub fn upper_bound(x: f64) -> String {
     let nearest = format!("{x:.0e}");
     let above = || {
         let (digit, exponent) = nearest.split_once('e')?;
@@ -45,7 +45,8 @@ pub fn bound(x: f64) -> String {
     }
 }
 
-fn trimmed(digits: &str) -> String {
+/// Removes trailing zeros after the decimal point.
+fn trim_zeros(digits: &str) -> String {
     if digits.contains('.') {
         digits.trim_end_matches('0').trim_end_matches('.').into()
     } else {
@@ -94,9 +95,9 @@ impl<const N: usize> Table<N> {
     }
 
     /// Ranges of columns for each line of a row.
-    fn bands(&self, widths: &[usize; N]) -> Vec<std::ops::Range<usize>> {
+    fn column_bands(&self, widths: &[usize; N]) -> Vec<std::ops::Range<usize>> {
         let words = self.rows.iter().flat_map(|row| row[N - 1].split(' ').map(width));
-        let last = words.max().unwrap_or(0).max(limits::LEAST_COLUMN);
+        let last = words.max().unwrap_or(0).max(limits::MIN_COLUMN);
         let (mut bands, mut start, mut used) = (Vec::new(), 0, 0);
         for i in 0..N {
             let needed = if i + 1 == N { widths[i].min(last) } else { widths[i] };
@@ -119,7 +120,7 @@ impl<const N: usize> fmt::Display for Table<N> {
                 *widest = (*widest).max(width(cell));
             }
         }
-        let bands = self.bands(&widths);
+        let bands = self.column_bands(&widths);
         for row in &self.rows {
             for band in &bands {
                 let mut text = " ".repeat(if band.start == 0 { 0 } else { limits::BAND_INDENT });
@@ -132,7 +133,11 @@ impl<const N: usize> fmt::Display for Table<N> {
                 let text = text.trim_end();
                 // A continued line is omitted if empty.
                 if band.start == 0 || !text.is_empty() {
-                    writeln!(f, "{}", if last + 1 == N { hanging(text, column) } else { text.to_owned() })?;
+                    writeln!(
+                        f,
+                        "{}",
+                        if last + 1 == N { wrap_hanging(text, column) } else { text.to_owned() }
+                    )?;
                 }
             }
         }
@@ -141,7 +146,7 @@ impl<const N: usize> fmt::Display for Table<N> {
 }
 
 /// Quotes a word for the shell of this system, if necessary.
-pub fn word(text: &str) -> String {
+pub fn shell_quoted(text: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "._-/".contains(c);
     if text.chars().all(is_plain) {
         return text.to_owned();
@@ -159,15 +164,15 @@ mod tests {
         let cases =
             [(1e-13, "1e-13"), (1.4e-13, "2e-13"), (1.6e-13, "2e-13"), (9.4e-14, "1e-13"), (0.0, "0e0")];
         for (x, shown) in cases {
-            assert_eq!(bound(x), shown);
+            assert_eq!(upper_bound(x), shown);
         }
         for k in -3000..3000 {
             let x = (0.1 * f64::from(k)).exp();
-            let shown: f64 = bound(x).parse().expect("a number");
+            let shown: f64 = upper_bound(x).parse().expect("a number");
             assert!(x <= shown && shown <= 2.0 * x, "{x} by {shown}");
         }
-        assert_eq!(bound(f64::NAN), "NaN");
-        assert_eq!(bound(f64::INFINITY), "inf");
+        assert_eq!(upper_bound(f64::NAN), "NaN");
+        assert_eq!(upper_bound(f64::INFINITY), "inf");
     }
 
     #[test]

@@ -7,7 +7,7 @@ use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 /// Columns of a terminal.
 pub const WIDTH: usize = 80;
 /// Column of the value of a fact, after its name.
-const VALUE: usize = 21;
+const VALUE_COLUMN: usize = 21;
 
 /// Display width of a text, in columns.
 pub fn width(text: &str) -> usize {
@@ -15,7 +15,7 @@ pub fn width(text: &str) -> usize {
 }
 
 /// Wraps a line that is too wide; continuation lines are indented.
-pub fn hanging(text: &str, indent: usize) -> String {
+pub fn wrap_hanging(text: &str, indent: usize) -> String {
     if display_width(text) <= WIDTH {
         return text.to_owned();
     }
@@ -33,19 +33,19 @@ pub fn hanging(text: &str, indent: usize) -> String {
 }
 
 /// Formats `name   value` with a line feed; the value has its own column.
-pub fn fact(name: &str, value: &str) -> String {
-    hanging(&format!("{name:<20} {value}"), VALUE) + "\n"
+pub fn fact_line(name: &str, value: &str) -> String {
+    wrap_hanging(&format!("{name:<20} {value}"), VALUE_COLUMN) + "\n"
 }
 
 /// Wraps a diagnostic. Continuation lines are indented, so that each line without indentation begins a message.
-pub fn message(text: &str) -> String {
+pub fn wrap_message(text: &str) -> String {
     let begins = text.len() - text.trim_start_matches(' ').len();
-    hanging(text, begins + 2)
+    wrap_hanging(text, begins + 2)
 }
 
 /// Wraps every line of a text; continuation lines keep the indentation of their line.
-pub fn lines(text: &str) -> String {
-    let wrapped = |line: &str| hanging(line, line.len() - line.trim_start_matches(' ').len());
+pub fn wrap_lines(text: &str) -> String {
+    let wrapped = |line: &str| wrap_hanging(line, line.len() - line.trim_start_matches(' ').len());
     text.split('\n').map(wrapped).collect::<Vec<_>>().join("\n")
 }
 
@@ -56,26 +56,26 @@ mod tests {
     #[test]
     fn lines_are_divided_between_words_and_no_wider_than_a_terminal() {
         let text = "a word ".repeat(40);
-        let divided = fact("what", text.trim());
+        let divided = fact_line("what", text.trim());
         assert!(divided.lines().all(|line| width(line) <= WIDTH), "{divided}");
-        assert!(divided.lines().skip(1).all(|line| line.starts_with(&" ".repeat(VALUE))), "{divided}");
+        assert!(divided.lines().skip(1).all(|line| line.starts_with(&" ".repeat(VALUE_COLUMN))), "{divided}");
         let joined: Vec<&str> = divided.split_whitespace().collect();
         assert_eq!(joined.join(" "), format!("what {}", text.trim()));
     }
 
     #[test]
-    fn what_is_not_too_wide_is_left_as_it_is() {
-        assert_eq!(message("error:  two  spaces "), "error:  two  spaces ");
+    fn lines_that_fit_are_unchanged() {
+        assert_eq!(wrap_message("error:  two  spaces "), "error:  two  spaces ");
         // 40 characters of two columns each; then a combining character without width.
         assert_eq!(width("m̄"), 1);
         let wide = "質".repeat(40);
-        assert_eq!(message(&wide), wide);
+        assert_eq!(wrap_message(&wide), wide);
     }
 
     #[test]
     fn a_word_is_never_broken() {
         let path = format!("/{}/model.urdf", "folder".repeat(20));
-        let divided = message(&format!("error: {path} is not there"));
+        let divided = wrap_message(&format!("error: {path} is not there"));
         assert!(divided.contains(&path), "{divided}");
         assert_eq!(divided.lines().count(), 3);
     }

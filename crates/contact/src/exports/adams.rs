@@ -38,15 +38,15 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     export.set("stiffness", stiffness, "N/m^p");
     export.set("exponent", p, "");
-    export.assume("The model's units are kg, m, s and N; Adams/View starts with mm: there k·1000^(−p), cmax/1000, d·1000.");
-    export.assume(
+    export.add_assumption("The model's units are kg, m, s and N; Adams/View starts with mm: there k·1000^(−p), cmax/1000, d·1000.");
+    export.add_assumption(
         "No friction. GSTIFF with HMAX and ERROR as given: with the defaults the error is several 1e-2.",
     );
-    export.assume(
+    export.add_assumption(
         "Not measured in Adams: the function is taken from the documentation, and the error is that \
         of another BDF integrator at these settings.",
     );
-    export.assume(format!(
+    export.add_assumption(format!(
         "A POISSON contact with restitution_coefficient = {e:?} is the alternative; its penalty is not this spring, \
          and its force law was not checked against a source."
     ));
@@ -71,8 +71,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.set("HMAX", largest, "s");
     export.set("ERROR", tolerance, "m");
     export.error_bound = Some(limits::ADAMS_ERROR);
-    export.assume(format!("cmax and d are for approach at {speed:?} m/s."));
-    export.write(
+    export.add_assumption(format!("cmax and d are for approach at {speed:?} m/s."));
+    export.add_snippet(
         "SFORCE and CONTACT",
         "adams",
         format!(

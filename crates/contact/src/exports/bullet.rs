@@ -73,7 +73,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     }
     export.set("contactSlop", 0.0, "m");
     export.set("fixedTimeStep", step, "s");
-    export.write(
+    export.add_snippet(
         "PyBullet",
         "python",
         format!(
@@ -85,7 +85,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
              numSolverIterations=50, contactSlop=0.0,\n    )\n"
         ),
     );
-    export.write(
+    export.add_snippet(
         "Bullet",
         "cpp",
         format!(
@@ -101,11 +101,11 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
              world->stepSimulation({step:?}, 0);\n"
         ),
     );
-    export.assume(
+    export.add_assumption(
         "Both bodies have these values: a body with default values adds a damping of 0.1 N·s/m and is rigid.",
     );
-    export.assume(linear.implicit_words(step));
-    export.assume(match export.single_precision_error {
+    export.add_assumption(linear.implicit_assumption(step));
+    export.add_assumption(match export.single_precision_error {
         Some(error) => format!(
             "Double precision (as PyBullet). A build of single precision adds {error:.1e} to the stated error: the rounding of coordinates up to \
              1 m, 3e-8 m, over the travel in a time step."
@@ -113,13 +113,13 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         None => "Double precision (as PyBullet): a build of single precision adds to the error, by an amount \
             that depends on the speed.".to_owned(),
     });
-    export.assume(
+    export.add_assumption(
         "restitution is 0: above 0.2 m/s the product of both bodies' values would add to the rebound of the spring.",
     );
-    export.assume(
+    export.add_assumption(
         "Frictionless: with lateralFriction 0.5 on both sides the error of a pendulum's restitution is up to 0.08.",
     );
-    export.assume(
+    export.add_assumption(
         "contactSlop is 0: with PyBullet's 10 µm the penetration increases by 10 µm. In C++ the default is 0.",
     );
     export.cannot.push(

@@ -1,6 +1,6 @@
 //! Project Chrono, smooth contacts (SMC): user coefficients, or a corrected coefficient of restitution.
 
-use super::export::single;
+use super::export::check_single_precision;
 use super::linear::Linear;
 use super::{Export, ExportError, Facts, Measurement, Options, Request, Tool};
 use crate::{Damper, Separation, kelvin_voigt};
@@ -68,9 +68,9 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     export.set("m_eff", effective, "kg");
     if request.contact.exponent() == 1.5 {
-        hertz(&mut export, request, effective)?;
+        export_hertz(&mut export, request, effective)?;
     } else if request.contact.exponent() == 1.0 {
-        hooke(&mut export, request, effective)?;
+        export_hooke(&mut export, request, effective)?;
     } else {
         return Err(ExportError::Exponent {
             tool: TOOL,
@@ -79,23 +79,24 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
             remedy: "choose one of the two",
         });
     }
-    words(&mut export, own, other);
+    add_assumptions(&mut export, own, other);
     Ok(export)
 }
 
-fn hooke(export: &mut Export, request: &Request, effective: f64) -> Result<(), ExportError> {
+/// Adds parameters and snippets of the linear (Hooke) model; `effective` is m_eff of the own masses, kg.
+fn export_hooke(export: &mut Export, request: &Request, effective: f64) -> Result<(), ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.explicit_step()?;
     let damping = linear.damping(linear.ratio) / effective;
-    single("Chrono's kn, N/m", linear.stiffness)?;
-    single("Chrono's gn, 1/s", damping)?;
+    check_single_precision("Chrono's kn, N/m", linear.stiffness)?;
+    check_single_precision("Chrono's gn, 1/s", damping)?;
     export.time_step = Some(step);
     export.error_bound = Some(linear.error_bound(step));
     export.add_penetration("", linear.penetration(request.speed));
     export.set("kn", linear.stiffness, "N/m");
     export.set("gn", damping, "1/s");
     export.set("step", step, "s");
-    export.write(
+    export.add_snippet(
         "user coefficients",
         "cpp",
         format!(
@@ -109,10 +110,10 @@ fn hooke(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
             linear.stiffness
         ),
     );
-    match corrected(request, effective) {
+    match corrected_restitution(request, effective) {
         Ok(cr) => {
             export.set("cr", cr, "");
-            export.assume(format!(
+            export.add_assumption(format!(
                 "With material properties instead, SetRestitution({cr:?}f) gives the same restitution; Chrono \
                  then computes the stiffness; this was not measured."
             ));
@@ -122,11 +123,12 @@ fn hooke(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
     Ok(())
 }
 
-fn hertz(export: &mut Export, request: &Request, effective: f64) -> Result<(), ExportError> {
-    let cr = corrected(request, effective)?;
+/// Adds parameters and snippets of the Hertz model; `effective` is m_eff of the own masses, kg.
+fn export_hertz(export: &mut Export, request: &Request, effective: f64) -> Result<(), ExportError> {
+    let cr = corrected_restitution(request, effective)?;
     // F = 4/3 E* √R x^(3/2).
     let modulus = 0.75 * request.contact.stiffness();
-    single("Chrono's modulus E_eff, Pa", modulus / BULLET_RADIUS.sqrt())?;
+    check_single_precision("Chrono's modulus E_eff, Pa", modulus / BULLET_RADIUS.sqrt())?;
     export.set("cr", cr, "");
     export.set("E_eff·sqrt(R_eff)", modulus, "N/m^(3/2)");
     export.set("E_eff", modulus / BULLET_RADIUS.sqrt(), "Pa");
@@ -141,7 +143,7 @@ fn hertz(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
         .options
         .time_step
         .map_or_else(String::new, |step| format!("// In the loop:\nsystem.DoStepDynamics({step:?});\n"));
-    export.write(
+    export.add_snippet(
         "material properties",
         "cpp",
         format!(
@@ -157,17 +159,17 @@ fn hertz(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
             modulus / BULLET_RADIUS.sqrt()
         ),
     );
-    export.assume(
+    export.add_assumption(
         "Both materials have the restitution (the lesser of two counts). E_eff is for R_eff = 0.1 m, \
          ChCollisionInfo's default, which applies to all collisions found by Bullet, independent of the radii \
          of the shapes.",
     );
-    export.assume("No step is recommended and no error stated; measured with a thousandth of the contact's duration or less.");
+    export.add_assumption("No step is recommended and no error stated; measured with a thousandth of the contact's duration or less.");
     Ok(())
 }
 
 /// cr' for which Chrono's conversion gives the required restitution.
-fn corrected(request: &Request, effective: f64) -> Result<f64, ExportError> {
+fn corrected_restitution(request: &Request, effective: f64) -> Result<f64, ExportError> {
     let ratio = kelvin_voigt::ratio(request.restitution, Separation::ForceVanishes)?;
     let ratio = ratio * (request.contact.mass() / effective).sqrt();
     if ratio < 1.0 {
@@ -183,18 +185,19 @@ fn corrected(request: &Request, effective: f64) -> Result<f64, ExportError> {
     })
 }
 
-fn words(export: &mut Export, own: f64, other: f64) {
-    export.assume(format!(
+/// Adds the assumptions about masses, materials, friction and precision.
+fn add_assumptions(export: &mut Export, own: f64, other: f64) {
+    export.add_assumption(format!(
         "The contact link alone has {own:?} kg, the other body alone {other:?} kg: Chrono divides by \
          m₁m₂/(m₁+m₂), and a \
          fixed body counts with its own mass, 1 kg unless set."
     ));
-    export.assume("Both materials have these values (kn and gn of two are averaged). Chrono stores them in single precision.");
-    export.assume(
+    export.add_assumption("Both materials have these values (kn and gn of two are averaged). Chrono stores them in single precision.");
+    export.add_assumption(
         "No adhesion and no friction (0.6 by default); the Flores model of the same enumeration is \
             identical to Hooke.",
     );
-    export.assume(
+    export.add_assumption(
         "Collisions are found in single precision: place contacts with a small penetration near the \
         origin.",
     );

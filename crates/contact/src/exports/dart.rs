@@ -68,7 +68,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         export.set("TimeStep", step, "s");
         text += &format!("\n\ndef set_step(world):\n    world.setTimeStep({step:?})\n");
     }
-    export.write("dartpy", "python", text);
+    export.add_snippet("dartpy", "python", text);
     match request.speed {
         Some(speed) if e == 0.0 => export.error_bound = Some(limits::DART_CORRECTION / speed),
         Some(_) => {
@@ -77,9 +77,11 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         }
         None => export.missing.push("approach speed, m/s: there is no rebound below 0.1 m/s"),
     }
-    export.assume("One side has the restitution, the other 1: DART multiplies the two. The default is 0.");
-    rigid::assume_travel(&mut export, request);
-    export.assume("The joints have no damping, springs or friction of their own, as by default.");
+    export.add_assumption(
+        "One side has the restitution, the other 1: DART multiplies the two. The default is 0.",
+    );
+    rigid::add_travel_assumption(&mut export, request);
+    export.add_assumption("The joints have no damping, springs or friction of their own, as by default.");
     export.cannot.push("stiffness, penetration, duration, peak force: the contact is rigid");
     Ok(export)
 }

@@ -74,7 +74,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
             "approach speed, m/s: the dissipation of continuous and lagged plants is proportional to 1/speed",
         ),
     }
-    let relaxation = discrete(&mut export, &linear, request.options.time_step)?;
+    let relaxation = set_discrete_parameters(&mut export, &linear, request.options.time_step)?;
     if relaxation.is_some() {
         export.add_penetration("SAP", linear.penetration(request.speed));
     }
@@ -82,15 +82,19 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         let impact = Damper::hunt_crossley(d).and_then(|damper| damper.impact(request.contact, speed));
         export.add_penetration("continuous, lagged", impact.ok().map(|impact| impact.max_penetration));
     }
-    continuous(&mut export, request, &linear);
-    snippets(&mut export, stiffness, dissipation, relaxation);
-    words(&mut export, request, number);
+    set_integrator(&mut export, request, &linear);
+    add_snippets(&mut export, stiffness, dissipation, relaxation);
+    add_assumptions(&mut export, request, number);
     Ok(export)
 }
 
 /// Sets the parameters of discrete plants. Returns the relaxation time of each geometry; `None` if SAP cannot reach e.
-fn discrete(export: &mut Export, linear: &Linear, wanted: Option<f64>) -> Result<Option<f64>, ExportError> {
-    let lagged = wanted.unwrap_or_else(|| linear.lagged_step());
+fn set_discrete_parameters(
+    export: &mut Export,
+    linear: &Linear,
+    requested: Option<f64>,
+) -> Result<Option<f64>, ExportError> {
+    let lagged = requested.unwrap_or_else(|| linear.lagged_step());
     export.set("time_step_lagged", lagged, "s");
     let step = linear.implicit_step();
     let ratio = match linear.implicit_ratio(step) {
@@ -105,13 +109,13 @@ fn discrete(export: &mut Export, linear: &Linear, wanted: Option<f64>) -> Result
     export.set("relaxation_time", relaxation, "s");
     export.set("time_step_sap", step, "s");
     export.time_step = Some(step);
-    let (sap, own) = (linear.implicit_error_bound(step), linear.lagged_error(lagged));
-    export.error_bound = Some(sap.max(own));
-    export.assume(linear.implicit_words(step));
-    export.assume(format!(
-        "The stated error is the greater of SAP's at {step:?} s, {sap:.1e}, and of that of lagged and similar at {lagged:?} s, {own:.1e}."
+    let (sap, lagged_error) = (linear.implicit_error_bound(step), linear.lagged_error(lagged));
+    export.error_bound = Some(sap.max(lagged_error));
+    export.add_assumption(linear.implicit_assumption(step));
+    export.add_assumption(format!(
+        "The stated error is the greater of SAP's at {step:?} s, {sap:.1e}, and of that of lagged and similar at {lagged:?} s, {lagged_error:.1e}."
     ));
-    export.assume(format!(
+    export.add_assumption(format!(
         "A discrete plant with the lagged or similar approximation (lagged is Drake's default) loses up to \
          (π/2)·e·ωh of the restitution, {:.1e} at {lagged:?} s, and cannot be corrected by another dissipation.",
         linear.lagged_error(lagged)
@@ -125,25 +129,28 @@ impl Linear {
         PI / 2.0 * self.restitution * self.frequency * time_step
     }
 
+    /// Time step at which [`Self::lagged_error`] equals the accuracy.
     fn lagged_step(&self) -> f64 {
         self.accuracy * (2.0 / PI) / self.restitution / self.frequency
     }
 }
 
-fn continuous(export: &mut Export, request: &Request, linear: &Linear) {
+/// Sets accuracy and greatest step of the integrator of a continuous plant.
+fn set_integrator(export: &mut Export, request: &Request, linear: &Linear) {
     let accuracy = request.options.accuracy;
     let largest =
         limits::LONGEST_STEP * (accuracy / limits::DEFAULT_ACCURACY).sqrt().min(1.0) / linear.frequency;
     export.set("integration_scheme", "runge_kutta3", "");
     export.set("accuracy", accuracy.min(limits::DRAKE_ACCURACY), "");
     export.set("max_step_size", largest, "s");
-    export.assume(format!(
+    export.add_assumption(format!(
         "A continuous plant is integrated by runge_kutta3 in steps of at most {largest:?} s: error control \
          alone detects the contact too late, and schemes of higher order can step over the contact."
     ));
 }
 
-fn snippets(export: &mut Export, stiffness: f64, dissipation: Option<f64>, relaxation: Option<f64>) {
+/// Adds the snippets in Python and SDF.
+fn add_snippets(export: &mut Export, stiffness: f64, dissipation: Option<f64>, relaxation: Option<f64>) {
     let largest = export.number("max_step_size").unwrap_or_default();
     let accuracy = export.number("accuracy").unwrap_or_default();
     let mut python = String::from(
@@ -175,7 +182,7 @@ fn snippets(export: &mut Export, stiffness: f64, dissipation: Option<f64>, relax
          config.accuracy = {accuracy:?}\n\
          config.max_step_size = {largest:?}\n"
     );
-    export.write("pydrake", "python", python);
+    export.add_snippet("pydrake", "python", python);
     let mut urdf = format!(
         "<drake:proximity_properties xmlns:drake=\"http://drake.mit.edu\">\n  \
          <drake:point_contact_stiffness value=\"{stiffness:?}\"/>\n"
@@ -190,23 +197,26 @@ fn snippets(export: &mut Export, stiffness: f64, dissipation: Option<f64>, relax
             sdf += &format!("  <drake:{name}>{value:?}</drake:{name}>\n");
         }
     }
-    export.write("in a URDF's <collision>", "xml", urdf + "</drake:proximity_properties>\n");
-    export.write("in an SDF's <collision>", "xml", sdf + "</drake:proximity_properties>\n");
+    export.add_snippet("in a URDF's <collision>", "xml", urdf + "</drake:proximity_properties>\n");
+    export.add_snippet("in an SDF's <collision>", "xml", sdf + "</drake:proximity_properties>\n");
 }
 
-fn words(export: &mut Export, request: &Request, number: f64) {
-    export.assume(
+/// Adds the assumptions and limitations.
+fn add_assumptions(export: &mut Export, request: &Request, number: f64) {
+    export.add_assumption(
         "Both geometries of the pair have these values. Against a much stiffer one, the soft one has half the \
          stiffness and the same dissipation, and all of the relaxation time, the stiff one 0.",
     );
-    export.assume("Point contact (ContactModel.kPoint, or a pair without a hydroelastic representation).");
+    export.add_assumption(
+        "Point contact (ContactModel.kPoint, or a pair without a hydroelastic representation).",
+    );
     if let Some(speed) = request.speed {
-        export.assume(format!(
+        export.add_assumption(format!(
             "The dissipation is for approach at {speed:?} m/s (d·v = {number:?}); faster impacts bounce less. It does \
              not depend on the effective mass."
         ));
     }
-    export.assume(
+    export.add_assumption(
         "penetration_allowance is not used: Drake derives a spring from the mass of the heaviest body, not from m̄.",
     );
     if request.options.constrained || request.options.closed_loops {

@@ -9,7 +9,7 @@ use super::{Export, Request};
 /// of the deepest m̄ during the whole impact. Second term: change δ/2 of the speed between the end of the force and the
 /// closed gap. Integration with m̄ linear in the penetration gives at most 0.55 of the first term for e = 0.05 to 0.9.
 /// The penetration of rigid contacts is the travel of one time step.
-pub(super) fn apply(request: &Request, mut export: Export) -> Export {
+pub(super) fn add_drift_error(request: &Request, mut export: Export) -> Export {
     let (Some(drift), Some(bound)) = (request.options.drift, export.error_bound) else { return export };
     let travel = request.speed.zip(export.time_step).map(|(speed, step)| speed * step);
     let own = export.penetrations.iter().map(|p| p.value).reduce(f64::max).or(travel);
@@ -20,7 +20,7 @@ pub(super) fn apply(request: &Request, mut export: Export) -> Export {
     let effect = if e > 0.0 { change * (1.0 - e.ln()) * e / 2.0 } else { 0.0 };
     export.error_bound = Some(bound + effect);
     if effect > 0.0 {
-        export.assume(format!(
+        export.add_assumption(format!(
             "The effective mass changes by {:.1e} (relative) over the penetration; {effect:.1e} of the stated error is for that.",
             change
         ));

@@ -108,6 +108,7 @@ impl Export {
         }
     }
 
+    /// Adds a parameter.
     pub(super) fn set(&mut self, name: &'static str, value: impl Into<Value>, unit: &'static str) {
         self.parameters.push(Parameter { name, value: value.into(), unit });
     }
@@ -121,16 +122,18 @@ impl Export {
         }));
     }
 
-    pub(super) fn assume(&mut self, text: impl Into<String>) {
+    /// Adds an assumption.
+    pub(super) fn add_assumption(&mut self, text: impl Into<String>) {
         self.assumptions.push(text.into());
     }
 
-    pub(super) fn write(&mut self, title: &'static str, language: &'static str, text: String) {
+    /// Adds a snippet.
+    pub(super) fn add_snippet(&mut self, title: &'static str, language: &'static str, text: String) {
         self.snippets.push(Snippet { title, language, text });
     }
 
-    /// Error: a parameter is not finite.
-    pub(super) fn finite(self) -> Result<Self, ExportError> {
+    /// Returns the export if all parameters are finite. Error: a parameter is not finite.
+    pub(super) fn check_finite(self) -> Result<Self, ExportError> {
         let numbers = |value: &Value| match value {
             Value::Number(number) => number.is_finite(),
             Value::Numbers(numbers) => numbers.iter().all(|n| n.is_finite()),
@@ -142,8 +145,9 @@ impl Export {
         Ok(self)
     }
 
-    /// Error: the error bound is larger than the restitution, so the restitution would be unknown.
-    pub(super) fn bounded(self, request: &Request) -> Result<Self, ExportError> {
+    /// Returns the export if its error bound is at most the restitution. Error: a larger bound, because the restitution
+    /// would be unknown.
+    pub(super) fn check_error_bound(self, request: &Request) -> Result<Self, ExportError> {
         let e = request.restitution;
         if e > 0.0 && self.error_bound.is_some_and(|bound| bound > e) {
             return Err(ExportError::Unreachable {
@@ -158,7 +162,7 @@ impl Export {
 }
 
 /// Checks a number that the tool stores in single precision. Error: the number is out of that range.
-pub(super) fn single(what: &'static str, value: f64) -> Result<(), ExportError> {
+pub(super) fn check_single_precision(what: &'static str, value: f64) -> Result<(), ExportError> {
     let stored = value as f32;
     if stored.is_normal() || value == 0.0 {
         return Ok(());

@@ -44,7 +44,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     if linear.restitution < 1.0 {
         linear.ratio = kelvin_voigt::ratio(linear.restitution, Separation::GapCloses)?;
     }
-    let slope = 2.5 * linear.ratio * linear.restitution;
+    let error_slope = 2.5 * linear.ratio * linear.restitution;
     let step = match request.options.time_step {
         Some(step) if linear.frequency * step <= limits::EXUDYN_LONGEST_STEP => step,
         Some(time_step) => {
@@ -53,7 +53,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         }
         // slope ωh + (ωh)²/2 = accuracy.
         None => {
-            let step = 2.0 * linear.accuracy / (slope + (slope * slope + 2.0 * linear.accuracy).sqrt());
+            let step = 2.0 * linear.accuracy
+                / (error_slope + (error_slope * error_slope + 2.0 * linear.accuracy).sqrt());
             step.min(limits::LONGEST_STEP) / linear.frequency
         }
     };
@@ -61,7 +62,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let part = linear.frequency * step;
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
-    export.error_bound = Some(slope * part + part * part / 2.0);
+    export.error_bound = Some(error_slope * part + part * part / 2.0);
     export.add_penetration("", linear.penetration(request.speed));
     export.set("contactStiffness", linear.stiffness, "N/m");
     export.set("contactDamping", damping, "N·s/m");
@@ -84,11 +85,11 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         Some(speed) => {
             let tolerance = limits::EXUDYN_TOLERANCE * linear.stiffness * speed * step;
             export.set("discontinuous.iterationTolerance", tolerance, "N");
-            export.set("discontinuous.maxIterations", limits::EXUDYN_TURNS, "");
+            export.set("discontinuous.maxIterations", limits::EXUDYN_MAX_ITERATIONS, "");
             text += &format!(
                 "    of.timeIntegration.discontinuous.iterationTolerance = {tolerance:?}\n    \
                  of.timeIntegration.discontinuous.maxIterations = {:?}\n",
-                limits::EXUDYN_TURNS as u32
+                limits::EXUDYN_MAX_ITERATIONS as u32
             );
         }
         None => {
@@ -96,8 +97,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         }
     }
     text += "    return of\n";
-    export.write("Exudyn", "python", text);
-    export.assume("The solver is the default of SolveDynamic, generalized alpha, with adaptive steps (the default too).");
-    export.assume("A plane is a sphere of a radius much larger than the penetration.");
+    export.add_snippet("Exudyn", "python", text);
+    export.add_assumption("The solver is the default of SolveDynamic, generalized alpha, with adaptive steps (the default too).");
+    export.add_assumption("A plane is a sphere of a radius much larger than the penetration.");
     Ok(export)
 }

@@ -38,7 +38,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     let mut export = Export::new(TOOL);
     match request.speed {
-        Some(speed) => rebounds(e, speed)?,
+        Some(speed) => check_rebound(e, speed)?,
         None => export.missing.push("approach speed, m/s: there is no rebound below 0.1 m/s"),
     }
     export.time_step = rigid::time_step(request);
@@ -50,24 +50,24 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     if let Some(step) = export.time_step {
         export.set("max_step_size", step, "s");
     }
-    export.write("world", "xml", document(e, export.time_step));
-    export.assume(
+    export.add_snippet("world", "xml", sdf_document(e, export.time_step));
+    export.add_assumption(
         "The two collisions of the pair have different surfaces; replace their shapes, which are \
         placeholders.",
     );
-    export.assume("The physics engine is gz-physics' dartsim, the default of gz-sim.");
-    export.assume(
+    export.add_assumption("The physics engine is gz-physics' dartsim, the default of gz-sim.");
+    export.add_assumption(
         "The restitution of a free body holds at any step. The bodies overlap by up to the travel of one step. \
          The contact has no spring: m̄ has no effect.",
     );
-    rigid::assume_travel(&mut export, request);
+    rigid::add_travel_assumption(&mut export, request);
     export.cannot.push("stiffness, penetration, duration, peak force: gz-physics does not read kp and kd");
     export.cannot.push("bullet-featherstone: its restitution was not measured");
     Ok(export)
 }
 
 /// Error: DART suppresses this rebound.
-fn rebounds(e: f64, speed: f64) -> Result<(), ExportError> {
+fn check_rebound(e: f64, speed: f64) -> Result<(), ExportError> {
     let speed = positive("approach speed, m/s", speed)?;
     let unreachable = |why, remedy| ExportError::Unreachable { tool: TOOL, restitution: e, why, remedy };
     if e > 0.0 && e * speed <= limits::DART_SLOWEST_REBOUND {
@@ -86,7 +86,7 @@ fn rebounds(e: f64, speed: f64) -> Result<(), ExportError> {
 }
 
 /// SDF with the physics and the two collisions.
-fn document(e: f64, step: Option<f64>) -> String {
+fn sdf_document(e: f64, step: Option<f64>) -> String {
     let physics = step.map_or_else(String::new, |step| {
         format!(
             "    <physics name=\"step\" type=\"ignored\">\n      <max_step_size>{step:?}</max_step_size>\n    </physics>\n"

@@ -55,7 +55,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
          <contact><ode><kp>{kp:?}</kp><kd>{kd:?}</kd><max_vel>{fastest:?}</max_vel><min_depth>0.0</min_depth></ode></contact>\n          \
          </surface>"
     );
-    export.write(
+    export.add_snippet(
         "world",
         "xml",
         format!(
@@ -68,13 +68,14 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
              </collision>\n      </link>\n    </model>\n  </world>\n</sdf>\n"
         ),
     );
-    export.assume("Both collisions have the <surface>; the sphere is a placeholder for your geometry.");
-    export.assume(linear.implicit_words(step));
-    export.assume(
+    export
+        .add_assumption("Both collisions have the <surface>; the sphere is a placeholder for your geometry.");
+    export.add_assumption(linear.implicit_assumption(step));
+    export.add_assumption(
         "The solver is \"world\" (ODE's direct one): \"quick\", the default, has an error of 1e-3 to 2e-3 for \
          every step and number of iterations.",
     );
-    export.assume(
+    export.add_assumption(
         "Frictionless: with mu = 1 a pendulum rebounds by up to 0.04 too low. max_vel is for the solver \"quick\", where it caps the \
          spring's push (0.01 m/s by default); \"world\" was the same with it and without.",
     );

@@ -21,7 +21,7 @@ impl Request {
 }
 
 /// Adds the assumption of an impact without gravity, with the loss that gravity would cause.
-pub(super) fn assume(request: &Request, export: &mut Export) {
+pub(super) fn add_assumption(request: &Request, export: &mut Export) {
     let Some(loss) = request.gravity_loss().filter(|_| !export.penetrations.is_empty()) else { return };
     let (accuracy, e) = (request.options.accuracy, request.restitution);
     let consequence = if loss <= accuracy {
@@ -34,7 +34,7 @@ pub(super) fn assume(request: &Request, export: &mut Export) {
     } else {
         "with gravity there is almost no rebound: use a faster impact or a stiffer contact".to_owned()
     };
-    export.assume(format!(
+    export.add_assumption(format!(
         "No gravity along the normal during the impact: at 9.81 m/s² the weight reduces e by about 1.2·ln(1/e)·g/(v·ω) = {loss:.1e}; {consequence}."
     ));
 }

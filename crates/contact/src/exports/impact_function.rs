@@ -53,28 +53,30 @@ impl ImpactFunction {
         }
         let mut state = [0.0, 1.0];
         let mut step = limits::FIRST_STEP * self.ramp.min(1.0);
-        for _ in 0..limits::MOST_STEPS {
+        for _ in 0..limits::MAX_STEPS {
             let (next, error) = self.dormand_prince(damping, state, step);
-            let grow = next_step(error);
+            let growth = step_growth(error);
             if error > limits::STEP_TOLERANCE {
-                step *= grow;
+                step *= growth;
                 continue;
             }
-            let pulls = |state| self.force(damping, state) < 0.0;
+            let is_tensile = |state| self.force(damping, state) < 0.0;
             if next[0] <= 0.0 {
-                return Ok((-self.end_of_step(damping, state, step, |s| s[0] <= 0.0)[1]).clamp(0.0, 1.0));
+                return Ok((-self.locate_event(damping, state, step, |s| s[0] <= 0.0)[1]).clamp(0.0, 1.0));
             }
-            if !pulls(next) {
+            if !is_tensile(next) {
                 state = next;
-                step *= grow;
+                step *= growth;
                 continue;
             }
-            let [y, u] = self.end_of_step(damping, state, step, pulls);
-            let Some(y) = self.positive_again(damping, y, u) else { return Ok((-u).clamp(0.0, 1.0)) };
+            let [y, u] = self.locate_event(damping, state, step, is_tensile);
+            let Some(y) = self.next_compressive_penetration(damping, y, u) else {
+                return Ok((-u).clamp(0.0, 1.0));
+            };
             state = [y, u];
             step = step.min(0.1 * y / -u);
         }
-        Err(endless(f64::NAN))
+        Err(unreachable(f64::NAN))
     }
 
     /// Ratio of the greatest penetration to the undamped penetration. Errors: the damping is negative or not finite;
@@ -83,28 +85,29 @@ impl ImpactFunction {
         let damping = not_negative("IMPACT's dimensionless damping", damping)?;
         let mut state = [0.0, 1.0];
         let mut step = limits::FIRST_STEP * self.ramp.min(1.0);
-        for _ in 0..limits::MOST_STEPS {
+        for _ in 0..limits::MAX_STEPS {
             let (next, error) = self.dormand_prince(damping, state, step);
             if error <= limits::STEP_TOLERANCE {
                 if next[1] <= 0.0 {
-                    return Ok(self.end_of_step(damping, state, step, |s| s[1] <= 0.0)[0]);
+                    return Ok(self.locate_event(damping, state, step, |s| s[1] <= 0.0)[0]);
                 }
                 state = next;
             }
-            step *= next_step(error);
+            step *= step_growth(error);
         }
-        Err(endless(f64::NAN))
+        Err(unreachable(f64::NAN))
     }
 
-    /// First y below the given y, during separation at constant speed u, with a force above zero.
-    fn positive_again(&self, damping: f64, y: f64, u: f64) -> Option<f64> {
-        let presses = |y: f64| self.force(damping, [y, u]) > 0.0;
+    /// During separation at constant speed u with zero force: the largest penetration below y at which the force is
+    /// positive again; `None` if there is none.
+    fn next_compressive_penetration(&self, damping: f64, y: f64, u: f64) -> Option<f64> {
+        let is_compressive = |y: f64| self.force(damping, [y, u]) > 0.0;
         let mut above = y;
         // The region may be as small as (D/ĉ)^(1/(2−p)): the search goes down by a constant ratio.
         while above > limits::CLOSED_GAP {
             let below = limits::SEARCH_RATIO * above;
-            if presses(below) {
-                return Some(bisect(below, above, |y| !presses(y)).0);
+            if is_compressive(below) {
+                return Some(bisect(below, above, |y| !is_compressive(y)).0);
             }
             above = below;
         }
@@ -118,45 +121,46 @@ impl ImpactFunction {
         if e == 1.0 {
             return Ok(0.0);
         }
-        if e < limits::LEAST_RESTITUTION {
-            return Err(endless(e));
+        if e < limits::MIN_RESTITUTION {
+            return Err(unreachable(e));
         }
         // For small damping the loss is proportional to the damping; integration cannot distinguish the loss from 0.
-        if 1.0 - e < limits::LEAST_LOSS {
-            return Ok(self.damping(1.0 - limits::LEAST_LOSS)? * ((1.0 - e) / limits::LEAST_LOSS));
+        if 1.0 - e < limits::MIN_LOSS {
+            return Ok(self.damping(1.0 - limits::MIN_LOSS)? * ((1.0 - e) / limits::MIN_LOSS));
         }
-        let miss =
+        let log_error =
             |damping: f64| -> Result<f64, ContactLawError> { Ok(self.restitution(damping)?.ln() - e.ln()) };
         // Search for a bracket from 1 − e by factors.
         let mut low = 1.0 - e;
-        let mut at_low = miss(low)?;
+        let mut at_low = log_error(low)?;
         while at_low < 0.0 {
             low /= 4.0;
-            at_low = miss(low)?;
+            at_low = log_error(low)?;
         }
         let (mut high, mut at_high) = (low, at_low);
         while at_high > 0.0 {
             (low, at_low) = (high, at_high);
             high *= 2.0;
-            if high > limits::GREATEST_IMPACT_DAMPING {
-                return Err(endless(e));
+            if high > limits::MAX_IMPACT_DAMPING {
+                return Err(unreachable(e));
             }
-            at_high = miss(high)?;
+            at_high = log_error(high)?;
         }
-        falsi(low, at_low, high, at_high, miss)
+        regula_falsi(low, at_low, high, at_high, log_error)
     }
 
-    /// yᵖ + ĉ S(y/D) y′ without the clamp; continued smoothly to y < 0.
+    /// Dimensionless force yᵖ + ĉ S(y/D) y′ without the clamp to positive values; continued smoothly to y < 0.
     fn force(&self, damping: f64, [y, u]: [f64; 2]) -> f64 {
         let part = (y / self.ramp).min(1.0);
         y.abs().powf(self.exponent).copysign(y) + damping * part * part * (3.0 - 2.0 * part) * u
     }
 
+    /// Derivatives (y′, y″) of a state.
     fn rates(&self, damping: f64, state: [f64; 2]) -> [f64; 2] {
         [state[1], -(self.exponent + 1.0) / 2.0 * self.force(damping, state)]
     }
 
-    /// State after a step, and its estimated error.
+    /// State after one step of the Dormand–Prince pair, and its estimated error.
     fn dormand_prince(&self, damping: f64, state: [f64; 2], step: f64) -> ([f64; 2], f64) {
         const A: [&[f64]; 6] = [
             &[1.0 / 5.0],
@@ -176,70 +180,71 @@ impl ImpactFunction {
             -1.0 / 40.0,
         ];
         let mut slopes = [self.rates(damping, state); 7];
-        let mut reached = state;
+        let mut end_state = state;
         for (i, row) in A.iter().enumerate() {
-            reached = state;
+            end_state = state;
             for (weight, slope) in row.iter().zip(&slopes) {
-                reached[0] += step * weight * slope[0];
-                reached[1] += step * weight * slope[1];
+                end_state[0] += step * weight * slope[0];
+                end_state[1] += step * weight * slope[1];
             }
-            slopes[i + 1] = self.rates(damping, reached);
+            slopes[i + 1] = self.rates(damping, end_state);
         }
         let part = |j: usize| ERROR.iter().zip(&slopes).map(|(w, s)| w * s[j]).sum::<f64>() * step;
-        (reached, part(0).abs().max(part(1).abs()))
+        (end_state, part(0).abs().max(part(1).abs()))
     }
 
     /// First state within a step for which the condition is true.
-    fn end_of_step(
+    fn locate_event(
         &self,
         damping: f64,
         state: [f64; 2],
         step: f64,
-        holds: impl Fn([f64; 2]) -> bool,
+        condition: impl Fn([f64; 2]) -> bool,
     ) -> [f64; 2] {
         let at = |part: f64| self.dormand_prince(damping, state, part).0;
-        at(bisect(0.0, step, |part| holds(at(part))).1)
+        at(bisect(0.0, step, |part| condition(at(part))).1)
     }
 }
 
 /// Ratio of the next step to a step with this error.
-fn next_step(error: f64) -> f64 {
-    (0.9 * (limits::STEP_TOLERANCE / error.max(limits::LEAST_STEP_ERROR)).powf(0.2)).clamp(0.2, 4.0)
+fn step_growth(error: f64) -> f64 {
+    (0.9 * (limits::STEP_TOLERANCE / error.max(limits::MIN_STEP_ERROR)).powf(0.2)).clamp(0.2, 4.0)
 }
 
 /// Neighbouring numbers between which the condition changes: false at `low`, true at `high`.
-fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64) {
-    for _ in 0..limits::MOST_ITERATIONS {
+fn bisect(mut low: f64, mut high: f64, condition: impl Fn(f64) -> bool) -> (f64, f64) {
+    for _ in 0..limits::MAX_ITERATIONS {
         let middle = (low + high) / 2.0;
-        if holds(middle) { high = middle } else { low = middle }
+        if condition(middle) { high = middle } else { low = middle }
     }
     (low, high)
 }
 
 /// Zero of a decreasing function in an interval, by the Illinois variant of regula falsi in the logarithm.
-fn falsi(
+fn regula_falsi(
     low: f64,
     at_low: f64,
     high: f64,
     at_high: f64,
-    miss: impl Fn(f64) -> Result<f64, ContactLawError>,
+    log_error: impl Fn(f64) -> Result<f64, ContactLawError>,
 ) -> Result<f64, ContactLawError> {
     let (mut a, mut f_a, mut b, mut f_b) = (low.ln(), at_low, high.ln(), at_high);
     let mut last_side = 0;
-    for _ in 0..limits::MOST_SEARCH_STEPS {
+    for _ in 0..limits::MAX_SEARCH_STEPS {
         let middle = if f_a == f_b { (a + b) / 2.0 } else { (a * f_b - b * f_a) / (f_b - f_a) };
         let middle = if middle > a && middle < b { middle } else { (a + b) / 2.0 };
-        let miss = miss(middle.exp())?;
-        if miss.abs() < limits::RESTITUTION_TOLERANCE || b - a < limits::BRACKET_TOLERANCE * b.abs().max(1.0)
+        let log_error = log_error(middle.exp())?;
+        if log_error.abs() < limits::RESTITUTION_TOLERANCE
+            || b - a < limits::BRACKET_TOLERANCE * b.abs().max(1.0)
         {
             return Ok(middle.exp());
         }
-        if miss > 0.0 {
-            (a, f_a) = (middle, miss);
+        if log_error > 0.0 {
+            (a, f_a) = (middle, log_error);
             f_b = if last_side == 1 { f_b / 2.0 } else { f_b };
             last_side = 1;
         } else {
-            (b, f_b) = (middle, miss);
+            (b, f_b) = (middle, log_error);
             f_a = if last_side == -1 { f_a / 2.0 } else { f_a };
             last_side = -1;
         }
@@ -247,7 +252,8 @@ fn falsi(
     Ok(((a + b) / 2.0).exp())
 }
 
-fn endless(restitution: f64) -> ContactLawError {
+/// Error for a restitution that is too small for this force.
+fn unreachable(restitution: f64) -> ContactLawError {
     ContactLawError::Unreachable {
         law: "adams-impact",
         restitution,

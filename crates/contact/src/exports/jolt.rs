@@ -1,6 +1,6 @@
 //! Jolt Physics, as in Godot: a coefficient of restitution.
 
-use super::export::single;
+use super::export::check_single_precision;
 use super::rigid;
 use super::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
@@ -58,7 +58,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         ("Jolt's mMinVelocityForRestitution, m/s", threshold),
         ("Jolt's time step, s", step.unwrap_or(0.0)),
     ] {
-        single(what, value)?;
+        check_single_precision(what, value)?;
     }
     export.set("mRestitution", e, "");
     export.set("mFriction", 0.0, "");
@@ -66,8 +66,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.set("mAngularDamping", 0.0, "1/s");
     export.set("mMinVelocityForRestitution", threshold, "m/s");
     let loops = request.options.closed_loops;
-    let (turns, known) = velocity_steps(request)?;
-    export.set("mNumVelocitySteps", turns, "");
+    let (velocity_step_count, known) = velocity_steps(request)?;
+    export.set("mNumVelocitySteps", velocity_step_count, "");
     let mut cpp = format!(
         "// Of both bodies, a JPH::BodyCreationSettings each.\n\
          settings.mRestitution = {e:?}f;\n\
@@ -77,7 +77,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
          // Of the JPH::PhysicsSystem.\n\
          JPH::PhysicsSettings physics = system.GetPhysicsSettings();\n\
          physics.mMinVelocityForRestitution = {threshold:?}f;\n\
-         physics.mNumVelocitySteps = {turns:.0};\n\
+         physics.mNumVelocitySteps = {velocity_step_count:.0};\n\
          system.SetPhysicsSettings(physics);\n"
     );
     let mut script = format!(
@@ -85,7 +85,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
          export function dress(settings) {{\n  settings.mRestitution = {e:?};\n  settings.mFriction = 0.0;\n  \
          settings.mLinearDamping = 0.0;\n  settings.mAngularDamping = 0.0;\n}}\n\n\
          export function setUp(system) {{\n  const physics = system.GetPhysicsSettings();\n  \
-         physics.mMinVelocityForRestitution = {threshold:?};\n  physics.mNumVelocitySteps = {turns:.0};\n  \
+         physics.mMinVelocityForRestitution = {threshold:?};\n  physics.mNumVelocitySteps = {velocity_step_count:.0};\n  \
          system.SetPhysicsSettings(physics);\n}}\n"
     );
     match step {
@@ -103,53 +103,58 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
             bound depend on the speed",
         ),
     }
-    export.write("Jolt", "cpp", cpp);
-    export.write("jolt-physics", "javascript", script);
-    export
-        .assume("Both bodies have these values; the other may have a lower restitution: the greater counts.");
+    export.add_snippet("Jolt", "cpp", cpp);
+    export.add_snippet("jolt-physics", "javascript", script);
+    export.add_assumption(
+        "Both bodies have these values; the other may have a lower restitution: the greater counts.",
+    );
     if loops {
-        export.assume(
+        export.add_assumption(
             "Closed loops: no error is stated. A four-bar (m̄ = 68.1 kg, its bodies 2 to 4.8 kg) had errors of \
              2e-4, 4e-4, 7e-4 for 0.2, 0.5, 0.8 with these velocity steps; with 50 velocity steps its \
              restitution was 0.04 for 0.5. Raise mNumVelocitySteps until the rebound stays the same.",
         );
     } else if known {
-        export.assume(
+        export.add_assumption(
             "The stated error is for a free body, or for a body on a hinge to the ground: mNumVelocitySteps \
              follows from the ratio of m̄ to the effective mass without the hinge.",
         );
     } else {
-        export.assume(
+        export.add_assumption(
             "No error is stated: the velocity steps that a chain of several bodies needs, or a body with an \
              unknown effective mass without its joints, are unknown. Raise mNumVelocitySteps until the rebound \
              stays the same.",
         );
     }
-    rigid::assume_travel(&mut export, request);
+    rigid::add_travel_assumption(&mut export, request);
     export.cannot.push("stiffness, penetration, duration, peak force: the contact is rigid");
     Ok(export)
 }
 
 /// `mNumVelocitySteps`, and true if the error is known: (1 + e) ρᴺ of one hinged body, ρ = 1 − m_f/m̄. Error: too many
 /// iterations.
+/// Number of velocity steps at which the solver converges to the restitution, and true if the number is exact for this
+/// mechanism. Error: the number is too large.
 fn velocity_steps(request: &Request) -> Result<(f64, bool), ExportError> {
     let options = request.options;
     if options.closed_loops {
-        return Ok((limits::JOLT_LOOP_TURNS, false));
+        return Ok((limits::JOLT_LOOP_VELOCITY_STEPS, false));
     }
     let mass = request.contact.mass();
     let Some(free) = options.free_mass else {
         // Without a model: a free body, unless m̄ differs from the own mass.
         let same = options.own_mass.is_none_or(|own| (mass / own - 1.0).abs() <= limits::SAME_MASS);
-        return Ok((if same { limits::JOLT_TURNS } else { limits::JOLT_LOOP_TURNS }, same));
+        return Ok((if same { limits::JOLT_VELOCITY_STEPS } else { limits::JOLT_LOOP_VELOCITY_STEPS }, same));
     };
-    if request.jointed() == Some(false) {
-        return Ok((limits::JOLT_TURNS, true));
+    if request.is_jointed() == Some(false) {
+        return Ok((limits::JOLT_VELOCITY_STEPS, true));
     }
-    let rest = (1.0 - free / mass).max(f64::EPSILON);
-    let turns =
-        ((limits::JOLT_REST / (1.0 + request.restitution)).ln() / rest.ln()).ceil().max(limits::JOLT_TURNS);
-    if turns > limits::JOLT_MOST_TURNS {
+    let convergence_rate = (1.0 - free / mass).max(f64::EPSILON);
+    let velocity_step_count = ((limits::JOLT_CONVERGENCE / (1.0 + request.restitution)).ln()
+        / convergence_rate.ln())
+    .ceil()
+    .max(limits::JOLT_VELOCITY_STEPS);
+    if velocity_step_count > limits::JOLT_MAX_VELOCITY_STEPS {
         return Err(ExportError::Unreachable {
             tool: TOOL,
             restitution: request.restitution,
@@ -159,5 +164,9 @@ fn velocity_steps(request: &Request) -> Result<(f64, bool), ExportError> {
         });
     }
     let hinged = options.moving_bodies.is_none_or(|bodies| bodies == 1) && !options.constrained;
-    Ok(if hinged { (turns, true) } else { (turns.max(limits::JOLT_LOOP_TURNS), false) })
+    Ok(if hinged {
+        (velocity_step_count, true)
+    } else {
+        (velocity_step_count.max(limits::JOLT_LOOP_VELOCITY_STEPS), false)
+    })
 }

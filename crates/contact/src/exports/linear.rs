@@ -31,6 +31,8 @@ fn ratio(restitution: f64) -> Result<f64, ExportError> {
 }
 
 impl Linear {
+    /// Linear contact of a request.
+    ///
     /// Errors: the exponent is not 1; e = 0, unreachable for every damping if the force never pulls; k/m̄ overflows.
     pub(super) fn of(request: &Request, tool: Tool) -> Result<Self, ExportError> {
         let contact = request.contact;
@@ -75,11 +77,11 @@ impl Linear {
     /// 2ζe ωh + (ωh)²/8.
     ///
     /// First term: the first damper force is up to one step late. Second term: error without damping. Measured in
-    /// MuJoCo 4.0.0 (Euler and implicitfast alike; ball and pendulum, m̄ = 1.5 … 6.2 kg) as the worst |Δe|/(ωh) over
+    /// MuJoCo 4.0.0 (Euler and implicitfast; ball and pendulum, m̄ = 1.5 … 6.2 kg) as the worst |Δe|/(ωh) over
     /// fifteen phases: 0.207, 0.222, 0.158, 0.062, 0.015 for e = 0.1, 0.2, 0.5, 0.8, 0.95, where 2ζe is 0.249, 0.292,
     /// 0.255, 0.119, 0.031; RK4 0.083, 0.098, 0.085, 0.040, 0.011, of first order too; e = 1 at ωh = 0.1: 0.0011.
     pub(super) fn error_bound(&self, time_step: f64) -> f64 {
-        self.bound(self.slope(1.0), time_step)
+        self.quadratic_bound(self.error_slope(1.0), time_step)
     }
 
     /// Error bound of e for implicit Euler with the ratio of [`Self::implicit_ratio`]: 3ζe ωh + (ωh)²/8.
@@ -88,16 +90,18 @@ impl Linear {
     /// 0.5, 0.8, 0.95. Engines with a contact force one step before the touch have the errors 0.28, 0.35, 0.34, 0.16,
     /// 0.03 (computed).
     pub(super) fn implicit_error_bound(&self, time_step: f64) -> f64 {
-        self.bound(self.slope(1.5), time_step)
+        self.quadratic_bound(self.error_slope(1.5), time_step)
     }
 
-    fn slope(&self, factor: f64) -> f64 {
+    /// Coefficient `factor` · 2ζe of ωh in the error bound.
+    fn error_slope(&self, factor: f64) -> f64 {
         factor * 2.0 * self.ratio * self.restitution
     }
 
-    fn bound(&self, slope: f64, time_step: f64) -> f64 {
+    /// Error bound `error_slope` · ωh + (ωh)²/8.
+    fn quadratic_bound(&self, error_slope: f64, time_step: f64) -> f64 {
         let step = self.frequency * time_step;
-        slope * step + step * step / 8.0
+        error_slope * step + step * step / 8.0
     }
 
     /// Step of the request, or the longest step with an [`Self::error_bound`] within the accuracy.
@@ -105,11 +109,12 @@ impl Linear {
     /// Error: the requested step is too long for an explicit method (ωh or 2ζωh above twice the limits of the
     /// recommended step); the error bound is invalid there.
     pub(super) fn explicit_step(&self) -> Result<f64, ExportError> {
-        self.explicit_step_by(self.slope(1.0))
+        self.explicit_step_for_slope(self.error_slope(1.0))
     }
 
-    fn explicit_step_by(&self, slope: f64) -> Result<f64, ExportError> {
-        let Some(step) = self.time_step else { return Ok(self.accurate_step(slope)) };
+    /// [`Self::explicit_step`] for an error bound with this coefficient of ωh.
+    fn explicit_step_for_slope(&self, error_slope: f64) -> Result<f64, ExportError> {
+        let Some(step) = self.time_step else { return Ok(self.accurate_step(error_slope)) };
         let largest =
             2.0 * limits::LONGEST_STEP.min(limits::STIFFEST_STEP / (2.0 * self.ratio)) / self.frequency;
         if step > largest {
@@ -121,16 +126,18 @@ impl Linear {
     /// Step of the request, or the longest step with an [`Self::implicit_error_bound`] within the accuracy and at most
     /// half of the damping by the step.
     pub(super) fn implicit_step(&self) -> f64 {
-        self.implicit_step_by(self.slope(1.5))
+        self.implicit_step_for_slope(self.error_slope(1.5))
     }
 
-    fn implicit_step_by(&self, slope: f64) -> f64 {
-        self.time_step.unwrap_or_else(|| self.accurate_step(slope).min(self.ratio / self.frequency))
+    /// [`Self::implicit_step`] for an error bound with this coefficient of ωh.
+    fn implicit_step_for_slope(&self, error_slope: f64) -> f64 {
+        self.time_step.unwrap_or_else(|| self.accurate_step(error_slope).min(self.ratio / self.frequency))
     }
 
     /// Step with an error bound equal to the accuracy, within the limits of the step.
-    fn accurate_step(&self, slope: f64) -> f64 {
-        let step = 2.0 * self.accuracy / (slope + (slope * slope + self.accuracy / 2.0).sqrt());
+    fn accurate_step(&self, error_slope: f64) -> f64 {
+        let step =
+            2.0 * self.accuracy / (error_slope + (error_slope * error_slope + self.accuracy / 2.0).sqrt());
         step.min(limits::LONGEST_STEP).min(limits::STIFFEST_STEP / (2.0 * self.ratio)) / self.frequency
     }
 
@@ -146,21 +153,21 @@ impl Linear {
                 remedy: "use a restitution below 1",
             });
         }
-        let own = self.frequency * time_step / 2.0;
-        if own < self.ratio {
-            return Ok(self.ratio - own);
+        let numerical_ratio = self.frequency * time_step / 2.0;
+        if numerical_ratio < self.ratio {
+            return Ok(self.ratio - numerical_ratio);
         }
         Err(ExportError::StepTooLong {
             tool: self.tool,
             time_step,
             restitution: self.restitution,
-            reached: kelvin_voigt::restitution(own, Separation::ForceVanishes)?,
+            reached: kelvin_voigt::restitution(numerical_ratio, Separation::ForceVanishes)?,
             largest: 2.0 * self.ratio / self.frequency,
         })
     }
 
-    /// Assumption about the corrected ratio.
-    pub(super) fn implicit_words(&self, time_step: f64) -> String {
+    /// Sentence of the export: for which time step the damping ratio is corrected.
+    pub(super) fn implicit_assumption(&self, time_step: f64) -> String {
         format!(
             "The damping is for the time step {time_step:?} s: implicit Euler adds ωh/2 = {:.3e} to the damping ratio, \
              which is subtracted in advance. A different step needs a different damping.",
@@ -169,11 +176,12 @@ impl Linear {
     }
 }
 
-/// Linear stop with a damper that pulls until the joint is back at the stop.
+/// Linear stop without the clamp of the force to positive values: the damper pulls until the joint is back at the
+/// stop.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pulling(pub(super) Linear);
+pub(super) struct UnclampedLinear(pub(super) Linear);
 
-impl Pulling {
+impl UnclampedLinear {
     /// [`Linear::of`] with the ζ of a contact that ends at the closed gap, e = exp(−πζ/√(1−ζ²)).
     pub(super) fn of(request: &Request, tool: Tool) -> Result<Self, ExportError> {
         let mut linear = Linear::of(request, tool)?;
@@ -190,31 +198,32 @@ impl Pulling {
     /// sensitivity πe/√(1−ζ²)³ of e. Computed for 40 phases, accuracies of 1e-4 … 1e-2 and e = 0.005 … 0.99: the
     /// error is at most 0.65 of the bound.
     pub(super) fn error_bound(&self, time_step: f64) -> f64 {
-        self.0.bound(self.slope(), time_step)
+        self.0.quadratic_bound(self.error_slope(), time_step)
     }
 
-    fn slope(&self) -> f64 {
+    /// Coefficient of ωh in the error bound.
+    fn error_slope(&self) -> f64 {
         let (ratio, e) = (self.0.ratio, self.0.restitution);
         e * (4.0 * ratio + PI * ratio * ratio / (1.0 - ratio * ratio).powf(1.5))
     }
 
     /// [`Linear::explicit_step`] with the bound of this law.
     pub(super) fn explicit_step(&self) -> Result<f64, ExportError> {
-        self.0.explicit_step_by(self.slope())
+        self.0.explicit_step_for_slope(self.error_slope())
     }
 
     /// [`Linear::implicit_step`] with the bound of this law.
     pub(super) fn implicit_step(&self) -> f64 {
-        self.0.implicit_step_by(self.slope())
+        self.0.implicit_step_for_slope(self.error_slope())
     }
 
     /// [`Linear::implicit_ratio`] with the restitution of this law in the error.
     pub(super) fn implicit_ratio(&self, time_step: f64) -> Result<f64, ExportError> {
         self.0.implicit_ratio(time_step).map_err(|mut error| {
             if let ExportError::StepTooLong { reached, .. } = &mut error {
-                let own = self.0.frequency * time_step / 2.0;
+                let numerical_ratio = self.0.frequency * time_step / 2.0;
                 // For ζ ≥ 1 the gap does not close again.
-                *reached = kelvin_voigt::restitution(own, Separation::GapCloses).unwrap_or(0.0);
+                *reached = kelvin_voigt::restitution(numerical_ratio, Separation::GapCloses).unwrap_or(0.0);
             }
             error
         })

@@ -3,13 +3,13 @@
 use super::{Export, ExportError, Request, Tool};
 
 /// Result of impacts with closed loops in a tool.
-enum Loops {
+enum LoopFinding {
     /// Stated in the export of the tool.
-    Written,
+    Stated,
     /// Measured: within the stated error bound.
-    Hold(&'static str),
+    WithinBound(&'static str),
     /// Measured: error above the bound, so no bound is stated.
-    Off(&'static str),
+    AboveBound(&'static str),
     /// Measured: the restitution is not reached at all.
     Refused { why: &'static str, remedy: &'static str },
     /// Not measured.
@@ -19,22 +19,22 @@ enum Loops {
 const OTHER_TOOL: &str = "choose a tool that keeps the restitution with closed loops: mujoco, ode, bullet, chrono, opensim, exudyn";
 
 /// Entry of each tool.
-const KNOWN: [(Tool, Loops); Tool::ALL.len()] = [
-    (Tool::MUJOCO, Loops::Written),
-    (Tool::DRAKE, Loops::Written),
+const FINDINGS: [(Tool, LoopFinding); Tool::ALL.len()] = [
+    (Tool::MUJOCO, LoopFinding::Stated),
+    (Tool::DRAKE, LoopFinding::Stated),
     (
         Tool::GAZEBO,
-        Loops::Refused {
+        LoopFinding::Refused {
             why: "the dartsim plugin does not close the loops of a model (gz-physics, issue 25, open in 2026); \
                 read there, not measured",
             remedy: OTHER_TOOL,
         },
     ),
-    (Tool::GAZEBO_CLASSIC, Loops::NotExamined),
-    (Tool::ODE, Loops::Written),
+    (Tool::GAZEBO_CLASSIC, LoopFinding::NotExamined),
+    (Tool::ODE, LoopFinding::Stated),
     (
         Tool::BULLET,
-        Loops::Hold(
+        LoopFinding::WithinBound(
             "Closed loops: a four-bar (m̄ = 68.1 kg, its bodies 2 to 4.8 kg) was measured within the stated error, of hinges between rigid bodies in \
              C++, and closed by a point-to-point constraint in PyBullet, both in double precision. In single precision such slow impacts fail: \
              the travel in a time step has to be far above the rounding of the bodies' places (6e-8 of their distance from the origin); with \
@@ -43,7 +43,7 @@ const KNOWN: [(Tool, Loops); Tool::ALL.len()] = [
     ),
     (
         Tool::PHYSX,
-        Loops::Off(
+        LoopFinding::AboveBound(
             "Closed loops: no error is stated. In single precision a four-bar (m̄ = 68.1 kg, its bodies 2 to 4.8 kg) of revolute joints between rigid \
              bodies (ovphysx 0.7.0), at 20 mm/s and 1e6 N/m, was off by 0.017, 0.017, 0.006 for 0.2, 0.5, 0.8 with PGS and by 0.11, 0.09, 0.04 \
              with TGS, and more iterations did not help; at 2 mm/s, where the travel in a time step is that of the rounding of the bodies' places, \
@@ -52,7 +52,7 @@ const KNOWN: [(Tool, Loops); Tool::ALL.len()] = [
     ),
     (
         Tool::RAPIER,
-        Loops::Refused {
+        LoopFinding::Refused {
             why: "mechanisms with loops do not reach the restitution: a four-bar of multibody joints closed by \
                 an impulse joint had a restitution of 0.0, a four-bar of impulse joints alone 0.26 to 0.65, for \
                 0.5 (0.36.1, steps from 1e-5 to 1e-3 s)",
@@ -61,16 +61,16 @@ const KNOWN: [(Tool, Loops); Tool::ALL.len()] = [
     ),
     (
         Tool::CHRONO,
-        Loops::Hold(
+        LoopFinding::WithinBound(
             "Closed loops: a four-bar (m̄ = 68.1 kg) of joints was measured within the stated error, by PSOR and by direct solvers; the joint that \
              closed it held the two directions of its plane only, so that no row was redundant.",
         ),
     ),
-    (Tool::ADAMS, Loops::NotExamined),
-    (Tool::SIMSCAPE, Loops::NotExamined),
+    (Tool::ADAMS, LoopFinding::NotExamined),
+    (Tool::SIMSCAPE, LoopFinding::NotExamined),
     (
         Tool::DART,
-        Loops::Off(
+        LoopFinding::AboveBound(
             "Closed loops: no error is stated. DART takes (1 + e)·1e-5·m̄/m̄ₒ from e, m̄ₒ the mass with the loop open, and the linkage's motion in \
              a step adds to it: a four-bar (68.1 kg, open 2.49 kg) closed by a BallJointConstraint was off by 4.1e-4 and 4.9e-4 for 0.5 and 0.8 at \
              1e-6 s, 1.2e-3 and 1.0e-3 at 1e-3 s, 0.02 and 0.04 at 1e-2 s; closed by a RevoluteJointConstraint it flew apart.",
@@ -78,47 +78,51 @@ const KNOWN: [(Tool, Loops); Tool::ALL.len()] = [
     ),
     (
         Tool::OPENSIM,
-        Loops::Hold(
+        LoopFinding::WithinBound(
             "Closed loops: a four-bar (m̄ = 68.1 kg) closed by a PointConstraint was measured within the stated error.",
         ),
     ),
     (
         Tool::EXUDYN,
-        Loops::Hold(
+        LoopFinding::WithinBound(
             "Closed loops: a four-bar (m̄ = 68.1 kg) whose last joint holds the two directions of its plane only was measured within the stated \
              error; with redundant rows Exudyn's solver finds its matrix singular.",
         ),
     ),
     (
         Tool::NEWTON,
-        Loops::Off(
+        LoopFinding::AboveBound(
             "Closed loops: no error is stated. XPBD (1.8.0) let a four-bar come back with 0.50 for 0.5, kept it for some steps, and with 50 and 500 \
              iterations let it fall to 0.01 to 0.35 as the joints followed; Featherstone ignores the joint that \
              closes a loop, and gives no warning, and SemiImplicit takes it as the springs that all its joints \
              are (Newton's documentation; not run).",
         ),
     ),
-    (Tool::JOLT, Loops::Written),
+    (Tool::JOLT, LoopFinding::Stated),
 ];
 
 /// Adjusts an export for a mechanism with constraints (loops, mimics, locks, held points). Error: impacts with loops
 /// do not reach the restitution in this tool.
-pub(super) fn apply(tool: Tool, request: &Request, mut export: Export) -> Result<Export, ExportError> {
+pub(super) fn add_loop_finding(
+    tool: Tool,
+    request: &Request,
+    mut export: Export,
+) -> Result<Export, ExportError> {
     if !request.options.constrained && !request.options.closed_loops {
         return Ok(export);
     }
-    let (_, known) = KNOWN.iter().find(|(of, _)| *of == tool).expect("all tools are in it");
-    match known {
-        Loops::Written => {}
-        Loops::Hold(text) if request.options.closed_loops => export.assume(*text),
-        Loops::Off(text) if request.options.closed_loops => {
+    let (_, finding) = FINDINGS.iter().find(|(of, _)| *of == tool).expect("all tools are in it");
+    match finding {
+        LoopFinding::Stated => {}
+        LoopFinding::WithinBound(text) if request.options.closed_loops => export.add_assumption(*text),
+        LoopFinding::AboveBound(text) if request.options.closed_loops => {
             export.error_bound = None;
-            export.assume(*text);
+            export.add_assumption(*text);
         }
-        Loops::Refused { why, remedy } if request.options.closed_loops => {
+        LoopFinding::Refused { why, remedy } if request.options.closed_loops => {
             return Err(ExportError::NoLoop { tool, why, remedy });
         }
-        Loops::Hold(_) | Loops::Off(_) | Loops::Refused { .. } | Loops::NotExamined => export.assume(
+        LoopFinding::WithinBound(_) | LoopFinding::AboveBound(_) | LoopFinding::Refused { .. } | LoopFinding::NotExamined => export.add_assumption(
             "Loops, mimics, locks: the compliance of this tool's constraints during the impact was not examined; compliant \
              constraints change the restitution.",
         ),

@@ -86,15 +86,16 @@ tools! {
 impl Tool {
     /// Tool with this name or alias; upper and lower case are equal.
     pub fn from_name(name: &str) -> Result<Self, ExportError> {
-        let wanted = name.trim().to_lowercase().replace([' ', '_'], "-");
-        let found =
-            Self::ALL.into_iter().find(|t| t.name() == wanted || t.aliases().contains(&wanted.as_str()));
+        let normalised = name.trim().to_lowercase().replace([' ', '_'], "-");
+        let found = Self::ALL
+            .into_iter()
+            .find(|t| t.name() == normalised || t.aliases().contains(&normalised.as_str()));
         found.ok_or_else(|| {
             let known = Self::ALL.map(Self::name);
             let all = Self::ALL.into_iter().flat_map(|t| t.aliases().iter().copied().chain([t.name()]));
             ExportError::UnknownTool {
                 name: name.to_owned(),
-                nearest: nearest(&wanted, all),
+                nearest: nearest(&normalised, all),
                 known: known.join(", "),
             }
         })
@@ -109,14 +110,14 @@ impl Tool {
     pub fn export(self, request: &Request) -> Result<Export, ExportError> {
         request.check()?;
         if let Some(motion) = request.options.stop {
-            let mut export = loops::apply(self, request, stops::export(self, request, motion)?)?;
+            let mut export = loops::add_loop_finding(self, request, stops::export(self, request, motion)?)?;
             export.penetrations.iter_mut().for_each(|p| p.unit = motion.units().coordinate);
-            return drift::apply(request, export).finite()?.bounded(request);
+            return drift::add_drift_error(request, export).check_finite()?.check_error_bound(request);
         }
         let (_, export) =
             Self::ALL.into_iter().zip(EXPORTS).find(|(tool, _)| *tool == self).expect("a tool is one of all");
-        let mut export = loops::apply(self, request, export(request)?)?;
-        gravity::assume(request, &mut export);
-        drift::apply(request, export).finite()?.bounded(request)
+        let mut export = loops::add_loop_finding(self, request, export(request)?)?;
+        gravity::add_assumption(request, &mut export);
+        drift::add_drift_error(request, export).check_finite()?.check_error_bound(request)
     }
 }

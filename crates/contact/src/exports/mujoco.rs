@@ -51,7 +51,7 @@ pub(super) const FACTS: Facts = Facts {
 ///
 /// Measured in MuJoCo 4.0.0 at the recommended step ([`Linear::explicit_step`]) and accuracy 1e-3, the worst of 25
 /// phases for e = 0.05, 0.2, 0.5, 0.8, 0.95, 0.99: 8.9e-4, 7.8e-4, 6.4e-4, 5.3e-4, 5.1e-4, 7.0e-4, ball and pendulum
-/// with armature alike, Euler and implicitfast alike; RK4 3.3e-4 … 3.9e-4. A four-bar (m̄ = 68.1 kg, α = 7.2) and a
+/// with armature alike, Euler and implicitfast; RK4 3.3e-4 … 3.9e-4. A four-bar (m̄ = 68.1 kg, α = 7.2) and a
 /// double wishbone on its bump stop (392.8 kg, α = 0.35), loops closed, e = 0.2, 0.5, 0.8: at most 6.5e-4. With the
 /// default equality settings the four-bar shows 0.084, 0.444, 0.789. With a wrong m̄ the restitution is correct and
 /// the penetration wrong: a factor of 0.27 with the mass of the coupler, 4.8 kg.
@@ -77,11 +77,11 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         export.set("equality_solref", [2.0 * step, 1.0], "s, -");
         export.set("equality_solimp", [limits::MUJOCO_IMPEDANCE, limits::MUJOCO_IMPEDANCE, 1.0], "-, -, m");
     }
-    export.write("direct format", "xml", document(solref, solimp, step, equality));
+    export.add_snippet("direct format", "xml", mjcf_document(solref, solimp, step, equality));
     if let Some(pair) = standard {
-        export.write("standard format", "xml", document(pair, solimp, step, equality));
+        export.add_snippet("standard format", "xml", mjcf_document(pair, solimp, step, equality));
     }
-    words(&mut export, request, &linear);
+    add_assumptions(&mut export, request, &linear);
     Ok(export)
 }
 
@@ -115,7 +115,7 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
         equality = equality_default(step);
     }
     let [k, b] = solref;
-    export.write(
+    export.add_snippet(
         "direct format",
         "xml",
         format!(
@@ -123,15 +123,15 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
              <joint solreflimit=\"{k:?} {b:?}\" solimplimit=\"{d:?} {d:?} 1.0\"/>{equality}\n  </default>\n</mujoco>\n"
         ),
     );
-    export.assume("For this joint alone: as a default it is for all joints; margin is 0.");
+    export.add_assumption("For this joint alone: as a default it is for all joints; margin is 0.");
     match request.options.diagonal_ratio {
-        Some(alpha) => export.assume(format!("α = Â times the inertia = {alpha:?}, Â the joint's dof_invweight0.")),
-        None => export.assume(
+        Some(alpha) => export.add_assumption(format!("α = Â times the inertia = {alpha:?}, Â the joint's dof_invweight0.")),
+        None => export.add_assumption(
             "α = Â times the inertia is taken as 1 (Â: the joint's dof_invweight0): so it is for a joint by itself.",
         ),
     }
     if request.options.constrained {
-        export.assume(
+        export.add_assumption(
             "The equality constraints need their own solref and solimp as given: the defaults are compliant.",
         );
     }
@@ -150,7 +150,8 @@ fn equality_default(step: f64) -> String {
     format!("\n    <equality solref=\"{:?} 1.0\" solimp=\"{d:?} {d:?} 1.0\"/>", 2.0 * step)
 }
 
-fn document(solref: [f64; 2], solimp: [f64; 3], step: f64, loops: bool) -> String {
+/// MJCF with the options and the contact parameters; `loops` adds the defaults of equality constraints.
+fn mjcf_document(solref: [f64; 2], solimp: [f64; 3], step: f64, loops: bool) -> String {
     let [k, b] = solref;
     let [d0, dw, width] = solimp;
     let equality = if loops { equality_default(step) } else { String::new() };
@@ -160,23 +161,24 @@ fn document(solref: [f64; 2], solimp: [f64; 3], step: f64, loops: bool) -> Strin
     )
 }
 
-fn words(export: &mut Export, request: &Request, linear: &Linear) {
-    export.assume(
+/// Adds the assumptions and limitations.
+fn add_assumptions(export: &mut Export, request: &Request, linear: &Linear) {
+    export.add_assumption(
         "Both geoms have these values (of two direct solrefs MuJoCo takes the lesser of each number), or a <pair> \
          or the geom of higher priority does.",
     );
-    export.assume(
+    export.add_assumption(
         "Frictionless (condim 1): friction at a finite lever shifts the restitution by a few thousandths.",
     );
-    export.assume(
+    export.add_assumption(
         "condim 3 with the default pyramidal cone multiplies α by μ²(1+μ²)/2; elliptic cones and condim 1 do not.",
     );
-    export.assume(
+    export.add_assumption(
         "The standard format needs timeconst ≥ 2·timestep, else refsafe raises it; the direct format is not changed.",
     );
     match request.options.diagonal_ratio {
-        Some(alpha) => export.assume(format!("α = Â·m̄ = {alpha:?}, Â at the model's reference pose qpos0.")),
-        None => export.assume(format!(
+        Some(alpha) => export.add_assumption(format!("α = Â·m̄ = {alpha:?}, Â at the model's reference pose qpos0.")),
+        None => export.add_assumption(format!(
             "α = Â·m̄ is taken as 1 (Â: the sum of body_invweight0[0] of the two bodies, times m̄). With the impedance \
              {} another α changes the damping ratio by {:.0e}·(α−1), relative: give α where it is above 10, \
              or set <flag diagexact=\"enable\"/>, which makes it 1 where no loop is closed.",
@@ -185,22 +187,22 @@ fn words(export: &mut Export, request: &Request, linear: &Linear) {
         )),
     }
     if request.options.loops_unknown && !request.options.constrained {
-        export.assume(
+        export.add_assumption(
             "Closed loops: m̄ is that with the loops closed, α is Â·m̄ with Â of the open tree, and the equality constraints need \
              their own solref and solimp as given, since the defaults are compliant. Without loops they have no effect.",
         );
     }
     if request.options.constrained {
-        export.assume(
+        export.add_assumption(
             "Loops, mimics, locks: MuJoCo's Â is that of the open tree without these constraints, with diagexact too; α = Â·m̄ \
              with the m̄ under them. The equality constraints need their own solref and solimp as given: the \
              defaults are compliant during the contact and change the restitution.",
         );
-        export.assume(
+        export.add_assumption(
             "Constraints with the integrator implicitfast need half this time step: with the full step the \
              error was 1.3e-3; Euler and RK4 stay within 1e-3.",
         );
-        export.assume(
+        export.add_assumption(
             "m̄ belongs to one pose: if m̄ changes during the contact, the restitution changes too; a stiffer \
              contact or a lower speed reduces the change. Those measured in docs/reference/SIMULATORS.md changed by less \
              than 1e-3.",

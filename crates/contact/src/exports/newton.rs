@@ -1,7 +1,7 @@
 //! Newton (newton-physics, on Warp): the penalty contacts of SemiImplicit and Featherstone, and XPBD's restitution.
 
-use super::export::single;
-use super::linear::{Linear, Pulling};
+use super::export::check_single_precision;
+use super::linear::{Linear, UnclampedLinear};
 use super::single_precision;
 use super::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
@@ -74,7 +74,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         ("Newton's restitution", e),
         ("Newton's time step, s", step),
     ] {
-        single(what, value)?;
+        check_single_precision(what, value)?;
     }
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
@@ -86,7 +86,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.set("mu", 0.0, "");
     export.set("restitution", e, "");
     export.set("dt", step, "s");
-    let free = request.jointed() != Some(true);
+    let free = request.is_jointed() != Some(true);
     if let Some(speed) = request.speed.filter(|_| free) {
         export.set("dt_xpbd", limits::RIGID_TRAVEL / speed, "s");
     }
@@ -104,12 +104,12 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
                  def rigid_solver(model):\n    \
                  return newton.solvers.SolverXPBD(model, enable_restitution=True, angular_damping=0.0)  # step: dt_xpbd\n";
     }
-    export.write("Newton", "python", text);
-    export.assume("The shapes of both sides have these values: the mean counts.");
-    export.assume("Contacts are found anew at every step (model.collide), and no friction acts.");
-    export.assume("Mechanisms in Featherstone, whose joints are exact.");
+    export.add_snippet("Newton", "python", text);
+    export.add_assumption("The shapes of both sides have these values: the mean counts.");
+    export.add_assumption("Contacts are found anew at every step (model.collide), and no friction acts.");
+    export.add_assumption("Mechanisms in Featherstone, whose joints are exact.");
     if free {
-        export.assume(
+        export.add_assumption(
             "XPBD, for free bodies: stiffness and damping have no effect; restitution is used with \
              enable_restitution=True. Its step is \
              dt_xpbd.",
@@ -131,25 +131,25 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
 /// Measured in Newton 1.8.0, hinges with and without a rotor and an elbow whose shoulder is free: within 6.6e-4,
 /// 3.7e-4, 3.4e-4. With the link's own inertia the elbow (0.107 for 0.0668 kg·m²) shows 0.118, 0.411, 0.754.
 pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
-    let pulling = Pulling::of(request, TOOL)?;
-    let (step, linear) = (pulling.explicit_step()?, pulling.0);
+    let unclamped = UnclampedLinear::of(request, TOOL)?;
+    let (step, linear) = (unclamped.explicit_step()?, unclamped.0);
     let damping = linear.damping(linear.ratio);
     for (what, value) in [
         ("Newton's limit_ke", linear.stiffness),
         ("Newton's limit_kd", damping),
         ("Newton's time step, s", step),
     ] {
-        single(what, value)?;
+        check_single_precision(what, value)?;
     }
     let units = motion.units();
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
-    export.error_bound = Some(pulling.error_bound(step));
+    export.error_bound = Some(unclamped.error_bound(step));
     export.add_penetration("", linear.penetration(request.speed));
     export.set("limit_ke", linear.stiffness, units.stiffness);
     export.set("limit_kd", damping, units.damping);
     export.set("dt", step, "s");
-    export.write(
+    export.add_snippet(
         "Newton",
         "python",
         format!(
@@ -161,12 +161,12 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
             linear.stiffness
         ),
     );
-    export.assume("Featherstone: its joints are exact, and it has rotor inertias (armature). No drive and no damping of the joint.");
-    export.assume("Both ends of the range have these values: Newton has but one pair for them.");
+    export.add_assumption("Featherstone: its joints are exact, and it has rotor inertias (armature). No drive and no damping of the joint.");
+    export.add_assumption("Both ends of the range have these values: Newton has but one pair for them.");
     single_precision::add(&mut export, TOOL, request, step, units.coordinate)?;
-    export.assume("The joint is measured from its stop, where its coordinate is known best.");
+    export.add_assumption("The joint is measured from its stop, where its coordinate is known best.");
     if request.options.closed_loops {
-        export.assume(
+        export.add_assumption(
             "Stops in closed loops had errors of 0.02 to 0.26: Featherstone ignores the joint that \
             closes a loop.",
         );

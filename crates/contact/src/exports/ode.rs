@@ -40,7 +40,7 @@ pub(super) const FACTS: Facts = Facts {
 /// With these values the contact row of ODE is max(0, k (x − h v⁺) − c' v⁺): implicit Euler of the linear spring
 /// and damper, with v⁺ the speed of separation after the step. c' = 2ζ'√(k m̄), ζ' = ζ − ωh/2.
 ///
-/// Measured in ODE 0.16.2, e = 0.2, 0.5, 0.8, the worst of five phases, Step and QuickStep (20 iterations) alike:
+/// Measured in ODE 0.16.2, e = 0.2, 0.5, 0.8, the worst of five phases, Step and QuickStep (20 iterations):
 /// 4.9e-4, 4.0e-4, 3.4e-4, ball, pendulums and four-bar; at twice the step 9.9e-4, 8.0e-4, 6.7e-4. With the mass of
 /// the contact link alone: 0.280, 0.592, 0.848 (2 kg for m̄ = 3.75 kg); 0.580, 0.815, 0.941 (four-bar, 4.8 kg for
 /// 68.1 kg).
@@ -56,7 +56,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.set("soft_erp", erp, "");
     export.set("soft_cfm", cfm, "m/(N·s)");
     export.set("time_step", step, "s");
-    export.write(
+    export.add_snippet(
         "near callback and step",
         "cpp",
         format!(
@@ -69,16 +69,16 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
              dWorldStep(world, {step:?}); // dWorldQuickStep: the same\n"
         ),
     );
-    export.assume(linear.implicit_words(step));
-    export.assume(
+    export.add_assumption(linear.implicit_assumption(step));
+    export.add_assumption(
         "ODE is built in double precision, and dContactBounce is off, because its bounce would add to the \
          rebound of the spring.",
     );
-    export.assume(
+    export.add_assumption(
         "The world's contact settings are ODE's own: no cap on the correcting speed, no surface layer.",
     );
     if request.options.constrained {
-        export.assume(
+        export.add_assumption(
             "Loops, mimics, locks: joints of bodies in maximal coordinates, with ODE's own ERP and CFM (1e-10 in double precision), \
              kept the restitution of a four-bar as that of a ball.",
         );
@@ -94,7 +94,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
 /// 0.486, 0.798 for 0.2, 0.5, 0.8. With a CFM of 0 `dParamBounce` is the restitution of a rigid stop: 0.5 gave 0.499997
 /// on a hinge.
 ///
-/// Measured in ODE 0.16.2, Step and QuickStep alike: a hinge with and without a rotor, upper and lower end, an elbow
+/// Measured in ODE 0.16.2, Step and QuickStep: a hinge with and without a rotor, upper and lower end, an elbow
 /// whose shoulder is free, the crank of a four-bar (0.473 kg·m²), the slider of a slider-crank (2.77 kg): within
 /// 5.0e-4, 4.1e-4, 3.5e-4. With the link's own inertia: 0.150, 0.429, 0.757 (elbow, 0.107 for 0.0668 kg·m²); 0.494,
 /// 0.763, 0.921 (crank, 0.06 kg·m²); 0.351, 0.658, 0.878 (slider, 0.9 kg).
@@ -115,7 +115,7 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
         StopMotion::Turn => "dJointSetHingeParam",
         StopMotion::Slide => "dJointSetSliderParam",
     };
-    export.write(
+    export.add_snippet(
         "joint and step",
         "cpp",
         format!(
@@ -128,19 +128,19 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
              dWorldStep(world, {step:?}); // dWorldQuickStep: the same\n"
         ),
     );
-    export.assume(linear.implicit_words(step));
-    export.assume(
+    export.add_assumption(linear.implicit_assumption(step));
+    export.add_assumption(
         "dParamBounce and dParamFMax are 0, as by default: a bounce in addition to the spring changes the \
          restitution by up to 0.06, and a motor adds a force. dParamBounce alone, with dParamStopCFM 0, is the \
          restitution of a rigid stop.",
     );
-    export.assume("ODE is built in double precision. Both ends of the range have these values: ODE has but one pair for them.");
-    export.assume(
+    export.add_assumption("ODE is built in double precision. Both ends of the range have these values: ODE has but one pair for them.");
+    export.add_assumption(
         "ODE's bodies have no rotor inertias: one of a joint with a fixed parent is added to the child's \
          inertia about the axis; other rotors change the effective inertia at the stop.",
     );
     if request.options.constrained {
-        export.assume(
+        export.add_assumption(
             "Loops, mimics, locks: joints of bodies in maximal coordinates, with ODE's own ERP and CFM (1e-10 in double precision), \
              kept the restitution of the stops of a four-bar and of a slider-crank as that of a hinge.",
         );

@@ -49,8 +49,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     let modulus = 3.0 / std::f64::consts::SQRT_2 * contact.stiffness();
     export.set("stiffness·sqrt(R)", modulus, "N/m^(3/2)");
-    export.assume("Both geometries are in the force's one ContactParameters. A half space counts with R of the sphere alone.");
-    export.assume("No friction: static, dynamic and viscous friction 0.");
+    export.add_assumption("Both geometries are in the force's one ContactParameters. A half space counts with R of the sphere alone.");
+    export.add_assumption("No friction: static, dynamic and viscous friction 0.");
     let Some(speed) = request.speed else {
         export.missing.push(
             "approach speed, m/s: the dissipation is proportional to 1/speed, and the greatest step depends on \
@@ -69,11 +69,11 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.set("integrator_accuracy", accuracy, "");
     export.set("maximum_step_size", largest, "s");
     export.error_bound = Some(limits::OPENSIM_ERROR * request.options.accuracy.min(limits::DEFAULT_ACCURACY));
-    export.assume(format!(
+    export.add_assumption(format!(
         "The dissipation is for approach at {speed:?} m/s (3/2·dissipation·v = {number:?}); faster impacts bounce less. It does \
          not depend on the effective mass."
     ));
-    export.write(
+    export.add_snippet(
         "OpenSim",
         "python",
         format!(

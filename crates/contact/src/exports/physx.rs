@@ -1,7 +1,7 @@
 //! PhysX 5, Isaac Sim and Isaac Lab: compliant contacts.
 
-use super::export::single;
-use super::linear::{Linear, Pulling};
+use super::export::check_single_precision;
+use super::linear::{Linear, UnclampedLinear};
 use super::single_precision;
 use super::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
@@ -58,8 +58,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
     let damping = linear.damping(linear.implicit_ratio(step)?);
-    let turns = limits::TGS_POSITION_ITERATIONS;
-    let tgs = linear.damping(linear.implicit_ratio(step / turns)?);
+    let position_iterations = limits::TGS_POSITION_ITERATIONS;
+    let tgs = linear.damping(linear.implicit_ratio(step / position_iterations)?);
     let stiffness = linear.stiffness;
     for (what, value) in [
         ("PhysX's stiffness, N/m", stiffness),
@@ -67,7 +67,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         ("PhysX's damping for TGS, N·s/m", tgs),
         ("PhysX's time step, s", step),
     ] {
-        single(what, value)?;
+        check_single_precision(what, value)?;
     }
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
@@ -76,10 +76,10 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.set("compliant_contact_stiffness", stiffness, "N/m");
     export.set("compliant_contact_damping", damping, "N·s/m");
     export.set("compliant_contact_damping_tgs", tgs, "N·s/m");
-    export.set("tgs_position_iterations", turns, "");
+    export.set("tgs_position_iterations", position_iterations, "");
     export.set("tgs_velocity_iterations", 0.0, "");
     export.set("dt", step, "s");
-    export.write(
+    export.add_snippet(
         "PhysX, PGS",
         "cpp",
         format!(
@@ -92,43 +92,43 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
             -stiffness
         ),
     );
-    export.write(
+    export.add_snippet(
         "PhysX, TGS",
         "cpp",
         format!(
             "// As above, with PxSceneDesc::solverType = physx::PxSolverType::eTGS.\n\
              material->setRestitution({:?}f);\n\
              material->setDamping({tgs:?}f);\n\
-             body->setSolverIterationCounts({turns:.0}, 0);\n\
+             body->setSolverIterationCounts({position_iterations:.0}, 0);\n\
              scene->simulate({step:?}f);\n",
             -stiffness
         ),
     );
-    export.write(
+    export.add_snippet(
         "Isaac Lab, TGS",
         "python",
         format!(
             "import isaaclab.sim as sim_utils\n\n\
              material = sim_utils.RigidBodyMaterialCfg(\n    restitution=0.0, static_friction=0.0, dynamic_friction=0.0,\n    \
              compliant_contact_stiffness={stiffness:?},\n    compliant_contact_damping={tgs:?},\n)\n\
-             body = sim_utils.RigidBodyPropertiesCfg(\n    solver_position_iteration_count={turns:.0}, \
+             body = sim_utils.RigidBodyPropertiesCfg(\n    solver_position_iteration_count={position_iterations:.0}, \
              solver_velocity_iteration_count=0,\n    linear_damping=0.0, angular_damping=0.0,\n)\n\
              # solver_type: 0 PGS, 1 TGS. An articulation has iteration counts of its own, in ArticulationRootPropertiesCfg.\n\
              simulation = sim_utils.SimulationCfg(\n    dt={step:?},\n    \
              physx=sim_utils.PhysxCfg(solver_type=1, min_velocity_iteration_count=0),\n)\n"
         ),
     );
-    export.assume(
+    export.add_assumption(
         "Both materials have these values (two compliant materials are combined by the combine mode, average by \
          default), or the other is rigid: the compliant one then wins.",
     );
-    export.assume(format!(
-        "PGS, or TGS with {turns:.0} position iterations and no velocity iterations and the damping for it; another number of \
+    export.add_assumption(format!(
+        "PGS, or TGS with {position_iterations:.0} position iterations and no velocity iterations and the damping for it; another number of \
          position iterations needs another damping. Friction 0."
     ));
-    export.assume(linear.implicit_words(step));
+    export.add_assumption(linear.implicit_assumption(step));
     // TGS moves the bodies in each position iteration.
-    single_precision::add(&mut export, TOOL, request, step / turns, "m")?;
+    single_precision::add(&mut export, TOOL, request, step / position_iterations, "m")?;
     export.cannot.push(
         "the acceleration mode of a body with joints: PhysX multiplies by the free body's mass there, not by m̄",
     );
@@ -145,16 +145,16 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
 /// Measured in ovphysx 0.7.0 with PGS, a hinge: within 1.6e-4, 2.2e-4, 4.2e-4. TGS, and mechanisms of several bodies,
 /// were not measured.
 pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
-    let pulling = Pulling::of(request, TOOL)?;
-    let (step, linear) = (pulling.implicit_step(), pulling.0);
-    let damping = linear.damping(pulling.implicit_ratio(step)?);
+    let unclamped = UnclampedLinear::of(request, TOOL)?;
+    let (step, linear) = (unclamped.implicit_step(), unclamped.0);
+    let damping = linear.damping(unclamped.implicit_ratio(step)?);
     let stiffness = linear.stiffness;
     for (what, value) in [
         ("PhysX's stiffness of a limit", stiffness),
         ("PhysX's damping of a limit", damping),
         ("PhysX's time step, s", step),
     ] {
-        single(what, value)?;
+        check_single_precision(what, value)?;
     }
     let units = motion.units();
     let (limit, joint) = match motion {
@@ -166,11 +166,11 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     export.add_penetration("", linear.penetration(request.speed));
     // Measured errors: shoulder of an open chain 2.2e-2, closed loops 0.01 to 2.2.
     let single_body = request.options.moving_bodies.is_none_or(|bodies| bodies == 1);
-    export.error_bound = (single_body && !request.options.constrained).then(|| pulling.error_bound(step));
+    export.error_bound = (single_body && !request.options.constrained).then(|| unclamped.error_bound(step));
     export.set("limit_stiffness", stiffness, units.stiffness);
     export.set("limit_damping", damping, units.damping);
     export.set("dt", step, "s");
-    export.write(
+    export.add_snippet(
         "PhysX, PGS",
         "cpp",
         format!(
@@ -182,16 +182,16 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
             joint.trim_start_matches("Px")
         ),
     );
-    export.assume(linear.implicit_words(step));
-    export.assume("Joints between rigid bodies, with PGS. Both ends of the range have these values.");
+    export.add_assumption(linear.implicit_assumption(step));
+    export.add_assumption("Joints between rigid bodies, with PGS. Both ends of the range have these values.");
     single_precision::add(&mut export, TOOL, request, step, units.coordinate)?;
     if export.error_bound.is_none() && request.speed.is_some() {
-        export.assume(
+        export.add_assumption(
             "No error is stated for mechanisms of several bodies: the shoulder of an open chain had an error of \
              2.2e-2, stops in closed loops 0.01 to 2.2. Choose mujoco or ode.",
         );
     }
-    export.assume(
+    export.add_assumption(
         "The angle of a revolute joint is found from an arc cosine: with the joint frames turned so that the stop is \
          between 0.3 and 3 rad, it is known to 4e-7 rad; near 0 it is not.",
     );

@@ -66,11 +66,11 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
              IntegrationParameters {{ dt: {step:?}, ..Default::default() }}\n}}\n"
         );
     }
-    export.write("Rapier", "rust", text);
-    export.assume("Both colliders have the restitution (their average counts), and nothing else touches at the same time.");
-    export.assume("Articulated bodies are multibody joints (reduced coordinates). Impulse joints do not reach the restitution.");
-    export.assume("The restitution does not depend on m̄, and that of a free body holds at any step.");
-    rigid::assume_travel(&mut export, request);
+    export.add_snippet("Rapier", "rust", text);
+    export.add_assumption("Both colliders have the restitution (their average counts), and nothing else touches at the same time.");
+    export.add_assumption("Articulated bodies are multibody joints (reduced coordinates). Impulse joints do not reach the restitution.");
+    export.add_assumption("The restitution does not depend on m̄, and that of a free body holds at any step.");
+    rigid::add_travel_assumption(&mut export, request);
     export
         .cannot
         .push("stiffness, penetration, duration, peak force: the contact's softness only removes overlap");

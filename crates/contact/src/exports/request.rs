@@ -47,7 +47,7 @@ pub struct Options {
     pub free_mass: Option<f64>,
     /// Curvature of the motion of the impact, 1/m: acceleration of the contact point plus the largest acceleration of
     /// a centre of mass, at constant joint rates and a closing speed of 1 m/s. For one hinge 1/l + r/l², l the
-    /// distance from the hinge to the contact, r that to the centre of mass. `None` stands for 10/m.
+    /// distance from the hinge to the contact, r that to the centre of mass. `None` means 10/m.
     pub motion_curvature: Option<f64>,
     /// Number of moving rigid bodies of the mechanism.
     pub moving_bodies: Option<usize>,
@@ -84,6 +84,7 @@ pub(super) struct StopUnits {
 }
 
 impl StopMotion {
+    /// Units of the parameters of a rotational or a translational stop.
     pub(super) fn units(self) -> StopUnits {
         match self {
             Self::Turn => StopUnits {
@@ -136,7 +137,7 @@ impl Request {
     }
 
     /// True if joints take part in the impact: m̄ differs from the effective mass without joints. `None` if unknown.
-    pub(super) fn jointed(&self) -> Option<bool> {
+    pub(super) fn is_jointed(&self) -> Option<bool> {
         let free = self.options.free_mass?;
         Some((self.contact.mass() / free - 1.0).abs() > limits::SAME_MASS)
     }

@@ -11,7 +11,7 @@ pub(super) const SPEED_MISSING: &str =
 /// the accuracy, with a travel of [`limits::RIGID_TRAVEL`] at most. `None` for a free body and without a speed.
 pub(super) fn time_step(request: &Request) -> Option<f64> {
     let recommended = || {
-        let speed = request.speed.filter(|_| request.jointed() == Some(true))?;
+        let speed = request.speed.filter(|_| request.is_jointed() == Some(true))?;
         let travel = request.options.accuracy / (2.0 * (1.0 + request.restitution) * curvature(request));
         Some(travel.min(limits::RIGID_TRAVEL) / speed)
     };
@@ -26,19 +26,20 @@ pub(super) fn time_step(request: &Request) -> Option<f64> {
 /// y from the line between hinge and contact, of length l, the error is e v h y/l² (Jolt, 14 levers, within 10 %), and
 /// y/l² < κ. `None` if the step or the speed is unknown.
 pub(super) fn travel_error(request: &Request, step: Option<f64>) -> Option<f64> {
-    if request.jointed() == Some(true) {
+    if request.is_jointed() == Some(true) {
         return Some((1.0 + request.restitution) * curvature(request) * request.speed? * step?);
     }
     Some(0.0)
 }
 
+/// Curvature of the motion (1/m), or the default for an unknown mechanism.
 fn curvature(request: &Request) -> f64 {
-    request.options.motion_curvature.unwrap_or(limits::RIGID_CURVATURE).max(limits::LEAST_CURVATURE)
+    request.options.motion_curvature.unwrap_or(limits::RIGID_CURVATURE).max(limits::MIN_CURVATURE)
 }
 
 /// Adds the condition of [`travel_error`].
-pub(super) fn assume_travel(export: &mut Export, request: &Request) {
-    if request.jointed() == Some(false) {
+pub(super) fn add_travel_assumption(export: &mut Export, request: &Request) {
+    if request.is_jointed() == Some(false) {
         return;
     }
     let length = 1.0 / curvature(request);
@@ -46,7 +47,7 @@ pub(super) fn assume_travel(export: &mut Export, request: &Request) {
         Some(error) if error > 0.0 => format!("{error:.1e} here, included in the stated error"),
         _ => "not included in the stated error, which is for a free body".to_owned(),
     };
-    export.assume(format!(
+    export.add_assumption(format!(
         "A mechanism moves within the step of the impact. Error of the restitution: up to (1 + e)·v·h/L ({stated}), v the \
          speed, h the step, L = {length:.2} m; for one hinge 1/L = 1/l + r/l², l the distance from the hinge to the contact, \
          r that to the centre of mass."

@@ -55,7 +55,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
                 "set_param(gcs, 'Solver', 'ode15s', 'RelTol', '{relative:?}', 'AbsTol', '{absolute:?}', 'AutoScaleAbsTol', 'off');\n"
             );
             export.error_bound = Some(linear.accuracy);
-            export.assume(format!(
+            export.add_assumption(format!(
                 "The transition region is for approach at {speed:?} m/s; slower impacts bounce higher."
             ));
         }
@@ -63,12 +63,14 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
             "approach speed, m/s: the transition region must be thin compared with the penetration, speed over ω",
         ),
     }
-    export.write("MATLAB", "matlab", text);
-    export.assume("ode15s or ode23t with the tolerances given, and the block's zero-crossing detection on.");
-    export.assume(
+    export.add_snippet("MATLAB", "matlab", text);
+    export.add_assumption(
+        "ode15s or ode23t with the tolerances given, and the block's zero-crossing detection on.",
+    );
+    export.add_assumption(
         "The block's smoothing function is not published; a cubic was assumed. Not measured in Simscape: the error is that of other \
          integrators of these kinds.",
     );
-    export.assume("Friction off.");
+    export.add_assumption("Friction off.");
     Ok(export)
 }

@@ -10,7 +10,7 @@ use crate::limits;
 /// Measured on levers with the hinge at the origin (k = 1e4 to 6e5 N/m, 0.03 to 1.8 m/s), as a part of this error:
 /// Bullet 3.24 0.4; PhysX 5 with TGS, h the step of one position iteration, 0.5. `None` without a speed.
 pub(super) fn error(request: &Request, step: f64) -> Option<f64> {
-    Some(limits::SINGLE_PLACE / (request.speed? * step))
+    Some(limits::SINGLE_PRECISION_ROUNDING / (request.speed? * step))
 }
 
 /// Adds [`error`] at the step `step` to the error bound of an export, with the condition. Error: the sum is above 0.1.
@@ -38,7 +38,7 @@ pub(super) fn add(
         });
     }
     export.error_bound = Some(bound + single);
-    export.assume(format!(
+    export.add_assumption(format!(
         "Single precision: coordinates of 0.25 to 0.5 {coordinate} are rounded by 1.5e-8 {coordinate}; over the travel in a time step that is \
          {single:.1e}, which is a part of the stated error. The error is proportional to the coordinates: place \
          the contact near the origin."

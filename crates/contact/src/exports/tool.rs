@@ -42,6 +42,7 @@ pub struct Measurement {
 }
 
 impl Tool {
+    /// Tool with these facts.
     pub(super) const fn of(facts: &'static Facts) -> Self {
         Self(facts)
     }

@@ -10,10 +10,10 @@ pub(super) const FACTS: Facts = Facts {
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e)(11−e)/(2(1+9e))",
     source: "Carvalho and Martins (2019). Formula as in EXUDYN's \
              CObjectContactSphereSphere.cpp (impact model 2, e > 1/3).",
-    approximation: Some(number),
+    approximation: Some(dissipation_number),
 };
 
 /// Dissipation number a for the required e.
-pub(super) fn number(e: f64) -> f64 {
+pub(super) fn dissipation_number(e: f64) -> f64 {
     1.5 * (1.0 - e) * (11.0 - e) / (1.0 + 9.0 * e)
 }

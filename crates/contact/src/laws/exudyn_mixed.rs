@@ -11,10 +11,10 @@ pub(super) const FACTS: Facts = Facts {
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e)(11−e)/(2(1+9e)) for e > 1/3, else (1−e²)/e",
     source: "EXUDYN's CObjectContactSphereSphere.cpp, impact model 2: Carvalho and Martins \
              above 1/3, Gonthier and others below.",
-    approximation: Some(number),
+    approximation: Some(dissipation_number),
 };
 
 /// Dissipation number a for the required e.
-pub(super) fn number(e: f64) -> f64 {
-    if e > 1.0 / 3.0 { carvalho_martins::number(e) } else { gonthier::number(e) }
+pub(super) fn dissipation_number(e: f64) -> f64 {
+    if e > 1.0 / 3.0 { carvalho_martins::dissipation_number(e) } else { gonthier::dissipation_number(e) }
 }

@@ -10,10 +10,10 @@ pub(super) const FACTS: Facts = Facts {
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 8(1−e)/(5e)",
     source: "Flores, Machado, Silva and Martins (2011). Formula as in L. Škrinjar's \
              contact_model.py.",
-    approximation: Some(number),
+    approximation: Some(dissipation_number),
 };
 
 /// Dissipation number a for the required e.
-pub(super) fn number(e: f64) -> f64 {
+pub(super) fn dissipation_number(e: f64) -> f64 {
     1.6 * (1.0 - e) / e
 }

@@ -9,10 +9,10 @@ pub(super) const FACTS: Facts = Facts {
     title: "Gharib and Hurmuzlu 2012",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 1/e",
     source: "Gharib and Hurmuzlu (2012): formula and attribution cited from memory, not compared with the paper.",
-    approximation: Some(number),
+    approximation: Some(dissipation_number),
 };
 
 /// Dissipation number a for the required e.
-pub(super) fn number(e: f64) -> f64 {
+pub(super) fn dissipation_number(e: f64) -> f64 {
     1.0 / e
 }

@@ -11,10 +11,10 @@ pub(super) const FACTS: Facts = Facts {
     source: "Gonthier, McPhee, Lange and Piedboeuf (2004), their approximation. Formula as in \
              L. Škrinjar's contact_model.py and EXUDYN's CObjectContactSphereSphere.cpp \
              (impact model 2, e ≤ 1/3).",
-    approximation: Some(number),
+    approximation: Some(dissipation_number),
 };
 
 /// Dissipation number a for the required e.
-pub(super) fn number(e: f64) -> f64 {
+pub(super) fn dissipation_number(e: f64) -> f64 {
     (1.0 - e) * (1.0 + e) / e
 }

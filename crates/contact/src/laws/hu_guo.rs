@@ -11,10 +11,10 @@ pub(super) const FACTS: Facts = Facts {
     source: "Hu and Guo (2015): attribution cited from memory, not compared with the paper; L. Škrinjar's \
         contact_model.py has half of it, which would be \
              wrong near e = 1. For p = 1 it is the law of Ye, Li and Zhu (2009).",
-    approximation: Some(number),
+    approximation: Some(dissipation_number),
 };
 
 /// Dissipation number a for the required e.
-pub(super) fn number(e: f64) -> f64 {
+pub(super) fn dissipation_number(e: f64) -> f64 {
     1.5 * (1.0 - e) / e
 }

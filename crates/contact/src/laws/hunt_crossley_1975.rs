@@ -11,10 +11,10 @@ pub(super) const FACTS: Facts = Facts {
     source: "Hunt and Crossley (1975). Formula as in L. Škrinjar's contact_model.py and \
              EXUDYN's CObjectContactSphereSphere.cpp (impact model 1). Marhefka and Orin's \
              (1999) is the same (cited from memory, not read).",
-    approximation: Some(number),
+    approximation: Some(dissipation_number),
 };
 
 /// Dissipation number a for the required e.
-pub(super) fn number(e: f64) -> f64 {
+pub(super) fn dissipation_number(e: f64) -> f64 {
     1.5 * (1.0 - e)
 }

@@ -154,22 +154,22 @@ impl Law {
     /// Returns the alias with a name, ignoring case.
     pub fn alias(name: &str) -> Option<&'static Alias> {
         const ALIASES: &[Alias] = &Law::ALIASES;
-        let wanted = canonical(name);
-        ALIASES.iter().find(|alias| alias.name == wanted)
+        let normalised = canonical(name);
+        ALIASES.iter().find(|alias| alias.name == normalised)
     }
 
     /// Returns the law with a name or alias, ignoring case. Errors: [`ContactLawError::UnknownLaw`].
     pub fn from_name(name: &str) -> Result<Self, ContactLawError> {
-        let wanted = canonical(name);
+        let normalised = canonical(name);
         let names =
             || Self::ALL.into_iter().map(Self::name).chain(Self::ALIASES.iter().map(|alias| alias.name));
         Self::ALL
             .into_iter()
-            .find(|law| law.name() == wanted)
+            .find(|law| law.name() == normalised)
             .or_else(|| Self::alias(name).map(|alias| alias.law))
             .ok_or_else(|| ContactLawError::UnknownLaw {
                 name: name.into(),
-                nearest: nearest(&wanted, names()),
+                nearest: nearest(&normalised, names()),
                 known: names().collect::<Vec<_>>().join(", "),
             })
     }
@@ -217,7 +217,7 @@ impl Law {
         separation: Separation,
     ) -> Result<Damper, ContactLawError> {
         let speed = speed.map(|speed| positive("approach speed, m/s", speed)).transpose()?;
-        let number = match self {
+        let dissipation_number = match self {
             Self::KelvinVoigt => {
                 return Damper::kelvin_voigt(
                     contact,
@@ -225,10 +225,10 @@ impl Law {
                     separation,
                 );
             }
-            _ => self.number(restitution)?,
+            _ => self.dissipation_number(restitution)?,
         };
         let speed = speed.ok_or(ContactLawError::SpeedNeeded { law: self.name() })?;
-        Damper::hunt_crossley(number / speed)
+        Damper::hunt_crossley(dissipation_number / speed)
     }
 
     /// Restitution that results from the damping of the law for a required e; equal to e for an exact law.
@@ -236,20 +236,23 @@ impl Law {
     /// Errors: e is not from 0 to 1; the law does not reach e.
     pub fn approximation_error(self, restitution: f64) -> Result<ApproximationError, ContactLawError> {
         let requested = unit_interval("restitution", restitution)?;
-        let achieved =
-            if self.is_exact() { requested } else { hunt_crossley::restitution(self.number(requested)?)? };
+        let achieved = if self.is_exact() {
+            requested
+        } else {
+            hunt_crossley::restitution(self.dissipation_number(requested)?)?
+        };
         Ok(ApproximationError { requested, achieved })
     }
 
     /// Dissipation number a = d v of a law of the Hunt–Crossley family.
-    fn number(self, restitution: f64) -> Result<f64, ContactLawError> {
+    fn dissipation_number(self, restitution: f64) -> Result<f64, ContactLawError> {
         let e = unit_interval("restitution", restitution)?;
         let Some(formula) = self.facts().approximation else {
             return hunt_crossley::dissipation_number(e);
         };
-        let number = formula(e);
-        if number.is_finite() {
-            return Ok(number);
+        let dissipation_number = formula(e);
+        if dissipation_number.is_finite() {
+            return Ok(dissipation_number);
         }
         Err(ContactLawError::Unreachable {
             law: self.name(),
@@ -259,6 +262,7 @@ impl Law {
         })
     }
 
+    /// Name, formula, source and approximation of the law.
     fn facts(self) -> &'static Facts {
         match self {
             Self::KelvinVoigt => &exact::KELVIN_VOIGT,

@@ -10,10 +10,10 @@ pub(super) const FACTS: Facts = Facts {
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 5(1−e)/(4e)",
     source: "Safaeifar and Farshidianfar (2020): formula and attribution cited from memory, not compared with \
         the paper.",
-    approximation: Some(number),
+    approximation: Some(dissipation_number),
 };
 
 /// Dissipation number a for the required e.
-pub(super) fn number(e: f64) -> f64 {
+pub(super) fn dissipation_number(e: f64) -> f64 {
     1.25 * (1.0 - e) / e
 }

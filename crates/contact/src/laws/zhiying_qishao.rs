@@ -9,10 +9,10 @@ pub(super) const FACTS: Facts = Facts {
     title: "Zhiying and Qishao 2006",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e²) exp(2(1−e))/4",
     source: "Zhiying and Qishao (2006). Formula as in L. Škrinjar's contact_model.py.",
-    approximation: Some(number),
+    approximation: Some(dissipation_number),
 };
 
 /// Dissipation number a for the required e.
-pub(super) fn number(e: f64) -> f64 {
+pub(super) fn dissipation_number(e: f64) -> f64 {
     0.75 * (1.0 - e) * (1.0 + e) * (2.0 * (1.0 - e)).exp()
 }

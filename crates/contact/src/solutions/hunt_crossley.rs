@@ -24,12 +24,13 @@ pub(crate) const NAME: &str = "hunt-crossley";
 
 /// Restitution of the dissipation number a = d v. Errors: a is negative, NaN or infinite.
 pub fn restitution(dissipation_number: f64) -> Result<f64, ContactLawError> {
-    Ok(Solution::of_number(not_negative("dissipation number", dissipation_number)?).restitution())
+    Ok(Solution::from_dissipation_number(not_negative("dissipation number", dissipation_number)?)
+        .restitution())
 }
 
 /// 1 − e of the dissipation number a = d v, without loss of digits for small a. Errors: as [`restitution`].
 pub fn restitution_loss(dissipation_number: f64) -> Result<f64, ContactLawError> {
-    Ok(Solution::of_number(not_negative("dissipation number", dissipation_number)?).loss())
+    Ok(Solution::from_dissipation_number(not_negative("dissipation number", dissipation_number)?).loss())
 }
 
 /// Dissipation number a = d v that gives the restitution e.
@@ -37,18 +38,19 @@ pub fn restitution_loss(dissipation_number: f64) -> Result<f64, ContactLawError>
 /// 0 for e = 1. Errors: e is not from 0 to 1; e = 0, because no dissipation reaches e = 0 (a → 1/e).
 pub fn dissipation_number(restitution: f64) -> Result<f64, ContactLawError> {
     let e = unit_interval("restitution", restitution)?;
-    number(1.0 - e, e)
+    number_from_loss(1.0 - e, e)
 }
 
 /// Dissipation number a = d v that gives the restitution e = 1 − loss, for losses too small to be represented in e.
 ///
 /// Errors: the loss is not from 0 to 1; a loss of 1 as e = 0 of [`dissipation_number`].
-pub fn dissipation_number_of_loss(loss: f64) -> Result<f64, ContactLawError> {
+pub fn dissipation_number_from_loss(loss: f64) -> Result<f64, ContactLawError> {
     let loss = unit_interval("1 - restitution", loss)?;
-    number(loss, 1.0 - loss)
+    number_from_loss(loss, 1.0 - loss)
 }
 
-fn number(loss: f64, e: f64) -> Result<f64, ContactLawError> {
+/// Dissipation number of the restitution e = 1 − `loss`; both are given, so that neither loses digits.
+fn number_from_loss(loss: f64, e: f64) -> Result<f64, ContactLawError> {
     // 1/e overflows for smaller e.
     if e < f64::MIN_POSITIVE {
         return Err(ContactLawError::Unreachable {
@@ -70,10 +72,10 @@ pub(crate) struct Solution {
 }
 
 impl Solution {
-    /// Newton's method on h (1 + 𝓛(h)) = a; the left side is convex, so the steps approach the root from above.
-    pub(crate) fn of_number(a: f64) -> Self {
+    /// Solves h (1 + 𝓛(h)) = a for h by Newton's method; the left side is convex, so the steps approach the root from above.
+    pub(crate) fn from_dissipation_number(a: f64) -> Self {
         let mut h = if a < 2.0 { 2.0 * a / (1.0 + (1.0 + 4.0 * a / 3.0).sqrt()) } else { 0.5 * a + 0.5 };
-        for _ in 0..limits::MOST_ITERATIONS {
+        for _ in 0..limits::MAX_ITERATIONS {
             let (langevin, _) = langevin(h);
             // h 𝓛' = h − h 𝓛² − 2 𝓛.
             let slope = 1.0 + langevin + h * langevin_slope(h, langevin);
@@ -88,6 +90,7 @@ impl Solution {
         Self { h, langevin, complement }
     }
 
+    /// Restitution e = (1 − 𝓛)/(1 + 𝓛).
     pub(crate) fn restitution(self) -> f64 {
         self.complement / (1.0 + self.langevin)
     }
@@ -129,7 +132,7 @@ fn inverse_langevin(value: f64, complement: f64) -> f64 {
         return 1.0 / complement;
     }
     let mut h = value * (3.0 - value * value) / (complement * (1.0 + value));
-    for _ in 0..limits::MOST_ITERATIONS {
+    for _ in 0..limits::MAX_ITERATIONS {
         let (at, short) = langevin(h);
         let excess = if value < 0.5 { at - value } else { complement - short };
         let next = if h < limits::LANGEVIN_FRACTION {

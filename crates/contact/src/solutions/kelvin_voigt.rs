@@ -44,20 +44,21 @@ pub fn ratio(restitution: f64, separation: Separation) -> Result<f64, ContactLaw
     if e == 0.0 && separation == Separation::ForceVanishes {
         return Err(unreachable());
     }
-    Ok(ratio_of_decrement(0.0 - e.ln(), separation))
+    Ok(ratio_from_decrement(0.0 - e.ln(), separation))
 }
 
 /// Damping ratio ζ that gives the restitution e = 1 − loss, for losses too small to be represented in e.
 ///
 /// Errors: the loss is not from 0 to 1; a loss of 1 as e = 0 of [`ratio`].
-pub fn ratio_of_loss(loss: f64, separation: Separation) -> Result<f64, ContactLawError> {
+pub fn ratio_from_loss(loss: f64, separation: Separation) -> Result<f64, ContactLawError> {
     let loss = unit_interval("1 - restitution", loss)?;
     if loss == 1.0 && separation == Separation::ForceVanishes {
         return Err(unreachable());
     }
-    Ok(ratio_of_decrement(0.0 - (-loss).ln_1p(), separation))
+    Ok(ratio_from_decrement(0.0 - (-loss).ln_1p(), separation))
 }
 
+/// Error for e = 0 with a contact that ends when the force vanishes.
 fn unreachable() -> ContactLawError {
     ContactLawError::Unreachable {
         law: NAME,
@@ -72,10 +73,11 @@ fn unreachable() -> ContactLawError {
 ///
 /// Errors: ζ is negative, NaN or infinite.
 pub fn compression_time(ratio: f64) -> Result<f64, ContactLawError> {
-    Ok(compression(not_negative("damping ratio", ratio)?))
+    Ok(compression_factor(not_negative("damping ratio", ratio)?))
 }
 
-pub(crate) fn compression(ratio: f64) -> f64 {
+/// C(ζ) of [`compression_time`] for a valid ζ.
+pub(crate) fn compression_factor(ratio: f64) -> f64 {
     let gap = 1.0 - ratio;
     if gap > 0.0 {
         ratio.acos() / (gap * (1.0 + ratio)).sqrt()
@@ -88,25 +90,26 @@ pub(crate) fn compression(ratio: f64) -> f64 {
     }
 }
 
-/// −ln e.
+/// Logarithmic decrement −ln e of the damping ratio ζ.
 pub(crate) fn decrement(ratio: f64, separation: Separation) -> f64 {
     match separation {
-        Separation::ForceVanishes => 2.0 * ratio * compression(ratio),
+        Separation::ForceVanishes => 2.0 * ratio * compression_factor(ratio),
         Separation::GapCloses if ratio < 1.0 => PI * ratio / ((1.0 - ratio) * (1.0 + ratio)).sqrt(),
         Separation::GapCloses => f64::INFINITY,
     }
 }
 
-fn ratio_of_decrement(decrement: f64, separation: Separation) -> f64 {
+/// Damping ratio ζ with the logarithmic decrement −ln e; inverse of [`decrement`].
+fn ratio_from_decrement(decrement: f64, separation: Separation) -> f64 {
     match separation {
-        Separation::ForceVanishes => root_of_compression(0.5 * decrement),
+        Separation::ForceVanishes => solve_ratio_times_compression(0.5 * decrement),
         Separation::GapCloses if decrement.is_infinite() => 1.0,
         Separation::GapCloses => decrement / PI.hypot(decrement),
     }
 }
 
 /// Solves ζ C(ζ) = h by Newton's method within a bracket: the left side increases from 0 with decreasing slope.
-fn root_of_compression(h: f64) -> f64 {
+fn solve_ratio_times_compression(h: f64) -> f64 {
     let mut ratio = match h {
         _ if h < 0.75 => 2.0 * h / PI * (1.0 + 8.0 * h / (PI * PI)).min(1.5),
         _ if h < 3.0 => 1.0,
@@ -114,8 +117,8 @@ fn root_of_compression(h: f64) -> f64 {
     };
     // ζ C(ζ) ≥ ln(2ζ) for ζ ≥ 1.
     let (mut low, mut high) = (0.0, h.exp().max(1.0));
-    for _ in 0..limits::MOST_ITERATIONS {
-        let time = compression(ratio);
+    for _ in 0..limits::MAX_ITERATIONS {
+        let time = compression_factor(ratio);
         let excess = ratio * time - h;
         if excess > 0.0 {
             high = ratio

@@ -10,65 +10,69 @@ use crate::solutions::hunt_crossley::Solution;
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Dissipative {
-    /// a.
-    number: f64,
+    /// Dissipation number a.
+    dissipation_number: f64,
     exponent: f64,
-    /// e a.
+    /// e a, the dimensionless rebound speed.
     end: f64,
     solution: Solution,
-    /// λ at the touch, > 0.
-    first: f64,
-    /// −λ at the end, > 0.
-    last: f64,
+    /// Decrease of λ during compression: λ at the touch, > 0.
+    compression: f64,
+    /// Decrease of λ during expansion: −λ at the end, > 0.
+    expansion: f64,
 }
 
 impl Dissipative {
-    pub(crate) fn new(number: f64, exponent: f64) -> Self {
-        let exact = Solution::of_number(number);
+    pub(crate) fn new(dissipation_number: f64, exponent: f64) -> Self {
+        let exact = Solution::from_dissipation_number(dissipation_number);
         // Smaller damping affects only 1 − e; other quantities would be 0/0.
-        let number = number.max(limits::LEAST_DISSIPATION_NUMBER);
-        let solution = Solution::of_number(number);
-        let end = number * solution.restitution();
-        let first = number.ln_1p();
+        let dissipation_number = dissipation_number.max(limits::MIN_DISSIPATION_NUMBER);
+        let solution = Solution::from_dissipation_number(dissipation_number);
+        let end = dissipation_number * solution.restitution();
+        let compression = dissipation_number.ln_1p();
         // 2h minus the compression, without cancellation if both are small.
-        let last = if end < 0.5 { -(-end).ln_1p() } else { 2.0 * solution.h - first };
-        Self { number, exponent, end, solution: exact, first, last }
+        let expansion = if end < 0.5 { -(-end).ln_1p() } else { 2.0 * solution.h - compression };
+        Self { dissipation_number, exponent, end, solution: exact, compression, expansion }
     }
 
     /// Penetration x from G(a) − G.
-    fn penetration(&self, fallen: f64) -> f64 {
-        (2.0 * (fallen.max(0.0) / self.number) / self.number).powf(1.0 / (self.exponent + 1.0))
+    fn penetration(&self, g_decrease: f64) -> f64 {
+        (2.0 * (g_decrease.max(0.0) / self.dissipation_number) / self.dissipation_number)
+            .powf(1.0 / (self.exponent + 1.0))
     }
 
     /// G(a) − G at s after the touch.
-    fn fallen_after_touch(&self, s: f64) -> f64 {
+    fn g_decrease_after_touch(&self, s: f64) -> f64 {
         let share = -(-s).exp_m1();
-        self.number * share - exp_m1_minus(-s)
+        self.dissipation_number * share - exp_m1_minus(-s)
     }
 
     /// G(a) − G at s before the end.
-    fn fallen_before_end(&self, s: f64) -> f64 {
+    fn g_decrease_before_end(&self, s: f64) -> f64 {
         if self.end < 0.5 {
             self.end * s.exp_m1() - exp_m1_minus(s)
         } else if s < 1.0 {
-            s - (-self.last).exp() * s.exp_m1()
+            s - (-self.expansion).exp() * s.exp_m1()
         } else {
             // e^s may overflow, e^(s − last) does not.
-            s - ((s - self.last).exp() - (-self.last).exp())
+            s - ((s - self.expansion).exp() - (-self.expansion).exp())
         }
     }
 
-    fn moment(&self, fallen: f64, log: f64) -> State {
-        let penetration = self.penetration(fallen);
+    /// State for G(a) − G = `g_decrease` and λ = `log`.
+    fn state(&self, g_decrease: f64, log: f64) -> State {
+        let penetration = self.penetration(g_decrease);
         State {
             penetration,
-            rate: log.exp_m1() / self.number,
+            rate: log.exp_m1() / self.dissipation_number,
             force: penetration.powf(self.exponent) * log.exp(),
         }
     }
 
-    fn time_rate(&self, fallen: f64) -> f64 {
-        2.0 / (self.exponent + 1.0) / self.number * self.penetration(fallen).powf(-self.exponent)
+    /// dt/ds at G(a) − G = `g_decrease`.
+    fn time_rate(&self, g_decrease: f64) -> f64 {
+        2.0 / (self.exponent + 1.0) / self.dissipation_number
+            * self.penetration(g_decrease).powf(-self.exponent)
     }
 }
 
@@ -82,47 +86,48 @@ impl Trajectory for Dissipative {
     }
 
     fn compression(&self) -> f64 {
-        self.first
+        self.compression
     }
 
     fn expansion(&self) -> f64 {
-        self.last
+        self.expansion
     }
 
     fn ends(&self) -> bool {
         true
     }
 
-    fn greatest_penetration(&self) -> f64 {
-        self.penetration(exp_m1_minus(self.first))
+    fn max_penetration(&self) -> f64 {
+        self.penetration(exp_m1_minus(self.compression))
     }
 
     /// Solves for the largest force, G(a) − G = p/(p+1) w, that is κ w − ln(1 + w) = G(a) with κ = (2p+1)/(p+1). The
     /// left side is convex in λ, and Newton's steps approach the root from above.
     fn peak(&self) -> (f64, f64) {
         let share = self.exponent / (self.exponent + 1.0);
-        let fallen = exp_m1_minus(self.first);
-        let quadratic = 2.0 * fallen / (share + (share * share + 2.0 * (1.0 + share) * fallen).sqrt());
-        let mut log = quadratic.min(self.first);
-        for _ in 0..limits::MOST_ITERATIONS {
-            let excess = share * log.exp_m1() + exp_m1_minus(log) - fallen;
+        let g_decrease = exp_m1_minus(self.compression);
+        let quadratic =
+            2.0 * g_decrease / (share + (share * share + 2.0 * (1.0 + share) * g_decrease).sqrt());
+        let mut log = quadratic.min(self.compression);
+        for _ in 0..limits::MAX_ITERATIONS {
+            let excess = share * log.exp_m1() + exp_m1_minus(log) - g_decrease;
             let next = log - excess / ((1.0 + share) * log.exp_m1() + share);
-            let settled = (next - log).abs() <= limits::CONVERGED * log;
+            let converged = (next - log).abs() <= limits::CONVERGED * log;
             log = next;
-            if settled {
+            if converged {
                 break;
             }
         }
         let penetration = self.penetration(share * log.exp_m1());
-        (self.first - log, penetration.powf(self.exponent) * log.exp())
+        (self.compression - log, penetration.powf(self.exponent) * log.exp())
     }
 
     fn after_touch(&self, s: f64) -> State {
-        self.moment(self.fallen_after_touch(s), self.first - s)
+        self.state(self.g_decrease_after_touch(s), self.compression - s)
     }
 
     fn before_end(&self, s: f64) -> State {
-        self.moment(self.fallen_before_end(s), s - self.last)
+        self.state(self.g_decrease_before_end(s), s - self.expansion)
     }
 
     fn singularities(&self) -> [f64; 2] {
@@ -130,11 +135,11 @@ impl Trajectory for Dissipative {
     }
 
     fn time_rate_after_touch(&self, s: f64) -> f64 {
-        self.time_rate(self.fallen_after_touch(s))
+        self.time_rate(self.g_decrease_after_touch(s))
     }
 
     fn time_rate_before_end(&self, s: f64) -> f64 {
-        self.time_rate(self.fallen_before_end(s))
+        self.time_rate(self.g_decrease_before_end(s))
     }
 }
 

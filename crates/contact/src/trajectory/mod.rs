@@ -39,7 +39,7 @@ pub(crate) trait Trajectory {
     /// True if the contact ends in finite time.
     fn ends(&self) -> bool;
     /// Largest penetration.
-    fn greatest_penetration(&self) -> f64;
+    fn max_penetration(&self) -> f64;
     /// Largest force, with its s from the first touch.
     fn peak(&self) -> (f64, f64);
     /// State at s after the first touch, up to the largest penetration.

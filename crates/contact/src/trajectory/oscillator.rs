@@ -10,7 +10,7 @@
 use super::{State, Trajectory};
 use crate::Separation;
 use crate::limits;
-use crate::solutions::kelvin_voigt::{compression, decrement};
+use crate::solutions::kelvin_voigt::{compression_factor, decrement};
 use std::f64::consts::PI;
 
 #[derive(Clone, Copy, Debug)]
@@ -26,9 +26,10 @@ pub(crate) struct Oscillator {
 }
 
 impl Oscillator {
+    /// Impact with the damping ratio ζ and the exponent p of the contact force.
     pub(crate) fn new(ratio: f64, exponent: f64, separation: Separation) -> Self {
         let root = (1.0 - ratio).abs().sqrt() * (1.0 + ratio).sqrt();
-        let compression = compression(ratio);
+        let compression = compression_factor(ratio);
         let expansion = match separation {
             Separation::ForceVanishes => compression,
             Separation::GapCloses if ratio < 1.0 => PI / root - compression,
@@ -43,7 +44,7 @@ impl Oscillator {
         if self.ratio < 1.0 {
             (-self.ratio * s).exp() * (self.root * s).sin() / self.root
         } else {
-            self.slow(s) * self.fast_share(s)
+            self.slow_decay(s) * self.fast_factor(s)
         }
     }
 
@@ -53,23 +54,23 @@ impl Oscillator {
     fn displacement_before_end(&self, s: f64) -> f64 {
         let at = self.compression + self.expansion - s;
         if self.ratio < 1.0 {
-            let left = match self.separation {
+            let end_angle = match self.separation {
                 Separation::ForceVanishes => 2.0 * self.ratio.asin(),
                 Separation::GapCloses => 0.0,
             };
-            (-self.ratio * at).exp() * (self.root * s + left).sin() / self.root
+            (-self.ratio * at).exp() * (self.root * s + end_angle).sin() / self.root
         } else {
             self.displacement(at)
         }
     }
 
-    /// e^(−(ζ−√(ζ²−1)) s), ζ ≥ 1.
-    fn slow(&self, s: f64) -> f64 {
+    /// Decay e^(−(ζ−√(ζ²−1)) s) of the slow mode, ζ ≥ 1.
+    fn slow_decay(&self, s: f64) -> f64 {
         (-s / (self.ratio + self.root)).exp()
     }
 
-    /// (1 − e^(−2√(ζ²−1) s))/(2√(ζ²−1)), ζ ≥ 1.
-    fn fast_share(&self, s: f64) -> f64 {
+    /// Factor (1 − e^(−2√(ζ²−1) s))/(2√(ζ²−1)) of the fast mode, ζ ≥ 1.
+    fn fast_factor(&self, s: f64) -> f64 {
         if self.root == 0.0 { s } else { -(-2.0 * self.root * s).exp_m1() / (2.0 * self.root) }
     }
 
@@ -80,25 +81,27 @@ impl Oscillator {
             (-self.ratio * s).exp() * (cosine - self.ratio / self.root * sine)
         } else {
             // cosh − ζ sinh/√ = e^(√ s) [1 − (ζ + √) (1 − e^(−2√s))/(2√)].
-            self.slow(s) * (1.0 - (self.ratio + self.root) * self.fast_share(s))
+            self.slow_decay(s) * (1.0 - (self.ratio + self.root) * self.fast_factor(s))
         }
     }
 
     /// y^q; 1 for the linear contact, also at y = 0.
-    fn y_to_q(&self, y: f64) -> f64 {
+    fn y_power_q(&self, y: f64) -> f64 {
         if self.q == 0.0 { 1.0 } else { y.max(0.0).powf(self.q) }
     }
 
-    fn moment(&self, y: f64, rate: f64) -> State {
+    /// State for y and y′ = `rate`.
+    fn state(&self, y: f64, rate: f64) -> State {
         State {
             penetration: y.max(0.0).powf(1.0 - self.q),
             rate,
-            force: self.y_to_q(y) * (y + 2.0 * self.ratio * rate),
+            force: self.y_power_q(y) * (y + 2.0 * self.ratio * rate),
         }
     }
 
+    /// dt/ds at y.
     fn time_rate(&self, y: f64) -> f64 {
-        (1.0 - self.q) / self.y_to_q(y)
+        (1.0 - self.q) / self.y_power_q(y)
     }
 
     /// r = y′/y at the largest force; infinite at the touch.
@@ -116,7 +119,7 @@ impl Oscillator {
     }
 
     /// Solves y′/y = r for s, r ≥ 0.
-    fn at_slope(&self, r: f64) -> f64 {
+    fn s_at_slope(&self, r: f64) -> f64 {
         let g = r + self.ratio;
         if self.root < limits::SMALL_ANGLE * g {
             // arctan(√/g)/√ to the third order; artanh for ζ > 1.
@@ -152,7 +155,7 @@ impl Trajectory for Oscillator {
         self.separation == Separation::ForceVanishes || self.ratio < 1.0
     }
 
-    fn greatest_penetration(&self) -> f64 {
+    fn max_penetration(&self) -> f64 {
         (-(1.0 - self.q) * self.ratio * self.compression).exp()
     }
 
@@ -162,7 +165,7 @@ impl Trajectory for Oscillator {
             // Linear contact with ζ ≥ 1/2: the jump of the damper force at the touch is the maximum.
             return (0.0, 2.0 * self.ratio);
         }
-        let s = self.at_slope(slope);
+        let s = self.s_at_slope(slope);
         // y = e^(−ζs)/√(r² + 2ζr + 1), with a square root that does not overflow.
         let across = ((slope + 2.0 * self.ratio) * slope).sqrt().hypot(1.0);
         let decay = (-self.ratio * s).exp();
@@ -171,16 +174,16 @@ impl Trajectory for Oscillator {
     }
 
     fn after_touch(&self, s: f64) -> State {
-        self.moment(self.displacement(s), self.rate(s))
+        self.state(self.displacement(s), self.rate(s))
     }
 
     fn before_end(&self, s: f64) -> State {
         let at = self.compression + self.expansion - s;
-        let mut moment = self.moment(self.displacement_before_end(s), self.rate(at));
+        let mut state = self.state(self.displacement_before_end(s), self.rate(at));
         if self.separation == Separation::ForceVanishes {
-            moment.force = if s == 0.0 { 0.0 } else { moment.force.max(0.0) };
+            state.force = if s == 0.0 { 0.0 } else { state.force.max(0.0) };
         }
-        moment
+        state
     }
 
     fn singularities(&self) -> [f64; 2] {

@@ -48,37 +48,37 @@ pub struct PlanarPose {
 impl PlanarPose {
     /// Position of a body point.
     pub fn point(&self, local: Vector2<f64>) -> Vector2<f64> {
-        self.origin + local.x * along(self.angle) + local.y * across(self.angle)
+        self.origin + local.x * unit_vector(self.angle) + local.y * unit_normal(self.angle)
     }
 
     /// Velocity of a body point per unit rate of the input.
     pub fn velocity_of(&self, local: Vector2<f64>) -> Vector2<f64> {
-        self.velocity + self.rate * (local.x * across(self.angle) - local.y * along(self.angle))
+        self.velocity + self.rate * (local.x * unit_normal(self.angle) - local.y * unit_vector(self.angle))
     }
 }
 
 /// m̄ of a planar mechanism with one degree of freedom: Σ (m v² + I ω²) / (n · v_P)². The contact is at `point`
-/// of body `struck`, along the unit vector `normal` of the plane.
+/// of body `contact_body`, along the unit vector `normal` of the plane.
 pub fn planar_effective_mass(
     bodies: &[(PlanarBody, PlanarPose)],
-    struck: usize,
+    contact_body: usize,
     point: Vector2<f64>,
     normal: Vector2<f64>,
 ) -> f64 {
     let energy = |(body, pose): &(PlanarBody, PlanarPose)| {
         body.mass * pose.velocity_of(body.com).norm_squared() + body.inertia * pose.rate * pose.rate
     };
-    let closing = normal.dot(&bodies[struck].1.velocity_of(point));
+    let closing = normal.dot(&bodies[contact_body].1.velocity_of(point));
     bodies.iter().map(energy).sum::<f64>() / (closing * closing)
 }
 
 /// e(θ), the unit vector at the angle θ.
-fn along(angle: f64) -> Vector2<f64> {
+fn unit_vector(angle: f64) -> Vector2<f64> {
     Vector2::new(angle.cos(), angle.sin())
 }
 
 /// e(θ + 90°).
-fn across(angle: f64) -> Vector2<f64> {
+fn unit_normal(angle: f64) -> Vector2<f64> {
     Vector2::new(-angle.sin(), angle.cos())
 }
 
@@ -116,7 +116,7 @@ impl FourBar {
     ///
     /// φ' = a sin(θ − ψ) / (b sin(ψ − φ)),  ψ' = a sin(θ − φ) / (c sin(ψ − φ)).
     pub fn poses(&self, theta: f64, crossing: Crossing) -> Option<[PlanarPose; 3]> {
-        let pin = self.crank * along(theta);
+        let pin = self.crank * unit_vector(theta);
         let pivot = Vector2::new(self.ground, 0.0);
         let line = pivot - pin;
         let d = line.norm();
@@ -136,7 +136,7 @@ impl FourBar {
         let still = Vector2::zeros();
         Some([
             PlanarPose { origin: Vector2::zeros(), angle: theta, velocity: still, rate: 1.0 },
-            PlanarPose { origin: pin, angle: phi, velocity: self.crank * across(theta), rate: phi_rate },
+            PlanarPose { origin: pin, angle: phi, velocity: self.crank * unit_normal(theta), rate: phi_rate },
             PlanarPose { origin: pivot, angle: psi, velocity: still, rate: psi_rate },
         ])
     }
@@ -188,14 +188,14 @@ impl SliderCrank {
         }
         let phi = sine.asin();
         let rate = -self.crank * theta.cos() / (self.rod * phi.cos());
-        let place = self.crank * theta.cos() + self.rod * phi.cos();
+        let slider_x = self.crank * theta.cos() + self.rod * phi.cos();
         let speed = -self.crank * theta.sin() - self.rod * sine * rate;
-        let pin = self.crank * along(theta);
+        let pin = self.crank * unit_vector(theta);
         Some([
             PlanarPose { origin: Vector2::zeros(), angle: theta, velocity: Vector2::zeros(), rate: 1.0 },
-            PlanarPose { origin: pin, angle: phi, velocity: self.crank * across(theta), rate },
+            PlanarPose { origin: pin, angle: phi, velocity: self.crank * unit_normal(theta), rate },
             PlanarPose {
-                origin: Vector2::new(place, self.offset),
+                origin: Vector2::new(slider_x, self.offset),
                 angle: 0.0,
                 velocity: Vector2::new(speed, 0.0),
                 rate: 0.0,
@@ -213,12 +213,12 @@ mod tests {
     const TOL: f64 = 2e-10;
 
     fn coefficients_are_derivatives(poses: impl Fn(f64) -> [PlanarPose; 3], theta: f64) {
-        let (here, plus, minus) = (poses(theta), poses(theta + H), poses(theta - H));
+        let (exact, plus, minus) = (poses(theta), poses(theta + H), poses(theta - H));
         for i in 0..3 {
             let velocity = (plus[i].origin - minus[i].origin) / (2.0 * H);
-            assert!((velocity - here[i].velocity).norm() < TOL, "{i} at {theta}");
+            assert!((velocity - exact[i].velocity).norm() < TOL, "{i} at {theta}");
             let turn = (plus[i].angle - minus[i].angle).sin() / (2.0 * H);
-            assert!((turn - here[i].rate).abs() < TOL * (1.0 + turn.abs()), "{i} at {theta}: {turn}");
+            assert!((turn - exact[i].rate).abs() < TOL * (1.0 + turn.abs()), "{i} at {theta}: {turn}");
         }
     }
 

@@ -69,10 +69,10 @@ pub fn planetary_gear(
     arm: f64,
 ) -> f64 {
     let [carrier, sun, planet] = inertias;
-    let [of_sun, of_planet, of_ring] = teeth;
+    let [sun_teeth, planet_teeth, ring_teeth] = teeth;
     let orbit = planet_mass * planet_radius * planet_radius;
-    let spin = planet * (1.0 - of_ring / of_planet).powi(2);
-    (carrier + sun * (1.0 + of_ring / of_sun).powi(2) + planets * (orbit + spin)) / (arm * arm)
+    let spin = planet * (1.0 - ring_teeth / planet_teeth).powi(2);
+    (carrier + sun * (1.0 + ring_teeth / sun_teeth).powi(2) + planets * (orbit + spin)) / (arm * arm)
 }
 
 /// Wheel of mass m_K on a parallelogram of massless arms; contact of a bump stop on the arm at r_B, joint of

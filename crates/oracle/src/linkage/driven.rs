@@ -34,6 +34,7 @@ impl Linkage {
         Self { name, mechanism, drivers, start, range }
     }
 
+    /// Joint by name. Panics for an unknown name.
     fn joint(&self, name: &str) -> JointId {
         match self.mechanism.find_joint(name) {
             Ok(id) => id,
@@ -76,29 +77,29 @@ impl Linkage {
     ///
     /// # Errors
     /// [`NotClosed`] if a position on the straight path of the drivers cannot be closed.
-    pub fn go(&self, from: &[Vec<f64>], drivers: &[f64]) -> Result<Vec<Vec<f64>>, NotClosed> {
+    pub fn move_drivers(&self, from: &[Vec<f64>], drivers: &[f64]) -> Result<Vec<Vec<f64>>, NotClosed> {
         let (begin, dependent) = (self.drivers_at(from), self.dependent());
         let steps = begin.iter().zip(drivers).zip(&self.range).map(|((a, b), range)| {
             ((b - a).abs() / (limits::DRIVER_STEP * (range[1] - range[0])))
                 .ceil()
-                .min(limits::MOST_DRIVER_STEPS)
+                .min(limits::MAX_DRIVER_STEPS)
         });
         let steps = steps.fold(1.0, f64::max);
-        let mut here = from.to_vec();
-        let mut before = here.clone();
+        let mut positions = from.to_vec();
+        let mut previous = positions.clone();
         for k in 1..=steps as usize {
             let part = k as f64 / steps;
             // Linear extrapolation of the last step, except for quaternions.
-            let mut guess = here.clone();
-            for (g, b) in guess.iter_mut().zip(&before).filter(|(g, _)| g.len() == 1) {
+            let mut guess = positions.clone();
+            for (g, b) in guess.iter_mut().zip(&previous).filter(|(g, _)| g.len() == 1) {
                 g[0] += g[0] - b[0];
             }
             for ((name, a), b) in self.drivers.iter().zip(&begin).zip(drivers) {
                 guess[self.joint(name).index()][0] = if part == 1.0 { *b } else { a + part * (b - a) };
             }
-            before = std::mem::replace(&mut here, close(&self.mechanism, &guess, &dependent)?);
+            previous = std::mem::replace(&mut positions, close(&self.mechanism, &guess, &dependent)?);
         }
-        Ok(here)
+        Ok(positions)
     }
 
     /// Returns `count` closed positions with all drivers moving through their ranges together, in ascending order.
@@ -106,16 +107,16 @@ impl Linkage {
     /// # Panics
     /// If a position in the range does not close: an error in the zoo.
     pub fn sweep(&self, count: usize) -> Vec<Vec<Vec<f64>>> {
-        let mut here = self.closed_start();
+        let mut positions = self.closed_start();
         let mut all = Vec::with_capacity(count);
         for i in 0..count {
             let part = if count > 1 { i as f64 / (count - 1) as f64 } else { 0.5 };
             let drivers: Vec<f64> = self.range.iter().map(|[from, to]| from + part * (to - from)).collect();
-            here = match self.go(&here, &drivers) {
-                Ok(there) => there,
+            positions = match self.move_drivers(&positions, &drivers) {
+                Ok(reached) => reached,
                 Err(error) => panic!("{} at {drivers:?}: {error}", self.name),
             };
-            all.push(here.clone());
+            all.push(positions.clone());
         }
         all
     }

@@ -2,7 +2,7 @@
 
 use super::Linkage;
 use crate::alter::{build, build_with_loops};
-use crate::closures::{closing, fitting};
+use crate::closures::{admissible_relative_pose, complete_closure};
 use crate::parts::{frame, joint, lump};
 use percuss_mechanism::{ClosureDescription, ClosureKind, JointDescription, JointKind, LinkDescription};
 use percuss_spatial::Vector3;
@@ -21,8 +21,8 @@ fn chain(prefix: &str, base: &str, count: usize, seed: f64) -> (Vec<LinkDescript
         links.push(lump(&name, 1.0 + 0.7 * wave(i, 4), com, 0.4));
         let kind = if i % 4 == 3 { Prismatic } else { Revolute };
         let turn = [1.5 * wave(i, 5), 1.5 * wave(i, 6), 1.5 * wave(i, 7)];
-        let place = [0.3 * wave(i, 8), 0.3 * wave(i, 9), 0.2 + 0.1 * wave(i, 10)];
-        joints.push(joint(&name, kind, &parent, &name).origin(frame(turn, place)).axis([
+        let origin = [0.3 * wave(i, 8), 0.3 * wave(i, 9), 0.2 + 0.1 * wave(i, 10)];
+        joints.push(joint(&name, kind, &parent, &name).origin(frame(turn, origin)).axis([
             wave(i, 11),
             wave(i, 12),
             0.7,
@@ -78,8 +78,13 @@ pub fn every_closure() -> Linkage {
                 last.name.as_str(),
             )
         };
-        let apart = Vector3::new(0.3 + 0.1 * wave(9), 0.2 * wave(10), 0.2 * wave(11));
-        closing(&tree, &positions, closure, fitting(kind, &axis, apart, [wave(12), 0.7 * wave(13), wave(14)]))
+        let displacement = Vector3::new(0.3 + 0.1 * wave(9), 0.2 * wave(10), 0.2 * wave(11));
+        complete_closure(
+            &tree,
+            &positions,
+            closure,
+            admissible_relative_pose(kind, &axis, displacement, [wave(12), 0.7 * wave(13), wave(14)]),
+        )
     });
     let closures = closures.collect();
     driven_by("every_closure", links, joints, closures, &positions, |name| {
@@ -99,13 +104,15 @@ pub fn foot_on_the_world() -> Linkage {
         predecessor_frame: frame([0.3, 0.2, -0.5], [0.1, -0.2, 0.4]),
         ..ClosureDescription::new("foot", ClosureKind::Spherical, "world", "leg_5")
     };
-    let fit = fitting(ClosureKind::Spherical, &Vector3::x(), Vector3::zeros(), [0.4, 0.5, 0.6]);
-    let foot = closing(&tree, &positions, foot, fit);
+    let fit =
+        admissible_relative_pose(ClosureKind::Spherical, &Vector3::x(), Vector3::zeros(), [0.4, 0.5, 0.6]);
+    let foot = complete_closure(&tree, &positions, foot, fit);
     driven_by("foot_on_the_world", links, joints, vec![foot], &positions, |name| {
         name == "leg_1" || name == "leg_2"
     })
 }
 
+/// Linkage that starts at `positions`, with the joints selected by `drives` as drivers within ±0.08.
 fn driven_by(
     name: &'static str,
     links: Vec<LinkDescription>,
@@ -114,12 +121,12 @@ fn driven_by(
     positions: &[Vec<f64>],
     drives: impl Fn(&str) -> bool,
 ) -> Linkage {
-    const SIDE: f64 = 0.08;
+    const DRIVER_RANGE: f64 = 0.08;
     let start: Vec<(String, f64)> =
         joints.iter().zip(positions).map(|(j, q)| (j.name.clone(), q[0])).collect();
     let mechanism = build_with_loops(name, links, joints, closures, Vec::new());
     let start = start.iter().map(|(name, value)| (name.as_str(), *value));
     let drivers = start.clone().filter(|(name, _)| drives(name));
-    let drivers = drivers.map(|(name, value)| (name, [value - SIDE, value + SIDE]));
+    let drivers = drivers.map(|(name, value)| (name, [value - DRIVER_RANGE, value + DRIVER_RANGE]));
     Linkage::new(mechanism, name, drivers, start)
 }

@@ -27,7 +27,7 @@ pub struct CrankRow {
     /// True to use the [`plane`] of the other linkages, false for the x-y plane.
     pub turned: bool,
     /// Distance of the first hinge from the ground's origin along each axis, m.
-    pub away: f64,
+    pub distance_from_origin: f64,
     /// Mass of each crank, uniformly distributed, kg.
     pub crank_mass: f64,
     /// Mass of the platform, kg.
@@ -39,7 +39,7 @@ impl CrankRow {
     pub fn mechanism(&self) -> Mechanism {
         const Z: [f64; 3] = [0.0, 0.0, 1.0];
         let rotation = if self.turned { plane().rotation } else { Matrix3::identity() };
-        let frame = Transform::new(rotation, Vector3::from_element(self.away));
+        let frame = Transform::new(rotation, Vector3::from_element(self.distance_from_origin));
         let arm = self.arm();
         let crank = PlanarBody {
             mass: self.crank_mass,
@@ -75,6 +75,7 @@ impl CrankRow {
         build_with_loops("crank_row", links, joints, closures, Vec::new())
     }
 
+    /// Vector along a crank in the plane, m.
     fn arm(&self) -> Vector2<f64> {
         Vector2::new(self.angle.cos(), self.angle.sin()) * self.length
     }

@@ -16,7 +16,7 @@ mod spatial;
 mod suspension;
 mod trains;
 
-pub use branching::{BRANCHING_KINDS, Branching, apart, branching, nearly_parallel_four_bar};
+pub use branching::{BRANCHING_KINDS, Branching, branching, nearly_parallel_four_bar, position_distance};
 pub use driven::Linkage;
 pub use every_closure::{every_closure, foot_on_the_world};
 pub use extremes::{CrankRow, contradicting};

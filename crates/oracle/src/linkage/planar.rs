@@ -34,6 +34,7 @@ pub const SLIDER_CRANK: SliderCrank = SliderCrank { crank: 0.3, rod: 1.1, offset
 pub const SLIDER_CRANK_BODIES: [PlanarBody; 3] =
     [body(4.2, [-0.03, 0.01], 0.05), body(1.1, [0.4, 0.02], 0.12), body(0.9, [0.05, 0.03], 0.004)];
 
+/// Body of given mass, centre of mass and central moment of inertia, as a constant.
 const fn body(mass: f64, com: [f64; 2], inertia: f64) -> PlanarBody {
     PlanarBody { mass, com: nalgebra::Vector2::new(com[0], com[1]), inertia }
 }
@@ -92,7 +93,7 @@ pub fn four_bar() -> Linkage {
     four_bar_of("four_bar", FOUR_BAR, FOUR_BAR_BODIES, Crossing::Left, 0.7, [-PI, PI])
 }
 
-/// Parallelogram. Driver `crank_hinge`, 0.3 to 2.8; its branch meets [`antiparallelogram`] at 0 and π.
+/// Parallelogram. Driver `crank_hinge`, 0.3 to 2.8; its branch crosses that of [`antiparallelogram`] at 0 and π.
 pub fn parallelogram() -> Linkage {
     four_bar_of("parallelogram", PARALLELOGRAM, FOUR_BAR_BODIES, Crossing::Left, 1.2, [0.3, 2.8])
 }

@@ -17,20 +17,22 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 /// `crank_hinge`, 0.3 to 2.6, start at 1.2.
 pub fn rounded_four_bar() -> (Linkage, Linkage) {
     // The pivots are on the plane's x-axis, at 30° about the vertical.
-    let place = [0.75 * FRAC_PI_6.cos(), 0.75 * FRAC_PI_6.sin(), 0.0];
+    let position = [0.75 * FRAC_PI_6.cos(), 0.75 * FRAC_PI_6.sin(), 0.0];
     let angles = [FRAC_PI_2, 0.0, FRAC_PI_6];
-    let exact = twin("exact_four_bar", [angles; 2], place);
+    let exact = twin("exact_four_bar", [angles; 2], position);
     let files = [angles.map(|x| rounded(x, 4)), angles.map(|x| rounded(x, 6))];
-    let rounded = twin("rounded_four_bar", files, place.map(|x| rounded(x, 6)));
+    let rounded = twin("rounded_four_bar", files, position.map(|x| rounded(x, 6)));
     (exact, rounded)
 }
 
+/// Number rounded to the given decimals.
 fn rounded(x: f64, decimals: i32) -> f64 {
     let unit = 10f64.powi(decimals);
     (x * unit).round() / unit
 }
 
-fn twin(name: &'static str, [crank, rocker]: [[f64; 3]; 2], place: [f64; 3]) -> Linkage {
+/// Linkage with given roll, pitch and yaw of the two ground hinges, and the position of the rocker hinge.
+fn twin(name: &'static str, [crank, rocker]: [[f64; 3]; 2], position: [f64; 3]) -> Linkage {
     let bar = FourBar { ground: 0.75, crank: 0.28, coupler: 0.66, rocker: 0.52 };
     let links = vec![
         ground(),
@@ -42,7 +44,7 @@ fn twin(name: &'static str, [crank, rocker]: [[f64; 3]; 2], place: [f64; 3]) -> 
     let joints = vec![
         joint("crank_hinge", Continuous, "ground", "crank").origin(frame(crank, [0.0; 3])).axis(z),
         joint("crank_pin", Continuous, "crank", "coupler").at([bar.crank, 0.0, 0.0]).axis(z),
-        joint("rocker_hinge", Continuous, "ground", "rocker").origin(frame(rocker, place)).axis(z),
+        joint("rocker_hinge", Continuous, "ground", "rocker").origin(frame(rocker, position)).axis(z),
     ];
     let closure = pin("rocker_pin", ("coupler", [bar.coupler, 0.0]), ("rocker", [bar.rocker, 0.0]));
     let mechanism = build_with_loops(name, links, joints, vec![closure], Vec::new());

@@ -36,6 +36,7 @@ pub fn hooke_shaft(beta: f64) -> Linkage {
 /// Masses of the two sliders of the trammels, kg, and the length of the rod, m.
 pub const TRAMMEL: ([f64; 2], f64) = ([1.4, 2.3], 0.85);
 
+/// Elliptic trammel; its rod is a link if `rod` is true, otherwise a distance closure.
 fn trammel_of(name: &'static str, rod: bool) -> Linkage {
     let ([first, second], length) = TRAMMEL;
     let slider = |name: &str, mass: f64| {

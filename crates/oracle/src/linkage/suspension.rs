@@ -41,6 +41,7 @@ pub struct Corner {
     pub spring: [[f64; 3]; 2],
 }
 
+/// Inertia from moments (xx, yy, zz) and products (xy, xz, yz) of inertia about the centre of mass.
 const fn body(mass: f64, com: [f64; 3], [xx, yy, zz]: [f64; 3], [xy, xz, yz]: [f64; 3]) -> Inertial {
     Inertial {
         mass,
@@ -68,17 +69,18 @@ pub const GENERIC_CORNER: Corner = Corner {
     spring: [[-0.02, 0.50, 0.60], [0.01, 0.56, 0.20]],
 };
 
+/// Point p relative to the point `to`.
 fn relative(to: [f64; 3], p: [f64; 3]) -> [f64; 3] {
     (Vector3::from(p) - Vector3::from(to)).into()
 }
 
 /// Link with its frame at `origin`, parallel to the chassis frame.
-fn placed(name: &str, body: &Inertial, origin: [f64; 3]) -> LinkDescription {
+fn link_at(name: &str, body: &Inertial, origin: [f64; 3]) -> LinkDescription {
     LinkDescription::new(name, Inertial { com: body.com - Vector3::from(origin), ..*body })
 }
 
 /// Links and joints below the ground, and the closures of upper ball joint and tie rod.
-fn frame_of(
+fn corner_parts(
     corner: &Corner,
     hinge: JointKind,
 ) -> (Vec<LinkDescription>, Vec<JointDescription>, Vec<ClosureDescription>) {
@@ -86,10 +88,10 @@ fn frame_of(
     let wheel = spindle.com.into();
     let links = vec![
         ground(),
-        placed("lower_arm", &lower.body, lower.hinge[0]),
-        placed("upper_arm", &upper.body, upper.hinge[0]),
-        placed("upright", upright, lower.ball),
-        placed("spindle", spindle, wheel),
+        link_at("lower_arm", &lower.body, lower.hinge[0]),
+        link_at("upper_arm", &upper.body, upper.hinge[0]),
+        link_at("upright", upright, lower.ball),
+        link_at("spindle", spindle, wheel),
     ];
     let axis = |arm: &Arm| relative(arm.hinge[0], arm.hinge[1]);
     let joints = vec![
@@ -112,7 +114,7 @@ fn frame_of(
 /// first hinge point), `upright` (at the lower ball joint), `spindle` (at its centre of mass). Mobility 2, no
 /// redundancy. Drivers `lower_hinge`, ±0.25 rad, and `spin`.
 pub fn double_wishbone_of(corner: &Corner) -> Linkage {
-    let (links, joints, closures) = frame_of(corner, Revolute);
+    let (links, joints, closures) = corner_parts(corner, Revolute);
     let mechanism = build_with_loops("double_wishbone", links, joints, closures, Vec::new());
     let drivers = [("lower_hinge", [-0.25, 0.25]), ("spin", [-1.0, 1.0])];
     Linkage::new(mechanism, "double_wishbone", drivers, [("spin", 0.3)])
@@ -129,7 +131,7 @@ pub fn double_wishbone() -> Linkage {
 /// redundant rows, the same m̄ as [`double_wishbone`]. Drivers `strut`, −30 to 40 mm, and `spin`.
 pub fn two_point_wishbone() -> Linkage {
     let corner = &GENERIC_CORNER;
-    let (mut links, mut joints, mut closures) = frame_of(corner, Spherical);
+    let (mut links, mut joints, mut closures) = corner_parts(corner, Spherical);
     for (name, arm) in [("lower", &corner.lower), ("upper", &corner.upper)] {
         closures.push(
             ClosureDescription::new(

@@ -12,6 +12,7 @@ use JointKind::{Continuous, Prismatic, Revolute};
 
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
+/// Coupling of two joints with a ratio.
 fn coupling(name: &str, predecessor: &str, successor: &str, ratio: f64) -> CouplingDescription {
     CouplingDescription {
         name: name.into(),
@@ -46,10 +47,12 @@ pub fn rack_and_pinion() -> Linkage {
 /// Two parallel shafts, 0.02 and 0.005 kg·m², with the speed ratio −2.5. Driver `slow`.
 pub fn geared_pair() -> Linkage {
     let links = vec![ground(), wheel("slow", 2.0, 0.02), wheel("fast", 0.7, 0.005)];
-    let place = frame([0.3, 0.2, -0.5], [0.1, 0.0, 0.2]);
+    let origin = frame([0.3, 0.2, -0.5], [0.1, 0.0, 0.2]);
     let joints = vec![
-        joint("slow", Continuous, "ground", "slow").origin(place).axis(Z),
-        joint("fast", Continuous, "ground", "fast").origin(place * frame([0.0; 3], [0.14, 0.0, 0.0])).axis(Z),
+        joint("slow", Continuous, "ground", "slow").origin(origin).axis(Z),
+        joint("fast", Continuous, "ground", "fast")
+            .origin(origin * frame([0.0; 3], [0.14, 0.0, 0.0]))
+            .axis(Z),
     ];
     let couplings = vec![coupling("mesh", "slow", "fast", -2.5)];
     let mechanism = build_with_loops("geared_pair", links, joints, Vec::new(), couplings);
@@ -68,15 +71,15 @@ pub fn planetary_gear() -> Linkage {
         LinkDescription::new("planet", Inertial::diagonal(0.4, [0.0; 3], [0.0002, 0.0002, 0.0003])),
         wheel("ring", 1.5, 0.01),
     ];
-    let place = frame([-0.4, 0.9, 0.1], [0.3, 0.1, -0.2]);
+    let origin = frame([-0.4, 0.9, 0.1], [0.3, 0.1, -0.2]);
     let joints = vec![
-        joint("carrier", Continuous, "ground", "carrier").origin(place).axis(Z),
+        joint("carrier", Continuous, "ground", "carrier").origin(origin).axis(Z),
         joint("sun", Continuous, "carrier", "sun").axis(Z),
         joint("planet", Continuous, "carrier", "planet").at([0.063, 0.0, 0.0]).axis(Z),
         joint("ring", Continuous, "carrier", "ring").axis(Z),
     ];
     let hold = ClosureDescription {
-        predecessor_frame: place,
+        predecessor_frame: origin,
         ..ClosureDescription::new("housing", ClosureKind::Fixed, "ground", "ring")
     };
     let couplings = vec![
@@ -96,11 +99,12 @@ pub fn rocker_bogie() -> Linkage {
     let mut joints = Vec::new();
     let y = [0.0, 1.0, 0.0];
     let mut drivers = vec![("left_rocker".to_owned(), [-0.5, 0.5])];
-    for (side, place) in [("left", 0.4), ("right", -0.4)] {
+    for (side, origin) in [("left", 0.4), ("right", -0.4)] {
         let name = |part: &str| format!("{side}_{part}");
         links.push(lump(&name("rocker"), 2.2, [0.1, 0.0, -0.05], 0.5));
         links.push(lump(&name("bogie"), 1.1, [-0.05, 0.0, -0.03], 0.3));
-        joints.push(joint(&name("rocker"), Revolute, "body", &name("rocker")).at([0.05, place, 0.0]).axis(y));
+        joints
+            .push(joint(&name("rocker"), Revolute, "body", &name("rocker")).at([0.05, origin, 0.0]).axis(y));
         joints.push(
             joint(&name("bogie"), Revolute, &name("rocker"), &name("bogie")).at([-0.35, 0.0, -0.15]).axis(y),
         );

@@ -58,44 +58,46 @@ pub fn close_as_far_as_possible(
     assert!(free.iter().all(|&id| mechanism.joint(id).mimic().is_none()), "a mimic is never free");
     let unknowns: Vec<(JointId, usize)> =
         free.iter().flat_map(|&id| (0..mechanism.joint(id).kind().dofs()).map(move |i| (id, i))).collect();
-    let mut here = positions.to_vec();
-    follow(mechanism, &mut here);
-    let mut open = stacked(mechanism, &here);
+    let mut current = positions.to_vec();
+    follow(mechanism, &mut current);
+    let mut residuals = stacked_residuals(mechanism, &current);
     let mut damping = limits::FIRST_DAMPING;
-    for _ in 0..limits::MOST_ROUNDS {
-        if norm(&open) == 0.0 || unknowns.is_empty() {
+    for _ in 0..limits::MAX_STEPS {
+        if norm(&residuals) == 0.0 || unknowns.is_empty() {
             break;
         }
-        let steps = Steps::new(mechanism, &here, &unknowns, &open);
+        let steps = LeastSquaresStep::new(mechanism, &current, &unknowns, &residuals);
         // Rejected steps are repeated with more damping. Without damping the last digits converge in one or two
         // rounds.
-        let better = (0..limits::MOST_ATTEMPTS).find_map(|_| {
-            let there = advanced(mechanism, &here, &unknowns, &steps.step(damping));
-            let residual = stacked(mechanism, &there);
-            let accepted = norm(&residual) < norm(&open);
-            damping = if accepted { damping / 30.0 } else { (damping * 10.0).max(limits::LEAST_DAMPING) };
-            accepted.then_some((there, residual))
+        let better = (0..limits::MAX_ATTEMPTS).find_map(|_| {
+            let moved_positions = advanced(mechanism, &current, &unknowns, &steps.step(damping));
+            let residual = stacked_residuals(mechanism, &moved_positions);
+            let accepted = norm(&residual) < norm(&residuals);
+            damping = if accepted { damping / 30.0 } else { (damping * 10.0).max(limits::MIN_DAMPING) };
+            accepted.then_some((moved_positions, residual))
         });
         let Some(better) = better else { break };
-        (here, open) = better;
+        (current, residuals) = better;
         if damping < limits::NO_DAMPING {
             damping = 0.0;
         }
     }
-    let residual = residual(mechanism, &here);
-    (here, residual)
+    let residual = residual(mechanism, &current);
+    (current, residual)
 }
 
-fn stacked(mechanism: &Mechanism, positions: &[Vec<f64>]) -> Vec<f64> {
+/// Residuals of all loops in one list.
+fn stacked_residuals(mechanism: &Mechanism, positions: &[Vec<f64>]) -> Vec<f64> {
     residuals(mechanism, positions).concat()
 }
 
+/// Euclidean norm without overflow of squares.
 fn norm(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |sum: f64, value| sum.hypot(*value))
 }
 
-/// Displacement per unit of an unknown: unknowns are lengths and angles times the characteristic length.
-fn unit(mechanism: &Mechanism, (joint, i): (JointId, usize)) -> f64 {
+/// Length per unit of a joint velocity: 1 for translations, the characteristic length for rotations.
+fn length_per_unknown(mechanism: &Mechanism, (joint, i): (JointId, usize)) -> f64 {
     let slides = match mechanism.joint(joint).kind() {
         JointKind::Fixed | JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => false,
         JointKind::Prismatic => true,
@@ -105,43 +107,55 @@ fn unit(mechanism: &Mechanism, (joint, i): (JointId, usize)) -> f64 {
     if slides { 1.0 } else { 1.0 / mechanism.characteristic_length() }
 }
 
+/// Positions after a step of the unknowns (joint, velocity component); mimics follow.
 fn advanced(
     mechanism: &Mechanism,
     positions: &[Vec<f64>],
     unknowns: &[(JointId, usize)],
     step: &[f64],
 ) -> Vec<Vec<f64>> {
-    let mut there = positions.to_vec();
+    let mut moved_positions = positions.to_vec();
     for (&(joint, i), by) in unknowns.iter().zip(step) {
-        run(mechanism, &mut there, joint, i, by * unit(mechanism, (joint, i)));
+        integrate_velocity(
+            mechanism,
+            &mut moved_positions,
+            joint,
+            i,
+            by * length_per_unknown(mechanism, (joint, i)),
+        );
     }
-    follow(mechanism, &mut there);
-    there
+    follow(mechanism, &mut moved_positions);
+    moved_positions
 }
 
 /// Singular value decomposition of the Jacobian of the residuals.
-struct Steps {
+struct LeastSquaresStep {
     left: Mat<f64>,
     values: Vec<f64>,
     right: Mat<f64>,
-    open: Vec<f64>,
+    residuals: Vec<f64>,
 }
 
-impl Steps {
-    fn new(mechanism: &Mechanism, here: &[Vec<f64>], unknowns: &[(JointId, usize)], open: &[f64]) -> Self {
+impl LeastSquaresStep {
+    fn new(
+        mechanism: &Mechanism,
+        current: &[Vec<f64>],
+        unknowns: &[(JointId, usize)],
+        residuals: &[f64],
+    ) -> Self {
         // Central differences of functions of the order of the size.
         let h = limits::DIFFERENCE_STEP * mechanism.characteristic_length();
-        let mut jacobian = Mat::zeros(open.len(), unknowns.len());
+        let mut jacobian = Mat::zeros(residuals.len(), unknowns.len());
         for (k, &unknown) in unknowns.iter().enumerate() {
-            let [plus, minus] =
-                [h, -h].map(|h| stacked(mechanism, &advanced(mechanism, here, &[unknown], &[h])));
-            for i in 0..open.len() {
+            let [plus, minus] = [h, -h]
+                .map(|h| stacked_residuals(mechanism, &advanced(mechanism, current, &[unknown], &[h])));
+            for i in 0..residuals.len() {
                 jacobian[(i, k)] = (plus[i] - minus[i]) / (2.0 * h);
             }
         }
         let svd = jacobian.thin_svd().expect("finite residuals");
         let values = svd.S().column_vector().iter().copied().collect();
-        Self { left: svd.U().to_owned(), values, right: svd.V().to_owned(), open: open.to_vec() }
+        Self { left: svd.U().to_owned(), values, right: svd.V().to_owned(), residuals: residuals.to_vec() }
     }
 
     /// −(JᵀJ + (damping · σ_max)²)⁻¹ Jᵀ r, without the singular values that are errors of the differences.
@@ -151,7 +165,7 @@ impl Steps {
         for (k, &value) in
             self.values.iter().enumerate().filter(|(_, value)| **value > limits::DIFFERENCE_NOISE * largest)
         {
-            let along: f64 = self.open.iter().enumerate().map(|(i, r)| self.left[(i, k)] * r).sum();
+            let along: f64 = self.residuals.iter().enumerate().map(|(i, r)| self.left[(i, k)] * r).sum();
             let factor = -along * value / (value * value + (damping * largest).powi(2));
             step.iter_mut().enumerate().for_each(|(i, x)| *x += factor * self.right[(i, k)]);
         }
@@ -169,18 +183,19 @@ pub fn moved(
     h: f64,
 ) -> Vec<Vec<f64>> {
     let mut moved = positions.to_vec();
-    run(mechanism, &mut moved, joint, i, h);
+    integrate_velocity(mechanism, &mut moved, joint, i, h);
     follow(mechanism, &mut moved);
     moved
 }
 
-fn run(mechanism: &Mechanism, positions: &mut [Vec<f64>], joint: JointId, i: usize, h: f64) {
+/// Moves one joint with unit velocity component `i` for the time `h`, without its mimics.
+fn integrate_velocity(mechanism: &Mechanism, positions: &mut [Vec<f64>], joint: JointId, i: usize, h: f64) {
     let q = &mut positions[joint.index()];
     match mechanism.joint(joint).kind() {
         JointKind::Fixed => unreachable!("it has no velocity"),
         JointKind::Revolute | JointKind::Continuous | JointKind::Prismatic | JointKind::Planar => q[i] += h,
-        JointKind::Spherical => turn(q, i, h),
-        JointKind::Floating if i < 3 => turn(&mut q[3..], i, h),
+        JointKind::Spherical => rotate_quaternion(q, i, h),
+        JointKind::Floating if i < 3 => rotate_quaternion(&mut q[3..], i, h),
         JointKind::Floating => {
             let along = quaternion(&q[3..]) * Vector3::ith(i - 3, h);
             (0..3).for_each(|k| q[k] += along[k]);
@@ -188,12 +203,13 @@ fn run(mechanism: &Mechanism, positions: &mut [Vec<f64>], joint: JointId, i: usi
     }
 }
 
+/// Unit quaternion from w, x, y, z.
 fn quaternion(q: &[f64]) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(q[0], q[1], q[2], q[3]))
 }
 
 /// Rotates the quaternion w,x,y,z about axis `i` of its own frame.
-fn turn(q: &mut [f64], i: usize, h: f64) {
+fn rotate_quaternion(q: &mut [f64], i: usize, h: f64) {
     let turned = quaternion(q) * UnitQuaternion::from_scaled_axis(Vector3::ith(i, h));
     q.copy_from_slice(&[turned.w, turned.i, turned.j, turned.k]);
 }

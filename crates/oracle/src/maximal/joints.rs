@@ -7,7 +7,7 @@ use percuss_mechanism::{Joint, JointKind};
 use percuss_spatial::plane_basis;
 
 /// Joint in world axes.
-pub(super) struct Placed<'a> {
+pub(super) struct JointInWorld<'a> {
     pub(super) joint: &'a Joint,
     /// Vector from the parent's centre of mass to the child's origin.
     pub(super) arm_parent: Vector3<f64>,
@@ -19,7 +19,8 @@ pub(super) struct Placed<'a> {
     child_axes: [Vector3<f64>; 3],
 }
 
-impl<'a> Placed<'a> {
+impl<'a> JointInWorld<'a> {
+    /// Places a joint at the position `q`, with moment arms and axes in the world.
     pub(super) fn new(joint: &'a Joint, q: &[f64], question: &Question, x_wl: &[Matrix4<f64>]) -> Self {
         let (parent, child) = (joint.parent().index(), joint.child().index());
         let links = question.mechanism.links();
@@ -46,7 +47,7 @@ impl<'a> Placed<'a> {
     /// n · (velocity of the child's origin relative to the coincident point of the parent).
     pub(super) fn linear(&self, n: &Vector3<f64>) -> Row {
         let (parent, child) = (self.joint.parent().index(), self.joint.child().index());
-        velocity_row(child, &self.arm_child, n).plus(-1.0, &velocity_row(parent, &self.arm_parent, n))
+        velocity_row(child, &self.arm_child, n).add_scaled(-1.0, &velocity_row(parent, &self.arm_parent, n))
     }
 
     /// Constraint rows of the joint, without lock and mimic. The rows of all joints together are independent.

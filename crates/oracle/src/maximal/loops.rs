@@ -1,24 +1,24 @@
 //! Constraint rows of closures, couplings and held contacts.
 
-use super::joints::Placed;
-use super::residual::{across, distance, placed_frame};
+use super::joints::JointInWorld;
+use super::residual::{across, distance, loop_frame_in_world};
 use super::row::{Row, WORLD, com, rotation, translation, velocity_row};
 use super::{Held, Question};
 use nalgebra::{Matrix4, Vector3};
 use percuss_mechanism::{Closure, ClosureKind, LinkId, Mechanism};
 
 /// Rows of all closures, couplings and held contacts, in this order.
-pub(super) fn rows(question: &Question, placed: &[Placed], x_wl: &[Matrix4<f64>]) -> Vec<Row> {
+pub(super) fn rows(question: &Question, placed: &[JointInWorld], x_wl: &[Matrix4<f64>]) -> Vec<Row> {
     let mechanism = question.mechanism;
     let mut rows = Vec::new();
     for closure in mechanism.closures() {
-        let of_closure = Ends::new(closure, mechanism, x_wl).rows(closure);
+        let of_closure = ClosureInWorld::new(closure, mechanism, x_wl).rows(closure);
         debug_assert_eq!(of_closure.len(), closure.kind().rows());
         rows.extend(of_closure);
     }
     for coupling in mechanism.couplings() {
         let rate = |row: Row, &(joint, factor): &(percuss_mechanism::JointId, f64)| {
-            row.plus(factor, &placed[joint.index()].rates().swap_remove(0))
+            row.add_scaled(factor, &placed[joint.index()].rates().swap_remove(0))
         };
         rows.push(coupling.terms().iter().fold(Row::default(), rate));
     }
@@ -34,11 +34,11 @@ pub(super) fn rows(question: &Question, placed: &[Placed], x_wl: &[Matrix4<f64>]
 }
 
 /// Both ends of a closure in world axes; the world has no velocity and no entry in the rows.
-struct Ends {
+struct ClosureInWorld {
     /// Predecessor, and vector from its centre of mass to the successor's loop frame.
-    before: Option<(LinkId, Vector3<f64>)>,
+    predecessor: Option<(LinkId, Vector3<f64>)>,
     /// Successor, and vector from its centre of mass to its loop frame.
-    after: Option<(LinkId, Vector3<f64>)>,
+    successor: Option<(LinkId, Vector3<f64>)>,
     /// Vector from the predecessor's to the successor's loop frame.
     gap: Vector3<f64>,
     /// Orientation of the predecessor's loop frame in the world.
@@ -47,10 +47,10 @@ struct Ends {
     r_ws: nalgebra::Matrix3<f64>,
 }
 
-impl Ends {
+impl ClosureInWorld {
     fn new(closure: &Closure, mechanism: &Mechanism, x_wl: &[Matrix4<f64>]) -> Self {
-        let x_wp = placed_frame(closure.predecessor(), x_wl);
-        let x_ws = placed_frame(closure.successor(), x_wl);
+        let x_wp = loop_frame_in_world(closure.predecessor(), x_wl);
+        let x_ws = loop_frame_in_world(closure.successor(), x_wl);
         let gap = translation(&x_ws) - translation(&x_wp);
         let arm = |end: &percuss_mechanism::LoopFrame| {
             let link = end.link?;
@@ -58,8 +58,8 @@ impl Ends {
             Some((link, rotation(&x_wl[link.index()]) * from_com))
         };
         Self {
-            before: arm(closure.predecessor()).map(|(link, arm)| (link, arm + gap)),
-            after: arm(closure.successor()),
+            predecessor: arm(closure.predecessor()).map(|(link, arm)| (link, arm + gap)),
+            successor: arm(closure.successor()),
             gap,
             r_wp: rotation(&x_wp),
             r_ws: rotation(&x_ws),
@@ -71,7 +71,7 @@ impl Ends {
         let side = |end: &Option<(LinkId, Vector3<f64>)>| {
             end.map_or_else(Row::default, |(link, arm)| velocity_row(link.index(), &arm, n))
         };
-        side(&self.after).plus(-1.0, &side(&self.before))
+        side(&self.successor).add_scaled(-1.0, &side(&self.predecessor))
     }
 
     /// n · (angular velocity of the successor relative to the predecessor).
@@ -79,7 +79,7 @@ impl Ends {
         let side = |end: &Option<(LinkId, Vector3<f64>)>| {
             end.map_or_else(Row::default, |(link, _)| Row(vec![(link.index(), *n, Vector3::zeros())]))
         };
-        side(&self.after).plus(-1.0, &side(&self.before))
+        side(&self.successor).add_scaled(-1.0, &side(&self.predecessor))
     }
 
     /// Time derivatives of the constraint functions of the kind, in the order of its table.

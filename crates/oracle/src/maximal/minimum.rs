@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// Solves the definition (D).
 pub(super) fn minimum(system: &System) -> Answer {
-    let tree = complement(&system.tree);
+    let tree = kernel_of_independent_rows(&system.tree);
     let (within, singular_values) = kernel(&(&system.extra * &tree), system.threshold);
     let basis = tree * within;
     let degrees_of_freedom = basis.ncols();
@@ -59,7 +59,7 @@ pub(super) fn minimum(system: &System) -> Answer {
 }
 
 /// Orthonormal basis (columns) of the kernel of a matrix with independent rows.
-fn complement(rows: &DMatrix<f64>) -> DMatrix<f64> {
+fn kernel_of_independent_rows(rows: &DMatrix<f64>) -> DMatrix<f64> {
     let (rank, n) = rows.shape();
     if rank == 0 {
         return DMatrix::identity(n, n);

@@ -7,7 +7,7 @@ use nalgebra::{Matrix4, Vector3};
 use percuss_mechanism::{Closure, ClosureKind, Coupling, JointKind, LoopFrame, Mechanism};
 
 /// X_wf: loop frame in the world (the frame of the root link).
-pub(super) fn placed_frame(end: &LoopFrame, x_wl: &[Matrix4<f64>]) -> Matrix4<f64> {
+pub(super) fn loop_frame_in_world(end: &LoopFrame, x_wl: &[Matrix4<f64>]) -> Matrix4<f64> {
     let mut x_lf = Matrix4::identity();
     x_lf.fixed_view_mut::<3, 3>(0, 0).copy_from(&end.frame.rotation);
     x_lf.fixed_view_mut::<3, 1>(0, 3).copy_from(&end.frame.translation);
@@ -42,20 +42,22 @@ pub fn residual(mechanism: &Mechanism, positions: &[Vec<f64>]) -> f64 {
 /// If the positions do not match the joints.
 pub fn residuals(mechanism: &Mechanism, positions: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let x_wl = pose::poses(mechanism, positions);
-    let closures = mechanism.closures().iter().map(|closure| of_closure(closure, mechanism, &x_wl));
+    let closures = mechanism.closures().iter().map(|closure| closure_residuals(closure, mechanism, &x_wl));
     let couplings =
-        mechanism.couplings().iter().map(|coupling| vec![of_coupling(coupling, mechanism, positions)]);
+        mechanism.couplings().iter().map(|coupling| vec![coupling_residual(coupling, mechanism, positions)]);
     closures.chain(couplings).collect()
 }
 
+/// Euclidean norm without overflow of squares.
 fn norm(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |sum: f64, value| sum.hypot(*value))
 }
 
-fn of_closure(closure: &Closure, mechanism: &Mechanism, x_wl: &[Matrix4<f64>]) -> Vec<f64> {
+/// Residuals of a closure, m; angles times the characteristic length.
+fn closure_residuals(closure: &Closure, mechanism: &Mechanism, x_wl: &[Matrix4<f64>]) -> Vec<f64> {
     let size = mechanism.characteristic_length();
-    let x_wp = placed_frame(closure.predecessor(), x_wl);
-    let x_ws = placed_frame(closure.successor(), x_wl);
+    let x_wp = loop_frame_in_world(closure.predecessor(), x_wl);
+    let x_ws = loop_frame_in_world(closure.successor(), x_wl);
     let r_ps = rotation(&x_wp).transpose() * rotation(&x_ws);
     let p = rotation(&x_wp).tr_mul(&(translation(&x_ws) - translation(&x_wp)));
     let axis = closure.axis();
@@ -63,11 +65,11 @@ fn of_closure(closure: &Closure, mechanism: &Mechanism, x_wl: &[Matrix4<f64>]) -
     let sides = || across(axis).map(|e| e.dot(&p));
     let tilt = || (r_ps * axis - axis) * size;
     // All nine components; each small angle appears in two of them.
-    let turn = || (r_ps - nalgebra::Matrix3::identity()) * (size / 2f64.sqrt());
+    let rotation_residual = || (r_ps - nalgebra::Matrix3::identity()) * (size / 2f64.sqrt());
     match closure.kind() {
-        ClosureKind::Fixed => point().chain(turn().iter().copied()).collect(),
+        ClosureKind::Fixed => point().chain(rotation_residual().iter().copied()).collect(),
         ClosureKind::Revolute => point().chain(tilt().iter().copied()).collect(),
-        ClosureKind::Prismatic => sides().into_iter().chain(turn().iter().copied()).collect(),
+        ClosureKind::Prismatic => sides().into_iter().chain(rotation_residual().iter().copied()).collect(),
         ClosureKind::Cylindrical => sides().into_iter().chain(tilt().iter().copied()).collect(),
         ClosureKind::Universal => point().chain([size * axis.dot(&(r_ps * closure.axis2()))]).collect(),
         ClosureKind::Planar => [axis.dot(&p)].into_iter().chain(tilt().iter().copied()).collect(),
@@ -82,12 +84,12 @@ fn of_closure(closure: &Closure, mechanism: &Mechanism, x_wl: &[Matrix4<f64>]) -
 /// Length of a distance closure without declared length: the distance with all joints at 0.
 fn distance_at_zero(closure: &Closure, mechanism: &Mechanism) -> f64 {
     let x_wl = pose::poses(mechanism, &zero_positions(mechanism));
-    let [from, to] = [closure.predecessor(), closure.successor()].map(|end| placed_frame(end, &x_wl));
+    let [from, to] = [closure.predecessor(), closure.successor()].map(|end| loop_frame_in_world(end, &x_wl));
     distance(&(translation(&to) - translation(&from)))
 }
 
 /// Σ factor · q; a length if the first joint is prismatic.
-fn of_coupling(coupling: &Coupling, mechanism: &Mechanism, positions: &[Vec<f64>]) -> f64 {
+fn coupling_residual(coupling: &Coupling, mechanism: &Mechanism, positions: &[Vec<f64>]) -> f64 {
     let sum: f64 = coupling.terms().iter().map(|&(joint, factor)| factor * positions[joint.index()][0]).sum();
     let slides = coupling.terms().first().map(|&(joint, _)| mechanism.joint(joint).kind());
     if slides == Some(JointKind::Prismatic) { sum } else { sum * mechanism.characteristic_length() }

@@ -12,7 +12,7 @@ pub(super) struct Row(pub(super) Vec<(usize, Vector3<f64>, Vector3<f64>)>);
 
 impl Row {
     /// `self` + `factor` · `other`.
-    pub(super) fn plus(mut self, factor: f64, other: &Row) -> Row {
+    pub(super) fn add_scaled(mut self, factor: f64, other: &Row) -> Row {
         self.0
             .extend(other.0.iter().map(|&(link, angular, linear)| (link, angular * factor, linear * factor)));
         self
@@ -36,10 +36,12 @@ pub(super) fn velocity_row(link: usize, arm: &Vector3<f64>, n: &Vector3<f64>) ->
     Row(vec![(link, arm.cross(n), *n)])
 }
 
+/// Rotation of a homogeneous matrix.
 pub(super) fn rotation(x: &Matrix4<f64>) -> Matrix3<f64> {
     x.fixed_view::<3, 3>(0, 0).into_owned()
 }
 
+/// Translation of a homogeneous matrix.
 pub(super) fn translation(x: &Matrix4<f64>) -> Vector3<f64> {
     x.fixed_view::<3, 1>(0, 3).into_owned()
 }

@@ -1,6 +1,6 @@
 //! Rows of A, W and j: linear forms on the velocities of the links.
 
-use super::joints::Placed;
+use super::joints::JointInWorld;
 use super::row::{Row, WORLD, com, rotation, translation, velocity_row};
 use super::{Question, loops, pose, residual};
 use crate::limits;
@@ -72,7 +72,7 @@ fn armature(question: &Question, joint: usize) -> Vec<f64> {
 /// Length L that scales angular to linear velocities: the longest moment arm on a link other than the root, m.
 /// The characteristic length of the mechanism is unsuitable, because a light link with a large inertia
 /// increases it.
-fn length(question: &Question, placed: &[Placed]) -> f64 {
+fn velocity_scale(question: &Question, placed: &[JointInWorld]) -> f64 {
     let mechanism = question.mechanism;
     let frames = mechanism.closures().iter().flat_map(|c| [c.predecessor(), c.successor()]);
     let of_closures = frames.filter_map(|frame| {
@@ -80,7 +80,7 @@ fn length(question: &Question, placed: &[Placed]) -> f64 {
         Some((frame.frame.translation - com(mechanism.link(link))).norm())
     });
     let struck = (question.point - com(mechanism.link(question.on))).norm();
-    let below = |joint: &Placed| joint.joint.parent() != mechanism.root();
+    let below = |joint: &JointInWorld| joint.joint.parent() != mechanism.root();
     let arms = placed.iter().map(|joint| {
         let above = if below(joint) { joint.arm_parent.norm() } else { 0.0 };
         joint.arm_child.norm().max(above)
@@ -94,8 +94,11 @@ pub(super) fn assemble(question: &Question) -> System {
     let mechanism = question.mechanism;
     let x_wl = pose::poses(mechanism, &question.positions);
     let (links, joints) = (mechanism.links(), mechanism.joints());
-    let placed: Vec<Placed> =
-        joints.iter().zip(&question.positions).map(|(j, q)| Placed::new(j, q, question, &x_wl)).collect();
+    let placed: Vec<JointInWorld> = joints
+        .iter()
+        .zip(&question.positions)
+        .map(|(j, q)| JointInWorld::new(j, q, question, &x_wl))
+        .collect();
 
     let mut tree = Vec::new();
     if !question.floating_base {
@@ -120,20 +123,20 @@ pub(super) fn assemble(question: &Question) -> System {
         }
         if let Some(mimic) = joint.joint.mimic() {
             let master = placed[mimic.master.index()].rates().swap_remove(0);
-            extra.push(joint.rates().swap_remove(0).plus(-mimic.multiplier, &master));
+            extra.push(joint.rates().swap_remove(0).add_scaled(-mimic.multiplier, &master));
         }
         let values = armature(question, i);
         let rates = joint.rates();
         assert_eq!(values.len(), rates.len(), "armature of joint {}", joint.joint.name());
         for (value, rate) in values.iter().zip(&rates).filter(|(value, _)| **value > 0.0) {
-            energy.push(Row::default().plus(value.sqrt(), rate));
+            energy.push(Row::default().add_scaled(value.sqrt(), rate));
             owners.push(Owner::Rotor(i));
         }
     }
 
     extra.extend(loops::rows(question, &placed, &x_wl));
 
-    let length = length(question, &placed);
+    let length = velocity_scale(question, &placed);
     let stack = |rows: &[Row], normalise: bool| {
         let mut matrix = DMatrix::zeros(rows.len(), 6 * links.len());
         for (i, row) in rows.iter().enumerate() {
@@ -184,5 +187,5 @@ fn contact_row(question: &Question, x_wl: &[Matrix4<f64>]) -> Row {
     let between = translation(&x_wl[on]) - translation(&x_wl[against]);
     let arm =
         between + rotation(&x_wl[on]) * question.point - rotation(&x_wl[against]) * com(&links[against]);
-    row.plus(-1.0, &velocity_row(against, &arm, n))
+    row.add_scaled(-1.0, &velocity_row(against, &arm, n))
 }

@@ -2,7 +2,7 @@
 //! and N. Smith, Matplotlib 1.5, 2015; CC0).
 
 use super::Skin;
-use crate::limits::{LARGEST_VALUE, LOGARITHMIC, MOST_SHOWN, SMALLEST_VALUE};
+use crate::limits::{LARGEST_VALUE, LOGARITHMIC, SHOWN_QUANTILE, SMALLEST_VALUE};
 use crate::palette::{Colour, ZERO};
 
 /// Colour scale of a skin.
@@ -30,12 +30,12 @@ impl Scale {
         }
         let mut is_capped = false;
         if !shown.is_empty() {
-            let place = (MOST_SHOWN * shown.len() as f64).ceil() as usize;
-            let place = place.clamp(1, shown.len()) - 1;
-            let most = *shown.select_nth_unstable_by(place, f64::total_cmp).1;
+            let index = (SHOWN_QUANTILE * shown.len() as f64).ceil() as usize;
+            let index = index.clamp(1, shown.len()) - 1;
+            let quantile = *shown.select_nth_unstable_by(index, f64::total_cmp).1;
             // Limit the scale at a quantile, so that a few outliers do not take most of the colours.
-            is_capped = most > 0.0 && high > LOGARITHMIC * most;
-            high = if is_capped { most } else { high };
+            is_capped = quantile > 0.0 && high > LOGARITHMIC * quantile;
+            high = if is_capped { quantile } else { high };
         }
         if low > high {
             return Self { low: 0.0, high: 1.0, logarithmic: false, is_capped };
@@ -46,20 +46,21 @@ impl Scale {
     }
 
     /// Position of a value on the scale, 0 to 1.
-    pub fn part(&self, value: f64) -> f64 {
+    pub fn position(&self, value: f64) -> f64 {
         if self.high <= self.low {
             return 0.5;
         }
-        let part = if self.logarithmic {
+        let position = if self.logarithmic {
             (value.max(self.low) / self.low).ln() / (self.high / self.low).ln()
         } else {
             (value - self.low) / (self.high - self.low)
         };
-        part.clamp(0.0, 1.0)
+        position.clamp(0.0, 1.0)
     }
 
+    /// Colour of a value; grey without a value.
     pub fn colour(&self, value: Option<f64>) -> Colour {
-        value.filter(|v| v.is_finite()).map_or(ZERO, |value| at(self.part(value)))
+        value.filter(|v| v.is_finite()).map_or(ZERO, |value| viridis(self.position(value)))
     }
 
     /// Labelled values of the scale.
@@ -73,14 +74,14 @@ impl Scale {
         let steps: &[f64] = if self.high > 1e3 * self.low { &[1.0] } else { &[1.0, 2.0, 5.0] };
         let decades = self.low.log10().floor() as i32..=self.high.log10().ceil() as i32;
         let all = decades.flat_map(|d| steps.iter().map(move |step| step * 10f64.powi(d)));
-        let inner = all.filter(|v| (0.06..=0.94).contains(&self.part(*v)));
+        let inner = all.filter(|v| (0.06..=0.94).contains(&self.position(*v)));
         [self.low].into_iter().chain(inner).chain([self.high]).collect()
     }
 }
 
 /// Viridis colour at 0 to 1.
-pub(super) fn at(part: f64) -> Colour {
-    let c = colorous::VIRIDIS.eval_continuous(part);
+pub(super) fn viridis(position: f64) -> Colour {
+    let c = colorous::VIRIDIS.eval_continuous(position);
     Colour(c.r, c.g, c.b)
 }
 
@@ -104,12 +105,12 @@ mod tests {
     fn a_wide_range_is_logarithmic() {
         let wide = of(&[Some(0.0), Some(0.1), None, Some(f64::NAN), Some(100.0)]);
         assert_eq!((wide.low, wide.high, wide.logarithmic), (0.1, 100.0, true));
-        assert!((wide.part(10.0 / 10f64.sqrt()) - 0.5).abs() < 1e-12);
-        assert_eq!(wide.part(0.0), 0.0);
+        assert!((wide.position(10.0 / 10f64.sqrt()) - 0.5).abs() < 1e-12);
+        assert_eq!(wide.position(0.0), 0.0);
         let narrow = of(&[Some(2.0), Some(4.0)]);
-        assert!(!narrow.logarithmic && narrow.part(3.0) == 0.5);
+        assert!(!narrow.logarithmic && narrow.position(3.0) == 0.5);
         assert_eq!(of(&[]).colour(None), ZERO);
-        assert_eq!(of(&[Some(3.0)]).part(3.0), 0.5);
+        assert_eq!(of(&[Some(3.0)]).position(3.0), 0.5);
     }
 
     #[test]
@@ -118,17 +119,19 @@ mod tests {
         values.push(Some(1e19));
         let scale = of(&values);
         assert!(scale.is_capped && scale.high < 100.0, "{scale:?}");
-        assert_eq!(scale.part(1e19), 1.0);
+        assert_eq!(scale.position(1e19), 1.0);
         assert!(!of(&values[..99]).is_capped);
     }
 
     /// Ends of viridis as in Matplotlib, and monotonically increasing lightness.
     #[test]
     fn colours_are_viridis() {
-        assert_eq!((at(0.0), at(1.0)), (Colour(68, 1, 84), Colour(253, 231, 37)));
+        assert_eq!((viridis(0.0), viridis(1.0)), (Colour(68, 1, 84), Colour(253, 231, 37)));
         let light = |c: Colour| 0.2126 * f64::from(c.0) + 0.7152 * f64::from(c.1) + 0.0722 * f64::from(c.2);
         assert!(
-            (1..=100).all(|i| light(at(f64::from(i) / 100.0)) > light(at(f64::from(i - 1) / 100.0)) - 1.0)
+            (1..=100).all(
+                |i| light(viridis(f64::from(i) / 100.0)) > light(viridis(f64::from(i - 1) / 100.0)) - 1.0
+            )
         );
     }
 }

@@ -47,6 +47,7 @@ impl Skin {
         document.to_string()
     }
 
+    /// JSON of the glTF and its binary buffer.
     fn document(&self) -> (Value, Vec<u8>) {
         let mut parts = Parts { scale: Scale::of(self), ..Parts::default() };
         let name = if self.property.is_empty() { "VALUE".into() } else { self.property.to_uppercase() };
@@ -95,6 +96,7 @@ struct Parts {
 }
 
 impl Parts {
+    /// Appends the vertices of a piece to the buffer and returns its mesh.
     fn add(&mut self, piece: &SkinPiece, name: &str) -> Value {
         let facets = &piece.facets;
         let count = 3 * facets.len();
@@ -120,7 +122,7 @@ impl Parts {
         for facet in facets {
             let c = self.scale.colour(facet.value);
             for _ in 0..3 {
-                self.binary.extend([linear(c.0), linear(c.1), linear(c.2), 255]);
+                self.binary.extend([srgb_to_linear(c.0), srgb_to_linear(c.1), srgb_to_linear(c.2), 255]);
             }
         }
         let colour = self.accessor(start, count, UNSIGNED_BYTE, "VEC4", json!({ "normalized": true }));
@@ -134,7 +136,8 @@ impl Parts {
         json!({ "POSITION": position, "NORMAL": normal, "COLOR_0": colour, name: value })
     }
 
-    fn accessor(&mut self, start: usize, count: usize, component: u32, kind: &str, more: Value) -> usize {
+    /// Adds an accessor with a buffer view and returns its index; `extra` holds further keys.
+    fn accessor(&mut self, start: usize, count: usize, component: u32, kind: &str, extra: Value) -> usize {
         let view = json!({
             "buffer": 0,
             "byteOffset": start,
@@ -147,8 +150,8 @@ impl Parts {
             "count": count,
             "type": kind
         });
-        if let (Some(accessor), Value::Object(more)) = (accessor.as_object_mut(), more) {
-            accessor.extend(more);
+        if let (Some(accessor), Value::Object(extra)) = (accessor.as_object_mut(), extra) {
+            accessor.extend(extra);
         }
         self.views.push(view);
         self.accessors.push(accessor);
@@ -157,7 +160,7 @@ impl Parts {
 }
 
 /// Converts a colour channel from sRGB to linear (IEC 61966-2-1), as glTF vertex colours require.
-fn linear(c: u8) -> u8 {
+fn srgb_to_linear(c: u8) -> u8 {
     let x = f64::from(c) / 255.0;
     let y = if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) };
     (255.0 * y).round() as u8

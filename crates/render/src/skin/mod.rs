@@ -57,6 +57,7 @@ pub struct Skin {
 }
 
 impl Skin {
+    /// Facets of all pieces.
     fn facets(&self) -> impl Iterator<Item = &SkinFacet> {
         self.pieces.iter().flat_map(|piece| &piece.facets)
     }

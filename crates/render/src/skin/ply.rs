@@ -23,9 +23,9 @@ impl Skin {
         for property in ["x", "y", "z", "nx", "ny", "nz"] {
             writeln!(out, "property float {property}")?;
         }
-        colours(out, name)?;
+        write_property_header(out, name)?;
         writeln!(out, "element face {count}\nproperty list uchar int vertex_indices")?;
-        colours(out, name)?;
+        write_property_header(out, name)?;
         writeln!(out, "property uchar status\nend_header")?;
         let scale = Scale::of(self);
         for facet in self.facets() {
@@ -33,7 +33,7 @@ impl Skin {
                 for x in corner.into_iter().chain(facet.normal) {
                     out.write_all(&(x as f32).to_le_bytes())?;
                 }
-                paint(out, &scale, facet.value)?;
+                write_colour_and_value(out, &scale, facet.value)?;
             }
         }
         for (i, facet) in self.facets().enumerate() {
@@ -41,21 +41,23 @@ impl Skin {
             for corner in 0..3 {
                 out.write_all(&((3 * i + corner) as i32).to_le_bytes())?;
             }
-            paint(out, &scale, facet.value)?;
+            write_colour_and_value(out, &scale, facet.value)?;
             out.write_all(&[facet.status])?;
         }
         Ok(())
     }
 }
 
-fn colours(out: &mut impl Write, name: &str) -> io::Result<()> {
+/// Writes the header lines of the colour and the value of an element.
+fn write_property_header(out: &mut impl Write, name: &str) -> io::Result<()> {
     for colour in ["red", "green", "blue"] {
         writeln!(out, "property uchar {colour}")?;
     }
     writeln!(out, "property double {name}")
 }
 
-fn paint(out: &mut impl Write, scale: &Scale, value: Option<f64>) -> io::Result<()> {
+/// Writes the colour and the value of a vertex or facet.
+fn write_colour_and_value(out: &mut impl Write, scale: &Scale, value: Option<f64>) -> io::Result<()> {
     let colour = scale.colour(value);
     out.write_all(&[colour.0, colour.1, colour.2])?;
     out.write_all(&value.unwrap_or(-1.0).to_le_bytes())

@@ -66,6 +66,7 @@ impl Model {
     }
 }
 
+/// Conversion of a build error to an invalid field, with the first finding about a link.
 fn build_error_as_fault(field: Field) -> impl Fn(BuildError) -> StudyError {
     move |error| {
         let of_link = |(subject, _): &&(Subject, Problem)| matches!(subject, Subject::Link { .. });
@@ -117,6 +118,7 @@ fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mech
     Ok(built.mechanism)
 }
 
+/// Inertia of a link by name; `None` for a massless link.
 fn find(mechanism: &Mechanism, field: Field, name: &str) -> Result<Option<Inertial>, StudyError> {
     let link = mechanism.find_link(name).map_err(|error| StudyError::input(field, error))?;
     Ok(mechanism.link(link).inertial().copied())

@@ -31,14 +31,17 @@ pub(crate) struct Finding {
 }
 
 impl Finding {
+    /// Stable short name.
     pub fn code(&self) -> &'static str {
         self.code
     }
 
+    /// Finding of the severity warning.
     pub fn warning(code: &'static str, subject: FindingSubject, message: impl Into<String>) -> Self {
         Self { severity: Severity::Warning, code, subject, message: message.into() }
     }
 
+    /// Finding of the severity note.
     pub fn note(code: &'static str, subject: FindingSubject, message: impl Into<String>) -> Self {
         Self { severity: Severity::Note, code, subject, message: message.into() }
     }

@@ -12,6 +12,7 @@ use percuss_dynamics::{
 };
 use percuss_mechanism::{JointId, JointKind, Limits, Mechanism};
 
+/// Remainder of x modulo the period, from −period/2 to period/2.
 fn remainder(x: f64, period: f64) -> f64 {
     x - period * (x / period).round()
 }
@@ -169,11 +170,11 @@ fn rigid_loop_finding(mechanism: &Mechanism, rigid: &RigidLoops) -> Finding {
     for axis in &rigid.departing {
         let whose =
             axis.joint.map_or_else(|| "the loop itself".to_owned(), |id| format!("joint {}", joint(id)));
-        let wanted = if axis.slides { "normal to" } else { "along" };
+        let required = if axis.slides { "normal to" } else { "along" };
         let [x, y, z] = axis.direction.map(|c| if c.abs() < 5e-5 { 0.0 } else { c }).into();
         message += &format!(
             "; in loop \"{}\" the axis of {whose} deviates by {:.4}° from the common direction of the others: \
-             it should be {wanted} \
+             it should be {required} \
              ({x:.4}, {y:.4}, {z:.4}) in the root link's axes; correct its <axis>, or the rpy of the frames it is given in",
             axis.closure,
             axis.angle.to_degrees()
@@ -200,17 +201,17 @@ fn format_names(names: &[String]) -> String {
 pub(crate) fn guess_findings(
     system: &System,
     pose: &Pose,
-    wanted: &Configuration,
-    asked: &[(String, GivenPosition)],
+    configuration: &Configuration,
+    explicit_guesses: &[(String, GivenPosition)],
     names: Names,
 ) -> Vec<Finding> {
     let (set, given) = (Field::Set.name_in(names), Field::Guess.hint(names));
     let drives = |joint| pose.loops().is_some_and(|loops| loops.drivers.contains(&joint));
     let mut found = Vec::new();
-    for (joint, guess) in wanted.guesses() {
+    for (joint, guess) in configuration.guesses() {
         let name = system.mechanism().joint(joint).name();
         // A complete configuration holds a guess for every joint; only explicit guesses are reported.
-        if !asked.iter().any(|(guessed, _)| guessed == name) {
+        if !explicit_guesses.iter().any(|(guessed, _)| guessed == name) {
             continue;
         }
         let mut add =
@@ -288,10 +289,10 @@ pub(crate) fn singular_pose_finding(
     if !response.singular_pose {
         return None;
     }
-    let (here, generic) = (response.degrees_of_freedom, pose.assembly().degrees_of_freedom());
+    let (at_pose, generic) = (response.degrees_of_freedom, pose.assembly().degrees_of_freedom());
     let loops = pose.loops().is_some_and(|l| l.singularities.contains(&Singularity::ChangePoint));
     let kind = if loops { "singular pose (change point)" } else { "singular pose" };
-    let mut message = format!("{kind}: {here} degrees of freedom here, {generic} at a generic pose; ");
+    let mut message = format!("{kind}: {at_pose} degrees of freedom here, {generic} at a generic pose; ");
     message += match (limits.limits.is_empty(), limits.continuous, limits.complete) {
         (true, ..) if !loops => {
             "held points or locked joints constrain less here than at nearby poses, and the value is a lower bound"

@@ -142,6 +142,7 @@ pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
     })
 }
 
+/// Records of closures and couplings.
 fn closure_records(mechanism: &Mechanism) -> Vec<ClosureRecord> {
     let end = |link: Option<percuss_mechanism::LinkId>| {
         link.map_or_else(|| "world".to_owned(), |l| mechanism.link(l).name().to_owned())
@@ -165,6 +166,7 @@ fn closure_records(mechanism: &Mechanism) -> Vec<ClosureRecord> {
     mechanism.closures().iter().map(closure).chain(mechanism.couplings().iter().map(coupling)).collect()
 }
 
+/// Records of the links.
 fn links(mechanism: &Mechanism) -> Vec<LinkRecord> {
     let record = |link: &percuss_mechanism::Link| LinkRecord {
         name: link.name().to_owned(),
@@ -180,6 +182,7 @@ fn links(mechanism: &Mechanism) -> Vec<LinkRecord> {
     mechanism.links().iter().map(record).collect()
 }
 
+/// Records of the joints.
 fn joints(mechanism: &Mechanism) -> Vec<JointRecord> {
     let record = |joint: &percuss_mechanism::Joint| JointRecord {
         name: joint.name().to_owned(),

@@ -149,14 +149,14 @@ pub fn row_findings(
     rows: impl IntoIterator<Item = RemarkFlags>,
     no_answer: Option<&str>,
 ) -> Vec<DiagnosticRecord> {
-    let mut seen = [(0, 0); REMARKS.len()];
+    let mut occurrences = [(0, 0); REMARKS.len()];
     let mut count = 0;
     for (row, flags) in rows.into_iter().enumerate() {
         count = row + 1;
         if flags.is_empty() {
             continue;
         }
-        for ((flag, ..), (first, rows)) in REMARKS.iter().zip(&mut seen) {
+        for ((flag, ..), (first, rows)) in REMARKS.iter().zip(&mut occurrences) {
             if flags.contains(*flag) {
                 *first = if *rows == 0 { row } else { *first };
                 *rows += 1;
@@ -164,7 +164,7 @@ pub fn row_findings(
         }
     }
     let mut tally = FindingTally::default();
-    for ((flag, severity, code, text), (first, rows)) in REMARKS.iter().zip(seen) {
+    for ((flag, severity, code, text), (first, rows)) in REMARKS.iter().zip(occurrences) {
         if rows == 0 {
             continue;
         }

@@ -10,11 +10,11 @@ use percuss_dynamics::Pose;
 ///
 /// For one hinge: 1/l + r/l², l the distance from the hinge to the contact, r that to the centre of mass. The
 /// accelerations are second differences along the motion of the impact v*. `None` if the mechanism cannot follow v*.
-pub(crate) fn motion_curvature(answered: &EvaluatedQuestion) -> Option<f64> {
-    let (pose, response) = (&answered.pose, answered.result.mechanism_response());
+pub(crate) fn motion_curvature(evaluated: &EvaluatedQuestion) -> Option<f64> {
+    let (pose, response) = (&evaluated.pose, evaluated.result.mechanism_response());
     let (start, ahead) =
-        (points(pose, answered), points(&pose.advanced_along(response, CURVATURE_STEP)?, answered));
-    let behind = points(&pose.advanced_along(response, -CURVATURE_STEP)?, answered);
+        (points(pose, evaluated), points(&pose.advanced_along(response, CURVATURE_STEP)?, evaluated));
+    let behind = points(&pose.advanced_along(response, -CURVATURE_STEP)?, evaluated);
     let mut accelerations = start.iter().zip(&ahead).zip(&behind).map(|((start, ahead), behind)| {
         (ahead + behind - 2.0 * start).norm() / (CURVATURE_STEP * CURVATURE_STEP)
     });
@@ -25,12 +25,12 @@ pub(crate) fn motion_curvature(answered: &EvaluatedQuestion) -> Option<f64> {
 
 /// Position of the contact point relative to that of the other link, and positions of the centres of mass of all links
 /// with mass.
-fn points(pose: &Pose, answered: &EvaluatedQuestion) -> Vec<Vector3<f64>> {
-    let mechanism = &answered.prepared.model.mechanism;
-    let mut contact = pose.link(answered.contact.link).point(&answered.contact.point);
-    if let Some(against) = answered.contact.against {
-        let touched = answered.pose.link(answered.contact.link).point(&answered.contact.point);
-        contact -= pose.link(against).point(&answered.pose.link(against).inverse_point(&touched));
+fn points(pose: &Pose, evaluated: &EvaluatedQuestion) -> Vec<Vector3<f64>> {
+    let mechanism = &evaluated.prepared.model.mechanism;
+    let mut contact = pose.link(evaluated.contact.link).point(&evaluated.contact.point);
+    if let Some(against) = evaluated.contact.against {
+        let touched = evaluated.pose.link(evaluated.contact.link).point(&evaluated.contact.point);
+        contact -= pose.link(against).point(&evaluated.pose.link(against).inverse_point(&touched));
     }
     let massive =
         mechanism.links().iter().zip(mechanism.link_ids()).filter(|(link, _)| link.inertia().mass > 0.0);

@@ -57,22 +57,22 @@ pub fn damp_stop(
 
 /// Damper of an evaluated contact.
 pub(crate) fn damping_report(
-    answered: &EvaluatedQuestion,
+    evaluated: &EvaluatedQuestion,
     damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
-    let EvaluatedQuestion { prepared, result: answer, .. } = answered;
+    let EvaluatedQuestion { prepared, result: answer, .. } = evaluated;
     let effective_mass = mass_for_all_branches(answer, prepared.other_mass())?;
     let EffectiveMass::Finite(mass) = effective_mass else {
         let (status, _) = Status::classify(effective_mass);
         return Err(StudyError::NoDamper { status: status.name() });
     };
     let record = damper(damping, mass)?;
-    let (drift, ended) = drift(answered, mass, record.max_penetration);
-    let mut options = options(damping.options, answered, mass);
+    let (drift, ended) = drift(evaluated, mass, record.max_penetration);
+    let mut options = options(damping.options, evaluated, mass);
     let changes = drift.over_penetration.zip(record.max_penetration.filter(|x| *x > 0.0));
     options.drift =
         options.drift.or(changes.map(|(relative, penetration)| MassDrift { relative, penetration }));
-    let alone = damping.options.own_mass.or(prepared.system.rigid_body_mass(answered.contact.link));
+    let alone = damping.options.own_mass.or(prepared.system.rigid_body_mass(evaluated.contact.link));
     let body_alone = alone.filter(|m| *m > 0.0).map(|m| compare_with_body_mass(damping, m, mass));
     let mut diagnostics = prepared.model.diagnostics.clone();
     diagnostics.extend(answer.findings.iter().cloned().map(DiagnosticRecord::from));
@@ -119,8 +119,8 @@ fn mass_for_all_branches(answer: &ContactResult, other: Option<f64>) -> Result<E
 
 /// Change of m̄ along the motion of the contact response up to `depth` (m or rad), and the reason if the motion
 /// ends before this depth.
-fn drift(answered: &EvaluatedQuestion, mass: f64, depth: Option<f64>) -> (Drift, Option<PenetrationEnd>) {
-    let EvaluatedQuestion { prepared, pose, contact, result: answer } = answered;
+fn drift(evaluated: &EvaluatedQuestion, mass: f64, depth: Option<f64>) -> (Drift, Option<PenetrationEnd>) {
+    let EvaluatedQuestion { prepared, pose, contact, result: answer } = evaluated;
     let (system, response) = (&prepared.system, &answer.response);
     if response.singular_pose {
         // At a singular pose v* is tangent to no branch.
@@ -140,10 +140,10 @@ fn drift(answered: &EvaluatedQuestion, mass: f64, depth: Option<f64>) -> (Drift,
     };
     let step = DIFFERENCE * system.mechanism().characteristic_length();
     let per_metre = at(step).zip(at(-step)).map(|(more, less)| (more - less) / (2.0 * step * mass));
-    let there = depth.map(|depth| PenetrationPath { prepared, contact }.mass_at(pose, depth));
-    let (over_penetration, ended) = match there {
+    let mass_at_depth = depth.map(|depth| PenetrationPath { prepared, contact }.mass_at(pose, depth));
+    let (over_penetration, ended) = match mass_at_depth {
         None => (None, None),
-        Some(Ok(there)) => (Some(there / mass - 1.0), None),
+        Some(Ok(mass_at_depth)) => (Some(mass_at_depth / mass - 1.0), None),
         Some(Err(ended)) => (None, Some(ended)),
     };
     let ends_at = ended.as_ref().map(|ended| ended.depth);
@@ -179,14 +179,14 @@ fn drift_diagnostic(
 }
 
 /// Completes the simulator options with values of the model.
-fn options(given: Options, answered: &EvaluatedQuestion, mass: f64) -> Options {
-    let question = answered.prepared.question;
-    let mechanism: &Mechanism = &answered.prepared.model.mechanism;
-    let own = |link: LinkId| answered.prepared.system.rigid_body_mass(link).filter(|m| *m > 0.0);
-    let Contact { link, against, .. } = answered.contact;
+fn options(given: Options, evaluated: &EvaluatedQuestion, mass: f64) -> Options {
+    let question = evaluated.prepared.question;
+    let mechanism: &Mechanism = &evaluated.prepared.model.mechanism;
+    let own = |link: LinkId| evaluated.prepared.system.rigid_body_mass(link).filter(|m| *m > 0.0);
+    let Contact { link, against, .. } = evaluated.contact;
     let ratio = || {
         if given.stop.is_some() {
-            return Some(mass / spanning_tree_joint_inertia(mechanism, question, &answered.contact)?);
+            return Some(mass / spanning_tree_joint_inertia(mechanism, question, &evaluated.contact)?);
         }
         let ours = spanning_tree_inverse_mass(mechanism, question, link)?;
         let other =
@@ -196,7 +196,7 @@ fn options(given: Options, answered: &EvaluatedQuestion, mass: f64) -> Options {
     };
     // A joint stop has an inertia instead of a mass.
     let free = || {
-        let free = answered.pose.free_body_mass(&answered.contact).filter(|_| given.stop.is_none())?;
+        let free = evaluated.pose.free_body_mass(&evaluated.contact).filter(|_| given.stop.is_none())?;
         Some(question.against_mass.map_or(free, |other| free * other / (free + other)))
     };
     // Parts that simulators enforce by constraints: mimics, couplings, locks, held contacts and loop closures.
@@ -217,8 +217,8 @@ fn options(given: Options, answered: &EvaluatedQuestion, mass: f64) -> Options {
         free_mass: given.free_mass.or_else(free),
         motion_curvature: given
             .motion_curvature
-            .or_else(|| motion_curvature(answered).filter(|_| given.stop.is_none())),
-        moving_bodies: given.moving_bodies.or(Some(answered.prepared.system.moving_bodies())),
+            .or_else(|| motion_curvature(evaluated).filter(|_| given.stop.is_none())),
+        moving_bodies: given.moving_bodies.or(Some(evaluated.prepared.system.moving_bodies())),
         ..given
     }
 }

@@ -66,6 +66,7 @@ impl JointStop {
         self.find(model).map(|(_, motion)| motion)
     }
 
+    /// Joint of the stop, with the kind of its motion. Error: unknown joint, or a joint without a stop.
     fn find<'a>(&self, model: &'a Model) -> Result<(&'a Joint, StopMotion), StudyError> {
         let mechanism = &model.mechanism;
         let id = mechanism.find_joint(&self.joint).map_err(|error| StudyError::input(Field::Limit, error))?;
@@ -95,8 +96,8 @@ impl JointStop {
         let axis = joint.axis();
         let (point, mut normal) = match motion {
             StopMotion::Turn => {
-                let beside = unit_normal_to(axis);
-                (beside, axis.cross(&beside))
+                let perpendicular = unit_normal_to(axis);
+                (perpendicular, axis.cross(&perpendicular))
             }
             StopMotion::Slide => (Vector3::zeros(), *axis),
         };

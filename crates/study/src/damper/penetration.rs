@@ -74,10 +74,10 @@ impl PenetrationPath<'_> {
         let whole = self.step(at, step)?;
         let half = self.step(at, step / 2.0)?;
         let twice = self.step(&half, step / 2.0)?;
-        let place = |point: &PathPoint| point.pose.link(self.contact.link).point(&self.contact.point);
-        let apart = (place(&whole) - place(&twice)).norm();
+        let contact_point = |point: &PathPoint| point.pose.link(self.contact.link).point(&self.contact.point);
+        let distance = (contact_point(&whole) - contact_point(&twice)).norm();
         let agree = (whole.mass / twice.mass - 1.0).abs() <= PENETRATION_MASS
-            && apart <= PENETRATION_MOTION * step.abs();
+            && distance <= PENETRATION_MOTION * step.abs();
         if agree { Ok(twice) } else { Err(None) }
     }
 
@@ -87,6 +87,7 @@ impl PenetrationPath<'_> {
         self.point(at.pose.advanced_along(&middle.response, step).ok_or(None)?)
     }
 
+    /// Response at a pose of the path. Error: `None` if the mass is not finite or nothing moves.
     fn point(&self, pose: Pose) -> Result<PathPoint, Option<StudyError>> {
         let response = self.prepared.response(&pose, self.contact).map_err(Some)?;
         match response.effective_mass {

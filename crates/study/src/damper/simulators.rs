@@ -47,6 +47,7 @@ pub struct ExportRecord {
 }
 
 impl ExportRecord {
+    /// Record of a successful export.
     pub(crate) fn from_export(export: &Export) -> Self {
         let facts = export.tool.facts();
         let with_unit = export.parameters.iter().filter(|p| !p.unit.is_empty());
@@ -72,6 +73,7 @@ impl ExportRecord {
         }
     }
 
+    /// Record of a tool that cannot export the contact.
     pub(crate) fn from_error(tool: Tool, error: &ExportError) -> Self {
         let facts = tool.facts();
         Self {

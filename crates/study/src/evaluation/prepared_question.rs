@@ -132,7 +132,7 @@ impl<'a> PreparedQuestion<'a> {
         self.question.against_mass
     }
 
-    /// True if the question asks only for m̄ of the mechanism alone: no estimate, no held contact, no free
+    /// True if only m̄ of the mechanism alone is required: no estimate, no held contact, no free
     /// body.
     pub fn needs_only_mass(&self) -> bool {
         self.estimate.is_none() && self.question.hold.is_empty() && self.other_mass().is_none()
@@ -162,9 +162,9 @@ impl<'a> PreparedQuestion<'a> {
         })
     }
 
-    /// Finding that reports the converted coordinates of a point given in another frame; `place` names the pose
+    /// Finding that reports the converted coordinates of a point given in another frame; `condition` names the pose
     /// of the conversion.
-    pub fn converted_point_finding(&self, contact: &Contact, place: &str) -> Option<Finding> {
+    pub fn converted_point_finding(&self, contact: &Contact, condition: &str) -> Option<Finding> {
         let frame = match self.question.frame {
             Frame::Link => return None,
             Frame::World => "world",
@@ -179,7 +179,7 @@ impl<'a> PreparedQuestion<'a> {
         let link = self.system.mechanism().link(contact.link).name();
         let message = format!(
             "the contact point given in another frame ({given}) is {x},{y},{z} m in the frame of link \"{link}\", converted \
-             {place}; it moves with the link"
+             {condition}; it moves with the link"
         );
         Some(Finding::note("point-converted", FindingSubject::Link(contact.link), message))
     }

@@ -58,14 +58,14 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     let path = model.inputs.first().map_or("", |input| &input.path);
     let folders = MeshFolders::of_model(Path::new(path), question.packages.clone());
     let meshes = RefCell::new(Vec::new());
-    let asked = MapContext { model, question, folders, meshes: &meshes, prepared: &prepared, pose: &pose };
+    let context = MapContext { model, question, folders, meshes: &meshes, prepared: &prepared, pose: &pose };
     let (mut maps, mut skins, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
-    let mut room = FACETS;
+    let mut facets_left = FACETS;
     for link in links {
         let name = mechanism.link(link).name();
-        match asked.map_link(link, room) {
+        match context.map_link(link, facets_left) {
             Ok((map, skin)) => {
-                room -= skin.facets.len();
+                facets_left -= skin.facets.len();
                 maps.push(map);
                 skins.push(skin);
             }
@@ -114,6 +114,7 @@ fn question_with_placeholder_contact(model: &Model, conditions: &MassQuestion) -
     }
 }
 
+/// Shapes of a purpose; `Auto` takes collision shapes, or visual shapes if there are none.
 fn select_shapes(shapes: &[Shape], which: MapShapes) -> (Purpose, Vec<&Shape>) {
     let of = |purpose| shapes.iter().filter(|s| s.purpose == purpose).collect::<Vec<_>>();
     match which {
@@ -138,7 +139,8 @@ struct MapContext<'a> {
 }
 
 impl MapContext<'_> {
-    fn map_link(&self, link: LinkId, room: usize) -> Result<(LinkMap, SkinFacets), LinkMapError> {
+    /// Map of one link with at most `facets_left` facets.
+    fn map_link(&self, link: LinkId, facets_left: usize) -> Result<(LinkMap, SkinFacets), LinkMapError> {
         let (question, prepared) = (self.question, self.prepared);
         let name = self.model.mechanism.link(link).name();
         let no_shape = || LinkMapError::NoSurface(Fault::NoShape { link: name.to_owned() });
@@ -160,7 +162,7 @@ impl MapContext<'_> {
             let fault = Fault::Facets { link: name.to_owned(), source };
             LinkMapError::Question(StudyError::input(Field::Edge, fault))
         };
-        let facets = surface.facets(edge, room).map_err(too_many)?;
+        let facets = surface.facets(edge, facets_left).map_err(too_many)?;
         if facets.is_empty() {
             return Err(no_shape());
         }
@@ -220,6 +222,7 @@ fn add_free_body(skin: &mut SkinFacets, other: f64) {
     }
 }
 
+/// Counts, extremes and area mean of the contacts of a link.
 fn summarize_link(skin: &SkinFacets, purpose: Purpose, orientation: Option<OrientationRecord>) -> LinkMap {
     let count = |status| skin.statuses.iter().filter(|s| **s == status).count();
     let finite = || (0..skin.facets.len()).filter_map(|i| Some((i, skin.mass(i)?)));
@@ -227,8 +230,8 @@ fn summarize_link(skin: &SkinFacets, purpose: Purpose, orientation: Option<Orien
     let largest = finite().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| extreme(skin, i));
     // The mean of 1/m̄ exists on any surface; m̄ itself is unbounded near immovable contacts.
     let inverse: f64 = finite().map(|(i, m)| skin.facets[i].area / m).sum();
-    let answered = |i: &usize| matches!(skin.statuses[*i], ContactStatus::Finite | ContactStatus::Immovable);
-    let area: f64 = (0..skin.facets.len()).filter(answered).map(|i| skin.facets[i].area).sum();
+    let has_mass = |i: &usize| matches!(skin.statuses[*i], ContactStatus::Finite | ContactStatus::Immovable);
+    let area: f64 = (0..skin.facets.len()).filter(has_mass).map(|i| skin.facets[i].area).sum();
     let has_mean = inverse > 0.0 && count(ContactStatus::Massless) == 0;
     let errors = finite().map(|(i, _)| skin.errors[i]).filter(|e| e.is_finite());
     LinkMap {
@@ -248,6 +251,7 @@ fn summarize_link(skin: &SkinFacets, purpose: Purpose, orientation: Option<Orien
     }
 }
 
+/// Record of the contact at facet `i`, as smallest or largest mass.
 fn extreme(skin: &SkinFacets, i: usize) -> Extreme {
     let record = skin.record(i);
     Extreme {

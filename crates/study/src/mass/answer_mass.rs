@@ -20,9 +20,10 @@ pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyE
     build_mass_report(&EvaluatedQuestion::new(model, question)?)
 }
 
-fn build_mass_report(answered: &EvaluatedQuestion) -> Result<MassReport, StudyError> {
-    let motion_ratios = motion_ratios(answered, &answered.prepared.question.ratio_at)?;
-    Ok(MassReport { motion_ratios, ..MassReport::of(answered) })
+/// Report without a damper, with the requested motion ratios.
+fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassReport, StudyError> {
+    let motion_ratios = motion_ratios(evaluated, &evaluated.prepared.question.ratio_at)?;
+    Ok(MassReport { motion_ratios, ..MassReport::of(evaluated) })
 }
 
 /// Evaluates one contact of a model and the damper for a restitution. The report has no damper, and a warning,
@@ -48,17 +49,18 @@ pub fn mass_with_drawing(
     question: &MassQuestion,
     damping: Option<&DampingQuestion>,
 ) -> Result<(MassReport, DrawnMechanism), StudyError> {
-    let answered = EvaluatedQuestion::new(model, question)?;
+    let evaluated = EvaluatedQuestion::new(model, question)?;
     let report = match damping {
-        Some(damping) => with_damper(&answered, damping)?,
-        None => build_mass_report(&answered)?,
+        Some(damping) => with_damper(&evaluated, damping)?,
+        None => build_mass_report(&evaluated)?,
     };
-    Ok((report, draw_evaluated(&answered)))
+    Ok((report, draw_evaluated(&evaluated)))
 }
 
-fn with_damper(answered: &EvaluatedQuestion, damping: &DampingQuestion) -> Result<MassReport, StudyError> {
-    let mut report = build_mass_report(answered)?;
-    match damping_report(answered, damping) {
+/// Report with a damper, or with the reason for a missing one.
+fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Result<MassReport, StudyError> {
+    let mut report = build_mass_report(evaluated)?;
+    match damping_report(evaluated, damping) {
         Ok(mut damper) => {
             report.diagnostics = std::mem::take(&mut damper.diagnostics);
             report.damper = Some(damper);

@@ -97,6 +97,7 @@ impl ShapeReader<'_> {
         }
     }
 
+    /// Records a shape that is not drawn, with the reason.
     fn add_omitted_shape(&mut self, link: LinkId, why: String) {
         let link = self.model.mechanism.link(link).name();
         let message = format!("link \"{link}\" is drawn without its shape: {why}");
@@ -106,8 +107,8 @@ impl ShapeReader<'_> {
 }
 
 /// Drawing of an evaluated question: every link with lines or triangles.
-pub(crate) fn draw_evaluated(answered: &EvaluatedQuestion) -> DrawnMechanism {
-    let EvaluatedQuestion { prepared, pose, result: answer, .. } = answered;
+pub(crate) fn draw_evaluated(evaluated: &EvaluatedQuestion) -> DrawnMechanism {
+    let EvaluatedQuestion { prepared, pose, result: answer, .. } = evaluated;
     draw_pose(prepared.model, pose, Some(&answer.response))
 }
 
@@ -121,35 +122,36 @@ pub fn draw_mechanism(model: &Model, question: &MassQuestion) -> Result<DrawnMec
     Ok(draw_pose(model, &pose, None))
 }
 
+/// Drawing of a mechanism at a pose; with a response, also velocities and shares.
 fn draw_pose(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> DrawnMechanism {
     let mechanism = &model.mechanism;
     let shares = response.and_then(|response| response.contributions.as_ref());
-    let mut places: Vec<Vec<Vector3<f64>>> = vec![Vec::new(); mechanism.links().len()];
+    let mut points: Vec<Vec<Vector3<f64>>> = vec![Vec::new(); mechanism.links().len()];
     for joint in mechanism.joints() {
         // The joint frame coincides with the child's frame.
         let at = pose.link(joint.child()).point(&Vector3::zeros());
-        places[joint.child().index()].push(at);
+        points[joint.child().index()].push(at);
         let before = pose.link(joint.parent()).point(&joint.origin().point(&Vector3::zeros()));
-        places[joint.parent().index()].push(before);
+        points[joint.parent().index()].push(before);
     }
     for closure in mechanism.closures() {
         for end in [closure.predecessor(), closure.successor()] {
             let Some(link) = end.link else { continue };
             let at = pose.link(link).point(&end.frame.point(&Vector3::zeros()));
-            places[link.index()].push(at);
+            points[link.index()].push(at);
         }
     }
     if let Some(contact) = response.map(|response| &response.contact) {
-        places[contact.link.index()].push(contact.point_world);
+        points[contact.link.index()].push(contact.point_world);
         if let Some(against) = contact.against {
-            places[against.index()].push(contact.point_world);
+            points[against.index()].push(contact.point_world);
         }
     }
     let of_link = |id: LinkId| {
         let link = mechanism.link(id);
         let inertial = link.inertial().filter(|inertial| inertial.mass > 0.0);
         let com = inertial.map(|inertial| pose.link(id).point(&inertial.com));
-        let mut ends = places[id.index()].clone();
+        let mut ends = points[id.index()].clone();
         ends.extend(com);
         let middle = ends.iter().sum::<Vector3<f64>>() / ends.len().max(1) as f64;
         let mut lines: Vec<[[f64; 3]; 2]> = match ends[..] {

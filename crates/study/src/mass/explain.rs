@@ -96,13 +96,13 @@ pub struct PointChange {
 /// # Errors
 /// [`StudyError`], as for `mass`.
 pub fn explain(model: &Model, question: &MassQuestion) -> Result<Option<Explanation>, StudyError> {
-    let answered = EvaluatedQuestion::new(model, question)?;
-    let response = &answered.result.response;
+    let evaluated = EvaluatedQuestion::new(model, question)?;
+    let response = &evaluated.result.response;
     let EffectiveMass::Finite(mass) = response.effective_mass else { return Ok(None) };
     if response.singular_pose {
         return Ok(None);
     }
-    let (links, rotors) = (links(&answered, mass), rotors(&answered));
+    let (links, rotors) = (links(&evaluated, mass), rotors(&evaluated));
     let points = points(model, question);
     let mut by_mass: Vec<&LinkSensitivity> = links.iter().filter(|link| link.per_kilogram > 0.0).collect();
     by_mass.sort_by(|a, b| b.per_kilogram.total_cmp(&a.per_kilogram));
@@ -131,8 +131,9 @@ pub fn explain(model: &Model, question: &MassQuestion) -> Result<Option<Explanat
     }))
 }
 
-fn links(answered: &EvaluatedQuestion, mass: f64) -> Vec<LinkSensitivity> {
-    let (mechanism, response) = (&answered.prepared.model.mechanism, &answered.result.response);
+/// Sensitivities to the mass and the centre of mass of each link.
+fn links(evaluated: &EvaluatedQuestion, mass: f64) -> Vec<LinkSensitivity> {
+    let (mechanism, response) = (&evaluated.prepared.model.mechanism, &evaluated.result.response);
     let shares = response.contributions.as_ref();
     let share = |id: LinkId| shares.and_then(|s| s.links.get(id.index()).copied()).unwrap_or(0.0);
     let of_link = |id: LinkId| {
@@ -143,7 +144,7 @@ fn links(answered: &EvaluatedQuestion, mass: f64) -> Vec<LinkSensitivity> {
             mass: inertial.mass,
             share: share(id),
             per_kilogram: share(id) * mass / inertial.mass,
-            per_metre_of_com: com_sensitivity(&answered.pose, response, id, inertial),
+            per_metre_of_com: com_sensitivity(&evaluated.pose, response, id, inertial),
         })
     };
     mechanism.link_ids().filter_map(of_link).collect()
@@ -169,8 +170,9 @@ fn com_sensitivity(
     Some(rates)
 }
 
-fn rotors(answered: &EvaluatedQuestion) -> Vec<RotorSensitivity> {
-    let (mechanism, response) = (&answered.prepared.model.mechanism, &answered.result.response);
+/// Sensitivities to the armature of each joint.
+fn rotors(evaluated: &EvaluatedQuestion) -> Vec<RotorSensitivity> {
+    let (mechanism, response) = (&evaluated.prepared.model.mechanism, &evaluated.result.response);
     let of_joint = |(joint, velocities): (_, &Vec<f64>)| {
         let per_armature: Vec<f64> = velocities.iter().map(|v| v * v).collect();
         let turns = per_armature.iter().any(|rate| *rate > 0.0);
@@ -209,9 +211,9 @@ fn points(model: &Model, question: &MassQuestion) -> Vec<PointSensitivity> {
 /// m̄ of the changed model; `None` without a finite result or at a singular pose.
 pub(crate) fn changed_mass(model: &Model, question: &MassQuestion, changes: &Changes) -> Option<f64> {
     let changed = model.with_changes(changes).ok()?;
-    let answered = EvaluatedQuestion::new(&changed, question).ok()?;
-    match answered.result.response.effective_mass {
-        EffectiveMass::Finite(mass) if !answered.result.response.singular_pose => Some(mass),
+    let evaluated = EvaluatedQuestion::new(&changed, question).ok()?;
+    match evaluated.result.response.effective_mass {
+        EffectiveMass::Finite(mass) if !evaluated.result.response.singular_pose => Some(mass),
         _ => None,
     }
 }

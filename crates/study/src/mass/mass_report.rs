@@ -104,6 +104,7 @@ impl From<GivenTravel> for TravelRecord {
 }
 
 impl ConditionsRecord {
+    /// Conditions of a question.
     pub(crate) fn of(question: &MassQuestion) -> Self {
         let hold = |h: &Hold| HoldRecord { link: h.link.clone(), point: h.point, normal: h.normal };
         Self {
@@ -211,6 +212,7 @@ pub struct ErrorBudgetRecord {
 }
 
 impl ErrorBudgetRecord {
+    /// Error budget of a result.
     fn of(answer: &ContactResult) -> Self {
         let budget = answer.response.error.unwrap_or_default();
         Self { rounding: budget.rounding, closing: budget.closing, file: budget.file }
@@ -219,8 +221,8 @@ impl ErrorBudgetRecord {
 
 impl MassReport {
     /// Report of an evaluated question.
-    pub(crate) fn of(answered: &EvaluatedQuestion) -> Self {
-        let EvaluatedQuestion { prepared, pose, result: answer, .. } = answered;
+    pub(crate) fn of(evaluated: &EvaluatedQuestion) -> Self {
+        let EvaluatedQuestion { prepared, pose, result: answer, .. } = evaluated;
         let (model, assembly) = (prepared.model, pose.assembly());
         let (mechanism, response) = (&model.mechanism, &answer.response);
         let link_name = |link: LinkId| mechanism.link(link).name().to_owned();

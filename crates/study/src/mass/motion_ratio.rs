@@ -40,52 +40,53 @@ const SIDES: [&str; 2] = ["_left", "_right"];
 /// the response of a contact at the point. r holds for every motion if r r′ = 1; r r′ is the squared cosine
 /// between both motions in the metric of M.
 pub(crate) fn motion_ratios(
-    answered: &EvaluatedQuestion,
+    evaluated: &EvaluatedQuestion,
     given: &[RatioPoint],
 ) -> Result<Vec<MotionRatioRecord>, StudyError> {
-    let mechanism = &answered.prepared.model.mechanism;
-    let response = answered.result.mechanism_response();
+    let mechanism = &evaluated.prepared.model.mechanism;
+    let response = evaluated.result.mechanism_response();
     let mut found = Vec::new();
-    for asked in given {
-        let link = mechanism.find_link(&asked.link);
+    for ratio_point in given {
+        let link = mechanism.find_link(&ratio_point.link);
         let link = link.map_err(|error| StudyError::input(Field::RatioAt, error))?;
-        let (point, direction) = (Vector3::from(asked.point), Vector3::from(asked.direction));
+        let (point, direction) = (Vector3::from(ratio_point.point), Vector3::from(ratio_point.direction));
         if !(direction.norm() > SHORTEST_DIRECTION && direction.norm().is_finite()) {
             return Err(StudyError::input(Field::RatioAt, Fault::NoRatioDirection));
         }
-        found.extend(ratio(answered, response, link, point, direction.normalize()));
+        found.extend(ratio(evaluated, response, link, point, direction.normalize()));
     }
-    for link in wheel_points(mechanism, &answered.prepared.question.link) {
-        let ratio = ratio(answered, response, link, Vector3::zeros(), Vector3::z());
+    for link in wheel_points(mechanism, &evaluated.prepared.question.link) {
+        let ratio = ratio(evaluated, response, link, Vector3::zeros(), Vector3::z());
         found.extend(ratio.filter(|ratio| ratio.one_travel));
     }
     Ok(found)
 }
 
 /// Wheel points; only those on the side of the contact link if the link name ends in a side.
-fn wheel_points(mechanism: &Mechanism, struck: &str) -> Vec<LinkId> {
-    let side = SIDES.into_iter().find(|side| struck.ends_with(side));
+fn wheel_points(mechanism: &Mechanism, contact_link: &str) -> Vec<LinkId> {
+    let side = SIDES.into_iter().find(|side| contact_link.ends_with(side));
     let sides = SIDES.into_iter().filter(|known| side.is_none_or(|side| side == *known));
     let endings: Vec<&str> = [""].into_iter().chain(sides).collect();
     let names = WHEEL_POINTS.iter().flat_map(|name| endings.iter().map(move |end| format!("{name}{end}")));
     names.filter_map(|name| mechanism.find_link(&name).ok()).collect()
 }
 
+/// Motion ratio of a point along a direction; `None` if the velocity is undetermined.
 fn ratio(
-    answered: &EvaluatedQuestion,
+    evaluated: &EvaluatedQuestion,
     response: &ContactResponse,
     link: LinkId,
     point: Vector3<f64>,
     direction: Vector3<f64>,
 ) -> Option<MotionRatioRecord> {
-    let pose = &answered.pose;
+    let pose = &evaluated.pose;
     if response.singular_pose {
         return None;
     }
     let wheel_per_contact = speed(pose, response, link, &point, &direction)?;
     let own = Contact {
         link,
-        against: answered.contact.against,
+        against: evaluated.contact.against,
         point,
         normal: Direction::Along(direction, Frame::World),
     };

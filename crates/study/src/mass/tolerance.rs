@@ -174,7 +174,8 @@ pub fn tolerance_report(
             armature: root(&rates.armature),
             point: root(&rates.point),
         },
-        samples: sampling.and_then(|asked| sample_masses(model, question, &explanation, tolerance, asked)),
+        samples: sampling
+            .and_then(|options| sample_masses(model, question, &explanation, tolerance, options)),
     }))
 }
 
@@ -187,6 +188,7 @@ struct MassDeviations {
 }
 
 impl MassDeviations {
+    /// First-order deviations of m̄: each sensitivity times its tolerance.
     fn from_explanation(
         model: &Model,
         question: &MassQuestion,
@@ -207,6 +209,7 @@ impl MassDeviations {
         }
     }
 
+    /// All deviations in one list.
     fn concatenated(&self) -> Vec<f64> {
         [&self.mass, &self.com, &self.armature, &self.point].into_iter().flatten().copied().collect()
     }
@@ -214,27 +217,28 @@ impl MassDeviations {
 
 /// Armature of a joint, one value per velocity.
 fn armature(model: &Model, question: &MassQuestion, joint: &str, velocities: usize) -> Vec<f64> {
-    let asked = question.armature.iter().find(|(name, _)| name == joint).map(|(_, values)| values.clone());
+    let options = question.armature.iter().find(|(name, _)| name == joint).map(|(_, values)| values.clone());
     let own = || {
         let id = model.mechanism.find_joint(joint).ok()?;
         Some(model.mechanism.joint(id).armature().to_vec())
     };
-    match asked.or_else(own).as_deref() {
+    match options.or_else(own).as_deref() {
         None | Some([]) => vec![0.0; velocities],
         Some([one]) => vec![*one; velocities],
         Some(several) => several.to_vec(),
     }
 }
 
+/// Statistics of m̄ of random designs within the tolerances; `None` if no design has a finite mass.
 fn sample_masses(
     model: &Model,
     question: &MassQuestion,
     explanation: &Explanation,
     tolerance: Tolerance,
-    asked: Sampling,
+    options: Sampling,
 ) -> Option<SampleRecord> {
     let of_sample = |number: usize| {
-        let mut uniform = RandomStream::new(asked.seed, number as u64);
+        let mut uniform = RandomStream::new(options.seed, number as u64);
         let mut off = |most: f64| most * (2.0 * uniform.next() - 1.0);
         let mut moved = Changes::default();
         if tolerance.point > 0.0 {
@@ -266,7 +270,7 @@ fn sample_masses(
         }
         changed_mass(model, &question, &changes)
     };
-    let masses: Vec<Option<f64>> = (0..asked.count).into_par_iter().map(of_sample).collect();
+    let masses: Vec<Option<f64>> = (0..options.count).into_par_iter().map(of_sample).collect();
     let mut found: Vec<f64> = masses.into_iter().flatten().collect();
     found.sort_by(f64::total_cmp);
     let (&least, &greatest) = (found.first()?, found.last()?);
@@ -276,8 +280,8 @@ fn sample_masses(
     let at = |part: f64| found[((count - 1.0) * part).round() as usize];
     Some(SampleRecord {
         count: found.len(),
-        unanswered: asked.count - found.len(),
-        seed: asked.seed,
+        unanswered: options.count - found.len(),
+        seed: options.seed,
         mean,
         standard_deviation: square.sqrt(),
         least,

@@ -22,7 +22,7 @@ pub struct Input {
 
 impl Input {
     /// Input of a source in memory.
-    pub fn of(source: &Source) -> Self {
+    pub fn from_source(source: &Source) -> Self {
         Self { path: source.name.clone(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
     }
 
@@ -76,15 +76,15 @@ impl Model {
     /// # Errors
     /// [`LoadError`] with all findings; errors have their file positions.
     pub fn load(path: &str, max_size: u64, options: &LoadOptions) -> Result<Self, LoadError> {
-        Self::of(&Source::read(path, max_size)?, options)
+        Self::from_source(&Source::read(path, max_size)?, options)
     }
 
     /// Reads a URDF or a suspension's sheet from memory.
     ///
     /// # Errors
     /// [`LoadError`], as for [`load`](Self::load).
-    pub fn of(source: &Source, options: &LoadOptions) -> Result<Self, LoadError> {
-        let input = Input::of(source);
+    pub fn from_source(source: &Source, options: &LoadOptions) -> Result<Self, LoadError> {
+        let input = Input::from_source(source);
         if let Some(sheet) = Sheet::from_source(source, options.accept) {
             if sheet.is_study() {
                 return Err(LoadError::of_file(&source.name, "study", A_STUDY));
@@ -92,7 +92,7 @@ impl Model {
             let (mut model, tables) = Self::import_sheet(&sheet, &[], vec![input])?;
             for table in tables.iter().filter(|table| **table != source.name) {
                 // The importer has read the same file before.
-                model.inputs.push(Input::of(&Source::read(table, DEFAULT_MAX_SIZE)?));
+                model.inputs.push(Input::from_source(&Source::read(table, DEFAULT_MAX_SIZE)?));
             }
             return Ok(model);
         }

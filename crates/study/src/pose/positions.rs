@@ -62,6 +62,7 @@ pub struct Positions {
 }
 
 impl Positions {
+    /// Positions of a pose.
     pub(crate) fn from_pose(layout: &Arc<PoseLayout>, pose: &Pose) -> Self {
         let values = layout.joints.iter().flat_map(|joint| pose.joint(joint.joint)).copied().collect();
         Self { layout: Arc::clone(layout), values }
@@ -75,6 +76,7 @@ impl Positions {
         Self { layout: Arc::clone(layout), values }
     }
 
+    /// Positions of a row without a pose.
     pub(crate) fn none(layout: &Arc<PoseLayout>) -> Self {
         Self { layout: Arc::clone(layout), values: Vec::new() }
     }

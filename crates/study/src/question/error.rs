@@ -319,6 +319,7 @@ impl Fault {
     }
 }
 
+/// Message: a floating root link without mass.
 fn massless_base(link: &str, names: Names) -> String {
     let given = match names {
         Names::Fields => String::new(),
@@ -331,10 +332,12 @@ fn massless_base(link: &str, names: Names) -> String {
     )
 }
 
+/// Message: a joint is varied and set.
 fn varied_is_set(joint: &str, names: Names) -> String {
     format!("\"{joint}\": it is already set{}; use only one of the two", Field::Set.hint(names))
 }
 
+/// Message: a joint without limits cannot have random positions.
 fn no_limits(joint: &str, kind: JointKind, names: Names) -> String {
     let (set, vary) = (Field::Set.hint(names), Field::Vary.hint(names));
     let what = match kind {
@@ -353,6 +356,7 @@ fn no_limits(joint: &str, kind: JointKind, names: Names) -> String {
     format!("joint \"{joint}\" is {} and {what} to sample between; {remedy}", kind.name())
 }
 
+/// Message: no pose for the conversion of a contact point.
 fn no_reference_pose(source: &AssemblyError, names: Names) -> String {
     let how = match names {
         Names::Fields => "",
@@ -509,11 +513,13 @@ impl StudyError {
     }
 }
 
+/// Message: another side is given in a question about a person.
 fn person_is_other_side_message(names: Names) -> String {
     let [against, mass] = [Field::Against, Field::AgainstMass].map(|field| field.name_in(names));
     format!("the other side is the person: leave {against} and {mass} out")
 }
 
+/// Message: a limit of force or pressure without a body region.
 fn missing_region_message(names: Names) -> String {
     let region = match names {
         Names::Flags => "--region",
@@ -525,6 +531,7 @@ fn missing_region_message(names: Names) -> String {
     )
 }
 
+/// Message: a massless contact without a load.
 fn missing_mass_message(names: Names) -> String {
     let load = match names {
         Names::Flags => "--load",

@@ -225,6 +225,7 @@ impl GivenPose {
         self.missing(mechanism).is_none()
     }
 
+    /// First movable joint without a position.
     fn missing<'m>(&self, mechanism: &'m Mechanism) -> Option<&'m Joint> {
         let free = |joint: &&Joint| joint.kind().dofs() > 0 && joint.mimic().is_none();
         mechanism.joints().iter().filter(free).find(|joint| !self.positions.contains_key(joint.name()))
@@ -269,6 +270,7 @@ impl GivenPose {
     }
 }
 
+/// Input record of a pose without a file.
 fn unknown() -> Input {
     Input { path: "not named".to_owned(), sha256: String::new() }
 }

@@ -8,6 +8,7 @@ pub(crate) struct InvalidKey {
 }
 
 impl InvalidKey {
+    /// Refusal of a key with its reason.
     pub fn new(key: &'static str, why: impl Into<String>) -> Self {
         Self { key, reason: why.into() }
     }

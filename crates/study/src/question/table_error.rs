@@ -200,6 +200,7 @@ pub enum TableFault {
     Position(#[from] ConfigurationError),
 }
 
+/// Text for a number of columns.
 fn column_count_text(columns: usize) -> String {
     if columns == 1 { "1 position is".into() } else { format!("{columns} positions are") }
 }
@@ -212,18 +213,22 @@ fn quoted(names: &[String]) -> String {
 }
 
 impl TableError {
+    /// Error of a whole file.
     pub(crate) fn in_file(path: &str, fault: TableFault) -> Self {
         Self { path: path.to_owned(), line: None, row: None, column: None, fault: Box::new(fault) }
     }
 
+    /// Error at a line of a file.
     pub(crate) fn at_line(path: &str, line: usize, fault: TableFault) -> Self {
         Self { line: Some(line), ..Self::in_file(path, fault) }
     }
 
+    /// The same error in a column, given by number and name.
     pub(crate) fn in_column(self, number: usize, name: &str) -> Self {
         Self { column: Some((number + 1, name.to_owned())), ..self }
     }
 
+    /// Error of reading a file.
     pub(crate) fn unreadable(path: &str, error: &io::Error) -> Self {
         Self::in_file(path, TableFault::Unreadable { why: error.to_string() })
     }

@@ -57,6 +57,7 @@ fn kinds() -> Vec<&'static str> {
 }
 
 impl ClosureText {
+    /// Converts the keys to a closure.
     pub fn closure_description(&self) -> Result<ClosureDescription, InvalidKey> {
         let named = if self.kind == "continuous" { "revolute" } else { &self.kind };
         let Some(kind) = ClosureKind::ALL.into_iter().find(|k| k.name() == named) else {

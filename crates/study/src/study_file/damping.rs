@@ -63,6 +63,7 @@ pub(crate) struct DampingText {
     pub output: Option<String>,
 }
 
+/// Default of the `law` key.
 fn kelvin_voigt() -> String {
     Law::KelvinVoigt.name().to_owned()
 }

@@ -137,6 +137,7 @@ pub enum StudyFileError {
     },
 }
 
+/// `:LINE` after a file name; empty without a line.
 fn line_suffix(line: Option<usize>) -> String {
     line.map_or_else(String::new, |line| format!(":{line}"))
 }
@@ -220,6 +221,7 @@ struct StudyReader<'a> {
 }
 
 impl StudyReader<'_> {
+    /// Error of the study file for an invalid key.
     fn invalid_key_error(&self, refusal: InvalidKey) -> StudyFileError {
         self.value(refusal.key, refusal.key, refusal.reason)
     }
@@ -250,6 +252,7 @@ impl StudyReader<'_> {
         self.value(key, &place, format!("{of}{why}"))
     }
 
+    /// Converts the parsed text to a study: loads the model and checks every part.
     fn study(&self, study: &StudyText, source: &Source) -> Result<StudyFile, StudyFileError> {
         let max_size = self.max_size;
         let folder = Path::new(self.path).parent().unwrap_or(Path::new(""));
@@ -396,7 +399,7 @@ impl StudyReader<'_> {
     ) -> Result<Model, StudyFileError> {
         let model_path = folder.join(&study.model.path);
         let mut model = Model::load(&model_path.to_string_lossy(), self.max_size, options)?;
-        model.inputs.push(Input::of(source));
+        model.inputs.push(Input::from_source(source));
         let ModelText { link_mass, link_com, moves, .. } = &study.model;
         model = model
             .with_changes(&changes(link_mass, link_com, moves))
@@ -411,6 +414,7 @@ impl StudyReader<'_> {
             .map_err(|source| StudyFileError::Build { path: self.path.to_owned(), source })
     }
 
+    /// Damper of a study; `None` without a `damping` table.
     fn damping(
         &self,
         study: &StudyText,

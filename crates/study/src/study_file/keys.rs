@@ -160,6 +160,7 @@ impl StudyKeys {
         UnknownKey { key: self.path(place, false), line: self.line_at(at.start), hint }
     }
 
+    /// Adds a key or list element with the byte ranges of its name and value; returns its index.
     fn add(&mut self, above: Option<usize>, step: PathStep, at: Range<usize>, value: Range<usize>) -> usize {
         self.nodes.push(KeyNode { parent: above, step, key_bytes: at, value });
         self.nodes.len() - 1

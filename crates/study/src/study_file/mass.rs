@@ -50,6 +50,7 @@ enum Tolerances {
     Many(Vec<NumberOrText>),
 }
 
+/// Deserializes one tolerance or a list of tolerances.
 fn tolerances<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<NumberOrText>, D::Error> {
     Ok(match Tolerances::deserialize(from)? {
         Tolerances::One(one) => vec![one],
@@ -61,7 +62,7 @@ impl MassText {
     /// Converts the table to options.
     pub fn options(&self) -> Result<StudyMass, InvalidKey> {
         let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
-        let mut asked = StudyMass { expect: self.expect, explain: self.explain, ..StudyMass::default() };
+        let mut study_mass = StudyMass { expect: self.expect, explain: self.explain, ..StudyMass::default() };
         if let Some(mass) = self.expect.filter(|mass| !(mass.is_finite() && *mass > 0.0)) {
             let why = format!("{mass} kg; a mass above 0 is expected");
             return Err(InvalidKey::new("mass.expect", why));
@@ -72,11 +73,11 @@ impl MassText {
                     let why = format!("{relative}; a tolerance of 0 or more is expected");
                     return Err(InvalidKey::new("mass.tolerance", why));
                 }
-                NumberOrText::Number(relative) => asked.expect_tolerance.replace(*relative).is_some(),
+                NumberOrText::Number(relative) => study_mass.expect_tolerance.replace(*relative).is_some(),
                 NumberOrText::Text(text) => {
                     let parts = Tolerance::parse(text)
                         .map_err(|error| InvalidKey::new("mass.tolerance", error.to_string()))?;
-                    asked.tolerance.replace(parts).is_some()
+                    study_mass.tolerance.replace(parts).is_some()
                 }
             };
             if twice {
@@ -84,12 +85,12 @@ impl MassText {
                 return refuse("mass.tolerance", why);
             }
         }
-        if asked.expect_tolerance.is_some() && asked.expect.is_none() {
+        if study_mass.expect_tolerance.is_some() && study_mass.expect.is_none() {
             let why = "a single number requires expect; write tolerances of the model's data as \
                        \"mass=2%,point=0.5mm\"";
             return refuse("mass.tolerance", why);
         }
-        if self.samples.is_some() && asked.tolerance.is_none() {
+        if self.samples.is_some() && study_mass.tolerance.is_none() {
             let why = "sampling requires tolerances; give tolerance = \"mass=2%,point=0.5mm\"";
             return refuse("mass.samples", why);
         }
@@ -97,7 +98,7 @@ impl MassText {
             return refuse("mass.seed", "a seed requires samples; give samples");
         }
         let seed = self.seed.unwrap_or_default();
-        asked.sampling = self.samples.map(|count| Sampling { count, seed });
-        Ok(asked)
+        study_mass.sampling = self.samples.map(|count| Sampling { count, seed });
+        Ok(study_mass)
     }
 }

@@ -34,13 +34,13 @@ impl StudySafeSpeed {
     /// # Errors
     /// [`StudyError`], as for [`safe_speed`].
     pub fn reports(&self, model: &Model) -> Result<Vec<SafeSpeedReport>, StudyError> {
-        let Self { contact, limit_question: asked, directions, worst_direction, rows } = self;
+        let Self { contact, limit_question, directions, worst_direction, rows } = self;
         if *worst_direction || !directions.is_empty() {
-            return safe_speed_directions(model, contact, asked, directions, *worst_direction);
+            return safe_speed_directions(model, contact, limit_question, directions, *worst_direction);
         }
         let report = match rows {
-            None => safe_speed(model, contact, asked)?,
-            Some(rows) => safe_speed_along(model, contact, asked, rows)?,
+            None => safe_speed(model, contact, limit_question)?,
+            Some(rows) => safe_speed_along(model, contact, limit_question, rows)?,
         };
         Ok(vec![report])
     }

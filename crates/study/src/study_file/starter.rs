@@ -159,6 +159,7 @@ fn key(name: &str) -> String {
     if !name.is_empty() && name.chars().all(is_bare) { name.to_owned() } else { toml_string(name) }
 }
 
+/// Three numbers as a TOML array.
 fn triple(values: &[f64; 3]) -> String {
     format!("[{}, {}, {}]", values[0], values[1], values[2])
 }
@@ -173,6 +174,7 @@ struct StarterWriter<'a> {
 }
 
 impl StarterWriter<'_> {
+    /// Text of the study.
     fn text(&self, path: &str) -> String {
         let mut out = String::new();
         // Writing to a string does not fail.
@@ -180,6 +182,7 @@ impl StarterWriter<'_> {
         out
     }
 
+    /// Writes all parts of the study.
     fn write(&self, path: &str, out: &mut String) -> std::fmt::Result {
         let question = self.question;
         writeln!(out, "# A study to start from, as percuss init writes it.")?;
@@ -255,6 +258,7 @@ impl StarterWriter<'_> {
         self.question.against.as_deref() == Some(mechanism.link(mechanism.root()).name())
     }
 
+    /// Writes the names of the links as a comment.
     fn links(&self, out: &mut String) -> std::fmt::Result {
         writeln!(out, "# Links (kg):")?;
         for link in self.check.links.iter().take(LISTED) {
@@ -263,6 +267,7 @@ impl StarterWriter<'_> {
         self.write_omitted_count(self.check.links.len(), out)
     }
 
+    /// Writes the number of names that are not listed.
     fn write_omitted_count(&self, count: usize, out: &mut String) -> std::fmt::Result {
         if count > LISTED { writeln!(out, "#   and {} more: percuss check", count - LISTED) } else { Ok(()) }
     }
@@ -277,6 +282,7 @@ impl StarterWriter<'_> {
         seen.joints.iter().filter(is_free).collect()
     }
 
+    /// Writes the table of the pose, with suggestions.
     fn pose(&self, out: &mut String) -> std::fmt::Result {
         let free = self.free();
         let single: Vec<&&JointRecord> = free.iter().filter(|joint| unit(joint).is_some()).collect();
@@ -285,7 +291,7 @@ impl StarterWriter<'_> {
         }
         writeln!(out, "\n# Joints that can be set (what follows from loops follows):")?;
         for joint in free.iter().take(LISTED) {
-            writeln!(out, "#   {} {}{}", toml_string(&joint.name), joint.kind, range(joint))?;
+            writeln!(out, "#   {} {}{}", toml_string(&joint.name), joint.kind, limits_text(joint))?;
         }
         self.write_omitted_count(free.len(), out)?;
         let varied = self.suggested_range();
@@ -301,12 +307,13 @@ impl StarterWriter<'_> {
             (Some(joint), _) => writeln!(out, "# [pose]\n# {}", set(joint)),
             // The only joint is the varied joint, or the driver of the travel.
             (None, Some(joint)) => {
-                writeln!(out, "#   [pose] {}, not beside a [sweep] that moves it", set(joint))
+                writeln!(out, "#   [pose] {}, not together with a [sweep] that moves it", set(joint))
             }
             (None, None) => Ok(()),
         }
     }
 
+    /// Writes a suggested sweep.
     fn sweep(&self, out: &mut String) -> std::fmt::Result {
         let Some((_, vary)) = self.suggested_range() else { return Ok(()) };
         writeln!(out, "\n# The contact over a range. In place of output: CSV on stdout.")?;
@@ -344,6 +351,7 @@ impl StarterWriter<'_> {
         (from < to).then_some((name, range))
     }
 
+    /// Writes a suggested variant.
     fn variant(&self, out: &mut String) -> std::fmt::Result {
         let most = self.report.bodies.iter().filter_map(|body| Some((body.share?, &body.link)));
         let most = most.filter(|(share, _)| *share > 0.0).max_by(|a, b| a.0.total_cmp(&b.0));
@@ -366,6 +374,7 @@ impl StarterWriter<'_> {
         writeln!(out, "# [[variant]]\n# name = {name}\n# move = {{ {} = [0, 0, \"5 mm\"] }}", key(point))
     }
 
+    /// Writes a suggested map.
     fn map(&self, out: &mut String) -> std::fmt::Result {
         let link = self.model.mechanism.find_link(&self.question.link).ok();
         let shapes = |id: LinkId| self.model.shapes.get(id.index()).is_some_and(|shapes| !shapes.is_empty());
@@ -387,7 +396,8 @@ fn unit(joint: &JointRecord) -> Option<(f64, &'static str)> {
     }
 }
 
-fn range(joint: &JointRecord) -> String {
+/// Limits of a joint as text, in the unit of the study; empty without limits.
+fn limits_text(joint: &JointRecord) -> String {
     let shown = |x: f64, scale: f64| (x * scale * 1e3).round() / 1e3 + 0.0;
     match (joint.limits, unit(joint)) {
         (Some([low, high]), Some((scale, unit))) => {

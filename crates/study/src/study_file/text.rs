@@ -195,6 +195,7 @@ pub(crate) struct RatioText {
 }
 
 impl RatioText {
+    /// Converts the keys to a point for a motion ratio.
     fn point(&self) -> RatioPoint {
         let direction = self.direction.unwrap_or(UPWARDS);
         RatioPoint { link: self.link.clone(), point: self.point, direction }
@@ -241,6 +242,7 @@ impl ContactText {
     }
 }
 
+/// Parses the name of a frame; the default if absent.
 fn frame_of(key: &'static str, name: Option<&str>, default: Frame) -> Result<Frame, InvalidKey> {
     match name {
         None => Ok(default),

@@ -66,6 +66,7 @@ impl<'a> VariantModels<'a> {
         Self { max_size, options, by_path: BTreeMap::new() }
     }
 
+    /// Loads a model, or returns the model loaded before from the same path.
     fn load(&mut self, path: &str) -> Result<Model, LoadError> {
         if let Some(model) = self.by_path.get(path) {
             return Ok(model.clone());
@@ -82,6 +83,7 @@ pub(crate) fn changes(
     link_com: &BTreeMap<String, [f64; 3]>,
     moves: &BTreeMap<String, [f64; 3]>,
 ) -> Changes {
+    /// Entries of a map in the order of their names.
     fn list<T: Clone>(map: &BTreeMap<String, T>) -> Vec<(String, T)> {
         map.iter().map(|(name, value)| (name.clone(), value.clone())).collect()
     }

@@ -79,7 +79,7 @@ impl BatchEvaluator {
         lanes.has_only_row_findings(prepared, setting, contact).then_some(lanes)
     }
 
-    /// True if a generic sample pose has a finite m̄ and no other findings than those in `OF_ANY_ROW`.
+    /// True if a generic sample pose has a finite m̄ and no other findings than those in `ROW_FINDING_CODES`.
     fn has_only_row_findings(
         &self,
         prepared: &PreparedQuestion,
@@ -121,7 +121,7 @@ impl BatchEvaluator {
     pub fn add_findings(
         &self,
         prepared: &PreparedQuestion,
-        asked: &BatchResults,
+        results: &BatchResults,
         i: usize,
         row: usize,
         tally: &mut FindingTally,
@@ -130,7 +130,7 @@ impl BatchEvaluator {
             tally.add(row, [far_point.clone()]);
         }
         for &(joint, place, limits) in &self.limits {
-            let value = asked.columns[place * asked.rows + i];
+            let value = results.columns[place * results.rows + i];
             if Pose::is_outside(value, limits) {
                 tally.add(row, [joint_limit_finding(prepared.system.mechanism(), joint, value, limits)]);
             }

@@ -35,16 +35,16 @@ pub(crate) struct PipelineResult {
 
 /// Runs all rows through the pipeline.
 pub(crate) fn run<T: Send>(
-    swept: &SweepContext<'_>,
+    context: &SweepContext<'_>,
     rows: RowReader,
-    made: RowConversion<'_, T>,
+    convert: RowConversion<'_, T>,
     each: &mut dyn FnMut(T) -> ControlFlow<()>,
 ) -> Result<PipelineResult, StudyError> {
-    let mut posing = PosingStage::new(swept, rows);
-    let mut out = OutputStage::new(swept, made, each);
-    let (mut posed, mut answered) = (None, None);
+    let mut posing = PosingStage::new(context, rows);
+    let mut out = OutputStage::new(context, convert, each);
+    let (mut posed, mut evaluated) = (None, None);
     loop {
-        let (to_answer, to_hand_out) = (posed.take(), answered.take());
+        let (to_answer, to_hand_out) = (posed.take(), evaluated.take());
         let too_far = posing.step_limit;
         let (mut next_posed, mut next_answered) = (Ok(None), None);
         let mut stopped = Ok(ControlFlow::Continue(()));
@@ -52,7 +52,7 @@ pub(crate) fn run<T: Send>(
             scope.spawn(|_| {
                 (next_posed, next_answered) = rayon::join(
                     || posing.next(),
-                    || to_answer.map(|posed| evaluate_block(swept, posed, made, too_far)),
+                    || to_answer.map(|posed| evaluate_block(context, posed, convert, too_far)),
                 );
             });
             if let Some(portions) = to_hand_out {
@@ -62,11 +62,11 @@ pub(crate) fn run<T: Send>(
         if stopped?.is_break() {
             break;
         }
-        (posed, answered) = (next_posed?, next_answered);
+        (posed, evaluated) = (next_posed?, next_answered);
         posing.abandoned_after = out.abandoned_after();
-        let found = answered.iter().flatten().map(|portion: &RowResults<T>| portion.step_limit);
+        let found = evaluated.iter().flatten().map(|portion: &RowResults<T>| portion.step_limit);
         posing.step_limit = found.fold(posing.step_limit, min_limit);
-        if posed.is_none() && answered.is_none() {
+        if posed.is_none() && evaluated.is_none() {
             break;
         }
     }
@@ -109,17 +109,17 @@ struct PosingStage<'s, 'a> {
 }
 
 impl<'s, 'a> PosingStage<'s, 'a> {
-    fn new(swept: &'s SweepContext<'a>, rows: RowReader) -> Self {
-        let links = swept.prepared.system.mechanism().links().len();
-        let largest = match &swept.batch_evaluator {
+    fn new(context: &'s SweepContext<'a>, rows: RowReader) -> Self {
+        let links = context.prepared.system.mechanism().links().len();
+        let largest = match &context.batch_evaluator {
             Some(_) => {
                 (POSED_BLOCK_LINKS * BATCH_ROWS_PER_TASK / links.max(1)).clamp(FIRST_BLOCK, BATCH_BLOCK_ROWS)
             }
             None => (POSED_BLOCK_LINKS / links.max(1)).clamp(FIRST_BLOCK, POSED_BLOCK_ROWS),
         };
-        let line = LineContinuation::new(rows.distance_measure(), swept.travel.clone(), None);
+        let line = LineContinuation::new(rows.distance_measure(), context.travel.clone(), None);
         Self {
-            context: swept,
+            context,
             rows,
             line,
             row: 0,
@@ -168,11 +168,11 @@ impl<'s, 'a> PosingStage<'s, 'a> {
 
     /// Poses the rows of a block, each from the last row reached.
     fn pose(&mut self, block: &RowBlock) -> BlockWork {
-        let (swept, line) = (self.context, &mut self.line);
+        let (context, line) = (self.context, &mut self.line);
         let mut portions = Vec::with_capacity(block.count.div_ceil(POSED_ROWS_PER_TASK));
-        let mut stands = swept.next_poses(line, block, 0..block.count).into_iter();
+        let mut row_poses = context.next_poses(line, block, 0..block.count).into_iter();
         for first in (0..block.count).step_by(POSED_ROWS_PER_TASK) {
-            portions.push((first, stands.by_ref().take(POSED_ROWS_PER_TASK).collect()));
+            portions.push((first, row_poses.by_ref().take(POSED_ROWS_PER_TASK).collect()));
         }
         BlockWork::Portions { portions, travel: line.travel(), untried: line.unreachable.drain_skipped() }
     }
@@ -180,9 +180,9 @@ impl<'s, 'a> PosingStage<'s, 'a> {
 
 /// Second stage: evaluates the rows in parallel.
 fn evaluate_block<T: Send>(
-    swept: &SweepContext<'_>,
+    context: &SweepContext<'_>,
     posed: PosedBlock,
-    made: RowConversion<'_, T>,
+    convert: RowConversion<'_, T>,
     too_far: StepLimit,
 ) -> Vec<RowResults<T>> {
     let PosedBlock { block, work } = posed;
@@ -190,12 +190,20 @@ fn evaluate_block<T: Send>(
     match work {
         BlockWork::Lines(rows) => {
             let of_line = |first: usize| {
-                let mut line = LineContinuation::new(swept.distance_measure, swept.travel.clone(), too_far);
+                let mut line =
+                    LineContinuation::new(context.distance_measure, context.travel.clone(), too_far);
                 let mut portion = RowResults::new(rows);
-                let stands = swept.next_poses(&mut line, block, first..first + rows);
+                let row_poses = context.next_poses(&mut line, block, first..first + rows);
                 let travel = line.travel();
-                for (i, stand) in (first..).zip(stands) {
-                    swept.evaluate_row(&mut portion, block, i, stand, travel.as_ref().map(|t| &t.0), made);
+                for (i, row_pose) in (first..).zip(row_poses) {
+                    context.evaluate_row(
+                        &mut portion,
+                        block,
+                        i,
+                        row_pose,
+                        travel.as_ref().map(|t| &t.0),
+                        convert,
+                    );
                 }
                 (portion.skipped, portion.step_limit) = (line.unreachable.drain_skipped(), line.step_limit);
                 portion
@@ -204,10 +212,17 @@ fn evaluate_block<T: Send>(
             lines.into_par_iter().map(of_line).collect()
         }
         BlockWork::Portions { portions, travel, untried } => {
-            let of_portion = |(first, stands): (usize, Vec<RowPose>)| {
-                let mut portion = RowResults::new(stands.len());
-                for (i, stand) in (first..).zip(stands) {
-                    swept.evaluate_row(&mut portion, block, i, stand, travel.as_ref().map(|t| &t.0), made);
+            let of_portion = |(first, row_poses): (usize, Vec<RowPose>)| {
+                let mut portion = RowResults::new(row_poses.len());
+                for (i, row_pose) in (first..).zip(row_poses) {
+                    context.evaluate_row(
+                        &mut portion,
+                        block,
+                        i,
+                        row_pose,
+                        travel.as_ref().map(|t| &t.0),
+                        convert,
+                    );
                 }
                 portion
             };
@@ -220,14 +235,14 @@ fn evaluate_block<T: Send>(
         BlockWork::Batches => {
             let starts: Vec<usize> = (0..block.count).step_by(BATCH_ROWS_PER_TASK).collect();
             let rows = |first: usize| first..(first + BATCH_ROWS_PER_TASK).min(block.count);
-            starts.into_par_iter().map(|first| swept.evaluate_batch(block, rows(first), made)).collect()
+            starts.into_par_iter().map(|first| context.evaluate_batch(block, rows(first), convert)).collect()
         }
         BlockWork::Skipped { found_by } => {
             let mut portion = RowResults::new(block.count);
             let mut reach = UnreachableRange::default();
             for i in 0..block.count {
-                let stand = RowPose::Unreached(reach.skip(block.first + i, found_by));
-                swept.evaluate_row(&mut portion, block, i, stand, None, made);
+                let row_pose = RowPose::Unreached(reach.skip(block.first + i, found_by));
+                context.evaluate_row(&mut portion, block, i, row_pose, None, convert);
             }
             portion.skipped = reach.drain_skipped();
             vec![portion]
@@ -247,13 +262,13 @@ struct OutputStage<'o, 's, 'a, T> {
 
 impl<'o, 's, 'a, T> OutputStage<'o, 's, 'a, T> {
     fn new(
-        swept: &'s SweepContext<'a>,
-        made: RowConversion<'o, T>,
+        context: &'s SweepContext<'a>,
+        convert: RowConversion<'o, T>,
         each: &'o mut dyn FnMut(T) -> ControlFlow<()>,
     ) -> Self {
         let end = SweepEnd { rows: 0, rows_without_result: 0, first_error: None, diagnostics: Vec::new() };
-        let came = PipelineResult { end, tally: FindingTally::default(), skipped: None };
-        Self { context: swept, convert: made, each, result: came, unreached: 0 }
+        let result = PipelineResult { end, tally: FindingTally::default(), skipped: None };
+        Self { context, convert, each, result, unreached: 0 }
     }
 
     /// Last row, if too many consecutive rows were not reached; the following rows are then not tried.
@@ -261,6 +276,7 @@ impl<'o, 's, 'a, T> OutputStage<'o, 's, 'a, T> {
         (self.unreached >= MOST_UNREACHED_ROWS).then(|| self.result.end.rows.saturating_sub(1))
     }
 
+    /// Passes the rows of a block on in order, and merges their findings.
     fn output_results(&mut self, portions: Vec<RowResults<T>>) -> Result<ControlFlow<()>, StudyError> {
         for mut portion in portions {
             self.result.tally.append(portion.drain_findings());
@@ -277,10 +293,11 @@ impl<'o, 's, 'a, T> OutputStage<'o, 's, 'a, T> {
         Ok(ControlFlow::Continue(()))
     }
 
+    /// Passes one row on and counts it.
     fn output_row(&mut self, outcome: RowOutcome<T>) -> Result<ControlFlow<()>, StudyError> {
         let end = &mut self.result.end;
-        let (made, reached, error) = match outcome {
-            RowOutcome::Row { made, reached, error } => (made, reached, error),
+        let (converted, reached, error) = match outcome {
+            RowOutcome::Row { converted, reached, error } => (converted, reached, error),
             // An input error before the first result is an error of the question; a later error belongs to the
             // row.
             RowOutcome::Failed { error, .. }
@@ -297,9 +314,10 @@ impl<'o, 's, 'a, T> OutputStage<'o, 's, 'a, T> {
             end.rows_without_result += 1;
             end.first_error.get_or_insert(error);
         }
-        Ok((self.each)(made))
+        Ok((self.each)(converted))
     }
 
+    /// Row without a result because of an error.
     fn failed_row(&self, row: usize, varied: VariedValues, error: &StudyError) -> (T, bool, Option<String>) {
         let why = error.message(self.context.prepared.question.names);
         let row = self.context.row_without_result(row, varied, NO_RESULT_STATUS, why.clone());

@@ -52,7 +52,7 @@ pub(crate) enum RowPose {
 #[derive(Debug)]
 pub(crate) enum RowOutcome<T> {
     /// Value made of the row, true if the pose was reached, and the reason for a missing result.
-    Row { made: T, reached: bool, error: Option<String> },
+    Row { converted: T, reached: bool, error: Option<String> },
     /// Row in error. An input error before the first row with a result ends the sweep; any other error leaves
     /// the row without a result.
     Failed { row: usize, varied: VariedValues, error: StudyError },
@@ -78,7 +78,7 @@ impl<T> RowResults<T> {
     /// Counts a row for findings shared by the whole branch.
     fn add_shared_findings(&mut self, row: usize, findings: &Arc<[Finding]>) {
         match &mut self.shared_findings {
-            Some((said, _, rows)) if Arc::ptr_eq(said, findings) => *rows += 1,
+            Some((last_findings, _, rows)) if Arc::ptr_eq(last_findings, findings) => *rows += 1,
             _ => {
                 self.flush_shared_findings();
                 self.shared_findings = Some((Arc::clone(findings), row, 1));
@@ -86,6 +86,7 @@ impl<T> RowResults<T> {
         }
     }
 
+    /// Adds the pending shared findings, with their number of rows, to the tally.
     fn flush_shared_findings(&mut self) {
         if let Some((findings, first, rows)) = self.shared_findings.take() {
             self.tally.add_repeated(first, rows, &findings);
@@ -121,14 +122,14 @@ impl SweepContext<'_> {
         block: &RowBlock,
         rows: Range<usize>,
     ) -> Vec<RowPose> {
-        let mut stands = Vec::with_capacity(rows.len());
+        let mut row_poses = Vec::with_capacity(rows.len());
         let mut next = rows.start;
         while next < rows.end {
             if let Some(following) = &mut line.path_follower {
                 let values = block.values_from(next, rows.end);
                 let layout = &self.heading.joints;
                 let reached = following.follow(&self.prepared, layout, values, |reached| {
-                    stands.push(match reached {
+                    row_poses.push(match reached {
                         FollowResult::Evaluated(row) => RowPose::Followed(Box::new(row)),
                         FollowResult::Posed(pose) => RowPose::Posed { pose, first: false },
                     });
@@ -142,16 +143,16 @@ impl SweepContext<'_> {
                     break;
                 }
             }
-            let stand = self.next_pose(line, block, next);
+            let row_pose = self.next_pose(line, block, next);
             next += 1;
-            if let RowPose::Posed { pose, .. } = &stand {
+            if let RowPose::Posed { pose, .. } = &row_pose {
                 self.start_path_follower(line, pose, rows.end - next);
             } else {
                 line.path_follower = None;
             }
-            stands.push(stand);
+            row_poses.push(row_pose);
         }
-        stands
+        row_poses
     }
 
     /// Prepares the path follower from a pose, if enough rows are left and the number of followers built on the
@@ -177,26 +178,26 @@ impl SweepContext<'_> {
         portion: &mut RowResults<T>,
         block: &RowBlock,
         i: usize,
-        stand: RowPose,
+        row_pose: RowPose,
         travel: Option<&PointTravel>,
-        made: RowConversion<'_, T>,
+        convert: RowConversion<'_, T>,
     ) {
         let row = block.first + i;
         let varied = VariedValues::new(&self.row_layout.columns, block.values(i));
         let failed = |varied, error| RowOutcome::Failed { row, varied, error };
-        let outcome = match stand {
+        let outcome = match row_pose {
             RowPose::Failed(error) => failed(varied, error),
             RowPose::Unreached(why) => {
-                let made = made(self.row_without_result(row, varied, UNREACHABLE, why.clone()));
-                RowOutcome::Row { made, reached: false, error: Some(why) }
+                let converted = convert(self.row_without_result(row, varied, UNREACHABLE, why.clone()));
+                RowOutcome::Row { converted, reached: false, error: Some(why) }
             }
             RowPose::Followed(followed) => {
                 portion.tally.add(row, followed.own);
                 portion.add_shared_findings(row, &followed.shared_findings);
                 let (mass, error) = followed.mass;
-                let answered =
+                let sweep_row =
                     self.without_pose(row, varied, mass, error, Some(followed.residual), followed.positions);
-                RowOutcome::Row { made: made(answered), reached: true, error: None }
+                RowOutcome::Row { converted: convert(sweep_row), reached: true, error: None }
             }
             RowPose::Posed { pose, first } => {
                 if first {
@@ -205,9 +206,9 @@ impl SweepContext<'_> {
                 match self.prepared.evaluate(&pose, &self.contact) {
                     Err(error) => failed(varied, error),
                     Ok(answer) => {
-                        let answered = self.row_with_pose(row, varied, &pose, &answer, travel);
+                        let sweep_row = self.row_with_pose(row, varied, &pose, &answer, travel);
                         portion.tally.add(row, answer.findings);
-                        RowOutcome::Row { made: made(answered), reached: true, error: None }
+                        RowOutcome::Row { converted: convert(sweep_row), reached: true, error: None }
                     }
                 }
             }
@@ -220,24 +221,24 @@ impl SweepContext<'_> {
         &self,
         block: &RowBlock,
         rows: Range<usize>,
-        made: RowConversion<'_, T>,
+        convert: RowConversion<'_, T>,
     ) -> RowResults<T> {
         let mut portion = RowResults::new(rows.len());
         let Some(lanes) = &self.batch_evaluator else { return portion };
-        let asked = lanes.evaluate(block, rows.clone());
+        let batch_results = lanes.evaluate(block, rows.clone());
         for (at, i) in rows.enumerate() {
-            let Some((mass, error)) = asked.mass(at) else {
+            let Some((mass, error)) = batch_results.mass(at) else {
                 let mut line = LineContinuation::new(self.distance_measure, None, None);
-                let stand = self.next_pose(&mut line, block, i);
-                self.evaluate_row(&mut portion, block, i, stand, None, made);
+                let row_pose = self.next_pose(&mut line, block, i);
+                self.evaluate_row(&mut portion, block, i, row_pose, None, convert);
                 continue;
             };
             let row = block.first + i;
-            lanes.add_findings(&self.prepared, &asked, at, row, &mut portion.tally);
+            lanes.add_findings(&self.prepared, &batch_results, at, row, &mut portion.tally);
             let varied = VariedValues::new(&self.row_layout.columns, block.values(i));
-            let positions = asked.positions(&self.heading.joints, at);
-            let answered = self.without_pose(row, varied, mass, error, None, positions);
-            portion.rows.push(RowOutcome::Row { made: made(answered), reached: true, error: None });
+            let positions = batch_results.positions(&self.heading.joints, at);
+            let sweep_row = self.without_pose(row, varied, mass, error, None, positions);
+            portion.rows.push(RowOutcome::Row { converted: convert(sweep_row), reached: true, error: None });
         }
         portion
     }
@@ -268,6 +269,7 @@ impl SweepContext<'_> {
         }
     }
 
+    /// Row of a result at a pose.
     fn row_with_pose(
         &self,
         row: usize,
@@ -298,6 +300,7 @@ impl SweepContext<'_> {
         }
     }
 
+    /// Row with a status and an error message.
     pub fn row_without_result(
         &self,
         row: usize,

@@ -135,7 +135,7 @@ impl<'a> Sweep<'a> {
             joints: PoseLayout::new(&model.mechanism),
         };
         let (along, lanes) = (rows.distance_measure(), BatchEvaluator::new(&prepared, &setting, &contact));
-        let swept = SweepContext {
+        let context = SweepContext {
             prepared,
             row_layout: setting,
             travel,
@@ -144,7 +144,7 @@ impl<'a> Sweep<'a> {
             distance_measure: along,
             batch_evaluator: lanes,
         };
-        Ok(Self { context: swept, rows, point_finding: about_point })
+        Ok(Self { context, rows, point_finding: about_point })
     }
 
     /// Heading: data common to all rows.
@@ -166,29 +166,31 @@ impl<'a> Sweep<'a> {
         self.run_with_conversion(&|row| row, each)
     }
 
-    /// Same as [`run`](Self::run), but `each` receives the values of `made(row)`. Any thread of rayon's pool
-    /// may call `made`, in any order.
+    /// Same as [`run`](Self::run), but `each` receives the values of `convert(row)`. Any thread of rayon's pool
+    /// may call `convert`, in any order.
     ///
     /// # Errors
     /// As for [`run`](Self::run).
     pub fn run_with_conversion<T: Send>(
         self,
-        made: &(dyn Fn(SweepRow) -> T + Sync),
+        convert: &(dyn Fn(SweepRow) -> T + Sync),
         each: &mut dyn FnMut(T) -> ControlFlow<()>,
     ) -> Result<SweepEnd, StudyError> {
-        let Self { context: swept, rows, point_finding: about_point } = self;
-        let came = pipeline::run(&swept, rows, made, each)
-            .map_err(|error| error.into_varied_fault(|joint| is_varied(&swept.heading.varied, joint)))?;
-        let mut end = came.end;
-        let of_all =
-            about_point.into_iter().chain(continuation_finding(&swept.prepared, swept.heading.continuation));
-        let of_all = of_all.chain(came.skipped.map(skipped_rows_finding));
+        let Self { context, rows, point_finding: about_point } = self;
+        let result = pipeline::run(&context, rows, convert, each)
+            .map_err(|error| error.into_varied_fault(|joint| is_varied(&context.heading.varied, joint)))?;
+        let mut end = result.end;
+        let of_all = about_point
+            .into_iter()
+            .chain(continuation_finding(&context.prepared, context.heading.continuation));
+        let of_all = of_all.chain(result.skipped.map(skipped_rows_finding));
         end.diagnostics =
-            of_all.map(DiagnosticRecord::from).chain(came.tally.into_records(end.rows)).collect();
+            of_all.map(DiagnosticRecord::from).chain(result.tally.into_records(end.rows)).collect();
         Ok(end)
     }
 }
 
+/// True if a joint is among the varied columns.
 fn is_varied(columns: &[VariedColumn], joint: &str) -> bool {
     columns.iter().any(|column| column.joint.as_deref() == Some(joint))
 }
@@ -228,6 +230,7 @@ fn grid(prepared: &PreparedQuestion, ranges: &[Vary]) -> Result<(RowLayout, RowR
     Ok((setting, RowReader::Grid(values)))
 }
 
+/// True if the mechanism has closed loops.
 fn has_loops(prepared: &PreparedQuestion) -> bool {
     let system = &prepared.system;
     system.mechanism().joint_ids().any(|joint| system.is_bound(joint))

@@ -74,8 +74,8 @@ impl<R: BufRead> CsvRecords<R> {
 
     /// Appends a line to the bytes; false at the end.
     fn append_line(&mut self) -> Result<bool, TableError> {
-        let room = (LONGEST_RECORD + 1).saturating_sub(self.bytes.len()) as u64;
-        let read = self.input.by_ref().take(room).read_until(b'\n', &mut self.bytes);
+        let bytes_left = (LONGEST_RECORD + 1).saturating_sub(self.bytes.len()) as u64;
+        let read = self.input.by_ref().take(bytes_left).read_until(b'\n', &mut self.bytes);
         let read = read.map_err(|error| TableError::unreadable(&self.path, &error))?;
         if self.bytes.len() > LONGEST_RECORD {
             return Err(self.record_error(TableFault::TooLong));
@@ -143,8 +143,8 @@ mod tests {
     #[test]
     fn cells_are_split() {
         let text = b"\xEF\xBB\xBFa, b ,\"c,\"\"d\"\"\"\r\n\r\n1,,\n\"x\ny\",2,3";
-        let wanted = [["a", "b", "c,\"d\""], ["1", "", ""], ["x\ny", "2", "3"]];
-        assert_eq!(records(text).unwrap(), wanted);
+        let expected = [["a", "b", "c,\"d\""], ["1", "", ""], ["x\ny", "2", "3"]];
+        assert_eq!(records(text).unwrap(), expected);
     }
 
     #[test]

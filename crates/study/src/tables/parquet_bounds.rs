@@ -128,12 +128,14 @@ struct CompactReader<'b> {
 type HeaderVisitor<'v> = dyn FnMut(&[i16], HeaderEvent) -> Result<(), HeaderFault> + 'v;
 
 impl CompactReader<'_> {
+    /// Reads a byte.
     fn byte(&mut self) -> Result<u8, HeaderFault> {
         let (first, rest) = self.rest.split_first().ok_or(HeaderFault::Truncated)?;
         self.rest = rest;
         Ok(*first)
     }
 
+    /// Skips bytes.
     fn skip(&mut self, bytes: u64) -> Result<(), HeaderFault> {
         let rest = usize::try_from(bytes).ok().and_then(|bytes| self.rest.get(bytes..));
         self.rest = rest.ok_or(HeaderFault::Truncated)?;
@@ -159,6 +161,7 @@ impl CompactReader<'_> {
         Ok((number >> 1).cast_signed() ^ -(number & 1).cast_signed())
     }
 
+    /// Reads a Thrift structure; `visit` receives its fields by path.
     fn structure(&mut self, path: &mut Vec<i16>, visit: &mut HeaderVisitor<'_>) -> Result<(), HeaderFault> {
         if path.len() >= MAX_STRUCT_DEPTH {
             return Err(HeaderFault::Malformed("its structures are nested too deep"));
@@ -188,6 +191,7 @@ impl CompactReader<'_> {
         }
     }
 
+    /// Reads or skips a value of a Thrift type.
     fn value(
         &mut self,
         kind: u8,

@@ -185,6 +185,7 @@ impl CheckedPages {
         Self { pages, has_levels, width, has_dictionary: false }
     }
 
+    /// Refuses a page whose levels or encoding the decoder would not check.
     fn check(&mut self, page: &Page) -> Result<()> {
         let wrong = |why: &str| Err(ParquetError::General(why.into()));
         // Number of values including nulls, and the bytes after the levels.

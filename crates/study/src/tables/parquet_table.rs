@@ -195,6 +195,7 @@ impl ParquetTable {
         Ok(true)
     }
 
+    /// Opens the column readers of the next row group.
     fn begin_group(&mut self) -> Result<(), TableFault> {
         let group = self.metadata.row_group(self.group);
         self.group += 1;
@@ -224,6 +225,7 @@ impl ParquetTable {
     }
 }
 
+/// Fault of a damaged file.
 fn malformed(why: impl Into<String>) -> TableFault {
     TableFault::Malformed { why: why.into() }
 }
@@ -303,6 +305,7 @@ impl ColumnValueReader {
     }
 }
 
+/// Appends the next values of a column; nulls are `None`.
 fn append<T: DataType>(
     column: &mut ColumnReaderImpl<T>,
     count: usize,

@@ -174,6 +174,7 @@ impl TableReader {
     }
 }
 
+/// Table behind a mutex, without locking.
 fn locked_table(table: &mut Mutex<ParquetTable>) -> &mut ParquetTable {
     table.get_mut().unwrap_or_else(PoisonError::into_inner)
 }
@@ -218,6 +219,7 @@ struct PositionCheck {
 }
 
 impl PositionCheck {
+    /// Check of the joints that have columns in the table.
     fn new(prepared: &PreparedQuestion, columns: &Columns) -> Self {
         let mechanism = prepared.system.mechanism();
         let mut first = 0;
@@ -231,6 +233,7 @@ impl PositionCheck {
         Self { base: prepared.configuration.clone(), joints }
     }
 
+    /// Checks the quaternions and large coordinates of a row.
     fn check(&self, values: &[f64]) -> Result<(), TableFault> {
         for (name, numbers, is_quaternion) in &self.joints {
             let own = &values[numbers.clone()];
@@ -241,6 +244,7 @@ impl PositionCheck {
         Ok(())
     }
 
+    /// Configuration of a row.
     fn configuration(&self, values: &[f64]) -> Result<Configuration, TableFault> {
         let mut configuration = self.base.clone();
         for (name, numbers, _) in &self.joints {
@@ -263,6 +267,7 @@ enum TableBytes<'f> {
 }
 
 impl<'f> TableBytes<'f> {
+    /// Opens a file by path, or reads a stream into memory. Error: an unknown kind of file, or too large.
     fn open(file: &'f PositionFile) -> Result<Self, TableError> {
         if file.path != "-" {
             let is_named = ["csv", "parquet"].iter().any(|kind| has_extension(&file.path, kind));
@@ -293,6 +298,7 @@ impl<'f> TableBytes<'f> {
         }
     }
 
+    /// Name for messages.
     fn name(&self) -> &'f str {
         match self {
             TableBytes::Path(path) => path,
@@ -300,6 +306,7 @@ impl<'f> TableBytes<'f> {
         }
     }
 
+    /// Reader of the bytes from the beginning.
     fn text(&self) -> Result<RowText, TableError> {
         Ok(match self {
             TableBytes::Path(path) => {
@@ -328,6 +335,7 @@ impl<'f> TableBytes<'f> {
         Ok(TableReader::Parquet(Box::new(Mutex::new(ParquetTable::open(stored, self.name())?))))
     }
 
+    /// SHA-256 of all bytes.
     fn sha256(&self) -> Result<String, TableError> {
         let mut hash = Sha256::new();
         io::copy(&mut self.text()?, &mut hash)

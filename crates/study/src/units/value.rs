@@ -20,6 +20,7 @@ pub(crate) enum NumberOrText {
 }
 
 impl NumberOrText {
+    /// Number in SI units, after a check of the dimension of its unit.
     fn in_dimension<E: Error>(self, dimension: Dimension) -> Result<f64, E> {
         match self {
             NumberOrText::Number(number) => Ok(number),
@@ -55,6 +56,7 @@ pub(crate) fn positions<'de, D: Deserializer<'de>>(
     BTreeMap::<String, PositionText>::deserialize(from)?.into_iter().map(given).collect()
 }
 
+/// Deserializes three quantities of a dimension.
 fn triple<'de, D: Deserializer<'de>>(from: D, dimension: Dimension) -> Result<[f64; 3], D::Error> {
     let values: Vec<f64> = Vec::<NumberOrText>::deserialize(from)?
         .into_iter()
@@ -84,6 +86,7 @@ pub(crate) fn angles<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D::
     triple(from, Dimension::Angle)
 }
 
+/// Deserializes a number with a unit of a measure.
 fn parse_measure<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f64, D::Error> {
     match NumberOrText::deserialize(from)? {
         NumberOrText::Number(number) => Ok(number),

@@ -26,7 +26,7 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    pub const STILL: Motion =
+    pub const AT_REST: Motion =
         Motion { rate: 0.0, at: Vector2::new(0.0, 0.0), velocity: Vector2::new(0.0, 0.0) };
 
     /// Rotation about a fixed point.
@@ -34,6 +34,7 @@ impl Motion {
         Motion { rate, at, velocity: Vector2::zeros() }
     }
 
+    /// Velocity of the body point at a point of the plane, per unit rate of the input.
     pub fn velocity_of(&self, point: Vector2<f64>) -> Vector2<f64> {
         self.velocity + self.rate * across(point - self.at)
     }
@@ -67,7 +68,7 @@ pub(super) fn dyad(
 pub(super) struct Drawing {
     /// Names of the bodies; the ground is first.
     pub bodies: Vec<&'static str>,
-    /// Sliders first; after [`cut`](Self::cut), pins of the tree before pins that close loops.
+    /// Sliders first; after [`select_spanning_tree`](Self::cut), pins of the tree before pins that close loops.
     pub pins: Vec<Pin>,
     /// Motion of each body.
     pub motions: Vec<Motion>,
@@ -78,7 +79,7 @@ pub(super) struct Drawing {
 impl Drawing {
     /// Selects a spanning tree, preferring the pins that come first, and returns its number of pins; the other
     /// pins close loops. Tree pins are reordered parents first, and each is directed away from the ground.
-    pub fn cut(&mut self) -> usize {
+    pub fn select_spanning_tree(&mut self) -> usize {
         let mut kept = Vec::new();
         let mut rest = Vec::new();
         let mut part: Vec<usize> = (0..self.bodies.len()).collect();
@@ -122,7 +123,7 @@ impl Drawing {
     }
 
     /// Smallest distance between two pins on one body, including the ground, without sliders.
-    pub fn least_bar(&self) -> f64 {
+    pub fn shortest_bar(&self) -> f64 {
         let mut least = f64::INFINITY;
         for body in 0..self.bodies.len() {
             let own = self.pins.iter().filter(|pin| pin.slide.is_none() && pin.bodies.contains(&body));
@@ -137,7 +138,7 @@ impl Drawing {
     /// Singular values, in descending order, of the planar loop rows over the first `tree` pins; angles times `size`.
     pub fn singular_values(&self, tree: usize, size: f64) -> Vec<f64> {
         // Path of pins from a body to the ground.
-        let up = |body: usize| {
+        let path_to_ground = |body: usize| {
             let mut path = Vec::new();
             let mut at = body;
             while let Some(pin) = (0..tree).find(|&pin| self.pins[pin].bodies[1] == at) {
@@ -150,7 +151,7 @@ impl Drawing {
         let mut rows: Mat<f64> = Mat::zeros(2 * closing.len(), tree);
         for (i, closure) in closing.iter().enumerate() {
             for (sign, body) in [(-1.0, closure.bodies[0]), (1.0, closure.bodies[1])] {
-                for pin in up(body) {
+                for pin in path_to_ground(body) {
                     let moves = &self.pins[pin];
                     let column = moves.slide.unwrap_or_else(|| across(closure.at - moves.at) / size);
                     rows[(2 * i, pin)] += sign * column.x;

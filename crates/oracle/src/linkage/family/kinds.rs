@@ -42,20 +42,23 @@ impl Kind {
     }
 }
 
+/// Hinge at a point between two bodies.
 fn hinge(name: &'static str, bodies: [usize; 2], at: Vector2<f64>) -> Pin {
     Pin { name, bodies, at, slide: None }
 }
 
+/// Random point in a square.
 fn point<R: Rng + ?Sized>(rng: &mut R) -> Vector2<f64> {
     Vector2::from_fn(|_, _| rng.random_range(-0.7..0.7))
 }
 
+/// Unit vector at an angle.
 fn along(angle: f64) -> Vector2<f64> {
     Vector2::new(angle.cos(), angle.sin())
 }
 
 /// Creates a random linkage of the order of 1 m; pins are in random order, except that sliders come first.
-pub(super) fn draw<R: Rng + ?Sized>(rng: &mut R, kind: Kind) -> Drawing {
+pub(super) fn random_drawing<R: Rng + ?Sized>(rng: &mut R, kind: Kind) -> Drawing {
     let mut drawing = match kind {
         Kind::FourBar => four_bar(rng),
         Kind::Cranks(count) => cranks(rng, count),
@@ -75,10 +78,11 @@ pub(super) fn draw<R: Rng + ?Sized>(rng: &mut R, kind: Kind) -> Drawing {
     drawing
 }
 
+/// Random four-bar with the ground, two pivoted bars and a coupler.
 fn four_bar<R: Rng + ?Sized>(rng: &mut R) -> Drawing {
     let [o, a, b, c] = [0; 4].map(|_| point(rng));
     let crank = Motion::about(o, 1.0);
-    let [coupler, rocker] = dyad((a, crank), (c, Motion::STILL), b);
+    let [coupler, rocker] = dyad((a, crank), (c, Motion::AT_REST), b);
     Drawing {
         bodies: vec!["ground", "crank", "coupler", "rocker"],
         pins: vec![
@@ -87,7 +91,7 @@ fn four_bar<R: Rng + ?Sized>(rng: &mut R) -> Drawing {
             hinge("rocker_pin", [2, 3], b),
             hinge("rocker_hinge", [0, 3], c),
         ],
-        motions: vec![Motion::STILL, crank, coupler, rocker],
+        motions: vec![Motion::AT_REST, crank, coupler, rocker],
         coupler: 2,
     }
 }
@@ -107,6 +111,7 @@ fn six_bar<R: Rng + ?Sized>(rng: &mut R, ends: [usize; 2]) -> Drawing {
     drawing
 }
 
+/// Random platform on parallel cranks.
 fn cranks<R: Rng + ?Sized>(rng: &mut R, count: usize) -> Drawing {
     const NAMES: [[&str; 3]; 4] = [
         ["crank_1", "hinge_1", "pin_1"],
@@ -118,7 +123,7 @@ fn cranks<R: Rng + ?Sized>(rng: &mut R, count: usize) -> Drawing {
     let mut drawing = Drawing {
         bodies: vec!["ground", "platform"],
         pins: vec![],
-        motions: vec![Motion::STILL, Motion { velocity: across(arm), ..Motion::STILL }],
+        motions: vec![Motion::AT_REST, Motion { velocity: across(arm), ..Motion::AT_REST }],
         coupler: 1,
     };
     for [crank, hinged, pinned] in NAMES.into_iter().take(count) {
@@ -131,6 +136,7 @@ fn cranks<R: Rng + ?Sized>(rng: &mut R, count: usize) -> Drawing {
     drawing
 }
 
+/// Random slider-crank.
 fn slider_crank<R: Rng + ?Sized>(rng: &mut R) -> Drawing {
     let [o, a, b] = [0; 3].map(|_| point(rng));
     let guide = along(rng.random_range(0.0..TAU));
@@ -148,11 +154,12 @@ fn slider_crank<R: Rng + ?Sized>(rng: &mut R) -> Drawing {
             hinge("wrist_pin", [2, 3], b),
             Pin { slide: Some(guide), ..hinge("guide", [0, 3], b) },
         ],
-        motions: vec![Motion::STILL, crank, rod, slider],
+        motions: vec![Motion::AT_REST, crank, rod, slider],
         coupler: 2,
     }
 }
 
+/// Random inverted slider-crank.
 fn inverted<R: Rng + ?Sized>(rng: &mut R) -> Drawing {
     let [o, a, c] = [0; 3].map(|_| point(rng));
     let guide = along(rng.random_range(0.0..TAU));
@@ -168,7 +175,7 @@ fn inverted<R: Rng + ?Sized>(rng: &mut R) -> Drawing {
             hinge("block_hinge", [0, 3], c),
             Pin { slide: Some(guide), ..hinge("guide", [3, 2], c) },
         ],
-        motions: vec![Motion::STILL, crank, Motion { rate, at: a, velocity: va }, Motion::about(c, rate)],
+        motions: vec![Motion::AT_REST, crank, Motion { rate, at: a, velocity: va }, Motion::about(c, rate)],
         coupler: 2,
     }
 }

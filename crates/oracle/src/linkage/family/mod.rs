@@ -17,7 +17,7 @@ pub use tool::Tool;
 
 use crate::maximal::{Outcome, Question, close, effective_mass, moved, poses, residuals};
 use crate::random::{direction, vector, zero_positions};
-use crate::{alter, linkage::family::space::Stood};
+use crate::{alter, linkage::family::space::PlacedDrawing};
 use drawing::Drawing;
 use faer::Mat;
 use nalgebra::{Matrix3, Matrix4, Vector3};
@@ -28,9 +28,9 @@ use rand::{Rng, SeedableRng, rngs::StdRng};
 pub const DECIMALS: [usize; 6] = [12, 9, 7, 6, 5, 4];
 
 /// Smallest accepted ratio of the smallest nonzero singular value of the loops to the largest.
-const REGULAR: f64 = 0.05;
+const MIN_CONDITIONING: f64 = 0.05;
 /// Smallest distance between pins on one body, m.
-const SHORTEST: f64 = 0.2;
+const MIN_BAR: f64 = 0.2;
 /// Contacts per linkage.
 const CONTACTS: usize = 3;
 
@@ -85,15 +85,15 @@ pub fn drawn_as(seed: u64, kind: Kind) -> Drawn {
     let mut rng = StdRng::seed_from_u64(0xFA_0000 + seed);
     let tool = [Tool::None, Tool::Fixed, Tool::Hinged][rng.random_range(0..3)];
     for _ in 0..1000 {
-        let mut drawing = kinds::draw(&mut rng, kind);
-        let tree = drawing.cut();
+        let mut drawing = kinds::random_drawing(&mut rng, kind);
+        let tree = drawing.select_spanning_tree();
         let size = drawing.size();
         let values = drawing.singular_values(tree, size);
-        if drawing.least_bar() < SHORTEST || values[tree - 2] < REGULAR * values[0] {
+        if drawing.shortest_bar() < MIN_BAR || values[tree - 2] < MIN_CONDITIONING * values[0] {
             continue;
         }
         let name = format!("{kind:?} {seed}");
-        let Stood { mechanism, plane } = space::stand(&mut rng, &name, &drawing, tree, tool);
+        let PlacedDrawing { mechanism, plane } = space::place_in_space(&mut rng, &name, &drawing, tree, tool);
         let rows: usize = mechanism.closures().iter().map(|c| c.kind().rows()).sum();
         let loop_joints: Vec<JointId> =
             drawing.pins[..tree].iter().map(|pin| mechanism.find_joint(pin.name).expect("a joint")).collect();
@@ -108,14 +108,14 @@ pub fn drawn_as(seed: u64, kind: Kind) -> Drawn {
             loop_joints,
             contacts: Vec::new(),
         };
-        drawn.contacts = touches(&mut rng, &drawn, &drawing, &plane);
+        drawn.contacts = random_contacts(&mut rng, &drawn, &drawing, &plane);
         return drawn;
     }
     panic!("{kind:?} {seed}: every drawing is nearly singular")
 }
 
 /// Random contacts with a closing speed well above zero in the linkage's motion.
-fn touches(rng: &mut StdRng, drawn: &Drawn, drawing: &Drawing, plane: &space::Plane) -> Vec<Touch> {
+fn random_contacts(rng: &mut StdRng, drawn: &Drawn, drawing: &Drawing, plane: &space::Plane) -> Vec<Touch> {
     let mechanism = &drawn.mechanism;
     let zero = zero_positions(mechanism);
     let x_wl = poses(mechanism, &zero);
@@ -137,12 +137,17 @@ fn touches(rng: &mut StdRng, drawn: &Drawn, drawing: &Drawing, plane: &space::Pl
         let own = mechanism.link(link).inertial().expect("a body");
         let point = own.com + vector(rng, 0.3);
         let normal = direction(rng);
-        let velocity = plane.velocity(&motion, &(turn(&x_wl, link) * point + place(&x_wl, link)));
+        let velocity = plane.velocity(&motion, &(rotation_of(&x_wl, link) * point + origin_of(&x_wl, link)));
         if velocity.norm() < 0.3 * fastest || normal.dot(&velocity).abs() < 0.4 * velocity.norm() {
             continue;
         }
-        let mut touch =
-            Touch { link, point, normal: turn(&x_wl, link).tr_mul(&normal), mass: 0.0, closed_form: None };
+        let mut touch = Touch {
+            link,
+            point,
+            normal: rotation_of(&x_wl, link).tr_mul(&normal),
+            mass: 0.0,
+            closed_form: None,
+        };
         let Outcome::Finite(mass) = drawn.mass_of(mechanism, &zero, &touch, None) else {
             panic!("{}: a contact that cannot be answered", mechanism.name())
         };
@@ -151,8 +156,8 @@ fn touches(rng: &mut StdRng, drawn: &Drawn, drawing: &Drawing, plane: &space::Pl
             let energy = |(id, body): (LinkId, usize)| {
                 let own = mechanism.link(id).inertial().expect("a body");
                 let motion = &drawing.motions[body];
-                let com = turn(&x_wl, id) * own.com + place(&x_wl, id);
-                let spin = turn(&x_wl, id).tr_mul(&plane.normal()) * motion.rate;
+                let com = rotation_of(&x_wl, id) * own.com + origin_of(&x_wl, id);
+                let spin = rotation_of(&x_wl, id).tr_mul(&plane.normal()) * motion.rate;
                 own.mass * plane.velocity(motion, &com).norm_squared() + spin.dot(&(own.about_com * spin))
             };
             let moving = mechanism.link_ids().filter(|id| *id != mechanism.root());
@@ -168,11 +173,13 @@ fn touches(rng: &mut StdRng, drawn: &Drawn, drawing: &Drawing, plane: &space::Pl
     touches
 }
 
-fn turn(x_wl: &[Matrix4<f64>], link: LinkId) -> Matrix3<f64> {
+/// Orientation of a link in the world.
+fn rotation_of(x_wl: &[Matrix4<f64>], link: LinkId) -> Matrix3<f64> {
     x_wl[link.index()].fixed_view::<3, 3>(0, 0).into_owned()
 }
 
-fn place(x_wl: &[Matrix4<f64>], link: LinkId) -> Vector3<f64> {
+/// Origin of a link in the world.
+fn origin_of(x_wl: &[Matrix4<f64>], link: LinkId) -> Vector3<f64> {
     x_wl[link.index()].fixed_view::<3, 1>(0, 3).into_owned()
 }
 
@@ -197,14 +204,14 @@ impl Drawn {
         touch: &Touch,
         threshold: Option<f64>,
     ) -> Outcome {
-        let normal = turn(&poses(mechanism, positions), touch.link) * touch.normal;
+        let normal = rotation_of(&poses(mechanism, positions), touch.link) * touch.normal;
         let question = Question::new(mechanism, positions.to_vec(), touch.link, touch.point, normal);
         effective_mass(&Question { threshold, ..question })
     }
 
     /// Ratio of the smallest to the largest singular value of the loop rows over their joints without `driver`
     /// (angles times the size): small near a dead centre of the driver.
-    pub fn ease(&self, positions: &[Vec<f64>], driver: JointId) -> f64 {
+    pub fn conditioning_of_driver(&self, positions: &[Vec<f64>], driver: JointId) -> f64 {
         // Central differences with the errors h² and ε/h.
         const H: f64 = 1e-5;
         let mechanism = &self.mechanism;
@@ -229,14 +236,14 @@ impl Drawn {
     pub fn at(&self, driver: JointId, value: f64) -> Option<Vec<Vec<f64>>> {
         const STEPS: usize = 4;
         let followers: Vec<JointId> = self.loop_joints.iter().copied().filter(|id| *id != driver).collect();
-        let mut here = zero_positions(&self.mechanism);
+        let mut positions = zero_positions(&self.mechanism);
         for step in 0..=STEPS {
-            here[driver.index()] = vec![value * step as f64 / STEPS as f64];
-            here = close(&self.mechanism, &here, &followers).ok()?;
-            if self.ease(&here, driver) < REGULAR {
+            positions[driver.index()] = vec![value * step as f64 / STEPS as f64];
+            positions = close(&self.mechanism, &positions, &followers).ok()?;
+            if self.conditioning_of_driver(&positions, driver) < MIN_CONDITIONING {
                 return None;
             }
         }
-        Some(here)
+        Some(positions)
     }
 }

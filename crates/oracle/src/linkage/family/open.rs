@@ -1,6 +1,6 @@
 //! Linkages with open loops as drawn.
 
-use super::{Drawn, Kind, drawn_as, place, turn};
+use super::{Drawn, Kind, drawn_as, origin_of, rotation_of};
 use crate::alter;
 use crate::maximal::{close, poses};
 use crate::random::zero_positions;
@@ -52,9 +52,9 @@ pub fn drawn_open(seed: u64, fraction: f64) -> DrawnOpen {
 pub fn gaps(mechanism: &Mechanism, positions: &[Vec<f64>]) -> Vec<f64> {
     let x_wl = poses(mechanism, positions);
     let at = |end: &LoopFrame| {
-        let (r, p) = end
-            .link
-            .map_or((Matrix3::identity(), Vector3::zeros()), |link| (turn(&x_wl, link), place(&x_wl, link)));
+        let (r, p) = end.link.map_or((Matrix3::identity(), Vector3::zeros()), |link| {
+            (rotation_of(&x_wl, link), origin_of(&x_wl, link))
+        });
         r * end.frame.translation + p
     };
     mechanism.closures().iter().map(|c| (at(c.successor()) - at(c.predecessor())).norm()).collect()

@@ -22,6 +22,7 @@ impl Plane {
         self.0.vector(&Vector3::z())
     }
 
+    /// Vector of the plane in the world.
     fn direction(&self, v: Vector2<f64>) -> Vector3<f64> {
         self.0.vector(&v.push(0.0))
     }
@@ -33,14 +34,14 @@ impl Plane {
 }
 
 /// Drawing placed in space.
-pub(super) struct Stood {
+pub(super) struct PlacedDrawing {
     pub mechanism: Mechanism,
     pub plane: Plane,
 }
 
 /// Orientation of the frames.
 #[derive(Clone, Copy, PartialEq)]
-enum Style {
+enum FrameStyle {
     /// General orientations.
     General,
     /// Each frame has its z-axis along the joint axis.
@@ -52,7 +53,8 @@ enum Style {
     Upright,
 }
 
-fn link_turn(rng: &mut StdRng, style: Style, plane: &Plane) -> Matrix3<f64> {
+/// Random orientation of a link frame in a style.
+fn random_link_orientation(rng: &mut StdRng, style: FrameStyle, plane: &Plane) -> Matrix3<f64> {
     const AXES: [[f64; 3]; 5] = [
         [FRAC_PI_2, 0.0, 0.0],
         [-FRAC_PI_2, 0.0, 0.0],
@@ -62,38 +64,45 @@ fn link_turn(rng: &mut StdRng, style: Style, plane: &Plane) -> Matrix3<f64> {
     ];
     let within = plane.0.rotation * rotation_about(&Vector3::z(), rng.random_range(-PI..PI));
     match style {
-        Style::General => frame(rng, 1.0).rotation,
-        Style::AlongZ | Style::Upright => within,
-        Style::AlongAny => within * rotation_from_rpy(AXES[rng.random_range(0..AXES.len())]),
+        FrameStyle::General => frame(rng, 1.0).rotation,
+        FrameStyle::AlongZ | FrameStyle::Upright => within,
+        FrameStyle::AlongAny => within * rotation_from_rpy(AXES[rng.random_range(0..AXES.len())]),
     }
 }
 
 /// Builds a mechanism from a drawing whose first `tree` pins are the tree joints.
-pub(super) fn stand(rng: &mut StdRng, name: &str, drawing: &Drawing, tree: usize, tool: Tool) -> Stood {
+pub(super) fn place_in_space(
+    rng: &mut StdRng,
+    name: &str,
+    drawing: &Drawing,
+    tree: usize,
+    tool: Tool,
+) -> PlacedDrawing {
     let style = match rng.random_range(0..6) {
-        0..=2 => Style::General,
-        3 => Style::AlongZ,
-        4 => Style::AlongAny,
-        _ => Style::Upright,
+        0..=2 => FrameStyle::General,
+        3 => FrameStyle::AlongZ,
+        4 => FrameStyle::AlongAny,
+        _ => FrameStyle::Upright,
     };
     let mut plane = Plane(frame(rng, 0.5));
-    if style == Style::Upright {
+    if style == FrameStyle::Upright {
         plane.0.rotation = rotation_from_rpy([FRAC_PI_2, 0.0, [0.0, FRAC_PI_2][rng.random_range(0..2)]]);
     }
-    let depth = |rng: &mut StdRng| if style == Style::Upright { 0.0 } else { rng.random_range(-0.2..0.2) };
+    let depth =
+        |rng: &mut StdRng| if style == FrameStyle::Upright { 0.0 } else { rng.random_range(-0.2..0.2) };
     let normal = plane.normal();
     // X_wl, with each link's origin on the axis of its parent joint.
     let mut frames = vec![Transform::identity(); drawing.bodies.len()];
     for pin in &drawing.pins[..tree] {
         let origin = plane.0.point(&pin.at.push(depth(rng)));
-        frames[pin.bodies[1]] = Transform::new(link_turn(rng, style, &plane), origin);
+        frames[pin.bodies[1]] = Transform::new(random_link_orientation(rng, style, &plane), origin);
     }
     let mut links = vec![ground()];
     for (i, own) in drawing.bodies.iter().enumerate().skip(1) {
         let pins: Vec<_> = drawing.pins.iter().filter(|pin| pin.bodies.contains(&i)).collect();
         let middle = pins.iter().map(|pin| pin.at).sum::<Vector2<f64>>() / pins.len() as f64;
         let com = plane.0.point(&middle.push(0.0)) + vector(rng, 0.1);
-        links.push(lump(rng, own, frames[i].inverse_point(&com)));
+        links.push(random_body(rng, own, frames[i].inverse_point(&com)));
     }
     let mut joints: Vec<JointDescription> = drawing.pins[..tree]
         .iter()
@@ -113,7 +122,7 @@ pub(super) fn stand(rng: &mut StdRng, name: &str, drawing: &Drawing, tree: usize
         .map(|pin| {
             let [before, after] = pin.bodies;
             let at = plane.0.point(&pin.at.push(depth(rng)));
-            let first = link_turn(rng, style, &plane);
+            let first = random_link_orientation(rng, style, &plane);
             let second = rotation_about(&normal, rng.random_range(0.0..TAU)) * first;
             let inside = |body: usize, turn: Matrix3<f64>| frames[body].inverse() * Transform::new(turn, at);
             debug_assert!(pin.slide.is_none(), "slides come first");
@@ -132,7 +141,7 @@ pub(super) fn stand(rng: &mut StdRng, name: &str, drawing: &Drawing, tree: usize
         .collect();
     if tool != Tool::None {
         let com = vector(rng, 0.1);
-        links.push(lump(rng, "tool", com));
+        links.push(random_body(rng, "tool", com));
         let kind = if tool == Tool::Hinged { JointKind::Continuous } else { JointKind::Fixed };
         let mut joint = JointDescription::new("tool_joint", kind, drawing.bodies[drawing.coupler], "tool")
             .origin(frame(rng, 0.3));
@@ -140,10 +149,11 @@ pub(super) fn stand(rng: &mut StdRng, name: &str, drawing: &Drawing, tree: usize
         joints.push(joint);
     }
     let mechanism = build_with_loops(name, links, joints, closures, Vec::new());
-    Stood { mechanism, plane }
+    PlacedDrawing { mechanism, plane }
 }
 
-fn lump(rng: &mut StdRng, name: &str, com: Vector3<f64>) -> LinkDescription {
+/// Random body with a given centre of mass.
+fn random_body(rng: &mut StdRng, name: &str, com: Vector3<f64>) -> LinkDescription {
     let mut link = body(rng, 0);
     name.clone_into(&mut link.name);
     if let Some(inertial) = &mut link.inertial {

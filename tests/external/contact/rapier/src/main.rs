@@ -14,7 +14,7 @@
 use rapier3d_f64::prelude::*;
 use serde_json::{Value, json};
 
-/// The longest impact that is waited for, in steps.
+/// Largest number of steps of an impact.
 const LONGEST: usize = 100_000;
 
 fn main() {
@@ -57,7 +57,7 @@ fn impact_of_chain(request: &Value, gap: f64) -> [f64; 2] {
         (before, origin) = (made, hinge);
     }
     world.insert_collider(surface(ColliderBuilder::ball(radius).translation(point - origin)), Some(before));
-    // The first step finds out that the ground does not move.
+    // In the first step the engine detects that the ground does not move.
     world.step();
     let (multibody, _) = world.multibody_joints.get_mut(last.expect("a tree")).expect("just made");
     multibody.generalized_velocity_mut().copy_from_slice(&rates);
@@ -130,7 +130,7 @@ fn impact(request: &Value, gap: f64) -> [f64; 2] {
         Some("multibody") => {
             let ground = world.insert_body(RigidBodyBuilder::fixed());
             let handle = world.insert_multibody_joint(ground, struck, hinge).expect("a tree");
-            // The first step finds out that the ground does not move.
+            // In the first step the engine detects that the ground does not move.
             world.step();
             let (multibody, _) = world.multibody_joints.get_mut(handle).expect("just made");
             multibody.generalized_velocity_mut()[0] = -rate;

@@ -10,10 +10,12 @@ use percuss_study::{
 /// Simulators named by one value of `--for`: one, or all.
 pub type Tools = Vec<Tool>;
 
+/// `X,Y,Z`: a point.
 pub fn point(text: &str) -> Result<[f64; 3], String> {
     parse_triple(text, Dimension::Length).map_err(|e| e.to_string())
 }
 
+/// `X,Y,Z`: a direction.
 pub fn normal(text: &str) -> Result<[f64; 3], String> {
     parse_triple(text, Dimension::Plain).map_err(|e| e.to_string())
 }
@@ -33,6 +35,7 @@ pub fn package(text: &str) -> Result<(String, std::path::PathBuf), String> {
     }
 }
 
+/// Mass above zero with an optional unit, kg.
 pub fn kilograms(text: &str) -> Result<f64, String> {
     let mass = Quantity::parse(text)
         .and_then(|q| q.in_dimension(Dimension::Mass, text))
@@ -46,14 +49,16 @@ pub fn plain_kilograms(text: &str) -> Result<f64, String> {
 }
 
 /// Number without a unit; the range is checked later.
-pub fn plain(text: &str) -> Result<f64, String> {
+pub fn plain_number(text: &str) -> Result<f64, String> {
     Quantity::parse(text).and_then(|q| q.in_dimension(Dimension::Plain, text)).map_err(|e| e.to_string())
 }
 
+/// Name of a contact law, checked.
 pub fn law(text: &str) -> Result<String, String> {
     Law::from_name(text).map(|_| text.to_owned()).map_err(|e| e.to_string())
 }
 
+/// Number with an optional unit of a measure.
 fn measured(measure: Measure, text: &str) -> Result<Measured, String> {
     measure.parse(text).map_err(|e| e.to_string())
 }
@@ -64,6 +69,7 @@ pub fn stiffness(text: &str) -> Result<Measured, String> {
         .or_else(|error| measured(Measure::TurnStiffness, text).map_err(|_| error))
 }
 
+/// Dimensionless number, plain or in per cent.
 pub fn ratio(text: &str) -> Result<f64, String> {
     measured(Measure::Ratio, text).map(|m| m.value)
 }
@@ -78,30 +84,37 @@ pub fn joint_stop(text: &str) -> Result<JointStop, String> {
     JointStop::parse(text)
 }
 
+/// Time, s.
 pub fn time(text: &str) -> Result<f64, String> {
     measured(Measure::Time, text).map(|m| m.value)
 }
 
+/// Force, N.
 pub fn force(text: &str) -> Result<f64, String> {
     measured(Measure::Force, text).map(|m| m.value)
 }
 
+/// Pressure, Pa.
 pub fn pressure(text: &str) -> Result<f64, String> {
     measured(Measure::Pressure, text).map(|m| m.value)
 }
 
+/// Energy, J.
 pub fn energy(text: &str) -> Result<f64, String> {
     measured(Measure::Energy, text).map(|m| m.value)
 }
 
+/// Momentum, N·s.
 pub fn momentum(text: &str) -> Result<f64, String> {
     measured(Measure::Momentum, text).map(|m| m.value)
 }
 
+/// Area, m².
 pub fn area(text: &str) -> Result<f64, String> {
     measured(Measure::Area, text).map(|m| m.value)
 }
 
+/// Simulators separated by commas, or `all`.
 pub fn tools(text: &str) -> Result<Tools, String> {
     match text {
         "all" => Ok(Tool::ALL.to_vec()),
@@ -109,6 +122,7 @@ pub fn tools(text: &str) -> Result<Tools, String> {
     }
 }
 
+/// Length above zero with an optional unit, m.
 pub fn metres(text: &str) -> Result<f64, String> {
     let length = Quantity::parse(text)
         .and_then(|q| q.in_dimension(Dimension::Length, text))
@@ -116,6 +130,7 @@ pub fn metres(text: &str) -> Result<f64, String> {
     if length > 0.0 { Ok(length) } else { Err(format!("{length} m; a length above 0 is expected")) }
 }
 
+/// Three moments of inertia, kg·m², not negative.
 pub fn moments(text: &str) -> Result<[f64; 3], String> {
     let moments = parse_triple(text, Dimension::Plain).map_err(|e| e.to_string())?;
     if moments.iter().all(|i| *i >= 0.0) {
@@ -135,7 +150,7 @@ pub enum ToleranceArg {
 }
 
 /// `1e-6` or `mass=2%,point=0.5mm`.
-pub fn any_tolerance(text: &str) -> Result<ToleranceArg, String> {
+pub fn tolerance_argument(text: &str) -> Result<ToleranceArg, String> {
     if text.contains('=') {
         return Tolerance::parse(text).map(ToleranceArg::OfParts).map_err(|e| e.to_string());
     }
@@ -143,6 +158,7 @@ pub fn any_tolerance(text: &str) -> Result<ToleranceArg, String> {
     read.map_err(|e| format!("{e} (with --expect), or mass=2%,point=0.5mm for the model's data"))
 }
 
+/// Relative tolerance, not negative.
 fn tolerance(text: &str) -> Result<f64, String> {
     let value = Quantity::parse(text)
         .and_then(|q| q.in_dimension(Dimension::Plain, text))
@@ -151,7 +167,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 }
 
 /// `POINT=X,Y,Z`: hardpoint and displacement.
-pub fn moved_point(text: &str) -> Result<(String, [f64; 3]), String> {
+pub fn point_shift(text: &str) -> Result<(String, [f64; 3]), String> {
     let (name, by) = assignment(text).map_err(|_| "expected POINT=X,Y,Z, such as lower_ball=0,0,5mm")?;
     Ok((name, point(&by)?))
 }
@@ -208,6 +224,7 @@ fn assignment(text: &str) -> Result<(String, String), String> {
     }
 }
 
+/// `JOINT=VALUES`: reflected inertias separated by commas.
 pub fn armature(text: &str) -> Result<(String, Vec<f64>), String> {
     let (joint, value) = assignment(text)?;
     let values = percuss_study::parse_list(&value, |_| Dimension::Plain).map_err(|e| e.to_string())?;
@@ -228,6 +245,7 @@ fn triples(text: &str) -> (&str, Vec<&str>) {
     (name, found)
 }
 
+/// `LINK:X,Y,Z[:NX,NY,NZ]`: held point with an optional normal.
 pub fn hold(text: &str) -> Result<Hold, String> {
     let (link, found) = triples(text);
     let (at, along) = match found[..] {
@@ -238,6 +256,7 @@ pub fn hold(text: &str) -> Result<Hold, String> {
     Ok(Hold { link: link.to_owned(), point: point(at)?, normal: along })
 }
 
+/// `LINKS[:X,Y,Z[:DX,DY,DZ]]`: links of the classical estimate, point A and direction.
 pub fn estimate(text: &str) -> Result<EstimateQuestion, String> {
     let (links, found) = triples(text);
     let links: Vec<String> = links.split(',').map(str::to_owned).collect();

@@ -1,0 +1,50 @@
+//! Portions of rows, with a check for Ctrl-C after each.
+
+use crate::threads::detached;
+use pyo3::prelude::*;
+use std::ops::Range;
+use std::time::{Duration, Instant};
+
+/// Number of path rows between two checks for Ctrl-C. Fixed, because other portions change the last digits of a
+/// followed path. A single row takes up to some milliseconds.
+const PATH_PORTION: usize = 512;
+/// Portion sizes in configurations: limit of the first portion, limit of all portions, and growth factor. Ctrl-C is
+/// checked between portions. Rows that are solved independently do not depend on the portions.
+const FIRST_PORTION: usize = 1024;
+const LARGEST_PORTION: usize = 1 << 22;
+const GROWTH: f64 = 8.0;
+/// Target duration of a portion.
+const PORTION_DURATION: Duration = Duration::from_millis(50);
+
+/// Runs portions of configurations, with sizes adapted to [`PORTION_DURATION`]; checks for Ctrl-C after each.
+pub fn run_timed_portions(
+    py: Python<'_>,
+    count: usize,
+    mut portion: impl FnMut(Range<usize>) -> PyResult<()> + Send,
+) -> PyResult<()> {
+    let (mut first, mut size) = (0, FIRST_PORTION);
+    while first < count {
+        let count_of_portion = size.min(count - first);
+        let start = Instant::now();
+        detached(py, || portion(first..first + count_of_portion))??;
+        py.check_signals()?;
+        first += count_of_portion;
+        let duration = start.elapsed().as_secs_f64().max(1e-9);
+        let factor = (PORTION_DURATION.as_secs_f64() / duration).clamp(1.0 / GROWTH, GROWTH);
+        size = ((count_of_portion as f64 * factor) as usize).clamp(16, LARGEST_PORTION);
+    }
+    Ok(())
+}
+
+/// Runs portions of a path, of [`PATH_PORTION`] rows; checks for Ctrl-C after each.
+pub fn run_fixed_portions(
+    py: Python<'_>,
+    count: usize,
+    mut portion: impl FnMut(Range<usize>) -> PyResult<()> + Send,
+) -> PyResult<()> {
+    for first in (0..count).step_by(PATH_PORTION) {
+        detached(py, || portion(first..count.min(first + PATH_PORTION)))??;
+        py.check_signals()?;
+    }
+    Ok(())
+}
