@@ -167,7 +167,7 @@ fn beyond_a_float() {
 
 #[test]
 fn regions_and_robots() {
-    let error = BodyRegion::from_name("lower_leg ").map(|region| region.name.as_str());
+    let error = BodyRegion::from_name("lower_leg ").map(|region| region.name);
     assert_eq!(error, Ok("lower-leg"));
     let error = BodyRegion::from_name("cheast").unwrap_err();
     assert_eq!(

@@ -59,10 +59,7 @@ fn nothing_moves_at_rest() {
 /// The least certain rows say so.
 #[test]
 fn the_rows_with_less_behind_them_have_a_note() {
-    let noted: Vec<&str> = BodyRegion::all()
-        .iter()
-        .filter(|region| region.note.is_some())
-        .map(|region| region.name.as_str())
-        .collect();
+    let noted: Vec<&str> =
+        BodyRegion::all().iter().filter(|region| region.note.is_some()).map(|region| region.name).collect();
     assert_eq!(noted, ["face", "neck", "back"]);
 }

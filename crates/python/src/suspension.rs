@@ -14,13 +14,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 fn unit(name: &str) -> PyResult<LengthUnit> {
-    match name {
-        "m" => Ok(LengthUnit::Metre),
-        "cm" => Ok(LengthUnit::Centimetre),
-        "mm" => Ok(LengthUnit::Millimetre),
-        "in" => Ok(LengthUnit::Inch),
-        _ => Err(input(format_args!("unit is \"{name}\"; expected \"m\", \"cm\", \"mm\" or \"in\""))),
-    }
+    let error = || input(format_args!("unit is \"{name}\"; expected \"m\", \"cm\", \"mm\" or \"in\""));
+    LengthUnit::from_name(name).ok_or_else(error)
 }
 
 fn axes(name: &str) -> PyResult<VehicleAxes> {

@@ -3,8 +3,8 @@
 use percuss_study::contact::Law;
 use percuss_study::contact::exports::Tool;
 use percuss_study::{
-    Dimension, EstimateQuestion, GivenPosition, GivenTravel, Hold, JointStop, Measure, Measured, Quantity,
-    RatioPoint, Tolerance, UPWARDS, parse_triple,
+    Dimension, EstimateQuestion, GivenPosition, GivenTravel, Hold, JointStop, Quantity, RatioPoint,
+    Tolerance, UPWARDS, parse_triple,
 };
 
 /// Simulators named by one value of `--for`: one, or all.
@@ -54,23 +54,24 @@ pub fn law(text: &str) -> Result<String, String> {
     Law::from_name(text).map(|_| text.to_owned()).map_err(|e| e.to_string())
 }
 
-fn measured(measure: Measure, text: &str) -> Result<Measured, String> {
-    measure.parse(text).map_err(|e| e.to_string())
+fn measured(dimension: Dimension, text: &str) -> Result<Quantity, String> {
+    dimension.parse(text).map_err(|e| e.to_string())
 }
 
 /// Translational or rotational stiffness; the joint type is checked later.
-pub fn stiffness(text: &str) -> Result<Measured, String> {
-    measured(Measure::Stiffness, text)
-        .or_else(|error| measured(Measure::TurnStiffness, text).map_err(|_| error))
+pub fn stiffness(text: &str) -> Result<Quantity, String> {
+    measured(Dimension::Stiffness, text)
+        .or_else(|error| measured(Dimension::RotationalStiffness, text).map_err(|_| error))
 }
 
 pub fn ratio(text: &str) -> Result<f64, String> {
-    measured(Measure::Ratio, text).map(|m| m.value)
+    measured(Dimension::Ratio, text).map(|m| m.value)
 }
 
 /// Translational or rotational speed; the joint type is checked later.
-pub fn speed(text: &str) -> Result<Measured, String> {
-    measured(Measure::Speed, text).or_else(|error| measured(Measure::TurnSpeed, text).map_err(|_| error))
+pub fn speed(text: &str) -> Result<Quantity, String> {
+    measured(Dimension::Speed, text)
+        .or_else(|error| measured(Dimension::AngularSpeed, text).map_err(|_| error))
 }
 
 /// `JOINT`, `JOINT:lower` or `JOINT:upper`.
@@ -79,27 +80,27 @@ pub fn joint_stop(text: &str) -> Result<JointStop, String> {
 }
 
 pub fn time(text: &str) -> Result<f64, String> {
-    measured(Measure::Time, text).map(|m| m.value)
+    measured(Dimension::Time, text).map(|m| m.value)
 }
 
 pub fn force(text: &str) -> Result<f64, String> {
-    measured(Measure::Force, text).map(|m| m.value)
+    measured(Dimension::Force, text).map(|m| m.value)
 }
 
 pub fn pressure(text: &str) -> Result<f64, String> {
-    measured(Measure::Pressure, text).map(|m| m.value)
+    measured(Dimension::Pressure, text).map(|m| m.value)
 }
 
 pub fn energy(text: &str) -> Result<f64, String> {
-    measured(Measure::Energy, text).map(|m| m.value)
+    measured(Dimension::Energy, text).map(|m| m.value)
 }
 
 pub fn momentum(text: &str) -> Result<f64, String> {
-    measured(Measure::Momentum, text).map(|m| m.value)
+    measured(Dimension::Momentum, text).map(|m| m.value)
 }
 
 pub fn area(text: &str) -> Result<f64, String> {
-    measured(Measure::Area, text).map(|m| m.value)
+    measured(Dimension::Area, text).map(|m| m.value)
 }
 
 pub fn tools(text: &str) -> Result<Tools, String> {
