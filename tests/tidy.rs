@@ -14,9 +14,10 @@ mod modules;
 mod names;
 
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("tests/ is in the workspace").to_path_buf()
@@ -52,17 +53,29 @@ fn files(ending: &str) -> Vec<PathBuf> {
 }
 
 /// Permitted dependencies between the crates of the workspace, without those of tests.
-const ARROWS: [(&str, &[&str]); 14] = [
+const ARROWS: [(&str, &[&str]); 17] = [
     ("percuss-spatial", &[]),
+    ("percuss-tables", &[]),
+    ("percuss-units", &[]),
     ("percuss-mechanism", &["percuss-spatial"]),
     ("percuss-formats", &["percuss-spatial", "percuss-mechanism"]),
+    ("percuss-suspension", &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-units"]),
     ("percuss-dynamics", &["percuss-spatial", "percuss-mechanism"]),
     ("percuss-contact", &[]),
     ("percuss-render", &[]),
     ("percuss-oracle", &["percuss-spatial", "percuss-mechanism"]),
     (
         "percuss-study",
-        &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-dynamics", "percuss-contact"],
+        &[
+            "percuss-spatial",
+            "percuss-units",
+            "percuss-tables",
+            "percuss-mechanism",
+            "percuss-formats",
+            "percuss-suspension",
+            "percuss-dynamics",
+            "percuss-contact",
+        ],
     ),
     (
         "percuss-cli",
@@ -70,6 +83,7 @@ const ARROWS: [(&str, &[&str]); 14] = [
             "percuss-spatial",
             "percuss-mechanism",
             "percuss-formats",
+            "percuss-suspension",
             "percuss-dynamics",
             "percuss-render",
             "percuss-study",
@@ -81,6 +95,7 @@ const ARROWS: [(&str, &[&str]); 14] = [
             "percuss-spatial",
             "percuss-mechanism",
             "percuss-formats",
+            "percuss-suspension",
             "percuss-dynamics",
             "percuss-contact",
             "percuss-study",
@@ -95,6 +110,7 @@ const ARROWS: [(&str, &[&str]); 14] = [
             "percuss-spatial",
             "percuss-mechanism",
             "percuss-formats",
+            "percuss-suspension",
             "percuss-dynamics",
             "percuss-oracle",
             "percuss-study",
@@ -118,6 +134,31 @@ fn crates_depend_along_the_arrows() {
             let ours = other == "percuss" || other.starts_with("percuss-");
             assert!(!ours || allowed.contains(&other), "{name} must not depend on {other}");
         }
+    }
+}
+
+/// Most dependencies of other authors that a user of the library compiles: mostly those of the linear algebra.
+const MOST_DEPENDENCIES: usize = 80;
+
+#[test]
+fn the_library_has_few_dependencies_and_none_in_c() {
+    let tree = Command::new(env!("CARGO"))
+        .args(["tree", "--locked", "-p", "percuss", "-e", "normal,build", "--prefix", "none"])
+        .current_dir(root())
+        .output()
+        .expect("cargo tree");
+    assert!(tree.status.success(), "{}", String::from_utf8_lossy(&tree.stderr));
+    let tree = String::from_utf8(tree.stdout).expect("text");
+    // A name and a version; marks of repetition follow.
+    let versions = tree.lines().map(|line| line.split_whitespace().take(2).collect::<Vec<_>>().join(" "));
+    let others: BTreeSet<String> = versions.filter(|version| !version.starts_with("percuss")).collect();
+    assert!((40..=MOST_DEPENDENCIES).contains(&others.len()), "{} dependencies: {others:#?}", others.len());
+    for version in &others {
+        let name = version.split(' ').next().unwrap_or_default();
+        assert!(
+            !name.ends_with("-sys") && !["cc", "cmake", "bindgen"].contains(&name),
+            "{name} compiles C code"
+        );
     }
 }
 
@@ -158,9 +199,10 @@ fn files_and_folders_import_one_way() {
 }
 
 /// Crates re-exported by the façade; true if all types of the crate are at the root, false if they are in a module.
-const FACADE: [(&str, bool); 6] = [
+const FACADE: [(&str, bool); 7] = [
     ("dynamics", true),
     ("formats", true),
+    ("suspension", false),
     ("mechanism", true),
     ("spatial", false),
     ("contact", false),

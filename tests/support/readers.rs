@@ -1,8 +1,8 @@
 //! Readers of files, called with bytes, for the fuzzer and for the tests of its corpus.
 
-use percuss_formats::suspension::{ImportOptions, import};
 use percuss_formats::{LoadOptions, Source, load, read_mesh};
 use percuss_study::{GivenPose, MassQuestion, Model, Normal, PositionFile, RowSource, StudyFile, Sweep};
+use percuss_suspension::{ImportOptions, import};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::LazyLock;

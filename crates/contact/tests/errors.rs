@@ -179,7 +179,7 @@ fn overflow_is_an_error() {
 
 #[test]
 fn regions_and_robots() {
-    let error = BodyRegion::from_name("lower_leg ").map(|region| region.name.as_str());
+    let error = BodyRegion::from_name("lower_leg ").map(|region| region.name);
     assert_eq!(error, Ok("lower-leg"));
     let error = BodyRegion::from_name("cheast").unwrap_err();
     assert_eq!(

@@ -67,10 +67,7 @@ fn nothing_moves_at_rest() {
 /// The most uncertain rows of the table have a note.
 #[test]
 fn uncertain_regions_have_a_note() {
-    let noted: Vec<&str> = BodyRegion::all()
-        .iter()
-        .filter(|region| region.note.is_some())
-        .map(|region| region.name.as_str())
-        .collect();
+    let noted: Vec<&str> =
+        BodyRegion::all().iter().filter(|region| region.note.is_some()).map(|region| region.name).collect();
     assert_eq!(noted, ["face", "neck", "back"]);
 }

@@ -29,10 +29,9 @@
 //!
 //! This crate contains no dynamics.
 
-pub mod suspension;
+pub mod reading;
 
 mod meshes;
-mod reading;
 mod urdf;
 pub use meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles, read_mesh};
 pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};

@@ -9,4 +9,3 @@ mod plausible;
 mod round_trip;
 mod support;
 mod surfaces;
-mod suspension;

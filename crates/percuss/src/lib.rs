@@ -1,35 +1,4 @@
-//! Effective mass of a mechanism at a contact: a mechanism, a [`Contact`], a [`Pose`], a number in kilograms.
-//!
-//! ```
-//! use percuss::{Conditions, Contact, Inertial, JointDescription, JointKind, LinkDescription};
-//! use percuss::{MechanismBuilder, System};
-//!
-//! fn main() -> Result<(), Box<dyn std::error::Error>> {
-//!     let mechanism = MechanismBuilder::new("pendulum")
-//!         .link(LinkDescription::massless("ground"))
-//!         .link(LinkDescription::new("rod", Inertial::point(2.0, [0.0, 0.0, -0.5])))
-//!         .joint(JointDescription::new("hinge", JointKind::Continuous, "ground", "rod").axis([0.0, 1.0, 0.0]))
-//!         .build()?
-//!         .mechanism;
-//!     let contact = Contact::new(mechanism.find_link("rod")?, [0.0, 0.0, -0.8], [1.0, 0.0, 0.0]);
-//!     let system = System::new(mechanism, &Conditions::new())?;
-//!     let pose = system.pose(&system.configuration())?;
-//!     let response = pose.respond(&contact)?;
-//!     let m = response.effective_mass.kilograms().expect("the pendulum can move");
-//!     assert!((m - 0.78125).abs() < 1e-15);
-//!     Ok(())
-//! }
-//! ```
-//!
-//! A point mass of 2 kg on a massless rod, 0.5 m from the hinge, is hit 0.8 m from the hinge: m̄ = 2 · (0.5/0.8)² kg. In
-//! general, with the mass matrix M, the constraint rows A and the closing speed per joint rate j,
-//!
-//! ```text
-//! m̄ = min { vᵀ M v :  A v = 0,  j v = 1 }
-//! ```
-//!
-//! Lengths are in metres, angles in radians, masses in kilograms. The normal of a contact points out of the contact link into
-//! the other side; its length and sign do not change m̄.
+#![doc = include_str!("../README.md")]
 //!
 //! # Models from files
 //!
@@ -46,7 +15,7 @@
 //! # Ok::<(), percuss::LoadError>(())
 //! ```
 //!
-//! [`suspension::import`] reads hardpoints from the same [`Source`].
+//! With the feature `suspension`, `suspension::import` reads hardpoints from the same [`Source`].
 //!
 //! # Steps of the computation
 //!
@@ -54,9 +23,8 @@
 //! [`ContactResponse`] (m̄, its error, velocities, shares of the links). For many configurations or contacts:
 //! [`Workspace`], [`Batch`], [`ContactMap`]. For matrices of another solver: [`effective_mass()`].
 //!
-//! [`study`] has the analyses of the command line with the same JSON output, [`contact`] the contact laws and the parameters of
-//! simulators. Matrices and vectors are those of [`nalgebra`], which is re-exported. Every type has exactly one name. The
-//! guide `docs/howto/RUST.md` of the repository has more examples.
+//! [`contact`] has the contact laws and the parameters of simulators. Matrices and vectors are those of [`nalgebra`], which is
+//! re-exported. Every type has exactly one name. The guide `docs/howto/RUST.md` of the repository has more examples.
 
 // Links to the pages of the crates, not copies: a copy shows `Matrix<f64, Const<3>, Const<1>, ArrayStorage<f64, 3, 1>>` where the
 // crate's own page has `Vector3<f64>`, since compiled crates do not keep the names of type aliases.
@@ -78,7 +46,7 @@ pub use percuss_dynamics::{
 pub use percuss_formats::{
     Comments, DEFAULT_MAX_MESH_SIZE, DEFAULT_MAX_SIZE, Diagnostic, Facet, LoadError, LoadOptions, Loaded,
     MeshError, MeshFolders, Orientation, Purpose, Shape, Solid, Source, Surface, SurfaceError, Triangles,
-    load, load_file, read_mesh, suspension, write_urdf, write_urdf_with,
+    load, load_file, read_mesh, write_urdf, write_urdf_with,
 };
 pub use percuss_mechanism as mechanism;
 #[doc(no_inline)]
@@ -89,4 +57,7 @@ pub use percuss_mechanism::{
     Problem, Severity, Subject, UnknownName,
 };
 pub use percuss_spatial as spatial;
+#[cfg(feature = "study")]
 pub use percuss_study as study;
+#[cfg(feature = "suspension")]
+pub use percuss_suspension as suspension;

@@ -2,7 +2,6 @@
 
 use percuss::nalgebra::{DMatrix, Vector3};
 use percuss::spatial::{Transform, Twist};
-use percuss::suspension::{ImportOptions, Imported, Rack, Side, Wheel, import};
 use percuss::{
     Assembly, AssemblyError, Base, BranchLimits, Conditions, ConditionsError, Configuration,
     ConfigurationError, Contact, ContactError, ContactResponse, Contributions, Diagnostic, DrawnGap,
@@ -132,32 +131,37 @@ fn limits_where_branches_cross() {
 }
 
 #[test]
-fn a_suspension_from_its_hardpoints() {
-    let options = ImportOptions {
-        side: Some(Side::Left),
-        wheel: Some(Wheel { mass: 10.0, inertia: [0.3, 0.5, 0.3], radius: None }),
-        rack: Some(Rack::Fixed),
-        ..ImportOptions::default()
-    };
-    let imported: Result<Imported, LoadError> =
-        import(&Source::from_text("corner.json", HARDPOINTS), &options);
-    let Imported { mechanism, diagnostics, .. } = imported.unwrap();
-    let diagnostics: Vec<Diagnostic> = diagnostics;
-    assert!(diagnostics.iter().all(|d| d.severity != Severity::Error));
-    let contact = Contact::new(mechanism.find_link("shock_seat").unwrap(), [0.0; 3], [0.0, 0.0, 1.0]);
-    let system = system(mechanism, &Conditions::new());
-    assert_eq!(system.degrees_of_freedom(), 2, "travel and spin");
-    let response = system.pose(&system.configuration()).unwrap().respond(&contact);
-    assert!(matches!(response.unwrap().effective_mass, EffectiveMass::Finite(m) if m > 1.0));
-}
-
-#[test]
 fn a_solver_of_ones_own() {
     own_solver::main().unwrap();
 }
 
-/// Hardpoints with round numbers.
-const HARDPOINTS: &str = r#"{
+#[cfg(feature = "suspension")]
+mod suspensions {
+    use super::{Conditions, Contact, Diagnostic, EffectiveMass, LoadError, Severity, Source, system};
+    use percuss::suspension::{ImportOptions, Imported, Rack, Side, Wheel, import};
+
+    #[test]
+    fn a_suspension_from_its_hardpoints() {
+        let options = ImportOptions {
+            side: Some(Side::Left),
+            wheel: Some(Wheel { mass: 10.0, inertia: [0.3, 0.5, 0.3], radius: None }),
+            rack: Some(Rack::Fixed),
+            ..ImportOptions::default()
+        };
+        let imported: Result<Imported, LoadError> =
+            import(&Source::from_text("corner.json", HARDPOINTS), &options);
+        let Imported { mechanism, diagnostics, .. } = imported.unwrap();
+        let diagnostics: Vec<Diagnostic> = diagnostics;
+        assert!(diagnostics.iter().all(|d| d.severity != Severity::Error));
+        let contact = Contact::new(mechanism.find_link("shock_seat").unwrap(), [0.0; 3], [0.0, 0.0, 1.0]);
+        let system = system(mechanism, &Conditions::new());
+        assert_eq!(system.degrees_of_freedom(), 2, "travel and spin");
+        let response = system.pose(&system.configuration()).unwrap().respond(&contact);
+        assert!(matches!(response.unwrap().effective_mass, EffectiveMass::Finite(m) if m > 1.0));
+    }
+
+    /// Hardpoints with round numbers.
+    const HARDPOINTS: &str = r#"{
   "Name": "corner", "Type": "Suspension", "Template": "DoubleWishboneReduced",
   "Spindle": { "Mass": 2.0, "COM": [0.0, 0.9, -0.02], "Inertia": [0.02, 0.03, 0.025], "Radius": 0.1, "Width": 0.05 },
   "Axle": { "Inertia": 0.3 },
@@ -175,3 +179,4 @@ const HARDPOINTS: &str = r#"{
     "Location Chassis": [0.03, 0.53, 0.4], "Location Upright": [0.05, 0.65, -0.1], "Damping Coefficient": 1e4
   }
 }"#;
+}

@@ -83,6 +83,6 @@ pub fn tools() -> Vec<(&'static str, &'static str)> {
 
 /// Body regions: name, title, mass (kg), stiffness (N/m).
 #[pyfunction]
-pub fn regions() -> Vec<(String, String, f64, f64)> {
-    BodyRegion::all().iter().map(|r| (r.name.clone(), r.title.clone(), r.mass, r.stiffness)).collect()
+pub fn regions() -> Vec<(&'static str, &'static str, f64, f64)> {
+    BodyRegion::all().iter().map(|r| (r.name, r.title, r.mass, r.stiffness)).collect()
 }

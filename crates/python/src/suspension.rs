@@ -15,13 +15,8 @@ use std::sync::Arc;
 
 /// Parses the name of a length unit.
 fn unit(name: &str) -> PyResult<LengthUnit> {
-    match name {
-        "m" => Ok(LengthUnit::Metre),
-        "cm" => Ok(LengthUnit::Centimetre),
-        "mm" => Ok(LengthUnit::Millimetre),
-        "in" => Ok(LengthUnit::Inch),
-        _ => Err(input(format_args!("unit is \"{name}\"; expected \"m\", \"cm\", \"mm\" or \"in\""))),
-    }
+    let error = || input(format_args!("unit is \"{name}\"; expected \"m\", \"cm\", \"mm\" or \"in\""));
+    LengthUnit::from_name(name).ok_or_else(error)
 }
 
 /// Parses the name of vehicle axes.

@@ -16,7 +16,7 @@ SECTIONS = {
     "percuss": "crates/percuss/src/lib.rs",
     "percuss::study": "crates/study/src/lib.rs",
     "percuss::contact": "crates/contact/src/lib.rs",
-    "percuss::suspension": "crates/formats/src/suspension/mod.rs",
+    "percuss::suspension": "crates/suspension/src/lib.rs",
 }
 
 

@@ -216,10 +216,10 @@ pub fn safe_speed(
         schema: "percuss.safe-speed/2",
         percuss: env!("CARGO_PKG_VERSION"),
         inputs: evaluated.prepared.inputs(),
-        region: region.map(|region| region.name.clone()),
+        region: region.map(|region| region.name.to_owned()),
         region_mass: region.map(|region| region.mass),
         region_stiffness: region.map(|region| region.stiffness),
-        region_note: region.and_then(|region| region.note.clone()),
+        region_note: region.and_then(|region| region.note.map(str::to_owned)),
         limited_by: match limit_question.limit {
             Limit::Force(_) => "force",
             Limit::Pressure(..) => "pressure",

@@ -12,7 +12,7 @@ use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_study::contact::Separation;
 use percuss_study::contact::exports::Options;
-use percuss_study::{DampingQuestion, JointStop, Measured, StudyError, check_units};
+use percuss_study::{DampingQuestion, JointStop, Quantity, StudyError, check_units};
 
 /// Heading in the help.
 const DAMPER: &str = "Damper";
@@ -42,7 +42,7 @@ pub struct DampingArgs {
         requires = "restitution",
         help_heading = DAMPER
     )]
-    pub stiffness: Option<Measured>,
+    pub stiffness: Option<Quantity>,
     /// Exponent p of the spring force k x^p.
     ///
     /// 1 is a linear spring (the default), 1.5 a Hertz contact.
@@ -67,7 +67,7 @@ pub struct DampingArgs {
         requires = "restitution",
         help_heading = DAMPER
     )]
-    pub speed: Option<Measured>,
+    pub speed: Option<Quantity>,
     /// Law of the damper (damp --list-laws).
     ///
     /// `percuss damp --list-laws` lists the laws.

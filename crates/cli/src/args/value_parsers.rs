@@ -3,8 +3,8 @@
 use percuss_study::contact::Law;
 use percuss_study::contact::exports::Tool;
 use percuss_study::{
-    Dimension, EstimateQuestion, GivenPosition, GivenTravel, Hold, JointStop, Measure, Measured, Quantity,
-    RatioPoint, Tolerance, UPWARDS, parse_triple,
+    Dimension, EstimateQuestion, GivenPosition, GivenTravel, Hold, JointStop, Quantity, RatioPoint,
+    Tolerance, UPWARDS, parse_triple,
 };
 
 /// Simulators named by one value of `--for`: one, or all.
@@ -58,25 +58,26 @@ pub fn law(text: &str) -> Result<String, String> {
     Law::from_name(text).map(|_| text.to_owned()).map_err(|e| e.to_string())
 }
 
-/// Number with an optional unit of a measure.
-fn measured(measure: Measure, text: &str) -> Result<Measured, String> {
-    measure.parse(text).map_err(|e| e.to_string())
+/// Number with an optional unit of a dimension.
+fn measured(dimension: Dimension, text: &str) -> Result<Quantity, String> {
+    dimension.parse(text).map_err(|e| e.to_string())
 }
 
 /// Translational or rotational stiffness; the joint type is checked later.
-pub fn stiffness(text: &str) -> Result<Measured, String> {
-    measured(Measure::Stiffness, text)
-        .or_else(|error| measured(Measure::TurnStiffness, text).map_err(|_| error))
+pub fn stiffness(text: &str) -> Result<Quantity, String> {
+    measured(Dimension::Stiffness, text)
+        .or_else(|error| measured(Dimension::RotationalStiffness, text).map_err(|_| error))
 }
 
 /// Dimensionless number, plain or in per cent.
 pub fn ratio(text: &str) -> Result<f64, String> {
-    measured(Measure::Ratio, text).map(|m| m.value)
+    measured(Dimension::Ratio, text).map(|m| m.value)
 }
 
 /// Translational or rotational speed; the joint type is checked later.
-pub fn speed(text: &str) -> Result<Measured, String> {
-    measured(Measure::Speed, text).or_else(|error| measured(Measure::TurnSpeed, text).map_err(|_| error))
+pub fn speed(text: &str) -> Result<Quantity, String> {
+    measured(Dimension::Speed, text)
+        .or_else(|error| measured(Dimension::AngularSpeed, text).map_err(|_| error))
 }
 
 /// `JOINT`, `JOINT:lower` or `JOINT:upper`.
@@ -86,32 +87,32 @@ pub fn joint_stop(text: &str) -> Result<JointStop, String> {
 
 /// Time, s.
 pub fn time(text: &str) -> Result<f64, String> {
-    measured(Measure::Time, text).map(|m| m.value)
+    measured(Dimension::Time, text).map(|m| m.value)
 }
 
 /// Force, N.
 pub fn force(text: &str) -> Result<f64, String> {
-    measured(Measure::Force, text).map(|m| m.value)
+    measured(Dimension::Force, text).map(|m| m.value)
 }
 
 /// Pressure, Pa.
 pub fn pressure(text: &str) -> Result<f64, String> {
-    measured(Measure::Pressure, text).map(|m| m.value)
+    measured(Dimension::Pressure, text).map(|m| m.value)
 }
 
 /// Energy, J.
 pub fn energy(text: &str) -> Result<f64, String> {
-    measured(Measure::Energy, text).map(|m| m.value)
+    measured(Dimension::Energy, text).map(|m| m.value)
 }
 
 /// Momentum, N·s.
 pub fn momentum(text: &str) -> Result<f64, String> {
-    measured(Measure::Momentum, text).map(|m| m.value)
+    measured(Dimension::Momentum, text).map(|m| m.value)
 }
 
 /// Area, m².
 pub fn area(text: &str) -> Result<f64, String> {
-    measured(Measure::Area, text).map(|m| m.value)
+    measured(Dimension::Area, text).map(|m| m.value)
 }
 
 /// Simulators separated by commas, or `all`.

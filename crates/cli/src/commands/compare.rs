@@ -11,8 +11,8 @@ use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::wrap_message;
 use percuss_render::{Figure, Panel, Series, Style};
 use percuss_study::{
-    CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Names, RowSource, StudyFigure,
-    StudyFile, compare,
+    CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Dimension, Names, RowSource,
+    StudyFigure, StudyFile, compare,
 };
 use std::fmt::Write as _;
 use std::path::Path;
@@ -270,7 +270,8 @@ pub fn figure(report: &ComparisonReport, requested: &StudyFigure) -> Result<Figu
              that ends in .csv, .xlsx or .json",
         ));
     };
-    let (scale, unit) = if varied.unit == "m" { (1e3, "mm") } else { (180.0 / std::f64::consts::PI, "deg") };
+    let dimension = if varied.unit == "m" { Dimension::Length } else { Dimension::Angle };
+    let (scale, unit) = dimension.display_unit().map_or((1.0, varied.unit), |unit| (unit.per_si, unit.name));
     let series = |i: usize, values: &dyn Fn(usize) -> Option<f64>| Series {
         name: report.designs[i].name.clone(),
         style: if i == 0 { Style::Line } else { Style::Dashed },

@@ -8,9 +8,9 @@ use crate::pictures::import_picture;
 use crate::terminal::failure::Failure;
 use crate::terminal::import_text::import_summary;
 use crate::terminal::report::{write_diagnostics, write_out, write_unescaped};
-use percuss_formats::suspension::{ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import};
 use percuss_formats::{Source, write_urdf_with};
 use percuss_study::DiagnosticRecord;
+use percuss_suspension::{ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import};
 
 /// Runs the command.
 pub fn run(args: &ImportArgs) -> Result<(), Failure> {

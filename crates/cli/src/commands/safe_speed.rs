@@ -146,8 +146,8 @@ pub fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
 fn regions() -> String {
     let mut table = Table::new(["name", "region", "kg", "N/m", "note"]);
     for r in BodyRegion::all() {
-        let note = r.note.clone().unwrap_or_default();
-        table.row([r.name.clone(), r.title.clone(), number(r.mass), number(r.stiffness), note]);
+        let note = r.note.unwrap_or_default().to_owned();
+        table.row([r.name.to_owned(), r.title.to_owned(), number(r.mass), number(r.stiffness), note]);
     }
     format!("{table}\nInformative, from public secondary sources: compare with the purchased\nstandard.\n")
 }

@@ -6,8 +6,8 @@ use crate::files::output::{allow_replacement, write_file};
 use crate::terminal::failure::Failure;
 use crate::terminal::report::write_out;
 use crate::terminal::wrap::wrap_hanging;
-use percuss_formats::suspension::{TemplateOptions, template_names, template_sheet};
 use percuss_mechanism::near_names;
+use percuss_suspension::{TemplateOptions, template_names, template_sheet};
 use std::path::Path;
 
 /// Runs the command.

@@ -1,7 +1,6 @@
 //! Units of a table, and number of significant digits.
 
-use percuss_study::{StudyTable, TableUnit};
-use std::f64::consts::PI;
+use percuss_study::{Dimension, StudyTable, TableUnit};
 
 /// Unit of lengths in a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -65,11 +64,13 @@ impl TableStyle {
 
     /// Unit of a column for a quantity in `rad`, `m`, or another SI unit.
     pub fn unit(&self, si: &'static str) -> ColumnUnit {
-        match (si, self.length, self.angle) {
-            ("m", Length::Millimetre, _) => ColumnUnit { name: "mm", factor: 1e3 },
-            ("rad", _, Angle::Degree) => ColumnUnit { name: "deg", factor: 180.0 / PI },
-            _ => ColumnUnit { name: si, factor: 1.0 },
-        }
+        let unit = match (si, self.length, self.angle) {
+            ("m", Length::Millimetre, _) => Dimension::Length.display_unit(),
+            ("rad", _, Angle::Degree) => Dimension::Angle.display_unit(),
+            _ => None,
+        };
+        let si = ColumnUnit { name: si, factor: 1.0 };
+        unit.map_or(si, |unit| ColumnUnit { name: unit.name, factor: unit.per_si })
     }
 
     /// Rounds a number for output; `error` is a bound on its error, if known.

@@ -1,12 +1,12 @@
 //! Picture of an import: hardpoints, links and wheels.
 
-use percuss_formats::suspension::Understood;
 use percuss_render::{Drawing, DrawnCircle, DrawnLine};
+use percuss_suspension::Understood;
 
 /// Drawing from the front and from the left.
 pub fn picture(of: &Understood, source: &str) -> Drawing {
-    let line = |line: &percuss_formats::suspension::Line| DrawnLine { ends: line.ends, intensity: None };
-    let circle = |wheel: &percuss_formats::suspension::WheelCircle| {
+    let line = |line: &percuss_suspension::Line| DrawnLine { ends: line.ends, intensity: None };
+    let circle = |wheel: &percuss_suspension::WheelCircle| {
         let (centre, axis) = (wheel.centre, wheel.axis);
         Some(DrawnCircle { centre, axis, radius: wheel.radius? })
     };

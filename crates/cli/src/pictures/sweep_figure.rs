@@ -4,7 +4,7 @@ use crate::terminal::failure::Failure;
 use crate::terminal::text::short_number;
 use indicatif::ProgressBar;
 use percuss_render::{Figure, Mark, Panel, Series, Style};
-use percuss_study::{Continuation, MassQuestion, StudyFigure, Sweep, SweepEnd, VariedColumn};
+use percuss_study::{Continuation, Dimension, MassQuestion, StudyFigure, Sweep, SweepEnd, VariedColumn};
 use std::ops::ControlFlow;
 
 /// Points of a curve: the varied number in the unit of the axis, and the value if any.
@@ -18,11 +18,12 @@ const MAX_CURVES: usize = 7;
 
 /// Scale factor from SI, and unit of the axis for a varied number.
 fn axis_unit(column: &VariedColumn) -> (f64, &'static str) {
-    match column.unit {
-        "m" => (1e3, "mm"),
-        "rad" => (180.0 / std::f64::consts::PI, "deg"),
-        _ => (1.0, ""),
-    }
+    let unit = match column.unit {
+        "m" => Dimension::Length.display_unit(),
+        "rad" => Dimension::Angle.display_unit(),
+        _ => None,
+    };
+    unit.map_or((1.0, ""), |unit| (unit.per_si, unit.name))
 }
 
 /// Legend of the estimate.

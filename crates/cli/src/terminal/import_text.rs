@@ -2,7 +2,7 @@
 
 use crate::terminal::escape::line;
 use crate::terminal::wrap;
-use percuss_formats::suspension::{Side, Understood};
+use percuss_suspension::{Side, Understood};
 use std::fmt::Write;
 
 /// Summary as one table: contents of the file, lengths, masses.

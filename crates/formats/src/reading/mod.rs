@@ -1,7 +1,10 @@
-//! Sources, diagnostics, and limits of input.
+//! Sources, diagnostics, and limits of input, for all readers of model files.
 
 pub(crate) mod diagnostic;
 pub(crate) mod limits;
 pub(crate) mod prescan;
 pub(crate) mod report;
 pub(crate) mod source;
+
+pub use limits::{LONGEST_NAME, MOST_FINDINGS, OBLIQUE_PINS};
+pub use report::{Place, Report, cut, quoted, shortened};

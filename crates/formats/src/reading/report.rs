@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 /// Position of a finding.
 #[derive(Clone, Copy)]
-pub(crate) enum Place<'a, 'i> {
+pub enum Place<'a, 'i> {
     /// The whole file.
     File,
     /// Byte offset in the text.
@@ -30,7 +30,7 @@ struct Item {
 
 /// Findings collected so far.
 #[derive(Default)]
-pub(crate) struct Report {
+pub struct Report {
     items: Vec<Item>,
     counts: [usize; 3],
     folded: HashMap<(&'static str, String), Option<usize>>,
@@ -86,7 +86,7 @@ impl Report {
     }
 
     /// Adds a finding once per `kind`; repetitions are counted.
-    pub fn fold(
+    pub(crate) fn fold(
         &mut self,
         severity: Severity,
         code: &'static str,
@@ -109,7 +109,7 @@ impl Report {
     }
 
     /// Adds the error for a xacro file, at most once.
-    pub fn xacro(&mut self, place: Place<'_, '_>, sign: &str) {
+    pub(crate) fn xacro(&mut self, place: Place<'_, '_>, sign: &str) {
         let message = || {
             format!(
                 "this is a xacro file, not yet a URDF (it has {sign}): run \"xacro FILE.xacro > FILE.urdf\" and \
@@ -122,7 +122,7 @@ impl Report {
     }
 
     /// True if the file is a xacro file; all other findings are then irrelevant.
-    pub fn is_xacro(&self) -> bool {
+    pub(crate) fn is_xacro(&self) -> bool {
         self.is_xacro
     }
 
@@ -215,17 +215,17 @@ fn path_of(node: Node<'_, '_>) -> String {
 }
 
 /// Text in quotes on one line, truncated to `LONGEST_SHOWN` characters.
-pub(crate) fn quoted(text: &str) -> String {
+pub fn quoted(text: &str) -> String {
     format!("\"{}\"", shortened(text))
 }
 
 /// Text on one line, truncated to `LONGEST_SHOWN` characters.
-pub(crate) fn shortened(text: &str) -> String {
+pub fn shortened(text: &str) -> String {
     cut(text, LONGEST_SHOWN)
 }
 
 /// Text on one line, truncated to `longest` characters.
-pub(crate) fn cut(text: &str, longest: usize) -> String {
+pub fn cut(text: &str, longest: usize) -> String {
     let printable = |c: char| if c.is_control() { ' ' } else { c };
     match text.char_indices().nth(longest) {
         Some((end, _)) => text[..end].chars().map(printable).chain(['…']).collect(),

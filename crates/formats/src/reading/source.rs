@@ -54,8 +54,8 @@ impl Source {
         Source { name: name.into(), bytes: text.into().into_bytes() }
     }
 
-    /// Returns the bytes as text, without a byte order mark.
-    pub(crate) fn text(&self, report: &mut Report) -> Option<&str> {
+    /// Returns the bytes as text, without a byte order mark; `None`, with an error in the report, if they are not UTF-8 text.
+    pub fn text(&self, report: &mut Report) -> Option<&str> {
         let bytes = self.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&self.bytes);
         let utf16 =
             [&b"\xFF\xFE"[..], b"\xFE\xFF", b"<\0", b"\0<"].iter().any(|mark| bytes.starts_with(mark));

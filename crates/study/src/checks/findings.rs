@@ -4,13 +4,13 @@ use crate::checks::far_point_check;
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::question::field::{Field, Names};
 use crate::thresholds::{FAR_FROM_GUESS, WARNED_RELATIVE_ERROR};
-use crate::units::position::GivenPosition;
-use crate::units::quantity::{Dimension, position_dimension};
+use crate::units::position::{GivenPosition, position_dimension};
 use percuss_dynamics::{
     Assembly, BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose, Remark,
     RigidLoops, Singularity, System,
 };
 use percuss_mechanism::{JointId, JointKind, Limits, Mechanism};
+use percuss_units::Dimension;
 
 /// Remainder of x modulo the period, from −period/2 to period/2.
 fn remainder(x: f64, period: f64) -> f64 {

@@ -8,10 +8,10 @@ use crate::question::error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::FACETS;
 use percuss_dynamics::{ContactResponse, PointVelocity, Pose};
-use percuss_formats::suspension::WheelCircle;
 use percuss_formats::{DEFAULT_MAX_MESH_SIZE, MeshFolders, Purpose, Shape, Surface};
 use percuss_mechanism::{LinkId, Mechanism, Severity};
 use percuss_spatial::Vector3;
+use percuss_suspension::WheelCircle;
 use std::path::Path;
 
 /// Drawing of a link; coordinates in the world frame, m.

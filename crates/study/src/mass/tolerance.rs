@@ -9,8 +9,7 @@ use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::SAMPLES;
-use crate::units::measure::Measure;
-use crate::units::quantity::{Dimension, Quantity};
+use percuss_units::{Dimension, Quantity};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -115,7 +114,7 @@ impl Tolerance {
             let wrong = |why: String| ToleranceError { part: part.to_owned(), why };
             let (what, value) = part.split_once('=').ok_or_else(|| wrong("no = in it".into()))?;
             let what = what.trim();
-            let ratio = || Measure::Ratio.parse(value).map(|m| m.value).map_err(|e| wrong(e.to_string()));
+            let ratio = || Dimension::Ratio.parse(value).map(|m| m.value).map_err(|e| wrong(e.to_string()));
             let length = || {
                 Quantity::parse(value)
                     .and_then(|q| q.in_dimension(Dimension::Length, value))

@@ -3,9 +3,9 @@
 use crate::model::changes::Changes;
 use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::Sheet;
-use percuss_formats::suspension::Imported;
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Shape, Source, load};
 use percuss_mechanism::{ClosureDescription, Mechanism};
+use percuss_suspension::Imported;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::path::Path;

@@ -1,9 +1,9 @@
 //! Suspension file in memory, for repeated imports with moved points.
 
 use crate::thresholds::LARGEST_STUDY;
-use percuss_formats::suspension::{ImportOptions, Imported, import};
 use percuss_formats::{LoadError, Source};
 use percuss_mechanism::Accept;
+use percuss_suspension::{ImportOptions, Imported, import};
 use std::path::Path;
 
 /// Sheet, table or JSON file of a suspension in memory, with import options.

@@ -2,9 +2,9 @@
 
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
-use crate::units::measure::{Measure, Measured};
 use percuss_contact::exports::{Options, Tool};
 use percuss_contact::{ContactLawError, Law, Separation};
+use percuss_units::{Dimension, Quantity};
 
 /// Requested restitution and the other data of a damper, except the mass.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,20 +90,20 @@ impl DampingQuestion {
 /// [`StudyError`] with the field and the expected unit.
 pub fn check_units(
     question: &DampingQuestion,
-    stiffness: Measured,
-    speed: Option<Measured>,
+    stiffness: Quantity,
+    speed: Option<Quantity>,
     turns: bool,
 ) -> Result<(), StudyError> {
     let exponent = question.exponent;
-    if stiffness.unit.is_some() && exponent != 1.0 {
+    if stiffness.dimension.is_some() && exponent != 1.0 {
         return Err(StudyError::input(Field::Stiffness, Fault::UnitOfLinearSpring { exponent }));
     }
-    let stiffness_unit =
-        if turns { (Measure::TurnStiffness, "N·m/rad") } else { (Measure::Stiffness, "N/m") };
-    let speed_unit = if turns { (Measure::TurnSpeed, "rad/s") } else { (Measure::Speed, "m/s") };
-    let given = [(Field::Stiffness, Some(stiffness), stiffness_unit), (Field::Speed, speed, speed_unit)];
-    for (field, given, (measure, expected)) in given {
-        if given.and_then(|given| given.unit).is_some_and(|unit| unit != measure) {
+    let of_stiffness = if turns { Dimension::RotationalStiffness } else { Dimension::Stiffness };
+    let of_speed = if turns { Dimension::AngularSpeed } else { Dimension::Speed };
+    let given = [(Field::Stiffness, Some(stiffness), of_stiffness), (Field::Speed, speed, of_speed)];
+    for (field, given, expected) in given {
+        if given.and_then(|given| given.dimension).is_some_and(|dimension| dimension != expected) {
+            let expected = expected.si_unit();
             return Err(StudyError::input(field, Fault::UnitOfMotion { turns, expected }));
         }
     }

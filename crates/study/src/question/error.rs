@@ -7,7 +7,6 @@ use crate::thresholds::{
     DIRECTIONS, GRID_ROWS, LARGEST_COORDINATE, LEAST_EDGE, LEAST_OTHER_MASS, ROWS, SAMPLES,
     SHORTEST_DIRECTION,
 };
-use crate::units::quantity::QuantityError;
 use percuss_contact::ContactLawError;
 use percuss_contact::exports::ExportError;
 use percuss_dynamics::{
@@ -16,6 +15,7 @@ use percuss_dynamics::{
 };
 use percuss_formats::{MeshError, SurfaceError};
 use percuss_mechanism::{JointKind, UnknownName};
+use percuss_units::QuantityError;
 
 /// Fault of one part of a question.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -1,7 +1,7 @@
 //! Travel that drives the pose of a question: a point, a direction, and a displacement.
 
 use crate::question::vary::{Varied, Vary, split};
-use crate::units::quantity::{Dimension, Quantity, QuantityError, parse_triple};
+use percuss_units::{Dimension, Quantity, QuantityError, parse_triple};
 
 /// Requested displacement of a point of a link along a direction, measured from the point's position at the set
 /// joint positions. A sweep over a travel varies the same quantity.

@@ -1,10 +1,10 @@
 //! Errors of a file of positions: place, cause, expected value and remedy.
 
 use crate::question::field::{Field, Names};
-use crate::thresholds::LONGEST_RECORD;
-use crate::units::quantity::Dimension;
 use percuss_dynamics::{AssemblyError, ConfigurationError};
 use percuss_mechanism::UnknownName;
+use percuss_tables::FormatFault;
+use percuss_units::Dimension;
 use std::io;
 
 /// Error of a file of positions, with its place.
@@ -27,12 +27,9 @@ pub struct TableError {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TableFault {
-    /// Unreadable file.
-    #[error("cannot be read: {why}")]
-    Unreadable {
-        /// Message of the operating system.
-        why: String,
-    },
+    /// Unreadable or malformed file.
+    #[error(transparent)]
+    Format(#[from] FormatFault),
     /// Standard input larger than the limit.
     #[error("larger than the limit of {limit} bytes; name a file instead of -, which is read row by row")]
     TooLarge {
@@ -48,15 +45,6 @@ pub enum TableFault {
     /// File without rows.
     #[error("it has a header and no rows; expected a row for each configuration")]
     NoRows,
-    /// File is not UTF-8 text.
-    #[error("not UTF-8 text; a table is comma-separated text")]
-    NotText,
-    /// Quote that is not closed.
-    #[error("a quote is not closed")]
-    OpenQuote,
-    /// Line longer than the limit.
-    #[error("the line is longer than {LONGEST_RECORD} bytes")]
-    TooLong,
     /// Cells with another separator than a comma.
     #[error("the header has no comma and {} \"{separator}\"; expected cells separated by commas", count)]
     Separator {
@@ -70,41 +58,9 @@ pub enum TableFault {
         "its name ends in neither .csv nor .parquet, and it does not begin as a Parquet file; expected a table of one of these kinds"
     )]
     Kind,
-    /// File is not a Parquet file, or is incomplete.
-    #[error("it is not a complete Parquet file: it does not begin and end with PAR1")]
-    NoParquet,
-    /// Encrypted Parquet file.
-    #[error("it is encrypted; expected a Parquet file that is not")]
-    Encrypted,
-    /// Malformed Parquet file.
-    #[error("it is no well-formed Parquet file: {why}")]
-    Malformed {
-        /// Cause.
-        why: String,
-    },
-    /// Unsupported compression: codecs without a stated size in memory, or without practical use.
-    #[error("it is compressed with {name}; expected no compression, Snappy, Zstandard or LZ4")]
-    Codec {
-        /// Name of the codec.
-        name: String,
-    },
-    /// Parquet column without numbers.
-    #[error("the column holds {got}; expected floating-point numbers or integers")]
-    ColumnKind {
-        /// Kind of the values.
-        got: String,
-    },
     /// Null value in a Parquet file.
     #[error("the value is null; expected a number")]
     Null,
-    /// Number of rows above the limit of a sweep.
-    #[error("it has {rows} rows; expected {most} at most")]
-    Rows {
-        /// Stated number of rows.
-        rows: u128,
-        /// Largest number of rows.
-        most: usize,
-    },
     /// Column name that is not a joint name.
     #[error(transparent)]
     UnknownColumn(#[from] UnknownName),
@@ -146,7 +102,7 @@ pub enum TableFault {
         first: usize,
     },
     /// Unknown unit.
-    #[error("\"{unit}\" is no unit of a position; expected {expected}, in deg, rad, mm, cm or m")]
+    #[error("\"{unit}\" is no unit of a position; expected {expected}, in {}", unit_names(*expected))]
     UnknownUnit {
         /// Given unit.
         unit: String,
@@ -205,6 +161,11 @@ fn column_count_text(columns: usize) -> String {
     if columns == 1 { "1 position is".into() } else { format!("{columns} positions are") }
 }
 
+/// Names of the units of a dimension.
+fn unit_names(dimension: Dimension) -> String {
+    dimension.units().map(|unit| unit.name).collect::<Vec<_>>().join(", ")
+}
+
 /// First eight names and the number of further names.
 fn quoted(names: &[String]) -> String {
     let some: Vec<String> = names.iter().take(8).map(|name| format!("\"{name}\"")).collect();
@@ -214,13 +175,18 @@ fn quoted(names: &[String]) -> String {
 
 impl TableError {
     /// Error of a whole file.
-    pub(crate) fn in_file(path: &str, fault: TableFault) -> Self {
-        Self { path: path.to_owned(), line: None, row: None, column: None, fault: Box::new(fault) }
+    pub(crate) fn in_file(path: &str, fault: impl Into<TableFault>) -> Self {
+        Self { path: path.to_owned(), line: None, row: None, column: None, fault: Box::new(fault.into()) }
     }
 
     /// Error at a line of a file.
-    pub(crate) fn at_line(path: &str, line: usize, fault: TableFault) -> Self {
+    pub(crate) fn at_line(path: &str, line: usize, fault: impl Into<TableFault>) -> Self {
         Self { line: Some(line), ..Self::in_file(path, fault) }
+    }
+
+    /// Error in a row, from 0, or in the header before the first row, of a file without lines.
+    pub(crate) fn at_row(path: &str, row: Option<usize>, fault: impl Into<TableFault>) -> Self {
+        Self { row, ..Self::in_file(path, fault) }
     }
 
     /// The same error in a column, given by number and name.
@@ -230,7 +196,7 @@ impl TableError {
 
     /// Error of reading a file.
     pub(crate) fn unreadable(path: &str, error: &io::Error) -> Self {
-        Self::in_file(path, TableFault::Unreadable { why: error.to_string() })
+        Self::in_file(path, FormatFault::from(error))
     }
 
     /// Message with the names of `names`: flags, study keys or fields.

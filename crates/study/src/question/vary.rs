@@ -1,7 +1,7 @@
 //! Ranges of a sweep: the varied quantity and its values.
 
 use crate::thresholds::ROWS;
-use crate::units::quantity::{Dimension, Quantity, QuantityError, parse_triple};
+use percuss_units::{Dimension, Quantity, QuantityError, parse_triple};
 
 /// Varied quantity.
 #[derive(Clone, Debug, PartialEq)]

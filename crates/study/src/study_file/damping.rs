@@ -3,10 +3,10 @@
 use crate::damper::joint_stop::JointStop;
 use crate::question::damping_question::DampingQuestion;
 use crate::question::refusal::InvalidKey;
-use crate::units::measure::Measured;
 use crate::units::value::{self, NumberOrText, Words};
 use percuss_contact::exports::Tool;
 use percuss_contact::{Law, Separation};
+use percuss_units::Quantity;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -21,13 +21,13 @@ pub(crate) struct DampingText {
     /// N·m/rad.
     #[serde(deserialize_with = "value::stiffness")]
     #[schemars(with = "NumberOrText")]
-    pub stiffness: Measured,
+    pub stiffness: Quantity,
     /// Exponent p of the spring's force k x^p: 1 linear, 1.5 Hertz.
     pub exponent: Option<f64>,
     /// Approach speed, m/s; for a rotating joint rad/s.
     #[serde(default, deserialize_with = "value::speed")]
     #[schemars(with = "Option<NumberOrText>")]
-    pub speed: Option<Measured>,
+    pub speed: Option<Quantity>,
     /// The damper law; percuss damp --list-laws.
     #[serde(default = "kelvin_voigt")]
     #[schemars(extend("enum" = laws()))]

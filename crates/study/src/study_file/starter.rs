@@ -10,6 +10,7 @@ use crate::question::field::{Field, Names};
 use crate::question::mass_question::{MassQuestion, Normal};
 use percuss_dynamics::{Base, Conditions, System};
 use percuss_mechanism::{LinkId, Mechanism};
+use percuss_units::{Dimension, Unit};
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -340,7 +341,7 @@ impl StarterWriter<'_> {
         let joint = free.iter().filter(is_single).find(|joint| carrying.contains(&joint.name.as_str()));
         let joint = joint.or_else(|| free.iter().find(is_single))?;
         let at = self.report.pose.get(&joint.name)?.first().copied()?;
-        let (scale, unit) = unit(joint)?;
+        let Unit { name: unit, per_si: scale, .. } = *unit(joint)?;
         // Small range on both sides, within the limits.
         let side = if unit == "deg" { 10_f64.to_radians() } else { 0.02 };
         let [low, high] = joint.limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
@@ -386,12 +387,11 @@ impl StarterWriter<'_> {
     }
 }
 
-/// Display unit of a position, and the number of units per SI unit; `None` unless the position is a single
-/// number.
-fn unit(joint: &JointRecord) -> Option<(f64, &'static str)> {
+/// Display unit of a position; `None` unless the position is a single number.
+fn unit(joint: &JointRecord) -> Option<&'static Unit> {
     match joint.kind {
-        "revolute" | "continuous" => Some((180.0 / std::f64::consts::PI, "deg")),
-        "prismatic" => Some((1e3, "mm")),
+        "revolute" | "continuous" => Dimension::Angle.display_unit(),
+        "prismatic" => Dimension::Length.display_unit(),
         _ => None,
     }
 }
@@ -400,7 +400,7 @@ fn unit(joint: &JointRecord) -> Option<(f64, &'static str)> {
 fn limits_text(joint: &JointRecord) -> String {
     let shown = |x: f64, scale: f64| (x * scale * 1e3).round() / 1e3 + 0.0;
     match (joint.limits, unit(joint)) {
-        (Some([low, high]), Some((scale, unit))) => {
+        (Some([low, high]), Some(&Unit { name: unit, per_si: scale, .. })) => {
             format!(", {} to {} {unit}", shown(low, scale), shown(high, scale))
         }
         _ => String::new(),

@@ -7,10 +7,11 @@ use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::varied_values::VariedColumn;
 use crate::question::vary::{Varied, Vary};
-use crate::units::quantity::{Dimension, position_dimension};
+use crate::units::position::position_dimension;
 use nalgebra::Vector3;
 use percuss_dynamics::{Configuration, System};
 use percuss_mechanism::{JointId, LinkId};
+use percuss_units::Dimension;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -97,7 +98,7 @@ impl RowLayout {
             first = numbers.end;
             columns.extend((0..kind.positions()).map(|i| VariedColumn {
                 name: if kind.positions() == 1 { name.to_owned() } else { format!("{name}[{i}]") },
-                unit: position_dimension(kind, i).unit(),
+                unit: position_dimension(kind, i).si_unit(),
                 joint: Some(name.to_owned()),
             }));
             set.push(LayoutJoint { joint, name: name.to_owned(), numbers });

@@ -2,8 +2,9 @@
 
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::question::table_error::{TableError, TableFault};
-use crate::units::quantity::{Unit, position_dimension};
+use crate::units::position::position_dimension;
 use percuss_mechanism::{JointId, Mechanism};
+use percuss_units::{Dimension, Unit};
 use std::collections::HashMap;
 
 /// Target and unit of the cells in a column.
@@ -11,13 +12,13 @@ use std::collections::HashMap;
 struct ColumnTarget {
     /// Index in the numbers of a row.
     value: usize,
-    unit: Unit,
+    unit: Option<&'static Unit>,
 }
 
 impl ColumnTarget {
     /// Stores a number, converted to SI units, in a row. Returns false if the number is not finite.
     fn store(&self, read: f64, values: &mut [f64]) -> bool {
-        let value = self.unit.to_si(read);
+        let value = self.unit.map_or(read, |unit| unit.to_si(read));
         if value.is_finite() {
             values[self.value] = value;
         }
@@ -37,6 +38,9 @@ pub(crate) struct Columns {
     pub width: usize,
 }
 
+/// Position component of a column and unit of its cells; `None` for SI units.
+type ColumnMeaning = (PositionComponent, Option<&'static Unit>);
+
 /// Position component of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct PositionComponent {
@@ -54,7 +58,7 @@ impl Columns {
     ) -> Result<Self, TableError> {
         let mechanism = prepared.system.mechanism();
         let known = components_by_name(mechanism);
-        let mut found: Vec<Option<(PositionComponent, Unit)>> = Vec::with_capacity(names.len());
+        let mut found: Vec<Option<ColumnMeaning>> = Vec::with_capacity(names.len());
         for (at, name) in names.iter().enumerate() {
             let refuse = |fault: TableFault| at_names(fault).in_column(at, name);
             if ignore.contains(name) {
@@ -95,7 +99,7 @@ impl Columns {
         if !missing.is_empty() {
             return Err(at_names(TableFault::Missing { columns: missing }));
         }
-        let cell = |(number, unit): (PositionComponent, Unit)| ColumnTarget {
+        let cell = |(number, unit): ColumnMeaning| ColumnTarget {
             value: starts[&number.joint] + number.component,
             unit,
         };
@@ -209,10 +213,10 @@ fn parse_column_name(
     mechanism: &Mechanism,
     known: &HashMap<String, PositionComponent>,
     name: &str,
-) -> Result<(PositionComponent, Unit), TableFault> {
+) -> Result<ColumnMeaning, TableFault> {
     let expected = |n: PositionComponent| position_dimension(mechanism.joint(n.joint).kind(), n.component);
     if let Some(&number) = known.get(name) {
-        return Ok((number, Unit::SI));
+        return Ok((number, None));
     }
     if name.is_empty() {
         return Err(TableFault::NoName);
@@ -228,8 +232,8 @@ fn parse_column_name(
         && let Some(&number) = known.get(before.trim_end())
     {
         let (unit, expected) = (unit.trim(), expected(number));
-        return match Unit::named(unit) {
-            Some(found) if found.dimension == expected => Ok((number, found)),
+        return match Unit::named(unit, &[Dimension::Length, Dimension::Angle, Dimension::Mass]) {
+            Some(found) if found.dimension == expected => Ok((number, Some(found))),
             Some(found) => {
                 Err(TableFault::WrongUnit { unit: unit.to_owned(), got: found.dimension, expected })
             }

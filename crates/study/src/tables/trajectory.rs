@@ -6,12 +6,10 @@ use crate::model::loading::Input;
 use crate::question::row_source::PositionFile;
 use crate::question::table_error::{TableError, TableFault};
 use crate::tables::columns::{Columns, check_separator};
-use crate::tables::csv_records::CsvRecords;
-use crate::tables::parquet_source::{ParquetStorage, begins_as_parquet, is_parquet_file};
-use crate::tables::parquet_table::ParquetTable;
-use crate::thresholds::LARGEST_COORDINATE;
+use crate::thresholds::{GRID_ROWS, LARGEST_COORDINATE};
 use percuss_dynamics::{AssemblyError, Configuration};
 use percuss_mechanism::JointId;
+use percuss_tables::{CsvRecords, ParquetStorage, ParquetTable, begins_as_parquet, is_parquet_file};
 use sha2::{Digest, Sha256};
 use std::fmt;
 use std::fs::File;
@@ -32,7 +30,14 @@ pub(crate) struct Trajectory {
 }
 
 /// Reader of the rows of a file.
-enum TableReader {
+struct TableReader {
+    /// Name of the file.
+    path: String,
+    rows: FileRows,
+}
+
+/// Rows in the format of the file.
+enum FileRows {
     Csv(CsvRecords<RowText>),
     /// The mutex makes the reader shareable between threads; no thread waits for the lock.
     Parquet(Box<Mutex<ParquetTable>>),
@@ -64,7 +69,7 @@ impl Trajectory {
         let mut count = 0;
         while table.read_row(&columns, &positions, &mut values)? {
             if count == 0 {
-                check_drivers(prepared, &columns, &positions, &values, &mut table)?;
+                check_drivers(prepared, &columns, &positions, &values, &table)?;
             }
             count += 1;
         }
@@ -110,21 +115,27 @@ impl Trajectory {
 impl TableReader {
     /// Reads the names of the columns.
     fn header(&mut self, prepared: &PreparedQuestion, file: &PositionFile) -> Result<Columns, TableError> {
-        match self {
-            TableReader::Csv(records) => {
-                let path = records.path().to_owned();
-                if !records.read()? {
-                    return Err(TableError::in_file(&path, TableFault::NoHeader));
+        let path = &self.path;
+        match &mut self.rows {
+            FileRows::Csv(records) => {
+                let read = records.read();
+                let at = |fault: TableFault| TableError::at_line(path, records.line, fault);
+                if !read.map_err(|fault| at(fault.into()))? {
+                    return Err(TableError::in_file(path, TableFault::NoHeader));
                 }
                 let names: Vec<String> = records.cells().map(str::to_owned).collect();
-                check_separator(&names).map_err(|fault| records.record_error(fault))?;
-                Columns::new(prepared, names, &file.ignore, |fault| records.record_error(fault))
+                check_separator(&names).map_err(at)?;
+                Columns::new(prepared, names, &file.ignore, at)
             }
-            TableReader::Parquet(table) => {
+            FileRows::Parquet(table) => {
                 let table = locked_table(table);
                 let names = table.names().to_vec();
-                let columns = Columns::new(prepared, names, &file.ignore, |fault| table.row_error(fault))?;
-                table.select_columns(columns.selected_columns())?;
+                let at = |fault: TableFault| TableError::in_file(path, fault);
+                let columns = Columns::new(prepared, names, &file.ignore, at)?;
+                let selected = table.select_columns(columns.selected_columns());
+                selected.map_err(|(column, fault)| {
+                    TableError::in_file(path, fault).in_column(column, &table.names()[column])
+                })?;
                 Ok(columns)
             }
         }
@@ -137,21 +148,25 @@ impl TableReader {
         positions: &PositionCheck,
         values: &mut [f64],
     ) -> Result<bool, TableError> {
-        match self {
-            TableReader::Csv(records) => {
-                if !records.read()? {
+        let path = &self.path;
+        match &mut self.rows {
+            FileRows::Csv(records) => {
+                let read = records.read();
+                let at = |fault: TableFault| TableError::at_line(path, records.line, fault);
+                if !read.map_err(|fault| at(fault.into()))? {
                     return Ok(false);
                 }
-                columns.parse_row(records.cells(), values, |fault| records.record_error(fault))?;
-                positions.check(values).map_err(|fault| records.record_error(fault))?;
+                columns.parse_row(records.cells(), values, at)?;
+                positions.check(values).map_err(at)?;
             }
-            TableReader::Parquet(table) => {
+            FileRows::Parquet(table) => {
                 let table = locked_table(table);
-                if !table.next_row()? {
+                if !table.next_row().map_err(|fault| TableError::in_file(path, fault))? {
                     return Ok(false);
                 }
-                columns.store_row(table.numbers(), values, |fault| table.row_error(fault))?;
-                positions.check(values).map_err(|fault| table.row_error(fault))?;
+                let at = |fault: TableFault| TableError::at_row(path, table.row(), fault);
+                columns.store_row(table.numbers(), values, at)?;
+                positions.check(values).map_err(at)?;
             }
         }
         Ok(true)
@@ -159,17 +174,17 @@ impl TableReader {
 
     /// Error of the last row, or of the header before the first row.
     fn row_error(&mut self, fault: TableFault) -> TableError {
-        match self {
-            TableReader::Csv(records) => records.record_error(fault),
-            TableReader::Parquet(table) => locked_table(table).row_error(fault),
+        match &mut self.rows {
+            FileRows::Csv(records) => TableError::at_line(&self.path, records.line, fault),
+            FileRows::Parquet(table) => TableError::at_row(&self.path, locked_table(table).row(), fault),
         }
     }
 
     /// Error of the column names.
-    fn column_name_error(&mut self, fault: TableFault) -> TableError {
-        match self {
-            TableReader::Csv(records) => TableError::at_line(records.path(), 1, fault),
-            TableReader::Parquet(table) => TableError { row: None, ..locked_table(table).row_error(fault) },
+    fn column_name_error(&self, fault: TableFault) -> TableError {
+        match &self.rows {
+            FileRows::Csv(_) => TableError::at_line(&self.path, 1, fault),
+            FileRows::Parquet(_) => TableError::in_file(&self.path, fault),
         }
     }
 }
@@ -185,11 +200,11 @@ fn check_drivers(
     columns: &Columns,
     positions: &PositionCheck,
     values: &[f64],
-    table: &mut TableReader,
+    table: &TableReader,
 ) -> Result<(), TableError> {
     let mechanism = prepared.system.mechanism();
-    let mut at_header = |fault: TableFault| table.column_name_error(fault);
-    let configuration = positions.configuration(values).map_err(&mut at_header)?;
+    let at_header = |fault: TableFault| table.column_name_error(fault);
+    let configuration = positions.configuration(values).map_err(at_header)?;
     match prepared.system.pose(&configuration) {
         Ok(pose) => {
             let drivers = pose.loops().map_or(&[][..], |loops| &loops.drivers);
@@ -320,6 +335,7 @@ impl<'f> TableBytes<'f> {
     /// Opens the table: Parquet for bytes that begin as Parquet and for a regular file with the extension `parquet`; otherwise
     /// CSV.
     fn table(&self) -> Result<TableReader, TableError> {
+        let reader = |rows: FileRows| TableReader { path: self.name().to_owned(), rows };
         let stored = match self {
             TableBytes::Path(path) if has_extension(path, "parquet") || is_parquet_file(path) => {
                 let file = File::open(path).map_err(|error| TableError::unreadable(path, &error))?;
@@ -329,10 +345,12 @@ impl<'f> TableBytes<'f> {
                 ParquetStorage::Memory(Arc::clone(bytes))
             }
             TableBytes::Path(_) | TableBytes::Memory(..) => {
-                return Ok(TableReader::Csv(CsvRecords::new(self.text()?, self.name())));
+                return Ok(reader(FileRows::Csv(CsvRecords::new(self.text()?))));
             }
         };
-        Ok(TableReader::Parquet(Box::new(Mutex::new(ParquetTable::open(stored, self.name())?))))
+        let table = ParquetTable::open(stored, GRID_ROWS);
+        let table = table.map_err(|fault| TableError::in_file(self.name(), fault))?;
+        Ok(reader(FileRows::Parquet(Box::new(Mutex::new(table)))))
     }
 
     /// SHA-256 of all bytes.

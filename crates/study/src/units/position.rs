@@ -1,8 +1,8 @@
 //! Position of a joint as given by the user. Each number keeps the dimension of its unit until the kind of the
 //! joint is known.
 
-use crate::units::quantity::{Quantity, QuantityError, position_dimension};
 use percuss_mechanism::JointKind;
+use percuss_units::{Dimension, Quantity, QuantityError};
 
 /// Position of a joint, in the layout of the joint's kind.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +46,18 @@ impl GivenPosition {
             quantity.in_dimension(position_dimension(kind, i), &quantity.to_string())
         };
         self.values.iter().enumerate().map(value).collect()
+    }
+}
+
+/// Dimension of component `i` of the position of a joint.
+pub(crate) fn position_dimension(kind: JointKind, i: usize) -> Dimension {
+    match kind {
+        JointKind::Revolute | JointKind::Continuous => Dimension::Angle,
+        JointKind::Prismatic => Dimension::Length,
+        JointKind::Planar if i == 2 => Dimension::Angle,
+        JointKind::Planar => Dimension::Length,
+        JointKind::Floating if i < 3 => Dimension::Length,
+        JointKind::Floating | JointKind::Spherical | JointKind::Fixed => Dimension::Plain,
     }
 }
 

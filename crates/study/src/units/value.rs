@@ -1,8 +1,7 @@
 //! Numbers of a study file: plain (SI), or text with a unit (`"350 mm"`).
 
-use crate::units::measure::{Measure, Measured};
 use crate::units::position::GivenPosition;
-use crate::units::quantity::{Dimension, Quantity};
+use percuss_units::{Dimension, Quantity};
 use schemars::JsonSchema;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
@@ -86,17 +85,17 @@ pub(crate) fn angles<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D::
     triple(from, Dimension::Angle)
 }
 
-/// Deserializes a number with a unit of a measure.
-fn parse_measure<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f64, D::Error> {
+/// Deserializes a number with a unit of a dimension.
+fn parse_measure<'de, D: Deserializer<'de>>(from: D, dimension: Dimension) -> Result<f64, D::Error> {
     match NumberOrText::deserialize(from)? {
         NumberOrText::Number(number) => Ok(number),
-        NumberOrText::Text(text) => measure.parse(&text).map(|m| m.value).map_err(D::Error::custom),
+        NumberOrText::Text(text) => dimension.parse(&text).map(|m| m.value).map_err(D::Error::custom),
     }
 }
 
 /// Reads a number from 0 to 1, or per cent.
 pub(crate) fn ratio<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
-    parse_measure(from, Measure::Ratio)
+    parse_measure(from, Dimension::Ratio)
 }
 
 /// Reads an optional number from 0 to 1, or per cent.
@@ -107,65 +106,65 @@ pub(crate) fn some_ratio<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f6
 /// Reads a quantity of a contact or of a rotating joint; the application is determined later.
 fn measured_with_either_unit<'de, D: Deserializer<'de>>(
     from: D,
-    measure: Measure,
-    turn: Measure,
-) -> Result<Measured, D::Error> {
+    dimension: Dimension,
+    rotational: Dimension,
+) -> Result<Quantity, D::Error> {
     match NumberOrText::deserialize(from)? {
-        NumberOrText::Number(value) => Ok(Measured { value, unit: None }),
+        NumberOrText::Number(value) => Ok(Quantity { value, dimension: None }),
         NumberOrText::Text(text) => {
-            let read = measure.parse(&text).or_else(|error| turn.parse(&text).map_err(|_| error));
+            let read = dimension.parse(&text).or_else(|error| rotational.parse(&text).map_err(|_| error));
             read.map_err(D::Error::custom)
         }
     }
 }
 
 /// Reads a stiffness, N/m or N·m/rad.
-pub(crate) fn stiffness<'de, D: Deserializer<'de>>(from: D) -> Result<Measured, D::Error> {
-    measured_with_either_unit(from, Measure::Stiffness, Measure::TurnStiffness)
+pub(crate) fn stiffness<'de, D: Deserializer<'de>>(from: D) -> Result<Quantity, D::Error> {
+    measured_with_either_unit(from, Dimension::Stiffness, Dimension::RotationalStiffness)
 }
 
 /// Reads a speed, m/s or rad/s.
-pub(crate) fn speed<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Measured>, D::Error> {
-    measured_with_either_unit(from, Measure::Speed, Measure::TurnSpeed).map(Some)
+pub(crate) fn speed<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Quantity>, D::Error> {
+    measured_with_either_unit(from, Dimension::Speed, Dimension::AngularSpeed).map(Some)
 }
 
 /// Reads a force, N.
 pub(crate) fn force<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    in_default_unit(from, Measure::Force).map(Some)
+    in_default_unit(from, Dimension::Force).map(Some)
 }
 
 /// Reads a pressure in Pa; a plain number is in N/cm².
 pub(crate) fn pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    in_default_unit(from, Measure::Pressure).map(Some)
+    in_default_unit(from, Dimension::Pressure).map(Some)
 }
 
 /// Reads an area in m²; a plain number is in cm².
 pub(crate) fn area<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    in_default_unit(from, Measure::Area).map(Some)
+    in_default_unit(from, Dimension::Area).map(Some)
 }
 
 /// Reads an energy, J.
 pub(crate) fn energy<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    in_default_unit(from, Measure::Energy).map(Some)
+    in_default_unit(from, Dimension::Energy).map(Some)
 }
 
 /// Reads a momentum, N·s.
 pub(crate) fn momentum<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    in_default_unit(from, Measure::Momentum).map(Some)
+    in_default_unit(from, Dimension::Momentum).map(Some)
 }
 
-/// Reads a number in the measure's default unit, as on the command line, or text with a unit.
-fn in_default_unit<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f64, D::Error> {
+/// Reads a number in the default unit, as on the command line, or text with a unit.
+fn in_default_unit<'de, D: Deserializer<'de>>(from: D, dimension: Dimension) -> Result<f64, D::Error> {
     let text = match NumberOrText::deserialize(from)? {
         NumberOrText::Number(number) => number.to_string(),
         NumberOrText::Text(text) => text,
     };
-    measure.parse(&text).map(|m| m.value).map_err(D::Error::custom)
+    dimension.parse(&text).map(|m| m.value).map_err(D::Error::custom)
 }
 
 /// Reads a time, s.
 pub(crate) fn time<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    parse_measure(from, Measure::Time).map(Some)
+    parse_measure(from, Dimension::Time).map(Some)
 }
 
 /// One word, or several.

@@ -1,0 +1,306 @@
+//! Builds links, joints and loops of a corner from its design.
+
+use super::corner::{Body, CHASSIS, Corner, RACK};
+use super::design::{Design, Part, SEATS, Stated, is_central};
+use super::findings::{Findings, Spot};
+use super::frames;
+use super::spindle::Spindle;
+use percuss_formats::reading::OBLIQUE_PINS;
+use percuss_mechanism::{ClosureKind, JointKind};
+use percuss_spatial::{Matrix3, Vector3};
+
+/// Left side, and the parts common to both sides.
+pub(super) struct Built {
+    pub left: Corner,
+    pub middle: Option<Corner>,
+}
+
+/// Name of the link common to both sides of an axle.
+const AXLE: &str = "axle";
+
+/// Builds a corner; reports points that determine no axis or line.
+pub(super) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings) -> Option<Built> {
+    let mut left = Corner::new();
+    let mut middle = design.axle.then(Corner::new);
+    if let (Some(middle), Some(wheel)) = (&mut middle, design.at("wheel_centre")) {
+        let at = Vector3::new(wheel.x, 0.0, wheel.z);
+        middle.share(AXLE, at);
+        left.share(AXLE, at);
+    }
+    for part in design.parts.iter().copied() {
+        let corner = match &mut middle {
+            Some(middle) if is_on_axle(design, part) => {
+                // Springs, stops and drop links of both sides may be attached to this link.
+                if let Part::Swivel { link, at, .. } = part {
+                    left.share(link, design.at(at).unwrap_or_default());
+                }
+                middle
+            }
+            Some(_) | None => &mut left,
+        };
+        Building { design, findings, corner }.part(part, spindle);
+    }
+    for (section, [seat, chassis_seat]) in SEATS {
+        let (Some(at), Some(above)) = (design.at(seat), design.at(chassis_seat)) else { continue };
+        let line = frames::unit(above - at).map(|_| ());
+        let spot = design.spot(seat);
+        findings.unwrap_geometry(line, &spot, "its points coincide: it has no line");
+        let Some((link, _)) = design.on.get(section) else { continue };
+        if line.is_some() {
+            left.seats([seat, chassis_seat], link, [at, above]);
+            left.stated(seat, spot);
+        }
+    }
+    (!findings.has_errors()).then_some(Built { left, middle })
+}
+
+fn is_on_axle(design: &Design, part: &Part) -> bool {
+    let central = |point: &str| is_central(design.axle, point);
+    match part {
+        Part::Axle => true,
+        Part::Swivel { at, .. } => central(at),
+        Part::Rod { ends, .. } => ends.iter().all(|(_, point)| central(point)),
+        Part::Hinge { .. }
+        | Part::Ball { .. }
+        | Part::Free { .. }
+        | Part::Fixed { .. }
+        | Part::Wheel { .. }
+        | Part::Strut { .. }
+        | Part::Close { .. } => false,
+    }
+}
+
+/// Comment of a link: the comment of its part, or the point of its frame.
+fn described(comment: Option<&String>, at: &str) -> String {
+    comment.cloned().unwrap_or_else(|| format!("frame at {at}"))
+}
+
+struct Building<'d> {
+    design: &'d Design,
+    findings: &'d mut Findings,
+    corner: &'d mut Corner,
+}
+
+impl Building<'_> {
+    fn at(&self, key: &str) -> Vector3<f64> {
+        self.design.at(key).unwrap_or_default()
+    }
+
+    /// Resolves a link name: for `SECTION.on`, the link chosen in the file.
+    fn link<'n>(&'n self, name: &'n str) -> &'n str {
+        let chosen = name.strip_suffix(".on").and_then(|section| self.design.on.get(section));
+        chosen.map_or(name, |(link, _)| link)
+    }
+
+    /// Body of a link; `None` for a massless link.
+    fn body(&self, link: &str) -> Option<Body> {
+        match self.design.bodies.get(link) {
+            Some(Stated::Body(body)) => Some(body.clone()),
+            Some(Stated::Rod(..)) | None => None,
+        }
+    }
+
+    /// Adds a link with its body and with its frame at a point.
+    fn add_link(&mut self, link: &str, at: &str, comment: Option<&String>) {
+        let body = self.body(link);
+        self.corner.link(link, self.at(at), body.as_ref(), described(comment, at));
+    }
+
+    fn part(&mut self, part: &Part, spindle: &Spindle) {
+        match part {
+            Part::Hinge { link, parent, points: [first, second], comment, outer } => {
+                let axis = self.at(second) - self.at(first);
+                self.add_link(link, first, comment.as_ref());
+                self.on_hinge(link, parent, first, axis, self.design.hinge_comment);
+                self.draw_hinge(link, [self.at(first), self.at(second)], outer.as_deref());
+            }
+            Part::Swivel { link, parent, at } => {
+                self.add_link(link, at, None);
+                self.on_hinge(link, parent, at, Vector3::x(), "about the vehicle's x");
+            }
+            Part::Ball { link, joint, parent, at, comment, outer } => {
+                let spot = self.design.spot(at);
+                self.add_link(link, at, comment.as_ref());
+                let joint = (&**joint, JointKind::Spherical);
+                self.corner.joint(joint, [parent, link], Vector3::x(), &spot, "a ball joint");
+                if parent == CHASSIS {
+                    let ends = [self.at(at), self.at(outer.as_deref().unwrap_or("wheel_centre"))];
+                    self.corner.drawing.rod(link, ends, &spot);
+                }
+            }
+            Part::Free { link, at, comment, joint_comment } => {
+                self.add_link(link, at, comment.as_ref());
+                self.float(link, self.design.spot(at), joint_comment.as_deref());
+            }
+            Part::Axle => {
+                let wheel = self.at("wheel_centre");
+                let at = Vector3::new(wheel.x, 0.0, wheel.z);
+                let body = self.body(AXLE);
+                let comment = "frame half way between the wheels".to_owned();
+                self.corner.link(AXLE, at, body.as_ref(), comment);
+                self.float(AXLE, self.design.spot("wheel_centre"), None);
+                let left = Vector3::new(wheel.x, wheel.y, wheel.z);
+                let right = Vector3::new(wheel.x, 0.0 - wheel.y, wheel.z);
+                self.corner.drawing.line(AXLE, [left, right]);
+            }
+            Part::Fixed { link, on, at } => {
+                let Some(body) = self.body(link) else { return };
+                let name = format!("{link}_fixed");
+                self.corner.link(link, self.at(at), Some(&body), format!("fixed to {on}"));
+                let joint = (&*name, JointKind::Fixed);
+                self.corner.joint(joint, [on, link], Vector3::x(), &body.spot, "fixed");
+            }
+            Part::Wheel { on } => spindle.attach(self.findings, self.corner, on),
+            Part::Rod { link, ends, comment, massless_comment } => {
+                self.rod(link, ends, comment.as_ref(), massless_comment.as_deref());
+            }
+            Part::Strut { link, on, line, comment, undrawn } => {
+                self.strut(link, on, line, comment.as_ref());
+                if !undrawn {
+                    let spot = self.design.spot(&line[1]);
+                    self.corner.drawing.rod(link, [self.at(&line[0]), self.at(&line[1])], &spot);
+                }
+            }
+            Part::Close { joint, links: [predecessor, successor], at } => {
+                let spot = self.design.spot(at);
+                self.close_ball(joint, [predecessor, successor], self.at(at), &spot);
+            }
+        }
+    }
+
+    fn float(&mut self, link: &str, spot: Spot, comment: Option<&str>) {
+        let name = format!("{link}_free");
+        let comment = comment.unwrap_or("only what is attached to it holds it");
+        self.corner.joint((&name, JointKind::Floating), [CHASSIS, link], Vector3::x(), &spot, comment);
+    }
+
+    /// Adds the hinge of a link.
+    fn on_hinge(&mut self, link: &str, parent: &str, at: &str, axis: Vector3<f64>, comment: &str) {
+        let spot = self.design.spot(at);
+        let defect = "the hinge's two points coincide";
+        let axis = self.findings.unwrap_geometry(frames::unit(axis), &spot, defect);
+        let name = format!("{link}_hinge");
+        self.corner.joint((&name, JointKind::Revolute), [parent, link], axis, &spot, comment);
+    }
+
+    /// Draws a hinged arm from its hinge to its outer point.
+    fn draw_hinge(&mut self, link: &str, hinge: [Vector3<f64>; 2], outer: Option<&str>) {
+        let Some(outer) = outer.or_else(|| self.outer_point(link)) else { return };
+        let Some((outer, spot)) = self.design.points.get(outer) else { return };
+        self.corner.drawing.arm(link, hinge, *outer, spot);
+    }
+
+    /// Point of the first ball joint, rod or wheel on a link.
+    fn outer_point(&self, link: &str) -> Option<&'static str> {
+        self.design.parts.iter().copied().find_map(|part| match part {
+            Part::Ball { parent, at, .. } if parent == link => Some(at.as_str()),
+            Part::Close { links, at, .. } if links.iter().any(|on| on == link) => Some(at.as_str()),
+            Part::Wheel { on } if on == link => Some("wheel_centre"),
+            Part::Rod { ends, .. } => ends.iter().find(|(on, _)| on == link).map(|(_, point)| point.as_str()),
+            Part::Hinge { .. }
+            | Part::Swivel { .. }
+            | Part::Ball { .. }
+            | Part::Free { .. }
+            | Part::Axle
+            | Part::Fixed { .. }
+            | Part::Wheel { .. }
+            | Part::Strut { .. }
+            | Part::Close { .. } => None,
+        })
+    }
+
+    fn rod(
+        &mut self,
+        link: &str,
+        ends: &[(String, String); 2],
+        comment: Option<&String>,
+        massless_comment: Option<&str>,
+    ) {
+        let [(from, a), (to, b)] = ends;
+        let points = [self.at(a), self.at(b)];
+        let (from, to) = (self.link(from).to_owned(), self.link(to).to_owned());
+        let spot = self.design.spot(b);
+        if from == RACK {
+            self.corner.place_rack(points[0]);
+        }
+        let along = points[1] - points[0];
+        let direction = frames::unit(along);
+        let stated = self.design.bodies.get(link);
+        if stated.is_none() && (direction.is_some() || self.design.unchecked_rods) {
+            let comment = massless_comment.unwrap_or("a massless rod");
+            return self.corner.rod(link, [&from, &to], points, (&spot, comment));
+        }
+        let (Some(direction), Some(stated)) = (direction, stated) else {
+            let message = "its ends coincide: it has no line";
+            return self.findings.unwrap_geometry(None, &spot, message);
+        };
+        let body = match stated {
+            Stated::Body(body) => body.clone(),
+            Stated::Rod(mass, spot) => {
+                // Slender rod: transverse moment m l²/12.
+                let across = Matrix3::identity() - direction * direction.transpose();
+                let about_com = across * (mass * along.norm_squared() / 12.0);
+                Body { mass: *mass, com: (points[0] + points[1]) / 2.0, about_com, spot: spot.clone() }
+            }
+        };
+        self.universal_joint((&from, link), points[0], &body, direction, described(comment, a));
+        self.close_ball(&format!("{link}_ball"), [link, &to], points[1], &spot);
+        self.corner.drawing.rod(link, points, &spot);
+    }
+
+    fn strut(&mut self, link: &str, on: &str, [bottom, top]: &[String; 2], comment: Option<&String>) {
+        let spot = self.design.spot(top);
+        let (low, high) = (self.at(bottom), self.at(top));
+        let defect = "the strut's two points coincide";
+        let axis = self.findings.unwrap_geometry(frames::unit(high - low), &spot, defect);
+        let body = self.body(link).unwrap_or(Body {
+            mass: 0.0,
+            com: high,
+            about_com: Matrix3::zeros(),
+            spot: spot.clone(),
+        });
+        self.universal_joint((CHASSIS, link), high, &body, axis, described(comment, top));
+        self.corner.slide(&format!("{link}_slide"), [link, on], low, axis, &spot);
+    }
+
+    /// Adds a link along `direction` on a universal joint: two hinges with a massless cross in between.
+    fn universal_joint(
+        &mut self,
+        (parent, name): (&str, &str),
+        at: Vector3<f64>,
+        body: &Body,
+        direction: Vector3<f64>,
+        comment: String,
+    ) {
+        let [parent_pin, pin] = self.design.pins.get(name).copied().unwrap_or_else(|| {
+            let pin =
+                frames::normal(direction, Vector3::x()).or_else(|| frames::normal(direction, Vector3::z()));
+            let pin = pin.unwrap_or_default();
+            [pin, direction.cross(&pin)]
+        });
+        let cosine = parent_pin.dot(&pin).abs();
+        if cosine > OBLIQUE_PINS {
+            let message = format!(
+                "the pins of the universal joint stand at {:.3}° to one another, not at 90°; they are taken as they are",
+                cosine.acos().to_degrees()
+            );
+            self.findings.warning("oblique-pins", &body.spot, message);
+        }
+        let cross = format!("{name}_cross");
+        self.corner.link(&cross, at, None, format!("the massless cross of the universal joint of {name}"));
+        self.corner.link(name, at, Some(body), comment);
+        for (joint, links, pin, comment) in [
+            ("first", [parent, &*cross], parent_pin, "the pin that stays with the parent"),
+            ("second", [&*cross, name], pin, "the pin that stays with the link"),
+        ] {
+            let joint = format!("{name}_{joint}_pin");
+            self.corner.joint((&joint, JointKind::Revolute), links, pin, &body.spot, comment);
+        }
+    }
+
+    /// Adds a ball joint that closes a loop.
+    fn close_ball(&mut self, name: &str, links: [&str; 2], at: Vector3<f64>, spot: &Spot) {
+        let joint = (name, ClosureKind::Spherical);
+        self.corner.closure(joint, links, at, Vector3::x(), (spot, "a ball joint"));
+    }
+}

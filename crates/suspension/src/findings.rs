@@ -1,0 +1,110 @@
+//! Findings about suspension files, each with its key path and its position.
+
+use super::text::line_and_column;
+use percuss_formats::Diagnostic;
+use percuss_formats::reading::MOST_FINDINGS;
+use percuss_mechanism::Severity;
+
+/// Position in a file: key path and first byte.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Spot {
+    pub path: Option<String>,
+    /// Byte offset in the text; `None` without a file or with an unknown position.
+    pub at: Option<usize>,
+    /// Index of the file: 0 for the file named by the user, larger for files read with it.
+    pub file: usize,
+}
+
+impl Spot {
+    /// Key path for messages.
+    pub fn label(&self) -> &str {
+        self.path.as_deref().unwrap_or("the file")
+    }
+
+    /// True if the position has a key path.
+    pub fn is_somewhere(&self) -> bool {
+        self.path.is_some()
+    }
+}
+
+struct Finding {
+    severity: Severity,
+    code: &'static str,
+    spot: Spot,
+    message: String,
+}
+
+/// Findings collected so far.
+#[derive(Default)]
+pub(super) struct Findings {
+    list: Vec<Finding>,
+    untold: usize,
+}
+
+impl Findings {
+    /// Adds a finding; identical findings are reported once.
+    pub fn add(&mut self, severity: Severity, code: &'static str, spot: &Spot, message: String) {
+        let same = |f: &Finding| f.code == code && f.spot.path == spot.path && f.message == message;
+        if self.list.iter().any(same) {
+            return;
+        }
+        if severity != Severity::Error && self.list.len() >= MOST_FINDINGS {
+            self.untold += 1;
+            return;
+        }
+        self.list.push(Finding { severity, code, spot: spot.clone(), message });
+    }
+
+    /// Adds an error.
+    pub fn error(&mut self, code: &'static str, spot: &Spot, message: String) {
+        self.add(Severity::Error, code, spot, message);
+    }
+
+    /// Adds a warning.
+    pub fn warning(&mut self, code: &'static str, spot: &Spot, message: String) {
+        self.add(Severity::Warning, code, spot, message);
+    }
+
+    /// Adds a note.
+    pub fn note(&mut self, code: &'static str, spot: &Spot, message: String) {
+        self.add(Severity::Note, code, spot, message);
+    }
+
+    /// Unwraps a value computed from hardpoints. `None` is reported as degenerate geometry, unless an earlier error
+    /// explains it; the result is then the default.
+    pub fn unwrap_geometry<T: Default>(&mut self, value: Option<T>, spot: &Spot, defect: &str) -> T {
+        if value.is_none() && !self.has_errors() {
+            self.error("degenerate-geometry", spot, defect.to_owned());
+        }
+        value.unwrap_or_default()
+    }
+
+    /// True if an error was added.
+    pub fn has_errors(&self) -> bool {
+        self.list.iter().any(|f| f.severity == Severity::Error)
+    }
+
+    /// Returns all findings in the order of the files (pairs of name and text), findings without a position first.
+    pub fn finish(mut self, files: &[(&str, &str)]) -> Vec<Diagnostic> {
+        if self.untold > 0 {
+            let message = format!("and {} more warnings and notes", self.untold);
+            let spot = Spot::default();
+            self.list.push(Finding { severity: Severity::Warning, code: "and-more", spot, message });
+        }
+        self.list.sort_by_key(|f| (f.spot.file, f.spot.at));
+        let diagnostic = |f: Finding| {
+            let (path, text) = files.get(f.spot.file).copied().unwrap_or_default();
+            let place = f.spot.at.map(|at| line_and_column(text, at));
+            Diagnostic {
+                severity: f.severity,
+                code: f.code,
+                path: path.to_owned(),
+                line: place.map(|(line, _)| line),
+                column: place.map(|(_, column)| column),
+                element: f.spot.path,
+                message: f.message,
+            }
+        };
+        self.list.into_iter().map(diagnostic).collect()
+    }
+}

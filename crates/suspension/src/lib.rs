@@ -1,0 +1,393 @@
+//! Import of suspensions as mechanisms with loops, from sheets of hardpoints and hardpoint files of Chrono::Vehicle.
+//!
+//! [`import`] reads a sheet (TOML), a table of hardpoints (CSV, XLSX) or a suspension file of Chrono (JSON, with
+//! `"Type": "Suspension"`). It builds one corner of the vehicle, or both, at the design position. The chassis is the
+//! root link. Arms turn on hinges. Loops are closed by ball joints, sliding bearings and massless rods. The axes of
+//! the mechanism are those of ISO 8855: x forward, y left, z up. Units are m, kg, rad.
+//!
+//! Sheets use the templates of [`template_names`]; [`template_sheet`] writes a sheet to fill in. Templates of Chrono
+//! are `DoubleWishbone`, `DoubleWishboneReduced`, `MacPhersonStrut`, `SemiTrailingArm`, `ThreeLinkIRS`, `MultiLink`.
+//! Bodies, joints and inertia axes follow Chrono's classes of the same names; `docs/reference/SUSPENSIONS.md` has a table of
+//! them, with the deviations.
+//!
+//! The mechanism contains no springs, dampers and stops, only their seats: `spring_seat` on the moving link,
+//! `spring_chassis_seat`, and so on. Important joints are `spin` (the wheel bearing) and `rack` (fixed, unless
+//! [`Rack::Sliding`]). Every template has mobility 2 per side: travel and spin.
+
+mod build;
+mod chrono;
+mod corner;
+mod design;
+mod drawing;
+mod findings;
+mod frames;
+mod limits;
+mod options;
+mod sheet;
+mod spindle;
+mod text;
+mod understood;
+mod units;
+
+use chrono::{ChronoTemplate, Reader, Section};
+use corner::{About, CHASSIS, Corner, RACK};
+pub use drawing::{Line, WheelCircle};
+use findings::{Findings, Spot};
+pub use options::{ImportOptions, Rack, Side, Wheel};
+use percuss_formats::reading::LONGEST_NAME;
+use percuss_formats::reading::{Place, Report, cut, quoted};
+use percuss_formats::{Comments, Diagnostic, LoadError, Source};
+use percuss_mechanism::{
+    Built, Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, Problem,
+    Subject,
+};
+use percuss_spatial::Vector3;
+pub use percuss_units::LengthUnit;
+pub use sheet::{TemplateOptions, template_keys, template_names, template_sheet};
+pub use understood::Understood;
+use units::Frame;
+pub use units::VehicleAxes;
+
+/// Imported mechanism with a description of its parts and the findings about its file.
+#[derive(Debug)]
+pub struct Imported {
+    /// The mechanism.
+    pub mechanism: Mechanism,
+    /// Description of each part, for [`write_urdf_with`](percuss_formats::write_urdf_with).
+    pub comments: Comments,
+    /// Summary of the file's contents, for comparison with the design.
+    pub understood: Understood,
+    /// Names of the files: the file named by the user, and a table named by the sheet.
+    pub inputs: Vec<String>,
+    /// Warnings and notes, in the order of the file.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads a sheet, a table of hardpoints, or a suspension file of Chrono::Vehicle (comments in the JSON are allowed).
+///
+/// The format is detected from the bytes; a file name ending in `.csv` denotes a table. For a Chrono file, an inertia
+/// I′ in the axes R becomes R I′ Rᵀ. The inertia J of an axle about the spin axis a adds J a aᵀ to the inertia of the
+/// spindle. Force laws are ignored. A table of points named by a sheet is read from the folder of the sheet. Sources:
+/// Project Chrono, `src/chrono_vehicle/wheeled_vehicle/suspension`.
+///
+/// # Errors
+/// [`LoadError`] with all findings if at least one is an error: neither TOML, table nor JSON; an unknown template; a
+/// missing key; an unknown key of a sheet; a value of the wrong type or length; no unit or axes in a sheet;
+/// coordinates implausible for a vehicle in the given unit; hardpoints that define no joint axis; an error of the
+/// mechanism's builder.
+pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, LoadError> {
+    let mut report = Report::default();
+    if sheet::is_workbook(&source.bytes) {
+        return import_sheet(source, "", options);
+    }
+    let text = decoded(source, &mut report);
+    let Some(text) = text else {
+        return Err(LoadError { diagnostics: report.finish(&source.name, "") });
+    };
+    // JSON begins with a brace, or with a comment in Chrono's files. The JSON reader reports XML as such.
+    let is_json = text.trim_ascii_start().starts_with(['{', '/', '<']);
+    if is_json || source.name.ends_with(".json") {
+        import_chrono(source, text, options, report)
+    } else {
+        import_sheet(source, text, options)
+    }
+}
+
+fn import_sheet(source: &Source, text: &str, options: &ImportOptions) -> Result<Imported, LoadError> {
+    let (mut findings, mut files) = (Findings::default(), sheet::Files::new());
+    check_options(&mut findings, options);
+    let imported = sheet::read(source, text, options, &mut findings, &mut files).and_then(|sheet| {
+        let built = sheet::build(&sheet, &mut findings)?;
+        if sheet.wheel.is_none() {
+            no_wheel(&mut findings, "and the sheet has no [wheel]");
+        }
+        let described = Described {
+            name: &sheet.name,
+            template: &sheet.template.name,
+            kind: "sheet",
+            side: sheet.side,
+            rack: sheet.rack,
+            wheel: sheet.wheel,
+            frame: sheet.frame,
+            points: sheet.design.points.keys().map(|name| (*name).to_owned()).collect(),
+        };
+        finish(&mut findings, built.left, built.middle, &described, source, options)
+    });
+    let failed = findings.has_errors();
+    let inputs = files.iter().map(|(name, _)| name.clone()).collect();
+    let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (&**name, &**text)).collect();
+    let diagnostics = findings.finish(&files);
+    match imported {
+        Some((mechanism, comments, understood)) if !failed => {
+            Ok(Imported { mechanism, comments, understood, inputs, diagnostics })
+        }
+        Some(_) | None => Err(LoadError { diagnostics }),
+    }
+}
+
+fn import_chrono(
+    source: &Source,
+    text: &str,
+    options: &ImportOptions,
+    mut report: Report,
+) -> Result<Imported, LoadError> {
+    let clean = match text::without_comments(text) {
+        Ok(clean) => clean,
+        Err(defect) => {
+            report.error(defect.code, Place::Offset(defect.at), || defect.message.to_owned());
+            return Err(LoadError { diagnostics: report.finish(&source.name, text) });
+        }
+    };
+    let frame = Frame { unit: options.unit.unwrap_or_default(), axes: options.axes.unwrap_or_default() };
+    let mut reader = Reader::new(&clean, frame);
+    let imported = read(&mut reader, source, options);
+    let failed = reader.has_errors();
+    let diagnostics = reader.finish(&source.name);
+    match imported {
+        Some((mechanism, comments, understood)) if !failed => {
+            Ok(Imported { mechanism, comments, understood, inputs: vec![source.name.clone()], diagnostics })
+        }
+        Some(_) | None => Err(LoadError { diagnostics }),
+    }
+}
+
+/// Decodes the bytes as text. Empty and binary files get messages that name the formats of suspensions.
+fn decoded<'s>(source: &'s Source, report: &mut Report) -> Option<&'s str> {
+    let wide = [&b"\xFF\xFE"[..], b"\xFE\xFF"].iter().any(|mark| source.bytes.starts_with(mark));
+    if source.bytes.trim_ascii().is_empty() {
+        report.error("empty-file", Place::File, || {
+            "the file is empty; a sheet (TOML), a table or JSON is expected".to_owned()
+        });
+        None
+    } else if source.bytes.contains(&0) && !wide {
+        report.error("binary", Place::File, || {
+            "this is not a text file (it has zero bytes); a sheet (TOML), a table or JSON in UTF-8 is expected".to_owned()
+        });
+        None
+    } else {
+        source.text(report)
+    }
+}
+
+/// Properties of a suspension other than its corner.
+struct Described<'d> {
+    name: &'d str,
+    template: &'d str,
+    kind: &'static str,
+    side: Side,
+    rack: Rack,
+    wheel: Option<Wheel>,
+    frame: Frame,
+    points: Vec<String>,
+}
+
+fn read(
+    reader: &mut Reader<'_>,
+    source: &Source,
+    options: &ImportOptions,
+) -> Option<(Mechanism, Comments, Understood)> {
+    check_options(reader, options);
+    if options.wheel.is_none() {
+        no_wheel(reader, "and suspension files hold none");
+    }
+    for (given, flag) in [(options.template.is_some(), "--template"), (!options.moves.is_empty(), "--move")] {
+        if given {
+            let message = format!("{flag} is for sheets and tables; this is a file of Chrono::Vehicle");
+            reader.error("conflict", &Spot::default(), message);
+        }
+    }
+    let mut root = reader.root()?;
+    let name = header(reader, &mut root);
+    let template = template(reader, &mut root)?;
+    let spindle = chrono::read_spindle(reader, &mut root, options);
+    let corner = chrono::read_corner(reader, &mut root, template, &spindle);
+    // `Output` controls only the output of Chrono.
+    reader.close(root, &["Output"]);
+    reader.check_unit();
+    let corner = corner.filter(|_| !reader.has_errors())?;
+    let side = options.side.unwrap_or_default();
+    if side != Side::Left
+        && let Some(spot) = reader.products.take()
+    {
+        let message = "the right side is the mirror image of the left; Chrono gives both sides the same products of inertia";
+        reader.note("mirrored-products", &spot, message.to_owned());
+    }
+    let described = Described {
+        name: &name,
+        template: &template.name,
+        kind: "Chrono::Vehicle's template",
+        side,
+        rack: options.rack.unwrap_or_default(),
+        wheel: options.wheel,
+        frame: reader.frame,
+        points: Vec::new(),
+    };
+    finish(reader, corner, None, &described, source, options)
+}
+
+/// Builds the mechanism from the corner, with the comments and the summary.
+fn finish(
+    findings: &mut Findings,
+    corner: Corner,
+    middle: Option<Corner>,
+    described: &Described<'_>,
+    source: &Source,
+    options: &ImportOptions,
+) -> Option<(Mechanism, Comments, Understood)> {
+    corner.check(findings);
+    let drawing = corner.drawing.clone();
+    let middle_drawing = middle.as_ref().map(|m| m.drawing.clone());
+    let (builder, about) = assemble(findings, corner, middle, described);
+    let mut comments = about.comments;
+    comments.heading = heading(described, source);
+    let (mechanism, problems) = match builder.accept(options.accept).build() {
+        Ok(Built { mechanism, mut findings }) => {
+            findings.extend(mechanism.implausible_inertias(options.accept));
+            (Some(mechanism), findings)
+        }
+        Err(error) => (None, error.findings),
+    };
+    for (subject, problem) in problems {
+        let name = match &subject {
+            Subject::Mechanism => "",
+            Subject::Link { name, .. }
+            | Subject::Joint { name, .. }
+            | Subject::Closure { name, .. }
+            | Subject::Coupling { name, .. } => name,
+        };
+        let triangle = matches!(problem, Problem::TriangleInequality { .. });
+        if triangle {
+            // The finding is reported here, with its position in this file. The mark keeps later readers of the URDF
+            // from repeating the warning.
+            comments.known.push((problem.code(), name.to_owned()));
+        }
+        // Frames and crosses are massless by design. The spindle's moments are checked before the axle is added.
+        let known = matches!(problem, Problem::Massless) || triangle && name.starts_with("spindle");
+        if !known {
+            let spot = about.spots.get(name).cloned().unwrap_or_default();
+            let label = if spot.is_somewhere() { String::new() } else { format!("{subject}: ") };
+            findings.add(problem.severity(), problem.code(), &spot, format!("{label}{problem}"));
+        }
+    }
+    let mechanism = mechanism?;
+    let understood = Understood {
+        name: described.name.to_owned(),
+        template: described.template.to_owned(),
+        unit: described.frame.unit,
+        axes: described.frame.axes,
+        side: described.side,
+        wheel: described.wheel,
+        points: described.points.clone(),
+        ..Understood::of(&mechanism, &drawing, middle_drawing.as_ref(), described.side)
+    };
+    Some((mechanism, comments, understood))
+}
+
+/// Checks the type of the file and returns the name.
+fn header<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> String {
+    if let Some((kind, spot)) = reader.string(root, "Type")
+        && kind != "Suspension"
+    {
+        let message = format!("the file describes a {}; a \"Suspension\" is expected", quoted(&kind));
+        reader.error("wrong-kind", &spot, message);
+    }
+    let name = reader.string(root, "Name").map(|(name, _)| name).unwrap_or_default();
+    if name.len() > LONGEST_NAME { cut(&name, LONGEST_NAME / 4) } else { name }
+}
+
+fn template<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> Option<&'static ChronoTemplate> {
+    let (name, spot) = reader.string(root, "Template")?;
+    let found = chrono::templates().iter().find(|known| known.name == name);
+    if found.is_none() {
+        let known: Vec<&str> = chrono::templates().iter().map(|known| &*known.name).collect();
+        let message = format!("the template {} is not known; these are: {}", quoted(&name), known.join(", "));
+        reader.error("unknown-template", &spot, message);
+    }
+    found
+}
+
+fn check_options(findings: &mut Findings, options: &ImportOptions) {
+    if let Some(Wheel { radius: Some(radius), .. }) = options.wheel
+        && !(radius.is_finite() && radius > 0.0)
+    {
+        let message = format!("the wheel's radius is {radius} m; more than 0 is expected");
+        findings.error("bad-radius", &Spot::default(), message);
+    }
+}
+
+fn no_wheel(findings: &mut Findings, why: &str) {
+    let message = format!("no wheel was given, {why}: its mass is not in the answer");
+    findings.warning("no-wheel", &Spot::default(), message);
+}
+
+/// Combines the chassis, the rack and the sides.
+fn assemble(
+    findings: &mut Findings,
+    corner: Corner,
+    middle: Option<Corner>,
+    described: &Described<'_>,
+) -> (MechanismBuilder, About) {
+    let mut about = About::default();
+    let mut builder = MechanismBuilder::new(described.name).link(LinkDescription::massless(CHASSIS));
+    about
+        .comments
+        .links
+        .insert(CHASSIS.to_owned(), "the vehicle's frame; its own mass is not given".to_owned());
+    match (corner.rack(), described.rack) {
+        (Some(at), rack) => builder = put_rack(builder, at, rack, &mut about),
+        (None, Rack::Sliding { .. }) => {
+            let message = "the template has no tie rod, so there is no rack to slide".to_owned();
+            findings.warning("no-rack", &Spot::default(), message);
+        }
+        (None, Rack::Fixed) => {}
+    }
+    if let Some(middle) = middle {
+        builder = middle.put("", builder, &mut about);
+    }
+    let builder = match described.side {
+        Side::Left => corner.put("", builder, &mut about),
+        Side::Right => corner.mirrored().put("", builder, &mut about),
+        Side::Both => {
+            let right = corner.mirrored();
+            let builder = corner.put("_left", builder, &mut about);
+            right.put("_right", builder, &mut about)
+        }
+    };
+    (builder, about)
+}
+
+fn put_rack(builder: MechanismBuilder, at: Vector3<f64>, rack: Rack, about: &mut About) -> MechanismBuilder {
+    let (kind, link, comment) = match rack {
+        Rack::Fixed => {
+            let comment = "the tie rods' inner ends do not move; prismatic along y, it would steer";
+            (JointKind::Fixed, LinkDescription::massless(RACK), comment)
+        }
+        Rack::Sliding { mass } => {
+            let link = LinkDescription::new(RACK, Inertial::point(mass, [0.0; 3]));
+            (JointKind::Prismatic, link, "steers")
+        }
+    };
+    about.comments.links.insert(RACK.to_owned(), "holds the tie rods' inner ends".to_owned());
+    about.comments.joints.insert(RACK.to_owned(), comment.to_owned());
+    let joint = JointDescription::new(RACK, kind, CHASSIS, RACK).at(at.into());
+    let joint = if kind.has_axis() { joint.axis([0.0, 1.0, 0.0]) } else { joint };
+    builder.link(link).joint(joint)
+}
+
+fn heading(described: &Described<'_>, source: &Source) -> Vec<String> {
+    let side = match described.side {
+        Side::Left => "left side",
+        Side::Right => "right side, the mirror image of the left one",
+        Side::Both => "both sides, the right one the mirror image of the left one",
+    };
+    let wheel = match described.wheel {
+        Some(wheel) => format!("with a wheel of {} kg", wheel.mass),
+        None => "without a wheel".to_owned(),
+    };
+    vec![
+        format!("{}: {} {}, {side}, {wheel}", quoted(described.name), described.kind, described.template),
+        // The name is not shortened, because a shortened path would lose the file name.
+        format!("imported by percuss from \"{}\"", source.name),
+        "the chassis' frame: x forward, y left, z up; joints at 0 are the design position".to_owned(),
+    ]
+}

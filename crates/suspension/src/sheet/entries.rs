@@ -1,0 +1,284 @@
+//! Keys and values of a sheet or table, independent of the file format: numbers with units, texts, points.
+
+use super::super::findings::{Findings, Spot};
+use super::super::units::Frame;
+use crate::limits::MOST_SHEET_KEYS;
+use percuss_formats::reading::{quoted, shortened};
+use percuss_mechanism::near_names;
+use percuss_spatial::Vector3;
+use percuss_units::{Dimension, LengthUnit, Unit};
+
+/// Single value.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Cell {
+    Number(f64),
+    Text(String),
+    Switch(bool),
+}
+
+impl Cell {
+    fn shown(&self) -> String {
+        match self {
+            Cell::Number(x) => format!("{x}"),
+            Cell::Text(text) => quoted(text),
+            Cell::Switch(x) => format!("{x}"),
+        }
+    }
+}
+
+/// Row of a table.
+pub(super) struct TableRow {
+    pub cells: Vec<Cell>,
+    pub spot: Spot,
+}
+
+/// Key with its values.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    /// `section.key`, or a key of the head.
+    pub key: String,
+    pub cells: Vec<Cell>,
+    pub spot: Spot,
+    used: bool,
+}
+
+/// All entries of a sheet.
+#[derive(Default)]
+pub(super) struct Entries {
+    list: Vec<Entry>,
+}
+
+/// Quantity of a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Kind {
+    /// Length, in this unit unless the value has its own.
+    Length(LengthUnit),
+    /// Mass in kg, unless the value has its own unit.
+    Mass,
+    /// Inertia, in this unit unless the value has its own.
+    Inertia(&'static Unit),
+    /// Angle; the unit deg or rad is mandatory.
+    Angle,
+}
+
+impl Kind {
+    fn dimension(self) -> Dimension {
+        match self {
+            Kind::Length(_) => Dimension::Length,
+            Kind::Mass => Dimension::Mass,
+            Kind::Inertia(_) => Dimension::Inertia,
+            Kind::Angle => Dimension::Angle,
+        }
+    }
+
+    fn expected(self) -> String {
+        match self {
+            Kind::Length(unit) => format!("a length in {0}, such as 12.5 or \"12.5 {0}\"", unit.name()),
+            Kind::Mass => "a mass in kg, such as 3.2 or \"3.2 kg\"".to_owned(),
+            Kind::Inertia(_) => "an inertia, such as 0.05".to_owned(),
+            Kind::Angle => "an angle with its unit, such as \"-1.5 deg\"".to_owned(),
+        }
+    }
+
+    /// Value in SI units; `None` if the cell is not of this quantity.
+    fn value(self, cell: &Cell) -> Option<f64> {
+        let (number, unit) = match cell {
+            Cell::Number(number) => (*number, ""),
+            Cell::Text(text) => {
+                let (digits, unit) = percuss_units::split(text);
+                (number(digits)?, unit)
+            }
+            Cell::Switch(_) => return None,
+        };
+        let value = match (self, unit) {
+            (Kind::Length(default), "") => default.to_metres(number),
+            (Kind::Mass, "") => number,
+            (Kind::Inertia(default), "") => default.to_si(number),
+            (Kind::Angle, "") => return None,
+            (_, unit) => Unit::named(unit, &[self.dimension()])?.to_si(number),
+        };
+        value.is_finite().then_some(value)
+    }
+}
+
+/// Parses a number with a decimal point or a decimal comma.
+pub(super) fn number(text: &str) -> Option<f64> {
+    let text = text.trim();
+    if text.is_empty() || !text.ends_with(|c: char| c.is_ascii_digit() || c == '.') {
+        return None;
+    }
+    let value = match (text.matches(',').count(), text.contains('.')) {
+        (0, _) => text.parse::<f64>().ok()?,
+        (1, false) => text.replace(',', ".").parse::<f64>().ok()?,
+        _ => return None,
+    };
+    value.is_finite().then_some(value)
+}
+
+impl Entries {
+    /// Adds a key; a repeated key, or one beyond the limit, is an error.
+    pub fn add(&mut self, findings: &mut Findings, key: String, cells: Vec<Cell>, spot: Spot) {
+        if self.list.len() == MOST_SHEET_KEYS {
+            findings.error("too-complex", &Spot::default(), format!("more than {MOST_SHEET_KEYS} keys"));
+        } else if self.list.len() > MOST_SHEET_KEYS {
+            return;
+        }
+        if self.has(&key) {
+            findings.error("duplicate-key", &spot, format!("{key} is given twice"));
+            return;
+        }
+        self.list.push(Entry { key, cells, spot, used: false });
+    }
+
+    /// True if the key exists.
+    pub fn has(&self, key: &str) -> bool {
+        self.list.iter().any(|e| e.key == key)
+    }
+
+    /// True if a key of this section exists.
+    pub fn has_section(&self, section: &str) -> bool {
+        self.list.iter().any(|e| e.key.split_once('.').is_some_and(|(head, _)| head == section))
+    }
+
+    /// Values of a key; marks the key as read.
+    pub fn find(&mut self, key: &str) -> Option<(Vec<Cell>, Spot)> {
+        let entry = self.list.iter_mut().find(|e| e.key == key)?;
+        entry.used = true;
+        Some((entry.cells.clone(), entry.spot.clone()))
+    }
+
+    /// Keys that were not read.
+    pub fn unread(&self) -> impl Iterator<Item = &Entry> {
+        self.list.iter().filter(|e| !e.used)
+    }
+
+    /// Reports a missing key, with similar keys of the sheet.
+    pub fn missing(&self, findings: &mut Findings, key: &str, expected: &str) {
+        let mut message = format!("the key is missing; {expected} is expected");
+        let near = near_names(key, self.unread().map(|e| e.key.as_str()));
+        if !near.is_empty() {
+            let near: Vec<String> = near.iter().map(|n| quoted(n)).collect();
+            message.push_str(&format!("; there is {}", near.join(", ")));
+        }
+        let spot = Spot { path: Some(shortened(key)), ..Spot::default() };
+        findings.error("missing-key", &spot, message);
+    }
+
+    /// Reads a text.
+    pub fn text(&mut self, findings: &mut Findings, key: &str, expected: &str) -> Option<(String, Spot)> {
+        let (cells, spot) = self.find(key)?;
+        match &cells[..] {
+            [Cell::Text(text)] => Some((text.trim().to_owned(), spot)),
+            cells => {
+                findings.error("wrong-type", &spot, format!("{}; {expected} is expected", shown(cells)));
+                None
+            }
+        }
+    }
+
+    /// Reads a flag.
+    pub fn switch(&mut self, findings: &mut Findings, key: &str) -> Option<bool> {
+        let (cells, spot) = self.find(key)?;
+        let found = match &cells[..] {
+            [Cell::Switch(on)] => Some(*on),
+            [Cell::Text(text)] if text.eq_ignore_ascii_case("true") => Some(true),
+            [Cell::Text(text)] if text.eq_ignore_ascii_case("false") => Some(false),
+            _ => None,
+        };
+        if found.is_none() {
+            findings.error("wrong-type", &spot, format!("{}; true or false is expected", shown(&cells)));
+        }
+        found
+    }
+
+    /// Reads numbers; `counts` lists the permitted lengths.
+    pub fn numbers(
+        &mut self,
+        findings: &mut Findings,
+        key: &str,
+        kind: Kind,
+        counts: &[usize],
+    ) -> Option<(Vec<f64>, Spot)> {
+        let (cells, spot) = self.find(key)?;
+        if !counts.contains(&cells.len()) {
+            let counts = counts.iter().map(usize::to_string).collect::<Vec<_>>().join(" or ");
+            let message = format!("{} numbers ({}); {counts} expected", cells.len(), shown(&cells));
+            findings.error("wrong-length", &spot, message);
+            return None;
+        }
+        let mut values = Vec::with_capacity(cells.len());
+        for cell in &cells {
+            match kind.value(cell) {
+                Some(value) => values.push(value),
+                None => {
+                    let message = format!("{}; {} is expected", cell.shown(), kind.expected());
+                    findings.error("wrong-type", &spot, message);
+                    return None;
+                }
+            }
+        }
+        Some((values, spot))
+    }
+
+    /// Reads a point, m, in the axes of ISO 8855.
+    pub fn point(
+        &mut self,
+        findings: &mut Findings,
+        key: &str,
+        frame: Frame,
+    ) -> Option<(Vector3<f64>, Spot)> {
+        let (values, spot) = self.numbers(findings, key, Kind::Length(frame.unit), &[3])?;
+        Some((frame.axes.to_iso(Vector3::new(values[0], values[1], values[2])), spot))
+    }
+}
+
+fn shown(cells: &[Cell]) -> String {
+    let list: Vec<String> = cells.iter().take(6).map(Cell::shown).collect();
+    match &list[..] {
+        [] => "nothing".to_owned(),
+        [one] => one.clone(),
+        list => format!("[{}{}]", list.join(", "), if cells.len() > 6 { ", …" } else { "" }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_a_point_or_a_comma() {
+        for (text, value) in [("1.5", 1.5), ("1,5", 1.5), ("-0,25", -0.25), (" 12 ", 12.0), ("1e-3", 1e-3)] {
+            assert_eq!(number(text), Some(value), "{text}");
+        }
+        for text in ["", "1.234,5", "1,2,3", "x", "nan", "inf", "1e999", "-"] {
+            assert_eq!(number(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn units_stand_behind_numbers() {
+        let text = |t: &str| Cell::Text(t.to_owned());
+        let inertia = |unit| Kind::Inertia(Unit::named(unit, &[Dimension::Inertia]).unwrap());
+        for (kind, cell, value) in [
+            (Kind::Length(LengthUnit::Millimetre), Cell::Number(12.0), 0.012),
+            (Kind::Length(LengthUnit::Millimetre), text("1 in"), 0.0254),
+            (Kind::Length(LengthUnit::Metre), text("12,5mm"), 0.0125),
+            (Kind::Mass, text("850 g"), 0.85),
+            (inertia("kg mm2"), Cell::Number(5e4), 0.05),
+            (inertia("kg m2"), text("5e4 kg·mm²"), 0.05),
+            (inertia("kg m2"), text("50000 kg mm^2"), 0.05),
+            (Kind::Angle, text("180 deg"), std::f64::consts::PI),
+        ] {
+            assert_eq!(kind.value(&cell), Some(value), "{cell:?}");
+        }
+        for (kind, cell) in [
+            (Kind::Angle, Cell::Number(1.0)),
+            (Kind::Mass, text("3 mm")),
+            (Kind::Length(LengthUnit::Metre), text("3 kg")),
+            (Kind::Mass, Cell::Number(f64::NAN)),
+            (Kind::Mass, Cell::Switch(true)),
+        ] {
+            assert_eq!(kind.value(&cell), None, "{cell:?}");
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! Import of hardpoint sheets: TOML, a table (CSV or XLSX), or TOML with a table, to a mechanism.
+//!
+//! The templates are data files in `templates`, which `catalogue` reads. `read` reads the entries of a sheet according
+//! to the template, `build` builds its corner, and `write` writes the sheet to fill in and the tables of the
+//! documentation.
+
+mod build;
+mod catalogue;
+mod entries;
+mod point_table;
+mod read;
+mod table;
+mod template;
+mod toml_text;
+#[cfg(feature = "xlsx")]
+mod workbook;
+mod write;
+
+pub(super) use build::build;
+pub(super) use point_table::Files;
+pub(super) use read::read;
+pub(super) use table::is_workbook;
+pub use write::{TemplateOptions, template_keys, template_names, template_sheet};

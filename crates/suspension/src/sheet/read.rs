@@ -1,0 +1,527 @@
+//! Reader of the entries of a sheet according to its template.
+
+use super::super::design::{Design, Part, Stated};
+use super::super::findings::{Findings, Spot};
+use super::super::options::{ImportOptions, Rack, Side, Wheel};
+use super::super::units::{Frame, VehicleAxes, check_size};
+use super::catalogue;
+use super::entries::{Cell, Entries, Kind};
+use super::point_table::{self, Files};
+use super::template::{ExampleBody, Shape, Template, symmetric_matrix};
+use super::{table, toml_text};
+use crate::corner;
+use crate::limits::MOST_SHEET_KEYS;
+use percuss_formats::Source;
+use percuss_formats::reading::LONGEST_NAME;
+use percuss_formats::reading::{cut, quoted};
+use percuss_mechanism::near_names;
+use percuss_spatial::{Matrix3, Vector3};
+use percuss_units::{Dimension, LengthUnit, Unit};
+use std::collections::BTreeMap;
+
+/// Content of a sheet in metres and the axes of ISO 8855. Points of a side are those of the left side.
+pub(in super::super) struct Sheet {
+    pub template: &'static Template,
+    pub name: String,
+    pub frame: Frame,
+    pub side: Side,
+    pub rack: Rack,
+    pub design: Design,
+    pub wheel: Option<Wheel>,
+    /// rad.
+    pub camber: f64,
+    /// rad.
+    pub toe: f64,
+    /// Inertia that the axle adds to the spindle about the spin axis, kg·m².
+    pub axle_inertia: f64,
+}
+
+/// Reads a sheet; `None` after an error in the report.
+pub(in super::super) fn read(
+    source: &Source,
+    text: &str,
+    options: &ImportOptions,
+    findings: &mut Findings,
+    files: &mut Files,
+) -> Option<Sheet> {
+    let mut entries = Entries::default();
+    files.push((source.name.clone(), text.to_owned()));
+    if table::is_workbook(&source.bytes) {
+        table::read_workbook(&source.bytes, 0, &mut entries, findings);
+    } else if source.name.ends_with(".csv") || table::looks_like_table(text) {
+        table::read_text(text, 0, &mut entries, findings);
+    } else if !toml_text::read(text, &mut entries, findings) {
+        return None;
+    }
+    point_table::read(source, options, &mut entries, findings, files);
+    if findings.has_errors() {
+        return None;
+    }
+    let sheet = Taking { entries: &mut entries, findings, options }.sheet();
+    for entry in entries.unread() {
+        let spot = &entry.spot;
+        let known = sheet.as_ref().map(|s| keys_of(s.template)).unwrap_or_default();
+        let near = near_names(&entry.key, known.iter().map(String::as_str));
+        let near = near.first().map_or_else(String::new, |n| format!("; did you mean {}?", quoted(n)));
+        let message = format!("the key {} is not known to this template{near}", quoted(&entry.key));
+        if sheet.is_some() {
+            findings.error("unknown-key", spot, message);
+        }
+    }
+    sheet.filter(|_| !findings.has_errors())
+}
+
+/// All keys of a template.
+pub(super) fn keys_of(template: &Template) -> Vec<String> {
+    let mut keys: Vec<String> = table::HEAD.iter().map(|key| (*key).to_owned()).collect();
+    keys.extend(template.points.iter().map(|(key, _)| format!("points.{key}")));
+    for (body, _) in &template.bodies {
+        keys.extend(["mass", "com", "inertia"].map(|key| format!("{body}.{key}")));
+    }
+    keys.push("spindle.axle_inertia".to_owned());
+    keys.extend(["mass", "inertia", "radius", "camber", "toe"].map(|key| format!("wheel.{key}")));
+    keys.extend(template.on.iter().map(|(section, _)| format!("{section}.on")));
+    if template.has_rack() {
+        keys.extend(["mass", "slides"].map(|key| format!("rack.{key}")));
+    }
+    debug_assert!(keys.len() < MOST_SHEET_KEYS);
+    keys
+}
+
+impl Template {
+    /// True if the template has tie rods.
+    pub fn has_rack(&self) -> bool {
+        self.point("tie_rod_inner").is_some()
+    }
+
+    /// Links with possible mounts for other parts.
+    pub fn holders(&self) -> impl Iterator<Item = &str> {
+        let is_holder = |(key, body): &&(String, ExampleBody)| {
+            let is_made = |part: &Part| match part {
+                Part::Rod { .. } | Part::Wheel { .. } => false,
+                Part::Hinge { link, .. }
+                | Part::Swivel { link, .. }
+                | Part::Ball { link, .. }
+                | Part::Free { link, .. }
+                | Part::Fixed { link, .. }
+                | Part::Strut { link, .. } => link == key,
+                Part::Axle => key == "axle",
+                Part::Close { .. } => false,
+            };
+            let is_body_of_rod = |part: &Part| {
+                matches!(part, Part::Rod { link, .. } if link == key) && body.shape == Shape::Any
+            };
+            self.parts.iter().any(|part| is_made(part) || is_body_of_rod(part))
+        };
+        self.bodies.iter().filter(is_holder).map(|(key, _)| &**key)
+    }
+}
+
+struct Taking<'s> {
+    entries: &'s mut Entries,
+    findings: &'s mut Findings,
+    options: &'s ImportOptions,
+}
+
+impl Taking<'_> {
+    fn sheet(&mut self) -> Option<Sheet> {
+        let template = self.template();
+        let unit = self.unit();
+        let axes = self.axes();
+        let name = self.entries.text(self.findings, "name", "a name").map(|(name, _)| name);
+        let given = self.side_of_points();
+        let inertia_unit = self.inertia_unit();
+        let (template, unit, axes, given) = (template?, unit?, axes?, given?);
+        let frame = Frame { unit, axes };
+        let name = name.filter(|n| !n.is_empty()).unwrap_or_else(|| template.name.clone());
+        let name = if name.len() > LONGEST_NAME { cut(&name, LONGEST_NAME / 4) } else { name };
+        let side = self.side(template, given);
+        let points = self.points(template, frame, given);
+        let bodies = self.bodies(template, frame, given, inertia_unit);
+        let wheel = self.wheel(frame, inertia_unit);
+        let camber = self.angle("wheel.camber");
+        let toe = self.angle("wheel.toe");
+        let axle_inertia =
+            self.scalar("spindle.axle_inertia", Kind::Inertia(inertia_unit)).map_or(0.0, |(x, _)| x);
+        let on = self.on(template);
+        let rack = self.rack(template);
+        let bar = catalogue::keys().anti_roll_bar.iter().filter(|_| points.contains_key("drop_link_bar"));
+        let design = Design {
+            parts: template.parts.iter().chain(bar).collect(),
+            axle: template.axle,
+            points,
+            bodies,
+            on,
+            hinge_comment: "about the line through its two points, first to second",
+            ..Design::default()
+        };
+        let mut sheet = Sheet { template, name, frame, side, rack, design, wheel, camber, toe, axle_inertia };
+        self.moved(&mut sheet);
+        Some(sheet)
+    }
+
+    fn template(&mut self) -> Option<&'static Template> {
+        let given = self.entries.text(self.findings, "template", "the name of a template");
+        let (name, spot) = match (given, &self.options.template) {
+            (Some((name, spot)), Some(flag)) if *flag != name => {
+                let message = format!("the file says {}, --template {}", quoted(&name), quoted(flag));
+                self.findings.error("conflict", &spot, message);
+                return None;
+            }
+            (Some(given), _) => given,
+            (None, Some(flag)) => (flag.clone(), Spot::default()),
+            (None, None) => {
+                if !self.findings.has_errors() {
+                    let message = format!(
+                        "the key is missing; a template is expected, in the file or by --template: {}",
+                        names().join(", ")
+                    );
+                    let spot = Spot { path: Some("template".to_owned()), ..Spot::default() };
+                    self.findings.error("missing-key", &spot, message);
+                }
+                return None;
+            }
+        };
+        let found = catalogue::templates().find(|t| t.name == name);
+        if found.is_none() {
+            let message =
+                format!("the template {} is not known; these are: {}", quoted(&name), names().join(", "));
+            self.findings.error("unknown-template", &spot, message);
+        }
+        found
+    }
+
+    /// Reads a keyword of the head, or the value of its flag. If both are given, both must be equal.
+    fn word<T: Copy + PartialEq>(
+        &mut self,
+        key: &'static str,
+        flag: Option<T>,
+        named: fn(&str) -> Option<T>,
+        choices: &str,
+    ) -> Option<T> {
+        let spot = Spot { path: Some(key.to_owned()), ..Spot::default() };
+        match (self.entries.text(self.findings, key, choices), flag) {
+            (Some((word, spot)), flag) => match (named(&word), flag) {
+                (None, _) => {
+                    let message = format!("{} is not known; {choices} is expected", quoted(&word));
+                    self.findings.error("unknown-word", &spot, message);
+                    None
+                }
+                (Some(found), Some(flag)) if found != flag => {
+                    let message = format!("the file says {}, the flag --{key} something else", quoted(&word));
+                    self.findings.error("conflict", &spot, message);
+                    None
+                }
+                (found, _) => found,
+            },
+            (None, Some(flag)) => Some(flag),
+            (None, None) => {
+                if !self.entries.has(key) {
+                    let message =
+                        format!("the key is missing; {choices} is expected, in the file or by --{key}");
+                    self.findings.error("missing-key", &spot, message);
+                }
+                None
+            }
+        }
+    }
+
+    fn unit(&mut self) -> Option<LengthUnit> {
+        self.word("unit", self.options.unit, LengthUnit::from_name, "a unit of length (m, cm, mm, in)")
+    }
+
+    fn axes(&mut self) -> Option<VehicleAxes> {
+        let choices = "iso (x forward, y left, z up) or adams (x backward, y right, z up)";
+        self.word("axes", self.options.axes, VehicleAxes::from_name, choices)
+    }
+
+    /// Side of the points in the file; default left.
+    fn side_of_points(&mut self) -> Option<Side> {
+        let named = |word: &str| match word {
+            "left" => Some(Side::Left),
+            "right" => Some(Side::Right),
+            _ => None,
+        };
+        if !self.entries.has("side") {
+            return Some(Side::Left);
+        }
+        self.word("side", None, named, "left or right, the side that the points describe,")
+    }
+
+    /// Unit of inertias without their own.
+    fn inertia_unit(&mut self) -> &'static Unit {
+        let default = Dimension::Inertia.default_unit().expect("the table has units of inertia");
+        let Some((word, spot)) = self.entries.text(self.findings, "inertia_unit", "a unit of inertia") else {
+            return default;
+        };
+        Unit::named(&word, &[Dimension::Inertia]).unwrap_or_else(|| {
+            let known: Vec<&str> = Dimension::Inertia.units().map(|unit| unit.name).collect();
+            let message = format!("{} is not known; these are: {}", quoted(&word), known.join(", "));
+            self.findings.error("unknown-word", &spot, message);
+            default
+        })
+    }
+
+    /// Side to build, from the flag, the sheet or the side of the points, in this order; both sides for an axle.
+    fn side(&mut self, template: &Template, given: Side) -> Side {
+        let named = |word: &str| match word {
+            "left" => Some(Side::Left),
+            "right" => Some(Side::Right),
+            "both" => Some(Side::Both),
+            _ => None,
+        };
+        let in_file = if self.entries.has("build") {
+            self.word("build", None, named, "left, right or both, what is to be built,")
+        } else {
+            None
+        };
+        let side = self.options.side.or(in_file);
+        if template.axle {
+            if side.is_some_and(|side| side != Side::Both) {
+                let spot = Spot { path: Some("build".to_owned()), ..Spot::default() };
+                let message = "both sides are on one axle: both are built".to_owned();
+                self.findings.warning("one-axle", &spot, message);
+            }
+            return Side::Both;
+        }
+        side.unwrap_or(given)
+    }
+
+    fn points(
+        &mut self,
+        template: &'static Template,
+        frame: Frame,
+        given: Side,
+    ) -> BTreeMap<&'static str, (Vector3<f64>, Spot)> {
+        let mut points = BTreeMap::new();
+        if !self.entries.has_section("points") {
+            let message = format!(
+                "no hardpoint is given; the section [points] is expected, or in the head points = \"FILE.csv\", with {} and \
+                 what else percuss template {} has",
+                template.points.iter().take(3).map(|(key, _)| &**key).collect::<Vec<_>>().join(", "),
+                template.name
+            );
+            let spot = Spot { path: Some("points".to_owned()), ..Spot::default() };
+            self.findings.error("missing-key", &spot, message);
+            return points;
+        }
+        let (mut far, mut far_spot): (f64, Spot) = (0.0, Spot::default());
+        for (key, _) in &template.points {
+            let path = format!("points.{key}");
+            match self.entries.point(self.findings, &path, frame) {
+                Some((mut at, spot)) => {
+                    if given == Side::Right && !template.is_central(key) {
+                        at.y = 0.0 - at.y;
+                    }
+                    if at.amax() > far {
+                        (far, far_spot) = (at.amax(), spot.clone());
+                    }
+                    points.insert(&**key, (at, spot));
+                }
+                None if self.entries.has(&path) => {}
+                None => {
+                    let group = Template::group_of(key);
+                    let begun = group.is_some_and(|group| {
+                        group.iter().any(|other| self.entries.has(&format!("points.{other}")))
+                    });
+                    if group.is_none() || begun {
+                        let expected = format!(
+                            "{} ([x, y, z] in {})",
+                            catalogue::text_of(&catalogue::keys().points, key),
+                            frame.unit.name()
+                        );
+                        self.entries.missing(self.findings, &path, &expected);
+                    }
+                }
+            }
+        }
+        if !self.findings.has_errors() {
+            check_size(self.findings, far, &far_spot, frame.unit);
+        }
+        points
+    }
+
+    fn bodies(
+        &mut self,
+        template: &'static Template,
+        frame: Frame,
+        given: Side,
+        inertia_unit: &'static Unit,
+    ) -> BTreeMap<&'static str, Stated> {
+        let mut bodies = BTreeMap::new();
+        for (key, body) in &template.bodies {
+            // The bodies of a bar are not required if the sheet has no bar.
+            let of_bar = ["anti_roll_bar", "drop_link"].contains(&&**key);
+            let absent = !self.entries.has_section(key);
+            if absent
+                && (body.shape != Shape::Any && body.shape != Shape::Spindle
+                    || of_bar && !self.entries.has("points.drop_link_bar"))
+            {
+                continue;
+            }
+            if let Some(stated) = self.body(template, (key, body.shape), frame, given, inertia_unit) {
+                bodies.insert(&**key, stated);
+            }
+        }
+        bodies
+    }
+
+    fn body(
+        &mut self,
+        template: &Template,
+        (key, shape): (&str, Shape),
+        frame: Frame,
+        given: Side,
+        inertia_unit: &'static Unit,
+    ) -> Option<Stated> {
+        let [mass_key, com_key, inertia_key] = ["mass", "com", "inertia"].map(|name| format!("{key}.{name}"));
+        let is_rod = shape == Shape::Rod;
+        let spot = |spot: Spot| Spot { path: Some(key.to_owned()), ..spot };
+        let Some((mass, at)) = self.scalar(&mass_key, Kind::Mass) else {
+            if !self.entries.has(&mass_key) && (!is_rod || self.entries.has(&com_key)) {
+                let text = catalogue::text_of(&catalogue::keys().bodies, key);
+                self.entries.missing(
+                    self.findings,
+                    &mass_key,
+                    &format!("the mass of {text}, kg (0 is legal),"),
+                );
+            }
+            return None;
+        };
+        let spot = spot(at);
+        let rotates = shape == Shape::Spindle;
+        if is_rod && !self.entries.has(&com_key) && !self.entries.has(&inertia_key) {
+            return Some(Stated::Rod(mass, spot));
+        }
+        let com = match self.entries.point(self.findings, &com_key, frame) {
+            Some((com, _)) => Some(com),
+            None if self.entries.has(&com_key) => return None,
+            None => None,
+        };
+        let central =
+            template.axle && ["axle", "middle_link", "panhard_rod"].contains(&key) || key.starts_with("watt");
+        let mirror = given == Side::Right && !central;
+        // NaN: the default for a spindle is the wheel centre, which is computed later. A massless body needs no centre of mass.
+        let com = match com {
+            Some(com) => Vector3::new(com.x, if mirror { 0.0 - com.y } else { com.y }, com.z),
+            None if rotates => Vector3::repeat(f64::NAN),
+            None if mass == 0.0 => Vector3::zeros(),
+            None => {
+                self.entries.missing(self.findings, &com_key, "the centre of mass, [x, y, z],");
+                return None;
+            }
+        };
+        let about_com = match self.entries.numbers(
+            self.findings,
+            &inertia_key,
+            Kind::Inertia(inertia_unit),
+            // Along the wheel's axes the products of inertia are zero.
+            if rotates { &[3] } else { &[3, 6] },
+        ) {
+            Some((values, _)) => symmetric_matrix(&values),
+            None if self.entries.has(&inertia_key) => return None,
+            None if mass == 0.0 => Matrix3::zeros(),
+            None => {
+                let expected =
+                    "the inertia about the centre of mass, [xx, yy, zz] or [xx, yy, zz, xy, xz, yz],";
+                self.entries.missing(self.findings, &inertia_key, expected);
+                return None;
+            }
+        };
+        // The inertia of a spindle is along the wheel's axes, the inertia of other bodies along the vehicle's axes.
+        let mut about_com = if rotates { about_com } else { frame.axes.inertia_to_iso(about_com) };
+        if mirror && !rotates {
+            for (row, column) in [(0, 1), (1, 0), (1, 2), (2, 1)] {
+                about_com[(row, column)] = 0.0 - about_com[(row, column)];
+            }
+        }
+        Some(Stated::Body(corner::Body { mass, com, about_com, spot }))
+    }
+
+    fn scalar(&mut self, key: &str, kind: Kind) -> Option<(f64, Spot)> {
+        let (values, spot) = self.entries.numbers(self.findings, key, kind, &[1])?;
+        Some((values[0], spot))
+    }
+
+    fn angle(&mut self, key: &str) -> f64 {
+        self.scalar(key, Kind::Angle).map_or(0.0, |(angle, _)| angle)
+    }
+
+    fn wheel(&mut self, frame: Frame, inertia_unit: &'static Unit) -> Option<Wheel> {
+        let mass = self.scalar("wheel.mass", Kind::Mass);
+        let inertia = self.entries.numbers(self.findings, "wheel.inertia", Kind::Inertia(inertia_unit), &[3]);
+        let radius = self.scalar("wheel.radius", Kind::Length(frame.unit));
+        if self.options.wheel.is_some() {
+            return self.options.wheel;
+        }
+        let (mass, _) = mass?;
+        let inertia = match inertia {
+            Some((values, _)) => [values[0], values[1], values[2]],
+            None => {
+                if !self.entries.has("wheel.inertia") {
+                    let expected = "[xx, yy, zz] about the wheel's centre, y along the axis of spin,";
+                    self.entries.missing(self.findings, "wheel.inertia", expected);
+                }
+                [0.0; 3]
+            }
+        };
+        Some(Wheel { mass, inertia, radius: radius.map(|(r, _)| r) })
+    }
+
+    fn on(&mut self, template: &'static Template) -> BTreeMap<&'static str, (String, Spot)> {
+        let mut on = BTreeMap::new();
+        for (section, default) in &template.on {
+            let key = format!("{section}.on");
+            let found = self.entries.text(self.findings, &key, "the name of a link");
+            let (link, spot) = found.unwrap_or_else(|| (default.clone(), Spot::default()));
+            let holders: Vec<&str> = template.holders().filter(|l| !["anti_roll_bar"].contains(l)).collect();
+            if !holders.contains(&&*link) {
+                let message =
+                    format!("{} is no link that this can be on: {}", quoted(&link), holders.join(", "));
+                self.findings.error("unknown-link", &spot, message);
+            }
+            on.insert(&**section, (link, spot));
+        }
+        on
+    }
+
+    fn rack(&mut self, template: &Template) -> Rack {
+        let mass = self.scalar("rack.mass", Kind::Mass);
+        let slides = self.entries.switch(self.findings, "rack.slides").unwrap_or(false);
+        if let Some(rack) = self.options.rack {
+            return rack;
+        }
+        match (slides && template.has_rack(), mass) {
+            (true, mass) => Rack::Sliding { mass: mass.map_or(0.0, |(mass, _)| mass) },
+            (false, _) => Rack::Fixed,
+        }
+    }
+
+    /// Applies the displacements of hardpoints, in the axes of the sheet and on the side of its points.
+    fn moved(&mut self, sheet: &mut Sheet) {
+        for (name, by) in &self.options.moves {
+            let given_right = matches!(
+                self.entries.find("side").as_ref().map(|(cells, _)| &cells[..]),
+                Some([Cell::Text(side)]) if side == "right"
+            );
+            let central = sheet.template.is_central(name);
+            let mut by = sheet.frame.axes.to_iso(Vector3::from(*by));
+            if given_right && !central {
+                by.y = 0.0 - by.y;
+            }
+            match sheet.design.points.iter_mut().find(|(key, _)| **key == name) {
+                Some((_, (at, _))) => *at += by,
+                None => {
+                    let near = near_names(name, sheet.design.points.keys().copied());
+                    let near = near.first().map_or_else(String::new, |n| format!("; did you mean {n}?"));
+                    let message = format!("no hardpoint {} in the sheet{near} (--move)", quoted(name));
+                    self.findings.error("unknown-point", &Spot::default(), message);
+                }
+            }
+        }
+    }
+}
+
+fn names() -> Vec<&'static str> {
+    catalogue::templates().map(|t| &*t.name).collect()
+}

@@ -1,0 +1,63 @@
+//! Summary of a suspension file, for comparison with the design.
+
+use super::drawing::{Drawing, Line, WheelCircle};
+use super::options::{Side, Wheel};
+use super::units::VehicleAxes;
+use percuss_mechanism::Mechanism;
+use percuss_units::LengthUnit;
+
+/// Summary of a suspension file. Lengths in m, masses in kg; x forward, y left, z up.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Understood {
+    /// Name of the suspension.
+    pub name: String,
+    /// Template.
+    pub template: String,
+    /// Unit of the file's lengths.
+    pub unit: LengthUnit,
+    /// Axes of the file.
+    pub axes: VehicleAxes,
+    /// Side or sides built.
+    pub side: Side,
+    /// Wheel.
+    pub wheel: Option<Wheel>,
+    /// Distance between the centres of both wheels: twice the distance of one from the middle plane.
+    pub track: Option<f64>,
+    /// Lengths of the links of one side and of the shared links: from the hinge axis to the outer point for a hinged
+    /// arm, from end to end for a rod.
+    pub lengths: Vec<(String, f64)>,
+    /// Links with mass, in the order of the mechanism.
+    pub masses: Vec<(String, f64)>,
+    /// Mass of all links.
+    pub total_mass: f64,
+    /// Names of the hardpoints of a sheet or table; empty for a Chrono file.
+    pub points: Vec<String>,
+    /// Lines of the picture.
+    pub lines: Vec<Line>,
+    /// Wheels of the picture.
+    pub wheels: Vec<WheelCircle>,
+}
+
+impl Understood {
+    /// Creates the summary of a mechanism and its drawing.
+    pub(super) fn of(mechanism: &Mechanism, left: &Drawing, middle: Option<&Drawing>, side: Side) -> Self {
+        let lengths = left.arms.iter().chain(middle.iter().flat_map(|m| &m.arms));
+        let massive = mechanism.links().iter().filter_map(|link| Some((link, link.inertial()?)));
+        let right = left.mirrored();
+        let sides: &[&Drawing] = match side {
+            Side::Left => &[left],
+            Side::Right => &[&right],
+            Side::Both => &[left, &right],
+        };
+        let seen: Vec<&Drawing> = sides.iter().copied().chain(middle).collect();
+        Self {
+            track: left.wheels.first().map(|wheel| 2.0 * wheel.centre[1].abs()),
+            lengths: lengths.map(|arm| (arm.name.clone(), arm.length)).collect(),
+            masses: massive.map(|(link, inertial)| (link.name().to_owned(), inertial.mass)).collect(),
+            total_mass: mechanism.total_mass(),
+            lines: seen.iter().flat_map(|d| d.lines.clone()).collect(),
+            wheels: seen.iter().flat_map(|d| d.wheels.clone()).collect(),
+            ..Self::default()
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Units of length of files.
+
+use crate::unit::{Dimension, Unit};
+
+/// Unit of length.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LengthUnit {
+    /// Metre, m.
+    #[default]
+    Metre,
+    /// Centimetre, cm.
+    Centimetre,
+    /// Millimetre, mm.
+    Millimetre,
+    /// Inch, 25.4 mm.
+    Inch,
+}
+
+impl LengthUnit {
+    /// All units.
+    pub const ALL: [Self; 4] = [Self::Metre, Self::Centimetre, Self::Millimetre, Self::Inch];
+
+    /// Name: `m`, `cm`, `mm` or `in`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Metre => "m",
+            Self::Centimetre => "cm",
+            Self::Millimetre => "mm",
+            Self::Inch => "in",
+        }
+    }
+
+    /// Unit with the given name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|unit| unit.name() == name)
+    }
+
+    fn unit(self) -> &'static Unit {
+        Unit::named(self.name(), &[Dimension::Length]).expect("the table has every unit of length")
+    }
+
+    /// Converts a length to metres.
+    pub fn to_metres(self, length: f64) -> f64 {
+        self.unit().to_si(length)
+    }
+
+    /// Converts metres to this unit.
+    pub fn of_metres(self, length: f64) -> f64 {
+        self.unit().from_si(length)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_of_length_are_those_of_the_table() {
+        let names: Vec<&str> = Dimension::Length.units().map(|unit| unit.name).collect();
+        assert_eq!(LengthUnit::ALL.map(LengthUnit::name).as_slice(), names);
+        for unit in LengthUnit::ALL {
+            assert_eq!(LengthUnit::from_name(unit.name()), Some(unit));
+        }
+        assert_eq!(LengthUnit::Millimetre.to_metres(12.0), 0.012);
+        assert_eq!(LengthUnit::Inch.to_metres(1.0), 0.0254);
+    }
+}
