@@ -33,7 +33,7 @@ impl Drop for DefaultEnvironment {
     }
 }
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", not(miri)))]
 mod control {
     use std::arch::asm;
 
@@ -61,7 +61,7 @@ mod control {
     }
 }
 
-#[cfg(target_arch = "aarch64")]
+#[cfg(all(target_arch = "aarch64", not(miri)))]
 mod control {
     use std::arch::asm;
 
@@ -88,8 +88,8 @@ mod control {
     }
 }
 
-/// Other processors: the caller's environment stays in force.
-#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+/// Other processors, and Miri, which runs no instructions: the caller's environment stays in force.
+#[cfg(any(miri, not(any(target_arch = "x86_64", target_arch = "aarch64"))))]
 mod control {
     pub type Register = u32;
     pub const DEFAULT: u32 = 0;

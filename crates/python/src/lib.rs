@@ -37,7 +37,7 @@ mod module {
     #[pymodule_export]
     use crate::diagnostic::Diagnostic;
     #[pymodule_export]
-    use crate::matrices::{MatrixResponse, effective_mass, effective_masses};
+    use crate::matrices::{MatrixResponse, effective_mass, effective_masses, matrix_findings};
     #[pymodule_export]
     use crate::model::{Joint, Model, load, loads, model_of_bytes};
     #[pymodule_export]

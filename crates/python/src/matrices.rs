@@ -1,12 +1,14 @@
 //! m̄ from matrices M, j and A of the caller's own solver.
 
 use crate::arrays::{Numbers, shape};
+use crate::diagnostic::Diagnostic;
 use crate::errors::input;
 use crate::response::{remark, status, value};
 use crate::threads::detached;
-use numpy::{PyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use percuss::study::matrix_findings as findings_of_batch;
 use percuss::{
-    EffectiveMass, MatrixName, MatrixOptions, MatrixResponse as Found, MatrixView,
+    EffectiveMass, MatrixName, MatrixOptions, MatrixResponse as Found, MatrixView, RemarkFlags,
     effective_mass as of_matrices,
 };
 use pyo3::prelude::*;
@@ -292,17 +294,14 @@ pub fn effective_mass(
 }
 
 /// m̄, error and status for a batch: M (b, n, n), j (b, n) or (n,), A (b, m, n), (m, n) or None. An array without a
-/// batch axis is shared by the whole batch. Returns effective_mass (b,) kg, NaN unless finite; error (b,) kg, NaN if
-/// unknown; status (b,) uint8: 0 finite, 1 immovable, 2 massless. Other parameters as for effective_mass. An error
-/// message names the number of the failing problem.
+/// batch axis is shared by the whole batch. Returns a MatrixBatch, which unpacks into effective_mass (b,) kg, NaN
+/// unless finite; error (b,) kg, NaN if unknown; status (b,) uint8: 0 finite, 1 immovable, 2 massless. Its findings are
+/// the warnings about all problems. Other parameters as for effective_mass. An error message names the number of the
+/// failing problem.
 #[pyfunction]
 #[pyo3(signature = (M, j, A=None, *, lengths=None, rank_floor=None, accuracy=None, row_noise=None))]
 #[allow(non_snake_case, reason = "the names that users of matrices expect")]
-#[allow(
-    clippy::type_complexity,
-    clippy::too_many_arguments,
-    reason = "the options of the question, three arrays"
-)]
+#[allow(clippy::too_many_arguments, reason = "the options of the question")]
 pub fn effective_masses<'py>(
     py: Python<'py>,
     M: &Bound<'py, PyAny>,
@@ -312,7 +311,7 @@ pub fn effective_masses<'py>(
     rank_floor: Option<f64>,
     accuracy: Option<f64>,
     row_noise: Option<f64>,
-) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>)> {
+) -> PyResult<Bound<'py, PyAny>> {
     let given = MatrixArguments { mass: M, row: j, constraints: A, lengths, rank_floor, accuracy, row_noise };
     let shapes = Shapes {
         mass: (&[3], "(b, n, n)"),
@@ -333,27 +332,58 @@ pub fn effective_masses<'py>(
     batches(&row, "j", 2)?;
     rows.as_ref().map_or(Ok(()), |rows| batches(rows, "A", 3))?;
     let options = reading.options();
-    let one = |c: usize| -> Result<(f64, f64, u8), PyErr> {
+    let one = |c: usize| -> Result<Solved, PyErr> {
         let rows = rows.as_ref().map(|rows| rows.matrix(c)).transpose()?;
         let found = of_matrices(mass.matrix(c)?, row.row(c)?, rows, &options)
             .map_err(|error| input(format_args!("number {c} of the batch: {error}")))?;
         let (mass, code) = mass_and_code(Some(found.effective_mass));
-        Ok((mass, found.error.unwrap_or(f64::NAN), code))
+        let error = found.error.unwrap_or(f64::NAN);
+        let remarks: RemarkFlags = found.remarks.iter().collect();
+        Ok(Solved { mass, error, code, remarks, has_small_rows: !found.rank.small_rows.is_empty() })
     };
     // 256 problems per portion, with a check for Ctrl-C between portions.
     let (mut masses, mut errors, mut codes) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut remarks, mut small_rows) = (Vec::new(), Vec::new());
     for first in (0..count).step_by(256) {
         let part = detached(py, || {
             (first..count.min(first + 256)).into_par_iter().map(one).collect::<PyResult<Vec<_>>>()
         })??;
-        for (mass, error, code) in part {
-            masses.push(mass);
-            errors.push(error);
-            codes.push(code);
+        for solved in part {
+            if solved.has_small_rows {
+                small_rows.push(masses.len());
+            }
+            masses.push(solved.mass);
+            errors.push(solved.error);
+            codes.push(solved.code);
+            remarks.push(solved.remarks.bits());
         }
         py.check_signals()?;
     }
-    Ok((PyArray1::from_vec(py, masses), PyArray1::from_vec(py, errors), PyArray1::from_vec(py, codes)))
+    let (masses, errors) = (PyArray1::from_vec(py, masses), PyArray1::from_vec(py, errors));
+    let (codes, remarks) = (PyArray1::from_vec(py, codes), PyArray1::from_vec(py, remarks));
+    py.import("percuss._matrices")?
+        .getattr("MatrixBatch")?
+        .call1((masses, errors, codes, remarks, small_rows))
+}
+
+/// Result of one problem of a batch.
+struct Solved {
+    /// m̄ (NaN unless finite) and its error (NaN if unknown), kg.
+    mass: f64,
+    error: f64,
+    /// Status code.
+    code: u8,
+    remarks: RemarkFlags,
+    has_small_rows: bool,
+}
+
+/// Findings about a batch, from the remarks of each problem and the numbers of the problems with small rows.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value, reason = "arguments are extracted by value")]
+pub fn matrix_findings(remarks: PyReadonlyArray1<'_, u32>, small_rows: Vec<usize>) -> Vec<Diagnostic> {
+    let problems = remarks.as_array();
+    let problems = problems.iter().map(|bits| RemarkFlags::from_bits(*bits));
+    findings_of_batch(problems, &small_rows).into_iter().map(Diagnostic).collect()
 }
 
 /// m̄ (NaN unless finite) and status code of an outcome.

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
+
 import numpy as np
 import pytest
 import scipy.sparse
@@ -82,6 +85,44 @@ def test_batches() -> None:
         np.array([np.eye(2), np.diag([0.0, 1.0])]), np.array([[0.0, 0.0001], [1.0, 0.0]]), [[0.0, 1.0]]
     )
     assert list(outcomes) == [percuss.IMMOVABLE, percuss.MASSLESS]
+
+
+def test_a_batch_has_the_findings_of_its_problems() -> None:
+    flags, slope = percuss.RemarkFlags, 1e-8
+    M = np.array([np.eye(2), np.diag([1.0, 0.0]), np.eye(2), np.diag([1.0, 0.0]), np.eye(2)])
+    j = np.array([[1.0, 0.0], [1.0, 0.0], [slope, 1.0], [0.0, 1.0], [1.0, 0.0]])
+    A = np.array([[[0.0, 0.0]], [[0.0, 0.0]], [[0.0, 1.0]], [[0.0, 0.0]], [[0.0, 0.0]]])
+    batch = percuss.effective_masses(M, j, A)
+    assert isinstance(batch, tuple) and batch[0] is batch.effective_mass and batch[2] is batch.status
+    assert batch.remarks.dtype == np.uint32 and batch.remarks.shape == (5,)
+    assert list(batch.status) == [percuss.FINITE, percuss.FINITE, percuss.FINITE, percuss.MASSLESS, percuss.FINITE]
+    # A problem of the batch has as many kinds of findings as alone.
+    for at in range(5):
+        alone = percuss.effective_mass(M[at], j[at], A[at]).remarks
+        assert int(batch.remarks[at]).bit_count() == len(alone), alone
+    found = {finding.code: finding for finding in batch.findings}
+    assert batch.remarks[2] == flags.NEARLY_IMMOVABLE and batch.remarks[1] & flags.MASSLESS_MOTIONS
+    assert found["nearly-immovable"].severity == "warning" and found["nearly-immovable"].message.endswith(" (number 2)")
+    assert found["massless-motions"].severity == "note"
+    assert found["massless-motions"].message.endswith(" (number 1, and 1 more)")
+    for other in (copy.deepcopy(batch), pickle.loads(pickle.dumps(batch))):
+        assert type(other) is percuss.MatrixBatch
+        for copied, column in zip(other, batch):
+            np.testing.assert_array_equal(copied, column)
+        assert [str(finding) for finding in other.findings] == [str(finding) for finding in batch.findings]
+    assert percuss.effective_masses(M[:1], j[0]).findings == []
+    assert "5 problems, 4 finite" in repr(batch)
+
+
+def test_small_rows_of_a_batch_are_a_finding() -> None:
+    rows = np.array([[1.0, 1.0, 0.0], [0.0, 1e-17, 1e-17]])
+    A = np.array([rows, np.eye(3)[:2], rows])
+    batch = percuss.effective_masses(np.array([np.eye(3)] * 3), [1.0, 0.0, 0.0], A, row_noise=0)
+    assert percuss.effective_mass(np.eye(3), [1.0, 0.0, 0.0], rows, row_noise=0).rank["small_rows"] == [1]
+    (small,) = (finding for finding in batch.findings if finding.code == "small-rows")
+    assert small.message.endswith("row_noise (number 0, and 1 more)")
+    plain = percuss.effective_masses(np.array([np.eye(3)] * 3), [1.0, 0.0, 0.0], A)
+    assert all(finding.code != "small-rows" for finding in plain.findings)
 
 
 def test_lengths_decide_what_is_zero() -> None:

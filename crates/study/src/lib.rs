@@ -26,7 +26,7 @@ pub use percuss_contact as contact;
 
 pub use checks::design_variant::DesignError;
 pub use checks::model_check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
-pub use checks::response_findings::{pose_findings, response_findings, row_findings};
+pub use checks::response_findings::{matrix_findings, pose_findings, response_findings, row_findings};
 pub use compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
 pub use damper::damped_contact::{damp_contact, damp_stop};
 pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};

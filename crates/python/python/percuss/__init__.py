@@ -23,6 +23,7 @@ from ._errors import (
     NoAnswerError,
     PercussError,
 )
+from ._matrices import MatrixBatch
 from ._percuss import (
     Accelerations,
     Assembly,
@@ -101,6 +102,7 @@ __all__ = [
     "Joint",
     "LoadError",
     "MapReport",
+    "MatrixBatch",
     "MatrixResponse",
     "Model",
     "ModelWarning",

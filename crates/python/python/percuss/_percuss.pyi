@@ -6,6 +6,7 @@ from typing import Any, Literal, NoReturn, TypedDict, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._matrices import MatrixBatch
 from ._reports import Conditions, Damping, Design, _SafeSpeed
 
 __all__ = [
@@ -38,6 +39,7 @@ __all__ = [
     "map_point_report",
     "map_report",
     "mass_report",
+    "matrix_findings",
     "model_of_bytes",
     "regions",
     "run_command",
@@ -441,7 +443,8 @@ def effective_masses(
     rank_floor: float | None = None,
     accuracy: float | None = None,
     row_noise: float | None = None,
-) -> tuple[_Array, _Array, NDArray[np.uint8]]: ...
+) -> MatrixBatch: ...
+def matrix_findings(remarks: NDArray[np.uint32], small_rows: Sequence[int]) -> list[Diagnostic]: ...
 def sweep(
     model: Model | System | Assembly,
     contact: Contact,

@@ -1,4 +1,4 @@
-"""Kinds of findings about a row, as in the remarks of a sweep."""
+"""Kinds of findings about a row, as in the remarks of a sweep or of a batch of matrices."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ import enum
 class RemarkFlags(enum.IntFlag):
     """Kinds of findings about a row; the bits equal those of PERCUSS_REMARK_… in the C interface.
 
-    percuss.RemarkFlags(int(swept.remarks[3])) lists the kinds of a row; Sweep.findings has a text for each kind.
+    percuss.RemarkFlags(int(swept.remarks[3])) lists the kinds of a row; Sweep.findings and MatrixBatch.findings have a
+    text for each kind.
     """
 
     NEARLY_IMMOVABLE = 1

@@ -99,12 +99,17 @@ impl FindingTally {
     /// All findings of `rows` rows as records. A finding that does not occur in all rows gets the first row and
     /// the number of further rows appended.
     pub fn into_records(self, rows: usize) -> impl Iterator<Item = DiagnosticRecord> {
+        self.into_records_of(rows, "row")
+    }
+
+    /// As [`into_records`](Self::into_records), with another word for a row.
+    pub fn into_records_of(self, rows: usize, row: &'static str) -> impl Iterator<Item = DiagnosticRecord> {
         self.counts.into_values().map(move |counted| {
             let mut record = DiagnosticRecord::from(counted.finding);
             if counted.rows < rows {
                 record.message += &match counted.rows {
-                    1 => format!(" (row {})", counted.first_row),
-                    more => format!(" (row {}, and {} more)", counted.first_row, more - 1),
+                    1 => format!(" ({row} {})", counted.first_row),
+                    more => format!(" ({row} {}, and {} more)", counted.first_row, more - 1),
                 };
             }
             record

@@ -149,6 +149,46 @@ pub fn row_findings(
     rows: impl IntoIterator<Item = RemarkFlags>,
     no_answer: Option<&str>,
 ) -> Vec<DiagnosticRecord> {
+    let (tally, count) = tally_remarks(rows, |flag, text| match no_answer {
+        Some(reason) if flag == RemarkFlags::NO_ANSWER => format!("no result: {reason}"),
+        _ => text.to_owned(),
+    });
+    tally.into_records(count).collect()
+}
+
+/// Findings about a batch of results of [`effective_mass`](percuss_dynamics::effective_mass), one per kind of remark,
+/// with the number of the first problem (from 0) and of further problems. `small_rows`: numbers of the problems with
+/// [small rows](percuss_dynamics::ConstraintRank::small_rows), ascending.
+pub fn matrix_findings(
+    problems: impl IntoIterator<Item = RemarkFlags>,
+    small_rows: &[usize],
+) -> Vec<DiagnosticRecord> {
+    let (mut tally, count) = tally_remarks(problems, |flag, usual| {
+        let text = match flag {
+            RemarkFlags::MASSLESS_TO_ROUNDING => {
+                "massless to rounding only: M may contain a mass below the rounding of larger masses"
+            }
+            RemarkFlags::UNCLEAR_RANK => {
+                "the rank of A is unclear, so no error is stated: a singular value of A is close to the limit of rank_floor"
+            }
+            _ => usual,
+        };
+        text.to_owned()
+    });
+    if let Some(first) = small_rows.first() {
+        let text = "rows of A count and are below the rounding of others: small units, or rounding to be excluded \
+                    by row_noise";
+        let finding = Finding::warning("small-rows", FindingSubject::Result, text);
+        tally.add_repeated(*first, small_rows.len(), &[finding]);
+    }
+    tally.into_records_of(count, "number").collect()
+}
+
+/// Findings of all rows and the number of rows. `text` gets the flag and the usual text of each kind of remark.
+fn tally_remarks(
+    rows: impl IntoIterator<Item = RemarkFlags>,
+    text: impl Fn(RemarkFlags, &str) -> String,
+) -> (FindingTally, usize) {
     let mut occurrences = [(0, 0); REMARKS.len()];
     let mut count = 0;
     for (row, flags) in rows.into_iter().enumerate() {
@@ -164,21 +204,18 @@ pub fn row_findings(
         }
     }
     let mut tally = FindingTally::default();
-    for ((flag, severity, code, text), (first, rows)) in REMARKS.iter().zip(occurrences) {
+    for ((flag, severity, code, usual), (first, rows)) in REMARKS.iter().zip(occurrences) {
         if rows == 0 {
             continue;
         }
-        let text = match no_answer.filter(|_| *flag == RemarkFlags::NO_ANSWER) {
-            Some(reason) => format!("no result: {reason}"),
-            None => (*text).to_owned(),
-        };
+        let text = text(*flag, usual);
         let finding = match severity {
             Severity::Note => Finding::note(code, FindingSubject::Result, text),
             _ => Finding::warning(code, FindingSubject::Result, text),
         };
         tally.add_repeated(first, rows, &[finding]);
     }
-    tally.into_records(count).collect()
+    (tally, count)
 }
 
 #[cfg(test)]
@@ -202,5 +239,21 @@ mod tests {
             found.iter().any(|r| r.code == "no-answer" && r.message.starts_with("no result: out of reach"))
         );
         assert!(row_findings([RemarkFlags::NONE; 3], None).is_empty());
+    }
+
+    /// Findings of a batch of matrices count problems, and do not refer to the pose or to the error of a row.
+    #[test]
+    fn matrices_have_texts_of_their_own() {
+        let problems = [RemarkFlags::NONE, RemarkFlags::MASSLESS_TO_ROUNDING, RemarkFlags::MASSLESS_MOTIONS];
+        let found = matrix_findings(problems, &[0, 2]);
+        let lines: Vec<String> = found.iter().map(DiagnosticRecord::line).collect();
+        assert_eq!(
+            found.iter().map(|record| record.code).collect::<Vec<_>>(),
+            ["massless-motions", "massless-to-rounding", "small-rows"]
+        );
+        assert!(lines[0].starts_with("note: ") && lines[0].ends_with(" (number 2)"), "{lines:?}");
+        assert!(lines[1].contains("M may contain a mass") && lines[1].ends_with(" (number 1)"), "{lines:?}");
+        assert!(lines[2].ends_with(" (number 0, and 1 more)"), "{lines:?}");
+        assert!(matrix_findings([RemarkFlags::NONE; 3], &[]).is_empty());
     }
 }
