@@ -30,9 +30,6 @@ pub(crate) const SMALL_CHANGE: f64 = 1e-11;
 pub(crate) const PIVOT: f64 = 256.0 * f64::EPSILON;
 /// Largest relative error of a result of the recursion alone; beyond this limit the dense route also runs.
 pub(crate) const TRUSTED_ERROR: f64 = 1e-11;
-/// Largest relative error of a result in SIMD lanes; beyond this limit the row is computed again by the recursion. The bound of
-/// the lanes is quick and some thousand times the true error, so that rows of common robots exceed 1e-11.
-pub(crate) const LANE_TRUSTED_ERROR: f64 = 1e-9;
 /// Smallest mass of a free body on the other side, kg. Its inverse, and sums of such inverses, do not overflow.
 pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
 /// Largest number of coordinates for the dense route: O(n³) time, and 8n² bytes per matrix.

@@ -1,6 +1,6 @@
 //! Positions by columns and certified results, shared by the SIMD kernels.
 
-use crate::tolerances::{LANE_TRUSTED_ERROR, UNIT_QUATERNION};
+use crate::tolerances::{TRUSTED_ERROR, UNIT_QUATERNION};
 use nalgebra::Matrix3;
 use percuss_spatial::SpatialInertia;
 use percuss_spatial::lanes::Lanes;
@@ -21,7 +21,7 @@ impl CertifiedMass {
     /// True if m̄ is finite and the rounding error is small. False for NaN.
     #[inline]
     pub fn is_clear(&self) -> bool {
-        (self.mass > 0.0) & (self.mass <= f64::MAX) & (self.error <= LANE_TRUSTED_ERROR * self.mass)
+        (self.mass > 0.0) & (self.mass <= f64::MAX) & (self.error <= TRUSTED_ERROR * self.mass)
     }
 
     /// Result of `work` on one lane, if certified.
