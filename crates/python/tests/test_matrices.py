@@ -93,7 +93,7 @@ def test_a_batch_has_the_findings_of_its_problems() -> None:
     j = np.array([[1.0, 0.0], [1.0, 0.0], [slope, 1.0], [0.0, 1.0], [1.0, 0.0]])
     A = np.array([[[0.0, 0.0]], [[0.0, 0.0]], [[0.0, 1.0]], [[0.0, 0.0]], [[0.0, 0.0]]])
     batch = percuss.effective_masses(M, j, A)
-    assert isinstance(batch, tuple) and batch[0] is batch.effective_mass and batch[2] is batch.status
+    assert len(batch) == 3 and batch[0] is batch.effective_mass and batch[2] is batch.status
     assert batch.remarks.dtype == np.uint32 and batch.remarks.shape == (5,)
     assert list(batch.status) == [percuss.FINITE, percuss.FINITE, percuss.FINITE, percuss.MASSLESS, percuss.FINITE]
     # A problem of the batch has as many kinds of findings as alone.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -10,43 +11,52 @@ from numpy.typing import NDArray
 from ._percuss import Diagnostic, matrix_findings
 
 
-class MatrixBatch(tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.uint8]]):
+class MatrixBatch:
     """m̄, error and status of a batch of matrices, with the findings about it.
 
-    Unpacks into effective_mass, error, status, which are its attributes too.
+    Unpacks into effective_mass, error, status.
     """
 
-    #: Findings about each problem: RemarkFlags added together; uint32, (b,).
-    remarks: NDArray[np.uint32]
-    _small_rows: list[int]
-
-    def __new__(
-        cls,
+    def __init__(
+        self,
         effective_mass: NDArray[np.float64],
         error: NDArray[np.float64],
         status: NDArray[np.uint8],
         remarks: NDArray[np.uint32],
         small_rows: list[int],
-    ) -> MatrixBatch:
+    ) -> None:
         """Made by effective_masses. small_rows: numbers of the problems with small rows of A."""
-        made = super().__new__(cls, (effective_mass, error, status))
-        made.remarks, made._small_rows = remarks, small_rows
-        return made
+        self._parts = (effective_mass, error, status)
+        self._remarks, self._small_rows = remarks, small_rows
+
+    def __iter__(self) -> Iterator[NDArray[Any]]:
+        return iter(self._parts)
+
+    def __len__(self) -> int:
+        return len(self._parts)
+
+    def __getitem__(self, index: int) -> NDArray[Any]:
+        return self._parts[index]
 
     @property
     def effective_mass(self) -> NDArray[np.float64]:
         """m̄, kg; NaN unless finite; (b,)."""
-        return self[0]
+        return self._parts[0]
 
     @property
     def error(self) -> NDArray[np.float64]:
         """Error of m̄, kg; NaN if unknown; (b,)."""
-        return self[1]
+        return self._parts[1]
 
     @property
     def status(self) -> NDArray[np.uint8]:
         """0 finite, 1 immovable, 2 massless; uint8, (b,)."""
-        return self[2]
+        return self._parts[2]
+
+    @property
+    def remarks(self) -> NDArray[np.uint32]:
+        """Findings about each problem: RemarkFlags added together; uint32, (b,)."""
+        return self._remarks
 
     @property
     def findings(self) -> list[Diagnostic]:
@@ -55,10 +65,6 @@ class MatrixBatch(tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.uin
         effective_mass of a problem alone has the numbers in its remarks.
         """
         return matrix_findings(self.remarks, self._small_rows)
-
-    def __getnewargs__(self) -> tuple[Any, ...]:
-        """Arguments of the constructor, for copies and pickle."""
-        return (*self, self.remarks, self._small_rows)
 
     def __repr__(self) -> str:
         finite = int(np.count_nonzero(self.status == 0))
