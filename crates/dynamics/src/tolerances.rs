@@ -30,6 +30,9 @@ pub(crate) const SMALL_CHANGE: f64 = 1e-11;
 pub(crate) const PIVOT: f64 = 256.0 * f64::EPSILON;
 /// Largest relative error of a result of the recursion alone; beyond this limit the dense route also runs.
 pub(crate) const TRUSTED_ERROR: f64 = 1e-11;
+/// Largest relative error of a result of a tree in SIMD lanes; beyond this limit the row is computed again by the recursion. The
+/// bound of the lanes is quick and some thousand times the true error, so that rows of common robots exceed 1e-11.
+pub(crate) const TREE_TRUSTED_ERROR: f64 = 1e-10;
 /// Smallest mass of a free body on the other side, kg. Its inverse, and sums of such inverses, do not overflow.
 pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
 /// Largest number of coordinates for the dense route: O(n³) time, and 8n² bytes per matrix.
@@ -166,6 +169,9 @@ pub(crate) const LOSS_ROUNDINGS: f64 = 4.0;
 /// Ratio of a pivot's terms to the pivot above which the elimination amplifies the errors of the subtree, in SIMD
 /// lanes. Pivots of common arms and long chains are below this ratio, or have no errors to amplify.
 pub(crate) const COMMON_LOSS: f64 = 64.0;
+/// Smallest principal moment about the centre of mass, relative to the trace about the origin of the joint, that is certainly
+/// not rounding.
+pub(crate) const LEAST_MOMENT: f64 = 1e-12;
 /// Relative error of the response of a cluster with constraints above which the stationary value is used: a tenth of
 /// the accepted error.
 pub(crate) const VAGUE_RESPONSE: f64 = 1e-12;

@@ -1,6 +1,6 @@
 //! Positions by columns and certified results, shared by the SIMD kernels.
 
-use crate::tolerances::{TRUSTED_ERROR, UNIT_QUATERNION};
+use crate::tolerances::UNIT_QUATERNION;
 use nalgebra::Matrix3;
 use percuss_spatial::SpatialInertia;
 use percuss_spatial::lanes::Lanes;
@@ -18,18 +18,18 @@ pub(crate) struct CertifiedMass {
 }
 
 impl CertifiedMass {
-    /// True if m̄ is finite and the rounding error is small. False for NaN.
+    /// True if m̄ is finite and its rounding error at most `trusted`, relative. False for NaN.
     #[inline]
-    pub fn is_clear(&self) -> bool {
-        (self.mass > 0.0) & (self.mass <= f64::MAX) & (self.error <= TRUSTED_ERROR * self.mass)
+    pub fn is_clear(&self, trusted: f64) -> bool {
+        (self.mass > 0.0) & (self.mass <= f64::MAX) & (self.error <= trusted * self.mass)
     }
 
     /// Result of `work` on one lane, if certified.
     #[inline]
-    pub fn of_one(work: impl FnOnce(MassColumns<'_>)) -> Option<Self> {
+    pub fn of_one(trusted: f64, work: impl FnOnce(MassColumns<'_>)) -> Option<Self> {
         let (mut mass, mut error) = ([f64::NAN], [f64::NAN]);
         work(MassColumns { masses: &mut mass, errors: &mut error });
-        Some(Self { mass: mass[0], error: error[0] }).filter(Self::is_clear)
+        Some(Self { mass: mass[0], error: error[0] }).filter(|mass| mass.is_clear(trusted))
     }
 }
 

@@ -23,7 +23,7 @@ use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDE
 use crate::kinematics::contact::Contact;
 use crate::tolerances::{
     CLOSED, CLOSED_IN_LANES, CLOSING_PASSES, CURVATURE_STEP, DRIFT_ITERATIONS, FOLLOWERS_DRIFT,
-    LONGEST_BRANCH_STEP, LONGEST_FOLLOWED, SMALL_CORRECTION, STRAIGHT,
+    LONGEST_BRANCH_STEP, LONGEST_FOLLOWED, SMALL_CORRECTION, STRAIGHT, TRUSTED_ERROR,
 };
 use percuss_spatial::Scalar;
 use percuss_spatial::lanes::{Lanes, Portable, Work};
@@ -387,7 +387,7 @@ impl LoopContinuation {
     /// Result of a lane whose branch is certain.
     fn row_result(&self, seen: &Outcome, lane: usize, lanes: usize) -> Option<FollowedRow> {
         let answered = CertifiedMass { mass: seen.masses[lane], error: seen.errors[lane] };
-        let mass = Some(answered).filter(CertifiedMass::is_clear);
+        let mass = Some(answered).filter(|mass| mass.is_clear(TRUSTED_ERROR));
         self.is_on_branch(seen, lane, lanes).then_some(FollowedRow { mass, residual: seen.residuals[lane] })
     }
 

@@ -20,7 +20,7 @@ use crate::kernels::aligned::Aligned;
 use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDEST};
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::model::Model;
-use crate::tolerances::SHORTEST_LINE;
+use crate::tolerances::{SHORTEST_LINE, TRUSTED_ERROR};
 use energy::{LoopContact, LoopNormal, LoopResponse, evaluate};
 use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
@@ -92,7 +92,7 @@ impl LoopKernel {
     /// m̄ at one configuration for the current contact, with its rounding error. `None` if m̄ is not finite, or if its
     /// rounding error is not small.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Option<CertifiedMass> {
-        CertifiedMass::of_one(|answers| {
+        CertifiedMass::of_one(TRUSTED_ERROR, |answers| {
             let columns = PositionColumns { values: positions, stride: 1 };
             let instructions = self.instructions;
             if let Some(groups) = self.groups(columns, 0, answers) {

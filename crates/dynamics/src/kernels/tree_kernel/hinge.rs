@@ -127,6 +127,7 @@ fn eliminate_hinge_variant<
         }
         wrench.shift::<0>(along_x);
         carried.moment_size = of(step.reach).mul_add(carried.force_size, carried.moment_size);
+        carried.add_share(&step.share);
     }
     if NEXT_TO_LAST {
         // The compiler drops the entries that no caller reads.

@@ -16,6 +16,7 @@ use crate::kernels::aligned::Aligned;
 use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDEST};
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::model::Model;
+use crate::tolerances::TREE_TRUSTED_ERROR;
 use nalgebra::Vector3;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
 use plan::{ScheduledStep, TreePlan};
@@ -73,6 +74,10 @@ impl TreeKernel {
         }
         path.reverse();
         self.selection.subtree_root = self.steps[last - body].subtree_root;
+        let root = self.selection.subtree_root;
+        let bodies = self.steps.iter().filter(|placed| placed.subtree_root == root);
+        self.selection.amplification =
+            bodies.fold(0.0, |most, placed| placed.step.share.amplification.max(most));
         self.selection.contact = TreeContact { point: point.into(), normal };
         true
     }
@@ -80,7 +85,7 @@ impl TreeKernel {
     /// m̄ at one configuration for the current contact, with its rounding error. `None` if m̄ is not finite, or if its
     /// rounding error is not small.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Option<CertifiedMass> {
-        CertifiedMass::of_one(|answers| {
+        CertifiedMass::of_one(TREE_TRUSTED_ERROR, |answers| {
             let columns = PositionColumns { values: positions, stride: 1 };
             let instructions = self.instructions;
             instructions.run_one(self.groups(columns, 0, answers));
@@ -130,7 +135,7 @@ impl Work for TreeLaneWork<'_> {
         let mut done = 0;
         while done < answers.masses.len() {
             let answer: TreeResponse<T> = evaluate(steps, selection, columns, first + done, room);
-            answers.store(done, answer.response, answer.roundings * answer.terms);
+            answers.store(done, answer.response, answer.error);
             done += T::WIDTH;
         }
     }

@@ -6,7 +6,7 @@ use super::sizes::Sizes;
 use crate::kernels::estimate::is_positive;
 use crate::model::joint_motion::JointMotion;
 use crate::model::{Body, Model};
-use crate::tolerances::{NO_ACROSS, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
+use crate::tolerances::{LEAST_MOMENT, NO_ACROSS, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::JointKind;
 use percuss_spatial::lanes::Portable;
@@ -114,6 +114,7 @@ pub(super) struct TreeStep {
     /// positions.
     pub moment: f64,
     pub mass: f64,
+    pub share: EnergyShare,
     /// Constant elimination of a leaf.
     pub leaf: Option<Box<LeafElimination>>,
 }
@@ -205,6 +206,42 @@ pub(super) struct HingeForm {
     pub is_parent_on_ground: bool,
 }
 
+/// Bounds by the kinetic energy of one body, 2 E = vᵀ I v, of which all bodies together have 1/m̄ in the response to a unit
+/// impulse. Infinite for a body without inertia.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct EnergyShare {
+    /// Largest error of the articulated inertia, (√moment |ω| + √mass |v|)² in units of its roundings, for 2 E = 1.
+    pub amplification: f64,
+    /// Largest |ω| (rad/s) and velocity of the origin (m/s) for 2 E = 1 J.
+    pub angular: f64,
+    pub linear: f64,
+}
+
+impl EnergyShare {
+    /// Bounds for a body with its own inertia. `moment` (kg·m²) and `mass` (kg): bounds of its articulated inertia.
+    fn of(own: &PackedInertia<f64>, moment: f64, mass: f64) -> Self {
+        let (a, h, m) = (&own.angular, &own.coupling, own.linear[0]);
+        let rotational = Matrix3::new(a[0], a[1], a[2], a[1], a[3], a[4], a[2], a[4], a[5]);
+        let centre = Vector3::new(h[2][1], h[0][2], h[1][0]) / m;
+        let about_centre =
+            rotational - (Matrix3::identity() * centre.norm_squared() - centre * centre.transpose()) * m;
+        let least = about_centre.symmetric_eigenvalues().min();
+        // A smaller moment may be rounding.
+        if !(m > 0.0 && least > LEAST_MOMENT * rotational.trace()) {
+            let most = f64::INFINITY;
+            return Self { amplification: most, angular: most, linear: most };
+        }
+        // |v|² ≤ 2 |v_c|² + 2 |c|² |ω|² with the velocity v_c of the centre of mass.
+        let angular = (moment + 2.0 * centre.norm_squared() * mass) / least;
+        let linear = 2.0 * mass / m;
+        Self {
+            amplification: 2.0 * angular.max(linear),
+            angular: 1.0 / least.sqrt(),
+            linear: (1.0 / m + centre.norm_squared() / least).sqrt(),
+        }
+    }
+}
+
 /// Step with its position in the sequence.
 #[derive(Clone, Debug)]
 pub(super) struct ScheduledStep {
@@ -268,6 +305,7 @@ impl TreePlan {
                 reach,
                 moment: 0.0,
                 mass: 0.0,
+                share: EnergyShare::default(),
                 leaf: None,
             });
         }
@@ -331,6 +369,7 @@ impl TreePlan {
             step.mass += own.linear[0];
             first[i] += Vector3::new(h[1][2], h[2][0], h[0][1]).norm();
             let (moment, mass, h, r) = (step.moment, step.mass, first[i], step.reach);
+            step.share = EnergyShare::of(&step.own.inertia, moment + r * r * mass, mass);
             let lets_go = step.transmits_nothing();
             if let Some(parent) = step.parent.filter(|_| !lets_go) {
                 self.steps[parent].moment += moment + r * (2.0 * h + r * mass);

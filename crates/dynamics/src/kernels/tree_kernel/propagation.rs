@@ -1,7 +1,7 @@
 //! Shared parts of the recursion's steps: propagation of the contact wrench to the ground, and the layout of the
 //! workspace.
 
-use super::plan::{LeafElimination, TreeStep};
+use super::plan::{EnergyShare, LeafElimination, TreeStep};
 use super::sizes::SIZES;
 use crate::tolerances::{LOSS_ROUNDINGS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
@@ -22,6 +22,8 @@ pub(super) struct PropagatedWrench<T> {
     pub response: T,
     pub terms: T,
     pub loss: T,
+    /// Change of the response by a relative error of the wrenches, if every body had all of the kinetic energy, √(1/kg).
+    pub by_energy: T,
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -65,7 +67,15 @@ impl<T: Lanes> PropagatedWrench<T> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn none() -> Self {
         let (o, one) = (T::zero(), T::one());
-        Self { wrench: PackedWrench::zero(), moment_size: o, force_size: o, response: o, terms: o, loss: one }
+        Self {
+            wrench: PackedWrench::zero(),
+            moment_size: o,
+            force_size: o,
+            response: o,
+            terms: o,
+            loss: one,
+            by_energy: o,
+        }
     }
 
     /// Counts the ratio of a pivot's summed terms to the pivot. Returns that ratio.
@@ -76,10 +86,18 @@ impl<T: Lanes> PropagatedWrench<T> {
         loss
     }
 
-    /// Number of roundings by which the terms of the response are in error.
+    /// Error of the response in units of ε, 1/kg: the sizes of the terms of its pivots and wrenches, times the roundings of the
+    /// pivot with the largest loss.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn roundings(&self) -> T {
-        T::from_f64(ROUTE_ROUNDINGS).max(self.loss * T::from_f64(LOSS_ROUNDINGS))
+    pub fn error_of_pivots(&self) -> T {
+        T::from_f64(ROUTE_ROUNDINGS).max(self.loss * T::from_f64(LOSS_ROUNDINGS)) * self.terms
+    }
+
+    /// Adds the sizes of the wrench on a body at the largest twist of this body.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn add_share(&mut self, share: &EnergyShare) {
+        let (angular, linear) = (T::from_f64(share.angular), T::from_f64(share.linear));
+        self.by_energy = self.moment_size.mul_add(angular, self.force_size.mul_add(linear, self.by_energy));
     }
 
     /// Adds t²/D and its terms. Returns t/D.
