@@ -296,7 +296,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     args = parser.parse_args()
     source = (ROOT / "crates/contact/src/body_region.rs").read_text()
-    rows = re.findall(r'region\("([^"]+)",\s*"[^"]+",\s*([\d.e]+),\s*([\d.e]+),', source)
+    rows = re.findall(r'region\(\s*"([^"]+)",\s*"[^"]+",\s*([\d.e]+),\s*([\d.e]+),', source)
     regions = [{"name": name, "mass": float(mass), "stiffness": float(k)} for name, mass, k in rows]
     assert len(regions) == 12, "the table of regions has another layout"
     check, skipped = Checker(args.percuss), 0
