@@ -195,16 +195,8 @@ fn evaluate_block<T: Send>(
                 let mut portion = RowResults::new(rows);
                 let row_poses = context.next_poses(&mut line, block, first..first + rows);
                 let travel = line.travel();
-                for (i, row_pose) in (first..).zip(row_poses) {
-                    context.evaluate_row(
-                        &mut portion,
-                        block,
-                        i,
-                        row_pose,
-                        travel.as_ref().map(|t| &t.0),
-                        convert,
-                    );
-                }
+                let travel = travel.as_ref().map(|t| &t.0);
+                context.evaluate_rows(&mut portion, block, (first..).zip(row_poses), travel, convert);
                 (portion.skipped, portion.step_limit) = (line.unreachable.drain_skipped(), line.step_limit);
                 portion
             };
@@ -214,16 +206,8 @@ fn evaluate_block<T: Send>(
         BlockWork::Portions { portions, travel, untried } => {
             let of_portion = |(first, row_poses): (usize, Vec<RowPose>)| {
                 let mut portion = RowResults::new(row_poses.len());
-                for (i, row_pose) in (first..).zip(row_poses) {
-                    context.evaluate_row(
-                        &mut portion,
-                        block,
-                        i,
-                        row_pose,
-                        travel.as_ref().map(|t| &t.0),
-                        convert,
-                    );
-                }
+                let travel = travel.as_ref().map(|t| &t.0);
+                context.evaluate_rows(&mut portion, block, (first..).zip(row_poses), travel, convert);
                 portion
             };
             let mut portions: Vec<RowResults<T>> = portions.into_par_iter().map(of_portion).collect();

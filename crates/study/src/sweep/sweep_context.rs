@@ -172,6 +172,20 @@ impl SweepContext<'_> {
         }
     }
 
+    /// Evaluates rows, given by their numbers in the block with their poses.
+    pub fn evaluate_rows<T>(
+        &self,
+        portion: &mut RowResults<T>,
+        block: &RowBlock,
+        rows: impl Iterator<Item = (usize, RowPose)>,
+        travel: Option<&PointTravel>,
+        convert: RowConversion<'_, T>,
+    ) {
+        for (i, row_pose) in rows {
+            self.evaluate_row(portion, block, i, row_pose, travel, convert);
+        }
+    }
+
     /// Evaluates a row and appends the outcome to the portion.
     pub fn evaluate_row<T>(
         &self,

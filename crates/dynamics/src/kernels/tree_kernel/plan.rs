@@ -6,7 +6,7 @@ use super::sizes::Sizes;
 use crate::kernels::estimate::is_positive;
 use crate::model::joint_motion::JointMotion;
 use crate::model::{Body, Model};
-use crate::tolerances::{LEAST_MOMENT, NO_ACROSS, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
+use crate::tolerances::{LEAST_MOMENT, NO_ACROSS, NO_BOUND, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::JointKind;
 use percuss_spatial::lanes::Portable;
@@ -114,6 +114,7 @@ pub(super) struct TreeStep {
     /// positions.
     pub moment: f64,
     pub mass: f64,
+    /// Bounds by the kinetic energy of the body itself.
     pub share: EnergyShare,
     /// Constant elimination of a leaf.
     pub leaf: Option<Box<LeafElimination>>,
@@ -206,11 +207,11 @@ pub(super) struct HingeForm {
     pub is_parent_on_ground: bool,
 }
 
-/// Bounds by the kinetic energy of one body, 2 E = vᵀ I v, of which all bodies together have 1/m̄ in the response to a unit
-/// impulse. Infinite for a body without inertia.
+/// Bounds of the twist of a body, and of the effect of rounding errors, by its kinetic energy 2 E = vᵀ I v. After a unit
+/// impulse, the sum of 2 E over all bodies is 1/m̄. For a body without inertia the bounds are [`NO_BOUND`].
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct EnergyShare {
-    /// Largest error of the articulated inertia, (√moment |ω| + √mass |v|)² in units of its roundings, for 2 E = 1.
+    /// Amplification κ: largest (√moment |ω| + √mass |v|)² for 2 E = 1 J, with the bounds of the articulated inertia.
     pub amplification: f64,
     /// Largest |ω| (rad/s) and velocity of the origin (m/s) for 2 E = 1 J.
     pub angular: f64,
@@ -228,8 +229,7 @@ impl EnergyShare {
         let least = about_centre.symmetric_eigenvalues().min();
         // A smaller moment may be rounding.
         if !(m > 0.0 && least > LEAST_MOMENT * rotational.trace()) {
-            let most = f64::INFINITY;
-            return Self { amplification: most, angular: most, linear: most };
+            return Self { amplification: NO_BOUND, angular: NO_BOUND, linear: NO_BOUND };
         }
         // |v|² ≤ 2 |v_c|² + 2 |c|² |ω|² with the velocity v_c of the centre of mass.
         let angular = (moment + 2.0 * centre.norm_squared() * mass) / least;

@@ -22,7 +22,7 @@ pub(super) struct PropagatedWrench<T> {
     pub response: T,
     pub terms: T,
     pub loss: T,
-    /// Change of the response by a relative error of the wrenches, if every body had all of the kinetic energy, √(1/kg).
+    /// Sum over the bodies on the contact path of the sizes of the wrench times the largest twist for 2 E = 1 J, √(1/kg).
     pub by_energy: T,
 }
 
@@ -93,7 +93,7 @@ impl<T: Lanes> PropagatedWrench<T> {
         T::from_f64(ROUTE_ROUNDINGS).max(self.loss * T::from_f64(LOSS_ROUNDINGS)) * self.terms
     }
 
-    /// Adds the sizes of the wrench on a body at the largest twist of this body.
+    /// Adds the power of the sizes of the wrench on a body for the largest twist of this body.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn add_share(&mut self, share: &EnergyShare) {
         let (angular, linear) = (T::from_f64(share.angular), T::from_f64(share.linear));

@@ -19,7 +19,7 @@ use super::propagation::{
 };
 use super::sizes::Sizes;
 use crate::kernels::estimate::{PositionColumns, excess_beyond, quaternion_norm_excess};
-use crate::tolerances::{LOSS_ROUNDINGS, ROUTE_ROUNDINGS};
+use crate::tolerances::{LOSS_ROUNDINGS, NO_BOUND, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, splat, turn_vector};
 use std::ops::Range;
@@ -66,7 +66,7 @@ impl ContactPath {
             path: Vec::with_capacity(steps),
             on_path: vec![false; steps],
             subtree_root: 0,
-            amplification: f64::INFINITY,
+            amplification: NO_BOUND,
             over_travel: 1.0 / travel,
             contact: struck,
         }
@@ -82,10 +82,10 @@ pub(super) struct TreeResponse<T> {
     pub error: T,
 }
 
-/// Error of the response in units of ε, 1/kg, by the kinetic energy. A rounding of an articulated inertia acts as an error of the
-/// body's own inertia, vᵀ δI v ≤ κ ε vᵀ I v for every twist v with the body's amplification κ. So the mass matrix as a whole is
-/// in error by at most max κ ε, relative, and 1/m̄ as well. An error δf of the wrench on a body changes 1/m̄ by 2 δf·v with
-/// vᵀ I v ≤ 1/m̄.
+/// Error of the response in units of ε, 1/kg, by the kinetic energy. A rounding error of an articulated inertia has the effect of
+/// an error δI of the inertia of the body itself, with vᵀ δI v ≤ κ ε vᵀ I v for every twist v. Therefore the relative error of the
+/// mass matrix, and of 1/m̄, is at most ε times the largest κ. An error δf of the wrench on a body changes 1/m̄ by 2 δf·v, where
+/// the twist v satisfies vᵀ I v ≤ 1/m̄.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn error_by_energy<T: Lanes>(carried: &PropagatedWrench<T>, selection: &ContactPath) -> T {
     // The body's own roundings and those of its children.
@@ -94,13 +94,13 @@ fn error_by_energy<T: Lanes>(carried: &PropagatedWrench<T>, selection: &ContactP
     (roundings * carried.by_energy).mul_add(carried.response.sqrt(), of_inertias)
 }
 
-/// Smaller value; `other` if `x` is NaN.
+/// Smaller value; `other`, a number, if `x` is NaN.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn smaller<T: Lanes>(x: T, other: T) -> T {
     -((-other).max(-x))
 }
 
-/// 1/m̄ of the configurations from `first` on, one per lane, and the size of its terms and roundings. `room`: workspace of
+/// 1/m̄ of the configurations from `first` on, one per lane, and its rounding error. `room`: workspace of
 /// all steps.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn evaluate<T: Lanes>(
@@ -123,9 +123,9 @@ pub(super) fn evaluate<T: Lanes>(
             eliminate_step::<T, false>(placed, at, &mut carried, room);
         }
     }
-    // Angles beyond the range of the sine are marked as doubtful.
     let stretch = (travels * T::from_f64(selection.over_travel)).max(T::one());
     let error = smaller(carried.error_of_pivots(), error_by_energy(&carried, selection)) * stretch * stretch;
+    // Angles beyond the range of the sine are marked as doubtful.
     TreeResponse { response: carried.response, error: beyond.mul_add(T::from_f64(f64::MAX), error) }
 }
 
