@@ -169,6 +169,8 @@ pub(crate) const LOSS_ROUNDINGS: f64 = 4.0;
 /// Ratio of a pivot's terms to the pivot above which the elimination amplifies the errors of the subtree, in SIMD
 /// lanes. Pivots of common arms and long chains are below this ratio, or have no errors to amplify.
 pub(crate) const COMMON_LOSS: f64 = 64.0;
+/// Roundings of the normal for each joint between the root link and the contact link, in SIMD lanes: two rotations.
+pub(crate) const NORMAL_ROUNDINGS: f64 = 4.0;
 /// Value of a bound that does not exist, in any unit. Unlike infinity, its product with 0 is a number.
 pub(crate) const NO_BOUND: f64 = 1e150;
 /// Smallest principal moment about the centre of mass, relative to the trace about the origin of the joint, that is certainly

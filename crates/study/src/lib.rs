@@ -19,7 +19,7 @@ mod study_file;
 mod sweep;
 mod tables;
 mod thresholds;
-mod units;
+mod values;
 
 /// Contact laws, simulators and safe speeds, for the interfaces that use them.
 pub use percuss_contact as contact;
@@ -85,4 +85,4 @@ pub use study_file::sweep::{StudyFigure, StudyTable, TableUnit};
 pub use study_file::variant::Variant;
 pub use sweep::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
 pub use sweep::sweep_rows::{Sweep, sweep, sweep_report};
-pub use units::position::GivenPosition;
+pub use values::position::GivenPosition;

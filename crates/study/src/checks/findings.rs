@@ -4,7 +4,7 @@ use crate::checks::far_point_check;
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::question::field::{Field, Names};
 use crate::thresholds::{FAR_FROM_GUESS, WARNED_RELATIVE_ERROR};
-use crate::units::position::{GivenPosition, position_dimension};
+use crate::values::position::{GivenPosition, position_dimension};
 use percuss_dynamics::{
     Assembly, BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose, Remark,
     RigidLoops, Singularity, System,

@@ -4,7 +4,7 @@ use crate::model::loading::Model;
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
-use crate::units::position::GivenPosition;
+use crate::values::position::GivenPosition;
 use nalgebra::Vector3;
 use percuss_contact::exports::StopMotion;
 use percuss_dynamics::Frame;

@@ -14,7 +14,7 @@ use crate::question::field::{Field, Names};
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::question::pose_file::{GivenPose, GivenPoseError};
 use crate::thresholds::LEAST_OTHER_MASS;
-use crate::units::position::GivenPosition;
+use crate::values::position::GivenPosition;
 use nalgebra::Vector3;
 use percuss_dynamics::{
     Base, BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactResponse, Direction,

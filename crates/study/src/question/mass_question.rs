@@ -4,7 +4,7 @@
 use crate::question::field::Names;
 use crate::question::given_travel::GivenTravel;
 use crate::question::pose_file::GivenPose;
-use crate::units::position::GivenPosition;
+use crate::values::position::GivenPosition;
 use percuss_dynamics::{Base, Frame};
 
 /// Direction of the contact normal.

@@ -3,8 +3,8 @@
 use crate::message_text::truncate_for_message;
 use crate::model::loading::{Input, Model, hexadecimal};
 use crate::question::field::Names;
-use crate::units::position::GivenPosition;
-use crate::units::value;
+use crate::values::position::GivenPosition;
+use crate::values::value;
 use percuss_formats::Source;
 use percuss_mechanism::{Joint, Mechanism};
 use serde::de::{Error, MapAccess, SeqAccess, Visitor};

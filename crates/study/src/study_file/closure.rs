@@ -1,7 +1,7 @@
 //! A closure in a study file.
 
 use crate::question::refusal::InvalidKey;
-use crate::units::value::{self, NumberOrText, Triple};
+use crate::values::value::{self, NumberOrText, Triple};
 use nalgebra::Vector3;
 use percuss_mechanism::{ClosureDescription, ClosureKind};
 use percuss_spatial::{Transform, rotation_from_rpy};

@@ -2,7 +2,7 @@
 
 use crate::mass::tolerance::{Sampling, Tolerance};
 use crate::question::refusal::InvalidKey;
-use crate::units::value::{self, NumberOrText};
+use crate::values::value::{self, NumberOrText};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 

@@ -8,7 +8,7 @@ use crate::question::row_source::{PositionFile, RowSource};
 use crate::safe_speed::{
     SafeSpeedQuestion, SafeSpeedReport, StatedLimits, safe_speed, safe_speed_along, safe_speed_directions,
 };
-use crate::units::value::{self, NumberOrText, Words};
+use crate::values::value::{self, NumberOrText, Words};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::Path;

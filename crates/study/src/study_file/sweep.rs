@@ -3,7 +3,7 @@
 use crate::question::refusal::InvalidKey;
 use crate::question::row_source::{PositionFile, RowSource};
 use crate::question::vary::Vary;
-use crate::units::value::{self, Words};
+use crate::values::value::{self, Words};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::Path;

@@ -7,7 +7,7 @@ use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::varied_values::VariedColumn;
 use crate::question::vary::{Varied, Vary};
-use crate::units::position::position_dimension;
+use crate::values::position::position_dimension;
 use nalgebra::Vector3;
 use percuss_dynamics::{Configuration, System};
 use percuss_mechanism::{JointId, LinkId};

@@ -2,7 +2,7 @@
 
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::question::table_error::{TableError, TableFault};
-use crate::units::position::position_dimension;
+use crate::values::position::position_dimension;
 use percuss_mechanism::{JointId, Mechanism};
 use percuss_units::{Dimension, Unit};
 use std::collections::HashMap;

@@ -19,7 +19,7 @@ use super::propagation::{
 };
 use super::sizes::Sizes;
 use crate::kernels::estimate::{PositionColumns, excess_beyond, quaternion_norm_excess};
-use crate::tolerances::{LOSS_ROUNDINGS, NO_BOUND, ROUTE_ROUNDINGS};
+use crate::tolerances::{LOSS_ROUNDINGS, NO_BOUND, NORMAL_ROUNDINGS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, splat, turn_vector};
 use std::ops::Range;
@@ -216,11 +216,14 @@ fn contact_wrench<T: Lanes>(
     at: LanePositions<'_>,
     room: &[f64],
 ) -> PropagatedWrench<T> {
-    let struck = &selection.contact;
-    let n = match struck.normal {
+    let contact = &selection.contact;
+    // Rotations of the normal from the root link to the contact link.
+    let mut rotations = 0;
+    let n = match contact.normal {
         TreeNormal::Body(n) => splat(&n),
         TreeNormal::Root(n) => {
             let mut n = splat(&n);
+            rotations = selection.path.len();
             for &place in &selection.path {
                 let placed = &steps[place];
                 let slot = &room[placed.number * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
@@ -229,7 +232,7 @@ fn contact_wrench<T: Lanes>(
             n
         }
     };
-    let p = struck.point;
+    let p = contact.point;
     let arm = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
     let q: [T; 3] = splat(&p);
     let moment = [
@@ -237,14 +240,14 @@ fn contact_wrench<T: Lanes>(
         q[2].mul_add(n[0], -(q[0] * n[2])),
         q[0].mul_add(n[1], -(q[1] * n[0])),
     ];
+    let contact_body = selection.path.last().map(|&place| &steps[place].step.share);
+    let power = contact_body.map_or(NO_BOUND, |share| arm * share.angular + share.linear);
     PropagatedWrench {
         wrench: PackedWrench { moment, force: n },
         moment_size: T::from_f64(arm),
         force_size: T::one(),
-        response: T::zero(),
-        terms: T::zero(),
-        loss: T::one(),
-        by_energy: T::zero(),
+        by_energy: T::from_f64(NORMAL_ROUNDINGS / ROUTE_ROUNDINGS * rotations as f64 * power),
+        ..PropagatedWrench::none()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Numbers of a study file: plain (SI), or text with a unit (`"350 mm"`).
 
-use crate::units::position::GivenPosition;
+use crate::values::position::GivenPosition;
 use percuss_units::{Dimension, Quantity};
 use schemars::JsonSchema;
 use serde::de::Error;
