@@ -165,12 +165,31 @@ pub struct Posed {
     velocities: Vec<Velocity>,
     /// Basis of the admissible motions, velocities × freedoms; `None`: every motion is admissible.
     basis: Option<Vec<Vec<Wide>>>,
+    mass: MassMatrix,
+}
+
+/// M over the admissible motions, factorised.
+#[derive(Default)]
+struct MassMatrix {
     /// Powers of two that scale M to a diagonal of about 1.
     scales: Vec<i64>,
     /// Pivots in the order of elimination.
     pivots: Vec<Pivot>,
     /// Directions without mass.
     free: Vec<usize>,
+}
+
+/// m̄ for matrices M (n × n), j (n) and A (m × n, rows independent) as given. `None` if the elimination of A is not clear.
+pub fn of_matrices(mass: &[Vec<f64>], row: &[f64], constraints: &[Vec<f64>]) -> Option<Outcome> {
+    let wide = |row: &Vec<f64>| -> Vec<Wide> { row.iter().map(|x| Wide::new(*x)).collect() };
+    // Multiples of a row by a power of two are exact.
+    let unit = |row: &Vec<f64>| {
+        let most = row.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        wide(row).into_iter().map(|x| x.shifted(-most.log2().floor() as i64)).collect()
+    };
+    let basis = eliminate(constraints.iter().map(unit).collect())?.kernel(row.len());
+    let factors = MassMatrix::of(projected(mass.iter().map(wide).collect(), &basis));
+    Some(factors.effective_mass(over_basis(&wide(&row.to_vec()), &basis)))
 }
 
 impl Exact {
@@ -249,9 +268,7 @@ impl Exact {
             frames: vec![(identity, [zero; 3])],
             velocities: Vec::new(),
             basis: None,
-            scales: Vec::new(),
-            pivots: Vec::new(),
-            free: Vec::new(),
+            mass: MassMatrix::default(),
         };
         if self.floating {
             for k in 0..3 {
@@ -457,10 +474,10 @@ impl Posed {
     }
 
     fn over_basis(&self, row: Vec<Wide>) -> Vec<Wide> {
-        let Some(basis) = &self.basis else { return row };
-        let count = basis.first().map_or(0, Vec::len);
-        let sum = |y: usize| row.iter().zip(basis).fold(Wide::ZERO, |sum, (x, b)| sum + *x * b[y]);
-        (0..count).map(sum).collect()
+        match &self.basis {
+            Some(basis) => over_basis(&row, basis),
+            None => row,
+        }
     }
 
     fn factorize(&mut self, links: &[Link]) {
@@ -494,24 +511,57 @@ impl Posed {
             }
         }
         if let Some(basis) = &self.basis {
-            let count = basis.first().map_or(0, Vec::len);
-            let half: Vec<Vec<Wide>> = mass.iter().map(|row| self.over_basis(row.clone())).collect();
-            mass = (0..count)
-                .map(|y| {
-                    let sum =
-                        |z: usize| half.iter().zip(basis).fold(Wide::ZERO, |sum, (h, b)| sum + b[y] * h[z]);
-                    (0..count).map(sum).collect()
-                })
-                .collect();
+            mass = projected(mass, basis);
         }
+        self.mass = MassMatrix::of(mass);
+    }
+
+    /// The double nearest to a link's point, root axes.
+    pub fn place(&self, link: usize, at: &[f64; 3]) -> [f64; 3] {
+        self.point(link, at).map(Wide::to_f64)
+    }
+
+    pub fn effective_mass(&self, touch: &Touch) -> Outcome {
+        let (rotation, _) = self.frames[touch.link];
+        let normal = apply(&rotation, &unit(&wide(&touch.normal)));
+        self.mass.effective_mass(self.over_basis(self.row(
+            touch.link,
+            &self.point(touch.link, &touch.point),
+            &normal,
+        )))
+    }
+}
+
+/// Row over the coordinates of a basis.
+fn over_basis(row: &[Wide], basis: &[Vec<Wide>]) -> Vec<Wide> {
+    let count = basis.first().map_or(0, Vec::len);
+    let sum = |y: usize| row.iter().zip(basis).fold(Wide::ZERO, |sum, (x, b)| sum + *x * b[y]);
+    (0..count).map(sum).collect()
+}
+
+/// Bᵀ M B.
+fn projected(mass: Vec<Vec<Wide>>, basis: &[Vec<Wide>]) -> Vec<Vec<Wide>> {
+    let count = basis.first().map_or(0, Vec::len);
+    let half: Vec<Vec<Wide>> = mass.iter().map(|row| over_basis(row, basis)).collect();
+    (0..count)
+        .map(|y| {
+            let sum = |z: usize| half.iter().zip(basis).fold(Wide::ZERO, |sum, (h, b)| sum + b[y] * h[z]);
+            (0..count).map(sum).collect()
+        })
+        .collect()
+}
+
+impl MassMatrix {
+    fn of(mut mass: Vec<Vec<Wide>>) -> Self {
         let n = mass.len();
         let power = |x: Wide| if x.is_zero() { 0 } else { -(x.to_f64().log2() / 2.0) as i64 };
-        self.scales = (0..n).map(|k| power(mass[k][k])).collect();
+        let scales: Vec<i64> = (0..n).map(|k| power(mass[k][k])).collect();
         for r in 0..n {
             for c in 0..n {
-                mass[r][c] = mass[r][c].shifted(self.scales[r] + self.scales[c]);
+                mass[r][c] = mass[r][c].shifted(scales[r] + scales[c]);
             }
         }
+        let mut pivots = Vec::new();
         // Exact zeros leave a rounding of 1e-96, magnified by masses and levers.
         let zero = Wide::new(1e-66);
         let mut open: Vec<usize> = (0..n).collect();
@@ -528,20 +578,12 @@ impl Posed {
                     mass[*r][c] -= change;
                 }
             }
-            self.pivots.push((pivot, d, factors));
+            pivots.push((pivot, d, factors));
         }
-        self.free = open;
+        Self { scales, pivots, free: open }
     }
 
-    /// The double nearest to a link's point, root axes.
-    pub fn place(&self, link: usize, at: &[f64; 3]) -> [f64; 3] {
-        self.point(link, at).map(Wide::to_f64)
-    }
-
-    pub fn effective_mass(&self, touch: &Touch) -> Outcome {
-        let (rotation, _) = self.frames[touch.link];
-        let normal = apply(&rotation, &unit(&wide(&touch.normal)));
-        let row = self.over_basis(self.row(touch.link, &self.point(touch.link, &touch.point), &normal));
+    fn effective_mass(&self, row: Vec<Wide>) -> Outcome {
         let mut t: Vec<Wide> = row.iter().zip(&self.scales).map(|(x, scale)| x.shifted(*scale)).collect();
         let size = t.iter().fold(Wide::ZERO, |sum, x| sum + *x * *x);
         let mut response = Wide::ZERO;

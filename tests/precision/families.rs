@@ -3,7 +3,7 @@
 //! The short version runs with the suite. `PERCUSS_ROWS=100000 cargo test -p percuss-tests --test precision
 //! by_definition -- --nocapture` tests that number of rows of every family.
 
-use super::definition::{Closure, Exact, Joint, Link, Outcome, Touch};
+use super::definition::{Closure, Exact, Joint, Link, Outcome, Touch, of_matrices};
 use super::wide::Wide;
 use nalgebra::Vector3;
 use percuss_dynamics::{
@@ -161,6 +161,50 @@ fn wrist(rng: &mut StdRng) -> Exact {
         }
         tree.joints[2].xyz = [0.0; 3];
         tree.joints[3].xyz = [0.0; 3];
+    }
+    tree
+}
+
+/// A trunk on one to three light links, mostly with axes at right angles and nearly in one point, as in the waist of a humanoid;
+/// arms on the trunk, and sometimes a leg with a light ankle.
+fn waist(rng: &mut StdRng) -> Exact {
+    let span = rng.random_range(0.0..5.0);
+    let floating = rng.random_bool(0.6);
+    let mut links = Vec::new();
+    for _ in 0..rng.random_range(1..4usize) {
+        let kind = match rng.random_range(0..8) {
+            0 => JointKind::Prismatic,
+            1 => JointKind::Spherical,
+            2 => JointKind::Planar,
+            _ => JointKind::Revolute,
+        };
+        links.push((kind, decades(rng, -span - 0.5, 0.0)));
+    }
+    let light = links.len();
+    links.push((JointKind::Revolute, decades(rng, 0.5, 2.0)));
+    for _ in 0..rng.random_range(0..4usize) {
+        links.push((JointKind::Revolute, decades(rng, -0.5, 0.7)));
+    }
+    let mut tree = chain(rng, &links, floating);
+    if rng.random_bool(0.7) {
+        for (i, joint) in tree.joints[..=light].iter_mut().enumerate() {
+            (joint.rpy, joint.axis) = ([0.0; 3], [0.0; 3]);
+            joint.axis[(i + 2) % 3] = 1.0;
+            joint.xyz = if i == 0 { joint.xyz } else { scaled(joint.xyz, 0.2) };
+            if joint.kind == JointKind::Planar {
+                joint.axis = [0.0, 0.0, 1.0];
+            }
+        }
+    }
+    if rng.random_bool(0.4) {
+        let mut parent = 0;
+        for mass in [decades(rng, 0.0, 1.0), decades(rng, -span - 0.6, -0.5), decades(rng, -0.5, 0.5)] {
+            let joint = joint(rng, JointKind::Revolute, parent);
+            tree.joints.push(joint);
+            parent = tree.links.len();
+            let link = body(rng, mass);
+            tree.links.push(link);
+        }
     }
     tree
 }
@@ -447,6 +491,11 @@ fn by_definition_wrists() {
 }
 
 #[test]
+fn by_definition_waists() {
+    judge("waists", 800, posed(waist), 0.5);
+}
+
+#[test]
 fn by_definition_mixed_trees() {
     judge("mixed", 1200, posed(mixed), 0.1);
 }
@@ -454,6 +503,70 @@ fn by_definition_mixed_trees() {
 #[test]
 fn by_definition_aligned_axes() {
     judge("aligned", 800, posed(aligned), 0.02);
+}
+
+/// Matrices with condition numbers up to 1e12, masses and rows of A in units over twelve decades, and redundant rows.
+#[test]
+fn by_definition_matrices() {
+    let (mut tally, mut massless, rows) = (Tally::default(), 0, rows_asked(2000));
+    for seed in 0..rows as u64 {
+        let rng = &mut StdRng::seed_from_u64(seed);
+        let n = rng.random_range(1..9usize);
+        let weak = decades(rng, -6.0, 0.0);
+        let scales: Vec<f64> = (0..n).map(|_| decades(rng, -3.0, 3.0)).collect();
+        let factor = nalgebra::DMatrix::from_fn(n, n, |r, c| {
+            let strength = if r == 0 { weak } else { 1.0 };
+            strength * rng.random_range(-1.0..1.0) * scales[c]
+        });
+        let product = factor.transpose() * &factor;
+        let mass: Vec<Vec<f64>> =
+            (0..n).map(|r| (0..n).map(|c| product[(r.min(c), r.max(c))]).collect()).collect();
+        let row: Vec<f64> = (0..n).map(|_| rng.random_range(-1.0..1.0)).collect();
+        let constraints: Vec<Vec<f64>> = (0..rng.random_range(0..n))
+            .map(|_| {
+                let unit = decades(rng, -6.0, 6.0);
+                (0..n).map(|_| unit * rng.random_range(-1.0..1.0)).collect()
+            })
+            .collect();
+        let Some(Outcome::Finite(truth)) = of_matrices(&mass, &row, &constraints) else { continue };
+        let mut given = constraints.clone();
+        if let Some(first) = constraints.first().filter(|_| rng.random_bool(0.3)) {
+            given.push(first.iter().map(|x| 4.0 * x).collect());
+        }
+        let given = nalgebra::DMatrix::from_fn(given.len(), n, |r, c| given[r][c]);
+        let matrix = nalgebra::DMatrix::from_fn(n, n, |r, c| mass[r][c]);
+        let options = MatrixOptions::new().row_noise(0.0);
+        let answer = effective_mass(&matrix, &row[..], Some((&given).into()), &options).expect("matrices");
+        let name = || format!("matrices {seed}");
+        tally.rows += 1;
+        match (answer.effective_mass, answer.error) {
+            (EffectiveMass::Finite(mass), Some(error)) => tally.take(name, (mass, error), truth),
+            (EffectiveMass::Finite(_), None) => {}
+            (EffectiveMass::Massless, _) => {
+                let up_to = answer.remarks.iter().find_map(|r| match r {
+                    Remark::MasslessToRounding { up_to } => Some(*up_to),
+                    _ => None,
+                });
+                let greatest = matrix.diagonal().max();
+                let most = up_to.unwrap_or(0.0).max(NEGLIGIBLE * greatest);
+                assert!(
+                    truth.to_f64() <= most,
+                    "{}: massless, true {}, at most {most}",
+                    name(),
+                    truth.to_f64()
+                );
+                massless += 1;
+            }
+            (EffectiveMass::Immovable, _) => panic!("{}: immovable, true {}", name(), truth.to_f64()),
+        }
+    }
+    let (stated, median) = (tally.stated, tally.median());
+    println!(
+        "matrices: {} rows, {stated} stated, {massless} massless, {} exceeded, true/stated at most {:.2}, median {median:.0}",
+        tally.rows, tally.exceeded, tally.worst
+    );
+    assert!(tally.complaints.is_empty(), "{:?}", &tally.complaints[..tally.complaints.len().min(12)]);
+    assert!(stated * 10 >= tally.rows * 9 && median <= 1e4, "{stated} of {}, median {median}", tally.rows);
 }
 
 /// A hinge along z, a massless link, a hinge tilted by `tilt` about y at the same point, a body. The motion between

@@ -171,6 +171,12 @@ pub(crate) const LOSS_ROUNDINGS: f64 = 4.0;
 pub(crate) const COMMON_LOSS: f64 = 64.0;
 /// Roundings of the normal for each joint between the root link and the contact link, in SIMD lanes: two rotations.
 pub(crate) const NORMAL_ROUNDINGS: f64 = 4.0;
+/// Amplification of rounding errors above which a body is light compared with what it carries: bodies below it contribute less
+/// than half of the accepted error in SIMD lanes.
+pub(crate) const LIGHT_BODY: f64 = 2.5e4;
+/// Amplification above which the mass matrix in SIMD lanes may be in error by more than 1e-3, relative: twists computed with it are
+/// then not used in bounds.
+pub(crate) const LARGEST_AMPLIFICATION: f64 = 5e11;
 /// Value of a bound that does not exist, in any unit. Unlike infinity, its product with 0 is a number.
 pub(crate) const NO_BOUND: f64 = 1e150;
 /// Smallest principal moment about the centre of mass, relative to the trace about the origin of the joint, that is certainly

@@ -21,7 +21,9 @@ mod transform;
 pub use articulated::ArticulatedInertia;
 pub use inertia::SpatialInertia;
 pub use nalgebra::{Matrix3, Vector3};
-pub use packed::{PackedInertia, PackedWrench, Pivot, rotate_back, rotation_rows, splat, turn_vector};
+pub use packed::{
+    PackedInertia, PackedTwist, PackedWrench, Pivot, rotate_back, rotation_rows, splat, turn_vector,
+};
 pub use rotation::{
     plane_basis, quaternion_product, rotation_about, rotation_from_quaternion, rotation_from_rpy,
     rpy_from_rotation,

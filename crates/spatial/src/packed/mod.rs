@@ -1,8 +1,10 @@
 //! Articulated-body inertia in 21 numbers, transformed by rotations about coordinate axes and translations along them.
 
+mod twist;
 mod vector;
 mod wrench;
 
+pub use twist::PackedTwist;
 pub use vector::{rotate_back, rotation_rows, splat, turn_vector};
 pub use wrench::PackedWrench;
 

@@ -18,7 +18,7 @@ pub(super) fn eliminate_hinge<T: Lanes, const ON_PATH: bool>(
     form: HingeForm,
     placed: &ScheduledStep,
     carried: &mut PropagatedWrench<T>,
-    own: &[f64],
+    own: &mut [f64],
     slot: &mut [f64],
 ) {
     let HingeForm { shape, bare, leaf, is_parent_on_ground: next_to_last } = form;
@@ -63,7 +63,7 @@ fn eliminate_hinge_variant<
 >(
     placed: &ScheduledStep,
     carried: &mut PropagatedWrench<T>,
-    own: &[f64],
+    own: &mut [f64],
     slot: &mut [f64],
 ) {
     let of = T::from_f64;
@@ -72,7 +72,7 @@ fn eliminate_hinge_variant<
         let Some(leaf) = &step.leaf else { return };
         carried.loss = carried.loss.max(of(leaf.loss));
         if ON_PATH {
-            update_wrench::<T, 2>(step, &leaf.pivot(), carried);
+            update_wrench::<T, 2>(step, &leaf.pivot(), carried, own);
         }
         let mut left = leaf.left.cast();
         if BARE {
@@ -85,7 +85,7 @@ fn eliminate_hinge_variant<
         let sizes = Sizes::of(&inertia, true, own);
         let loss = carried.record_loss(sizes.moment, &pivot);
         if ON_PATH {
-            update_wrench::<T, 2>(step, &pivot, carried);
+            update_wrench::<T, 2>(step, &pivot, carried, own);
         }
         let over_d = pivot.u.scaled(pivot.inverse_d);
         if BARE {
@@ -127,7 +127,7 @@ fn eliminate_hinge_variant<
         }
         wrench.shift::<0>(along_x);
         carried.moment_size = of(step.reach).mul_add(carried.force_size, carried.moment_size);
-        carried.add_share(&step.share);
+        carried.add_share(&step.share, own);
     }
     if NEXT_TO_LAST {
         // The compiler drops the entries that no caller reads.

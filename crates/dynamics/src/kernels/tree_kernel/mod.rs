@@ -5,6 +5,7 @@
 //! links.
 
 mod hinge;
+mod light_bodies;
 mod parent_transform;
 mod plan;
 mod prismatic_leaf;
@@ -75,9 +76,7 @@ impl TreeKernel {
         path.reverse();
         self.selection.subtree_root = self.steps[last - body].subtree_root;
         let root = self.selection.subtree_root;
-        let bodies = self.steps.iter().filter(|placed| placed.subtree_root == root);
-        self.selection.amplification =
-            bodies.fold(0.0, |most, placed| placed.step.share.amplification.max(most));
+        self.selection.amplification = self.selection.light_bodies.find(&self.steps, root);
         self.selection.contact = TreeContact { point: point.into(), normal };
         true
     }

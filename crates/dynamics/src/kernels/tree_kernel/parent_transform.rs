@@ -4,7 +4,7 @@ use super::plan::{TreeMotion, TreeStep};
 use super::propagation::{COSINE, PropagatedWrench, SINE, number};
 use crate::kernels::estimate::PositionColumns;
 use percuss_spatial::lanes::Lanes;
-use percuss_spatial::{PackedInertia, rotation_rows};
+use percuss_spatial::{PackedInertia, PackedTwist, rotation_rows};
 
 /// Location of the positions of the lanes.
 #[derive(Clone, Copy)]
@@ -91,5 +91,52 @@ pub(super) fn propagate_to_parent<T: Lanes>(
     both!(shift::<2>(of(way.shift[2])));
     if let Some(turn) = way.last_turn_z {
         both!(turn::<2>(of(turn.cos), of(turn.sin)));
+    }
+}
+
+/// Transforms a twist from the parent's frame: the inverse of [`propagate_to_parent`].
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn transform_twist_to_body<T: Lanes>(
+    step: &TreeStep,
+    twist: &mut PackedTwist<T>,
+    at: LanePositions<'_>,
+    own: &[f64],
+) {
+    let of = T::from_f64;
+    let way = &step.parent_transform;
+    if let Some(turn) = way.last_turn_z {
+        twist.turn_back::<2>(of(turn.cos), of(turn.sin));
+    }
+    twist.shift_back::<2>(of(way.shift[2]));
+    twist.shift_back::<1>(of(way.shift[1]));
+    twist.shift_back::<0>(of(way.shift[0]));
+    twist.turn_back::<0>(of(way.tilt.cos), of(way.tilt.sin));
+    match (step.motion, way.turn_z) {
+        (TreeMotion::Turn { .. }, _) | (_, None) => {}
+        (_, Some(turn)) => twist.turn_back::<2>(of(turn.cos), of(turn.sin)),
+    }
+    let along_z = of(way.along_z);
+    match step.motion {
+        TreeMotion::Turn { .. } => {
+            twist.shift_back::<2>(along_z);
+            twist.turn_back::<2>(number(own, COSINE), number(own, SINE));
+        }
+        TreeMotion::Slide { .. } => twist.shift_back::<2>(number::<T>(own, SINE) + along_z),
+        TreeMotion::Planar { q } => {
+            twist.shift_back::<2>(along_z);
+            twist.shift_back::<1>(at.position(q + 1));
+            twist.shift_back::<0>(at.position(q));
+        }
+        TreeMotion::Ball { q } => {
+            twist.shift_back::<2>(along_z);
+            twist.rotate_back(&at.rotation(q));
+        }
+        TreeMotion::Floating { q } => {
+            twist.shift_back::<2>(at.position::<T>(q + 2) + along_z);
+            twist.shift_back::<1>(at.position(q + 1));
+            twist.shift_back::<0>(at.position(q));
+            twist.rotate_back(&at.rotation(q + 3));
+        }
+        TreeMotion::Base => {}
     }
 }

@@ -6,7 +6,7 @@ use super::sizes::Sizes;
 use crate::kernels::estimate::is_positive;
 use crate::model::joint_motion::JointMotion;
 use crate::model::{Body, Model};
-use crate::tolerances::{LEAST_MOMENT, NO_ACROSS, NO_BOUND, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
+use crate::tolerances::{LEAST_MOMENT, LIGHT_BODY, NO_ACROSS, NO_BOUND, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::JointKind;
 use percuss_spatial::lanes::Portable;
@@ -213,6 +213,8 @@ pub(super) struct HingeForm {
 pub(super) struct EnergyShare {
     /// Amplification κ: largest (√moment |ω| + √mass |v|)² for 2 E = 1 J, with the bounds of the articulated inertia.
     pub amplification: f64,
+    /// √moment, √(kg·m²), and √mass, √kg, of these bounds.
+    pub roots: [f64; 2],
     /// Largest |ω| (rad/s) and velocity of the origin (m/s) for 2 E = 1 J.
     pub angular: f64,
     pub linear: f64,
@@ -228,17 +230,24 @@ impl EnergyShare {
             rotational - (Matrix3::identity() * centre.norm_squared() - centre * centre.transpose()) * m;
         let least = about_centre.symmetric_eigenvalues().min();
         // A smaller moment may be rounding.
+        let roots = [moment, mass].map(f64::sqrt);
         if !(m > 0.0 && least > LEAST_MOMENT * rotational.trace()) {
-            return Self { amplification: NO_BOUND, angular: NO_BOUND, linear: NO_BOUND };
+            return Self { amplification: NO_BOUND, roots, angular: NO_BOUND, linear: NO_BOUND };
         }
-        // |v|² ≤ 2 |v_c|² + 2 |c|² |ω|² with the velocity v_c of the centre of mass.
-        let angular = (moment + 2.0 * centre.norm_squared() * mass) / least;
-        let linear = 2.0 * mass / m;
+        // |v| ≤ |v_c| + |c| |ω| with the velocity v_c of the centre of mass; then Cauchy–Schwarz.
+        let about_angular = roots[0] + roots[1] * centre.norm();
         Self {
-            amplification: 2.0 * angular.max(linear),
+            amplification: about_angular * about_angular / least + mass / m,
+            roots,
             angular: 1.0 / least.sqrt(),
             linear: (1.0 / m + centre.norm_squared() / least).sqrt(),
         }
+    }
+
+    /// True for a body whose kinetic energy bounds rounding errors only weakly.
+    #[inline]
+    pub fn is_light(&self) -> bool {
+        self.amplification > LIGHT_BODY
     }
 }
 

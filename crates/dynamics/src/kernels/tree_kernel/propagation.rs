@@ -5,10 +5,14 @@ use super::plan::{EnergyShare, LeafElimination, TreeStep};
 use super::sizes::SIZES;
 use crate::tolerances::{LOSS_ROUNDINGS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
-use percuss_spatial::{PackedInertia, PackedWrench, Pivot};
+use percuss_spatial::{PackedInertia, PackedTwist, PackedWrench, Pivot};
 
-/// Numbers of workspace per step and lane: inertia, sine and cosine (or travel), sizes of terms.
-pub(super) const SCRATCH_NUMBERS: usize = SIZES + 2;
+/// Numbers of workspace per step and lane: inertia, sine and cosine (or travel), sizes of terms; for the twists of light bodies
+/// t/D of each velocity, the sizes of the wrench, and the twist.
+pub(super) const SCRATCH_NUMBERS: usize = TWIST + 6;
+const RATES: usize = SIZES + 2;
+const WRENCH_SIZES: usize = RATES + 6;
+const TWIST: usize = WRENCH_SIZES + 2;
 pub(super) const SINE: usize = 21;
 pub(super) const COSINE: usize = 22;
 
@@ -93,9 +97,15 @@ impl<T: Lanes> PropagatedWrench<T> {
         T::from_f64(ROUTE_ROUNDINGS).max(self.loss * T::from_f64(LOSS_ROUNDINGS)) * self.terms
     }
 
-    /// Adds the power of the sizes of the wrench on a body for the largest twist of this body.
+    /// Adds the power of the sizes of the wrench on a body for the largest twist of this body. For a light body, stores the sizes
+    /// in its workspace instead.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn add_share(&mut self, share: &EnergyShare) {
+    pub fn add_share(&mut self, share: &EnergyShare, own: &mut [f64]) {
+        if share.is_light() {
+            self.moment_size.store(&mut own[WRENCH_SIZES * T::WIDTH..]);
+            self.force_size.store(&mut own[(WRENCH_SIZES + 1) * T::WIDTH..]);
+            return;
+        }
         let (angular, linear) = (T::from_f64(share.angular), T::from_f64(share.linear));
         self.by_energy = self.moment_size.mul_add(angular, self.force_size.mul_add(linear, self.by_energy));
     }
@@ -112,12 +122,13 @@ impl<T: Lanes> PropagatedWrench<T> {
 }
 
 /// Elimination of one velocity for the propagated test wrench f, with t = sᵀf: adds t²/D to 1/m̄ and subtracts U t/D from
-/// f. `AXIS`: component of the twist, angular part first.
+/// f. `AXIS`: component of the twist, angular part first. Stores t/D in the workspace `own` of the body.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn update_wrench<T: Lanes, const AXIS: usize>(
     step: &TreeStep,
     pivot: &Pivot<T>,
     carried: &mut PropagatedWrench<T>,
+    own: &mut [f64],
 ) {
     let of = T::from_f64;
     let size = of(if AXIS < 3 { step.moment } else { step.mass });
@@ -127,9 +138,48 @@ pub(super) fn update_wrench<T: Lanes, const AXIS: usize>(
         (carried.wrench.force[AXIS - 3], carried.force_size)
     };
     let rate = carried.add_response(size, t, test, pivot.inverse_d);
+    store_rate(rate, AXIS, own);
     let part = rate.abs();
     let (m, f) = (&pivot.u.moment, &pivot.u.force);
     carried.moment_size = (m[0].abs() + m[1].abs() + m[2].abs()).mul_add(part, carried.moment_size);
     carried.force_size = (f[0].abs() + f[1].abs() + f[2].abs()).mul_add(part, carried.force_size);
     carried.wrench.subtract(&pivot.u, rate);
+}
+
+/// Stores t/D of the velocity along a component of the twist.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn store_rate<T: Lanes>(rate: T, component: usize, own: &mut [f64]) {
+    rate.store(&mut own[(RATES + component) * T::WIDTH..]);
+}
+
+/// Loads a number written by [`store_rate`].
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn stored_rate<T: Lanes>(own: &[f64], component: usize) -> T {
+    number(own, RATES + component)
+}
+
+/// Sizes of the moment and force stored by [`PropagatedWrench::add_share`].
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn stored_wrench_sizes<T: Lanes>(own: &[f64]) -> (T, T) {
+    (number(own, WRENCH_SIZES), number(own, WRENCH_SIZES + 1))
+}
+
+/// Stores the twist of a body in its workspace.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn store_twist<T: Lanes>(twist: &PackedTwist<T>, own: &mut [f64]) {
+    for k in 0..3 {
+        twist.angular[k].store(&mut own[(TWIST + k) * T::WIDTH..]);
+        twist.linear[k].store(&mut own[(TWIST + 3 + k) * T::WIDTH..]);
+    }
+}
+
+/// Loads a twist written by [`store_twist`].
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn load_twist<T: Lanes>(slot: &[f64]) -> PackedTwist<T> {
+    let mut twist = PackedTwist::zero();
+    for k in 0..3 {
+        twist.angular[k] = number(slot, TWIST + k);
+        twist.linear[k] = number(slot, TWIST + 3 + k);
+    }
+    twist
 }

@@ -11,11 +11,12 @@
 //! compares the two.
 
 use super::hinge::eliminate_hinge;
+use super::light_bodies::{LightBodies, light_body_errors};
 use super::parent_transform::{LanePositions, propagate_to_parent};
 use super::plan::{ScheduledStep, Shape, StepForm, TreeMotion, TreeStep, Turn};
 use super::prismatic_leaf;
 use super::propagation::{
-    COSINE, PropagatedWrench, SCRATCH_NUMBERS, SINE, add_to_parent, number, update_wrench,
+    COSINE, PropagatedWrench, SCRATCH_NUMBERS, SINE, add_to_parent, number, store_rate, update_wrench,
 };
 use super::sizes::Sizes;
 use crate::kernels::estimate::{PositionColumns, excess_beyond, quaternion_norm_excess};
@@ -30,6 +31,14 @@ pub(super) struct TreeContact {
     /// Contact point in the frame of the contact link's body, m.
     pub point: [f64; 3],
     pub normal: TreeNormal,
+}
+
+impl TreeContact {
+    /// Distance of the contact point from the origin of the body's frame, m.
+    pub fn arm(&self) -> f64 {
+        let p = self.point;
+        (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt()
+    }
 }
 
 /// Unit normal.
@@ -50,8 +59,9 @@ pub(super) struct ContactPath {
     pub on_path: Vec<bool>,
     /// Body of the path on the ground or with a zero remaining inertia.
     pub subtree_root: usize,
-    /// Largest [`amplification`](super::plan::EnergyShare::amplification) of the bodies that affect the result.
+    /// Largest [`amplification`](super::plan::EnergyShare::amplification) of the bodies that affect the result, except light ones.
     pub amplification: f64,
+    pub light_bodies: LightBodies,
     /// Reciprocal of the travels in the bounds of sizes, 1/m.
     pub over_travel: f64,
     pub contact: TreeContact,
@@ -67,6 +77,7 @@ impl ContactPath {
             on_path: vec![false; steps],
             subtree_root: 0,
             amplification: NO_BOUND,
+            light_bodies: LightBodies::none(steps),
             over_travel: 1.0 / travel,
             contact: struck,
         }
@@ -86,12 +97,27 @@ pub(super) struct TreeResponse<T> {
 /// an error δI of the inertia of the body itself, with vᵀ δI v ≤ κ ε vᵀ I v for every twist v. Therefore the relative error of the
 /// mass matrix, and of 1/m̄, is at most ε times the largest κ. An error δf of the wrench on a body changes 1/m̄ by 2 δf·v, where
 /// the twist v satisfies vᵀ I v ≤ 1/m̄.
+///
+/// For light bodies, both effects are computed with their own twists. The computed twists belong to the mass matrix M + δM. With
+/// |δM| ≤ η M, the effect of δM on 1/m̄ is at most 1 + η times that for these twists; η = κ ε is small by
+/// [`LARGEST_AMPLIFICATION`](crate::tolerances::LARGEST_AMPLIFICATION).
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn error_by_energy<T: Lanes>(carried: &PropagatedWrench<T>, selection: &ContactPath) -> T {
-    // The body's own roundings and those of its children.
-    let of_inertias = T::from_f64(2.0 * LOSS_ROUNDINGS * selection.amplification) * carried.response;
-    let roundings = T::from_f64(2.0 * ROUTE_ROUNDINGS);
-    (roundings * carried.by_energy).mul_add(carried.response.sqrt(), of_inertias)
+fn error_by_energy<T: Lanes>(
+    steps: &[ScheduledStep],
+    selection: &ContactPath,
+    at: LanePositions<'_>,
+    carried: &PropagatedWrench<T>,
+    room: &mut [f64],
+) -> T {
+    let mut of_inertias = T::from_f64(selection.amplification) * carried.response;
+    let mut of_wrenches = carried.by_energy * carried.response.sqrt();
+    if !selection.light_bodies.steps.is_empty() {
+        let light = light_body_errors::<T>(steps, selection, at, normal_error(selection), room);
+        of_inertias += light.of_inertias;
+        of_wrenches += light.of_wrenches;
+    }
+    // Twice: the body's own roundings and those of its children.
+    T::from_f64(2.0 * LOSS_ROUNDINGS).mul_add(of_inertias, T::from_f64(2.0 * ROUTE_ROUNDINGS) * of_wrenches)
 }
 
 /// Smaller value; `other`, a number, if `x` is NaN.
@@ -124,7 +150,8 @@ pub(super) fn evaluate<T: Lanes>(
         }
     }
     let stretch = (travels * T::from_f64(selection.over_travel)).max(T::one());
-    let error = smaller(carried.error_of_pivots(), error_by_energy(&carried, selection)) * stretch * stretch;
+    let by_energy = error_by_energy(steps, selection, at, &carried, room);
+    let error = smaller(carried.error_of_pivots(), by_energy) * stretch * stretch;
     // Angles beyond the range of the sine are marked as doubtful.
     TreeResponse { response: carried.response, error: beyond.mul_add(T::from_f64(f64::MAX), error) }
 }
@@ -208,6 +235,14 @@ fn nan_unless_finite<T: Lanes>(columns: PositionColumns<'_>, positions: Range<us
     sum
 }
 
+/// Error of the normal by its rotations from the root link to the contact link, relative to the error of a wrench.
+fn normal_error(selection: &ContactPath) -> f64 {
+    match selection.contact.normal {
+        TreeNormal::Body(_) => 0.0,
+        TreeNormal::Root(_) => NORMAL_ROUNDINGS / ROUTE_ROUNDINGS * selection.path.len() as f64,
+    }
+}
+
 /// Unit force at the contact point.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn contact_wrench<T: Lanes>(
@@ -217,13 +252,10 @@ fn contact_wrench<T: Lanes>(
     room: &[f64],
 ) -> PropagatedWrench<T> {
     let contact = &selection.contact;
-    // Rotations of the normal from the root link to the contact link.
-    let mut rotations = 0;
     let n = match contact.normal {
         TreeNormal::Body(n) => splat(&n),
         TreeNormal::Root(n) => {
             let mut n = splat(&n);
-            rotations = selection.path.len();
             for &place in &selection.path {
                 let placed = &steps[place];
                 let slot = &room[placed.number * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
@@ -233,7 +265,7 @@ fn contact_wrench<T: Lanes>(
         }
     };
     let p = contact.point;
-    let arm = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
+    let arm = contact.arm();
     let q: [T; 3] = splat(&p);
     let moment = [
         q[1].mul_add(n[2], -(q[2] * n[1])),
@@ -241,12 +273,15 @@ fn contact_wrench<T: Lanes>(
         q[0].mul_add(n[1], -(q[1] * n[0])),
     ];
     let contact_body = selection.path.last().map(|&place| &steps[place].step.share);
-    let power = contact_body.map_or(NO_BOUND, |share| arm * share.angular + share.linear);
+    let power = contact_body.map_or(NO_BOUND, |share| match share.is_light() {
+        true => 0.0,
+        false => arm * share.angular + share.linear,
+    });
     PropagatedWrench {
         wrench: PackedWrench { moment, force: n },
         moment_size: T::from_f64(arm),
         force_size: T::one(),
-        by_energy: T::from_f64(NORMAL_ROUNDINGS / ROUTE_ROUNDINGS * rotations as f64 * power),
+        by_energy: T::from_f64(normal_error(selection) * power),
         ..PropagatedWrench::none()
     }
 }
@@ -325,11 +360,13 @@ fn eliminate_step<T: Lanes, const ON_PATH: bool>(
 /// Eliminates a hinge on the ground. Only one entry of its inertia is needed. The other entries are not computed, so the
 /// size of this entry is used for all.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn eliminate_ground_hinge<T: Lanes>(step: &TreeStep, carried: &mut PropagatedWrench<T>, own: &[f64]) {
+fn eliminate_ground_hinge<T: Lanes>(step: &TreeStep, carried: &mut PropagatedWrench<T>, own: &mut [f64]) {
     let of = T::from_f64;
     let d = number::<T>(own, 5) + of(step.armature[2]);
-    carried.add_response(of(step.moment), carried.wrench.moment[2], carried.moment_size, T::one() / d);
-    carried.add_share(&step.share);
+    let rate =
+        carried.add_response(of(step.moment), carried.wrench.moment[2], carried.moment_size, T::one() / d);
+    store_rate(rate, 2, own);
+    carried.add_share(&step.share, own);
 }
 
 /// Eliminates any joint with any transform, on the contact path or not, and adds the remaining inertia to the parent's.
@@ -341,12 +378,12 @@ fn eliminate_general_joint<T: Lanes>(
     at: LanePositions<'_>,
     carried: &mut PropagatedWrench<T>,
     rest: &mut [f64],
-    own: &[f64],
+    own: &mut [f64],
 ) {
     let step = &placed.step;
     let (mut inertia, sizes) = eliminate_velocities::<T>(step, on_path, carried, own);
     if on_path {
-        carried.add_share(&step.share);
+        carried.add_share(&step.share, own);
     }
     let Some(parent) = step.parent.filter(|_| !step.transmits_nothing()) else { return };
     propagate_to_parent::<T>(step, &mut inertia, on_path, at, carried, own);
@@ -364,13 +401,13 @@ fn eliminate_velocities<T: Lanes>(
     step: &TreeStep,
     on_path: bool,
     carried: &mut PropagatedWrench<T>,
-    own: &[f64],
+    own: &mut [f64],
 ) -> (PackedInertia<T>, Sizes<T>) {
     if let Some(leaf) = &step.leaf {
         carried.loss = carried.loss.max(T::from_f64(leaf.loss));
         match step.motion {
-            TreeMotion::Slide { .. } if on_path => update_wrench::<T, 5>(step, &leaf.pivot(), carried),
-            _ if on_path => update_wrench::<T, 2>(step, &leaf.pivot(), carried),
+            TreeMotion::Slide { .. } if on_path => update_wrench::<T, 5>(step, &leaf.pivot(), carried, own),
+            _ if on_path => update_wrench::<T, 2>(step, &leaf.pivot(), carried, own),
             _ => {}
         }
         return (leaf.left.cast(), leaf.sizes.cast());
@@ -393,7 +430,7 @@ fn eliminate_velocities<T: Lanes>(
                 let pivot = inertia.$pivot::<$axis>(T::from_f64(step.armature[$component]));
                 let loss = carried.record_loss(sizes.$size, &pivot);
                 if on_path {
-                    update_wrench::<T, $component>(step, &pivot, carried);
+                    update_wrench::<T, $component>(step, &pivot, carried, own);
                 }
                 inertia.$eliminate::<$axis>(&pivot, &pivot.u.scaled(pivot.inverse_d));
                 sizes = sizes.amplified(loss);
