@@ -15,8 +15,7 @@ use vector::{after, rotated, turned};
 /// Index of the entry (i, j) of a symmetric 3×3 matrix in its packed upper triangle.
 #[cfg_attr(not(debug_assertions), inline(always))]
 const fn at(i: usize, j: usize) -> usize {
-    const PLACE: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
-    PLACE[i][j]
+    [[0, 1, 2], [1, 3, 4], [2, 4, 5]][i][j]
 }
 
 /// Symmetric 6×6 map from twist to wrench: moment = A ω + C v, force = Cᵀ ω + L v.
@@ -593,8 +592,7 @@ mod tests {
     fn what_is_eliminated_has_no_mass_left() {
         let mut packed: PackedInertia<One> = PackedInertia::of_body(&body()).cast();
         let pivot = packed.turn_pivot::<1>(One::from_f64(0.0));
-        let over = pivot.u.scaled(One::from_f64(1.0) / pivot.d);
-        packed.eliminate_turn::<1>(&pivot, &over);
+        packed.eliminate_turn::<1>(&pivot, &pivot.u.scaled(pivot.inverse_d));
         let again = packed.turn_pivot::<1>(One::from_f64(0.0));
         assert_eq!(value(again.d), 0.0);
         assert!(again.u.moment.iter().chain(&again.u.force).all(|u| value(*u) == 0.0));

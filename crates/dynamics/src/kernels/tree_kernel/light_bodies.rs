@@ -1,57 +1,14 @@
 //! Bodies that are light compared with what they carry. The kinetic energy of such a body bounds its twist only weakly, so its
 //! twist after a unit impulse is computed.
 
+use super::contact_path::ContactPath;
 use super::parent_transform::{LanePositions, transform_twist_to_body};
 use super::plan::{ScheduledStep, StepForm, TreeMotion, TreeStep};
 use super::propagation::{
     COSINE, SCRATCH_NUMBERS, SINE, load_twist, number, store_twist, stored_rate, stored_wrench_sizes,
 };
-use super::recursion::ContactPath;
-use crate::tolerances::{LARGEST_AMPLIFICATION, NO_BOUND};
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{PackedInertia, PackedTwist, PackedWrench};
-
-/// Bodies whose twists are computed for a contact.
-#[derive(Clone, Debug)]
-pub(super) struct LightBodies {
-    /// Indices of the steps of the light bodies and of the bodies between them and the subtree's root, parents first.
-    pub steps: Vec<usize>,
-    is_needed: Vec<bool>,
-}
-
-impl LightBodies {
-    pub fn none(steps: usize) -> Self {
-        Self { steps: Vec::with_capacity(steps), is_needed: vec![false; steps] }
-    }
-
-    /// Finds the light bodies of a subtree. Returns the largest [`amplification`](super::plan::EnergyShare::amplification) of the
-    /// others. Without a bound for a light body, its twist is not computed, and the result is [`NO_BOUND`].
-    pub fn find(&mut self, steps: &[ScheduledStep], subtree_root: usize) -> f64 {
-        self.steps.clear();
-        self.is_needed.fill(false);
-        let last = steps.len() - 1;
-        let mut amplification = 0.0_f64;
-        // Children before parents.
-        for (at, placed) in steps.iter().enumerate().filter(|(_, placed)| placed.subtree_root == subtree_root)
-        {
-            let share = &placed.step.share;
-            if share.amplification > LARGEST_AMPLIFICATION {
-                return NO_BOUND;
-            }
-            if !share.is_light() {
-                amplification = amplification.max(share.amplification);
-            }
-            self.is_needed[at] |= share.is_light();
-            if let (true, Some(parent)) =
-                (self.is_needed[at] && placed.number != subtree_root, placed.step.parent)
-            {
-                self.is_needed[last - parent] = true;
-            }
-        }
-        self.steps.extend((0..steps.len()).rev().filter(|&at| self.is_needed[at]));
-        amplification
-    }
-}
 
 /// Effects of relative errors of size 1 of the inertias and wrenches at the light bodies.
 pub(super) struct LightBodyErrors<T> {
@@ -61,7 +18,7 @@ pub(super) struct LightBodyErrors<T> {
     pub of_wrenches: T,
 }
 
-/// Computes the twists of the light bodies after a unit impulse from the pivots of [`evaluate`](super::recursion::evaluate):
+/// Computes the twists of the light bodies after a unit impulse from the pivots of the recursion:
 /// v = v_parent + Σ e q̇ with q̇ = t/D − (U/D)·v. `normal_error`: error of the normal relative to that of a wrench.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn light_body_errors<T: Lanes>(

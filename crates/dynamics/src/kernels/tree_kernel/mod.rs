@@ -4,6 +4,7 @@
 //! either, results lost to rounding) are left to [`crate::analysis::routes`], as are mimics, loops and contacts between two
 //! links.
 
+mod contact_path;
 mod hinge;
 mod light_bodies;
 mod parent_transform;
@@ -18,11 +19,12 @@ use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDE
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::model::Model;
 use crate::tolerances::TREE_TRUSTED_ERROR;
+use contact_path::{ContactPath, TreeContact, TreeNormal};
 use nalgebra::Vector3;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
 use plan::{ScheduledStep, TreePlan};
 use propagation::SCRATCH_NUMBERS;
-use recursion::{ContactPath, TreeContact, TreeNormal, TreeResponse, evaluate};
+use recursion::{TreeResponse, evaluate};
 use std::sync::Arc;
 
 /// Compiled tree, its contact, and a workspace.

@@ -10,8 +10,9 @@
 //! every joint and loop. This form needs no forward kinematics and no rotation of the bodies' inertias. A test
 //! compares the two.
 
+use super::contact_path::{ContactPath, TreeNormal};
 use super::hinge::eliminate_hinge;
-use super::light_bodies::{LightBodies, light_body_errors};
+use super::light_bodies::light_body_errors;
 use super::parent_transform::{LanePositions, propagate_to_parent};
 use super::plan::{ScheduledStep, Shape, StepForm, TreeMotion, TreeStep, Turn};
 use super::prismatic_leaf;
@@ -24,65 +25,6 @@ use crate::tolerances::{LOSS_ROUNDINGS, NO_BOUND, NORMAL_ROUNDINGS, ROUTE_ROUNDI
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, splat, turn_vector};
 use std::ops::Range;
-
-/// Contact point and direction of the contact force, in the frames of the plan.
-#[derive(Clone, Debug)]
-pub(super) struct TreeContact {
-    /// Contact point in the frame of the contact link's body, m.
-    pub point: [f64; 3],
-    pub normal: TreeNormal,
-}
-
-impl TreeContact {
-    /// Distance of the contact point from the origin of the body's frame, m.
-    pub fn arm(&self) -> f64 {
-        let p = self.point;
-        (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt()
-    }
-}
-
-/// Unit normal.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum TreeNormal {
-    /// In the frame of the contact link's body.
-    Body([f64; 3]),
-    /// In the frame of the root link.
-    Root([f64; 3]),
-}
-
-/// Data of a contact for a tree.
-#[derive(Clone, Debug)]
-pub(super) struct ContactPath {
-    /// Indices of the steps from the ground to the contact link's body.
-    pub path: Vec<usize>,
-    /// True for every step on this path.
-    pub on_path: Vec<bool>,
-    /// Body of the path on the ground or with a zero remaining inertia.
-    pub subtree_root: usize,
-    /// Largest [`amplification`](super::plan::EnergyShare::amplification) of the bodies that affect the result, except light ones.
-    pub amplification: f64,
-    pub light_bodies: LightBodies,
-    /// Reciprocal of the travels in the bounds of sizes, 1/m.
-    pub over_travel: f64,
-    pub contact: TreeContact,
-}
-
-impl ContactPath {
-    /// Path before a contact is set, for `steps` steps. `travel`: largest translation of a joint (m) for which the bounds of
-    /// sizes hold.
-    pub fn none(steps: usize, travel: f64) -> Self {
-        let struck = TreeContact { point: [0.0; 3], normal: TreeNormal::Body([0.0; 3]) };
-        Self {
-            path: Vec::with_capacity(steps),
-            on_path: vec![false; steps],
-            subtree_root: 0,
-            amplification: NO_BOUND,
-            light_bodies: LightBodies::none(steps),
-            over_travel: 1.0 / travel,
-            contact: struck,
-        }
-    }
-}
 
 /// Results of some lanes.
 #[derive(Clone, Copy, Debug)]

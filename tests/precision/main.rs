@@ -3,13 +3,11 @@
 //! The fixtures hold every number as the decimal of a double, so that both sides use the same mechanism. A family is
 //! tested completely; then every failure is printed, with the counts.
 
-#[path = "precision/alone.rs"]
 mod alone;
-#[path = "precision/definition.rs"]
 mod definition;
-#[path = "precision/families.rs"]
 mod families;
-#[path = "precision/wide.rs"]
+mod linear_algebra;
+mod matrices;
 mod wide;
 
 use percuss::{Answer, Model};
