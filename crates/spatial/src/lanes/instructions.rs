@@ -1,7 +1,9 @@
 //! SIMD instruction sets, selected at run time.
 
 use super::lane::Work;
-use super::portable::Portable;
+#[cfg(not(target_arch = "x86_64"))]
+use super::portable::run_pair;
+use super::portable::run_single;
 #[cfg(target_arch = "x86_64")]
 use super::x86;
 
@@ -65,7 +67,7 @@ impl Instructions {
             Instructions::Baseline => x86::run_two(work),
         }
         #[cfg(not(target_arch = "x86_64"))]
-        work.run::<Portable<2>>();
+        run_pair(work);
     }
 
     /// Runs a kernel with one lane and the same instructions, so that results agree to the last bit.
@@ -75,6 +77,6 @@ impl Instructions {
         if self != Instructions::Baseline {
             return x86::run_fused(work);
         }
-        work.run::<Portable<1>>();
+        run_single(work);
     }
 }

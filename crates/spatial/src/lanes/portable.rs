@@ -1,6 +1,6 @@
 //! Lanes as arrays, for any architecture.
 
-use super::lane::Lanes;
+use super::lane::{Lanes, Work};
 use super::sines::sin_cos;
 use crate::Scalar;
 use num_traits::{One, Zero};
@@ -27,6 +27,19 @@ impl Portable<1> {
     pub fn number(self) -> f64 {
         self.0[0]
     }
+}
+
+/// Runs a kernel with one lane. Not inlined: kernels are large.
+#[inline(never)]
+pub(super) fn run_single<W: Work>(work: W) {
+    work.run::<Portable<1>>();
+}
+
+/// Runs a kernel with two lanes.
+#[cfg(not(target_arch = "x86_64"))]
+#[inline(never)]
+pub(super) fn run_pair<W: Work>(work: W) {
+    work.run::<Portable<2>>();
 }
 
 macro_rules! operator {

@@ -7,7 +7,7 @@
 #![allow(unsafe_code)]
 
 use super::lane::{Lanes, Work};
-use super::portable::Portable;
+use super::portable::run_single;
 use super::sines::sin_cos;
 use crate::Scalar;
 use num_traits::{One, Zero};
@@ -33,7 +33,9 @@ pub(super) fn has_avx512() -> bool {
 #[repr(align(64))]
 struct Line(#[allow(dead_code, reason = "only where it stands matters")] [u8; 1]);
 
-/// Runs a kernel with two lanes of SSE2, which every x86-64 processor supports.
+/// Runs a kernel with two lanes of SSE2, which every x86-64 processor supports. Not inlined: kernels are large, and each would be
+/// compiled again in every caller.
+#[inline(never)]
 pub(super) fn run_two<W: Work>(work: W) {
     work.run::<Two>();
 }
@@ -81,7 +83,7 @@ pub(super) fn run_fused<W: Work>(work: W) {
         // SAFETY: the processor supports the set, checked above.
         unsafe { inside(work) }
     } else {
-        work.run::<Portable<1>>();
+        run_single(work);
     }
 }
 
