@@ -24,7 +24,7 @@ environment "$drake" "$here/requirements-drake.txt" "$(first "${newer[@]}")"
 host=$(rustc -vV | sed -n 's/^host: //p')
 cargo fetch --quiet --locked --target "$host" --manifest-path "$here/contact/headers/Cargo.toml"
 "$here/packages.sh"
-cargo build --locked --quiet --release -p percuss-tests --bins -p percuss-cli
+cargo build --locked --quiet --release -p percuss-tests --bins -p percuss-cli --features percuss-cli/full
 export PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 failed=0
 "$venv/bin/python" "$here/compare.py" --probe "$target/release/percuss-probe" "$@" || failed=1

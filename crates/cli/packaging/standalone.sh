@@ -95,7 +95,7 @@ linux() {
   needs musl-gcc musl-tools
   needs "$python" python3
   with_target $triple
-  CC_x86_64_unknown_linux_musl=musl-gcc cargo build --locked --profile dist -p percuss-cli --target $triple
+  CC_x86_64_unknown_linux_musl=musl-gcc cargo build --locked --profile dist -p percuss-cli --features full --target $triple
   local binary=$target/$triple/dist/percuss folder
   # Nothing is loaded with it.
   LC_ALL=C ldd "$binary" 2>&1 | grep -qE "not a dynamic executable|statically linked" || fails "$binary is not static"

@@ -1,11 +1,12 @@
 //! Drawing of a mechanism in two orthographic views: lines, circles, arrows and labelled points in space.
 
-use crate::backend::{self, RenderError};
+use crate::backend::RenderError;
+use crate::convert;
 use crate::palette::{Colour, GRID, INK, PAPER, SOFT_INK};
 use crate::raster::Raster;
 use crate::scene::{Anchor, Item, Point, Scene, solid};
+use crate::svg;
 use crate::text::{fit_to_width, medium, regular, width};
-use crate::{pdf, svg};
 
 /// Width of the page, in page units.
 const WIDTH: f64 = 900.0;
@@ -130,7 +131,7 @@ impl Drawing {
     /// # Errors
     /// [`RenderError::Scale`], or [`RenderError::TooLarge`] above 2^25 pixels.
     pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
-        backend::png(&self.to_svg(), scale)
+        convert::png(&self.to_svg(), scale)
     }
 
     /// Returns the drawing as a PDF of one page with embedded fonts.
@@ -138,7 +139,7 @@ impl Drawing {
     /// # Errors
     /// Errors of the PDF writer.
     pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
-        pdf::write(&self.layout_scene())
+        convert::pdf(&self.layout_scene())
     }
 
     /// Points that every view must contain.

@@ -15,6 +15,7 @@ pub(crate) enum Weight {
 }
 
 /// Family name of both faces.
+#[cfg(feature = "convert")]
 pub(crate) const FAMILY: &str = "Roboto";
 
 /// Font files.

@@ -3,7 +3,7 @@
 //! A [`Figure`] is a stack of [`Panel`]s over one shared x axis; each panel has [`Series`] with possibly
 //! missing values. `layout` converts the figure to strokes, dots, patches and texts (`scene`), and `svg` writes
 //! the scene: [`Figure::to_svg`]. [`Figure::to_png`] and [`Figure::to_pdf`] convert this SVG with resvg and
-//! svg2pdf. SVG text stays text, in Roboto if installed and otherwise in the reader's sans-serif; PNG and PDF
+//! svg2pdf, if the crate has its feature `convert`. SVG text stays text, in Roboto if installed and otherwise in the reader's sans-serif; PNG and PDF
 //! use the embedded Roboto, so no installed fonts are needed.
 //!
 //! A [`Drawing`] shows a mechanism in two views. A [`Sheet`] stacks figures with different x axes. A [`Skin`]
@@ -26,12 +26,15 @@
 //!     ..Figure::default()
 //! };
 //! assert!(figure.to_svg().starts_with("<svg"));
-//! assert!(figure.to_png(2.0)?.starts_with(b"\x89PNG"));
-//! # Ok::<(), percuss_render::RenderError>(())
 //! ```
 
 mod axis;
 mod backend;
+#[cfg(feature = "convert")]
+mod convert;
+#[cfg(not(feature = "convert"))]
+#[path = "no_convert.rs"]
+mod convert;
 mod curve;
 mod drawing;
 mod figure;
@@ -41,8 +44,6 @@ mod legend;
 mod limits;
 mod marks;
 mod palette;
-mod pdf;
-mod pdf_objects;
 mod raster;
 mod scene;
 mod sheet;

@@ -15,6 +15,7 @@ pub(crate) const COLUMN: f64 = 0.5;
 /// Approximate limit of points per series, four per column of the page; more points are thinned evenly.
 pub(crate) const MAX_POINTS: usize = 8_000;
 /// Limit of the pixels of a picture: 128 MiB while drawing.
+#[cfg(feature = "convert")]
 pub(crate) const MAX_PIXELS: f64 = (1u32 << 25) as f64;
 /// Limit of the characters of one text: more characters do not fit the page, however narrow they are.
 pub(crate) const MAX_CHARACTERS: usize = 240;

@@ -3,7 +3,7 @@
 use crate::backend::RenderError;
 use crate::figure::Figure;
 use crate::scene::{Item, Point, Scene};
-use crate::{backend, layout, pdf, svg};
+use crate::{convert, layout, svg};
 
 impl Figure {
     /// Returns the figure as an SVG document, 900 page units wide and about 300 high per panel.
@@ -20,7 +20,7 @@ impl Figure {
     /// # Errors
     /// [`RenderError::Scale`], or [`RenderError::TooLarge`] above 2^25 pixels.
     pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
-        backend::png(&self.to_svg(), scale)
+        convert::png(&self.to_svg(), scale)
     }
 
     /// Returns the figure as a PDF of one page with embedded fonts.
@@ -28,7 +28,7 @@ impl Figure {
     /// # Errors
     /// Errors of the PDF writer.
     pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
-        pdf::write(&layout::layout_figure(self))
+        convert::pdf(&layout::layout_figure(self))
     }
 }
 
@@ -50,7 +50,7 @@ impl Sheet {
     /// # Errors
     /// [`RenderError::Scale`], or [`RenderError::TooLarge`] above 2^25 pixels.
     pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
-        backend::png(&self.to_svg(), scale)
+        convert::png(&self.to_svg(), scale)
     }
 
     /// Returns the sheet as a PDF of one page with embedded fonts.
@@ -58,7 +58,7 @@ impl Sheet {
     /// # Errors
     /// Errors of the PDF writer.
     pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
-        pdf::write(&self.layout_scene())
+        convert::pdf(&self.layout_scene())
     }
 
     /// Stacks the scenes of the figures on one page.

@@ -18,6 +18,7 @@ pub(crate) fn write(scene: &Scene) -> String {
 }
 
 /// Returns the document without paper and images; the PDF writer adds these below.
+#[cfg(feature = "convert")]
 pub(crate) fn write_over(scene: &Scene) -> String {
     let mut out = String::new();
     let _ = write_head(scene, &mut out).and_then(|()| write_items(scene, false, &mut out));

@@ -123,6 +123,7 @@ impl SweepTable {
     }
 
     /// Column names: the row, the varied numbers, `status`, six more columns of the result, and the other joints.
+    #[cfg_attr(not(feature = "tables"), allow(dead_code))]
     pub fn names(&self) -> &[String] {
         &self.names
     }

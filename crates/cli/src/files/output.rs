@@ -134,11 +134,34 @@ pub fn write_file(path: &str, bytes: &[u8]) -> Result<(), Failure> {
     out.finish()
 }
 
-/// Refuses an input file, by any path or link, and a file that percuss did not write.
+/// Refuses a file whose format is not part of this build.
+fn check_built(path: &str) -> Result<(), Failure> {
+    let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
+    match ending.as_str() {
+        "png" | "pdf" if !cfg!(feature = "pictures") => {
+            Err(not_built(path, &ending.to_ascii_uppercase(), "pictures"))
+        }
+        "xlsx" if !cfg!(feature = "tables") => Err(not_built(path, "XLSX", "tables")),
+        "parquet" if !cfg!(feature = "tables") => Err(not_built(path, "Parquet", "tables")),
+        _ => Ok(()),
+    }
+}
+
+/// Error for a format that is not part of this build.
+pub(super) fn not_built(path: &str, format: &str, feature: &str) -> Failure {
+    let instead = if feature == "tables" { ".csv or .jsonl" } else { ".svg" };
+    Failure::bad_input(format!(
+        "--output {path}: this build of percuss writes no {format}; write {instead}, or build it with \
+         `cargo build --release --features {feature}` (packages have everything)"
+    ))
+}
+
+/// Refuses an input file, by any path or link, a file that percuss did not write, and a format that is not part of this build.
 ///
 /// # Errors
 /// The file and the remedy.
 pub fn check_writable(path: &str) -> Result<(), Failure> {
+    check_built(path)?;
     let inputs = INPUTS.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     // The comparison opens both files, and a pipe would wait for its other end. Writing to pipes and devices destroys nothing.
     let is_file = |path: &str| fs::metadata(path).is_ok_and(|found| found.is_file());

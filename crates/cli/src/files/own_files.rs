@@ -74,6 +74,7 @@ fn has_valid_hash(mut file: File) -> io::Result<bool> {
 }
 
 /// True for a workbook with percuss in its properties.
+#[cfg(feature = "tables")]
 fn is_own_workbook(file: File) -> bool {
     let properties = |file| {
         let mut archive = zip::ZipArchive::new(file).ok()?;
@@ -83,6 +84,12 @@ fn is_own_workbook(file: File) -> bool {
         Some(text)
     };
     properties(file).is_some_and(|text| text.contains(MADE_BY))
+}
+
+/// A build without workbooks recognises none.
+#[cfg(not(feature = "tables"))]
+fn is_own_workbook(_: File) -> bool {
+    false
 }
 
 /// True for texts whose first lines only percuss writes.

@@ -27,6 +27,8 @@ pub const HISTORY_SAMPLES: usize = 2000;
 /// fill the cell.
 pub const DECIMAL_NUMBERS: std::ops::Range<f64> = 1e-5..1e16;
 /// Cells of a row group in Parquet: about 8 MB, the memory of a writer with several columns.
+#[cfg(feature = "tables")]
 pub const CELLS_OF_A_GROUP: usize = 1 << 20;
 /// Rows of a row group; readers load one group at a time.
+#[cfg(feature = "tables")]
 pub const ROWS_OF_A_GROUP: std::ops::RangeInclusive<usize> = 1024..=1 << 17;

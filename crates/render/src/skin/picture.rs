@@ -3,12 +3,13 @@
 use super::Skin;
 use super::colour::{Scale, viridis};
 use super::raster::View;
-use crate::backend::{self, RenderError};
+use crate::backend::RenderError;
+use crate::convert;
 use crate::limits::MAX_MARKS;
 use crate::palette::{INK, PAPER, SOFT_INK, ZERO};
 use crate::scene::{Anchor, Item, Scene, solid};
+use crate::svg;
 use crate::text::{fit_to_width, medium, regular, width};
-use crate::{pdf, svg};
 
 /// Width of the page, in page units.
 const WIDTH: f64 = 1000.0;
@@ -32,7 +33,7 @@ impl Skin {
     /// # Errors
     /// [`RenderError::Scale`], or [`RenderError::TooLarge`] above 2^25 pixels.
     pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
-        backend::png(&self.to_svg(), scale)
+        convert::png(&self.to_svg(), scale)
     }
 
     /// Returns the picture as a PDF of one page with embedded fonts; the views are images.
@@ -40,7 +41,7 @@ impl Skin {
     /// # Errors
     /// Errors of the PDF writer.
     pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
-        pdf::write(&self.layout_scene())
+        convert::pdf(&self.layout_scene())
     }
 
     /// Lays out title, both views and colour scale on one page.

@@ -1,7 +1,8 @@
 //! Writes a scene as PDF: vector content by svg2pdf, images below it.
 
-use crate::backend::{MADE_BY, RenderError, tree};
-use crate::pdf_objects::in_order_of_use;
+use super::pdf_objects::in_order_of_use;
+use super::tree;
+use crate::backend::{MADE_BY, RenderError};
 use crate::scene::{Item, Scene};
 use crate::svg;
 use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref};
@@ -12,7 +13,7 @@ const POINTS: f64 = 72.0 / 96.0;
 
 /// Returns the picture as a PDF of one page; text stays text. Images are below all vector content, whatever
 /// their order.
-pub(crate) fn write(scene: &Scene) -> Result<Vec<u8>, RenderError> {
+pub(crate) fn pdf(scene: &Scene) -> Result<Vec<u8>, RenderError> {
     let made = svg2pdf::to_chunk(&tree(&svg::write_over(scene))?, svg2pdf::ConversionOptions::default());
     let (drawn, drawn_id) = made.map_err(|error| RenderError::Pdf { message: error.to_string() })?;
     let mut next = Ref::new(1);
