@@ -352,7 +352,7 @@ fn draw_scale_bar(scene: &mut Scene, units_per_metre: f64, (x, y): Point) {
 
 /// Smallest and largest drawable value; (0, 0) without values.
 fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    crate::axis::extent(values).unwrap_or((0.0, 0.0))
+    crate::figure::axis::extent(values).unwrap_or((0.0, 0.0))
 }
 
 /// Circle as a closed polyline.

@@ -28,31 +28,25 @@
 //! assert!(figure.to_svg().starts_with("<svg"));
 //! ```
 
-mod axis;
 mod backend;
 #[cfg(feature = "convert")]
 mod convert;
 #[cfg(not(feature = "convert"))]
 #[path = "no_convert.rs"]
 mod convert;
-mod curve;
 mod drawing;
 mod figure;
 mod font;
-mod layout;
-mod legend;
 mod limits;
-mod marks;
 mod palette;
 mod raster;
 mod scene;
-mod sheet;
 mod skin;
 mod svg;
 mod text;
 
 pub use backend::{MADE_BY, RenderError};
 pub use drawing::{Drawing, DrawnArrow, DrawnCircle, DrawnFacet, DrawnLine};
+pub use figure::sheet::Sheet;
 pub use figure::{Figure, Mark, Panel, Series, Style};
-pub use sheet::Sheet;
 pub use skin::{Skin, SkinFacet, SkinMark, SkinPiece};

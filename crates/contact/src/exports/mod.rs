@@ -8,33 +8,18 @@
 //!
 //! [`Options::stop`] selects the stop of a joint instead of a contact between bodies.
 //!
-//! One file per tool. This module neither reads files of simulators nor runs simulators.
+//! One file per tool in `simulators`. This module neither reads files of simulators nor runs simulators.
 
-mod adams;
-mod bullet;
-mod chrono;
-mod dart;
-mod drake;
 mod drift;
 mod error;
 mod export;
-mod exudyn;
-mod gazebo;
-mod gazebo_classic;
 mod gravity;
 mod impact_function;
-mod jolt;
 mod linear;
 mod loops;
-mod mujoco;
-mod newton;
-mod ode;
-mod opensim;
-mod physx;
-mod rapier;
 mod request;
 mod rigid;
-mod simscape;
+mod simulators;
 mod single_precision;
 mod stops;
 mod tool;
@@ -53,14 +38,14 @@ macro_rules! tools {
         impl Tool {
             $(
                 #[doc = concat!("The tool of [`name`](Tool::name) ", stringify!($module), ".")]
-                pub const $constant: Self = Self::of(&$module::FACTS);
+                pub const $constant: Self = Self::of(&simulators::$module::FACTS);
             )*
             /// All tools.
             pub const ALL: [Self; [$(stringify!($module)),*].len()] = [$(Self::$constant),*];
         }
 
         /// Export functions in the order of [`Tool::ALL`].
-        const EXPORTS: [fn(&Request) -> Result<Export, ExportError>; Tool::ALL.len()] = [$($module::export),*];
+        const EXPORTS: [fn(&Request) -> Result<Export, ExportError>; Tool::ALL.len()] = [$(simulators::$module::export),*];
     };
 }
 

@@ -1,6 +1,7 @@
 //! Joint stops: tools with a spring and a damper for joint limits, and reasons for the other tools.
 
-use super::{Export, ExportError, Request, StopMotion, Tool, mujoco, newton, ode, physx};
+use super::simulators::{mujoco, newton, ode, physx};
+use super::{Export, ExportError, Request, StopMotion, Tool};
 
 /// Function that exports a joint stop.
 type StopExport = fn(&Request, StopMotion) -> Result<Export, ExportError>;

@@ -3,13 +3,13 @@
 use crate::limits;
 use std::f64::consts::PI;
 
-use super::linear::Linear;
-use super::{Export, ExportError, Facts, Measurement, Request, Tool};
+use crate::exports::linear::Linear;
+use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::{Damper, hunt_crossley};
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "drake",
     title: "Drake",
     aliases: &["sap"],
@@ -61,7 +61,7 @@ pub(super) const FACTS: Facts = Facts {
 /// of 10/ω the error of this integrator is 1.6e-2 at accuracy 1e-3 and 1.4e-4 at 1e-5; runge_kutta5 can step over the
 /// contact; the error of implicit_euler is 2e-2 at 1e-5. Lagged and similar lose 0.001, 0.04, 0.48, 1.10, 1.45 ωh for
 /// e = 0.1, 0.2, 0.5, 0.8, 0.95: below (π/2)e ωh. SAP's step: [`Linear::implicit_error_bound`].
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let mut export = Export::new(TOOL);
     let stiffness = 2.0 * linear.stiffness;

@@ -1,13 +1,13 @@
 //! New Gazebo (gz-sim) with its default physics, the dartsim plugin of gz-physics: rigid restitution.
 
-use super::rigid;
-use super::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::error::positive;
+use crate::exports::rigid;
+use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "gazebo",
     title: "Gazebo (gz-sim, dartsim)",
     aliases: &["gz", "gz-sim", "ignition", "sdf", "sdformat", "dartsim"],
@@ -34,7 +34,7 @@ pub(super) const FACTS: Facts = Facts {
 /// more than 100 m/s ([`limits::DART_FASTEST_REBOUND`]); its constraint force mixing, 1e-5 of the contact's inverse
 /// mass, takes (1 + e)·1e-5 off. Measured at 1e-4, 1e-3 and 1e-2 s, for several m̄. With e on both sides the
 /// restitution is e²; at 0.3 m/s e = 0.2 does not rebound.
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     let mut export = Export::new(TOOL);
     match request.speed {

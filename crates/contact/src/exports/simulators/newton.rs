@@ -1,15 +1,15 @@
 //! Newton (newton-physics, on Warp): the penalty contacts of SemiImplicit and Featherstone, and XPBD's restitution.
 
-use super::export::check_single_precision;
-use super::linear::{Linear, UnclampedLinear};
-use super::single_precision;
-use super::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
+use crate::exports::export::check_single_precision;
+use crate::exports::linear::{Linear, UnclampedLinear};
+use crate::exports::single_precision;
+use crate::exports::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
 use crate::{Separation, kelvin_voigt};
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "newton",
     title: "Newton (SemiImplicit, Featherstone, XPBD)",
     aliases: &["newton-physics", "warp"],
@@ -60,7 +60,7 @@ pub(super) const FACTS: Facts = Facts {
 /// XPBD sets the speed of separation of a free body to e v for every mass and step. XPBD has no armature, and a body
 /// on a hinge rebounded with 0.29, 0.25, 0.17 for 0.2, 0.5, 0.8: the step of XPBD is exported for free bodies only.
 /// The joints of SemiImplicit are springs: a pendulum rebounded with 0.38 for 0.5.
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut linear = Linear::of(request, TOOL)?;
     let e = linear.restitution;
     if e < 1.0 {
@@ -130,7 +130,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
 ///
 /// Measured in Newton 1.8.0, hinges with and without a rotor and an elbow whose shoulder is free: within 6.6e-4,
 /// 3.7e-4, 3.4e-4. With the link's own inertia the elbow (0.107 for 0.0668 kg·m²) shows 0.118, 0.411, 0.754.
-pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
+pub(crate) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
     let unclamped = UnclampedLinear::of(request, TOOL)?;
     let (step, linear) = (unclamped.explicit_step()?, unclamped.0);
     let damping = linear.damping(linear.ratio);

@@ -1,7 +1,7 @@
 //! Marks on the x axis: a line through all panels, labelled above the first panel.
 
-use crate::axis::{Axis, drawable};
 use crate::figure::Mark;
+use crate::figure::axis::{Axis, drawable};
 use crate::font::Font;
 use crate::limits;
 use crate::palette::SOFT_INK;

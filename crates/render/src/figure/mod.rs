@@ -1,5 +1,12 @@
 //! Figure in the caller's data units.
 
+pub(crate) mod axis;
+mod curve;
+pub(crate) mod layout;
+mod legend;
+mod marks;
+pub(crate) mod sheet;
+
 /// Plot with panels one above the other over one shared x axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {

@@ -1,6 +1,6 @@
 //! Converts a series to polylines on the page: broken at gaps, thinned to the resolution of the page.
 
-use crate::axis::drawable;
+use crate::figure::axis::drawable;
 use crate::limits;
 use crate::scene::Point;
 use std::collections::HashSet;

@@ -1,12 +1,12 @@
 //! MuJoCo: `solref` and `solimp` of a geom, in the direct and in the standard format.
 
-use super::linear::Linear;
-use super::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
+use crate::exports::linear::Linear;
+use crate::exports::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "mujoco",
     title: "MuJoCo",
     aliases: &["mjcf", "mjx"],
@@ -55,7 +55,7 @@ pub(super) const FACTS: Facts = Facts {
 /// double wishbone on its bump stop (392.8 kg, α = 0.35), loops closed, e = 0.2, 0.5, 0.8: at most 6.5e-4. With the
 /// default equality settings the four-bar shows 0.084, 0.444, 0.789. With a wrong m̄ the restitution is correct and
 /// the penetration wrong: a factor of 0.27 with the mass of the coupler, 4.8 kg.
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let (solref, scale) = direct_format(&linear, request);
     let solimp = [limits::MUJOCO_IMPEDANCE, limits::MUJOCO_IMPEDANCE, 1.0];
@@ -96,7 +96,7 @@ fn direct_format(linear: &Linear, request: &Request) -> ([f64; 2], f64) {
 
 /// Stop of a joint: `solreflimit` and `solimplimit`. The row is that of a contact with the inertia at the joint as m̄
 /// and Â = `dof_invweight0`.
-pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
+pub(crate) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let (solref, _) = direct_format(&linear, request);
     let step = linear.explicit_step()?;

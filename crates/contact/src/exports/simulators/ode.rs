@@ -1,11 +1,11 @@
 //! Open Dynamics Engine: soft contacts by ERP and CFM.
 
-use super::linear::Linear;
-use super::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
+use crate::exports::linear::Linear;
+use crate::exports::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "ode",
     title: "Open Dynamics Engine",
     aliases: &["open-dynamics-engine"],
@@ -44,7 +44,7 @@ pub(super) const FACTS: Facts = Facts {
 /// 4.9e-4, 4.0e-4, 3.4e-4, ball, pendulums and four-bar; at twice the step 9.9e-4, 8.0e-4, 6.7e-4. With the mass of
 /// the contact link alone: 0.280, 0.592, 0.848 (2 kg for m̄ = 3.75 kg); 0.580, 0.815, 0.941 (four-bar, 4.8 kg for
 /// 68.1 kg).
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
     let damping = linear.damping(linear.implicit_ratio(step)?);
@@ -98,7 +98,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
 /// whose shoulder is free, the crank of a four-bar (0.473 kg·m²), the slider of a slider-crank (2.77 kg): within
 /// 5.0e-4, 4.1e-4, 3.5e-4. With the link's own inertia: 0.150, 0.429, 0.757 (elbow, 0.107 for 0.0668 kg·m²); 0.494,
 /// 0.763, 0.921 (crank, 0.06 kg·m²); 0.351, 0.658, 0.878 (slider, 0.9 kg).
-pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
+pub(crate) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
     let damping = linear.damping(linear.implicit_ratio(step)?);
@@ -149,7 +149,7 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
 }
 
 /// ERP and CFM of a stiffness, a damping and a time step.
-pub(super) fn erp_and_cfm(stiffness: f64, damping: f64, step: f64) -> (f64, f64) {
+pub(crate) fn erp_and_cfm(stiffness: f64, damping: f64, step: f64) -> (f64, f64) {
     let sum = step * stiffness + damping;
     (step * stiffness / sum, 1.0 / sum)
 }

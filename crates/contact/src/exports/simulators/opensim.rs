@@ -1,13 +1,13 @@
 //! OpenSim and Simbody: HuntCrossleyForce.
 
-use super::impact_function::ImpactFunction;
-use super::{Export, ExportError, Facts, Measurement, Request, Tool};
+use crate::exports::impact_function::ImpactFunction;
+use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 use crate::{Damper, hunt_crossley};
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "opensim",
     title: "OpenSim (HuntCrossleyForce)",
     aliases: &["simbody"],
@@ -35,7 +35,7 @@ pub(super) const FACTS: Facts = Facts {
 /// k = 4/3·√R·stiffness/2^(3/2). Hunt and Crossley's dissipation number is 3/2 c v = a(e), whatever the exponent and the mass.
 ///
 /// Greatest step of the integrator: 0.1 x₀/v, x₀ the penetration without damping; shorter for a smaller error.
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let contact = request.contact;
     if contact.exponent() != 1.5 {
         return Err(ExportError::Exponent {

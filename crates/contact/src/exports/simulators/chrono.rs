@@ -1,8 +1,8 @@
 //! Project Chrono, smooth contacts (SMC): user coefficients, or a corrected coefficient of restitution.
 
-use super::export::check_single_precision;
-use super::linear::Linear;
-use super::{Export, ExportError, Facts, Measurement, Options, Request, Tool};
+use crate::exports::export::check_single_precision;
+use crate::exports::linear::Linear;
+use crate::exports::{Export, ExportError, Facts, Measurement, Options, Request, Tool};
 use crate::{Damper, Separation, kelvin_voigt};
 
 /// Chrono's mass of a body without a given mass, also of a fixed body, kg.
@@ -13,7 +13,7 @@ const BULLET_RADIUS: f64 = 0.1;
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "chrono",
     title: "Project Chrono (SMC)",
     aliases: &["project-chrono", "pychrono", "smc"],
@@ -57,7 +57,7 @@ pub(super) const FACTS: Facts = Facts {
 /// default) or by a direct solver rebound the same to 1e-10; Hertz 2.3e-4 and 1.1e-4 for 0.5 and 0.8. The radius of
 /// curvature that Hertz takes is not that of the shapes: collisions found by Bullet have ChCollisionInfo's default,
 /// 0.1 m.
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let own = request.options.own_mass.ok_or(ExportError::Missing {
         tool: TOOL,
         what: Options::OWN_MASS,

@@ -2,8 +2,9 @@
 
 use crate::backend::RenderError;
 use crate::figure::Figure;
+use crate::figure::layout;
 use crate::scene::{Item, Point, Scene};
-use crate::{convert, layout, svg};
+use crate::{convert, svg};
 
 impl Figure {
     /// Returns the figure as an SVG document, 900 page units wide and about 300 high per panel.

@@ -1,13 +1,13 @@
 //! Exudyn: ObjectContactSphereSphere with a linear spring and damper.
 
-use super::linear::Linear;
-use super::{Export, ExportError, Facts, Measurement, Request, Tool};
+use crate::exports::linear::Linear;
+use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 use crate::{Separation, kelvin_voigt};
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "exudyn",
     title: "Exudyn (ObjectContactSphereSphere)",
     aliases: &[],
@@ -39,7 +39,7 @@ pub(super) const FACTS: Facts = Facts {
 /// |Δe|/(2ζe ωh) of fifteen phases at ωh = 0.03 and 0.004: 0.88, 0.92; 1.02, 1.03; 0.99, 0.76; 1.07, 0.99; 1.09, 0.90
 /// for e = 0.1, 0.3, 0.5, 0.7, 0.9. With the default iteration tolerance of 1 N, a gap of 1 N/k counts as closed: 1.4
 /// for e = 0.2.
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut linear = Linear::of(request, TOOL)?;
     if linear.restitution < 1.0 {
         linear.ratio = kelvin_voigt::ratio(linear.restitution, Separation::GapCloses)?;

@@ -1,13 +1,13 @@
 //! Jolt Physics, as in Godot: a coefficient of restitution.
 
-use super::export::check_single_precision;
-use super::rigid;
-use super::{Export, ExportError, Facts, Measurement, Request, Tool};
+use crate::exports::export::check_single_precision;
+use crate::exports::rigid;
+use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "jolt",
     title: "Jolt Physics",
     aliases: &["jolt-physics", "joltphysics", "godot"],
@@ -48,7 +48,7 @@ pub(super) const FACTS: Facts = Facts {
 /// iterations is 0.46. A four-bar (m̄ = 68.1 kg, bodies of 2 to 4.8 kg) converges more slowly: for e = 0.5 the
 /// restitution is 0.04 after 50 iterations, 0.441 after 200, 0.4986 after 500, and 0.4996 from 1000, at 1e-3 and 1e-4
 /// s. For other linkages the error is unknown, and none is stated.
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     let mut export = Export::new(TOOL);
     let threshold = request.speed.map_or(0.0, |speed| speed / 2.0);

@@ -1,12 +1,12 @@
 //! Bullet and PyBullet: contact stiffness and contact damping.
 
-use super::linear::Linear;
-use super::single_precision;
-use super::{Export, ExportError, Facts, Measurement, Request, Tool};
+use crate::exports::linear::Linear;
+use crate::exports::single_precision;
+use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "bullet",
     title: "Bullet",
     aliases: &["pybullet", "bullet3"],
@@ -55,7 +55,7 @@ pub(super) const FACTS: Facts = Facts {
 /// lateralFriction 0.5 on both sides the pendulum shows 0.276, 0.584, 0.837. The four-bar (m̄ = 68.1 kg), closed by a
 /// point-to-point constraint: 1.6e-4, 2.7e-4, 3.3e-4; with the coupler's own 4.8 kg 0.580, 0.815, 0.941. With 4k/3
 /// and 4k, c'/4 and 3c'/4 on the two sides a ball rebounds as with equal ones.
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
     let damping = linear.damping(linear.implicit_ratio(step)?) / 2.0;

@@ -1,12 +1,12 @@
 //! DART: a coefficient of restitution.
 
-use super::rigid;
-use super::{Export, ExportError, Facts, Measurement, Request, Tool};
+use crate::exports::rigid;
+use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "dart",
     title: "DART",
     aliases: &["dartpy"],
@@ -38,7 +38,7 @@ pub(super) const FACTS: Facts = Facts {
 /// m/s) this loss is 4.1e-4 and 4.9e-4 for e = 0.5 and 0.8, equal to measurements in 6.20.0 at 1e-6 s; the motion of
 /// the loop within a step increases the error to 1.2e-3 and 1.0e-3 at 1e-3 s, 0.02 and 0.04 at 1e-2 s. With a
 /// RevoluteJointConstraint, which has redundant rows, the four-bar flies apart.
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     if let Some(speed) = request.speed {
         let unreachable = |why, remedy| ExportError::Unreachable { tool: TOOL, restitution: e, why, remedy };

@@ -1,12 +1,12 @@
 //! Adams: the IMPACT function and contact; the same function in MotionSolve, RecurDyn and SolidWorks Motion.
 
-use super::{Export, ExportError, Facts, ImpactFunction, Request, Tool};
 use crate::ContactLawError;
+use crate::exports::{Export, ExportError, Facts, ImpactFunction, Request, Tool};
 use crate::limits;
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "adams",
     title: "Adams (IMPACT)",
     aliases: &["impact", "motionsolve", "recurdyn", "solidworks-motion"],
@@ -31,7 +31,7 @@ pub(super) const FACTS: Facts = Facts {
 ///
 /// k and the exponent are the contact's; d = 0.1 x₀, cmax = ĉ k x₀ᵖ/v with the ĉ of [`ImpactFunction::damping`]. Both
 /// depend on the speed; the restitution is for one speed.
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let (mass, stiffness, p) =
         (request.contact.mass(), request.contact.stiffness(), request.contact.exponent());
     let e = request.restitution;

@@ -1,12 +1,12 @@
 //! Rapier: a coefficient of restitution.
 
-use super::rigid;
-use super::{Export, ExportError, Facts, Measurement, Request, Tool};
+use crate::exports::rigid;
+use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "rapier",
     title: "Rapier",
     aliases: &["rapier3d"],
@@ -38,7 +38,7 @@ pub(super) const FACTS: Facts = Facts {
 /// (m̄ = 68.1 kg), by hand: multibody joints closed by an impulse joint do not rebound; with impulse joints alone the
 /// coupler rests for some steps and returns with 0.26 … 0.65. Restitution 0 with any contact softness: at most
 /// 1.5e-3.
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     let mut export = Export::new(TOOL);
     export.time_step = rigid::time_step(request);

@@ -1,12 +1,12 @@
 //! Gazebo Classic with ODE: the `<surface>` of an SDF collision.
 
-use super::linear::Linear;
-use super::{Export, ExportError, Facts, Measurement, Request, Tool};
+use crate::exports::linear::Linear;
+use crate::exports::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "gazebo-classic",
     title: "Gazebo Classic (ODE)",
     aliases: &["classic", "gazebo-11"],
@@ -31,7 +31,7 @@ pub(super) const FACTS: Facts = Facts {
 /// c' as for ODE: 2(ζ − ωh/2)√(k m̄). Measured in Gazebo Classic 11.1.0: to two digits as in ODE, at half and twice
 /// the step too. With the solver "quick" 1.2e-3, 1.7e-3, 1.0e-3. With 4k/3 and 4k, c'/4 and 3c'/4 on the two sides a
 /// ball rebounds as with equal ones.
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
     let damping = linear.damping(linear.implicit_ratio(step)?);

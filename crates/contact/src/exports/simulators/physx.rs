@@ -1,14 +1,14 @@
 //! PhysX 5, Isaac Sim and Isaac Lab: compliant contacts.
 
-use super::export::check_single_precision;
-use super::linear::{Linear, UnclampedLinear};
-use super::single_precision;
-use super::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
+use crate::exports::export::check_single_precision;
+use crate::exports::linear::{Linear, UnclampedLinear};
+use crate::exports::single_precision;
+use crate::exports::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "physx",
     title: "PhysX and Isaac",
     aliases: &["isaac", "isaac-sim", "isaac-lab", "isaaclab"],
@@ -54,7 +54,7 @@ pub(super) const FACTS: Facts = Facts {
 ///
 /// The acceleration mode is not exported: PhysX multiplies stiffness and damping by the effective mass of the body
 /// without joints (a pendulum with 1.667 kg without the joint: 0.305 and 0.616 for 0.2 and 0.5).
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
     let damping = linear.damping(linear.implicit_ratio(step)?);
@@ -144,7 +144,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
 ///
 /// Measured in ovphysx 0.7.0 with PGS, a hinge: within 1.6e-4, 2.2e-4, 4.2e-4. TGS, and mechanisms of several bodies,
 /// were not measured.
-pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
+pub(crate) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
     let unclamped = UnclampedLinear::of(request, TOOL)?;
     let (step, linear) = (unclamped.implicit_step(), unclamped.0);
     let damping = linear.damping(unclamped.implicit_ratio(step)?);

@@ -1,12 +1,12 @@
 //! Simscape Multibody: the Spatial Contact Force block.
 
-use super::linear::Linear;
-use super::{Export, ExportError, Facts, Request, Tool};
+use crate::exports::linear::Linear;
+use crate::exports::{Export, ExportError, Facts, Request, Tool};
 use crate::limits;
 
 const TOOL: Tool = Tool::of(&FACTS);
 
-pub(super) const FACTS: Facts = Facts {
+pub(crate) const FACTS: Facts = Facts {
     name: "simscape",
     title: "Simscape Multibody",
     aliases: &["simscape-multibody", "matlab", "simulink"],
@@ -29,7 +29,7 @@ pub(super) const FACTS: Facts = Facts {
 /// BDF (of the kind of ode15s) and a trapezoidal rule with error control (ode23t), both started at the contact as by
 /// zero-crossing detection, have an error of at most 5.4e-4, including the width, for e = 0.05 … 0.95, k = 1e5 and
 /// 1e8 N/m, 2 kg, 0.03 … 3 m/s; with AbsTol 1e-6 the latter by 1.8e-3 (tests/external/contact/integrators.py).
-pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let damping = linear.damping(linear.ratio);
     let mut export = Export::new(TOOL);
