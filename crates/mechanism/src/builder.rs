@@ -1,12 +1,13 @@
 //! Builds a mechanism from descriptions, with all validation.
 
 use crate::axis::unit;
-use crate::check::Check;
+use crate::checks::check::Check;
+use crate::checks::{closures, inertias};
 use crate::name_mark::NameMark;
 use crate::problem::{Problem, Severity, Subject};
 use crate::{
     ClosureDescription, ClosureKind, CouplingDescription, Geometry, Inertial, Joint, JointDescription,
-    JointId, JointKind, Link, LinkDescription, LinkId, Mechanism, Mimic, closure_check, inertia_check, tree,
+    JointId, JointKind, Link, LinkDescription, LinkId, Mechanism, Mimic, tree,
 };
 use percuss_spatial::{SpatialInertia, Vector3};
 use std::collections::HashMap;
@@ -137,7 +138,7 @@ impl MechanismBuilder {
         for (i, joint) in self.joints.iter().enumerate() {
             check.joint_numbers(joint_subject(i, &joint.name), joint);
         }
-        closure_check::check(&self.closures, &self.couplings, &self.links, &link_ids, check);
+        closures::check(&self.closures, &self.couplings, &self.links, &link_ids, check);
         let second_parents = self.take_second_parents(check, &link_ids);
         self.closures.extend(second_parents);
         let joint_ids = self.joints.iter().enumerate().map(|(i, j)| (j.name.clone(), i)).collect();
@@ -165,7 +166,7 @@ impl MechanismBuilder {
         let length = characteristic_length(&links, &joints, &self.closures, tree.root);
         for (i, link) in self.links.iter().enumerate() {
             let problem = match &link.inertial {
-                Some(inertial) => inertia_check::check(inertial, length, self.accept.indefinite_inertia),
+                Some(inertial) => inertias::check(inertial, length, self.accept.indefinite_inertia),
                 None if tree.root.index() != i => Some(Problem::Massless),
                 None => None,
             };
@@ -174,7 +175,7 @@ impl MechanismBuilder {
             }
         }
         let mut mechanism = Mechanism::new(self.name, links, joints, tree, length);
-        closure_check::attach(&mut mechanism, &self.closures, &self.couplings, check);
+        closures::attach(&mut mechanism, &self.closures, &self.couplings, check);
         Some(mechanism)
     }
 
@@ -198,7 +199,7 @@ impl MechanismBuilder {
                 continue;
             };
             let (subject, link) = (joint_subject(i, &joint.name), joint.child.clone());
-            match closure_check::of_joint(joint) {
+            match closures::of_joint(joint) {
                 Ok(closure) => {
                     check.add(subject, Problem::SecondParent { link, first });
                     closures.push(closure);

@@ -6,12 +6,10 @@
 
 mod axis;
 mod builder;
-mod check;
+mod checks;
 mod closure;
-mod closure_check;
 mod describe;
 mod description;
-mod inertia_check;
 mod inertial;
 mod joint;
 mod limits;
@@ -19,7 +17,6 @@ mod link;
 mod mechanism;
 mod name_mark;
 mod names;
-mod plausibility;
 mod problem;
 mod tree;
 

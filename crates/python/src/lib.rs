@@ -11,17 +11,13 @@ mod labels;
 mod maps;
 mod matrices;
 mod model;
-mod model_methods;
 mod motion;
 mod pose;
-mod pose_methods;
 mod question;
 mod reports;
 mod response;
 mod suspension;
 mod sweep;
-mod sweep_columns;
-mod sweep_portions;
 mod system;
 mod threads;
 

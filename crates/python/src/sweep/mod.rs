@@ -1,13 +1,16 @@
 //! m̄ of one contact at many configurations, from arrays to arrays, with the interpreter released.
 
+pub(crate) mod columns;
+pub(crate) mod portions;
+
 use crate::arrays::{float64_matrix as matrix, shape};
 use crate::contact::Contact;
 use crate::diagnostic::Diagnostic;
 use crate::errors::{self, input};
 use crate::matrices::mass_and_code;
 use crate::model::Model;
-use crate::sweep_columns::{Columns, MASSLESS_TO_ROUNDING, zeros};
-use crate::sweep_portions::{run_fixed_portions, run_timed_portions};
+use crate::sweep::columns::{Columns, MASSLESS_TO_ROUNDING, zeros};
+use crate::sweep::portions::{run_fixed_portions, run_timed_portions};
 use crate::system::{Assembly, System, in_root_axes, position_names, root_frame};
 use numpy::ndarray::{ArrayView2, s};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};

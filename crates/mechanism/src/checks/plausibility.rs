@@ -1,6 +1,6 @@
 //! Search for inertias that are impossible for a body of the link's size. The usual reason is a wrong unit.
 
-use crate::inertia_check::principal_moments;
+use crate::checks::inertias::principal_moments;
 use crate::limits::{DENSEST, FAR_GYRATION, LEAST_GYRATION, SPHERE_OVER_GYRATION, WIDE_GYRATION};
 use crate::{Accept, Geometry, Mechanism, Problem, Subject};
 

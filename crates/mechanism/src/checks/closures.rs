@@ -1,7 +1,7 @@
 //! Validation of closures and couplings.
 
 use crate::axis::unit;
-use crate::check::Check;
+use crate::checks::check::Check;
 use crate::closure::{Closure, ClosureKind, Coupling, LoopFrame};
 use crate::limits;
 use crate::problem::{Problem, Subject};
