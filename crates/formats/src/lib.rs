@@ -12,7 +12,8 @@
 //! Plain URDF 1.0 to 1.2 and loop closures: URDF+ (`<loop>`, `<coupling>`, `independent`), `<loop_joint>`, a link with two
 //! parent joints (the first joint in the file belongs to the tree), and SDF's `<joint>` in a `<gazebo>`. Elements without
 //! effect on the mechanics (looks, sensors, controllers, simulator settings) are ignored without a message; unknown elements
-//! are ignored with a warning; unsupported elements that would change the result are errors. The table is `src/dialect.rs`.
+//! are ignored with a warning; unsupported elements that would change the result are errors. The table is
+//! `src/urdf/elements/dialect.rs`.
 //!
 //! ```xml
 //! <loop name="pin" type="revolute">        <!-- fixed revolute continuous prismatic cylindrical universal planar

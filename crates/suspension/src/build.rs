@@ -1,7 +1,7 @@
 //! Builds links, joints and loops of a corner from its design.
 
 use super::corner::{Body, CHASSIS, Corner, RACK};
-use super::design::{Design, Part, SEATS, Stated, is_central};
+use super::design::{Design, GivenBody, Part, SEATS, is_central};
 use super::findings::{Findings, Spot};
 use super::frames;
 use super::spindle::Spindle;
@@ -9,7 +9,7 @@ use percuss_formats::reading::OBLIQUE_PINS;
 use percuss_mechanism::{ClosureKind, JointKind};
 use percuss_spatial::{Matrix3, Vector3};
 
-/// Left side, and the parts common to both sides.
+/// Left side, and the links common to both sides of an axle.
 pub(super) struct Built {
     pub left: Corner,
     pub middle: Option<Corner>,
@@ -18,42 +18,43 @@ pub(super) struct Built {
 /// Name of the link common to both sides of an axle.
 const AXLE: &str = "axle";
 
-/// Builds a corner; reports points that determine no axis or line.
+/// Builds a corner from a design. Points that determine no axis or line are errors; the result is then `None`.
 pub(super) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings) -> Option<Built> {
     let mut left = Corner::new();
     let mut middle = design.axle.then(Corner::new);
-    if let (Some(middle), Some(wheel)) = (&mut middle, design.at("wheel_centre")) {
+    if let (Some(middle), Some(wheel)) = (&mut middle, design.point("wheel_centre")) {
         let at = Vector3::new(wheel.x, 0.0, wheel.z);
-        middle.share(AXLE, at);
-        left.share(AXLE, at);
+        middle.mark_shared(AXLE, at);
+        left.mark_shared(AXLE, at);
     }
     for part in design.parts.iter().copied() {
         let corner = match &mut middle {
             Some(middle) if is_on_axle(design, part) => {
                 // Springs, stops and drop links of both sides may be attached to this link.
                 if let Part::Swivel { link, at, .. } = part {
-                    left.share(link, design.at(at).unwrap_or_default());
+                    left.mark_shared(link, design.point(at).unwrap_or_default());
                 }
                 middle
             }
             Some(_) | None => &mut left,
         };
-        Building { design, findings, corner }.part(part, spindle);
+        CornerBuilder { design, findings, corner }.add_part(part, spindle);
     }
     for (section, [seat, chassis_seat]) in SEATS {
-        let (Some(at), Some(above)) = (design.at(seat), design.at(chassis_seat)) else { continue };
+        let (Some(at), Some(above)) = (design.point(seat), design.point(chassis_seat)) else { continue };
         let line = frames::unit(above - at).map(|_| ());
         let spot = design.spot(seat);
         findings.unwrap_geometry(line, &spot, "its points coincide: it has no line");
         let Some((link, _)) = design.on.get(section) else { continue };
         if line.is_some() {
-            left.seats([seat, chassis_seat], link, [at, above]);
-            left.stated(seat, spot);
+            left.add_seats([seat, chassis_seat], link, [at, above]);
+            left.set_spot(seat, spot);
         }
     }
     (!findings.has_errors()).then_some(Built { left, middle })
 }
 
+/// True if a part belongs to the axle as a whole, not to one side.
 fn is_on_axle(design: &Design, part: &Part) -> bool {
     let central = |point: &str| is_central(design.axle, point);
     match part {
@@ -71,23 +72,25 @@ fn is_on_axle(design: &Design, part: &Part) -> bool {
 }
 
 /// Comment of a link: the comment of its part, or the point of its frame.
-fn described(comment: Option<&String>, at: &str) -> String {
+fn link_comment(comment: Option<&String>, at: &str) -> String {
     comment.cloned().unwrap_or_else(|| format!("frame at {at}"))
 }
 
-struct Building<'d> {
+/// Adds the parts of a design to a corner.
+struct CornerBuilder<'d> {
     design: &'d Design,
     findings: &'d mut Findings,
     corner: &'d mut Corner,
 }
 
-impl Building<'_> {
-    fn at(&self, key: &str) -> Vector3<f64> {
-        self.design.at(key).unwrap_or_default()
+impl CornerBuilder<'_> {
+    /// Position of a hardpoint, m; the origin if the file does not contain the point.
+    fn point(&self, key: &str) -> Vector3<f64> {
+        self.design.point(key).unwrap_or_default()
     }
 
     /// Resolves a link name: for `SECTION.on`, the link chosen in the file.
-    fn link<'n>(&'n self, name: &'n str) -> &'n str {
+    fn resolve_link<'n>(&'n self, name: &'n str) -> &'n str {
         let chosen = name.strip_suffix(".on").and_then(|section| self.design.on.get(section));
         chosen.map_or(name, |(link, _)| link)
     }
@@ -95,99 +98,101 @@ impl Building<'_> {
     /// Body of a link; `None` for a massless link.
     fn body(&self, link: &str) -> Option<Body> {
         match self.design.bodies.get(link) {
-            Some(Stated::Body(body)) => Some(body.clone()),
-            Some(Stated::Rod(..)) | None => None,
+            Some(GivenBody::Body(body)) => Some(body.clone()),
+            Some(GivenBody::Rod(..)) | None => None,
         }
     }
 
-    /// Adds a link with its body and with its frame at a point.
+    /// Adds a link of the design, with the link frame at the point `at`.
     fn add_link(&mut self, link: &str, at: &str, comment: Option<&String>) {
         let body = self.body(link);
-        self.corner.link(link, self.at(at), body.as_ref(), described(comment, at));
+        self.corner.add_link(link, self.point(at), body.as_ref(), link_comment(comment, at));
     }
 
-    fn part(&mut self, part: &Part, spindle: &Spindle) {
+    /// Carries out a construction step.
+    fn add_part(&mut self, part: &Part, spindle: &Spindle) {
         match part {
             Part::Hinge { link, parent, points: [first, second], comment, outer } => {
-                let axis = self.at(second) - self.at(first);
+                let axis = self.point(second) - self.point(first);
                 self.add_link(link, first, comment.as_ref());
-                self.on_hinge(link, parent, first, axis, self.design.hinge_comment);
-                self.draw_hinge(link, [self.at(first), self.at(second)], outer.as_deref());
+                self.add_hinge_joint(link, parent, first, axis, self.design.hinge_comment);
+                self.draw_hinge(link, [self.point(first), self.point(second)], outer.as_deref());
             }
             Part::Swivel { link, parent, at } => {
                 self.add_link(link, at, None);
-                self.on_hinge(link, parent, at, Vector3::x(), "about the vehicle's x");
+                self.add_hinge_joint(link, parent, at, Vector3::x(), "about the vehicle's x");
             }
             Part::Ball { link, joint, parent, at, comment, outer } => {
                 let spot = self.design.spot(at);
                 self.add_link(link, at, comment.as_ref());
                 let joint = (&**joint, JointKind::Spherical);
-                self.corner.joint(joint, [parent, link], Vector3::x(), &spot, "a ball joint");
+                self.corner.add_joint(joint, [parent, link], Vector3::x(), &spot, "a ball joint");
                 if parent == CHASSIS {
-                    let ends = [self.at(at), self.at(outer.as_deref().unwrap_or("wheel_centre"))];
-                    self.corner.drawing.rod(link, ends, &spot);
+                    let ends = [self.point(at), self.point(outer.as_deref().unwrap_or("wheel_centre"))];
+                    self.corner.drawing.add_rod(link, ends, &spot);
                 }
             }
             Part::Free { link, at, comment, joint_comment } => {
                 self.add_link(link, at, comment.as_ref());
-                self.float(link, self.design.spot(at), joint_comment.as_deref());
+                self.add_floating_joint(link, self.design.spot(at), joint_comment.as_deref());
             }
             Part::Axle => {
-                let wheel = self.at("wheel_centre");
+                let wheel = self.point("wheel_centre");
                 let at = Vector3::new(wheel.x, 0.0, wheel.z);
                 let body = self.body(AXLE);
                 let comment = "frame half way between the wheels".to_owned();
-                self.corner.link(AXLE, at, body.as_ref(), comment);
-                self.float(AXLE, self.design.spot("wheel_centre"), None);
+                self.corner.add_link(AXLE, at, body.as_ref(), comment);
+                self.add_floating_joint(AXLE, self.design.spot("wheel_centre"), None);
                 let left = Vector3::new(wheel.x, wheel.y, wheel.z);
                 let right = Vector3::new(wheel.x, 0.0 - wheel.y, wheel.z);
-                self.corner.drawing.line(AXLE, [left, right]);
+                self.corner.drawing.add_line(AXLE, [left, right]);
             }
             Part::Fixed { link, on, at } => {
                 let Some(body) = self.body(link) else { return };
                 let name = format!("{link}_fixed");
-                self.corner.link(link, self.at(at), Some(&body), format!("fixed to {on}"));
+                self.corner.add_link(link, self.point(at), Some(&body), format!("fixed to {on}"));
                 let joint = (&*name, JointKind::Fixed);
-                self.corner.joint(joint, [on, link], Vector3::x(), &body.spot, "fixed");
+                self.corner.add_joint(joint, [on, link], Vector3::x(), &body.spot, "fixed");
             }
             Part::Wheel { on } => spindle.attach(self.findings, self.corner, on),
             Part::Rod { link, ends, comment, massless_comment } => {
-                self.rod(link, ends, comment.as_ref(), massless_comment.as_deref());
+                self.add_rod(link, ends, comment.as_ref(), massless_comment.as_deref());
             }
             Part::Strut { link, on, line, comment, undrawn } => {
-                self.strut(link, on, line, comment.as_ref());
+                self.add_strut(link, on, line, comment.as_ref());
                 if !undrawn {
                     let spot = self.design.spot(&line[1]);
-                    self.corner.drawing.rod(link, [self.at(&line[0]), self.at(&line[1])], &spot);
+                    self.corner.drawing.add_rod(link, [self.point(&line[0]), self.point(&line[1])], &spot);
                 }
             }
             Part::Close { joint, links: [predecessor, successor], at } => {
                 let spot = self.design.spot(at);
-                self.close_ball(joint, [predecessor, successor], self.at(at), &spot);
+                self.add_closing_ball_joint(joint, [predecessor, successor], self.point(at), &spot);
             }
         }
     }
 
-    fn float(&mut self, link: &str, spot: Spot, comment: Option<&str>) {
+    /// Adds a floating joint from the chassis: only closures constrain the link.
+    fn add_floating_joint(&mut self, link: &str, spot: Spot, comment: Option<&str>) {
         let name = format!("{link}_free");
         let comment = comment.unwrap_or("only what is attached to it holds it");
-        self.corner.joint((&name, JointKind::Floating), [CHASSIS, link], Vector3::x(), &spot, comment);
+        self.corner.add_joint((&name, JointKind::Floating), [CHASSIS, link], Vector3::x(), &spot, comment);
     }
 
-    /// Adds the hinge of a link.
-    fn on_hinge(&mut self, link: &str, parent: &str, at: &str, axis: Vector3<f64>, comment: &str) {
+    /// Adds a revolute joint from the parent to the link, at the point `at`.
+    fn add_hinge_joint(&mut self, link: &str, parent: &str, at: &str, axis: Vector3<f64>, comment: &str) {
         let spot = self.design.spot(at);
         let defect = "the hinge's two points coincide";
         let axis = self.findings.unwrap_geometry(frames::unit(axis), &spot, defect);
         let name = format!("{link}_hinge");
-        self.corner.joint((&name, JointKind::Revolute), [parent, link], axis, &spot, comment);
+        self.corner.add_joint((&name, JointKind::Revolute), [parent, link], axis, &spot, comment);
     }
 
     /// Draws a hinged arm from its hinge to its outer point.
     fn draw_hinge(&mut self, link: &str, hinge: [Vector3<f64>; 2], outer: Option<&str>) {
         let Some(outer) = outer.or_else(|| self.outer_point(link)) else { return };
         let Some((outer, spot)) = self.design.points.get(outer) else { return };
-        self.corner.drawing.arm(link, hinge, *outer, spot);
+        self.corner.drawing.add_arm(link, hinge, *outer, spot);
     }
 
     /// Point of the first ball joint, rod or wheel on a link.
@@ -209,7 +214,9 @@ impl Building<'_> {
         })
     }
 
-    fn rod(
+    /// Adds a rod between two links: a distance closure without mass; with mass, a link on a universal joint at the first
+    /// end and a ball joint at the second.
+    fn add_rod(
         &mut self,
         link: &str,
         ends: &[(String, String); 2],
@@ -217,40 +224,41 @@ impl Building<'_> {
         massless_comment: Option<&str>,
     ) {
         let [(from, a), (to, b)] = ends;
-        let points = [self.at(a), self.at(b)];
-        let (from, to) = (self.link(from).to_owned(), self.link(to).to_owned());
+        let points = [self.point(a), self.point(b)];
+        let (from, to) = (self.resolve_link(from).to_owned(), self.resolve_link(to).to_owned());
         let spot = self.design.spot(b);
         if from == RACK {
-            self.corner.place_rack(points[0]);
+            self.corner.set_rack_origin(points[0]);
         }
         let along = points[1] - points[0];
         let direction = frames::unit(along);
-        let stated = self.design.bodies.get(link);
-        if stated.is_none() && (direction.is_some() || self.design.unchecked_rods) {
+        let given = self.design.bodies.get(link);
+        if given.is_none() && (direction.is_some() || self.design.unchecked_rods) {
             let comment = massless_comment.unwrap_or("a massless rod");
-            return self.corner.rod(link, [&from, &to], points, (&spot, comment));
+            return self.corner.add_rod(link, [&from, &to], points, (&spot, comment));
         }
-        let (Some(direction), Some(stated)) = (direction, stated) else {
+        let (Some(direction), Some(given)) = (direction, given) else {
             let message = "its ends coincide: it has no line";
             return self.findings.unwrap_geometry(None, &spot, message);
         };
-        let body = match stated {
-            Stated::Body(body) => body.clone(),
-            Stated::Rod(mass, spot) => {
+        let body = match given {
+            GivenBody::Body(body) => body.clone(),
+            GivenBody::Rod(mass, spot) => {
                 // Slender rod: transverse moment m l²/12.
                 let across = Matrix3::identity() - direction * direction.transpose();
                 let about_com = across * (mass * along.norm_squared() / 12.0);
                 Body { mass: *mass, com: (points[0] + points[1]) / 2.0, about_com, spot: spot.clone() }
             }
         };
-        self.universal_joint((&from, link), points[0], &body, direction, described(comment, a));
-        self.close_ball(&format!("{link}_ball"), [link, &to], points[1], &spot);
-        self.corner.drawing.rod(link, points, &spot);
+        self.add_universal_joint((&from, link), points[0], &body, direction, link_comment(comment, a));
+        self.add_closing_ball_joint(&format!("{link}_ball"), [link, &to], points[1], &spot);
+        self.corner.drawing.add_rod(link, points, &spot);
     }
 
-    fn strut(&mut self, link: &str, on: &str, [bottom, top]: &[String; 2], comment: Option<&String>) {
+    /// Adds a strut on a universal joint at its top, and a cylindrical closure along its axis to the link `on`.
+    fn add_strut(&mut self, link: &str, on: &str, [bottom, top]: &[String; 2], comment: Option<&String>) {
         let spot = self.design.spot(top);
-        let (low, high) = (self.at(bottom), self.at(top));
+        let (low, high) = (self.point(bottom), self.point(top));
         let defect = "the strut's two points coincide";
         let axis = self.findings.unwrap_geometry(frames::unit(high - low), &spot, defect);
         let body = self.body(link).unwrap_or(Body {
@@ -259,12 +267,12 @@ impl Building<'_> {
             about_com: Matrix3::zeros(),
             spot: spot.clone(),
         });
-        self.universal_joint((CHASSIS, link), high, &body, axis, described(comment, top));
-        self.corner.slide(&format!("{link}_slide"), [link, on], low, axis, &spot);
+        self.add_universal_joint((CHASSIS, link), high, &body, axis, link_comment(comment, top));
+        self.corner.add_sliding_closure(&format!("{link}_slide"), [link, on], low, axis, &spot);
     }
 
     /// Adds a link along `direction` on a universal joint: two hinges with a massless cross in between.
-    fn universal_joint(
+    fn add_universal_joint(
         &mut self,
         (parent, name): (&str, &str),
         at: Vector3<f64>,
@@ -287,20 +295,25 @@ impl Building<'_> {
             self.findings.warning("oblique-pins", &body.spot, message);
         }
         let cross = format!("{name}_cross");
-        self.corner.link(&cross, at, None, format!("the massless cross of the universal joint of {name}"));
-        self.corner.link(name, at, Some(body), comment);
+        self.corner.add_link(
+            &cross,
+            at,
+            None,
+            format!("the massless cross of the universal joint of {name}"),
+        );
+        self.corner.add_link(name, at, Some(body), comment);
         for (joint, links, pin, comment) in [
             ("first", [parent, &*cross], parent_pin, "the pin that stays with the parent"),
             ("second", [&*cross, name], pin, "the pin that stays with the link"),
         ] {
             let joint = format!("{name}_{joint}_pin");
-            self.corner.joint((&joint, JointKind::Revolute), links, pin, &body.spot, comment);
+            self.corner.add_joint((&joint, JointKind::Revolute), links, pin, &body.spot, comment);
         }
     }
 
     /// Adds a ball joint that closes a loop.
-    fn close_ball(&mut self, name: &str, links: [&str; 2], at: Vector3<f64>, spot: &Spot) {
+    fn add_closing_ball_joint(&mut self, name: &str, links: [&str; 2], at: Vector3<f64>, spot: &Spot) {
         let joint = (name, ClosureKind::Spherical);
-        self.corner.closure(joint, links, at, Vector3::x(), (spot, "a ball joint"));
+        self.corner.add_closure(joint, links, at, Vector3::x(), (spot, "a ball joint"));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::drawing::{Drawing, rounded};
 use super::findings::{Findings, Spot};
-use crate::limits::OFF_ITS_LINK;
+use crate::limits::MAX_DISTANCE_FROM_JOINTS;
 use percuss_formats::Comments;
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder,
@@ -37,11 +37,12 @@ pub(super) struct Corner {
     links: Vec<LinkDescription>,
     joints: Vec<JointDescription>,
     closures: Vec<ClosureDescription>,
+    /// Origin of each link frame in the vehicle frame, m.
     origins: HashMap<String, Vector3<f64>>,
     comments: Comments,
     spots: HashMap<String, Spot>,
     /// Pairs of seat frames: on the moving link, on the chassis.
-    struts: Vec<[&'static str; 2]>,
+    seat_pairs: Vec<[&'static str; 2]>,
     /// Links common to both sides; their names have no suffix.
     shared: Vec<&'static str>,
     /// Drawing of the corner.
@@ -58,7 +59,7 @@ impl Corner {
             origins: HashMap::from([(CHASSIS.to_owned(), Vector3::zeros())]),
             comments: Comments::default(),
             spots: HashMap::new(),
-            struts: Vec::new(),
+            seat_pairs: Vec::new(),
             shared: vec![CHASSIS, RACK],
             drawing: Drawing::default(),
         }
@@ -66,31 +67,39 @@ impl Corner {
 
     /// Marks a link as common to both sides and sets its frame. The link itself is added by this corner or by
     /// another.
-    pub fn share(&mut self, link: &'static str, at: Vector3<f64>) {
+    pub fn mark_shared(&mut self, link: &'static str, at: Vector3<f64>) {
         self.shared.push(link);
         self.origins.insert(link.to_owned(), at);
     }
 
+    /// True for a link common to both sides.
     fn is_shared(&self, link: &str) -> bool {
         self.shared.contains(&link)
     }
 
     /// Origin of the rack frame, if set.
-    pub fn rack(&self) -> Option<Vector3<f64>> {
+    pub fn rack_origin(&self) -> Option<Vector3<f64>> {
         self.origins.get(RACK).copied()
     }
 
     /// Sets the rack frame to the midpoint between the inner ends of the two tie rods; `end` is one of them.
-    pub fn place_rack(&mut self, end: Vector3<f64>) {
+    pub fn set_rack_origin(&mut self, end: Vector3<f64>) {
         self.origins.insert(RACK.to_owned(), Vector3::new(end.x, 0.0, end.z));
     }
 
+    /// Origin of a link frame in the vehicle frame, m.
     fn origin(&self, link: &str) -> Vector3<f64> {
         self.origins.get(link).copied().unwrap_or_default()
     }
 
     /// Adds a link with its frame at the point `at`.
-    pub fn link(&mut self, name: &str, at: Vector3<f64>, body: Option<&Body>, comment: impl Into<String>) {
+    pub fn add_link(
+        &mut self,
+        name: &str,
+        at: Vector3<f64>,
+        body: Option<&Body>,
+        comment: impl Into<String>,
+    ) {
         let mut link = LinkDescription::massless(name);
         if let Some(body) = body {
             link.inertial = Some(Inertial { mass: body.mass, com: body.com - at, about_com: body.about_com });
@@ -102,7 +111,7 @@ impl Corner {
     }
 
     /// Adds a joint at the child frame; `axis` is in the vehicle's axes.
-    pub fn joint(
+    pub fn add_joint(
         &mut self,
         (name, kind): (&str, JointKind),
         [parent, child]: [&str; 2],
@@ -118,7 +127,7 @@ impl Corner {
     }
 
     /// Adds a massless link fixed to another, for contacts and measurements.
-    pub fn frame(&mut self, name: &'static str, on: &str, at: Vector3<f64>, comment: impl Into<String>) {
+    pub fn add_frame(&mut self, name: &'static str, on: &str, at: Vector3<f64>, comment: impl Into<String>) {
         self.links.push(LinkDescription::massless(name));
         self.joints.push(
             JointDescription::new(format!("{name}_fixed"), JointKind::Fixed, on, name)
@@ -129,21 +138,21 @@ impl Corner {
     }
 
     /// Adds the two seats of a spring or damper: on the moving link and on the chassis.
-    pub fn seats(
+    pub fn add_seats(
         &mut self,
         [seat, chassis_seat]: [&'static str; 2],
         on: &str,
         [at, at_chassis]: [Vector3<f64>; 2],
     ) {
-        self.frame(seat, on, at, String::new());
-        self.frame(chassis_seat, CHASSIS, at_chassis, String::new());
-        self.struts.push([seat, chassis_seat]);
+        self.add_frame(seat, on, at, String::new());
+        self.add_frame(chassis_seat, CHASSIS, at_chassis, String::new());
+        self.seat_pairs.push([seat, chassis_seat]);
         let name = seat.trim_end_matches("_seat").trim_end_matches("_pad");
-        self.drawing.line(name, [at, at_chassis]);
+        self.drawing.add_line(name, [at, at_chassis]);
     }
 
     /// Adds a closure at a point; `axis` is in the vehicle's axes.
-    pub fn closure(
+    pub fn add_closure(
         &mut self,
         (name, kind): (&str, ClosureKind),
         [predecessor, successor]: [&str; 2],
@@ -155,11 +164,11 @@ impl Corner {
         let closure = ClosureDescription::new(name, kind, predecessor, successor)
             .at(p.into(), s.into())
             .axis(axis.into());
-        self.add(closure, spot, comment);
+        self.push_closure(closure, spot, comment);
     }
 
     /// Adds a massless rod with a ball joint at each end. Its length is the distance of the points.
-    pub fn rod(
+    pub fn add_rod(
         &mut self,
         name: &str,
         [predecessor, successor]: [&str; 2],
@@ -170,42 +179,50 @@ impl Corner {
         let closure = ClosureDescription::new(name, ClosureKind::Distance, predecessor, successor)
             .at(p.into(), s.into())
             .distance((b - a).norm());
-        self.add(closure, spot, comment);
-        self.drawing.rod(name, [a, b], spot);
+        self.push_closure(closure, spot, comment);
+        self.drawing.add_rod(name, [a, b], spot);
     }
 
-    /// Adds a cylindrical joint that closes a loop: it slides along its axis and turns about it.
-    pub fn slide(&mut self, name: &str, links: [&str; 2], at: Vector3<f64>, axis: Vector3<f64>, spot: &Spot) {
+    /// Adds a closure of cylindrical kind: translation along the axis and rotation about the axis are free.
+    pub fn add_sliding_closure(
+        &mut self,
+        name: &str,
+        links: [&str; 2],
+        at: Vector3<f64>,
+        axis: Vector3<f64>,
+        spot: &Spot,
+    ) {
         let comment = "slides and turns along its line";
-        self.closure((name, ClosureKind::Cylindrical), links, at, axis, (spot, comment));
+        self.add_closure((name, ClosureKind::Cylindrical), links, at, axis, (spot, comment));
     }
 
-    fn add(&mut self, closure: ClosureDescription, spot: &Spot, comment: &str) {
+    /// Adds a closure with its position in the file and its comment.
+    fn push_closure(&mut self, closure: ClosureDescription, spot: &Spot, comment: &str) {
         self.spots.insert(closure.name.clone(), spot.clone());
         self.comments.closures.insert(closure.name.clone(), comment.to_owned());
         self.closures.push(closure);
     }
 
     /// Sets the position in the file for a link without values of its own.
-    pub fn stated(&mut self, name: &str, spot: Spot) {
+    pub fn set_spot(&mut self, name: &str, spot: Spot) {
         self.spots.insert(name.to_owned(), spot);
     }
 
     /// Warns about implausible positions of points and centres of mass.
     pub fn check(&self, findings: &mut Findings) {
-        let is_odd = self.drawing.check(findings);
+        let has_warned = self.drawing.check(findings);
         let moving = self.origins.keys().filter(|name| ![CHASSIS, RACK].contains(&name.as_str()));
         let mut moving: Vec<&String> = moving.collect();
         moving.sort();
         for link in moving {
-            self.check_link(link, is_odd, findings);
+            self.check_link(link, has_warned, findings);
         }
     }
 
     /// Warns about points far away from all joints of the link: seats, the centre of mass, and, if the link has more
-    /// than two joints, a joint far from the others. Warnings about joints are omitted if `is_odd`, because the
+    /// than two joints, a joint far from the others. Warnings about joints are omitted if `has_warned`, because the
     /// drawing check has reported their points.
-    fn check_link(&self, link: &str, is_odd: bool, findings: &mut Findings) {
+    fn check_link(&self, link: &str, has_warned: bool, findings: &mut Findings) {
         let origin = self.origin(link);
         let (mut joints, mut seats) = (Vec::new(), Vec::new());
         // A floating joint does not locate the link.
@@ -227,38 +244,44 @@ impl Corner {
                 }
             }
         }
-        let off = |i: usize| {
+        let distance_from_others = |i: usize| {
             let others = joints.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, (_, at))| at);
             distance_from_box(&joints[i].1, others)
         };
         // A rod has two joints; the drawing check covers its length.
-        let astray: Vec<usize> =
-            (0..joints.len()).filter(|i| joints.len() > 2 && off(*i) > 2.0 * OFF_ITS_LINK).collect();
-        let near: Vec<Vector3<f64>> =
-            joints.iter().enumerate().filter(|(i, _)| !astray.contains(i)).map(|(_, (_, at))| *at).collect();
-        let mut warn = |code: &'static str, of: &str, what: String, at: &Vector3<f64>, distance: f64| {
+        let outliers: Vec<usize> = (0..joints.len())
+            .filter(|i| joints.len() > 2 && distance_from_others(*i) > 2.0 * MAX_DISTANCE_FROM_JOINTS)
+            .collect();
+        let near: Vec<Vector3<f64>> = joints
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| !outliers.contains(i))
+            .map(|(_, (_, at))| *at)
+            .collect();
+        let mut warn = |code: &'static str, of: &str, subject: String, at: &Vector3<f64>, distance: f64| {
             let [x, y, z] = [at.x, at.y, at.z].map(rounded);
             let message = format!(
-                "{what} at ({x}, {y}, {z}) m (x forward, y left, z up) is {} m away from the joints of {link}: left from \
+                "{subject} at ({x}, {y}, {z}) m (x forward, y left, z up) is {} m away from the joints of {link}: left from \
                  another vehicle, in other axes or another unit?",
                 rounded(distance)
             );
             findings.warning(code, &self.spots.get(of).cloned().unwrap_or_default(), message);
         };
-        for (name, at) in astray.into_iter().filter(|_| !is_odd).map(|i| joints[i]) {
+        for (name, at) in outliers.into_iter().filter(|_| !has_warned).map(|i| joints[i]) {
             warn("astray-point", name, format!("the joint of {name}"), &at, distance_from_box(&at, &near));
         }
         for (name, at) in seats {
             let distance = distance_from_box(&at, &near);
-            if distance > OFF_ITS_LINK {
+            if distance > MAX_DISTANCE_FROM_JOINTS {
                 warn("astray-point", name, name.to_owned(), &at, distance);
             }
         }
-        let own = self.links.iter().find(|own| own.name == link).and_then(|own| own.inertial.as_ref());
-        if let Some(inertial) = own.filter(|inertial| inertial.mass > 0.0) {
+        let inertial_of_link =
+            self.links.iter().find(|known| known.name == link).and_then(|known| known.inertial.as_ref());
+        if let Some(inertial) = inertial_of_link.filter(|inertial| inertial.mass > 0.0) {
             let at = origin + inertial.com;
             let distance = distance_from_box(&at, &near);
-            if distance > OFF_ITS_LINK {
+            if distance > MAX_DISTANCE_FROM_JOINTS {
                 warn("astray-com", link, format!("the centre of mass of {link}"), &at, distance);
             }
         }
@@ -270,9 +293,9 @@ impl Corner {
     /// a → −S a (a rotation R becomes S R S).
     pub fn mirrored(&self) -> Corner {
         let point = |p: &Vector3<f64>| Vector3::new(p.x, flip(p.y), p.z);
-        let turning = |a: &Vector3<f64>| Vector3::new(flip(a.x), a.y, flip(a.z));
+        let rotation_axis = |a: &Vector3<f64>| Vector3::new(flip(a.x), a.y, flip(a.z));
         // The frame of a shared link keeps its origin o: relative to o, S p is at S p − o, not at S (p − o).
-        let stays = |link: &str| {
+        let origin_shift = |link: &str| {
             if self.is_shared(link) {
                 Vector3::new(0.0, -2.0 * self.origin(link).y, 0.0)
             } else {
@@ -289,7 +312,7 @@ impl Corner {
             }
         }
         for joint in &mut corner.joints {
-            joint.origin.translation = point(&joint.origin.translation) + stays(&joint.parent);
+            joint.origin.translation = point(&joint.origin.translation) + origin_shift(&joint.parent);
             joint.axis = match joint.kind {
                 JointKind::Prismatic => point(&joint.axis),
                 JointKind::Fixed
@@ -297,7 +320,7 @@ impl Corner {
                 | JointKind::Continuous
                 | JointKind::Planar
                 | JointKind::Spherical
-                | JointKind::Floating => turning(&joint.axis),
+                | JointKind::Floating => rotation_axis(&joint.axis),
             };
         }
         for closure in &mut corner.closures {
@@ -305,57 +328,63 @@ impl Corner {
                 (&mut closure.predecessor_frame, &closure.predecessor),
                 (&mut closure.successor_frame, &closure.successor),
             ] {
-                frame.translation = point(&frame.translation) + stays(link);
+                frame.translation = point(&frame.translation) + origin_shift(link);
             }
             // The axis of a closure is a line without a sense.
-            closure.axis = turning(&closure.axis);
-            closure.axis2 = turning(&closure.axis2);
+            closure.axis = rotation_axis(&closure.axis);
+            closure.axis2 = rotation_axis(&closure.axis2);
         }
-        let of_this_side = corner.origins.iter_mut().filter(|(link, _)| !self.is_shared(link));
-        of_this_side.for_each(|(_, at)| *at = point(at));
+        let unshared_origins = corner.origins.iter_mut().filter(|(link, _)| !self.is_shared(link));
+        unshared_origins.for_each(|(_, at)| *at = point(at));
         corner.drawing = self.drawing.mirrored();
         corner
     }
 
-    /// Adds the corner to a mechanism, and its comments and file positions to `about`. Names of unshared links get
+    /// Adds the corner to a mechanism, and its comments and file positions to `annotations`. Names of unshared links get
     /// the suffix.
-    pub fn put(self, suffix: &str, mut builder: MechanismBuilder, about: &mut About) -> MechanismBuilder {
+    pub fn add_to(
+        self,
+        suffix: &str,
+        mut builder: MechanismBuilder,
+        annotations: &mut Annotations,
+    ) -> MechanismBuilder {
         let shared = self.shared;
-        let named =
+        let suffixed =
             |name: &str| if shared.contains(&name) { name.to_owned() } else { format!("{name}{suffix}") };
         let mut comments = self.comments;
-        for [seat, chassis_seat] in self.struts {
+        for [seat, chassis_seat] in self.seat_pairs {
             let line = self.origins[chassis_seat] - self.origins[seat];
             let (length, [x, y, z]) = (line.norm(), (line / line.norm()).into());
             let direction = format!("line {x:.12} {y:.12} {z:.12}, {length:.6} m at the design position");
+            comments.links.insert(
+                seat.to_owned(),
+                format!("the moving seat; to {}: {direction}", suffixed(chassis_seat)),
+            );
             comments
                 .links
-                .insert(seat.to_owned(), format!("the moving seat; to {}: {direction}", named(chassis_seat)));
-            comments
-                .links
-                .insert(chassis_seat.to_owned(), format!("the seat on the chassis, over {}", named(seat)));
+                .insert(chassis_seat.to_owned(), format!("the seat on the chassis, over {}", suffixed(seat)));
         }
-        for (ours, theirs) in [
-            (comments.links, &mut about.comments.links),
-            (comments.joints, &mut about.comments.joints),
-            (comments.closures, &mut about.comments.closures),
+        for (from, into) in [
+            (comments.links, &mut annotations.comments.links),
+            (comments.joints, &mut annotations.comments.joints),
+            (comments.closures, &mut annotations.comments.closures),
         ] {
-            theirs.extend(ours.into_iter().map(|(name, text)| (named(&name), text)));
+            into.extend(from.into_iter().map(|(name, text)| (suffixed(&name), text)));
         }
-        about.spots.extend(self.spots.into_iter().map(|(name, spot)| (named(&name), spot)));
+        annotations.spots.extend(self.spots.into_iter().map(|(name, spot)| (suffixed(&name), spot)));
         for mut link in self.links {
-            link.name = named(&link.name);
+            link.name = suffixed(&link.name);
             builder = builder.link(link);
         }
         for mut joint in self.joints {
             for name in [&mut joint.name, &mut joint.parent, &mut joint.child] {
-                *name = named(name);
+                *name = suffixed(name);
             }
             builder = builder.joint(joint);
         }
         for mut closure in self.closures {
             for name in [&mut closure.name, &mut closure.predecessor, &mut closure.successor] {
-                *name = named(name);
+                *name = suffixed(name);
             }
             builder = builder.closure(closure);
         }
@@ -378,7 +407,7 @@ fn flip(x: f64) -> f64 {
 
 /// Comments and file positions by name.
 #[derive(Default)]
-pub(super) struct About {
+pub(super) struct Annotations {
     pub comments: Comments,
     pub spots: HashMap<String, Spot>,
 }

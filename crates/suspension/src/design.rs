@@ -60,9 +60,9 @@ pub(crate) enum Part {
     Close { joint: String, links: [String; 2], at: String },
 }
 
-/// Mass and inertia of a link in a file.
+/// Mass and inertia of a link as given in a file.
 #[derive(Clone, Debug)]
-pub(super) enum Stated {
+pub(super) enum GivenBody {
     /// Complete body, in metres and the axes of ISO 8855.
     Body(Body),
     /// A slender rod of this mass, kg.
@@ -79,7 +79,7 @@ pub(super) struct Design {
     /// Hardpoints with their positions in the file.
     pub points: BTreeMap<&'static str, (Vector3<f64>, Spot)>,
     /// Bodies by link.
-    pub bodies: BTreeMap<&'static str, Stated>,
+    pub bodies: BTreeMap<&'static str, GivenBody>,
     /// Pins of universal joints by link: fixed in the parent, fixed in the link. Without them, the first pin is
     /// normal to the link and to the vehicle's x axis.
     pub pins: BTreeMap<&'static str, [Vector3<f64>; 2]>,
@@ -103,11 +103,11 @@ pub(super) const SEATS: [(&str, [&str; 2]); 5] = [
 
 impl Design {
     /// Position of a point; `None` if the file does not contain the point.
-    pub fn at(&self, key: &str) -> Option<Vector3<f64>> {
+    pub fn point(&self, key: &str) -> Option<Vector3<f64>> {
         self.points.get(key).map(|(at, _)| *at)
     }
 
-    /// Location of a point in the file.
+    /// Place of a point in the file; the key alone if the file does not contain the point.
     pub fn spot(&self, key: &str) -> Spot {
         self.points
             .get(key)

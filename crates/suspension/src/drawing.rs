@@ -1,7 +1,7 @@
 //! Drawing of a corner: lengths for comparison with the design, lines of the picture, and implausible points.
 
 use super::findings::{Findings, Spot};
-use crate::limits::{ASTRAY, LEAST_ASTRAY, LONGEST_ARM, WRONG_SIDE};
+use crate::limits::{MAX_ACROSS_MIDDLE_PLANE, MAX_ARM_LENGTH, MAX_LENGTH_RATIO, MIN_REPORTED_LENGTH};
 use percuss_spatial::Vector3;
 
 /// Length of a link: from the hinge axis to the outer point for a hinged arm, from end to end for a rod.
@@ -43,7 +43,7 @@ pub(super) struct Drawing {
 
 impl Drawing {
     /// Adds an arm between its hinge and its outer point.
-    pub fn arm(&mut self, name: &str, hinge: [Vector3<f64>; 2], outer: Vector3<f64>, spot: &Spot) {
+    pub fn add_arm(&mut self, name: &str, hinge: [Vector3<f64>; 2], outer: Vector3<f64>, spot: &Spot) {
         let [first, second] = hinge;
         let along = (second - first).normalize();
         let length = (outer - first).cross(&along).norm();
@@ -51,29 +51,29 @@ impl Drawing {
             self.arms.push(ArmLength { name: name.to_owned(), length, spot: spot.clone() });
         }
         for end in hinge {
-            self.line(name, [end, outer]);
-            self.point(name, end, spot);
+            self.add_line(name, [end, outer]);
+            self.add_point(name, end, spot);
         }
-        self.point(name, outer, spot);
+        self.add_point(name, outer, spot);
     }
 
     /// Adds a rod, or a link between two points.
-    pub fn rod(&mut self, name: &str, ends: [Vector3<f64>; 2], spot: &Spot) {
+    pub fn add_rod(&mut self, name: &str, ends: [Vector3<f64>; 2], spot: &Spot) {
         let length = (ends[1] - ends[0]).norm();
         self.arms.push(ArmLength { name: name.to_owned(), length, spot: spot.clone() });
-        self.line(name, ends);
+        self.add_line(name, ends);
         for end in ends {
-            self.point(name, end, spot);
+            self.add_point(name, end, spot);
         }
     }
 
     /// Adds a line to the picture only.
-    pub fn line(&mut self, name: &str, ends: [Vector3<f64>; 2]) {
+    pub fn add_line(&mut self, name: &str, ends: [Vector3<f64>; 2]) {
         self.lines.push(Line { name: name.to_owned(), ends: ends.map(Into::into) });
     }
 
     /// Adds a point, for the check of its side.
-    pub fn point(&mut self, name: &str, at: Vector3<f64>, spot: &Spot) {
+    pub fn add_point(&mut self, name: &str, at: Vector3<f64>, spot: &Spot) {
         self.points.push((name.to_owned(), at, spot.clone()));
     }
 
@@ -81,45 +81,49 @@ impl Drawing {
     /// warning.
     pub fn check(&self, findings: &mut Findings) -> bool {
         let Some(wheel) = self.wheels.first() else { return false };
-        let mut is_odd = false;
+        let mut has_warned = false;
         let side = wheel.centre[1].signum();
-        let astray = |at: &Vector3<f64>| at.y * side < -WRONG_SIDE;
+        let is_across = |at: &Vector3<f64>| at.y * side < -MAX_ACROSS_MIDDLE_PLANE;
         // If most points are on the other side, the wheel is on the wrong side, which the spindle's check reports.
-        let most = 2 * self.points.iter().filter(|(_, at, _)| astray(at)).count() > self.points.len();
-        for (name, at, spot) in self.points.iter().filter(|_| !most) {
-            if astray(at) {
+        let most_are_across =
+            2 * self.points.iter().filter(|(_, at, _)| is_across(at)).count() > self.points.len();
+        for (name, at, spot) in self.points.iter().filter(|_| !most_are_across) {
+            if is_across(at) {
                 let message = format!(
                     "{}: a point at y = {} m is on the other side of the vehicle than the wheel (y = {} m): mirrored, \
                      or the wrong sign? {}",
                     name,
                     rounded(at.y),
                     rounded(wheel.centre[1]),
-                    self.lengths()
+                    self.lengths_text()
                 );
                 findings.warning("mirrored-point", spot, message);
-                is_odd = true;
+                has_warned = true;
             }
         }
         let mut sorted: Vec<f64> = self.arms.iter().map(|arm| arm.length).collect();
         sorted.sort_by(f64::total_cmp);
-        let Some(median) = sorted.get(sorted.len() / 2) else { return is_odd };
+        let Some(median) = sorted.get(sorted.len() / 2) else { return has_warned };
         for arm in &self.arms {
-            let long = arm.length > ASTRAY * median && arm.length > LEAST_ASTRAY && self.arms.len() > 2;
-            if long || arm.length > LONGEST_ARM {
+            let is_disproportionate = arm.length > MAX_LENGTH_RATIO * median
+                && arm.length > MIN_REPORTED_LENGTH
+                && self.arms.len() > 2;
+            if is_disproportionate || arm.length > MAX_ARM_LENGTH {
                 let message = format!(
                     "{} is {} m long: is one of its points astray? {}",
                     arm.name,
                     rounded(arm.length),
-                    self.lengths()
+                    self.lengths_text()
                 );
                 findings.warning("astray-point", &arm.spot, message);
-                is_odd = true;
+                has_warned = true;
             }
         }
-        is_odd
+        has_warned
     }
 
-    fn lengths(&self) -> String {
+    /// List of all lengths, for messages.
+    fn lengths_text(&self) -> String {
         let shown = |arm: &ArmLength| format!("{} {}", arm.name, rounded(arm.length));
         let list: Vec<String> = self.arms.iter().map(shown).collect();
         if list.is_empty() { String::new() } else { format!("Lengths in m: {}", list.join(", ")) }

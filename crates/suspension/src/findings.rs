@@ -22,7 +22,7 @@ impl Spot {
     }
 
     /// True if the position has a key path.
-    pub fn is_somewhere(&self) -> bool {
+    pub fn has_path(&self) -> bool {
         self.path.is_some()
     }
 }
@@ -38,7 +38,8 @@ struct Finding {
 #[derive(Default)]
 pub(super) struct Findings {
     list: Vec<Finding>,
-    untold: usize,
+    /// Number of warnings and notes beyond the limit.
+    omitted: usize,
 }
 
 impl Findings {
@@ -49,7 +50,7 @@ impl Findings {
             return;
         }
         if severity != Severity::Error && self.list.len() >= MOST_FINDINGS {
-            self.untold += 1;
+            self.omitted += 1;
             return;
         }
         self.list.push(Finding { severity, code, spot: spot.clone(), message });
@@ -86,8 +87,8 @@ impl Findings {
 
     /// Returns all findings in the order of the files (pairs of name and text), findings without a position first.
     pub fn finish(mut self, files: &[(&str, &str)]) -> Vec<Diagnostic> {
-        if self.untold > 0 {
-            let message = format!("and {} more warnings and notes", self.untold);
+        if self.omitted > 0 {
+            let message = format!("and {} more warnings and notes", self.omitted);
             let spot = Spot::default();
             self.list.push(Finding { severity: Severity::Warning, code: "and-more", spot, message });
         }

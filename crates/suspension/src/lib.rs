@@ -30,7 +30,7 @@ mod understood;
 mod units;
 
 use chrono::{ChronoTemplate, Reader, Section};
-use corner::{About, CHASSIS, Corner, RACK};
+use corner::{Annotations, CHASSIS, Corner, RACK};
 pub use drawing::{Line, WheelCircle};
 use findings::{Findings, Spot};
 pub use options::{ImportOptions, Rack, Side, Wheel};
@@ -80,7 +80,7 @@ pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, Load
     if sheet::is_workbook(&source.bytes) {
         return import_sheet(source, "", options);
     }
-    let text = decoded(source, &mut report);
+    let text = decode(source, &mut report);
     let Some(text) = text else {
         return Err(LoadError { diagnostics: report.finish(&source.name, "") });
     };
@@ -99,9 +99,9 @@ fn import_sheet(source: &Source, text: &str, options: &ImportOptions) -> Result<
     let imported = sheet::read(source, text, options, &mut findings, &mut files).and_then(|sheet| {
         let built = sheet::build(&sheet, &mut findings)?;
         if sheet.wheel.is_none() {
-            no_wheel(&mut findings, "and the sheet has no [wheel]");
+            warn_no_wheel(&mut findings, "and the sheet has no [wheel]");
         }
-        let described = Described {
+        let facts = SuspensionFacts {
             name: &sheet.name,
             template: &sheet.template.name,
             kind: "sheet",
@@ -111,7 +111,7 @@ fn import_sheet(source: &Source, text: &str, options: &ImportOptions) -> Result<
             frame: sheet.frame,
             points: sheet.design.points.keys().map(|name| (*name).to_owned()).collect(),
         };
-        finish(&mut findings, built.left, built.middle, &described, source, options)
+        build_mechanism(&mut findings, built.left, built.middle, &facts, source, options)
     });
     let failed = findings.has_errors();
     let inputs = files.iter().map(|(name, _)| name.clone()).collect();
@@ -131,7 +131,7 @@ fn import_chrono(
     options: &ImportOptions,
     mut report: Report,
 ) -> Result<Imported, LoadError> {
-    let clean = match text::without_comments(text) {
+    let clean = match text::blank_comments(text) {
         Ok(clean) => clean,
         Err(defect) => {
             report.error(defect.code, Place::Offset(defect.at), || defect.message.to_owned());
@@ -140,7 +140,7 @@ fn import_chrono(
     };
     let frame = Frame { unit: options.unit.unwrap_or_default(), axes: options.axes.unwrap_or_default() };
     let mut reader = Reader::new(&clean, frame);
-    let imported = read(&mut reader, source, options);
+    let imported = read_chrono(&mut reader, source, options);
     let failed = reader.has_errors();
     let diagnostics = reader.finish(&source.name);
     match imported {
@@ -151,15 +151,15 @@ fn import_chrono(
     }
 }
 
-/// Decodes the bytes as text. Empty and binary files get messages that name the formats of suspensions.
-fn decoded<'s>(source: &'s Source, report: &mut Report) -> Option<&'s str> {
-    let wide = [&b"\xFF\xFE"[..], b"\xFE\xFF"].iter().any(|mark| source.bytes.starts_with(mark));
+/// Decodes the bytes as text; `None` after an error. Empty and binary files get messages that name the formats of suspensions.
+fn decode<'s>(source: &'s Source, report: &mut Report) -> Option<&'s str> {
+    let is_utf16 = [&b"\xFF\xFE"[..], b"\xFE\xFF"].iter().any(|mark| source.bytes.starts_with(mark));
     if source.bytes.trim_ascii().is_empty() {
         report.error("empty-file", Place::File, || {
             "the file is empty; a sheet (TOML), a table or JSON is expected".to_owned()
         });
         None
-    } else if source.bytes.contains(&0) && !wide {
+    } else if source.bytes.contains(&0) && !is_utf16 {
         report.error("binary", Place::File, || {
             "this is not a text file (it has zero bytes); a sheet (TOML), a table or JSON in UTF-8 is expected".to_owned()
         });
@@ -169,8 +169,8 @@ fn decoded<'s>(source: &'s Source, report: &mut Report) -> Option<&'s str> {
     }
 }
 
-/// Properties of a suspension other than its corner.
-struct Described<'d> {
+/// Properties of a suspension apart from links and joints.
+struct SuspensionFacts<'d> {
     name: &'d str,
     template: &'d str,
     kind: &'static str,
@@ -181,14 +181,15 @@ struct Described<'d> {
     points: Vec<String>,
 }
 
-fn read(
+/// Reads a file of Chrono::Vehicle and builds its mechanism; `None` after an error in the report.
+fn read_chrono(
     reader: &mut Reader<'_>,
     source: &Source,
     options: &ImportOptions,
 ) -> Option<(Mechanism, Comments, Understood)> {
     check_options(reader, options);
     if options.wheel.is_none() {
-        no_wheel(reader, "and suspension files hold none");
+        warn_no_wheel(reader, "and suspension files hold none");
     }
     for (given, flag) in [(options.template.is_some(), "--template"), (!options.moves.is_empty(), "--move")] {
         if given {
@@ -198,11 +199,11 @@ fn read(
     }
     let mut root = reader.root()?;
     let name = header(reader, &mut root);
-    let template = template(reader, &mut root)?;
+    let template = find_template(reader, &mut root)?;
     let spindle = chrono::read_spindle(reader, &mut root, options);
     let corner = chrono::read_corner(reader, &mut root, template, &spindle);
     // `Output` controls only the output of Chrono.
-    reader.close(root, &["Output"]);
+    reader.warn_unread_keys(root, &["Output"]);
     reader.check_unit();
     let corner = corner.filter(|_| !reader.has_errors())?;
     let side = options.side.unwrap_or_default();
@@ -212,7 +213,7 @@ fn read(
         let message = "the right side is the mirror image of the left; Chrono gives both sides the same products of inertia";
         reader.note("mirrored-products", &spot, message.to_owned());
     }
-    let described = Described {
+    let facts = SuspensionFacts {
         name: &name,
         template: &template.name,
         kind: "Chrono::Vehicle's template",
@@ -222,24 +223,24 @@ fn read(
         frame: reader.frame,
         points: Vec::new(),
     };
-    finish(reader, corner, None, &described, source, options)
+    build_mechanism(reader, corner, None, &facts, source, options)
 }
 
 /// Builds the mechanism from the corner, with the comments and the summary.
-fn finish(
+fn build_mechanism(
     findings: &mut Findings,
     corner: Corner,
     middle: Option<Corner>,
-    described: &Described<'_>,
+    facts: &SuspensionFacts<'_>,
     source: &Source,
     options: &ImportOptions,
 ) -> Option<(Mechanism, Comments, Understood)> {
     corner.check(findings);
     let drawing = corner.drawing.clone();
     let middle_drawing = middle.as_ref().map(|m| m.drawing.clone());
-    let (builder, about) = assemble(findings, corner, middle, described);
-    let mut comments = about.comments;
-    comments.heading = heading(described, source);
+    let (builder, annotations) = assemble(findings, corner, middle, facts);
+    let mut comments = annotations.comments;
+    comments.heading = heading(facts, source);
     let (mechanism, problems) = match builder.accept(options.accept).build() {
         Ok(Built { mechanism, mut findings }) => {
             findings.extend(mechanism.implausible_inertias(options.accept));
@@ -255,30 +256,31 @@ fn finish(
             | Subject::Closure { name, .. }
             | Subject::Coupling { name, .. } => name,
         };
-        let triangle = matches!(problem, Problem::TriangleInequality { .. });
-        if triangle {
+        let is_triangle_inequality = matches!(problem, Problem::TriangleInequality { .. });
+        if is_triangle_inequality {
             // The finding is reported here, with its position in this file. The mark keeps later readers of the URDF
             // from repeating the warning.
             comments.known.push((problem.code(), name.to_owned()));
         }
         // Frames and crosses are massless by design. The spindle's moments are checked before the axle is added.
-        let known = matches!(problem, Problem::Massless) || triangle && name.starts_with("spindle");
+        let known =
+            matches!(problem, Problem::Massless) || is_triangle_inequality && name.starts_with("spindle");
         if !known {
-            let spot = about.spots.get(name).cloned().unwrap_or_default();
-            let label = if spot.is_somewhere() { String::new() } else { format!("{subject}: ") };
+            let spot = annotations.spots.get(name).cloned().unwrap_or_default();
+            let label = if spot.has_path() { String::new() } else { format!("{subject}: ") };
             findings.add(problem.severity(), problem.code(), &spot, format!("{label}{problem}"));
         }
     }
     let mechanism = mechanism?;
     let understood = Understood {
-        name: described.name.to_owned(),
-        template: described.template.to_owned(),
-        unit: described.frame.unit,
-        axes: described.frame.axes,
-        side: described.side,
-        wheel: described.wheel,
-        points: described.points.clone(),
-        ..Understood::of(&mechanism, &drawing, middle_drawing.as_ref(), described.side)
+        name: facts.name.to_owned(),
+        template: facts.template.to_owned(),
+        unit: facts.frame.unit,
+        axes: facts.frame.axes,
+        side: facts.side,
+        wheel: facts.wheel,
+        points: facts.points.clone(),
+        ..Understood::of(&mechanism, &drawing, middle_drawing.as_ref(), facts.side)
     };
     Some((mechanism, comments, understood))
 }
@@ -295,7 +297,8 @@ fn header<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> String {
     if name.len() > LONGEST_NAME { cut(&name, LONGEST_NAME / 4) } else { name }
 }
 
-fn template<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> Option<&'static ChronoTemplate> {
+/// Finds the template named in the file; an unknown name is an error.
+fn find_template<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> Option<&'static ChronoTemplate> {
     let (name, spot) = reader.string(root, "Template")?;
     let found = chrono::templates().iter().find(|known| known.name == name);
     if found.is_none() {
@@ -306,6 +309,7 @@ fn template<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> Option<&'sta
     found
 }
 
+/// Checks the radius of the wheel.
 fn check_options(findings: &mut Findings, options: &ImportOptions) {
     if let Some(Wheel { radius: Some(radius), .. }) = options.wheel
         && !(radius.is_finite() && radius > 0.0)
@@ -315,7 +319,8 @@ fn check_options(findings: &mut Findings, options: &ImportOptions) {
     }
 }
 
-fn no_wheel(findings: &mut Findings, why: &str) {
+/// Warns that the mechanism has no wheel; `why` completes the message.
+fn warn_no_wheel(findings: &mut Findings, why: &str) {
     let message = format!("no wheel was given, {why}: its mass is not in the answer");
     findings.warning("no-wheel", &Spot::default(), message);
 }
@@ -325,16 +330,16 @@ fn assemble(
     findings: &mut Findings,
     corner: Corner,
     middle: Option<Corner>,
-    described: &Described<'_>,
-) -> (MechanismBuilder, About) {
-    let mut about = About::default();
-    let mut builder = MechanismBuilder::new(described.name).link(LinkDescription::massless(CHASSIS));
-    about
+    facts: &SuspensionFacts<'_>,
+) -> (MechanismBuilder, Annotations) {
+    let mut annotations = Annotations::default();
+    let mut builder = MechanismBuilder::new(facts.name).link(LinkDescription::massless(CHASSIS));
+    annotations
         .comments
         .links
         .insert(CHASSIS.to_owned(), "the vehicle's frame; its own mass is not given".to_owned());
-    match (corner.rack(), described.rack) {
-        (Some(at), rack) => builder = put_rack(builder, at, rack, &mut about),
+    match (corner.rack_origin(), facts.rack) {
+        (Some(at), rack) => builder = add_rack(builder, at, rack, &mut annotations),
         (None, Rack::Sliding { .. }) => {
             let message = "the template has no tie rod, so there is no rack to slide".to_owned();
             findings.warning("no-rack", &Spot::default(), message);
@@ -342,21 +347,27 @@ fn assemble(
         (None, Rack::Fixed) => {}
     }
     if let Some(middle) = middle {
-        builder = middle.put("", builder, &mut about);
+        builder = middle.add_to("", builder, &mut annotations);
     }
-    let builder = match described.side {
-        Side::Left => corner.put("", builder, &mut about),
-        Side::Right => corner.mirrored().put("", builder, &mut about),
+    let builder = match facts.side {
+        Side::Left => corner.add_to("", builder, &mut annotations),
+        Side::Right => corner.mirrored().add_to("", builder, &mut annotations),
         Side::Both => {
             let right = corner.mirrored();
-            let builder = corner.put("_left", builder, &mut about);
-            right.put("_right", builder, &mut about)
+            let builder = corner.add_to("_left", builder, &mut annotations);
+            right.add_to("_right", builder, &mut annotations)
         }
     };
-    (builder, about)
+    (builder, annotations)
 }
 
-fn put_rack(builder: MechanismBuilder, at: Vector3<f64>, rack: Rack, about: &mut About) -> MechanismBuilder {
+/// Adds the rack, fixed or sliding along y, with its frame at `at`.
+fn add_rack(
+    builder: MechanismBuilder,
+    at: Vector3<f64>,
+    rack: Rack,
+    annotations: &mut Annotations,
+) -> MechanismBuilder {
     let (kind, link, comment) = match rack {
         Rack::Fixed => {
             let comment = "the tie rods' inner ends do not move; prismatic along y, it would steer";
@@ -367,25 +378,26 @@ fn put_rack(builder: MechanismBuilder, at: Vector3<f64>, rack: Rack, about: &mut
             (JointKind::Prismatic, link, "steers")
         }
     };
-    about.comments.links.insert(RACK.to_owned(), "holds the tie rods' inner ends".to_owned());
-    about.comments.joints.insert(RACK.to_owned(), comment.to_owned());
+    annotations.comments.links.insert(RACK.to_owned(), "holds the tie rods' inner ends".to_owned());
+    annotations.comments.joints.insert(RACK.to_owned(), comment.to_owned());
     let joint = JointDescription::new(RACK, kind, CHASSIS, RACK).at(at.into());
     let joint = if kind.has_axis() { joint.axis([0.0, 1.0, 0.0]) } else { joint };
     builder.link(link).joint(joint)
 }
 
-fn heading(described: &Described<'_>, source: &Source) -> Vec<String> {
-    let side = match described.side {
+/// Comment lines at the top of the URDF.
+fn heading(facts: &SuspensionFacts<'_>, source: &Source) -> Vec<String> {
+    let side = match facts.side {
         Side::Left => "left side",
         Side::Right => "right side, the mirror image of the left one",
         Side::Both => "both sides, the right one the mirror image of the left one",
     };
-    let wheel = match described.wheel {
+    let wheel = match facts.wheel {
         Some(wheel) => format!("with a wheel of {} kg", wheel.mass),
         None => "without a wheel".to_owned(),
     };
     vec![
-        format!("{}: {} {}, {side}, {wheel}", quoted(described.name), described.kind, described.template),
+        format!("{}: {} {}, {side}, {wheel}", quoted(facts.name), facts.kind, facts.template),
         // The name is not shortened, because a shortened path would lose the file name.
         format!("imported by percuss from \"{}\"", source.name),
         "the chassis' frame: x forward, y left, z up; joints at 0 are the design position".to_owned(),

@@ -5,59 +5,59 @@
 // Suspension files.
 
 /// Deepest nesting of JSON objects and arrays.
-pub(crate) const DEEPEST_JSON: usize = 256;
+pub(crate) const MAX_JSON_DEPTH: usize = 256;
 /// Largest number of keys of one object; the search among them is linear.
-pub(crate) const MOST_KEYS: usize = 1000;
+pub(crate) const MAX_KEYS: usize = 1000;
 /// Upper bound of the largest hardpoint coordinate of a vehicle, m. Vehicles are shorter; a vehicle in millimetres that is
 /// read in metres is far above this bound.
-pub(crate) const FARTHEST_HARDPOINT: f64 = 20.0;
+pub(crate) const MAX_VEHICLE_EXTENT: f64 = 20.0;
 /// Lower bound of the largest hardpoint coordinate of a vehicle, m. A vehicle in metres that is read in millimetres is below
 /// this bound; a soapbox car is above.
-pub(crate) const NEAREST_HARDPOINT: f64 = 0.02;
+pub(crate) const MIN_VEHICLE_EXTENT: f64 = 0.02;
 /// Sine of the largest angle between directions that count as parallel and span no plane: smaller than any angle that a
 /// hardpoint file resolves.
-pub(crate) const PARALLEL: f64 = 1e-9;
+pub(crate) const MAX_PARALLEL_SINE: f64 = 1e-9;
 /// Tolerance of the triangle inequality of principal moments, relative: files have nine digits.
-pub(crate) const MOMENT_SLACK: f64 = 1e-9;
+pub(crate) const MOMENT_TOLERANCE: f64 = 1e-9;
 
 // Sheets and tables of hardpoints.
 
 /// Largest number of keys of a sheet, or rows of a table. The search is linear; templates have fewer than 100 keys.
-pub(crate) const MOST_SHEET_KEYS: usize = 1000;
+pub(crate) const MAX_SHEET_KEYS: usize = 1000;
 /// Largest sheet in TOML, bytes: templates have 5 kB. The parser takes some hundred bytes of memory per value.
-pub(crate) const LARGEST_SHEET: usize = 4 << 20;
+pub(crate) const MAX_SHEET_BYTES: usize = 4 << 20;
 /// Largest number of columns read from a table: a key, three to six numbers, remarks.
-pub(crate) const WIDEST_TABLE: usize = 64;
+pub(crate) const MAX_TABLE_COLUMNS: usize = 64;
 /// Largest distance of a hardpoint beyond the vehicle's middle plane, m: tie rods and bars are close to this plane.
-pub(crate) const WRONG_SIDE: f64 = 0.05;
+pub(crate) const MAX_ACROSS_MIDDLE_PLANE: f64 = 0.05;
 /// Ratio of a link length to the median of its corner above which a typing error is probable. In real corners the largest
 /// ratio (trailing arms with lateral links) is below 2.
-pub(crate) const ASTRAY: f64 = 2.5;
-/// Least length, m, of a link that is reported for this ratio: ratios between short links are no sign of an error.
-pub(crate) const LEAST_ASTRAY: f64 = 0.6;
+pub(crate) const MAX_LENGTH_RATIO: f64 = 2.5;
+/// Smallest length, m, of a link that is reported for this ratio: ratios between short links are no sign of an error.
+pub(crate) const MIN_REPORTED_LENGTH: f64 = 0.6;
 /// Longest plausible control arm or link of a corner, m.
-pub(crate) const LONGEST_ARM: f64 = 1.8;
+pub(crate) const MAX_ARM_LENGTH: f64 = 1.8;
 /// Largest plausible distance of a centre of mass or a spring mount from the box around the joints of its link, m. A larger
 /// distance suggests a value from another vehicle or in other axes. For a joint the limit is twice as large: one end of a
 /// trailing arm is 0.7 m away from all other joints.
-pub(crate) const OFF_ITS_LINK: f64 = 0.5;
+pub(crate) const MAX_DISTANCE_FROM_JOINTS: f64 = 0.5;
 
 /// Limits of XLSX workbooks.
 #[cfg(feature = "xlsx")]
 pub(crate) mod workbook {
     /// Largest workbook, bytes: a table of hardpoints has some 10 kB.
-    pub(crate) const LARGEST_WORKBOOK: usize = 512 << 10;
+    pub(crate) const MAX_WORKBOOK_BYTES: usize = 512 << 10;
     /// Largest total size of the unpacked parts of a workbook, bytes: workbooks are usually compressed five- to twentyfold.
-    pub(crate) const LARGEST_UNPACKED_WORKBOOK: usize = 16 << 20;
+    pub(crate) const MAX_UNPACKED_BYTES: usize = 16 << 20;
     /// Largest number of parts of a workbook: a few per sheet, one per picture.
-    pub(crate) const MOST_WORKBOOK_PARTS: usize = 10_000;
+    pub(crate) const MAX_WORKBOOK_PARTS: usize = 10_000;
     /// Largest number of cell formats of a workbook, twice the limit of spreadsheet programs: the count is the number of
     /// occurrences of `xf` in the text of the part.
-    pub(crate) const MOST_CELL_FORMATS: usize = 1 << 17;
+    pub(crate) const MAX_CELL_FORMATS: usize = 1 << 17;
     /// Upper bound of the number of cell formats times the length of the longest element in their part, bytes.
-    pub(crate) const LARGEST_CELL_FORMATS: usize = 64 << 20;
+    pub(crate) const MAX_CELL_FORMAT_BYTES: usize = 64 << 20;
     /// Largest total size of the texts in the cells that are read, bytes: a name and remarks per row.
-    pub(crate) const MOST_TABLE_TEXT: usize = 16 << 20;
+    pub(crate) const MAX_TABLE_TEXT_BYTES: usize = 16 << 20;
     /// Largest number of visited cells of a worksheet.
-    pub(crate) const LARGEST_WORKSHEET: usize = 1_000_000;
+    pub(crate) const MAX_WORKSHEET_CELLS: usize = 1_000_000;
 }

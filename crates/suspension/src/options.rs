@@ -27,7 +27,7 @@ pub struct Wheel {
     pub radius: Option<f64>,
 }
 
-/// Part that holds the inner ends of the tie rods.
+/// Link with the inner ends of the tie rods.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Rack {
     /// The link `rack` is fixed to the chassis.

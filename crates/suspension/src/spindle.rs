@@ -4,16 +4,20 @@ use super::corner::{Body, Corner};
 use super::drawing::WheelCircle;
 use super::findings::{Findings, Spot};
 use super::{Wheel, frames};
-use crate::limits::MOMENT_SLACK;
+use crate::limits::MOMENT_TOLERANCE;
 use percuss_mechanism::{JointKind, Problem};
 use percuss_spatial::{Matrix3, Vector3, rotation_about};
 
 /// Spindle, including the axle's inertia, and wheel.
 pub(super) struct Spindle {
+    /// Body with the inertia of the axle.
     body: Body,
     centre: Vector3<f64>,
+    /// Spin axis, a unit vector.
     axis: Vector3<f64>,
-    axle: f64,
+    /// Inertia of the axle about the spin axis, included in `body`, kg·m².
+    axle_inertia: f64,
+    /// Wheel, and the axes of its inertia.
     wheel: Option<(Wheel, Matrix3<f64>)>,
 }
 
@@ -22,7 +26,7 @@ fn check_moments(findings: &mut Findings, body: &Body) {
     let mut principal: [f64; 3] = body.about_com.diagonal().into();
     principal.sort_by(f64::total_cmp);
     let [a, b, c] = principal;
-    if c > (a + b) * (1.0 + MOMENT_SLACK) {
+    if c > (a + b) * (1.0 + MOMENT_TOLERANCE) {
         let problem = Problem::TriangleInequality { principal };
         findings.add(problem.severity(), problem.code(), &body.spot, problem.to_string());
     }
@@ -36,50 +40,50 @@ impl Spindle {
         mut body: Body,
         centre: Vector3<f64>,
         [camber, toe]: [f64; 2],
-        axle: f64,
+        axle_inertia: f64,
         wheel: Option<Wheel>,
     ) -> Self {
         let frame = rotation_about(&Vector3::z(), -toe) * rotation_about(&Vector3::x(), -camber);
         check_moments(findings, &body);
-        body.about_com[(1, 1)] += axle;
-        body.about_com = frames::turned(&frame, &body.about_com);
+        body.about_com[(1, 1)] += axle_inertia;
+        body.about_com = frames::rotate_inertia(&frame, &body.about_com);
         // Adding 0 turns −0 into 0.
         let axis = frame.column(1).map(|x| x + 0.0);
-        Spindle { body, centre, axis, axle, wheel: wheel.map(|w| (w, frame)) }
+        Spindle { body, centre, axis, axle_inertia, wheel: wheel.map(|w| (w, frame)) }
     }
 
     /// Adds the spindle and the wheel to the parent link.
     pub fn attach(&self, findings: &mut Findings, corner: &mut Corner, parent: &str) {
         let at = self.centre;
-        let with_axle = match self.axle {
+        let with_axle = match self.axle_inertia {
             0.0 => String::new(),
             axle => format!(", with the axle's {axle} kg·m² about the axis of spin in its inertia"),
         };
         let comment = format!("Spindle{with_axle}: frame at its centre");
-        corner.link("spindle", at, Some(&self.body), comment);
+        corner.add_link("spindle", at, Some(&self.body), comment);
         let spot = &self.body.spot;
-        corner.joint(
+        corner.add_joint(
             ("spin", JointKind::Continuous),
             [parent, "spindle"],
             self.axis,
             spot,
             "the wheel's bearing",
         );
-        corner.frame("wheel_centre", "spindle", at, "the wheel's centre");
+        corner.add_frame("wheel_centre", "spindle", at, "the wheel's centre");
         let radius = self.wheel.and_then(|(wheel, _)| wheel.radius);
         corner.drawing.wheels.push(WheelCircle { centre: at.into(), axis: self.axis.into(), radius });
         let Some((wheel, frame)) = &self.wheel else { return };
-        let about_com = frames::turned(frame, &Matrix3::from_diagonal(&wheel.inertia.into()));
+        let about_com = frames::rotate_inertia(frame, &Matrix3::from_diagonal(&wheel.inertia.into()));
         let body = Body { mass: wheel.mass, com: at, about_com, spot: Spot::default() };
-        corner.link("wheel", at, Some(&body), "the wheel, as given on import");
+        corner.add_link("wheel", at, Some(&body), "the wheel, as given on import");
         let joint = ("wheel_fixed", JointKind::Fixed);
-        corner.joint(joint, ["spindle", "wheel"], Vector3::x(), spot, "the wheel's bolts");
+        corner.add_joint(joint, ["spindle", "wheel"], Vector3::x(), spot, "the wheel's bolts");
         let Some(radius) = wheel.radius else { return };
         // Lowest direction in the plane of the wheel.
         let down = frames::unit(self.axis * self.axis.z - Vector3::z());
         let defect = "the axis of spin is vertical: the wheel has no lowest point";
         let down = findings.unwrap_geometry(down, spot, defect);
         let comment = "the wheel's lowest point; it turns with the wheel";
-        corner.frame("contact_patch", "spindle", at + down * radius, comment);
+        corner.add_frame("contact_patch", "spindle", at + down * radius, comment);
     }
 }

@@ -1,6 +1,6 @@
 //! JSON with comments, as in Chrono's files, and bounds on the text before the parser runs.
 
-use crate::limits::DEEPEST_JSON;
+use crate::limits::MAX_JSON_DEPTH;
 
 /// Defect of the text, and its byte offset.
 pub(super) struct TextError {
@@ -11,7 +11,7 @@ pub(super) struct TextError {
 
 /// Replaces `//` and `/* */` comments by blanks, which keeps all byte offsets. An unterminated comment and too deep
 /// nesting are errors. The single pass recognises strings; the parser checks the grammar.
-pub(super) fn without_comments(text: &str) -> Result<String, TextError> {
+pub(super) fn blank_comments(text: &str) -> Result<String, TextError> {
     let bytes = text.as_bytes();
     let mut out = bytes.to_vec();
     let (mut at, mut depth) = (0, 0usize);
@@ -37,7 +37,7 @@ pub(super) fn without_comments(text: &str) -> Result<String, TextError> {
             }
             b'{' | b'[' => {
                 depth += 1;
-                if depth > DEEPEST_JSON {
+                if depth > MAX_JSON_DEPTH {
                     let message = "more than 256 objects and arrays within one another";
                     return Err(TextError { at, code: "too-complex", message });
                 }
@@ -94,7 +94,7 @@ mod tests {
     #[test]
     fn comments_are_blanked_in_place_and_strings_left_alone() {
         let text = "{ // é\n \"a//b\\\"/*\": /* x\ny */ 1 }";
-        let Ok(clean) = without_comments(text) else { panic!("refused") };
+        let Ok(clean) = blank_comments(text) else { panic!("refused") };
         assert_eq!(clean.len(), text.len());
         assert_eq!(clean.replace(' ', ""), "{\n\"a//b\\\"/*\":\n1}");
         assert_eq!(clean.find('1'), text.find('1'));
@@ -102,11 +102,11 @@ mod tests {
 
     #[test]
     fn a_comment_must_end_and_brackets_not_nest_without_bound() {
-        assert!(without_comments("{ /* ").is_err_and(|t| t.code == "not-json" && t.at == 2));
-        assert!(without_comments(&"[".repeat(300)).is_err_and(|t| t.code == "too-complex" && t.at == 256));
-        assert!(without_comments(&"[".repeat(256)).is_ok());
+        assert!(blank_comments("{ /* ").is_err_and(|t| t.code == "not-json" && t.at == 2));
+        assert!(blank_comments(&"[".repeat(300)).is_err_and(|t| t.code == "too-complex" && t.at == 256));
+        assert!(blank_comments(&"[".repeat(256)).is_ok());
         // The text ends with an escape character.
-        assert!(without_comments("\"\\").is_ok());
+        assert!(blank_comments("\"\\").is_ok());
     }
 
     #[test]

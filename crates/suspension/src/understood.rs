@@ -49,14 +49,14 @@ impl Understood {
             Side::Right => &[&right],
             Side::Both => &[left, &right],
         };
-        let seen: Vec<&Drawing> = sides.iter().copied().chain(middle).collect();
+        let drawings: Vec<&Drawing> = sides.iter().copied().chain(middle).collect();
         Self {
             track: left.wheels.first().map(|wheel| 2.0 * wheel.centre[1].abs()),
             lengths: lengths.map(|arm| (arm.name.clone(), arm.length)).collect(),
             masses: massive.map(|(link, inertial)| (link.name().to_owned(), inertial.mass)).collect(),
             total_mass: mechanism.total_mass(),
-            lines: seen.iter().flat_map(|d| d.lines.clone()).collect(),
-            wheels: seen.iter().flat_map(|d| d.wheels.clone()).collect(),
+            lines: drawings.iter().flat_map(|d| d.lines.clone()).collect(),
+            wheels: drawings.iter().flat_map(|d| d.wheels.clone()).collect(),
             ..Self::default()
         }
     }

@@ -1,7 +1,7 @@
 //! Vehicle axes, with their names in files and flags, and the frame of a file.
 
 use super::findings::{Findings, Spot};
-use crate::limits::{FARTHEST_HARDPOINT, NEAREST_HARDPOINT};
+use crate::limits::{MAX_VEHICLE_EXTENT, MIN_VEHICLE_EXTENT};
 use percuss_spatial::{Matrix3, Vector3};
 use percuss_units::LengthUnit;
 
@@ -78,19 +78,19 @@ impl Frame {
 /// Refuses a vehicle with a farthest coordinate (m) beyond the limit: the lengths are in another unit.
 pub(super) fn check_size(findings: &mut Findings, far: f64, spot: &Spot, unit: LengthUnit) {
     let (size, name) = (unit.of_metres(far), unit.name());
-    if far > FARTHEST_HARDPOINT {
-        let mend = match unit {
+    if far > MAX_VEHICLE_EXTENT {
+        let remedy = match unit {
             LengthUnit::Metre => "if the file is in millimetres, give --unit mm",
             LengthUnit::Centimetre | LengthUnit::Millimetre | LengthUnit::Inch => {
                 "give the file's unit by --unit"
             }
         };
         let message = format!(
-            "a coordinate of {size} {name}, read in {name}: no hardpoint lies {far} m out. {mend}; if only this \
+            "a coordinate of {size} {name}, read in {name}: no hardpoint lies {far} m out. {remedy}; if only this \
              number is wrong, correct it"
         );
         findings.error("wrong-unit", spot, message);
-    } else if far < NEAREST_HARDPOINT {
+    } else if far < MIN_VEHICLE_EXTENT {
         let message = format!(
             "the coordinate farthest from the vehicle's origin is {size} {name}, read in {name}: no vehicle is so \
              small. If the file is in metres, give --unit m"

@@ -4,7 +4,7 @@
 //! recognise a quoted cell after blanks.
 
 use crate::format_fault::FormatFault;
-use crate::limits::LONGEST_RECORD;
+use crate::limits::MAX_RECORD_BYTES;
 use std::io::{BufRead, Read};
 use std::ops::Range;
 
@@ -12,12 +12,15 @@ use std::ops::Range;
 #[derive(Debug)]
 pub struct CsvRecords<R> {
     input: R,
-    /// Number of the next line, from 1.
-    next: usize,
+    /// Number of the line to be read next, from 1.
+    next_line: usize,
     /// First line of the last record.
     pub line: usize,
+    /// Bytes of the last record.
     bytes: Vec<u8>,
+    /// Texts of all cells of the last record.
     text: String,
+    /// Range of each cell in `text`.
     cells: Vec<Range<usize>>,
 }
 
@@ -25,7 +28,7 @@ impl<R: BufRead> CsvRecords<R> {
     /// Records of a text, from its first line on.
     pub fn new(input: R) -> Self {
         let (bytes, text, cells) = (Vec::new(), String::new(), Vec::new());
-        Self { input, next: 1, line: 0, bytes, text, cells }
+        Self { input, next_line: 1, line: 0, bytes, text, cells }
     }
 
     /// Cells of the last record, without quotes.
@@ -33,22 +36,22 @@ impl<R: BufRead> CsvRecords<R> {
         self.cells.iter().map(|cell| &self.text[cell.clone()])
     }
 
-    /// Reads the next record that is not an empty line; false at the end.
+    /// Reads the next record and skips empty lines; false at the end.
     ///
     /// # Errors
     /// [`FormatFault`], in the record that begins in [`Self::line`].
     pub fn read(&mut self) -> Result<bool, FormatFault> {
         loop {
             self.bytes.clear();
-            self.line = self.next;
+            self.line = self.next_line;
             if !self.append_line()? {
                 return Ok(false);
             }
             // A line break within quotes belongs to a cell. Each byte is examined once.
-            let (mut in_quotes, mut counted) = (false, 0);
+            let (mut in_quotes, mut examined) = (false, 0);
             loop {
-                in_quotes ^= self.bytes[counted..].iter().filter(|byte| **byte == b'"').count() % 2 == 1;
-                counted = self.bytes.len();
+                in_quotes ^= self.bytes[examined..].iter().filter(|byte| **byte == b'"').count() % 2 == 1;
+                examined = self.bytes.len();
                 if !in_quotes {
                     break;
                 }
@@ -59,8 +62,8 @@ impl<R: BufRead> CsvRecords<R> {
             while self.bytes.last().is_some_and(|byte| matches!(byte, b'\n' | b'\r')) {
                 self.bytes.pop();
             }
-            let mark: &[u8] = if self.line == 1 { b"\xEF\xBB\xBF" } else { b"" };
-            let bytes = self.bytes.strip_prefix(mark).unwrap_or(&self.bytes);
+            let byte_order_mark: &[u8] = if self.line == 1 { b"\xEF\xBB\xBF" } else { b"" };
+            let bytes = self.bytes.strip_prefix(byte_order_mark).unwrap_or(&self.bytes);
             if bytes.is_empty() {
                 continue;
             }
@@ -69,29 +72,29 @@ impl<R: BufRead> CsvRecords<R> {
             };
             self.text.clear();
             self.cells.clear();
-            split(text, &mut self.text, &mut self.cells);
+            split_record(text, &mut self.text, &mut self.cells);
             return Ok(true);
         }
     }
 
     /// Appends a line to the bytes; false at the end.
     fn append_line(&mut self) -> Result<bool, FormatFault> {
-        let bytes_left = (LONGEST_RECORD + 1).saturating_sub(self.bytes.len()) as u64;
+        let bytes_left = (MAX_RECORD_BYTES + 1).saturating_sub(self.bytes.len()) as u64;
         let read = self.input.by_ref().take(bytes_left).read_until(b'\n', &mut self.bytes);
         let read = read.map_err(|error| FormatFault::from(&error))?;
-        if self.bytes.len() > LONGEST_RECORD {
+        if self.bytes.len() > MAX_RECORD_BYTES {
             return Err(FormatFault::TooLong);
         }
-        self.next += 1;
+        self.next_line += 1;
         Ok(read > 0)
     }
 }
 
-/// Splits a record: `text` receives the cells in order, without quotes and surrounding blanks.
-fn split(record: &str, text: &mut String, cells: &mut Vec<Range<usize>>) {
+/// Splits a record. Appends the cells, without quotes and surrounding blanks, to `text`, and their ranges to `cells`.
+fn split_record(record: &str, text: &mut String, cells: &mut Vec<Range<usize>>) {
     let mut rest = record;
     loop {
-        let begins = text.len();
+        let cell_start = text.len();
         let after = match rest.trim_start().strip_prefix('"') {
             Some(quoted) => {
                 let mut quoted = quoted;
@@ -111,12 +114,12 @@ fn split(record: &str, text: &mut String, cells: &mut Vec<Range<usize>>) {
             }
             None => rest,
         };
-        let (own, more) = match after.split_once(',') {
-            Some((own, more)) => (own, Some(more)),
+        let (last_part, more) = match after.split_once(',') {
+            Some((last_part, more)) => (last_part, Some(more)),
             None => (after, None),
         };
-        text.push_str(own.trim());
-        cells.push(begins..text.len());
+        text.push_str(last_part.trim());
+        cells.push(cell_start..text.len());
         match more {
             Some(more) => rest = more,
             None => return,
@@ -149,7 +152,7 @@ mod tests {
     fn malformed_records_are_refused() {
         assert_eq!(records(b"a\n\"b"), Err((2, FormatFault::OpenQuote)));
         assert_eq!(records(b"a\n\xFF\n"), Err((2, FormatFault::NotText)));
-        assert_eq!(records(&vec![b'1'; LONGEST_RECORD + 2]), Err((1, FormatFault::TooLong)));
+        assert_eq!(records(&vec![b'1'; MAX_RECORD_BYTES + 2]), Err((1, FormatFault::TooLong)));
         assert_eq!(records(b""), Ok(Vec::new()));
     }
 }

@@ -1,6 +1,6 @@
 //! Faults of files that are read as tables.
 
-use crate::limits::LONGEST_RECORD;
+use crate::limits::MAX_RECORD_BYTES;
 use std::io;
 
 /// Fault of a file, independent of the meaning of its columns.
@@ -20,7 +20,7 @@ pub enum FormatFault {
     #[error("a quote is not closed")]
     OpenQuote,
     /// Line longer than the limit.
-    #[error("the line is longer than {LONGEST_RECORD} bytes")]
+    #[error("the line is longer than {MAX_RECORD_BYTES} bytes")]
     TooLong,
     /// File is not a Parquet file, or is incomplete.
     #[error("it is not a complete Parquet file: it does not begin and end with PAR1")]

@@ -8,7 +8,7 @@ use crate::parquet_file::ParquetStorage;
 pub enum ParquetTable {}
 
 impl ParquetTable {
-    /// Refuses the file.
+    /// Refuses every file.
     ///
     /// # Errors
     /// [`FormatFault::NotBuiltIn`].

@@ -4,10 +4,11 @@ use std::fs::File;
 use std::io::Read;
 use std::sync::{Arc, Mutex};
 
-/// Length of the mark at both ends of a file, and of the bytes behind the first mark that decide about its kind.
+/// Length of the mark at both ends of a file, bytes. The kind of a file is decided by the mark and as many bytes behind it.
 const MARK: usize = 4;
 
-/// True for the first bytes of a Parquet file. Behind the mark is binary data; a CSV header can begin with a joint `PAR1`.
+/// True for the first bytes of a Parquet file: the mark `PAR1` or `PARE`, then binary data. Text after the mark belongs to a
+/// CSV header whose first joint has such a name.
 pub fn begins_as_parquet(bytes: &[u8]) -> bool {
     let is_binary = |byte: &u8| byte.is_ascii_control() && !b"\t\r\n".contains(byte);
     let behind = &bytes[MARK.min(bytes.len())..(2 * MARK).min(bytes.len())];

@@ -2,7 +2,7 @@
 //! and their size is limited.
 
 use crate::format_fault::FormatFault;
-use crate::limits::parquet::{LARGEST_DESCRIPTION, LONGEST_PAGE_HEADER, USUAL_PAGE_HEADER};
+use crate::limits::parquet::{MAX_METADATA_BYTES, MAX_PAGE_HEADER, USUAL_PAGE_HEADER};
 use crate::parquet_bounds::{self as bounds, HeaderFault};
 use crate::parquet_file::ParquetStorage;
 use bytes::Bytes;
@@ -15,34 +15,35 @@ use parquet::file::serialized_reader::SerializedPageReader;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
 use std::sync::PoisonError;
 
-/// Parquet file.
+/// Parquet file with a limit of its page size.
 pub(crate) struct ParquetSource {
-    stored: ParquetStorage,
+    storage: ParquetStorage,
     length: u64,
     /// Largest allowed size of a page, bytes, in the file or in memory.
-    largest_page: u64,
+    max_page_size: u64,
 }
 
 impl ParquetSource {
-    pub fn new(stored: ParquetStorage) -> io::Result<Self> {
-        let length = match &stored {
+    /// Determines the length of the file.
+    pub fn new(storage: ParquetStorage) -> io::Result<Self> {
+        let length = match &storage {
             ParquetStorage::File(file) => {
                 file.lock().unwrap_or_else(PoisonError::into_inner).metadata()?.len()
             }
             ParquetStorage::Memory(bytes) => bytes.len() as u64,
         };
-        Ok(Self { stored, length, largest_page: 0 })
+        Ok(Self { storage, length, max_page_size: 0 })
     }
 
     /// Sets the largest allowed size of a page, bytes.
-    pub fn limit_pages(&mut self, largest_page: u64) {
-        self.largest_page = largest_page;
+    pub fn set_max_page_size(&mut self, max_page_size: u64) {
+        self.max_page_size = max_page_size;
     }
 
-    /// Up to `count` bytes from `start` on; fewer at the end of the file.
-    fn bytes(&self, start: u64, count: u64) -> io::Result<Vec<u8>> {
+    /// Reads up to `count` bytes from the offset `start` on; fewer at the end of the file.
+    fn read_bytes(&self, start: u64, count: u64) -> io::Result<Vec<u8>> {
         let count = count.min(self.length.saturating_sub(start));
-        match &self.stored {
+        match &self.storage {
             ParquetStorage::File(file) => {
                 let mut file = file.lock().unwrap_or_else(PoisonError::into_inner);
                 file.seek(SeekFrom::Start(start))?;
@@ -62,8 +63,8 @@ impl ParquetSource {
     /// File metadata (columns and row groups) from the footer.
     pub fn read_metadata(&self) -> Result<ParquetMetaData, FormatFault> {
         let unreadable = |error: io::Error| FormatFault::from(&error);
-        let end = self.bytes(self.length.saturating_sub(8), 8).map_err(unreadable)?;
-        let begin = self.bytes(0, 4).map_err(unreadable)?;
+        let end = self.read_bytes(self.length.saturating_sub(8), 8).map_err(unreadable)?;
+        let begin = self.read_bytes(0, 4).map_err(unreadable)?;
         let (length, mark) = match end[..] {
             [a, b, c, d, ref mark @ ..] if mark.len() == 4 => (u32::from_le_bytes([a, b, c, d]), mark),
             _ => return Err(FormatFault::NoParquet),
@@ -78,12 +79,12 @@ impl ParquetSource {
         let Some(start) = self.length.checked_sub(12 + length).map(|start| start + 4) else {
             return Err(malformed("the description of its columns is longer than the file".into()));
         };
-        if length > LARGEST_DESCRIPTION {
+        if length > MAX_METADATA_BYTES {
             return Err(malformed(format!(
-                "the description of its columns has {length} bytes; expected {LARGEST_DESCRIPTION} at most"
+                "the description of its columns has {length} bytes; expected {MAX_METADATA_BYTES} at most"
             )));
         }
-        let bytes = self.bytes(start, length).map_err(unreadable)?;
+        let bytes = self.read_bytes(start, length).map_err(unreadable)?;
         bounds::check_file_metadata(&bytes).map_err(|fault| malformed(header_fault_text(fault)))?;
         ParquetMetaDataReader::decode_metadata(&bytes).map_err(|error| malformed(reader_error_text(error)))
     }
@@ -114,20 +115,21 @@ impl Length for ParquetSource {
 impl ChunkReader for ParquetSource {
     type T = Cursor<Bytes>;
 
-    /// Bytes of a page header.
+    /// Bytes from a page header on, after a check of the sizes in the header.
     fn get_read(&self, start: u64) -> Result<Self::T> {
-        for most in [USUAL_PAGE_HEADER, LONGEST_PAGE_HEADER] {
-            let bytes = self.bytes(start, most)?;
-            match bounds::page(&bytes) {
-                Ok(page) if page.uncompressed.max(page.compressed) > self.largest_page => {
+        for header_size in [USUAL_PAGE_HEADER, MAX_PAGE_HEADER] {
+            let bytes = self.read_bytes(start, header_size)?;
+            match bounds::read_page_bounds(&bytes) {
+                Ok(page) if page.uncompressed.max(page.compressed) > self.max_page_size => {
                     let got = page.uncompressed.max(page.compressed);
                     return Err(ParquetError::General(format!(
                         "a page has {got} bytes; expected {} at most: write it with smaller pages",
-                        self.largest_page
+                        self.max_page_size
                     )));
                 }
                 Ok(_) => return Ok(Cursor::new(bytes.into())),
-                Err(HeaderFault::Truncated) if bytes.len() as u64 == most && most < LONGEST_PAGE_HEADER => {}
+                Err(HeaderFault::Truncated)
+                    if bytes.len() as u64 == header_size && header_size < MAX_PAGE_HEADER => {}
                 Err(fault) => return Err(ParquetError::General(header_fault_text(fault))),
             }
         }
@@ -135,7 +137,7 @@ impl ChunkReader for ParquetSource {
     }
 
     fn get_bytes(&self, start: u64, length: usize) -> Result<Bytes> {
-        let bytes = self.bytes(start, length as u64)?;
+        let bytes = self.read_bytes(start, length as u64)?;
         if bytes.len() == length {
             Ok(bytes.into())
         } else {
@@ -150,57 +152,57 @@ pub(crate) struct CheckedPages {
     /// True if nulls are possible; pages then begin with definition levels.
     has_levels: bool,
     /// Size of a value, bytes.
-    width: usize,
+    value_size: usize,
     has_dictionary: bool,
 }
 
 impl CheckedPages {
-    pub fn new(pages: SerializedPageReader<ParquetSource>, has_levels: bool, width: usize) -> Self {
-        Self { pages, has_levels, width, has_dictionary: false }
+    pub fn new(pages: SerializedPageReader<ParquetSource>, has_levels: bool, value_size: usize) -> Self {
+        Self { pages, has_levels, value_size, has_dictionary: false }
     }
 
     /// Refuses a page whose levels or encoding the decoder would not check.
-    fn check(&mut self, page: &Page) -> Result<()> {
-        let wrong = |why: &str| Err(ParquetError::General(why.into()));
+    fn check_page(&mut self, page: &Page) -> Result<()> {
+        let invalid = |why: &str| Err(ParquetError::General(why.into()));
         // Number of values including nulls, and the bytes after the levels.
         let (count, bytes) = match page {
             Page::DictionaryPage { encoding, .. } => {
                 if std::mem::replace(&mut self.has_dictionary, true) {
-                    return wrong("a column has two dictionaries");
+                    return invalid("a column has two dictionaries");
                 }
                 if !matches!(encoding, Encoding::PLAIN | Encoding::PLAIN_DICTIONARY) {
-                    return wrong("a dictionary has an invalid encoding");
+                    return invalid("a dictionary has an invalid encoding");
                 }
                 return Ok(());
             }
             Page::DataPage { buf, num_values, def_level_encoding, .. } => {
                 if self.has_levels && *def_level_encoding != Encoding::RLE {
-                    return wrong(
+                    return invalid(
                         "a page's levels are not in runs; expected what version 2 of the format has",
                     );
                 }
                 let length = buf.first_chunk().map(|length| 4 + u64::from(u32::from_le_bytes(*length)));
-                (*num_values, if self.has_levels { after(buf, length) } else { Some(&buf[..]) })
+                (*num_values, if self.has_levels { skip_bytes(buf, length) } else { Some(&buf[..]) })
             }
             Page::DataPageV2 {
                 buf, num_values, num_nulls, def_levels_byte_len, rep_levels_byte_len, ..
             } => {
                 let levels = u64::from(*def_levels_byte_len) + u64::from(*rep_levels_byte_len);
-                (*num_values, after(buf, Some(levels)).filter(|_| num_nulls <= num_values))
+                (*num_values, skip_bytes(buf, Some(levels)).filter(|_| num_nulls <= num_values))
             }
         };
-        let Some(bytes) = bytes else { return wrong("a page is shorter than its levels") };
+        let Some(bytes) = bytes else { return invalid("a page is shorter than its levels") };
         match page.encoding() {
             Encoding::PLAIN => Ok(()),
-            Encoding::BYTE_STREAM_SPLIT if bytes.len() == count as usize * self.width => Ok(()),
+            Encoding::BYTE_STREAM_SPLIT if bytes.len() == count as usize * self.value_size => Ok(()),
             Encoding::BYTE_STREAM_SPLIT => {
-                wrong("a page has another number of values than rows: nulls, or damage")
+                invalid("a page has another number of values than rows: nulls, or damage")
             }
             Encoding::DELTA_BINARY_PACKED if bounds::delta_value_count(bytes) > 0 || count == 0 => Ok(()),
-            Encoding::DELTA_BINARY_PACKED => wrong("a page has no values"),
+            Encoding::DELTA_BINARY_PACKED => invalid("a page has no values"),
             Encoding::RLE_DICTIONARY | Encoding::PLAIN_DICTIONARY if self.has_dictionary => Ok(()),
             Encoding::RLE_DICTIONARY | Encoding::PLAIN_DICTIONARY => {
-                wrong("a page refers to a dictionary that its column does not have")
+                invalid("a page refers to a dictionary that its column does not have")
             }
             other => Err(ParquetError::General(format!(
                 "a page is encoded as {other}, which is invalid for \
@@ -211,7 +213,7 @@ impl CheckedPages {
 }
 
 /// Bytes after the first `count`; `None` if there are fewer.
-fn after(bytes: &[u8], count: Option<u64>) -> Option<&[u8]> {
+fn skip_bytes(bytes: &[u8], count: Option<u64>) -> Option<&[u8]> {
     bytes.get(usize::try_from(count?).ok()?..)
 }
 
@@ -227,7 +229,7 @@ impl PageReader for CheckedPages {
     fn get_next_page(&mut self) -> Result<Option<Page>> {
         let page = self.pages.get_next_page()?;
         if let Some(page) = &page {
-            self.check(page)?;
+            self.check_page(page)?;
         }
         Ok(page)
     }

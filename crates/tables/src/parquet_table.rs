@@ -1,7 +1,7 @@
 //! Table in Parquet (apache/parquet-format), read row by row in bounded memory: one page per column.
 
 use crate::format_fault::FormatFault;
-use crate::limits::parquet::{ALWAYS_ACCEPTED_PAGE, LARGEST_PAGE_MEMORY, PARQUET_ROWS};
+use crate::limits::parquet::{MAX_PAGE_MEMORY, MIN_PAGE_LIMIT, ROWS_PER_READ};
 use crate::parquet_file::ParquetStorage;
 use crate::parquet_source::{CheckedPages, ParquetSource, reader_error_text};
 use parquet::basic::{Compression, ConvertedType, LogicalType, Type as Physical};
@@ -29,7 +29,7 @@ enum NumberType {
 
 impl NumberType {
     /// Size of a value, bytes.
-    fn width(self) -> usize {
+    fn size(self) -> usize {
         match self {
             NumberType::Float | NumberType::Int { .. } => 4,
             NumberType::Double | NumberType::Long { .. } => 8,
@@ -46,6 +46,7 @@ struct SelectedColumn {
     kind: NumberType,
     /// Reader of the current row group; `None` before the first group.
     reader: Option<ColumnValueReader>,
+    /// Values of the rows read last; `None` for a null.
     values: Vec<Option<f64>>,
 }
 
@@ -56,40 +57,42 @@ pub struct ParquetTable {
     names: Vec<String>,
     columns: Vec<SelectedColumn>,
     /// Index of the next row group.
-    group: usize,
+    next_group: usize,
     /// Number of rows of the current group that are not in `values` yet.
-    left: usize,
-    /// Index of the next row in `values`, and the number of rows in `values`.
-    next: usize,
-    rows_read: usize,
+    rows_left: usize,
+    /// Index of the next row in `values`.
+    next_value: usize,
+    /// Number of rows in `values`.
+    value_count: usize,
     /// Number of the last row, from 0.
     row: Option<usize>,
 }
 
 impl ParquetTable {
-    /// Reads the file metadata.
+    /// Opens a table: reads the file metadata, and no rows.
     ///
     /// # Errors
-    /// [`FormatFault`]: unreadable, malformed, or more rows than `most_rows`.
-    pub fn open(stored: ParquetStorage, most_rows: usize) -> Result<Self, FormatFault> {
-        let source = ParquetSource::new(stored).map_err(|error| FormatFault::from(&error))?;
-        let description = catch_reader_panic(|| source.read_metadata())?;
-        let names: Vec<String> = fields(&description).iter().map(|field| field.name().to_owned()).collect();
-        let rows = description.row_groups().iter().map(|group| u128::try_from(group.num_rows()).unwrap_or(0));
+    /// [`FormatFault`]: unreadable, malformed, or more rows than `max_rows`.
+    pub fn open(storage: ParquetStorage, max_rows: usize) -> Result<Self, FormatFault> {
+        let source = ParquetSource::new(storage).map_err(|error| FormatFault::from(&error))?;
+        let metadata = catch_reader_panic(|| source.read_metadata())?;
+        let names: Vec<String> =
+            top_level_columns(&metadata).iter().map(|field| field.name().to_owned()).collect();
+        let rows = metadata.row_groups().iter().map(|group| u128::try_from(group.num_rows()).unwrap_or(0));
         let rows: u128 = rows.sum();
-        if rows > most_rows as u128 {
-            return Err(FormatFault::Rows { rows, most: most_rows });
+        if rows > max_rows as u128 {
+            return Err(FormatFault::Rows { rows, most: max_rows });
         }
         let source = Arc::new(source);
         Ok(Self {
             source,
-            metadata: description,
+            metadata,
             names,
             columns: Vec::new(),
-            group: 0,
-            left: 0,
-            next: 0,
-            rows_read: 0,
+            next_group: 0,
+            rows_left: 0,
+            next_value: 0,
+            value_count: 0,
             row: None,
         })
     }
@@ -108,13 +111,13 @@ impl ParquetTable {
         numbers: impl Iterator<Item = usize>,
     ) -> Result<(), (usize, FormatFault)> {
         for number in numbers {
-            let refuse = |fault| (number, fault);
-            let (leaf, kind) = catch_reader_panic(|| self.column_type(number)).map_err(refuse)?;
+            let fault_of = |fault| (number, fault);
+            let (leaf, kind) = catch_reader_panic(|| self.column_type(number)).map_err(fault_of)?;
             self.columns.push(SelectedColumn { number, leaf, kind, reader: None, values: Vec::new() });
         }
-        let each = (LARGEST_PAGE_MEMORY / self.columns.len().max(1) as u64).max(ALWAYS_ACCEPTED_PAGE);
+        let max_page_size = (MAX_PAGE_MEMORY / self.columns.len().max(1) as u64).max(MIN_PAGE_LIMIT);
         match Arc::get_mut(&mut self.source) {
-            Some(source) => source.limit_pages(each),
+            Some(source) => source.set_max_page_size(max_page_size),
             None => debug_assert!(false, "no column is read yet"),
         }
         Ok(())
@@ -122,18 +125,18 @@ impl ParquetTable {
 
     /// Leaf index and number type of a column.
     fn column_type(&self, number: usize) -> Result<(usize, NumberType), FormatFault> {
-        let refuse = |got: String| FormatFault::ColumnKind { got };
-        let all = fields(&self.metadata);
+        let fault_of = |got: String| FormatFault::ColumnKind { got };
+        let all = top_level_columns(&self.metadata);
         let leaf: usize = all[..number].iter().map(|field| leaf_count(field)).sum();
         if all[number].is_group() {
-            return Err(refuse("lists or records".into()));
+            return Err(fault_of("lists or records".into()));
         }
         let schema = self.metadata.file_metadata().schema_descr();
         let column = schema.column(leaf);
         if column.max_rep_level() > 0 || column.max_def_level() > 1 {
-            return Err(refuse("lists or records".into()));
+            return Err(fault_of("lists or records".into()));
         }
-        let kind = number_type(&column).map_err(refuse)?;
+        let kind = number_type(&column).map_err(fault_of)?;
         for group in self.metadata.row_groups() {
             let Some(chunk) = group.columns().get(leaf) else {
                 return Err(malformed("a group of rows lacks a column"));
@@ -163,17 +166,17 @@ impl ParquetTable {
     /// # Errors
     /// [`FormatFault`].
     pub fn next_row(&mut self) -> Result<bool, FormatFault> {
-        if self.next == self.rows_read && !self.read_rows()? {
+        if self.next_value == self.value_count && !self.read_rows()? {
             return Ok(false);
         }
-        self.next += 1;
+        self.next_value += 1;
         self.row = Some(self.row.map_or(0, |row| row + 1));
         Ok(true)
     }
 
-    /// Numbers of the current row with the column indices; `None` for a null.
+    /// Column index and number of each selected column in the current row; `None` for a null.
     pub fn numbers(&self) -> impl Iterator<Item = (usize, Option<f64>)> {
-        self.columns.iter().map(|column| (column.number, column.values[self.next - 1]))
+        self.columns.iter().map(|column| (column.number, column.values[self.next_value - 1]))
     }
 
     /// Number of the current row, from 0; `None` before the first row.
@@ -181,41 +184,41 @@ impl ParquetTable {
         self.row
     }
 
-    /// Reads the next rows into `values`. Returns false at the end.
+    /// Reads the next block of rows into the `values` of the columns. Returns false at the end.
     fn read_rows(&mut self) -> Result<bool, FormatFault> {
-        while self.left == 0 {
-            if self.group == self.metadata.num_row_groups() {
+        while self.rows_left == 0 {
+            if self.next_group == self.metadata.num_row_groups() {
                 return Ok(false);
             }
             catch_reader_panic(|| self.begin_group())?;
         }
-        let count = self.left.min(PARQUET_ROWS);
+        let count = self.rows_left.min(ROWS_PER_READ);
         for column in &mut self.columns {
             column.values.clear();
             let Some(reader) = &mut column.reader else { continue };
             catch_reader_panic(|| reader.read(count, &mut column.values))?;
         }
-        (self.next, self.rows_read) = (0, count);
-        self.left -= count;
+        (self.next_value, self.value_count) = (0, count);
+        self.rows_left -= count;
         Ok(true)
     }
 
     /// Opens the column readers of the next row group.
     fn begin_group(&mut self) -> Result<(), FormatFault> {
-        let group = self.metadata.row_group(self.group);
-        self.group += 1;
-        self.left = usize::try_from(group.num_rows())
+        let group = self.metadata.row_group(self.next_group);
+        self.next_group += 1;
+        self.rows_left = usize::try_from(group.num_rows())
             .map_err(|_| malformed("a group of rows has a negative number of them"))?;
         for column in &mut self.columns {
             let chunk = group.column(column.leaf);
             let source = Arc::clone(&self.source);
-            let pages = SerializedPageReader::new(source, chunk, self.left, None);
+            let pages = SerializedPageReader::new(source, chunk, self.rows_left, None);
             let pages = pages.map_err(|error| malformed(reader_error_text(error)))?;
             let descriptor = chunk.column_descr_ptr();
             let has_levels = descriptor.max_def_level() > 0;
             let reader = get_column_reader(
                 descriptor,
-                Box::new(CheckedPages::new(pages, has_levels, column.kind.width())),
+                Box::new(CheckedPages::new(pages, has_levels, column.kind.size())),
             );
             column.reader = Some(match column.kind {
                 NumberType::Double => ColumnValueReader::Double(get_typed_column_reader(reader)),
@@ -236,11 +239,11 @@ fn malformed(why: impl Into<String>) -> FormatFault {
 }
 
 /// Top-level columns; a nested column counts once.
-fn fields(description: &ParquetMetaData) -> &[Arc<Type>] {
-    description.file_metadata().schema().get_fields()
+fn top_level_columns(metadata: &ParquetMetaData) -> &[Arc<Type>] {
+    metadata.file_metadata().schema().get_fields()
 }
 
-/// Number of leaf columns of a column.
+/// Number of leaf columns of a top-level column.
 fn leaf_count(field: &Type) -> usize {
     if field.is_group() { field.get_fields().iter().map(|part| leaf_count(part)).sum() } else { 1 }
 }
@@ -295,23 +298,23 @@ impl ColumnValueReader {
     /// Appends `count` values.
     fn read(&mut self, count: usize, values: &mut Vec<Option<f64>>) -> Result<(), FormatFault> {
         match self {
-            ColumnValueReader::Double(column) => append(column, count, values, |x| x),
-            ColumnValueReader::Float(column) => append(column, count, values, f64::from),
-            ColumnValueReader::Int(column, true) => append(column, count, values, f64::from),
+            ColumnValueReader::Double(column) => append_values(column, count, values, |x| x),
+            ColumnValueReader::Float(column) => append_values(column, count, values, f64::from),
+            ColumnValueReader::Int(column, true) => append_values(column, count, values, f64::from),
             ColumnValueReader::Int(column, false) => {
-                append(column, count, values, |x| f64::from(x.cast_unsigned()))
+                append_values(column, count, values, |x| f64::from(x.cast_unsigned()))
             }
             // Rounded beyond 2⁵³, as a decimal text would be.
-            ColumnValueReader::Long(column, true) => append(column, count, values, |x| x as f64),
+            ColumnValueReader::Long(column, true) => append_values(column, count, values, |x| x as f64),
             ColumnValueReader::Long(column, false) => {
-                append(column, count, values, |x| x.cast_unsigned() as f64)
+                append_values(column, count, values, |x| x.cast_unsigned() as f64)
             }
         }
     }
 }
 
 /// Appends the next values of a column; nulls are `None`.
-fn append<T: DataType>(
+fn append_values<T: DataType>(
     column: &mut ColumnReaderImpl<T>,
     count: usize,
     values: &mut Vec<Option<f64>>,

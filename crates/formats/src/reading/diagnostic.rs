@@ -37,7 +37,7 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// Error of loading: the file gives no mechanism. At least one diagnostic is an error.
+/// Failure to build a mechanism from a file. At least one diagnostic is an error.
 #[derive(Clone, Debug, thiserror::Error)]
 pub struct LoadError {
     /// All findings, including warnings and notes, in the order of the file.

@@ -6,83 +6,83 @@
 // URDF: the text.
 
 /// Deepest nesting of elements, for the stack of recursive parsers: real files stay below 20.
-pub(crate) const DEEPEST_NESTING: usize = 256;
+pub(crate) const MAX_ELEMENT_DEPTH: usize = 256;
 /// Largest number of elements in a file.
-pub(crate) const MOST_ELEMENTS: usize = 1_000_000;
+pub(crate) const MAX_ELEMENTS: usize = 1_000_000;
 /// Largest number of attributes in a file: 100,000 links and joints with all possible attributes have fewer.
-pub(crate) const MOST_ATTRIBUTES_IN_ALL: usize = 3_000_000;
+pub(crate) const MAX_TOTAL_ATTRIBUTES: usize = 3_000_000;
 /// Largest number of nodes of the parsed tree: elements, comments and texts.
-pub(crate) const MOST_NODES: u32 = 3_000_000;
+pub(crate) const MAX_NODES: u32 = 3_000_000;
 /// Largest number of attributes of an element: the parser compares all pairs.
-pub(crate) const MOST_ATTRIBUTES: usize = 256;
-/// Largest number of namespace declarations: the parser searches all declarations at every element.
-pub(crate) const MOST_NAMESPACES: usize = 128;
-/// Largest number of entity declarations.
-pub(crate) const MOST_ENTITIES: usize = 64;
+pub(crate) const MAX_ATTRIBUTES_PER_ELEMENT: usize = 256;
+/// Largest number of namespace declarations in a file: the parser searches all of them at every element.
+pub(crate) const MAX_NAMESPACES: usize = 128;
+/// Largest number of entity declarations in a file.
+pub(crate) const MAX_ENTITIES: usize = 64;
 /// Largest total size of expanded entity references, bytes.
-pub(crate) const MOST_EXPANDED: usize = 64 << 20;
-/// Deepest nesting of entity references that roxmltree follows.
-pub(crate) const REFERENCES_IN_A_REFERENCE: usize = 256;
-/// Largest number of characters shown of a message of the XML parser.
-pub(crate) const LONGEST_PARSER_MESSAGE: usize = 200;
+pub(crate) const MAX_EXPANDED_BYTES: usize = 64 << 20;
+/// Largest number of entity references expanded within one reference: roxmltree stops at 255.
+pub(crate) const MAX_NESTED_REFERENCES: usize = 256;
+/// Largest length of a quoted message of the XML parser, characters.
+pub(crate) const MAX_PARSER_MESSAGE: usize = 200;
 
 // URDF: the elements.
 
-/// Largest number of links in a file, and of joints, loops and couplings.
-pub(crate) const MOST_BODIES: usize = 100_000;
+/// Largest number of links in a file; the same limit holds for joints, for loops and for couplings.
+pub(crate) const MAX_ELEMENTS_PER_KIND: usize = 100_000;
 /// Longest name, bytes: a longer name would make messages unreadable.
 pub const LONGEST_NAME: usize = 1024;
 /// Largest number of unknown names for which similar names are searched.
-pub(crate) const MOST_SUGGESTIONS: usize = 10;
+pub(crate) const MAX_SUGGESTIONS: usize = 10;
 /// Largest number of names compared with an unknown name: the comparison is quadratic in the length of the names.
-pub(crate) const MOST_CANDIDATES: usize = 2_000;
+pub(crate) const MAX_CANDIDATES: usize = 2_000;
 /// Longest chain of mimic joints.
-pub(crate) const LONGEST_MIMIC_CHAIN: usize = 100;
-/// Largest number of joints on the paths from the coupled links to the root, all couplings together.
-pub(crate) const MOST_COUPLING_STEPS: usize = 4_000_000;
+pub(crate) const MAX_MIMIC_CHAIN: usize = 100;
+/// Largest number of joints on the paths from the coupled links to the root, summed over all couplings.
+pub(crate) const MAX_COUPLING_STEPS: usize = 4_000_000;
 
 // URDF: numbers.
 
 /// Largest |norm − 1| of a rounded unit quaternion, dimensionless; a larger deviation is an error. Files have three decimals
 /// or more.
-pub(crate) const QUATERNION_NORM_SLACK: f64 = 1e-3;
-/// Largest |cosine| of the angle between the pins of a Hooke's joint, which are perpendicular. Files have three decimals.
+pub(crate) const QUATERNION_NORM_TOLERANCE: f64 = 1e-3;
+/// Largest |cosine| of the angle between the pins of a universal joint, nominally 0. Files have three decimals.
 pub const OBLIQUE_PINS: f64 = 1e-3;
-/// Least magnitude of the largest component of an axis, dimensionless. A shorter axis counts as zero, as in the builder of
-/// mechanisms.
-pub(crate) const SHORTEST_AXIS: f64 = 1e-100;
+/// Smallest magnitude of the largest component of an axis, dimensionless. A shorter axis counts as zero, as in the builder
+/// of mechanisms.
+pub(crate) const MIN_AXIS_COMPONENT: f64 = 1e-100;
 /// Largest dimension of a shape, m. A larger shape is a mistake and is ignored.
-pub(crate) const LARGEST_SHAPE: f64 = 1e9;
+pub(crate) const MAX_SHAPE_SIZE: f64 = 1e9;
 /// Relative difference up to which two values of an armature are equal within rounding: files have nine digits.
-pub(crate) const ARMATURE_SLACK: f64 = 1e-9;
-/// Magnitudes of numbers in decimal notation. Other numbers are written in scientific notation, without long rows of zeros.
-pub(crate) const DECIMAL_NUMBERS: std::ops::Range<f64> = 1e-5..1e16;
+pub(crate) const ARMATURE_TOLERANCE: f64 = 1e-9;
+/// Magnitudes written in decimal notation. Smaller and larger numbers have an exponent instead of long rows of zeros.
+pub(crate) const DECIMAL_NOTATION_RANGE: std::ops::Range<f64> = 1e-5..1e16;
 
 // Findings.
 
 /// Largest number of findings shown per severity; further findings are only counted.
 pub const MOST_FINDINGS: usize = 50;
 /// Largest number of kinds of repeated findings with separate counts.
-pub(crate) const MOST_KINDS: usize = 500;
+pub(crate) const MAX_REPEATED_KINDS: usize = 500;
 /// Largest offset in a line, bytes, for which the column of a finding is computed.
-pub(crate) const FARTHEST_COLUMN: usize = 1 << 16;
-/// Largest number of characters of a file's text in a message.
-pub(crate) const LONGEST_SHOWN: usize = 60;
+pub(crate) const MAX_COLUMN_OFFSET: usize = 1 << 16;
+/// Largest length of a text from a file in a message, characters.
+pub(crate) const MAX_QUOTED_CHARACTERS: usize = 60;
 
 // Meshes.
 
 /// Largest number of vertices of a mesh: three per triangle.
-pub(crate) const MOST_MESH_POSITIONS: usize = 3 * MOST_TRIANGLES;
+pub(crate) const MAX_MESH_VERTICES: usize = 3 * MAX_TRIANGLES;
 /// Largest number of triangles of a mesh: 360 MB of corners. The finest robot meshes have some hundred thousand triangles.
-pub(crate) const MOST_TRIANGLES: usize = 5_000_000;
+pub(crate) const MAX_TRIANGLES: usize = 5_000_000;
 /// Largest number of positions and indices in a COLLADA file: twelve per triangle.
-pub(crate) const MOST_MESH_NUMBERS: usize = 12 * MOST_TRIANGLES;
-/// Deepest nesting of nodes in a COLLADA scene.
-pub(crate) const DEEPEST_NODES: usize = 64;
-/// Largest number of visited nodes and instances of a COLLADA scene: instances may repeat nodes.
-pub(crate) const MOST_SCENE_NODES: usize = 100_000;
-/// Number of facets around a round shape.
-pub(crate) const ROUND_FACETS: std::ops::RangeInclusive<usize> = 16..=720;
-/// Least signed volume of a closed part of a mesh, relative to area times size. A part with less volume is open or flat and
-/// has no interior.
-pub(crate) const NO_VOLUME: f64 = 1e-9;
+pub(crate) const MAX_MESH_NUMBERS: usize = 12 * MAX_TRIANGLES;
+/// Deepest nesting of the nodes of a COLLADA scene.
+pub(crate) const MAX_SCENE_DEPTH: usize = 64;
+/// Largest number of visits to nodes and geometries of a COLLADA scene: instances may repeat nodes.
+pub(crate) const MAX_SCENE_NODES: usize = 100_000;
+/// Smallest and largest number of facets around the circumference of a round shape.
+pub(crate) const FACETS_PER_TURN: std::ops::RangeInclusive<usize> = 16..=720;
+/// Smallest |volume| of a closed piece of a mesh, relative to (area)^(3/2). A piece with less volume is flat and has no
+/// interior.
+pub(crate) const MIN_RELATIVE_VOLUME: f64 = 1e-9;

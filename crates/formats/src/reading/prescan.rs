@@ -6,58 +6,61 @@
 //! quotes. The parser checks that the text is well formed.
 
 use crate::reading::limits::{
-    DEEPEST_NESTING, MOST_ATTRIBUTES, MOST_ATTRIBUTES_IN_ALL, MOST_ELEMENTS, MOST_ENTITIES, MOST_EXPANDED,
-    MOST_NAMESPACES, MOST_NODES, REFERENCES_IN_A_REFERENCE,
+    MAX_ATTRIBUTES_PER_ELEMENT, MAX_ELEMENT_DEPTH, MAX_ELEMENTS, MAX_ENTITIES, MAX_EXPANDED_BYTES,
+    MAX_NAMESPACES, MAX_NESTED_REFERENCES, MAX_NODES, MAX_TOTAL_ATTRIBUTES,
 };
 use crate::reading::report::{Place, Report};
 
 /// True if the text is within the bounds; otherwise reports the excess.
 pub(crate) fn check(text: &str, report: &mut Report) -> bool {
-    let mut scan = Scan { bytes: text.as_bytes(), at: 0, ..Scan::default() };
-    match scan.run() {
+    let mut scanner = Scan { bytes: text.as_bytes(), position: 0, ..Scan::default() };
+    match scanner.scan_text() {
         Ok(()) => true,
         Err(excess) => {
-            report.error("too-complex", Place::Offset(scan.at), || excess);
+            report.error("too-complex", Place::Offset(scanner.position), || excess);
             false
         }
     }
 }
 
+/// State of the scan.
 #[derive(Default)]
 struct Scan<'t> {
     bytes: &'t [u8],
-    at: usize,
+    position: usize,
     depth: usize,
     elements: usize,
     attributes: usize,
     namespaces: usize,
     entities: usize,
-    /// Length of the longest entity value; true if an entity refers to another.
+    /// Length of the longest entity value, bytes.
     longest_entity: usize,
+    /// True if an entity refers to another.
     nested_entities: bool,
 }
 
 impl Scan<'_> {
-    fn run(&mut self) -> Result<(), String> {
+    /// Scans the whole text. An error is the text of the exceeded bound; `position` is then its place.
+    fn scan_text(&mut self) -> Result<(), String> {
         let tags = self.bytes.iter().filter(|b| **b == b'<').count();
-        if tags > MOST_NODES as usize {
-            return Err(format!("{tags} tags; at most {MOST_NODES} are read"));
+        if tags > MAX_NODES as usize {
+            return Err(format!("{tags} tags; at most {MAX_NODES} are read"));
         }
         let mut references = 0usize;
-        while let Some(&byte) = self.bytes.get(self.at) {
+        while let Some(&byte) = self.bytes.get(self.position) {
             match byte {
-                b'<' => self.markup(&mut references)?,
+                b'<' => self.scan_markup(&mut references)?,
                 b'&' => {
                     references += 1;
-                    self.at += 1;
+                    self.position += 1;
                 }
-                _ => self.at += 1,
+                _ => self.position += 1,
             }
         }
-        let inner = if self.nested_entities { REFERENCES_IN_A_REFERENCE } else { 1 };
-        let expanded = references.saturating_mul(inner).saturating_mul(self.longest_entity);
-        if self.entities > 0 && expanded > MOST_EXPANDED {
-            self.at = 0;
+        let nested = if self.nested_entities { MAX_NESTED_REFERENCES } else { 1 };
+        let expanded = references.saturating_mul(nested).saturating_mul(self.longest_entity);
+        if self.entities > 0 && expanded > MAX_EXPANDED_BYTES {
+            self.position = 0;
             return Err(
                 "the entities of the DOCTYPE could grow beyond 64 MiB when put in; write their text out"
                     .to_owned(),
@@ -66,8 +69,9 @@ impl Scan<'_> {
         Ok(())
     }
 
-    fn markup(&mut self, references: &mut usize) -> Result<(), String> {
-        let rest = &self.bytes[self.at..];
+    /// Scans the markup that begins at the current position. `references` counts the entity references.
+    fn scan_markup(&mut self, references: &mut usize) -> Result<(), String> {
+        let rest = &self.bytes[self.position..];
         if rest.starts_with(b"<!--") {
             self.skip_past(4, b"-->");
         } else if rest.starts_with(b"<![CDATA[") {
@@ -75,104 +79,105 @@ impl Scan<'_> {
         } else if rest.starts_with(b"<?") {
             self.skip_past(2, b"?>");
         } else if rest.starts_with(b"<!DOCTYPE") {
-            self.doctype()?;
+            self.scan_doctype()?;
         } else if rest.starts_with(b"</") {
             self.depth = self.depth.saturating_sub(1);
-            self.at += 2;
+            self.position += 2;
         } else {
-            self.tag(references)?;
+            self.scan_tag(references)?;
         }
         Ok(())
     }
 
-    /// Advances past `end`, searched from `lead` bytes after the current position.
-    fn skip_past(&mut self, lead: usize, end: &[u8]) {
-        let from = (self.at + lead).min(self.bytes.len());
-        let found = self.bytes[from..].windows(end.len()).position(|w| w == end);
-        self.at = found.map_or(self.bytes.len(), |i| from + i + end.len());
+    /// Advances past `end`, searched from `opening_length` bytes after the current position.
+    fn skip_past(&mut self, opening_length: usize, end: &[u8]) {
+        let from = (self.position + opening_length).min(self.bytes.len());
+        let offset = self.bytes[from..].windows(end.len()).position(|w| w == end);
+        self.position = offset.map_or(self.bytes.len(), |i| from + i + end.len());
     }
 
     /// Advances past the closing quote of the value at the current position. Returns the byte range of the value.
-    fn quoted(&mut self) -> std::ops::Range<usize> {
-        let quote = self.bytes[self.at];
-        let start = self.at + 1;
+    fn skip_quoted(&mut self) -> std::ops::Range<usize> {
+        let quote = self.bytes[self.position];
+        let start = self.position + 1;
         let length = self.bytes[start..].iter().position(|b| *b == quote);
         let end = length.map_or(self.bytes.len(), |n| start + n);
-        self.at = (end + 1).min(self.bytes.len());
+        self.position = (end + 1).min(self.bytes.len());
         start..end
     }
 
-    fn tag(&mut self, references: &mut usize) -> Result<(), String> {
-        let start = self.at;
+    /// Scans an opening tag with its attributes and updates the counts.
+    fn scan_tag(&mut self, references: &mut usize) -> Result<(), String> {
+        let start = self.position;
         let mut attributes = 0;
         let mut empty = false;
-        self.at += 1;
-        while let Some(&byte) = self.bytes.get(self.at) {
+        self.position += 1;
+        while let Some(&byte) = self.bytes.get(self.position) {
             match byte {
                 b'>' => {
-                    empty = self.bytes[self.at - 1] == b'/';
-                    self.at += 1;
+                    empty = self.bytes[self.position - 1] == b'/';
+                    self.position += 1;
                     break;
                 }
                 b'"' | b'\'' => {
-                    let value = self.quoted();
+                    let value = self.skip_quoted();
                     *references += self.bytes[value].iter().filter(|b| **b == b'&').count();
                 }
                 // Not well formed; the parser reports an error.
                 b'<' => break,
                 b'=' => {
                     attributes += 1;
-                    self.at += 1;
+                    self.position += 1;
                 }
-                b'x' if self.bytes[self.at..].starts_with(b"xmlns") => {
+                b'x' if self.bytes[self.position..].starts_with(b"xmlns") => {
                     self.namespaces += 1;
-                    self.at += 5;
+                    self.position += 5;
                 }
-                _ => self.at += 1,
+                _ => self.position += 1,
             }
         }
-        let end = std::mem::replace(&mut self.at, start);
+        let end = std::mem::replace(&mut self.position, start);
         self.elements += 1;
         self.attributes += attributes;
         if !empty {
             self.depth += 1;
         }
-        if self.depth > DEEPEST_NESTING {
-            return Err(format!("elements are nested deeper than {DEEPEST_NESTING} levels"));
+        if self.depth > MAX_ELEMENT_DEPTH {
+            return Err(format!("elements are nested deeper than {MAX_ELEMENT_DEPTH} levels"));
         }
-        if self.elements > MOST_ELEMENTS {
-            return Err(format!("more than {MOST_ELEMENTS} elements"));
+        if self.elements > MAX_ELEMENTS {
+            return Err(format!("more than {MAX_ELEMENTS} elements"));
         }
-        if attributes > MOST_ATTRIBUTES {
-            return Err(format!("an element has more than {MOST_ATTRIBUTES} attributes"));
+        if attributes > MAX_ATTRIBUTES_PER_ELEMENT {
+            return Err(format!("an element has more than {MAX_ATTRIBUTES_PER_ELEMENT} attributes"));
         }
-        if self.attributes > MOST_ATTRIBUTES_IN_ALL {
-            return Err(format!("more than {MOST_ATTRIBUTES_IN_ALL} attributes"));
+        if self.attributes > MAX_TOTAL_ATTRIBUTES {
+            return Err(format!("more than {MAX_TOTAL_ATTRIBUTES} attributes"));
         }
-        if self.namespaces > MOST_NAMESPACES {
-            return Err(format!("more than {MOST_NAMESPACES} declarations of namespaces"));
+        if self.namespaces > MAX_NAMESPACES {
+            return Err(format!("more than {MAX_NAMESPACES} declarations of namespaces"));
         }
-        self.at = end;
+        self.position = end;
         Ok(())
     }
 
     /// Scans the document type declaration with its entities.
-    fn doctype(&mut self) -> Result<(), String> {
+    fn scan_doctype(&mut self) -> Result<(), String> {
         let mut in_entity = false;
-        let mut inside = false;
-        self.at += 9;
-        while let Some(&byte) = self.bytes.get(self.at) {
-            let rest = &self.bytes[self.at..];
+        let mut in_subset = false;
+        self.position += 9;
+        while let Some(&byte) = self.bytes.get(self.position) {
+            let rest = &self.bytes[self.position..];
             match byte {
                 // As in the parser: quotes count in an entity and before the internal subset, not in other
                 // declarations.
-                b'"' | b'\'' if in_entity || !inside => {
-                    let start = self.at;
-                    let value = self.quoted();
+                b'"' | b'\'' if in_entity || !in_subset => {
+                    let start = self.position;
+                    let value = self.skip_quoted();
                     let value = &self.bytes[value];
                     if in_entity {
                         if value.contains(&b'<') {
-                            self.at = start;
+                            self.position = start;
                             return Err(
                                 "an entity holds tags; only entities that stand for text are read".to_owned()
                             );
@@ -186,25 +191,25 @@ impl Scan<'_> {
                 b'<' if rest.starts_with(b"<!ENTITY") => {
                     in_entity = true;
                     self.entities += 1;
-                    if self.entities > MOST_ENTITIES {
-                        return Err(format!("more than {MOST_ENTITIES} entities"));
+                    if self.entities > MAX_ENTITIES {
+                        return Err(format!("more than {MAX_ENTITIES} entities"));
                     }
-                    self.at += 8;
+                    self.position += 8;
                 }
-                b'<' if inside => self.skip_past(1, b">"),
-                b'>' if inside => {
+                b'<' if in_subset => self.skip_past(1, b">"),
+                b'>' if in_subset => {
                     in_entity = false;
-                    self.at += 1;
+                    self.position += 1;
                 }
                 b'>' => {
-                    self.at += 1;
+                    self.position += 1;
                     break;
                 }
                 b'[' | b']' => {
-                    inside = byte == b'[';
-                    self.at += 1;
+                    in_subset = byte == b'[';
+                    self.position += 1;
                 }
-                _ => self.at += 1,
+                _ => self.position += 1,
             }
         }
         Ok(())

@@ -1,7 +1,7 @@
 //! Collection of findings while a file is read: bounded in number, with positions computed at the end.
 
 use crate::Diagnostic;
-use crate::reading::limits::{FARTHEST_COLUMN, LONGEST_SHOWN, MOST_FINDINGS, MOST_KINDS};
+use crate::reading::limits::{MAX_COLUMN_OFFSET, MAX_QUOTED_CHARACTERS, MAX_REPEATED_KINDS, MOST_FINDINGS};
 use percuss_mechanism::Severity;
 use roxmltree::Node;
 use std::collections::HashMap;
@@ -19,6 +19,7 @@ pub enum Place<'a, 'i> {
     Attribute(Node<'a, 'i>, &'a str),
 }
 
+/// Finding with its position as a byte offset.
 struct Item {
     severity: Severity,
     code: &'static str,
@@ -32,12 +33,14 @@ struct Item {
 #[derive(Default)]
 pub struct Report {
     items: Vec<Item>,
+    /// Number of findings per severity, including those beyond the limit.
     counts: [usize; 3],
-    folded: HashMap<(&'static str, String), Option<usize>>,
+    /// Index in `items` per code and kind; `None` beyond the limit.
+    once: HashMap<(&'static str, String), Option<usize>>,
     is_xacro: bool,
 }
 
-fn rank(severity: Severity) -> usize {
+fn severity_index(severity: Severity) -> usize {
     match severity {
         Severity::Error => 0,
         Severity::Warning => 1,
@@ -54,8 +57,8 @@ impl Report {
         place: Place<'_, '_>,
         message: impl FnOnce() -> String,
     ) {
-        self.counts[rank(severity)] += 1;
-        if self.counts[rank(severity)] > MOST_FINDINGS {
+        self.counts[severity_index(severity)] += 1;
+        if self.counts[severity_index(severity)] > MOST_FINDINGS {
             return;
         }
         let (offset, element) = match place {
@@ -85,8 +88,8 @@ impl Report {
         self.add(Severity::Note, code, place, message);
     }
 
-    /// Adds a finding once per `kind`; repetitions are counted.
-    pub(crate) fn fold(
+    /// Adds a finding once per code and `kind`; repetitions are counted.
+    pub(crate) fn add_once(
         &mut self,
         severity: Severity,
         code: &'static str,
@@ -94,7 +97,7 @@ impl Report {
         place: Place<'_, '_>,
         message: impl FnOnce() -> String,
     ) {
-        if let Some(first) = self.folded.get(&(code, kind.clone())) {
+        if let Some(first) = self.once.get(&(code, kind.clone())) {
             if let Some(item) = first {
                 self.items[*item].repeats += 1;
             }
@@ -102,17 +105,17 @@ impl Report {
         }
         let before = self.items.len();
         self.add(severity, code, place, message);
-        if self.folded.len() < MOST_KINDS {
-            let told = self.items.len() > before;
-            self.folded.insert((code, kind), told.then_some(before));
+        if self.once.len() < MAX_REPEATED_KINDS {
+            let is_listed = self.items.len() > before;
+            self.once.insert((code, kind), is_listed.then_some(before));
         }
     }
 
-    /// Adds the error for a xacro file, at most once.
-    pub(crate) fn xacro(&mut self, place: Place<'_, '_>, sign: &str) {
+    /// Adds the error for a xacro file, at most once. `evidence`: xacro syntax in the file.
+    pub(crate) fn add_xacro_error(&mut self, place: Place<'_, '_>, evidence: &str) {
         let message = || {
             format!(
-                "this is a xacro file, not yet a URDF (it has {sign}): run \"xacro FILE.xacro > FILE.urdf\" and \
+                "this is a xacro file, not yet a URDF (it has {evidence}): run \"xacro FILE.xacro > FILE.urdf\" and \
                  load the result"
             )
         };
@@ -128,16 +131,16 @@ impl Report {
 
     /// True if an error was added.
     pub fn has_errors(&self) -> bool {
-        self.counts[rank(Severity::Error)] > 0
+        self.counts[severity_index(Severity::Error)] > 0
     }
 
     /// Returns all findings in the order of the file, findings without a position first.
     pub fn finish(mut self, path: &str, text: &str) -> Vec<Diagnostic> {
         self.items.sort_by_key(|item| item.offset);
-        let mut places = Places { text: text.as_bytes(), at: 0, line: 1, line_start: 0 };
+        let mut line_counter = LineCounter { text: text.as_bytes(), position: 0, line: 1, line_start: 0 };
         let mut diagnostics: Vec<Diagnostic> = Vec::with_capacity(self.items.len() + 3);
         for item in self.items {
-            let place = item.offset.map(|offset| places.of(offset));
+            let place = item.offset.map(|offset| line_counter.advance_to(offset));
             let mut message = item.message;
             if item.repeats > 0 {
                 message.push_str(&format!(" ({} more like it)", item.repeats));
@@ -153,8 +156,8 @@ impl Report {
             });
         }
         for severity in [Severity::Error, Severity::Warning, Severity::Note] {
-            let more = self.counts[rank(severity)].saturating_sub(MOST_FINDINGS);
-            if more > 0 {
+            let omitted = self.counts[severity_index(severity)].saturating_sub(MOST_FINDINGS);
+            if omitted > 0 {
                 diagnostics.push(Diagnostic {
                     severity,
                     code: "and-more",
@@ -162,7 +165,7 @@ impl Report {
                     line: None,
                     column: None,
                     element: None,
-                    message: format!("and {more} more {}s", severity.name()),
+                    message: format!("and {omitted} more {}s", severity.name()),
                 });
             }
         }
@@ -171,27 +174,28 @@ impl Report {
 }
 
 /// Converts ascending byte offsets to lines and columns in one pass over the text.
-struct Places<'t> {
+struct LineCounter<'t> {
     text: &'t [u8],
-    at: usize,
+    position: usize,
     line: u32,
     line_start: usize,
 }
 
-impl Places<'_> {
-    fn of(&mut self, offset: usize) -> (u32, Option<u32>) {
+impl LineCounter<'_> {
+    /// Line and column of a byte offset, both from 1; `None` for a column far into a line. Offsets must not decrease.
+    fn advance_to(&mut self, offset: usize) -> (u32, Option<u32>) {
         let offset = offset.min(self.text.len());
-        while self.at < offset {
-            if self.text[self.at] == b'\n' {
+        while self.position < offset {
+            if self.text[self.position] == b'\n' {
                 self.line = self.line.saturating_add(1);
-                self.line_start = self.at + 1;
+                self.line_start = self.position + 1;
             }
-            self.at += 1;
+            self.position += 1;
         }
         let before = &self.text[self.line_start..offset.max(self.line_start)];
         // Counts the bytes that begin a UTF-8 character.
         let column = || before.iter().filter(|b| **b & 0xC0 != 0x80).count() as u32 + 1;
-        (self.line, (before.len() <= FARTHEST_COLUMN).then(column))
+        (self.line, (before.len() <= MAX_COLUMN_OFFSET).then(column))
     }
 }
 
@@ -214,14 +218,14 @@ fn path_of(node: Node<'_, '_>) -> String {
     steps.join("/")
 }
 
-/// Text in quotes on one line, truncated to `LONGEST_SHOWN` characters.
+/// Text in quotes on one line, truncated to `MAX_QUOTED_CHARACTERS` characters.
 pub fn quoted(text: &str) -> String {
     format!("\"{}\"", shortened(text))
 }
 
-/// Text on one line, truncated to `LONGEST_SHOWN` characters.
+/// Text on one line, truncated to `MAX_QUOTED_CHARACTERS` characters.
 pub fn shortened(text: &str) -> String {
-    cut(text, LONGEST_SHOWN)
+    cut(text, MAX_QUOTED_CHARACTERS)
 }
 
 /// Text on one line, truncated to `longest` characters.

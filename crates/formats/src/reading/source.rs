@@ -27,7 +27,7 @@ impl Source {
         let bytes = if path == "-" {
             read_bounded(io::stdin().lock(), max_size)
         } else {
-            open(path).and_then(|file| read_bounded(file, max_size))
+            open_file(path).and_then(|file| read_bounded(file, max_size))
         };
         let refuse = |code, message: String| Err(LoadError::of_file(name, code, message));
         match bytes {
@@ -97,7 +97,8 @@ impl Source {
     }
 }
 
-fn open(path: &str) -> io::Result<File> {
+/// Opens a file; a directory is an error on every operating system.
+fn open_file(path: &str) -> io::Result<File> {
     let file = File::open(path);
     // Opening a directory fails on Windows; on other systems only reading fails.
     if std::fs::metadata(path).is_ok_and(|found| found.is_dir()) {
@@ -106,6 +107,7 @@ fn open(path: &str) -> io::Result<File> {
     file
 }
 
+/// Reads at most `max_size` + 1 bytes: the last byte shows that the limit is exceeded.
 fn read_bounded(reader: impl Read, max_size: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     reader.take(max_size.saturating_add(1)).read_to_end(&mut bytes)?;

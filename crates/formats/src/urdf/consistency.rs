@@ -18,17 +18,17 @@ pub(crate) fn check<'a, 'i: 'a>(
     report: &mut Report,
 ) {
     let joints = &mut texts.joints;
-    let joint_index = references::index(joints.iter().map(|j| j.name));
-    transmission::of_transmissions(robot, joints, &joint_index, report);
+    let joint_index = references::index_by_name(joints.iter().map(|j| j.name));
+    transmission::add_transmission_armatures(robot, joints, &joint_index, report);
     for (joint, node) in joints.iter_mut().zip(&nodes.joints) {
-        transmission::drop_from_fixed(joint, *node, report);
+        transmission::drop_fixed_joint_armature(joint, *node, report);
     }
     let mut suggestions = Suggestions::new();
     references::check(&texts.links, joints, &nodes.joints, &joint_index, &mut suggestions, report);
     let second = second_parents(&texts.joints);
-    Loops { texts, nodes, second: &second }.check(&mut suggestions, report);
+    Loops { texts, nodes, is_second_parent: &second }.check(&mut suggestions, report);
     if texts.closures.is_empty() && texts.couplings.is_empty() && !second.contains(&true) {
         let joints = texts.joints.iter().zip(&nodes.joints);
-        joints.for_each(|(joint, node)| joint::unbound(joint, *node, report));
+        joints.for_each(|(joint, node)| joint::warn_if_unbound(joint, *node, report));
     }
 }

@@ -7,7 +7,7 @@ use crate::urdf::consistency;
 use crate::urdf::elements::dialect::ROBOT;
 use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::elements::shape::{Shape, shapes};
-use crate::urdf::elements::survey::{macros, survey};
+use crate::urdf::elements::survey::{check_element, report_xacro_elements};
 use crate::urdf::standard;
 use crate::urdf::texts::Texts;
 use crate::{DEFAULT_MAX_SIZE, Diagnostic, LoadError, Source};
@@ -46,7 +46,7 @@ pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError>
     let Some(text) = source.text(&mut report) else {
         return Err(LoadError { diagnostics: report.finish(&source.name, "") });
     };
-    let mechanism = read(text, options, &mut report);
+    let mechanism = build(text, options, &mut report);
     let failed = report.has_errors();
     let diagnostics = report.finish(&source.name, text);
     match mechanism {
@@ -64,15 +64,16 @@ pub fn load_file(path: &str) -> Result<Loaded, LoadError> {
     load(&Source::read(path, DEFAULT_MAX_SIZE)?, &LoadOptions::default())
 }
 
-fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mechanism, Vec<Vec<Shape>>)> {
+/// Builds the mechanism and the shapes of all links; `None` after an error in the report.
+fn build(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mechanism, Vec<Vec<Shape>>)> {
     if !prescan::check(text, report) {
         return None;
     }
-    let parsing = ParsingOptions { allow_dtd: true, nodes_limit: limits::MOST_NODES, entity_resolver: None };
+    let parsing = ParsingOptions { allow_dtd: true, nodes_limit: limits::MAX_NODES, entity_resolver: None };
     let document = match Document::parse_with_options(text, parsing) {
         Ok(document) => document,
         Err(error) => {
-            ill_formed(text, &error, report);
+            report_parse_error(text, &error, report);
             return None;
         }
     };
@@ -80,14 +81,14 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mecha
     if !is_robot(robot, report) {
         return None;
     }
-    macros(robot, report);
-    survey(robot, &ROBOT, report);
-    header(robot, report);
+    report_xacro_elements(robot, report);
+    check_element(robot, &ROBOT, report);
+    check_robot_attributes(robot, report);
     if report.is_xacro() {
         return None;
     }
-    let nodes = Nodes::of(robot, report);
-    if !nodes.are_bounded(robot, report) {
+    let nodes = Nodes::collect(robot, report);
+    if !nodes.check_counts(robot, report) {
         return None;
     }
     let mut texts = Texts::read(&nodes, report);
@@ -112,12 +113,13 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mecha
     };
     let known = known_warnings(&document);
     for (subject, problem) in findings {
-        let said = matches!(&subject, Subject::Link { name, .. } if known.contains(&(problem.code(), name)));
+        let is_known =
+            matches!(&subject, Subject::Link { name, .. } if known.contains(&(problem.code(), name)));
         let severity = match problem.severity() {
-            Severity::Warning if said => Severity::Note,
+            Severity::Warning if is_known => Severity::Note,
             severity => severity,
         };
-        report.add(severity, problem.code(), nodes.place(robot, &subject, &problem), || problem.to_string());
+        report.add(severity, problem.code(), nodes.locate(robot, &subject, &problem), || problem.to_string());
     }
     let shapes = nodes.links.iter().map(|link| shapes(*link)).collect();
     mechanism.map(|mechanism| (mechanism, shapes))
@@ -137,21 +139,21 @@ fn known_warnings<'a>(document: &'a Document<'_>) -> HashSet<(&'a str, &'a str)>
 }
 
 /// Reports text that is not well-formed XML.
-fn ill_formed(text: &str, error: &roxmltree::Error, report: &mut Report) {
+fn report_parse_error(text: &str, error: &roxmltree::Error, report: &mut Report) {
     use roxmltree::Error;
-    let at = error.pos();
+    let position = error.pos();
     let place = match error {
         Error::UnclosedRootNode | Error::UnexpectedEndOfStream => Place::Offset(text.len()),
-        _ => Place::Offset(offset_of(text, at.row, at.col)),
+        _ => Place::Offset(offset_of(text, position.row, position.col)),
     };
     let remedy = match error {
         Error::UnknownNamespace(prefix, _) if prefix == "xacro" => {
-            report.xacro(place, "the prefix \"xacro:\"");
+            report.add_xacro_error(place, "the prefix \"xacro:\"");
             return;
         }
         Error::NodesLimitReached => {
             report.error("too-complex", Place::File, || {
-                format!("more than {} elements, comments and stretches of text", limits::MOST_NODES)
+                format!("more than {} elements, comments and stretches of text", limits::MAX_NODES)
             });
             return;
         }
@@ -166,9 +168,9 @@ fn ill_formed(text: &str, error: &roxmltree::Error, report: &mut Report) {
         _ => String::new(),
     };
     // The parser's message repeats the position.
-    let message = error.to_string().replace(&format!(" at {}:{}", at.row, at.col), "");
+    let message = error.to_string().replace(&format!(" at {}:{}", position.row, position.col), "");
     report.error("not-xml", place, || {
-        format!("not well-formed XML: {}{remedy}", cut(&message, limits::LONGEST_PARSER_MESSAGE))
+        format!("not well-formed XML: {}{remedy}", cut(&message, limits::MAX_PARSER_MESSAGE))
     });
 }
 
@@ -183,7 +185,7 @@ fn offset_of(text: &str, row: u32, column: u32) -> usize {
 /// True if the root element is that of a URDF; otherwise reports the probable kind of the file.
 fn is_robot(root: Node<'_, '_>, report: &mut Report) -> bool {
     let name = root.tag_name().name();
-    let what = match name {
+    let remark = match name {
         "robot" => return true,
         "sdf" | "gazebo" => {
             "this is an SDF file (Gazebo's), which is not read; `sdf2urdf` of sdformat_tools converts what URDF can hold"
@@ -200,13 +202,13 @@ fn is_robot(root: Node<'_, '_>, report: &mut Report) -> bool {
         _ => "a URDF's root is <robot>",
     };
     report.error("wrong-root", Place::Element(root), || {
-        format!("the root element is <{}>: {what}", shortened(name))
+        format!("the root element is <{}>: {remark}", shortened(name))
     });
     false
 }
 
 /// Checks the attributes of `<robot>`.
-fn header(robot: Node<'_, '_>, report: &mut Report) {
+fn check_robot_attributes(robot: Node<'_, '_>, report: &mut Report) {
     if robot.attribute("name").is_none() {
         report.note("unnamed-robot", Place::Element(robot), || "<robot> has no name".to_owned());
     }

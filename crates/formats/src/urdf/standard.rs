@@ -12,6 +12,7 @@ pub(crate) fn link(text: &LinkText<'_>) -> LinkDescription {
     LinkDescription { name: text.name.to_owned(), inertial, geometry: text.geometry }
 }
 
+/// Converts mass, centre of mass and inertia; the inertia is expressed in the axes of the link.
 fn inertial(text: &InertialText<'_>) -> Inertial {
     let [ixx, ixy, ixz, iyy, iyz, izz] = text.moments.map(number);
     let tensor = Matrix3::new(ixx, ixy, ixz, ixy, iyy, iyz, ixz, iyz, izz);

@@ -2,14 +2,14 @@
 
 use crate::reading::report::Report;
 use crate::urdf::elements::closure;
-use crate::urdf::elements::gazebo_joint::{DrawnFrames, Reader};
+use crate::urdf::elements::gazebo_joint::{GazeboJointReader, ZeroPoseFrames};
 use crate::urdf::elements::joint;
 use crate::urdf::elements::joint::JointText;
 use crate::urdf::elements::link;
 use crate::urdf::elements::link::LinkText;
 use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::elements::survey::is_gazebo_joint;
-use crate::urdf::references::index;
+use crate::urdf::references::index_by_name;
 use percuss_mechanism::{ClosureDescription, CouplingDescription};
 use roxmltree::Node;
 
@@ -28,9 +28,9 @@ impl<'a> Texts<'a> {
         let links: Vec<LinkText<'a>> = nodes.links.iter().map(|n| link::check(*n, report)).collect();
         let joints: Vec<JointText<'a>> = nodes.joints.iter().map(|n| joint::check(*n, report)).collect();
         let has_gazebo_joints = nodes.closures.iter().any(|n| is_gazebo_joint(*n));
-        let drawn = DrawnFrames::new(if has_gazebo_joints { &joints } else { &[] });
-        let index = index(links.iter().map(|l| l.name));
-        let reader = Reader { drawn: &drawn, links: &index };
+        let zero_pose = ZeroPoseFrames::new(if has_gazebo_joints { &joints } else { &[] });
+        let link_index = index_by_name(links.iter().map(|l| l.name));
+        let reader = GazeboJointReader { zero_pose: &zero_pose, links: &link_index };
         let closure = |node: &Node<'a, 'i>| {
             if is_gazebo_joint(*node) { reader.check(*node, report) } else { closure::check(*node, report) }
         };

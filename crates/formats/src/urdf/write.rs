@@ -1,6 +1,6 @@
 //! Writer of mechanisms as URDF+.
 
-use crate::reading::limits::DECIMAL_NUMBERS;
+use crate::reading::limits::DECIMAL_NOTATION_RANGE;
 use percuss_mechanism::{Closure, ClosureKind, Coupling, Joint, JointKind, Link, LoopFrame, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
 use std::collections::HashMap;
@@ -39,42 +39,42 @@ pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     // Some parsers accept processing instructions only before the first comment. A name that does not fit into an
     // instruction gets its warning again at loading.
-    let holds =
+    let fits_instruction =
         |name: &str| !name.contains("?>") && !name.chars().any(char::is_control) && name.trim() == name;
-    for (code, name) in comments.known.iter().filter(|(_, name)| holds(name)) {
-        put(&mut out, format_args!("<?percuss-known {code} {name}?>\n"));
+    for (code, name) in comments.known.iter().filter(|(_, name)| fits_instruction(name)) {
+        append_format(&mut out, format_args!("<?percuss-known {code} {name}?>\n"));
     }
     for line in &comments.heading {
-        put(&mut out, format_args!("<!-- {} -->\n", comment(line)));
+        append_format(&mut out, format_args!("<!-- {} -->\n", comment_text(line)));
     }
-    put(&mut out, format_args!("<robot name=\"{}\">\n", escaped(mechanism.name())));
+    append_format(&mut out, format_args!("<robot name=\"{}\">\n", escaped(mechanism.name())));
     for link in mechanism.links() {
-        put_comment(&mut out, &comments.links, link.name());
+        write_comment(&mut out, &comments.links, link.name());
         write_link(&mut out, link);
     }
     for joint in mechanism.joints() {
-        put_comment(&mut out, &comments.joints, joint.name());
+        write_comment(&mut out, &comments.joints, joint.name());
         write_joint(&mut out, mechanism, joint);
     }
     for closure in mechanism.closures() {
-        put_comment(&mut out, &comments.closures, closure.name());
+        write_comment(&mut out, &comments.closures, closure.name());
         write_closure(&mut out, mechanism, closure);
     }
     for coupling in mechanism.couplings() {
-        put_comment(&mut out, &comments.closures, coupling.name());
+        write_comment(&mut out, &comments.closures, coupling.name());
         write_coupling(&mut out, mechanism, coupling);
     }
     out.push_str("</robot>\n");
     out
 }
 
-fn put_comment(out: &mut String, comments: &HashMap<String, String>, name: &str) {
+fn write_comment(out: &mut String, comments: &HashMap<String, String>, name: &str) {
     if let Some(text) = comments.get(name) {
-        put(out, format_args!("  <!-- {} -->\n", comment(text)));
+        append_format(out, format_args!("  <!-- {} -->\n", comment_text(text)));
     }
 }
 
-fn put(out: &mut String, text: std::fmt::Arguments<'_>) {
+fn append_format(out: &mut String, text: std::fmt::Arguments<'_>) {
     // Writing to a string cannot fail.
     let _ = out.write_fmt(text);
 }
@@ -82,16 +82,16 @@ fn put(out: &mut String, text: std::fmt::Arguments<'_>) {
 fn write_link(out: &mut String, link: &Link) {
     let name = escaped(link.name());
     let Some(inertial) = link.inertial() else {
-        put(out, format_args!("  <link name=\"{name}\"/>\n"));
+        append_format(out, format_args!("  <link name=\"{name}\"/>\n"));
         return;
     };
-    put(out, format_args!("  <link name=\"{name}\">\n    <inertial>\n"));
-    put(out, format_args!("      <origin xyz=\"{}\"/>\n", triple(&inertial.com)));
-    put(out, format_args!("      <mass value=\"{}\"/>\n", number(inertial.mass)));
+    append_format(out, format_args!("  <link name=\"{name}\">\n    <inertial>\n"));
+    append_format(out, format_args!("      <origin xyz=\"{}\"/>\n", number_triple(&inertial.com)));
+    append_format(out, format_args!("      <mass value=\"{}\"/>\n", number(inertial.mass)));
     let entries = [("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz", 1, 2), ("izz", 2, 2)];
     out.push_str("      <inertia");
     for (name, row, column) in entries {
-        put(out, format_args!(" {name}=\"{}\"", number(inertial.about_com[(row, column)])));
+        append_format(out, format_args!(" {name}=\"{}\"", number(inertial.about_com[(row, column)])));
     }
     out.push_str("/>\n    </inertial>\n  </link>\n");
 }
@@ -99,17 +99,17 @@ fn write_link(out: &mut String, link: &Link) {
 fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
     let (name, kind) = (escaped(joint.name()), joint.kind());
     let link_name = |id| escaped(mechanism.link(id).name());
-    let advice = joint.independent().map(|i| format!(" independent=\"{i}\"")).unwrap_or_default();
-    put(out, format_args!("  <joint name=\"{name}\" type=\"{}\"{advice}>\n", kind.name()));
-    put(out, format_args!("    {}\n", origin(joint.origin())));
-    put(out, format_args!("    <parent link=\"{}\"/>\n", link_name(joint.parent())));
-    put(out, format_args!("    <child link=\"{}\"/>\n", link_name(joint.child())));
+    let role = joint.independent().map(|i| format!(" independent=\"{i}\"")).unwrap_or_default();
+    append_format(out, format_args!("  <joint name=\"{name}\" type=\"{}\"{role}>\n", kind.name()));
+    append_format(out, format_args!("    {}\n", origin_element(joint.origin())));
+    append_format(out, format_args!("    <parent link=\"{}\"/>\n", link_name(joint.parent())));
+    append_format(out, format_args!("    <child link=\"{}\"/>\n", link_name(joint.child())));
     if kind.has_axis() {
-        put(out, format_args!("    <axis xyz=\"{}\"/>\n", triple(joint.axis())));
+        append_format(out, format_args!("    <axis xyz=\"{}\"/>\n", number_triple(joint.axis())));
     }
     if let Some(limits) = joint.limits() {
         let (lower, upper) = (number(limits.lower), number(limits.upper));
-        put(
+        append_format(
             out,
             format_args!("    <limit lower=\"{lower}\" upper=\"{upper}\" effort=\"0\" velocity=\"0\"/>\n"),
         );
@@ -118,12 +118,12 @@ fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
     }
     if joint.armature().iter().any(|a| *a != 0.0) {
         let values: Vec<String> = joint.armature().iter().map(|a| number(*a)).collect();
-        put(out, format_args!("    <dynamics armature=\"{}\"/>\n", values.join(" ")));
+        append_format(out, format_args!("    <dynamics armature=\"{}\"/>\n", values.join(" ")));
     }
     if let Some(mimic) = joint.mimic() {
         let master = escaped(mechanism.joint(mimic.master).name());
         let (multiplier, offset) = (number(mimic.multiplier), number(mimic.offset));
-        put(
+        append_format(
             out,
             format_args!("    <mimic joint=\"{master}\" multiplier=\"{multiplier}\" offset=\"{offset}\"/>\n"),
         );
@@ -133,50 +133,51 @@ fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
 
 fn write_closure(out: &mut String, mechanism: &Mechanism, closure: &Closure) {
     let (name, kind) = (escaped(closure.name()), closure.kind());
-    put(out, format_args!("  <loop name=\"{name}\" type=\"{}\">\n", kind.name()));
+    append_format(out, format_args!("  <loop name=\"{name}\" type=\"{}\">\n", kind.name()));
     for (tag, end) in [("predecessor", closure.predecessor()), ("successor", closure.successor())] {
         let LoopFrame { link, frame } = end;
         let link = link.map_or("world".to_owned(), |id| escaped(mechanism.link(id).name()));
-        put(out, format_args!("    <{tag} link=\"{link}\">{}</{tag}>\n", origin(frame)));
+        append_format(out, format_args!("    <{tag} link=\"{link}\">{}</{tag}>\n", origin_element(frame)));
     }
     if kind.has_axis() {
-        put(out, format_args!("    <axis xyz=\"{}\"/>\n", triple(closure.axis())));
+        append_format(out, format_args!("    <axis xyz=\"{}\"/>\n", number_triple(closure.axis())));
     }
     if kind == ClosureKind::Universal {
-        put(out, format_args!("    <axis2 xyz=\"{}\"/>\n", triple(closure.axis2())));
+        append_format(out, format_args!("    <axis2 xyz=\"{}\"/>\n", number_triple(closure.axis2())));
     }
     if let Some(distance) = closure.distance() {
-        put(out, format_args!("    <distance value=\"{}\"/>\n", number(distance)));
+        append_format(out, format_args!("    <distance value=\"{}\"/>\n", number(distance)));
     }
     out.push_str("  </loop>\n");
 }
 
 fn write_coupling(out: &mut String, mechanism: &Mechanism, coupling: &Coupling) {
-    put(out, format_args!("  <coupling name=\"{}\">\n", escaped(coupling.name())));
+    append_format(out, format_args!("  <coupling name=\"{}\">\n", escaped(coupling.name())));
     for (tag, link) in [("predecessor", coupling.predecessor()), ("successor", coupling.successor())] {
-        put(out, format_args!("    <{tag} link=\"{}\"/>\n", escaped(mechanism.link(link).name())));
+        append_format(out, format_args!("    <{tag} link=\"{}\"/>\n", escaped(mechanism.link(link).name())));
     }
-    put(out, format_args!("    <ratio value=\"{}\"/>\n  </coupling>\n", number(coupling.ratio())));
+    append_format(out, format_args!("    <ratio value=\"{}\"/>\n  </coupling>\n", number(coupling.ratio())));
 }
 
-fn origin(frame: &Transform<f64>) -> String {
-    let xyz = triple(&frame.translation);
+/// `<origin>` of a frame; without `rpy` for the identity.
+fn origin_element(frame: &Transform<f64>) -> String {
+    let xyz = number_triple(&frame.translation);
     if frame.rotation == Matrix3::identity() {
         return format!("<origin xyz=\"{xyz}\"/>");
     }
     // Adding 0 turns −0 into 0.
-    let rpy = triple(&Vector3::from(rpy_from_rotation(&frame.rotation).map(|angle| angle + 0.0)));
+    let rpy = number_triple(&Vector3::from(rpy_from_rotation(&frame.rotation).map(|angle| angle + 0.0)));
     format!("<origin xyz=\"{xyz}\" rpy=\"{rpy}\"/>")
 }
 
-fn triple(v: &Vector3<f64>) -> String {
+fn number_triple(v: &Vector3<f64>) -> String {
     format!("{} {} {}", number(v.x), number(v.y), number(v.z))
 }
 
 /// Shortest decimal that reads back as the same bits; in exponent notation for very small and very large numbers.
 fn number(x: f64) -> String {
     let size = x.abs();
-    if x == 0.0 || DECIMAL_NUMBERS.contains(&size) { format!("{x}") } else { format!("{x:e}") }
+    if x == 0.0 || DECIMAL_NOTATION_RANGE.contains(&size) { format!("{x}") } else { format!("{x:e}") }
 }
 
 /// Escapes text for an attribute in double quotes. Characters forbidden in XML 1.0 become U+FFFD.
@@ -199,7 +200,7 @@ fn escaped(text: &str) -> String {
 }
 
 /// Converts text for an XML comment: on one line and without `--`.
-fn comment(text: &str) -> String {
+fn comment_text(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.trim().chars() {
         match c {

@@ -1,6 +1,6 @@
 //! Parser for one level of JSON at a time. Values remain slices of the text, so their positions are known.
 
-use crate::limits::MOST_KEYS;
+use crate::limits::MAX_KEYS;
 use serde::de::{Deserialize, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 use std::fmt;
@@ -23,7 +23,7 @@ impl<'de: 't, 't> Deserialize<'de> for Object<'t> {
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Object<'de>, A::Error> {
                 let mut entries = Vec::new();
                 while let Some(key) = map.next_key::<String>()? {
-                    if entries.len() == MOST_KEYS {
+                    if entries.len() == MAX_KEYS {
                         map.next_value::<IgnoredAny>()?;
                         while map.next_entry::<IgnoredAny, IgnoredAny>()?.is_some() {}
                         return Ok(Object { entries, too_many: true });

@@ -4,7 +4,7 @@ use super::super::findings::{Findings, Spot};
 use super::super::text::offset_of;
 use super::super::units::{Frame, check_size};
 use super::json::{Array, Object};
-use crate::limits::MOST_KEYS;
+use crate::limits::MAX_KEYS;
 use percuss_formats::Diagnostic;
 use percuss_formats::reading::{quoted, shortened};
 use percuss_mechanism::near_names;
@@ -33,7 +33,7 @@ impl Section<'_> {
 
 /// Reads values and collects findings.
 pub(in super::super) struct Reader<'t> {
-    clean: &'t str,
+    text: &'t str,
     findings: Findings,
     /// Unit and axes of the file.
     pub frame: Frame,
@@ -57,26 +57,26 @@ impl DerefMut for Reader<'_> {
 }
 
 impl<'t> Reader<'t> {
-    /// Creates a reader of a text with blanked comments.
-    pub fn new(clean: &'t str, frame: Frame) -> Self {
-        Self { clean, findings: Findings::default(), frame, farthest: None, products: None }
+    /// Creates a reader of JSON text without comments.
+    pub fn new(text: &'t str, frame: Frame) -> Self {
+        Self { text, findings: Findings::default(), frame, farthest: None, products: None }
     }
 
     /// Returns all findings in the order of the file, findings without a position first.
     pub fn finish(self, path: &str) -> Vec<Diagnostic> {
-        self.findings.finish(&[(path, self.clean)])
+        self.findings.finish(&[(path, self.text)])
     }
 
     /// Parses the whole file as an object; `None` after an error for invalid JSON.
     pub fn root(&mut self) -> Option<Section<'t>> {
-        match serde_json::from_str::<Object<'t>>(self.clean) {
-            Ok(object) => Some(self.checked(Spot::default(), object)),
+        match serde_json::from_str::<Object<'t>>(self.text) {
+            Ok(object) => Some(self.section_of(Spot::default(), object)),
             Err(error) => {
-                let at = offset_of(self.clean, error.line(), error.column());
+                let at = offset_of(self.text, error.line(), error.column());
                 let full = error.to_string();
                 // The parser's message repeats the position; only the part before it is used.
                 let message = full.split(" at line ").next().unwrap_or(&full);
-                let hint = if self.clean.trim_ascii_start().starts_with('<') {
+                let hint = if self.text.trim_ascii_start().starts_with('<') {
                     ": this is XML; a suspension file of Chrono::Vehicle is JSON"
                 } else if error.is_eof() {
                     ": the file ends too early; was it cut off?"
@@ -90,9 +90,10 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn checked(&mut self, spot: Spot, object: Object<'t>) -> Section<'t> {
+    /// Converts an object to a section; too many keys and repeated keys are errors.
+    fn section_of(&mut self, spot: Spot, object: Object<'t>) -> Section<'t> {
         if object.too_many {
-            self.error("too-complex", &spot, format!("more than {MOST_KEYS} keys in one object"));
+            self.error("too-complex", &spot, format!("more than {MAX_KEYS} keys in one object"));
         }
         let mut entries: Vec<Entry<'t>> = Vec::with_capacity(object.entries.len());
         for (key, value) in object.entries {
@@ -118,9 +119,10 @@ impl<'t> Reader<'t> {
 
     /// Byte offset of a value, which is a slice of the text.
     fn offset(&self, value: &RawValue) -> usize {
-        (value.get().as_ptr() as usize).wrapping_sub(self.clean.as_ptr() as usize)
+        (value.get().as_ptr() as usize).wrapping_sub(self.text.as_ptr() as usize)
     }
 
+    /// Value of a key; marks the key as read.
     fn optional(&mut self, section: &mut Section<'t>, key: &str) -> Option<(&'t RawValue, Spot)> {
         let entry = section.entries.as_mut()?.iter_mut().find(|e| e.key == key)?;
         entry.used = true;
@@ -128,6 +130,7 @@ impl<'t> Reader<'t> {
         Some((value, self.spot(&section.spot, key, Some(value))))
     }
 
+    /// As `optional`, but a missing key is an error.
     fn required(
         &mut self,
         section: &mut Section<'t>,
@@ -148,7 +151,7 @@ impl<'t> Reader<'t> {
         found
     }
 
-    fn wrong_type(&mut self, spot: &Spot, value: &RawValue, expected: &str) {
+    fn report_wrong_type(&mut self, spot: &Spot, value: &RawValue, expected: &str) {
         let got = match value.get().as_bytes().first() {
             Some(b'{') => "an object",
             Some(b'[') => "an array",
@@ -165,17 +168,17 @@ impl<'t> Reader<'t> {
         let absent = Section { spot: self.spot(&parent.spot, key, None), entries: None };
         let Some((value, spot)) = self.required(parent, key, "an object") else { return absent };
         match serde_json::from_str::<Object<'t>>(value.get()) {
-            Ok(object) => self.checked(spot, object),
+            Ok(object) => self.section_of(spot, object),
             Err(_) => {
-                self.wrong_type(&spot, value, "an object");
+                self.report_wrong_type(&spot, value, "an object");
                 absent
             }
         }
     }
 
-    /// Warns about keys that were not read, except those in `passed_over`.
-    pub fn close(&mut self, section: Section<'t>, passed_over: &[&str]) {
-        let unknown = section.entries.iter().flatten().filter(|e| !e.used && !passed_over.contains(&&*e.key));
+    /// Warns about keys of a section that were not read, except those in `ignored`.
+    pub fn warn_unread_keys(&mut self, section: Section<'t>, ignored: &[&str]) {
+        let unknown = section.entries.iter().flatten().filter(|e| !e.used && !ignored.contains(&&*e.key));
         for entry in unknown {
             let spot = self.spot(&section.spot, &entry.key, Some(entry.value));
             if entry.key.starts_with("Bushing Data") {
@@ -193,7 +196,7 @@ impl<'t> Reader<'t> {
         match serde_json::from_str(value.get()) {
             Ok(text) => Some((text, spot)),
             Err(_) => {
-                self.wrong_type(&spot, value, "a string");
+                self.report_wrong_type(&spot, value, "a string");
                 None
             }
         }
@@ -206,7 +209,7 @@ impl<'t> Reader<'t> {
             "true" => true,
             "false" => false,
             _ => {
-                self.wrong_type(&spot, value, "true or false");
+                self.report_wrong_type(&spot, value, "true or false");
                 false
             }
         }
@@ -215,7 +218,7 @@ impl<'t> Reader<'t> {
     /// Reads a mandatory number; `expected` names the quantity with its unit.
     pub fn number(&mut self, section: &mut Section<'t>, key: &str, expected: &str) -> f64 {
         match self.required(section, key, expected) {
-            Some((value, spot)) => self.finite(value, &spot, expected),
+            Some((value, spot)) => self.parse_number(value, &spot, expected),
             None => 0.0,
         }
     }
@@ -223,13 +226,13 @@ impl<'t> Reader<'t> {
     /// Reads a number; 0 if absent.
     pub fn number_or_zero(&mut self, section: &mut Section<'t>, key: &str, expected: &str) -> f64 {
         match self.optional(section, key) {
-            Some((value, spot)) => self.finite(value, &spot, expected),
+            Some((value, spot)) => self.parse_number(value, &spot, expected),
             None => 0.0,
         }
     }
 
     /// Parses a number with the standard library: serde_json may be wrong in the last digit.
-    fn finite(&mut self, value: &RawValue, spot: &Spot, expected: &str) -> f64 {
+    fn parse_number(&mut self, value: &RawValue, spot: &Spot, expected: &str) -> f64 {
         let is_number = value.get().starts_with(|c: char| c == '-' || c.is_ascii_digit());
         match value.get().parse::<f64>() {
             Ok(number) if is_number && number.is_finite() => number,
@@ -239,7 +242,7 @@ impl<'t> Reader<'t> {
                 0.0
             }
             Ok(_) | Err(_) => {
-                self.wrong_type(spot, value, expected);
+                self.report_wrong_type(spot, value, expected);
                 0.0
             }
         }
@@ -249,25 +252,25 @@ impl<'t> Reader<'t> {
     pub fn triple(&mut self, section: &mut Section<'t>, key: &str, expected: &str) -> Vector3<f64> {
         let Some((value, spot)) = self.required(section, key, expected) else { return Vector3::zeros() };
         let Ok(array) = serde_json::from_str::<Array<'t>>(value.get()) else {
-            self.wrong_type(&spot, value, expected);
+            self.report_wrong_type(&spot, value, expected);
             return Vector3::zeros();
         };
         let [Some(x), Some(y), Some(z)] = array.first else {
-            self.wrong_length(&spot, array.length, expected);
+            self.report_wrong_length(&spot, array.length, expected);
             return Vector3::zeros();
         };
         if array.length != 3 {
-            self.wrong_length(&spot, array.length, expected);
+            self.report_wrong_length(&spot, array.length, expected);
         }
         let mut entry = |i: usize, value: &'t RawValue| {
             let path = Some(format!("{}[{i}]", spot.label()));
             let spot = Spot { path, at: Some(self.offset(value)), file: 0 };
-            self.finite(value, &spot, "a number")
+            self.parse_number(value, &spot, "a number")
         };
         Vector3::new(entry(0, x), entry(1, y), entry(2, z))
     }
 
-    fn wrong_length(&mut self, spot: &Spot, length: usize, expected: &str) {
+    fn report_wrong_length(&mut self, spot: &Spot, length: usize, expected: &str) {
         self.error("wrong-length", spot, format!("an array of {length}; {expected} is expected"));
     }
 

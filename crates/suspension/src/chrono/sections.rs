@@ -11,7 +11,7 @@ use super::template::Notation;
 use percuss_spatial::{Matrix3, Vector3};
 
 /// Keys that affect only the visualisation.
-pub(super) const DRAWN: [&str; 2] = ["Radius", "Width"];
+pub(super) const VISUAL_KEYS: [&str; 2] = ["Radius", "Width"];
 
 pub(super) const MASS: &str = "a mass in kg";
 const MOMENTS: &str = "three moments in kg·m², [xx, yy, zz],";
@@ -35,7 +35,7 @@ impl SectionBody {
 
     /// Converts an inertia given in `frame`.
     pub fn in_frame(self, frame: &Matrix3<f64>) -> Body {
-        let about_com = frames::turned(frame, &self.inertia);
+        let about_com = frames::rotate_inertia(frame, &self.inertia);
         Body { mass: self.mass, com: self.com, about_com, spot: self.spot }
     }
 }
@@ -90,8 +90,8 @@ pub(in super::super) fn read_spindle<'t>(
     let camber = reader.number_or_zero(root, "Camber Angle (deg)", "an angle in degrees").to_radians();
     let toe = reader.number_or_zero(root, "Toe Angle (deg)", "an angle in degrees").to_radians();
     let mut section = reader.section(root, "Spindle");
-    let stated = read_body(reader, &mut section, Notation::Moments);
-    reader.close(section, &DRAWN);
+    let given = read_body(reader, &mut section, Notation::Moments);
+    reader.warn_unread_keys(section, &VISUAL_KEYS);
     let mut section = reader.section(root, "Axle");
     let axle = reader.number(&mut section, "Inertia", "an inertia in kg·m²");
     if axle < 0.0 {
@@ -101,16 +101,16 @@ pub(in super::super) fn read_spindle<'t>(
             format!("Inertia is {axle} kg·m²; 0 or more is expected"),
         );
     }
-    reader.close(section, &[]);
-    if stated.com.y <= 0.0 && !reader.has_errors() {
+    reader.warn_unread_keys(section, &[]);
+    if given.com.y <= 0.0 && !reader.has_errors() {
         let message = format!(
             "the spindle is at y = {}: these files describe the left side, which has y > 0; left and right are \
              exchanged",
-            stated.com.y
+            given.com.y
         );
-        reader.warning("right-side", &stated.spot, message);
+        reader.warning("right-side", &given.spot, message);
     }
-    let body = Body { mass: stated.mass, com: stated.com, about_com: stated.inertia, spot: stated.spot };
+    let body = Body { mass: given.mass, com: given.com, about_com: given.inertia, spot: given.spot };
     let at = body.com;
     Spindle::new(reader, body, at, [camber, toe], axle, options.wheel)
 }

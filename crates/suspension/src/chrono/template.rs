@@ -55,7 +55,7 @@ pub(crate) enum SectionRule {
         #[serde(default)]
         inertia: Notation,
         #[serde(default)]
-        axes: OwnAxes,
+        axes: InertiaAxes,
         /// Key in the file and name of each point.
         #[serde(default)]
         points: Vec<(String, String)>,
@@ -63,7 +63,7 @@ pub(crate) enum SectionRule {
         #[serde(default)]
         pins: Vec<String>,
     },
-    /// Strut, with its inertia in the vehicle's axes. A plane gives its centre of mass and its pins.
+    /// Strut, with an inertia in the vehicle's axes. A [`PlaneRule`] determines the centre of mass and the pins.
     Strut { key: String, link: String },
     /// Tie rod: a massless rod, or a body if it has a mass. `massless`: the mass is not read.
     TieRod {
@@ -88,7 +88,7 @@ pub(crate) enum Notation {
 /// Axes of an inertia.
 #[derive(Clone, Copy, Default, Deserialize, PartialEq)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum OwnAxes {
+pub(crate) enum InertiaAxes {
     /// Axes of the vehicle.
     #[default]
     Vehicle,

@@ -2,7 +2,7 @@
 
 use super::super::build::{self, Built};
 use super::super::corner::Body;
-use super::super::design::Stated;
+use super::super::design::GivenBody;
 use super::super::findings::Findings;
 use super::super::spindle::Spindle;
 use super::read::Sheet;
@@ -16,13 +16,13 @@ pub(in super::super) fn build(sheet: &Sheet, findings: &mut Findings) -> Option<
 
 /// Spindle and wheel of the left side.
 fn spindle(sheet: &Sheet, findings: &mut Findings) -> Spindle {
-    let at = sheet.design.at("wheel_centre").unwrap_or_default();
+    let at = sheet.design.point("wheel_centre").unwrap_or_default();
     let spot = sheet.design.spot("wheel_centre");
     let body = match sheet.design.bodies.get("spindle") {
-        Some(Stated::Body(body)) => {
+        Some(GivenBody::Body(body)) => {
             Body { com: if body.com.x.is_nan() { at } else { body.com }, ..body.clone() }
         }
-        Some(Stated::Rod(..)) | None => {
+        Some(GivenBody::Rod(..)) | None => {
             Body { mass: 0.0, com: at, about_com: Matrix3::zeros(), spot: spot.clone() }
         }
     };

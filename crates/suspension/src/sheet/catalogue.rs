@@ -41,11 +41,11 @@ pub(crate) fn keys() -> &'static Keys {
 }
 
 /// Points of the anti-roll bar, optional as a whole.
-pub(crate) const BAR: [&str; 4] =
+pub(crate) const BAR_POINTS: [&str; 4] =
     ["anti_roll_bar_outer", "anti_roll_bar_inner", "drop_link_bar", "drop_link_end"];
 
 /// Description of a key.
-pub(crate) fn text_of<'t>(table: &'t [(String, String)], key: &str) -> &'t str {
+pub(crate) fn description_of<'t>(table: &'t [(String, String)], key: &str) -> &'t str {
     table.iter().find(|(known, _)| known == key).map_or("", |(_, text)| text)
 }
 
@@ -65,10 +65,10 @@ impl Template {
         is_central(self.axle, point)
     }
 
-    /// Points that are optional together with this point; `None` for a mandatory point.
-    pub fn group_of(point: &str) -> Option<&'static [&'static str]> {
+    /// Group of points, given or left out as a whole, that contains this point; `None` for a mandatory point.
+    pub fn optional_group(point: &str) -> Option<&'static [&'static str]> {
         let seats = SEATS.iter().find(|(_, pair)| pair.contains(&point));
-        seats.map(|(_, pair)| &pair[..]).or_else(|| BAR.contains(&point).then_some(&BAR[..]))
+        seats.map(|(_, pair)| &pair[..]).or_else(|| BAR_POINTS.contains(&point).then_some(&BAR_POINTS[..]))
     }
 }
 
@@ -81,10 +81,10 @@ mod tests {
         for template in templates() {
             let has = |key: &str| template.point(key).is_some();
             for (key, _) in &template.points {
-                assert_ne!(text_of(&keys().points, key), "", "{}: {key}", template.name);
+                assert_ne!(description_of(&keys().points, key), "", "{}: {key}", template.name);
             }
             for (key, _) in &template.bodies {
-                assert_ne!(text_of(&keys().bodies, key), "", "{}: {key}", template.name);
+                assert_ne!(description_of(&keys().bodies, key), "", "{}: {key}", template.name);
             }
             let points = template.parts_with_bar().flat_map(|part| match part {
                 Part::Hinge { points, .. } | Part::Strut { line: points, .. } => points.to_vec(),
@@ -100,7 +100,7 @@ mod tests {
                 assert!(has(&point), "{}: {point}", template.name);
             }
             let seats = SEATS.iter().filter(|(section, _)| *section != "shock").flat_map(|(_, pair)| pair);
-            for key in seats.chain(&BAR) {
+            for key in seats.chain(&BAR_POINTS) {
                 assert!(has(key), "{}: the example lacks {key}", template.name);
             }
             for section in ["spring", "damper", "bump_stop", "rebound_stop", "drop_link"] {

@@ -2,7 +2,7 @@
 
 use super::super::findings::{Findings, Spot};
 use super::super::units::Frame;
-use crate::limits::MOST_SHEET_KEYS;
+use crate::limits::MAX_SHEET_KEYS;
 use percuss_formats::reading::{quoted, shortened};
 use percuss_mechanism::near_names;
 use percuss_spatial::Vector3;
@@ -17,7 +17,8 @@ pub(super) enum Cell {
 }
 
 impl Cell {
-    fn shown(&self) -> String {
+    /// Text of the value for a message.
+    fn to_text(&self) -> String {
         match self {
             Cell::Number(x) => format!("{x}"),
             Cell::Text(text) => quoted(text),
@@ -50,33 +51,34 @@ pub(super) struct Entries {
 
 /// Quantity of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Kind {
-    /// Length, in this unit unless the value has its own.
+pub(super) enum Quantity {
+    /// Length; the unit applies to values without a unit.
     Length(LengthUnit),
-    /// Mass in kg, unless the value has its own unit.
+    /// Mass; kg for values without a unit.
     Mass,
-    /// Inertia, in this unit unless the value has its own.
+    /// Inertia; the unit applies to values without a unit.
     Inertia(&'static Unit),
     /// Angle; the unit deg or rad is mandatory.
     Angle,
 }
 
-impl Kind {
+impl Quantity {
     fn dimension(self) -> Dimension {
         match self {
-            Kind::Length(_) => Dimension::Length,
-            Kind::Mass => Dimension::Mass,
-            Kind::Inertia(_) => Dimension::Inertia,
-            Kind::Angle => Dimension::Angle,
+            Quantity::Length(_) => Dimension::Length,
+            Quantity::Mass => Dimension::Mass,
+            Quantity::Inertia(_) => Dimension::Inertia,
+            Quantity::Angle => Dimension::Angle,
         }
     }
 
+    /// Description of a valid value, for messages.
     fn expected(self) -> String {
         match self {
-            Kind::Length(unit) => format!("a length in {0}, such as 12.5 or \"12.5 {0}\"", unit.name()),
-            Kind::Mass => "a mass in kg, such as 3.2 or \"3.2 kg\"".to_owned(),
-            Kind::Inertia(_) => "an inertia, such as 0.05".to_owned(),
-            Kind::Angle => "an angle with its unit, such as \"-1.5 deg\"".to_owned(),
+            Quantity::Length(unit) => format!("a length in {0}, such as 12.5 or \"12.5 {0}\"", unit.name()),
+            Quantity::Mass => "a mass in kg, such as 3.2 or \"3.2 kg\"".to_owned(),
+            Quantity::Inertia(_) => "an inertia, such as 0.05".to_owned(),
+            Quantity::Angle => "an angle with its unit, such as \"-1.5 deg\"".to_owned(),
         }
     }
 
@@ -86,15 +88,15 @@ impl Kind {
             Cell::Number(number) => (*number, ""),
             Cell::Text(text) => {
                 let (digits, unit) = percuss_units::split(text);
-                (number(digits)?, unit)
+                (parse_number(digits)?, unit)
             }
             Cell::Switch(_) => return None,
         };
         let value = match (self, unit) {
-            (Kind::Length(default), "") => default.to_metres(number),
-            (Kind::Mass, "") => number,
-            (Kind::Inertia(default), "") => default.to_si(number),
-            (Kind::Angle, "") => return None,
+            (Quantity::Length(default), "") => default.to_metres(number),
+            (Quantity::Mass, "") => number,
+            (Quantity::Inertia(default), "") => default.to_si(number),
+            (Quantity::Angle, "") => return None,
             (_, unit) => Unit::named(unit, &[self.dimension()])?.to_si(number),
         };
         value.is_finite().then_some(value)
@@ -102,7 +104,7 @@ impl Kind {
 }
 
 /// Parses a number with a decimal point or a decimal comma.
-pub(super) fn number(text: &str) -> Option<f64> {
+pub(super) fn parse_number(text: &str) -> Option<f64> {
     let text = text.trim();
     if text.is_empty() || !text.ends_with(|c: char| c.is_ascii_digit() || c == '.') {
         return None;
@@ -118,9 +120,9 @@ pub(super) fn number(text: &str) -> Option<f64> {
 impl Entries {
     /// Adds a key; a repeated key, or one beyond the limit, is an error.
     pub fn add(&mut self, findings: &mut Findings, key: String, cells: Vec<Cell>, spot: Spot) {
-        if self.list.len() == MOST_SHEET_KEYS {
-            findings.error("too-complex", &Spot::default(), format!("more than {MOST_SHEET_KEYS} keys"));
-        } else if self.list.len() > MOST_SHEET_KEYS {
+        if self.list.len() == MAX_SHEET_KEYS {
+            findings.error("too-complex", &Spot::default(), format!("more than {MAX_SHEET_KEYS} keys"));
+        } else if self.list.len() > MAX_SHEET_KEYS {
             return;
         }
         if self.has(&key) {
@@ -170,7 +172,7 @@ impl Entries {
         match &cells[..] {
             [Cell::Text(text)] => Some((text.trim().to_owned(), spot)),
             cells => {
-                findings.error("wrong-type", &spot, format!("{}; {expected} is expected", shown(cells)));
+                findings.error("wrong-type", &spot, format!("{}; {expected} is expected", cells_text(cells)));
                 None
             }
         }
@@ -186,7 +188,7 @@ impl Entries {
             _ => None,
         };
         if found.is_none() {
-            findings.error("wrong-type", &spot, format!("{}; true or false is expected", shown(&cells)));
+            findings.error("wrong-type", &spot, format!("{}; true or false is expected", cells_text(&cells)));
         }
         found
     }
@@ -196,13 +198,13 @@ impl Entries {
         &mut self,
         findings: &mut Findings,
         key: &str,
-        kind: Kind,
+        kind: Quantity,
         counts: &[usize],
     ) -> Option<(Vec<f64>, Spot)> {
         let (cells, spot) = self.find(key)?;
         if !counts.contains(&cells.len()) {
             let counts = counts.iter().map(usize::to_string).collect::<Vec<_>>().join(" or ");
-            let message = format!("{} numbers ({}); {counts} expected", cells.len(), shown(&cells));
+            let message = format!("{} numbers ({}); {counts} expected", cells.len(), cells_text(&cells));
             findings.error("wrong-length", &spot, message);
             return None;
         }
@@ -211,7 +213,7 @@ impl Entries {
             match kind.value(cell) {
                 Some(value) => values.push(value),
                 None => {
-                    let message = format!("{}; {} is expected", cell.shown(), kind.expected());
+                    let message = format!("{}; {} is expected", cell.to_text(), kind.expected());
                     findings.error("wrong-type", &spot, message);
                     return None;
                 }
@@ -227,13 +229,14 @@ impl Entries {
         key: &str,
         frame: Frame,
     ) -> Option<(Vector3<f64>, Spot)> {
-        let (values, spot) = self.numbers(findings, key, Kind::Length(frame.unit), &[3])?;
+        let (values, spot) = self.numbers(findings, key, Quantity::Length(frame.unit), &[3])?;
         Some((frame.axes.to_iso(Vector3::new(values[0], values[1], values[2])), spot))
     }
 }
 
-fn shown(cells: &[Cell]) -> String {
-    let list: Vec<String> = cells.iter().take(6).map(Cell::shown).collect();
+/// Text of the values for a message, at most six.
+fn cells_text(cells: &[Cell]) -> String {
+    let list: Vec<String> = cells.iter().take(6).map(Cell::to_text).collect();
     match &list[..] {
         [] => "nothing".to_owned(),
         [one] => one.clone(),
@@ -248,35 +251,35 @@ mod tests {
     #[test]
     fn numbers_have_a_point_or_a_comma() {
         for (text, value) in [("1.5", 1.5), ("1,5", 1.5), ("-0,25", -0.25), (" 12 ", 12.0), ("1e-3", 1e-3)] {
-            assert_eq!(number(text), Some(value), "{text}");
+            assert_eq!(parse_number(text), Some(value), "{text}");
         }
         for text in ["", "1.234,5", "1,2,3", "x", "nan", "inf", "1e999", "-"] {
-            assert_eq!(number(text), None, "{text}");
+            assert_eq!(parse_number(text), None, "{text}");
         }
     }
 
     #[test]
     fn units_stand_behind_numbers() {
         let text = |t: &str| Cell::Text(t.to_owned());
-        let inertia = |unit| Kind::Inertia(Unit::named(unit, &[Dimension::Inertia]).unwrap());
+        let inertia = |unit| Quantity::Inertia(Unit::named(unit, &[Dimension::Inertia]).unwrap());
         for (kind, cell, value) in [
-            (Kind::Length(LengthUnit::Millimetre), Cell::Number(12.0), 0.012),
-            (Kind::Length(LengthUnit::Millimetre), text("1 in"), 0.0254),
-            (Kind::Length(LengthUnit::Metre), text("12,5mm"), 0.0125),
-            (Kind::Mass, text("850 g"), 0.85),
+            (Quantity::Length(LengthUnit::Millimetre), Cell::Number(12.0), 0.012),
+            (Quantity::Length(LengthUnit::Millimetre), text("1 in"), 0.0254),
+            (Quantity::Length(LengthUnit::Metre), text("12,5mm"), 0.0125),
+            (Quantity::Mass, text("850 g"), 0.85),
             (inertia("kg mm2"), Cell::Number(5e4), 0.05),
             (inertia("kg m2"), text("5e4 kg·mm²"), 0.05),
             (inertia("kg m2"), text("50000 kg mm^2"), 0.05),
-            (Kind::Angle, text("180 deg"), std::f64::consts::PI),
+            (Quantity::Angle, text("180 deg"), std::f64::consts::PI),
         ] {
             assert_eq!(kind.value(&cell), Some(value), "{cell:?}");
         }
         for (kind, cell) in [
-            (Kind::Angle, Cell::Number(1.0)),
-            (Kind::Mass, text("3 mm")),
-            (Kind::Length(LengthUnit::Metre), text("3 kg")),
-            (Kind::Mass, Cell::Number(f64::NAN)),
-            (Kind::Mass, Cell::Switch(true)),
+            (Quantity::Angle, Cell::Number(1.0)),
+            (Quantity::Mass, text("3 mm")),
+            (Quantity::Length(LengthUnit::Metre), text("3 kg")),
+            (Quantity::Mass, Cell::Number(f64::NAN)),
+            (Quantity::Mass, Cell::Switch(true)),
         ] {
             assert_eq!(kind.value(&cell), None, "{cell:?}");
         }

@@ -1,16 +1,16 @@
 //! Reader of the entries of a sheet according to its template.
 
-use super::super::design::{Design, Part, Stated};
+use super::super::design::{Design, GivenBody, Part};
 use super::super::findings::{Findings, Spot};
 use super::super::options::{ImportOptions, Rack, Side, Wheel};
 use super::super::units::{Frame, VehicleAxes, check_size};
 use super::catalogue;
-use super::entries::{Cell, Entries, Kind};
+use super::entries::{Cell, Entries, Quantity};
 use super::point_table::{self, Files};
 use super::template::{ExampleBody, Shape, Template, symmetric_matrix};
 use super::{table, toml_text};
 use crate::corner;
-use crate::limits::MOST_SHEET_KEYS;
+use crate::limits::MAX_SHEET_KEYS;
 use percuss_formats::Source;
 use percuss_formats::reading::LONGEST_NAME;
 use percuss_formats::reading::{cut, quoted};
@@ -57,7 +57,7 @@ pub(in super::super) fn read(
     if findings.has_errors() {
         return None;
     }
-    let sheet = Taking { entries: &mut entries, findings, options }.sheet();
+    let sheet = SheetReader { entries: &mut entries, findings, options }.read_sheet();
     for entry in entries.unread() {
         let spot = &entry.spot;
         let known = sheet.as_ref().map(|s| keys_of(s.template)).unwrap_or_default();
@@ -84,7 +84,7 @@ pub(super) fn keys_of(template: &Template) -> Vec<String> {
     if template.has_rack() {
         keys.extend(["mass", "slides"].map(|key| format!("rack.{key}")));
     }
-    debug_assert!(keys.len() < MOST_SHEET_KEYS);
+    debug_assert!(keys.len() < MAX_SHEET_KEYS);
     keys
 }
 
@@ -94,7 +94,7 @@ impl Template {
         self.point("tie_rod_inner").is_some()
     }
 
-    /// Links with possible mounts for other parts.
+    /// Links to which springs and similar parts can be attached.
     pub fn holders(&self) -> impl Iterator<Item = &str> {
         let is_holder = |(key, body): &&(String, ExampleBody)| {
             let is_made = |part: &Part| match part {
@@ -117,33 +117,35 @@ impl Template {
     }
 }
 
-struct Taking<'s> {
+/// Reads the entries of a sheet, with the options of the import.
+struct SheetReader<'s> {
     entries: &'s mut Entries,
     findings: &'s mut Findings,
     options: &'s ImportOptions,
 }
 
-impl Taking<'_> {
-    fn sheet(&mut self) -> Option<Sheet> {
+impl SheetReader<'_> {
+    /// Reads all entries; `None` without template, unit, axes and side of the points.
+    fn read_sheet(&mut self) -> Option<Sheet> {
         let template = self.template();
         let unit = self.unit();
         let axes = self.axes();
         let name = self.entries.text(self.findings, "name", "a name").map(|(name, _)| name);
-        let given = self.side_of_points();
+        let points_side = self.side_of_points();
         let inertia_unit = self.inertia_unit();
-        let (template, unit, axes, given) = (template?, unit?, axes?, given?);
+        let (template, unit, axes, points_side) = (template?, unit?, axes?, points_side?);
         let frame = Frame { unit, axes };
         let name = name.filter(|n| !n.is_empty()).unwrap_or_else(|| template.name.clone());
         let name = if name.len() > LONGEST_NAME { cut(&name, LONGEST_NAME / 4) } else { name };
-        let side = self.side(template, given);
-        let points = self.points(template, frame, given);
-        let bodies = self.bodies(template, frame, given, inertia_unit);
+        let side = self.side(template, points_side);
+        let points = self.points(template, frame, points_side);
+        let bodies = self.bodies(template, frame, points_side, inertia_unit);
         let wheel = self.wheel(frame, inertia_unit);
         let camber = self.angle("wheel.camber");
         let toe = self.angle("wheel.toe");
         let axle_inertia =
-            self.scalar("spindle.axle_inertia", Kind::Inertia(inertia_unit)).map_or(0.0, |(x, _)| x);
-        let on = self.on(template);
+            self.scalar("spindle.axle_inertia", Quantity::Inertia(inertia_unit)).map_or(0.0, |(x, _)| x);
+        let on = self.attachments(template);
         let rack = self.rack(template);
         let bar = catalogue::keys().anti_roll_bar.iter().filter(|_| points.contains_key("drop_link_bar"));
         let design = Design {
@@ -156,25 +158,26 @@ impl Taking<'_> {
             ..Design::default()
         };
         let mut sheet = Sheet { template, name, frame, side, rack, design, wheel, camber, toe, axle_inertia };
-        self.moved(&mut sheet);
+        self.apply_moves(&mut sheet);
         Some(sheet)
     }
 
+    /// Template named in the sheet or by the option.
     fn template(&mut self) -> Option<&'static Template> {
-        let given = self.entries.text(self.findings, "template", "the name of a template");
-        let (name, spot) = match (given, &self.options.template) {
+        let in_file = self.entries.text(self.findings, "template", "the name of a template");
+        let (name, spot) = match (in_file, &self.options.template) {
             (Some((name, spot)), Some(flag)) if *flag != name => {
                 let message = format!("the file says {}, --template {}", quoted(&name), quoted(flag));
                 self.findings.error("conflict", &spot, message);
                 return None;
             }
-            (Some(given), _) => given,
+            (Some(in_file), _) => in_file,
             (None, Some(flag)) => (flag.clone(), Spot::default()),
             (None, None) => {
                 if !self.findings.has_errors() {
                     let message = format!(
                         "the key is missing; a template is expected, in the file or by --template: {}",
-                        names().join(", ")
+                        template_names().join(", ")
                     );
                     let spot = Spot { path: Some("template".to_owned()), ..Spot::default() };
                     self.findings.error("missing-key", &spot, message);
@@ -184,15 +187,19 @@ impl Taking<'_> {
         };
         let found = catalogue::templates().find(|t| t.name == name);
         if found.is_none() {
-            let message =
-                format!("the template {} is not known; these are: {}", quoted(&name), names().join(", "));
+            let message = format!(
+                "the template {} is not known; these are: {}",
+                quoted(&name),
+                template_names().join(", ")
+            );
             self.findings.error("unknown-template", &spot, message);
         }
         found
     }
 
-    /// Reads a keyword of the head, or the value of its flag. If both are given, both must be equal.
-    fn word<T: Copy + PartialEq>(
+    /// Reads a keyword of the head, or the value of its flag; two different values are an error. `named` parses the keyword,
+    /// and `choices` describes the valid ones.
+    fn keyword<T: Copy + PartialEq>(
         &mut self,
         key: &'static str,
         flag: Option<T>,
@@ -227,12 +234,12 @@ impl Taking<'_> {
     }
 
     fn unit(&mut self) -> Option<LengthUnit> {
-        self.word("unit", self.options.unit, LengthUnit::from_name, "a unit of length (m, cm, mm, in)")
+        self.keyword("unit", self.options.unit, LengthUnit::from_name, "a unit of length (m, cm, mm, in)")
     }
 
     fn axes(&mut self) -> Option<VehicleAxes> {
         let choices = "iso (x forward, y left, z up) or adams (x backward, y right, z up)";
-        self.word("axes", self.options.axes, VehicleAxes::from_name, choices)
+        self.keyword("axes", self.options.axes, VehicleAxes::from_name, choices)
     }
 
     /// Side of the points in the file; default left.
@@ -245,7 +252,7 @@ impl Taking<'_> {
         if !self.entries.has("side") {
             return Some(Side::Left);
         }
-        self.word("side", None, named, "left or right, the side that the points describe,")
+        self.keyword("side", None, named, "left or right, the side that the points describe,")
     }
 
     /// Unit of inertias without their own.
@@ -263,7 +270,7 @@ impl Taking<'_> {
     }
 
     /// Side to build, from the flag, the sheet or the side of the points, in this order; both sides for an axle.
-    fn side(&mut self, template: &Template, given: Side) -> Side {
+    fn side(&mut self, template: &Template, points_side: Side) -> Side {
         let named = |word: &str| match word {
             "left" => Some(Side::Left),
             "right" => Some(Side::Right),
@@ -271,7 +278,7 @@ impl Taking<'_> {
             _ => None,
         };
         let in_file = if self.entries.has("build") {
-            self.word("build", None, named, "left, right or both, what is to be built,")
+            self.keyword("build", None, named, "left, right or both, what is to be built,")
         } else {
             None
         };
@@ -284,14 +291,15 @@ impl Taking<'_> {
             }
             return Side::Both;
         }
-        side.unwrap_or(given)
+        side.unwrap_or(points_side)
     }
 
+    /// Reads the hardpoints, mirrored to the left side. Missing mandatory points are errors.
     fn points(
         &mut self,
         template: &'static Template,
         frame: Frame,
-        given: Side,
+        points_side: Side,
     ) -> BTreeMap<&'static str, (Vector3<f64>, Spot)> {
         let mut points = BTreeMap::new();
         if !self.entries.has_section("points") {
@@ -305,29 +313,29 @@ impl Taking<'_> {
             self.findings.error("missing-key", &spot, message);
             return points;
         }
-        let (mut far, mut far_spot): (f64, Spot) = (0.0, Spot::default());
+        let (mut farthest, mut farthest_spot): (f64, Spot) = (0.0, Spot::default());
         for (key, _) in &template.points {
             let path = format!("points.{key}");
             match self.entries.point(self.findings, &path, frame) {
                 Some((mut at, spot)) => {
-                    if given == Side::Right && !template.is_central(key) {
+                    if points_side == Side::Right && !template.is_central(key) {
                         at.y = 0.0 - at.y;
                     }
-                    if at.amax() > far {
-                        (far, far_spot) = (at.amax(), spot.clone());
+                    if at.amax() > farthest {
+                        (farthest, farthest_spot) = (at.amax(), spot.clone());
                     }
                     points.insert(&**key, (at, spot));
                 }
                 None if self.entries.has(&path) => {}
                 None => {
-                    let group = Template::group_of(key);
-                    let begun = group.is_some_and(|group| {
+                    let group = Template::optional_group(key);
+                    let is_group_given = group.is_some_and(|group| {
                         group.iter().any(|other| self.entries.has(&format!("points.{other}")))
                     });
-                    if group.is_none() || begun {
+                    if group.is_none() || is_group_given {
                         let expected = format!(
                             "{} ([x, y, z] in {})",
-                            catalogue::text_of(&catalogue::keys().points, key),
+                            catalogue::description_of(&catalogue::keys().points, key),
                             frame.unit.name()
                         );
                         self.entries.missing(self.findings, &path, &expected);
@@ -336,18 +344,19 @@ impl Taking<'_> {
             }
         }
         if !self.findings.has_errors() {
-            check_size(self.findings, far, &far_spot, frame.unit);
+            check_size(self.findings, farthest, &farthest_spot, frame.unit);
         }
         points
     }
 
+    /// Reads the bodies that the template requires or the sheet contains.
     fn bodies(
         &mut self,
         template: &'static Template,
         frame: Frame,
-        given: Side,
+        points_side: Side,
         inertia_unit: &'static Unit,
-    ) -> BTreeMap<&'static str, Stated> {
+    ) -> BTreeMap<&'static str, GivenBody> {
         let mut bodies = BTreeMap::new();
         for (key, body) in &template.bodies {
             // The bodies of a bar are not required if the sheet has no bar.
@@ -359,27 +368,29 @@ impl Taking<'_> {
             {
                 continue;
             }
-            if let Some(stated) = self.body(template, (key, body.shape), frame, given, inertia_unit) {
-                bodies.insert(&**key, stated);
+            if let Some(given_body) = self.body(template, (key, body.shape), frame, points_side, inertia_unit)
+            {
+                bodies.insert(&**key, given_body);
             }
         }
         bodies
     }
 
+    /// Reads one body, mirrored to the left side; `None` if it is absent or invalid.
     fn body(
         &mut self,
         template: &Template,
         (key, shape): (&str, Shape),
         frame: Frame,
-        given: Side,
+        points_side: Side,
         inertia_unit: &'static Unit,
-    ) -> Option<Stated> {
+    ) -> Option<GivenBody> {
         let [mass_key, com_key, inertia_key] = ["mass", "com", "inertia"].map(|name| format!("{key}.{name}"));
         let is_rod = shape == Shape::Rod;
         let spot = |spot: Spot| Spot { path: Some(key.to_owned()), ..spot };
-        let Some((mass, at)) = self.scalar(&mass_key, Kind::Mass) else {
+        let Some((mass, at)) = self.scalar(&mass_key, Quantity::Mass) else {
             if !self.entries.has(&mass_key) && (!is_rod || self.entries.has(&com_key)) {
-                let text = catalogue::text_of(&catalogue::keys().bodies, key);
+                let text = catalogue::description_of(&catalogue::keys().bodies, key);
                 self.entries.missing(
                     self.findings,
                     &mass_key,
@@ -389,22 +400,22 @@ impl Taking<'_> {
             return None;
         };
         let spot = spot(at);
-        let rotates = shape == Shape::Spindle;
+        let is_spindle = shape == Shape::Spindle;
         if is_rod && !self.entries.has(&com_key) && !self.entries.has(&inertia_key) {
-            return Some(Stated::Rod(mass, spot));
+            return Some(GivenBody::Rod(mass, spot));
         }
         let com = match self.entries.point(self.findings, &com_key, frame) {
             Some((com, _)) => Some(com),
             None if self.entries.has(&com_key) => return None,
             None => None,
         };
-        let central =
+        let is_central =
             template.axle && ["axle", "middle_link", "panhard_rod"].contains(&key) || key.starts_with("watt");
-        let mirror = given == Side::Right && !central;
+        let is_mirrored = points_side == Side::Right && !is_central;
         // NaN: the default for a spindle is the wheel centre, which is computed later. A massless body needs no centre of mass.
         let com = match com {
-            Some(com) => Vector3::new(com.x, if mirror { 0.0 - com.y } else { com.y }, com.z),
-            None if rotates => Vector3::repeat(f64::NAN),
+            Some(com) => Vector3::new(com.x, if is_mirrored { 0.0 - com.y } else { com.y }, com.z),
+            None if is_spindle => Vector3::repeat(f64::NAN),
             None if mass == 0.0 => Vector3::zeros(),
             None => {
                 self.entries.missing(self.findings, &com_key, "the centre of mass, [x, y, z],");
@@ -414,9 +425,9 @@ impl Taking<'_> {
         let about_com = match self.entries.numbers(
             self.findings,
             &inertia_key,
-            Kind::Inertia(inertia_unit),
+            Quantity::Inertia(inertia_unit),
             // Along the wheel's axes the products of inertia are zero.
-            if rotates { &[3] } else { &[3, 6] },
+            if is_spindle { &[3] } else { &[3, 6] },
         ) {
             Some((values, _)) => symmetric_matrix(&values),
             None if self.entries.has(&inertia_key) => return None,
@@ -429,28 +440,32 @@ impl Taking<'_> {
             }
         };
         // The inertia of a spindle is along the wheel's axes, the inertia of other bodies along the vehicle's axes.
-        let mut about_com = if rotates { about_com } else { frame.axes.inertia_to_iso(about_com) };
-        if mirror && !rotates {
+        let mut about_com = if is_spindle { about_com } else { frame.axes.inertia_to_iso(about_com) };
+        if is_mirrored && !is_spindle {
             for (row, column) in [(0, 1), (1, 0), (1, 2), (2, 1)] {
                 about_com[(row, column)] = 0.0 - about_com[(row, column)];
             }
         }
-        Some(Stated::Body(corner::Body { mass, com, about_com, spot }))
+        Some(GivenBody::Body(corner::Body { mass, com, about_com, spot }))
     }
 
-    fn scalar(&mut self, key: &str, kind: Kind) -> Option<(f64, Spot)> {
+    /// Reads one number.
+    fn scalar(&mut self, key: &str, kind: Quantity) -> Option<(f64, Spot)> {
         let (values, spot) = self.entries.numbers(self.findings, key, kind, &[1])?;
         Some((values[0], spot))
     }
 
+    /// Reads an angle, rad; 0 if absent.
     fn angle(&mut self, key: &str) -> f64 {
-        self.scalar(key, Kind::Angle).map_or(0.0, |(angle, _)| angle)
+        self.scalar(key, Quantity::Angle).map_or(0.0, |(angle, _)| angle)
     }
 
+    /// Wheel of the options, or else of the sheet.
     fn wheel(&mut self, frame: Frame, inertia_unit: &'static Unit) -> Option<Wheel> {
-        let mass = self.scalar("wheel.mass", Kind::Mass);
-        let inertia = self.entries.numbers(self.findings, "wheel.inertia", Kind::Inertia(inertia_unit), &[3]);
-        let radius = self.scalar("wheel.radius", Kind::Length(frame.unit));
+        let mass = self.scalar("wheel.mass", Quantity::Mass);
+        let inertia =
+            self.entries.numbers(self.findings, "wheel.inertia", Quantity::Inertia(inertia_unit), &[3]);
+        let radius = self.scalar("wheel.radius", Quantity::Length(frame.unit));
         if self.options.wheel.is_some() {
             return self.options.wheel;
         }
@@ -468,7 +483,8 @@ impl Taking<'_> {
         Some(Wheel { mass, inertia, radius: radius.map(|(r, _)| r) })
     }
 
-    fn on(&mut self, template: &'static Template) -> BTreeMap<&'static str, (String, Spot)> {
+    /// Reads the links to which springs and similar parts are attached, by section.
+    fn attachments(&mut self, template: &'static Template) -> BTreeMap<&'static str, (String, Spot)> {
         let mut on = BTreeMap::new();
         for (section, default) in &template.on {
             let key = format!("{section}.on");
@@ -485,8 +501,9 @@ impl Taking<'_> {
         on
     }
 
+    /// Rack of the options, or else of the sheet; fixed by default.
     fn rack(&mut self, template: &Template) -> Rack {
-        let mass = self.scalar("rack.mass", Kind::Mass);
+        let mass = self.scalar("rack.mass", Quantity::Mass);
         let slides = self.entries.switch(self.findings, "rack.slides").unwrap_or(false);
         if let Some(rack) = self.options.rack {
             return rack;
@@ -498,15 +515,15 @@ impl Taking<'_> {
     }
 
     /// Applies the displacements of hardpoints, in the axes of the sheet and on the side of its points.
-    fn moved(&mut self, sheet: &mut Sheet) {
+    fn apply_moves(&mut self, sheet: &mut Sheet) {
         for (name, by) in &self.options.moves {
-            let given_right = matches!(
+            let is_right = matches!(
                 self.entries.find("side").as_ref().map(|(cells, _)| &cells[..]),
                 Some([Cell::Text(side)]) if side == "right"
             );
-            let central = sheet.template.is_central(name);
+            let is_central = sheet.template.is_central(name);
             let mut by = sheet.frame.axes.to_iso(Vector3::from(*by));
-            if given_right && !central {
+            if is_right && !is_central {
                 by.y = 0.0 - by.y;
             }
             match sheet.design.points.iter_mut().find(|(key, _)| **key == name) {
@@ -522,6 +539,6 @@ impl Taking<'_> {
     }
 }
 
-fn names() -> Vec<&'static str> {
+fn template_names() -> Vec<&'static str> {
     catalogue::templates().map(|t| &*t.name).collect()
 }

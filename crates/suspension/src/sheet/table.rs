@@ -6,10 +6,10 @@
 //! table, and by default to all lengths. Rows that begin with # are comments.
 
 use super::super::findings::{Findings, Spot};
-use super::entries::{Cell, Entries, TableRow, number};
+use super::entries::{Cell, Entries, TableRow, parse_number};
 #[cfg(feature = "xlsx")]
 use super::workbook;
-use crate::limits::{MOST_SHEET_KEYS, WIDEST_TABLE};
+use crate::limits::{MAX_SHEET_KEYS, MAX_TABLE_COLUMNS};
 use percuss_formats::reading::{quoted, shortened};
 use percuss_units::LengthUnit;
 
@@ -54,12 +54,12 @@ pub(super) fn read_text(text: &str, file: usize, entries: &mut Entries, findings
         };
         let at = record.position().map(|p| p.byte() as usize);
         let spot = Spot { path: None, at, file };
-        if rows.len() > MOST_SHEET_KEYS || record.len() > WIDEST_TABLE {
-            let message = format!("more than {MOST_SHEET_KEYS} rows, or {WIDEST_TABLE} columns");
+        if rows.len() > MAX_SHEET_KEYS || record.len() > MAX_TABLE_COLUMNS {
+            let message = format!("more than {MAX_SHEET_KEYS} rows, or {MAX_TABLE_COLUMNS} columns");
             findings.error("too-complex", &spot, message);
             return;
         }
-        for cell in record.iter().skip(1).filter(|cell| number(cell).is_some()) {
+        for cell in record.iter().skip(1).filter(|cell| parse_number(cell).is_some()) {
             if cell.contains(',') {
                 commas.get_or_insert_with(|| (cell.to_owned(), spot.clone()));
             } else if cell.contains('.') {
@@ -77,14 +77,14 @@ pub(super) fn read_text(text: &str, file: usize, entries: &mut Entries, findings
         findings.error("decimal-mark", &spot, message);
         return;
     }
-    take(rows, entries, findings);
+    add_rows(rows, entries, findings);
 }
 
 /// Reads the first sheet of a workbook; `file`: index of the file among the files of the import.
 pub(super) fn read_workbook(bytes: &[u8], file: usize, entries: &mut Entries, findings: &mut Findings) {
     #[cfg(feature = "xlsx")]
     match workbook::rows(bytes, file) {
-        Ok(rows) => take(rows, entries, findings),
+        Ok(rows) => add_rows(rows, entries, findings),
         Err(error) => findings.error(error.code, &Spot { file, ..Spot::default() }, error.message),
     }
     #[cfg(not(feature = "xlsx"))]
@@ -96,8 +96,8 @@ pub(super) fn read_workbook(bytes: &[u8], file: usize, entries: &mut Entries, fi
     }
 }
 
-/// Converts the rows to entries with keys and values.
-fn take(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings) {
+/// Adds an entry for each row, with the key in the first cell.
+fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings) {
     let is_blank = |cell: &Cell| matches!(cell, Cell::Text(text) if text.trim().is_empty());
     let rows = rows.into_iter().filter(|row| {
         let comment =
@@ -105,10 +105,10 @@ fn take(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings) {
         !comment && !row.cells.iter().all(is_blank)
     });
     let mut columns: Option<[usize; 3]> = None;
-    let mut of_points: Option<(String, Spot)> = None;
+    let mut points_unit: Option<(String, Spot)> = None;
     for (i, row) in rows.enumerate() {
         if i == 0
-            && let Some((found, unit)) = header(&row.cells)
+            && let Some((found, unit)) = find_columns(&row.cells)
         {
             columns = Some(found);
             let spot = Spot { path: Some("unit".to_owned()), ..row.spot };
@@ -120,7 +120,7 @@ fn take(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings) {
                     );
                     findings.error("unknown-word", &spot, message);
                 }
-                unit => of_points = unit.map(|unit| (unit, spot)),
+                unit => points_unit = unit.map(|unit| (unit, spot)),
             }
             continue;
         }
@@ -133,13 +133,13 @@ fn take(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings) {
             }
         };
         let key = if key.contains('.') || HEAD.contains(&&*key) { key } else { format!("points.{key}") };
-        let of_columns = columns.filter(|_| key.starts_with("points."));
-        let mut values: Vec<Cell> = match of_columns {
+        let named_columns = columns.filter(|_| key.starts_with("points."));
+        let mut values: Vec<Cell> = match named_columns {
             Some(columns) => columns.iter().filter_map(|i| row.cells.get(*i).cloned()).collect(),
             None => row.cells.into_iter().skip(1).collect(),
         };
-        if let (Some(_), Some((unit, _))) = (of_columns, &of_points) {
-            values.iter_mut().for_each(|cell| in_unit(cell, unit));
+        if let (Some(_), Some((unit, _))) = (named_columns, &points_unit) {
+            values.iter_mut().for_each(|cell| append_unit(cell, unit));
         }
         while values.last().is_some_and(is_blank) {
             values.pop();
@@ -151,23 +151,23 @@ fn take(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings) {
         let spot = Spot { path: Some(path), ..row.spot };
         entries.add(findings, key, values, spot);
     }
-    if let Some((unit, spot)) = of_points.filter(|_| !entries.has("unit")) {
+    if let Some((unit, spot)) = points_unit.filter(|_| !entries.has("unit")) {
         entries.add(findings, "unit".to_owned(), vec![Cell::Text(unit)], spot);
     }
 }
 
 /// Gives a number the unit of its column, unless the number has a unit.
-fn in_unit(cell: &mut Cell, unit: &str) {
+fn append_unit(cell: &mut Cell, unit: &str) {
     let with_unit = match &*cell {
         Cell::Number(x) => format!("{x} {unit}"),
-        Cell::Text(text) if number(text).is_some() => format!("{} {unit}", text.trim()),
+        Cell::Text(text) if parse_number(text).is_some() => format!("{} {unit}", text.trim()),
         Cell::Text(_) | Cell::Switch(_) => return,
     };
     *cell = Cell::Text(with_unit);
 }
 
-/// Columns of x, y and z, and their unit, if the row names them.
-fn header(cells: &[Cell]) -> Option<([usize; 3], Option<String>)> {
+/// Columns named x, y and z, and their unit, if the row is a header.
+fn find_columns(cells: &[Cell]) -> Option<([usize; 3], Option<String>)> {
     let mut columns = [None; 3];
     let mut unit: Option<String> = None;
     for (i, cell) in cells.iter().enumerate() {

@@ -2,7 +2,7 @@
 
 use super::super::findings::{Findings, Spot};
 use super::entries::{Cell, Entries};
-use crate::limits::LARGEST_SHEET;
+use crate::limits::MAX_SHEET_BYTES;
 use percuss_formats::reading::LONGEST_NAME;
 use percuss_formats::reading::shortened;
 use toml::Spanned;
@@ -10,8 +10,8 @@ use toml::de::{DeTable, DeValue};
 
 /// Reads the text; false after a TOML error in the report.
 pub(super) fn read(text: &str, entries: &mut Entries, findings: &mut Findings) -> bool {
-    if text.len() > LARGEST_SHEET {
-        let message = format!("a sheet of {} bytes; at most {LARGEST_SHEET} are read", text.len());
+    if text.len() > MAX_SHEET_BYTES {
+        let message = format!("a sheet of {} bytes; at most {MAX_SHEET_BYTES} are read", text.len());
         findings.error("too-large-file", &Spot::default(), message);
         return false;
     }
@@ -59,6 +59,7 @@ pub(super) fn read(text: &str, entries: &mut Entries, findings: &mut Findings) -
     true
 }
 
+/// Values of a key: a list, or one value; `None` for an unsupported type.
 fn cells(value: &DeValue<'_>) -> Option<Vec<Cell>> {
     match value {
         DeValue::Array(list) => list.iter().map(|value| cell(value.get_ref())).collect(),
@@ -66,6 +67,7 @@ fn cells(value: &DeValue<'_>) -> Option<Vec<Cell>> {
     }
 }
 
+/// One value; `None` for an unsupported type.
 fn cell(value: &DeValue<'_>) -> Option<Cell> {
     match value {
         DeValue::String(text) => Some(Cell::Text(text.to_string())),

@@ -6,19 +6,19 @@
 use super::super::findings::Spot;
 use super::entries::{Cell, TableRow};
 use crate::limits::workbook::{
-    LARGEST_CELL_FORMATS, LARGEST_UNPACKED_WORKBOOK, LARGEST_WORKBOOK, LARGEST_WORKSHEET, MOST_CELL_FORMATS,
-    MOST_TABLE_TEXT, MOST_WORKBOOK_PARTS,
+    MAX_CELL_FORMAT_BYTES, MAX_CELL_FORMATS, MAX_TABLE_TEXT_BYTES, MAX_UNPACKED_BYTES, MAX_WORKBOOK_BYTES,
+    MAX_WORKBOOK_PARTS, MAX_WORKSHEET_CELLS,
 };
-use crate::limits::{MOST_SHEET_KEYS, WIDEST_TABLE};
+use crate::limits::{MAX_SHEET_KEYS, MAX_TABLE_COLUMNS};
 use calamine::{DataRef, Reader, Xlsx};
 use percuss_formats::reading::{cut, shortened};
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
 
 /// Digits of the last row, 1,048,576.
-const LONGEST_ROW_NUMBER: usize = 7;
+const MAX_ROW_DIGITS: usize = 7;
 /// Letters of the last column, XFD, with a dollar sign for each half of the reference.
-const LONGEST_COLUMN_NAME: usize = 5;
+const MAX_COLUMN_LETTERS: usize = 5;
 
 /// Error of a workbook, with the code of its finding.
 pub(super) struct WorkbookError {
@@ -31,14 +31,14 @@ pub(super) struct WorkbookError {
 /// # Errors
 /// A workbook above a limit, or invalid.
 pub(super) fn rows(bytes: &[u8], file: usize) -> Result<Vec<TableRow>, WorkbookError> {
-    if bytes.len() > LARGEST_WORKBOOK {
+    if bytes.len() > MAX_WORKBOOK_BYTES {
         let message = format!(
-            "a workbook of {} bytes; at most {LARGEST_WORKBOOK} are read: keep only the table in it",
+            "a workbook of {} bytes; at most {MAX_WORKBOOK_BYTES} are read: keep only the table in it",
             bytes.len()
         );
         return Err(WorkbookError { code: "too-large-file", message });
     }
-    check(bytes).and_then(|()| read_rows(bytes, file)).map_err(|reason| WorkbookError {
+    check_workbook(bytes).and_then(|()| read_rows(bytes, file)).map_err(|reason| WorkbookError {
         code: "not-table",
         message: format!("no XLSX workbook that can be read: {reason}"),
     })
@@ -46,20 +46,20 @@ pub(super) fn rows(bytes: &[u8], file: usize) -> Result<Vec<TableRow>, WorkbookE
 
 /// Reads the rows cell by cell: memory for the range of the whole sheet would depend on the farthest cell.
 fn read_rows(bytes: &[u8], file: usize) -> Result<Vec<TableRow>, String> {
-    let said = |error: calamine::XlsxError| shortened(&error.to_string());
-    let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(said)?;
-    let name = book.sheet_names().first().cloned().ok_or_else(|| "it has no sheet".to_owned())?;
-    let mut reader = book.worksheet_cells_reader(&name).map_err(said)?;
+    let shortened_text = |error: calamine::XlsxError| shortened(&error.to_string());
+    let mut workbook: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(shortened_text)?;
+    let name = workbook.sheet_names().first().cloned().ok_or_else(|| "it has no sheet".to_owned())?;
+    let mut reader = workbook.worksheet_cells_reader(&name).map_err(shortened_text)?;
     let mut rows: Vec<TableRow> = Vec::new();
     let (mut current, mut count, mut text_bytes) = (None, 0usize, 0usize);
-    while let Some(cell) = reader.next_cell().map_err(said)? {
+    while let Some(cell) = reader.next_cell().map_err(shortened_text)? {
         let (row, column) = cell.get_position();
         count += 1;
-        if count > LARGEST_WORKSHEET || rows.len() > MOST_SHEET_KEYS {
-            return Err(format!("more than {MOST_SHEET_KEYS} rows or {LARGEST_WORKSHEET} cells"));
+        if count > MAX_WORKSHEET_CELLS || rows.len() > MAX_SHEET_KEYS {
+            return Err(format!("more than {MAX_SHEET_KEYS} rows or {MAX_WORKSHEET_CELLS} cells"));
         }
         // Columns far to the right contain remarks.
-        if column as usize >= WIDEST_TABLE {
+        if column as usize >= MAX_TABLE_COLUMNS {
             continue;
         }
         let value = match cell.get_value() {
@@ -78,8 +78,8 @@ fn read_rows(bytes: &[u8], file: usize) -> Result<Vec<TableRow>, String> {
             text_bytes += text.len();
         }
         // Many cells may refer to one shared text.
-        if text_bytes > MOST_TABLE_TEXT {
-            return Err(format!("its cells have more than {MOST_TABLE_TEXT} bytes of text"));
+        if text_bytes > MAX_TABLE_TEXT_BYTES {
+            return Err(format!("its cells have more than {MAX_TABLE_TEXT_BYTES} bytes of text"));
         }
         if current != Some(row) {
             current = Some(row);
@@ -99,22 +99,22 @@ fn read_rows(bytes: &[u8], file: usize) -> Result<Vec<TableRow>, String> {
 ///
 /// # Errors
 /// An exceeded limit, or an invalid archive.
-fn check(bytes: &[u8]) -> Result<(), String> {
+fn check_workbook(bytes: &[u8]) -> Result<(), String> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
-    if archive.len() > MOST_WORKBOOK_PARTS {
-        return Err(format!("it has {} parts; at most {MOST_WORKBOOK_PARTS} are read", archive.len()));
+    if archive.len() > MAX_WORKBOOK_PARTS {
+        return Err(format!("it has {} parts; at most {MAX_WORKBOOK_PARTS} are read", archive.len()));
     }
     let (mut unpacked, mut part) = (0, Vec::new());
     for index in 0..archive.len() {
         let file = archive.by_index(index).map_err(|error| error.to_string())?;
         let name = file.name().map_err(|error| error.to_string())?.to_ascii_lowercase();
         part.clear();
-        let left = LARGEST_UNPACKED_WORKBOOK - unpacked;
+        let remaining = MAX_UNPACKED_BYTES - unpacked;
         // The size stated in the archive may be wrong.
-        let read = file.take(left as u64 + 1).read_to_end(&mut part);
-        if part.len() > left {
+        let read = file.take(remaining as u64 + 1).read_to_end(&mut part);
+        if part.len() > remaining {
             return Err(format!(
-                "its parts have more than {LARGEST_UNPACKED_WORKBOOK} bytes when they are unpacked: keep only the table in it"
+                "its parts have more than {MAX_UNPACKED_BYTES} bytes when they are unpacked: keep only the table in it"
             ));
         }
         read.map_err(|error| error.to_string())?;
@@ -137,11 +137,11 @@ fn check_stated_counts(part: &[u8]) -> Result<(), String> {
         let digits = digits.strip_prefix(b"\"").or_else(|| digits.strip_prefix(b"'")).unwrap_or_default();
         let digits: Vec<u8> = digits.iter().copied().take_while(u8::is_ascii_digit).collect();
         // Zeros before the number do not make it larger.
-        let stated = digits
+        let stated_count = digits
             .iter()
             .fold(0_usize, |sum, digit| sum.saturating_mul(10).saturating_add(usize::from(digit - b'0')));
-        if stated > part.len() {
-            return Err(format!("it states {stated} shared texts in a part of {} bytes", part.len()));
+        if stated_count > part.len() {
+            return Err(format!("it states {stated_count} shared texts in a part of {} bytes", part.len()));
         }
     }
     Ok(())
@@ -162,7 +162,7 @@ fn check_cell_references(part: &[u8]) -> Result<(), String> {
             let value = value.split(|byte| byte == quote).next().unwrap_or_default();
             let is_long = |cell: &[u8]| {
                 let digits = cell.iter().filter(|byte| byte.is_ascii_digit()).count();
-                digits > LONGEST_ROW_NUMBER || cell.len() - digits > LONGEST_COLUMN_NAME
+                digits > MAX_ROW_DIGITS || cell.len() - digits > MAX_COLUMN_LETTERS
             };
             // A text between tags may look like an attribute: only values of letters and digits are references.
             let is_reference = value.iter().all(|byte| byte.is_ascii_alphanumeric() || b":$".contains(byte));
@@ -181,13 +181,13 @@ fn check_cell_references(part: &[u8]) -> Result<(), String> {
 fn check_cell_formats(part: &[u8]) -> Result<(), String> {
     let formats = after_each(part, b"xf").count();
     let longest = part.split(|byte| *byte == b'>').map(<[u8]>::len).max().unwrap_or(0);
-    if formats > MOST_CELL_FORMATS {
-        return Err(format!("it has {formats} cell formats; at most {MOST_CELL_FORMATS} are read"));
+    if formats > MAX_CELL_FORMATS {
+        return Err(format!("it has {formats} cell formats; at most {MAX_CELL_FORMATS} are read"));
     }
-    if formats.saturating_mul(longest) > LARGEST_CELL_FORMATS {
+    if formats.saturating_mul(longest) > MAX_CELL_FORMAT_BYTES {
         return Err(format!(
             "its {formats} cell formats name fonts or number formats of up to {longest} bytes; at most \
-             {LARGEST_CELL_FORMATS} bytes are read together"
+             {MAX_CELL_FORMAT_BYTES} bytes are read together"
         ));
     }
     Ok(())

@@ -2,7 +2,7 @@
 
 use super::super::design::Part;
 use super::super::units::VehicleAxes;
-use super::catalogue::{keys, templates, text_of};
+use super::catalogue::{description_of, keys, templates};
 use super::table::HEAD;
 use super::template::{Shape, Template, symmetric_matrix};
 use percuss_spatial::Vector3;
@@ -35,68 +35,73 @@ pub fn template_names() -> Vec<(&'static str, &'static str)> {
 /// (inches to 2.5 µm).
 pub fn template_sheet(name: &str, options: &TemplateOptions) -> Option<String> {
     let template = templates().find(|t| t.name == name)?;
-    let mut sheet = Sheet { out: String::new(), options };
-    sheet.head(template);
-    sheet.points(template);
-    sheet.bodies(template);
-    sheet.wheel(template);
-    sheet.attachments(template);
+    let mut sheet = SheetWriter { out: String::new(), options };
+    sheet.write_head(template);
+    sheet.write_points(template);
+    sheet.write_bodies(template);
+    sheet.write_wheel(template);
+    sheet.write_attachments(template);
     Some(sheet.out)
 }
 
-struct Sheet<'o> {
+struct SheetWriter<'o> {
     out: String,
     options: &'o TemplateOptions,
 }
 
-impl Sheet<'_> {
-    fn line(&mut self, text: &str) {
+impl SheetWriter<'_> {
+    fn write_line(&mut self, text: &str) {
         self.out.push_str(text.trim_end());
         self.out.push('\n');
     }
 
     /// Writes a key with its value and its comment, in columns.
-    fn key(&mut self, key: &str, value: &str, comment: &str) {
+    fn write_key(&mut self, key: &str, value: &str, comment: &str) {
         let pair = format!("{key} = {value}");
-        self.line(&if comment.is_empty() { pair } else { format!("{pair:<46} # {comment}") });
+        self.write_line(&if comment.is_empty() { pair } else { format!("{pair:<46} # {comment}") });
     }
 
-    fn head(&mut self, template: &Template) {
+    fn write_head(&mut self, template: &Template) {
         let (unit, axes) = (self.options.unit.name(), self.options.axes);
-        self.line(&format!("# A suspension for percuss: {}.", template.title));
+        self.write_line(&format!("# A suspension for percuss: {}.", template.title));
         for line in &template.about {
-            self.line(&format!("# {line}"));
+            self.write_line(&format!("# {line}"));
         }
-        self.line("#");
-        self.line("# The figures are an example, those of no car: put yours in their place. Then");
-        self.line("#   percuss import THIS.toml -o my.urdf");
+        self.write_line("#");
+        self.write_line("# The figures are an example, those of no car: put yours in their place. Then");
+        self.write_line("#   percuss import THIS.toml -o my.urdf");
         let side = if template.axle { "_left" } else { "" };
-        self.line(&format!("#   percuss mass my.urdf --link bump_stop_pad{side} --point 0,0,0 \\"));
+        self.write_line(&format!("#   percuss mass my.urdf --link bump_stop_pad{side} --point 0,0,0 \\"));
         let at = |key: &str| template.point(key).map(Vector3::from);
         if let Some((pad, stop)) = at("bump_stop_pad").zip(at("bump_stop")) {
             // Rounds to a micron, to remove the rounding error of the difference.
             let [x, y, z] = [0, 1, 2].map(|i| ((stop - pad)[i] * 1e3).round() / 1e3 + 0.0);
-            self.line(&format!("#       --normal {x},{y},{z} --normal-frame against --against chassis"));
-            self.line("# with the normal of the stop: from the pad to the stop, x forward, y left, z up.");
+            self.write_line(&format!(
+                "#       --normal {x},{y},{z} --normal-frame against --against chassis"
+            ));
+            self.write_line(
+                "# with the normal of the stop: from the pad to the stop, x forward, y left, z up.",
+            );
         }
-        self.line("");
-        self.key("template", &format!("\"{}\"", template.name), "");
-        self.key("name", &format!("\"{}\"", template.title), "yours");
-        self.key("unit", &format!("\"{unit}\""), "of every length here: m, cm, mm or in");
-        self.key("inertia_unit", "\"kg m2\"", "or kg mm2, kg cm2, g mm2, t mm2");
+        self.write_line("");
+        self.write_key("template", &format!("\"{}\"", template.name), "");
+        self.write_key("name", &format!("\"{}\"", template.title), "yours");
+        self.write_key("unit", &format!("\"{unit}\""), "of every length here: m, cm, mm or in");
+        self.write_key("inertia_unit", "\"kg m2\"", "or kg mm2, kg cm2, g mm2, t mm2");
         let other = VehicleAxes::ALL.into_iter().find(|a| *a != axes).unwrap_or(axes);
         let words = format!("{}; or {}: {}", axes.words(), other.name(), other.words());
-        self.key("axes", &format!("\"{}\"", axes.name()), &words);
-        self.key("side", "\"left\"", "the side that the points describe, or right");
+        self.write_key("axes", &format!("\"{}\"", axes.name()), &words);
+        self.write_key("side", "\"left\"", "the side that the points describe, or right");
         let build = if template.axle { "\"both\"" } else { "\"left\"" };
         let comment = if template.axle { "both sides are on one axle" } else { "left, right or both" };
-        self.key("build", build, &format!("what is built: {comment}"));
-        self.line(
+        self.write_key("build", build, &format!("what is built: {comment}"));
+        self.write_line(
             "# points = \"points.csv\"   a table of names, x, y, z (CSV or XLSX) in the place of [points]",
         );
     }
 
-    fn length(&self, millimetres: f64) -> String {
+    /// Formats a length given in millimetres, in the unit of the sheet.
+    fn length_text(&self, millimetres: f64) -> String {
         let value = match self.options.unit {
             LengthUnit::Millimetre => millimetres,
             LengthUnit::Centimetre => millimetres / 10.0,
@@ -106,102 +111,104 @@ impl Sheet<'_> {
         number(value)
     }
 
-    fn point(&self, at: [f64; 3]) -> String {
+    /// Formats a point given in millimetres and the axes of ISO 8855, in the unit and axes of the sheet.
+    fn point_text(&self, at: [f64; 3]) -> String {
         let at = self.options.axes.to_iso(Vector3::from(at));
-        let [x, y, z] = [at.x, at.y, at.z].map(|x| self.length(x));
+        let [x, y, z] = [at.x, at.y, at.z].map(|x| self.length_text(x));
         format!("[{x}, {y}, {z}]")
     }
 
-    fn points(&mut self, template: &Template) {
-        self.line("");
-        self.line("# Hardpoints, [x, y, z] at the design position. A spring, damper or stop may be left out with both");
-        self.line("# its points, the anti-roll bar with its four.");
-        self.line("[points]");
+    fn write_points(&mut self, template: &Template) {
+        self.write_line("");
+        self.write_line("# Hardpoints, [x, y, z] at the design position. A spring, damper or stop may be left out with both");
+        self.write_line("# its points, the anti-roll bar with its four.");
+        self.write_line("[points]");
         for (key, at) in &template.points {
-            let at = self.point(*at);
-            self.key(key, &at, text_of(&keys().points, key));
+            let at = self.point_text(*at);
+            self.write_key(key, &at, description_of(&keys().points, key));
         }
     }
 
-    fn bodies(&mut self, template: &Template) {
-        self.line("");
-        self.line("# Bodies: mass in kg (0 is legal); centre of mass; inertia about it in the vehicle's axes, [xx, yy, zz]");
-        self.line("# or [xx, yy, zz, xy, xz, yz], the entries of the matrix (xy = −∫ x y dm).");
+    fn write_bodies(&mut self, template: &Template) {
+        self.write_line("");
+        self.write_line("# Bodies: mass in kg (0 is legal); centre of mass; inertia about it in the vehicle's axes, [xx, yy, zz]");
+        self.write_line("# or [xx, yy, zz, xy, xz, yz], the entries of the matrix (xy = −∫ x y dm).");
         for (key, body) in &template.bodies {
-            self.line("");
-            self.line(&format!("# {}", text_of(&keys().bodies, key)));
+            self.write_line("");
+            self.write_line(&format!("# {}", description_of(&keys().bodies, key)));
             match body.shape {
                 Shape::Rod => {
-                    self.line("# A slender rod between its points; any body with com and inertia; massless without this section.");
-                    self.held(template, key);
+                    self.write_line("# A slender rod between its points; any body with com and inertia; massless without this section.");
+                    self.write_rod_ends(template, key);
                 }
-                Shape::Optional => self.line("# May be left out."),
-                Shape::Spindle => self.line("# Its centre of mass is the wheel's centre unless com is given; inertia in the wheel's axes, y that of spin."),
+                Shape::Optional => self.write_line("# May be left out."),
+                Shape::Spindle => self.write_line("# Its centre of mass is the wheel's centre unless com is given; inertia in the wheel's axes, y that of spin."),
                 Shape::Any => {}
             }
-            self.line(&format!("[{key}]"));
-            self.key("mass", &number(body.mass), "");
+            self.write_line(&format!("[{key}]"));
+            self.write_key("mass", &number(body.mass), "");
             if let Some((_, link)) = template.on.iter().find(|(section, _)| section == key) {
-                self.key("on", &format!("\"{link}\""), "the link at its outer end");
+                self.write_key("on", &format!("\"{link}\""), "the link at its outer end");
             }
             if body.shape == Shape::Rod {
                 continue;
             }
             if body.shape != Shape::Spindle {
-                let com = self.point(body.com);
-                self.key("com", &com, "");
+                let com = self.point_text(body.com);
+                self.write_key("com", &com, "");
             }
             let matrix = self.options.axes.inertia_to_iso(symmetric_matrix(&body.inertia));
             let all = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|at| matrix[at] + 0.0);
             let kept = if all[3..] == [0.0; 3] { &all[..3] } else { &all[..] };
             let list: Vec<String> = kept.iter().map(|x| number(*x)).collect();
-            self.key("inertia", &format!("[{}]", list.join(", ")), "");
+            self.write_key("inertia", &format!("[{}]", list.join(", ")), "");
             if body.shape == Shape::Spindle {
                 let comment = "of the drive shaft about the axis of spin, if it drives";
-                self.key("axle_inertia", "0.0", comment);
+                self.write_key("axle_inertia", "0.0", comment);
             }
         }
     }
 
-    /// States the end at which a rod has its universal joint, which matters if the rod has an inertia about its own
-    /// axis.
-    fn held(&mut self, template: &Template, rod: &str) {
+    /// Writes the end of the universal joint of a rod. The end matters if the rod has an inertia about the rod axis.
+    fn write_rod_ends(&mut self, template: &Template, rod: &str) {
         let first = template.parts_with_bar().find_map(|part| match part {
             Part::Rod { link, ends: [(_, first), _], .. } if link == rod => Some(first),
             _ => None,
         });
         if let Some(first) = first {
-            self.line(&format!("# Its universal joint is at {first}, its ball joint at the other end."));
+            self.write_line(&format!(
+                "# Its universal joint is at {first}, its ball joint at the other end."
+            ));
         }
     }
 
-    fn wheel(&mut self, template: &Template) {
-        self.line("");
-        self.line("# the wheel with its tyre; inertia about its centre, y along the axis of spin");
-        self.line("[wheel]");
-        self.key("mass", "18.5", "");
-        self.key("inertia", "[0.62, 1.05, 0.62]", "");
-        let radius = self.length(template.point("wheel_centre").map_or(300.0, |at| at[2]));
-        self.key("radius", &radius, "its lowest point is named contact_patch");
-        self.key("camber", "\"0 deg\"", "positive: the top leans outward");
-        self.key("toe", "\"0 deg\"", "positive: toe-in");
+    fn write_wheel(&mut self, template: &Template) {
+        self.write_line("");
+        self.write_line("# the wheel with its tyre; inertia about its centre, y along the axis of spin");
+        self.write_line("[wheel]");
+        self.write_key("mass", "18.5", "");
+        self.write_key("inertia", "[0.62, 1.05, 0.62]", "");
+        let radius = self.length_text(template.point("wheel_centre").map_or(300.0, |at| at[2]));
+        self.write_key("radius", &radius, "its lowest point is named contact_patch");
+        self.write_key("camber", "\"0 deg\"", "positive: the top leans outward");
+        self.write_key("toe", "\"0 deg\"", "positive: toe-in");
     }
 
-    fn attachments(&mut self, template: &Template) {
+    fn write_attachments(&mut self, template: &Template) {
         let holders: Vec<&str> = template.holders().filter(|l| *l != "anti_roll_bar").collect();
-        self.line("");
-        self.line(&format!("# Which link each is on: {}.", holders.join(", ")));
+        self.write_line("");
+        self.write_line(&format!("# Which link each is on: {}.", holders.join(", ")));
         let is_body = |section: &str| template.bodies.iter().any(|(key, _)| key == section);
         for (section, link) in template.on.iter().filter(|(section, _)| !is_body(section)) {
-            self.line(&format!("[{section}]"));
-            self.key("on", &format!("\"{link}\""), "");
+            self.write_line(&format!("[{section}]"));
+            self.write_key("on", &format!("\"{link}\""), "");
         }
         if template.has_rack() {
-            self.line("");
-            self.line("# The rack holds the tie rods' inner ends: fixed to the chassis, or sliding along y to steer.");
-            self.line("[rack]");
-            self.key("slides", "false", "");
-            self.key("mass", "2.5", "counts where it slides");
+            self.write_line("");
+            self.write_line("# The rack holds the tie rods' inner ends: fixed to the chassis, or sliding along y to steer.");
+            self.write_line("[rack]");
+            self.write_key("slides", "false", "");
+            self.write_key("mass", "2.5", "counts where it slides");
         }
     }
 }
@@ -214,8 +221,8 @@ fn number(x: f64) -> String {
 /// Markdown table of all keys of all templates, for the documentation.
 pub fn template_keys() -> String {
     let mut out = String::from("| key | what | in |\n|---|---|---|\n");
-    let mut row = |key: &str, what: &str, within: &str| {
-        let _ = writeln!(out, "| `{key}` | {what} | {within} |");
+    let mut row = |key: &str, meaning: &str, within: &str| {
+        let _ = writeln!(out, "| `{key}` | {meaning} | {within} |");
     };
     let of = |has: &dyn Fn(&Template) -> bool| {
         let names: Vec<String> = templates().filter(|t| has(t)).map(|t| format!("`{}`", t.name)).collect();
@@ -231,16 +238,16 @@ pub fn template_keys() -> String {
         "what is built: left, right or both; the side of the points where it is missing",
         "in the place of the section `[points]`: a table's name, from the sheet's folder",
     ];
-    for (key, what) in HEAD.iter().zip(head) {
-        row(key, what, "all");
+    for (key, meaning) in HEAD.iter().zip(head) {
+        row(key, meaning, "all");
     }
-    for (key, what) in &keys().points {
-        row(&format!("points.{key}"), what, &of(&|t| t.point(key).is_some()));
+    for (key, meaning) in &keys().points {
+        row(&format!("points.{key}"), meaning, &of(&|t| t.point(key).is_some()));
     }
-    for (key, what) in &keys().bodies {
+    for (key, meaning) in &keys().bodies {
         let body = templates().flat_map(|t| &t.bodies).find(|(known, _)| known == key);
         let shape = body.map(|(_, body)| body.shape);
-        let how = match shape {
+        let remark = match shape {
             Some(Shape::Rod) => "; massless without, a slender rod with only `mass`",
             Some(Shape::Optional) => "; may be left out",
             Some(Shape::Spindle) => {
@@ -249,7 +256,11 @@ pub fn template_keys() -> String {
             Some(Shape::Any) | None => "",
         };
         let of_body = format!("{key}.mass`, `.com`, `.inertia");
-        row(&of_body, &format!("{what}{how}"), &of(&|t| t.bodies.iter().any(|(known, _)| known == key)));
+        row(
+            &of_body,
+            &format!("{meaning}{remark}"),
+            &of(&|t| t.bodies.iter().any(|(known, _)| known == key)),
+        );
     }
     row("spindle.axle_inertia", "of the drive shaft about the axis of spin, added to the spindle's", "all");
     row(

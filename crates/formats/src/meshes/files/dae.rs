@@ -1,8 +1,8 @@
 //! Reader of COLLADA 1.4 and 1.5: `triangles`, `polylist` and `polygons` of the visual scene, with node transforms and the unit
 //! of length.
 
-use super::triangles::{Triangles, bounded};
-use crate::reading::limits::{DEEPEST_NODES, MOST_MESH_NUMBERS, MOST_SCENE_NODES};
+use super::triangles::{Triangles, check_triangle_count};
+use crate::reading::limits::{MAX_MESH_NUMBERS, MAX_SCENE_DEPTH, MAX_SCENE_NODES};
 use crate::reading::prescan;
 use crate::reading::report::{Report, quoted};
 use nalgebra::{Matrix4, Rotation3, Unit, Vector3, Vector4};
@@ -20,7 +20,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
     }
     let parsing = ParsingOptions {
         allow_dtd: true,
-        nodes_limit: crate::reading::limits::MOST_NODES,
+        nodes_limit: crate::reading::limits::MAX_NODES,
         entity_resolver: None,
     };
     let document = Document::parse_with_options(text, parsing).map_err(|e| format!("no XML: {e}"))?;
@@ -33,63 +33,66 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
         ids,
         meshes: HashMap::new(),
         positions: HashMap::new(),
-        parts: HashMap::new(),
+        scene_nodes: HashMap::new(),
         numbers: 0,
         visited: 0,
         triangles: Triangles::new(),
     };
-    let unit = elements(root, "asset").flat_map(|asset| elements(asset, "unit")).next();
+    let unit = child_elements(root, "asset").flat_map(|asset| child_elements(asset, "unit")).next();
     let metre = match unit.and_then(|unit| unit.attribute("meter")) {
         Some(text) => text.trim().parse::<f64>().ok().filter(|m| m.is_finite() && *m > 0.0),
         None => Some(1.0),
     };
     let metre = metre.ok_or("the unit's metres are no number above 0")?;
-    let start = Matrix4::new_scaling(metre);
-    let named = elements(root, "scene").flat_map(|s| elements(s, "instance_visual_scene")).next();
-    let visual = named
-        .and_then(|n| scene.target(n))
-        .or_else(|| elements(root, "library_visual_scenes").flat_map(|l| elements(l, "visual_scene")).next());
+    let root_transform = Matrix4::new_scaling(metre);
+    let named = child_elements(root, "scene").flat_map(|s| child_elements(s, "instance_visual_scene")).next();
+    let visual = named.and_then(|n| scene.resolve_reference(n)).or_else(|| {
+        child_elements(root, "library_visual_scenes").flat_map(|l| child_elements(l, "visual_scene")).next()
+    });
     match visual {
         Some(visual) => {
-            for node in elements(visual, "node") {
-                scene.node(node, &start, 0)?;
+            for node in child_elements(visual, "node") {
+                scene.add_node(node, &root_transform, 0)?;
             }
         }
         None => {
-            for geometry in elements(root, "library_geometries").flat_map(|l| elements(l, "geometry")) {
-                scene.geometry(geometry, &start)?;
+            for geometry in
+                child_elements(root, "library_geometries").flat_map(|l| child_elements(l, "geometry"))
+            {
+                scene.add_geometry(geometry, &root_transform)?;
             }
         }
     }
     Ok(scene.triangles)
 }
 
-fn elements<'a, 'i: 'a>(node: Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
+fn child_elements<'a, 'i: 'a>(node: Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
     node.children().filter(move |c| c.is_element() && c.tag_name().name() == name)
 }
 
-fn numbers(node: Node<'_, '_>) -> Result<Vec<f64>, String> {
+fn parse_numbers(node: Node<'_, '_>) -> Result<Vec<f64>, String> {
     let read = |word: &str| word.parse::<f64>().ok().filter(|value| value.is_finite());
-    list(node, read, "finite number")
+    parse_list(node, read, "finite number")
 }
 
-fn indices(node: Node<'_, '_>) -> Result<Vec<u32>, String> {
-    list(node, |word| word.parse().ok(), "index")
+fn parse_indices(node: Node<'_, '_>) -> Result<Vec<u32>, String> {
+    parse_list(node, |word| word.parse().ok(), "index")
 }
 
-/// Numbers of an element, limited to `MOST_MESH_NUMBERS`.
-fn list<T>(node: Node<'_, '_>, read: impl Fn(&str) -> Option<T>, kind: &str) -> Result<Vec<T>, String> {
+/// Words of an element parsed by `read`, at most `MAX_MESH_NUMBERS`. `kind` names the expected words in errors.
+fn parse_list<T>(node: Node<'_, '_>, read: impl Fn(&str) -> Option<T>, kind: &str) -> Result<Vec<T>, String> {
     let mut list = Vec::new();
     for word in node.text().unwrap_or("").split_ascii_whitespace() {
-        if list.len() == MOST_MESH_NUMBERS {
+        if list.len() == MAX_MESH_NUMBERS {
             return Err(too_many_numbers());
         }
-        list.push(read(word).ok_or_else(|| no_number(node, word, kind))?);
+        list.push(read(word).ok_or_else(|| invalid_number(node, word, kind))?);
     }
     Ok(list)
 }
 
-fn no_number(node: Node<'_, '_>, word: &str, kind: &str) -> String {
+/// Message for a word that is not of the expected kind.
+fn invalid_number(node: Node<'_, '_>, word: &str, kind: &str) -> String {
     format!("<{}> has {}, which is no {kind}", node.tag_name().name(), quoted(word))
 }
 
@@ -101,7 +104,7 @@ struct Scene<'a, 'i> {
     /// Positions of `source` and `vertices` elements.
     positions: HashMap<usize, Rc<Vec<[f64; 3]>>>,
     /// Nodes of the scene.
-    parts: HashMap<usize, Rc<ScenePart<'a, 'i>>>,
+    scene_nodes: HashMap<usize, Rc<SceneNode<'a, 'i>>>,
     /// Numbers read so far.
     numbers: usize,
     /// Nodes and instances of geometries visited so far.
@@ -110,107 +113,121 @@ struct Scene<'a, 'i> {
 }
 
 /// Node of the scene: transform, child nodes and instances.
-struct ScenePart<'a, 'i> {
+struct SceneNode<'a, 'i> {
     transform: Matrix4<f64>,
-    below: Vec<Below<'a, 'i>>,
+    contents: Vec<Content<'a, 'i>>,
 }
 
-enum Below<'a, 'i> {
+/// Child of a node, or target of an instance.
+enum Content<'a, 'i> {
     Node(Node<'a, 'i>),
     Geometry(Node<'a, 'i>),
 }
 
 impl<'a, 'i: 'a> Scene<'a, 'i> {
-    fn target(&self, node: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
-        self.reference(node.attribute("url").or_else(|| node.attribute("source"))?)
+    /// Element to which the attribute `url` or `source` refers.
+    fn resolve_reference(&self, node: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
+        self.element_by_url(node.attribute("url").or_else(|| node.attribute("source"))?)
     }
 
-    fn reference(&self, url: &str) -> Option<Node<'a, 'i>> {
+    fn element_by_url(&self, url: &str) -> Option<Node<'a, 'i>> {
         self.ids.get(url.strip_prefix('#')?).copied()
     }
 
-    /// Visits a node and its children; `above`: transform of the parent node.
-    fn node(&mut self, node: Node<'a, 'i>, above: &Matrix4<f64>, depth: usize) -> Result<(), String> {
-        self.visit()?;
-        if depth > DEEPEST_NODES {
+    /// Adds the triangles of a node and of its children; `parent_transform` maps the parent node to the scene.
+    fn add_node(
+        &mut self,
+        node: Node<'a, 'i>,
+        parent_transform: &Matrix4<f64>,
+        depth: usize,
+    ) -> Result<(), String> {
+        self.count_visit()?;
+        if depth > MAX_SCENE_DEPTH {
             return Err(format!(
-                "its nodes are nested too deep; at most {DEEPEST_NODES} within one another are read"
+                "its nodes are nested too deep; at most {MAX_SCENE_DEPTH} within one another are read"
             ));
         }
-        let part = self.part(node)?;
-        let transform = above * part.transform;
-        for below in &part.below {
-            match *below {
-                Below::Node(node) => self.node(node, &transform, depth + 1)?,
-                Below::Geometry(geometry) => {
-                    self.visit()?;
-                    self.geometry(geometry, &transform)?;
+        let scene_node = self.scene_node(node)?;
+        let transform = parent_transform * scene_node.transform;
+        for contents in &scene_node.contents {
+            match *contents {
+                Content::Node(node) => self.add_node(node, &transform, depth + 1)?,
+                Content::Geometry(geometry) => {
+                    self.count_visit()?;
+                    self.add_geometry(geometry, &transform)?;
                 }
             }
         }
         Ok(())
     }
 
-    fn visit(&mut self) -> Result<(), String> {
+    /// Counts a visit to a node or geometry, and checks the limit.
+    fn count_visit(&mut self) -> Result<(), String> {
         self.visited += 1;
-        if self.visited > MOST_SCENE_NODES {
-            return Err(format!("its nodes and instances are too many; at most {MOST_SCENE_NODES} are read"));
+        if self.visited > MAX_SCENE_NODES {
+            return Err(format!("its nodes and instances are too many; at most {MAX_SCENE_NODES} are read"));
         }
         Ok(())
     }
 
     /// Transform and content of a node.
-    fn part(&mut self, node: Node<'a, 'i>) -> Result<Rc<ScenePart<'a, 'i>>, String> {
+    fn scene_node(&mut self, node: Node<'a, 'i>) -> Result<Rc<SceneNode<'a, 'i>>, String> {
         let key = node.range().start;
-        if let Some(part) = self.parts.get(&key) {
-            return Ok(part.clone());
+        if let Some(scene_node) = self.scene_nodes.get(&key) {
+            return Ok(scene_node.clone());
         }
-        let mut part = ScenePart { transform: Matrix4::identity(), below: Vec::new() };
+        let mut scene_node = SceneNode { transform: Matrix4::identity(), contents: Vec::new() };
         for child in node.children().filter(Node::is_element) {
             match child.tag_name().name() {
-                "node" => part.below.push(Below::Node(child)),
+                "node" => scene_node.contents.push(Content::Node(child)),
                 "instance_node" => {
-                    part.below.push(Below::Node(self.target(child).ok_or_else(|| missing(child))?));
+                    scene_node.contents.push(Content::Node(
+                        self.resolve_reference(child).ok_or_else(|| unresolved_reference(child))?,
+                    ));
                 }
                 "instance_geometry" => {
-                    part.below.push(Below::Geometry(self.target(child).ok_or_else(|| missing(child))?));
+                    scene_node.contents.push(Content::Geometry(
+                        self.resolve_reference(child).ok_or_else(|| unresolved_reference(child))?,
+                    ));
                 }
                 "instance_controller" => {
                     return Err("it has a skin (instance_controller), which is not read; export it without"
                         .to_owned());
                 }
                 _ => {
-                    if let Some(step) = transform(child)? {
-                        part.transform *= step;
+                    if let Some(step) = node_transform(child)? {
+                        scene_node.transform *= step;
                     }
                 }
             }
         }
-        let part = Rc::new(part);
-        self.parts.insert(key, part.clone());
-        Ok(part)
+        let scene_node = Rc::new(scene_node);
+        self.scene_nodes.insert(key, scene_node.clone());
+        Ok(scene_node)
     }
 
-    fn geometry(&mut self, geometry: Node<'a, 'i>, place: &Matrix4<f64>) -> Result<(), String> {
+    /// Adds the triangles of a geometry, converted to the scene by `transform`.
+    fn add_geometry(&mut self, geometry: Node<'a, 'i>, transform: &Matrix4<f64>) -> Result<(), String> {
         let key = geometry.range().start;
         if !self.meshes.contains_key(&key) {
-            let mut own = Triangles::new();
-            for mesh in elements(geometry, "mesh") {
-                self.mesh(mesh, &mut own)?;
+            let mut own_triangles = Triangles::new();
+            for mesh in child_elements(geometry, "mesh") {
+                self.add_mesh(mesh, &mut own_triangles)?;
             }
-            self.meshes.insert(key, own);
+            self.meshes.insert(key, own_triangles);
         }
-        let own = &self.meshes[&key];
-        bounded(self.triangles.len() + own.len())?;
-        let move_to = |p: &[f64; 3]| {
-            let q = place * Vector4::new(p[0], p[1], p[2], 1.0);
+        let own_triangles = &self.meshes[&key];
+        check_triangle_count(self.triangles.len() + own_triangles.len())?;
+        let transformed = |p: &[f64; 3]| {
+            let q = transform * Vector4::new(p[0], p[1], p[2], 1.0);
             [q.x, q.y, q.z]
         };
-        self.triangles.extend(own.iter().map(|corners| corners.each_ref().map(move_to)));
+        self.triangles.extend(own_triangles.iter().map(|corners| corners.each_ref().map(transformed)));
         Ok(())
     }
 
-    fn mesh(&mut self, mesh: Node<'a, 'i>, out: &mut Triangles) -> Result<(), String> {
+    /// Appends the triangles of a `mesh` element, in its own frame.
+    fn add_mesh(&mut self, mesh: Node<'a, 'i>, out: &mut Triangles) -> Result<(), String> {
         for primitive in mesh.children().filter(Node::is_element) {
             let kind = primitive.tag_name().name();
             match kind {
@@ -223,7 +240,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
             }
             let mut positions = None;
             let mut stride = 0;
-            for input in elements(primitive, "input") {
+            for input in child_elements(primitive, "input") {
                 let offset = match input.attribute("offset").map(str::parse::<usize>) {
                     Some(Ok(offset)) if offset < 64 => offset,
                     None => 0,
@@ -231,24 +248,25 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
                 };
                 stride = stride.max(offset + 1);
                 if input.attribute("semantic") == Some("VERTEX") {
-                    let vertices = self.target(input).ok_or_else(|| missing(input))?;
-                    positions = Some((offset, self.positions_of(vertices)?));
+                    let vertices =
+                        self.resolve_reference(input).ok_or_else(|| unresolved_reference(input))?;
+                    positions = Some((offset, self.vertex_positions(vertices)?));
                 }
             }
             let Some((offset, positions)) = positions else {
                 return Err(format!("<{kind}> has no vertices"));
             };
-            let counts = match elements(primitive, "vcount").next() {
+            let counts = match child_elements(primitive, "vcount").next() {
                 Some(vcount) => {
-                    let counts = indices(vcount)?;
-                    self.count(counts.len())?;
+                    let counts = parse_indices(vcount)?;
+                    self.count_numbers(counts.len())?;
                     Some(counts)
                 }
                 None => None,
             };
-            for p in elements(primitive, "p") {
-                let all = indices(p)?;
-                self.count(all.len())?;
+            for p in child_elements(primitive, "p") {
+                let all = parse_indices(p)?;
+                self.count_numbers(all.len())?;
                 let corners: Vec<u32> = all.chunks_exact(stride).map(|chunk| chunk[offset]).collect();
                 drop(all);
                 let mut rest = &corners[..];
@@ -267,7 +285,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
                     let (polygon, after) = rest.split_at(count);
                     // Only a list of counts contains empty polygons, and the list is finite, so the loop ends.
                     rest = after;
-                    fan(polygon, &positions, out)?;
+                    add_polygon(polygon, &positions, out)?;
                 }
             }
         }
@@ -275,26 +293,27 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
     }
 
     /// Positions of a `vertices` element.
-    fn positions_of(&mut self, vertices: Node<'a, 'i>) -> Result<Rc<Vec<[f64; 3]>>, String> {
+    fn vertex_positions(&mut self, vertices: Node<'a, 'i>) -> Result<Rc<Vec<[f64; 3]>>, String> {
         let key = vertices.range().start;
         if let Some(positions) = self.positions.get(&key) {
             return Ok(positions.clone());
         }
-        let of = elements(vertices, "input").find(|i| i.attribute("semantic") == Some("POSITION"));
-        let source = of.and_then(|i| self.target(i)).ok_or("its vertices have no positions")?;
-        let positions = self.positions(source)?;
+        let input = child_elements(vertices, "input").find(|i| i.attribute("semantic") == Some("POSITION"));
+        let source = input.and_then(|i| self.resolve_reference(i)).ok_or("its vertices have no positions")?;
+        let positions = self.source_positions(source)?;
         self.positions.insert(key, positions.clone());
         Ok(positions)
     }
 
     /// Positions of a `source` element.
-    fn positions(&mut self, source: Node<'a, 'i>) -> Result<Rc<Vec<[f64; 3]>>, String> {
+    fn source_positions(&mut self, source: Node<'a, 'i>) -> Result<Rc<Vec<[f64; 3]>>, String> {
         let key = source.range().start;
         if let Some(positions) = self.positions.get(&key) {
             return Ok(positions.clone());
         }
-        let array = elements(source, "float_array").next().ok_or("a <source> has no <float_array>")?;
-        let accessor = elements(source, "technique_common").flat_map(|t| elements(t, "accessor")).next();
+        let array = child_elements(source, "float_array").next().ok_or("a <source> has no <float_array>")?;
+        let accessor =
+            child_elements(source, "technique_common").flat_map(|t| child_elements(t, "accessor")).next();
         let number = |name: &str, otherwise: usize| match accessor.and_then(|a| a.attribute(name)) {
             None => Ok(otherwise),
             Some(text) => {
@@ -309,7 +328,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         let mut position = [0.0; 3];
         for (i, word) in array.text().unwrap_or("").split_ascii_whitespace().enumerate() {
             let value = word.parse::<f64>().ok().filter(|value| value.is_finite());
-            let value = value.ok_or_else(|| no_number(array, word, "finite number"))?;
+            let value = value.ok_or_else(|| invalid_number(array, word, "finite number"))?;
             let Some(i) = i.checked_sub(first) else { continue };
             if let Some(axis) = position.get_mut(i % stride) {
                 *axis = value;
@@ -317,7 +336,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
             if i % stride == stride - 1 {
                 positions.push(position);
             }
-            self.count(1)?;
+            self.count_numbers(1)?;
         }
         let positions = Rc::new(positions);
         self.positions.insert(key, positions.clone());
@@ -325,17 +344,18 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
     }
 
     /// Adds to the count of read numbers, and checks the limit.
-    fn count(&mut self, numbers: usize) -> Result<(), String> {
+    fn count_numbers(&mut self, numbers: usize) -> Result<(), String> {
         self.numbers += numbers;
-        if self.numbers > MOST_MESH_NUMBERS { Err(too_many_numbers()) } else { Ok(()) }
+        if self.numbers > MAX_MESH_NUMBERS { Err(too_many_numbers()) } else { Ok(()) }
     }
 }
 
 fn too_many_numbers() -> String {
-    format!("more than {MOST_MESH_NUMBERS} numbers; simplify the mesh")
+    format!("more than {MAX_MESH_NUMBERS} numbers; simplify the mesh")
 }
 
-fn fan(polygon: &[u32], positions: &[[f64; 3]], out: &mut Triangles) -> Result<(), String> {
+/// Appends a polygon as a fan of triangles about its first corner. `polygon`: indices into `positions`.
+fn add_polygon(polygon: &[u32], positions: &[[f64; 3]], out: &mut Triangles) -> Result<(), String> {
     let at = |i: u32| {
         positions
             .get(i as usize)
@@ -344,18 +364,19 @@ fn fan(polygon: &[u32], positions: &[[f64; 3]], out: &mut Triangles) -> Result<(
     };
     for k in 2..polygon.len() {
         out.push([at(polygon[0])?, at(polygon[k - 1])?, at(polygon[k])?]);
-        bounded(out.len())?;
+        check_triangle_count(out.len())?;
     }
     Ok(())
 }
 
-fn missing(node: Node<'_, '_>) -> String {
+/// Message for a reference to an element that does not exist.
+fn unresolved_reference(node: Node<'_, '_>) -> String {
     let url = node.attribute("url").or_else(|| node.attribute("source")).unwrap_or("");
     format!("<{}> refers to {url:?}, which there is not", node.tag_name().name())
 }
 
-/// Transform of an element of a node; `None` for other elements.
-fn transform(node: Node<'_, '_>) -> Result<Option<Matrix4<f64>>, String> {
+/// Transform given by a child element of a node; `None` for an element of another kind.
+fn node_transform(node: Node<'_, '_>) -> Result<Option<Matrix4<f64>>, String> {
     let name = node.tag_name().name();
     let count = match name {
         "matrix" => 16,
@@ -364,7 +385,7 @@ fn transform(node: Node<'_, '_>) -> Result<Option<Matrix4<f64>>, String> {
         "lookat" | "skew" => return Err(format!("a node has <{name}>, which is not read")),
         _ => return Ok(None),
     };
-    let v = numbers(node)?;
+    let v = parse_numbers(node)?;
     if v.len() != count {
         return Err(format!("<{name}> has {} numbers; {count} are expected", v.len()));
     }

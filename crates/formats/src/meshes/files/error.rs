@@ -7,7 +7,7 @@ use std::path::PathBuf;
 #[non_exhaustive]
 pub enum MeshError {
     /// The file does not exist.
-    #[error("mesh \"{file}\" was not found; looked for {}{}", listed(tried), mend(file))]
+    #[error("mesh \"{file}\" was not found; looked for {}{}", listed(tried), remedy(file))]
     NotFound {
         /// File name in the URDF.
         file: String,
@@ -51,6 +51,7 @@ pub enum MeshError {
     },
 }
 
+/// Paths that were tried; at most four are written out.
 fn listed(tried: &[PathBuf]) -> String {
     let shown: Vec<String> = tried.iter().take(4).map(|p| p.display().to_string()).collect();
     match tried.len() {
@@ -60,7 +61,8 @@ fn listed(tried: &[PathBuf]) -> String {
     }
 }
 
-fn mend(file: &str) -> &'static str {
+/// Remedy for a mesh of a package that was not found; empty for other file names.
+fn remedy(file: &str) -> &'static str {
     if file.starts_with("package://") || file.starts_with("model://") {
         "; name the package's folder (--package NAME=FOLDER), or set ROS_PACKAGE_PATH"
     } else {

@@ -2,8 +2,8 @@
 //!
 //! The file is read line by line: memory is needed only for positions and triangles, and errors have line numbers.
 
-use super::triangles::{Triangles, bounded};
-use crate::reading::limits::MOST_MESH_POSITIONS;
+use super::triangles::{Triangles, check_triangle_count};
+use crate::reading::limits::MAX_MESH_VERTICES;
 use crate::reading::report::shortened;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
@@ -14,23 +14,23 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
         let mut words = text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
         match words.next() {
             Some(b"v") => {
-                let position: Option<Vec<f64>> = words.take(3).map(number).collect();
+                let position: Option<Vec<f64>> = words.take(3).map(parse_number).collect();
                 let position = position.and_then(|numbers| numbers.try_into().ok()).ok_or_else(|| {
-                    format!("line {line}: three numbers are expected after \"v\", found {:?}", shown(text))
+                    format!("line {line}: three numbers are expected after \"v\", found {:?}", excerpt(text))
                 })?;
-                if positions.len() == MOST_MESH_POSITIONS {
+                if positions.len() == MAX_MESH_VERTICES {
                     return Err(format!(
-                        "line {line}: more than {MOST_MESH_POSITIONS} vertices; simplify the mesh"
+                        "line {line}: more than {MAX_MESH_VERTICES} vertices; simplify the mesh"
                     ));
                 }
                 positions.push(position);
             }
             Some(b"f") => {
                 let mut corners = words.map(|word| {
-                    corner(word, positions.len()).ok_or_else(|| {
+                    vertex_index(word, positions.len()).ok_or_else(|| {
                         format!(
                             "line {line}: {:?} is no vertex of a face; expected v, v/vt, v//vn or v/vt/vn",
-                            shown(word)
+                            excerpt(word)
                         )
                     })
                 });
@@ -40,7 +40,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
                 for third in corners {
                     let third = third?;
                     faces.push(([first, second, third], line));
-                    bounded(faces.len()).map_err(|why| format!("line {line}: {why}"))?;
+                    check_triangle_count(faces.len()).map_err(|why| format!("line {line}: {why}"))?;
                     second = third;
                 }
             }
@@ -59,12 +59,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
     faces.iter().map(triangle).collect()
 }
 
-fn number(word: &[u8]) -> Option<f64> {
+/// Parses a number; infinite values and NaN are accepted here, and refused for all formats by [`read_mesh`](super::read_mesh).
+fn parse_number(word: &[u8]) -> Option<f64> {
     std::str::from_utf8(word).ok()?.parse().ok()
 }
 
 /// Index, from 0, of the vertex in `v/vt/vn`; a negative number counts back from the last of `count` vertices.
-fn corner(word: &[u8], count: usize) -> Option<u32> {
+fn vertex_index(word: &[u8], count: usize) -> Option<u32> {
     let vertex = word.split(|byte| *byte == b'/').next()?;
     let vertex: i64 = std::str::from_utf8(vertex).ok()?.parse().ok()?;
     let index = if vertex < 0 { i64::try_from(count).ok()?.checked_add(vertex)? } else { vertex - 1 };
@@ -72,6 +73,6 @@ fn corner(word: &[u8], count: usize) -> Option<u32> {
 }
 
 /// Shortened bytes of the file for a message.
-fn shown(bytes: &[u8]) -> String {
+fn excerpt(bytes: &[u8]) -> String {
     shortened(&String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]))
 }

@@ -19,11 +19,11 @@ impl MeshFolders {
     /// Creates the folders for a URDF file, with the packages of the environment variables.
     pub fn of_model(path: &Path, packages: Vec<(String, PathBuf)>) -> Self {
         let model = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new(".")).to_owned();
-        let paths = |name: &str| {
+        let folders_in = |name: &str| {
             std::env::var_os(name).map(|value| std::env::split_paths(&value).collect()).unwrap_or_default()
         };
-        let mut holders: Vec<PathBuf> = paths("ROS_PACKAGE_PATH");
-        let prefixes: Vec<PathBuf> = paths("AMENT_PREFIX_PATH");
+        let mut holders: Vec<PathBuf> = folders_in("ROS_PACKAGE_PATH");
+        let prefixes: Vec<PathBuf> = folders_in("AMENT_PREFIX_PATH");
         holders.extend(prefixes.into_iter().map(|prefix| prefix.join("share")));
         holders.retain(|folder| !folder.as_os_str().is_empty());
         Self { model, packages, holders }
@@ -37,7 +37,7 @@ impl MeshFolders {
     /// [`MeshError::NotFound`] with all paths that were tried.
     pub fn find(&self, file: &str) -> Result<PathBuf, MeshError> {
         let mut tried = Vec::new();
-        for path in self.places(file) {
+        for path in self.candidate_paths(file) {
             if path.is_file() {
                 return Ok(path);
             }
@@ -46,7 +46,8 @@ impl MeshFolders {
         Err(MeshError::NotFound { file: file.to_owned(), tried })
     }
 
-    fn places(&self, file: &str) -> Vec<PathBuf> {
+    /// Paths at which a mesh file may be, in the order of the search.
+    fn candidate_paths(&self, file: &str) -> Vec<PathBuf> {
         let packaged = file.strip_prefix("package://").or_else(|| file.strip_prefix("model://"));
         let Some(rest) = packaged else {
             let plain =
@@ -54,28 +55,28 @@ impl MeshFolders {
             return vec![self.model.join(plain.map_or(file, without_root_of_drive))];
         };
         let (name, within) = rest.split_once('/').unwrap_or((rest, ""));
-        let mut places: Vec<PathBuf> = self
+        let mut paths: Vec<PathBuf> = self
             .packages
             .iter()
             .filter(|(given, _)| given == name)
             .map(|(_, folder)| folder.join(within))
             .collect();
-        let named = |folder: &Path| folder.file_name().is_some_and(|own| own == name);
+        let is_package = |folder: &Path| folder.file_name().is_some_and(|folder_name| folder_name == name);
         for holder in &self.holders {
-            if named(holder) {
-                places.push(holder.join(within));
+            if is_package(holder) {
+                paths.push(holder.join(within));
             }
-            places.push(holder.join(name).join(within));
+            paths.push(holder.join(name).join(within));
         }
         // `dunce` avoids the prefix `\\?\` on Windows, because error messages show the paths.
         let model = dunce::canonicalize(&self.model).unwrap_or_else(|_| self.model.clone());
         for folder in model.ancestors() {
-            if named(folder) {
-                places.push(folder.join(within));
+            if is_package(folder) {
+                paths.push(folder.join(within));
             }
-            places.push(folder.join(name).join(within));
+            paths.push(folder.join(name).join(within));
         }
-        places
+        paths
     }
 }
 
@@ -94,7 +95,7 @@ mod tests {
     #[test]
     fn names_of_files_are_places() {
         let folders = MeshFolders { model: PathBuf::from("models"), ..MeshFolders::default() };
-        let place = |name: &str| folders.places(name).remove(0);
+        let place = |name: &str| folders.candidate_paths(name).remove(0);
         assert_eq!(place("meshes/tip.stl"), Path::new("models/meshes/tip.stl"));
         for name in ["file:///meshes/tip.stl", "file://localhost/meshes/tip.stl"] {
             assert_eq!(place(name), Path::new("/meshes/tip.stl"), "{name}");

@@ -1,41 +1,44 @@
 //! Reader of STL files, binary or ASCII.
 
-use super::triangles::{Triangles, bounded};
+use super::triangles::{Triangles, check_triangle_count};
 use crate::reading::report::shortened;
 
 /// Bytes before the first facet of a binary file.
-const HEADER: usize = 84;
+const HEADER_SIZE: usize = 84;
 /// Bytes of a facet in a binary file.
-const FACET: usize = 50;
+const FACET_SIZE: usize = 50;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
     // Binary files may also begin with "solid", so the length of the file decides.
-    match binary_count(bytes) {
-        Some(count) if bytes.len() >= HEADER + FACET * count && (count > 0 || !is_ascii(bytes)) => {
-            bounded(count)?;
-            let facets = bytes[HEADER..].chunks_exact(FACET).take(count);
-            Ok(facets.map(corners).collect())
+    match stated_count(bytes) {
+        Some(count) if bytes.len() >= HEADER_SIZE + FACET_SIZE * count && (count > 0 || !is_ascii(bytes)) => {
+            check_triangle_count(count)?;
+            let facets = bytes[HEADER_SIZE..].chunks_exact(FACET_SIZE).take(count);
+            Ok(facets.map(facet_corners).collect())
         }
-        _ if is_ascii(bytes) => ascii(bytes),
+        _ if is_ascii(bytes) => read_ascii(bytes),
         Some(count) => Err(format!(
             "it announces {count} triangles and has bytes for {}; was it cut off?",
-            (bytes.len() - HEADER) / FACET
+            (bytes.len() - HEADER_SIZE) / FACET_SIZE
         )),
         None => Err(format!("{} bytes are no STL", bytes.len())),
     }
 }
 
-fn binary_count(bytes: &[u8]) -> Option<usize> {
-    let count: [u8; 4] = bytes.get(HEADER - 4..HEADER)?.try_into().ok()?;
+/// Number of facets stated in the header of a binary file.
+fn stated_count(bytes: &[u8]) -> Option<usize> {
+    let count: [u8; 4] = bytes.get(HEADER_SIZE - 4..HEADER_SIZE)?.try_into().ok()?;
     usize::try_from(u32::from_le_bytes(count)).ok()
 }
 
+/// True for text that begins with `solid`.
 fn is_ascii(bytes: &[u8]) -> bool {
     let text = bytes.trim_ascii_start();
     text.len() >= 5 && text[..5].eq_ignore_ascii_case(b"solid") && !bytes.contains(&0)
 }
 
-fn corners(facet: &[u8]) -> [[f64; 3]; 3] {
+/// Corners of a facet of a binary file.
+fn facet_corners(facet: &[u8]) -> [[f64; 3]; 3] {
     let number = |at: usize| {
         let bytes = [facet[at], facet[at + 1], facet[at + 2], facet[at + 3]];
         f64::from(f32::from_le_bytes(bytes))
@@ -45,7 +48,7 @@ fn corners(facet: &[u8]) -> [[f64; 3]; 3] {
 }
 
 /// Reads `solid`, facets, `endsolid`. Blank lines are ignored; keywords may be in upper or lower case.
-fn ascii(bytes: &[u8]) -> Result<Triangles, String> {
+fn read_ascii(bytes: &[u8]) -> Result<Triangles, String> {
     let lines = (1_usize..).zip(bytes.split(|byte| *byte == b'\n'));
     let mut lines = lines.map(|(line, text)| (line, text.trim_ascii())).filter(|(_, text)| !text.is_empty());
     let mut next = |expected: &str| {
@@ -58,28 +61,28 @@ fn ascii(bytes: &[u8]) -> Result<Triangles, String> {
         if words(text).next().is_some_and(|word| word.eq_ignore_ascii_case(b"endsolid")) {
             return Ok(triangles);
         }
-        let wrong = |line: usize, text: &[u8], expected: &str| {
+        let mismatch = |line: usize, text: &[u8], expected: &str| {
             format!(
                 "line {line}, facet {}: {expected} is expected, found {:?}",
                 triangles.len() + 1,
-                shown(text)
+                excerpt(text)
             )
         };
         let header = "\"facet normal\" with three finite numbers";
-        numbers::<3>(text, &["facet", "normal"]).ok_or_else(|| wrong(line, text, header))?;
+        keyword_line::<3>(text, &["facet", "normal"]).ok_or_else(|| mismatch(line, text, header))?;
         let (line, text) = next("\"outer loop\"")?;
-        numbers::<0>(text, &["outer", "loop"]).ok_or_else(|| wrong(line, text, "\"outer loop\""))?;
+        keyword_line::<0>(text, &["outer", "loop"]).ok_or_else(|| mismatch(line, text, "\"outer loop\""))?;
         let mut corners = [[0.0; 3]; 3];
         for corner in &mut corners {
             let (line, text) = next("\"vertex\"")?;
-            *corner = numbers(text, &["vertex"])
-                .ok_or_else(|| wrong(line, text, "\"vertex\" with three finite numbers"))?;
+            *corner = keyword_line(text, &["vertex"])
+                .ok_or_else(|| mismatch(line, text, "\"vertex\" with three finite numbers"))?;
         }
         for end in ["endloop", "endfacet"] {
             let (line, text) = next(end)?;
-            numbers::<0>(text, &[end]).ok_or_else(|| wrong(line, text, end))?;
+            keyword_line::<0>(text, &[end]).ok_or_else(|| mismatch(line, text, end))?;
         }
-        bounded(triangles.len() + 1).map_err(|why| format!("line {line}: {why}"))?;
+        check_triangle_count(triangles.len() + 1).map_err(|why| format!("line {line}: {why}"))?;
         triangles.push(corners);
     }
 }
@@ -90,7 +93,7 @@ fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
 
 /// The `N` finite numbers after the keywords `names` in a line; `None` for any other line. Numbers have single precision, as
 /// in binary files.
-fn numbers<const N: usize>(text: &[u8], names: &[&str]) -> Option<[f64; N]> {
+fn keyword_line<const N: usize>(text: &[u8], names: &[&str]) -> Option<[f64; N]> {
     let mut words = words(text);
     for name in names {
         words.next().filter(|word| word.eq_ignore_ascii_case(name.as_bytes()))?;
@@ -104,6 +107,6 @@ fn numbers<const N: usize>(text: &[u8], names: &[&str]) -> Option<[f64; N]> {
 }
 
 /// Shortened line of the file for a message.
-fn shown(text: &[u8]) -> String {
+fn excerpt(text: &[u8]) -> String {
     shortened(&String::from_utf8_lossy(&text[..text.len().min(1000)]))
 }

@@ -6,11 +6,11 @@ use std::f64::consts::TAU;
 
 /// Surface patch, and the number of parts along each parameter.
 pub(super) struct Patch {
-    kind: Kind,
+    kind: PatchKind,
     parts: (usize, usize),
 }
 
-enum Kind {
+enum PatchKind {
     /// Parallelogram: corner, first edge, second edge. The normal is first × second.
     Plane([Vector3<f64>; 3]),
     /// Side of a cylinder about z: radius, length.
@@ -22,6 +22,7 @@ enum Kind {
 }
 
 impl Patch {
+    /// The six faces of a box; `parts` per axis.
     pub fn of_box(size: [f64; 3], parts: [usize; 3]) -> Vec<Self> {
         let mut patches = Vec::with_capacity(6);
         for axis in 0..3 {
@@ -35,7 +36,7 @@ impl Patch {
                 let corner = 0.5 * (sign * edge(axis) - edge(second) - edge(third));
                 let (first, last) = if sign > 0.0 { (second, third) } else { (third, second) };
                 patches.push(Self {
-                    kind: Kind::Plane([corner, edge(first), edge(last)]),
+                    kind: PatchKind::Plane([corner, edge(first), edge(last)]),
                     parts: (parts[first], parts[last]),
                 });
             }
@@ -43,38 +44,42 @@ impl Patch {
         patches
     }
 
+    /// Side of a cylinder about z.
     pub fn side(radius: f64, length: f64, parts: (usize, usize)) -> Self {
-        Self { kind: Kind::Side(radius, length), parts }
+        Self { kind: PatchKind::Side(radius, length), parts }
     }
 
+    /// End disc of a cylinder at the height `height`; `side` is 1 for the upper end, −1 for the lower.
     pub fn disc(radius: f64, height: f64, side: f64, parts: (usize, usize)) -> Self {
-        Self { kind: Kind::Disc(radius, height, side), parts }
+        Self { kind: PatchKind::Disc(radius, height, side), parts }
     }
 
+    /// Zone of a sphere: `height` of its centre, first latitude and range of latitudes (rad).
     pub fn ball(radius: f64, height: f64, (first, span): (f64, f64), parts: (usize, usize)) -> Self {
-        Self { kind: Kind::Ball(radius, height, first, span), parts }
+        Self { kind: PatchKind::Ball(radius, height, first, span), parts }
     }
 
-    pub fn count(&self) -> usize {
+    /// Number of facets, including degenerate ones at the poles.
+    pub fn facet_count(&self) -> usize {
         self.parts.0.saturating_mul(self.parts.1).saturating_mul(2)
     }
 
-    /// Position and normal at the parameters (u, v).
-    fn at(&self, u: f64, v: f64) -> (Vector3<f64>, Vector3<f64>) {
+    /// Point and normal (of any length) at the parameters (u, v).
+    fn point_and_normal(&self, u: f64, v: f64) -> (Vector3<f64>, Vector3<f64>) {
         let (sine, cosine) = (TAU * u).sin_cos();
         match self.kind {
-            Kind::Plane([corner, first, second]) => {
+            PatchKind::Plane([corner, first, second]) => {
                 let normal = first.cross(&second);
                 (corner + first * u + second * v, normal)
             }
-            Kind::Side(radius, length) => {
+            PatchKind::Side(radius, length) => {
                 let normal = Vector3::new(cosine, sine, 0.0);
                 (normal * radius + Vector3::z() * (length * (v - 0.5)), normal)
             }
-            Kind::Disc(radius, height, side) => {
+            PatchKind::Disc(radius, height, side) => {
                 (Vector3::new(radius * v * cosine, radius * v * sine, height), Vector3::z() * side)
             }
-            Kind::Ball(radius, height, first, span) => {
+            PatchKind::Ball(radius, height, first, span) => {
                 let (up, level) = (first + span * v).sin_cos();
                 let normal = Vector3::new(level * cosine, level * sine, up);
                 (normal * radius + Vector3::z() * height, normal)
@@ -82,23 +87,24 @@ impl Patch {
         }
     }
 
-    /// Adds two triangles per part.
+    /// Appends two facets per part.
     pub fn divide(&self, out: &mut Vec<Facet>) {
         let (across, along) = self.parts;
         let part = |i: usize, k: usize| (i as f64 / across as f64, k as f64 / along as f64);
         for i in 0..across {
             for k in 0..along {
                 let [a, b, c, d] = [part(i, k), part(i + 1, k), part(i + 1, k + 1), part(i, k + 1)];
-                self.triangle([a, b, c], out);
-                self.triangle([a, c, d], out);
+                self.add_facet([a, b, c], out);
+                self.add_facet([a, c, d], out);
             }
         }
     }
 
-    fn triangle(&self, parameters: [(f64, f64); 3], out: &mut Vec<Facet>) {
-        let mut corners = parameters.map(|(u, v)| self.at(u, v).0);
-        let mean = |of: fn(&(f64, f64)) -> f64| parameters.iter().map(of).sum::<f64>() / 3.0;
-        let (point, normal) = self.at(mean(|p| p.0), mean(|p| p.1));
+    /// Appends the facet with these corners in parameters; degenerate facets are left out.
+    fn add_facet(&self, parameters: [(f64, f64); 3], out: &mut Vec<Facet>) {
+        let mut corners = parameters.map(|(u, v)| self.point_and_normal(u, v).0);
+        let mean = |coordinate: fn(&(f64, f64)) -> f64| parameters.iter().map(coordinate).sum::<f64>() / 3.0;
+        let (point, normal) = self.point_and_normal(mean(|p| p.0), mean(|p| p.1));
         let cross = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
         let (length, normal_length) = (cross.norm(), normal.norm());
         let size = corners.iter().map(|c| c.norm_squared()).fold(0.0, f64::max);

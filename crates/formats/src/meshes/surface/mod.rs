@@ -8,7 +8,7 @@ pub use facet::Facet;
 pub use orient::Orientation;
 
 use crate::meshes::files::{MeshError, MeshFolders, read_mesh};
-use crate::reading::limits::ROUND_FACETS;
+use crate::reading::limits::FACETS_PER_TURN;
 use crate::urdf::elements::shape::{Shape, Solid};
 use grid::Patch;
 use nalgebra::Vector3;
@@ -40,7 +40,7 @@ pub struct Surface {
 
 #[derive(Clone, Debug)]
 enum Part {
-    Round(Solid, Transform<f64>),
+    Solid(Solid, Transform<f64>),
     Mesh(Vec<[Vector3<f64>; 3]>),
 }
 
@@ -57,17 +57,17 @@ impl Surface {
         let mut surface = Self::default();
         for shape in shapes {
             let Solid::Mesh { file, scale } = &shape.solid else {
-                surface.parts.push(Part::Round(shape.solid.clone(), shape.frame));
+                surface.parts.push(Part::Solid(shape.solid.clone(), shape.frame));
                 continue;
             };
             let path = folders.find(file)?;
             let triangles = read_mesh(&path, max_size)?;
             surface.files.push(path);
-            let placed = |p: [f64; 3]| {
+            let in_link_frame = |p: [f64; 3]| {
                 shape.frame.point(&Vector3::new(p[0] * scale[0], p[1] * scale[1], p[2] * scale[2]))
             };
             let mut triangles: Vec<[Vector3<f64>; 3]> =
-                triangles.into_iter().map(|corners| corners.map(placed)).collect();
+                triangles.into_iter().map(|corners| corners.map(in_link_frame)).collect();
             surface.orientation.add(&orient::turn_outward(&mut triangles));
             surface.parts.push(Part::Mesh(triangles));
         }
@@ -93,7 +93,7 @@ impl Surface {
         };
         for part in &self.parts {
             match part {
-                Part::Round(solid, frame) => {
+                Part::Solid(solid, frame) => {
                     let half = half_size(solid);
                     for corner in 0..8_usize {
                         let side =
@@ -111,16 +111,16 @@ impl Surface {
     /// never merged.
     ///
     /// # Errors
-    /// [`SurfaceError::TooMany`] if more than `most` facets are needed.
-    pub fn facets(&self, edge: f64, most: usize) -> Result<Vec<Facet>, SurfaceError> {
-        let needed = self.parts.iter().map(|part| count(part, edge)).fold(0, usize::saturating_add);
-        if needed > most {
-            return Err(SurfaceError::TooMany { needed, most });
+    /// [`SurfaceError::TooMany`] if more than `max_count` facets are needed.
+    pub fn facets(&self, edge: f64, max_count: usize) -> Result<Vec<Facet>, SurfaceError> {
+        let needed = self.parts.iter().map(|part| facet_count(part, edge)).fold(0, usize::saturating_add);
+        if needed > max_count {
+            return Err(SurfaceError::TooMany { needed, most: max_count });
         }
         let mut facets = Vec::with_capacity(needed);
         for part in &self.parts {
             match part {
-                Part::Round(solid, frame) => {
+                Part::Solid(solid, frame) => {
                     let first = facets.len();
                     patches(solid, edge).iter().for_each(|patch| patch.divide(&mut facets));
                     for facet in &mut facets[first..] {
@@ -129,13 +129,14 @@ impl Surface {
                         facet.normal = frame.vector(&facet.normal);
                     }
                 }
-                Part::Mesh(triangles) => triangles.iter().for_each(|t| divide(t, edge, &mut facets)),
+                Part::Mesh(triangles) => triangles.iter().for_each(|t| divide_triangle(t, edge, &mut facets)),
             }
         }
         Ok(facets)
     }
 }
 
+/// Half the edge lengths of the bounding box of a solid, m; 0 for a mesh.
 fn half_size(solid: &Solid) -> [f64; 3] {
     match solid {
         Solid::Box { size } => size.map(|s| 0.5 * s),
@@ -146,31 +147,37 @@ fn half_size(solid: &Solid) -> [f64; 3] {
     }
 }
 
-fn count(part: &Part, edge: f64) -> usize {
+/// Number of facets of a part, for edges of about `edge` (m) at most.
+fn facet_count(part: &Part, edge: f64) -> usize {
     match part {
-        Part::Round(solid, _) => patches(solid, edge).iter().map(Patch::count).fold(0, usize::saturating_add),
+        Part::Solid(solid, _) => {
+            patches(solid, edge).iter().map(Patch::facet_count).fold(0, usize::saturating_add)
+        }
         Part::Mesh(triangles) => {
-            let of = |t: &[Vector3<f64>; 3]| parts_of(t, edge).saturating_mul(parts_of(t, edge));
-            triangles.iter().map(of).fold(0, usize::saturating_add)
+            let facets_of_triangle = |t: &[Vector3<f64>; 3]| {
+                triangle_subdivisions(t, edge).saturating_mul(triangle_subdivisions(t, edge))
+            };
+            triangles.iter().map(facets_of_triangle).fold(0, usize::saturating_add)
         }
     }
 }
 
-/// Number of parts for an edge of the given length.
-fn parts_along(length: f64, edge: f64) -> usize {
+/// Number of pieces into which an edge of the given length is divided.
+fn subdivisions(length: f64, edge: f64) -> usize {
     let parts = (length / edge).ceil();
     // NaN gives one part. A very large number is refused later, by the number of facets.
     if parts >= 1.0 { parts as usize } else { 1 }
 }
 
-fn parts_of(t: &[Vector3<f64>; 3], edge: f64) -> usize {
+/// Number of pieces per edge of a triangle, from its longest edge.
+fn triangle_subdivisions(t: &[Vector3<f64>; 3], edge: f64) -> usize {
     let longest = (t[1] - t[0]).norm().max((t[2] - t[1]).norm()).max((t[0] - t[2]).norm());
-    parts_along(longest, edge)
+    subdivisions(longest, edge)
 }
 
-/// Divides a triangle into n² congruent triangles.
-fn divide(t: &[Vector3<f64>; 3], edge: f64, out: &mut Vec<Facet>) {
-    let n = parts_of(t, edge);
+/// Divides a triangle into n² congruent facets.
+fn divide_triangle(t: &[Vector3<f64>; 3], edge: f64, out: &mut Vec<Facet>) {
+    let n = triangle_subdivisions(t, edge);
     let at = |i: usize, k: usize| {
         if n == 1 {
             // Uses the exact corner, without the rounding of a sum.
@@ -180,15 +187,16 @@ fn divide(t: &[Vector3<f64>; 3], edge: f64, out: &mut Vec<Facet>) {
     };
     for i in 0..n {
         for k in 0..n - i {
-            flat([at(i, k), at(i + 1, k), at(i, k + 1)], out);
+            add_flat_facet([at(i, k), at(i + 1, k), at(i, k + 1)], out);
             if i + k + 1 < n {
-                flat([at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)], out);
+                add_flat_facet([at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)], out);
             }
         }
     }
 }
 
-fn flat(corners: [Vector3<f64>; 3], out: &mut Vec<Facet>) {
+/// Appends a facet; a degenerate triangle is left out.
+fn add_flat_facet(corners: [Vector3<f64>; 3], out: &mut Vec<Facet>) {
     let [a, b, c] = corners;
     let cross = (b - a).cross(&(c - a));
     let length = cross.norm();
@@ -198,11 +206,12 @@ fn flat(corners: [Vector3<f64>; 3], out: &mut Vec<Facet>) {
     }
 }
 
-/// Patches that form the surface of a solid.
+/// Patches that form the surface of a solid, divided for edges of about `edge` (m); empty for a mesh.
 fn patches(solid: &Solid, edge: f64) -> Vec<Patch> {
-    let around =
-        |radius: f64| parts_along(TAU * radius, edge).clamp(*ROUND_FACETS.start(), *ROUND_FACETS.end());
-    let straight = |length: f64| parts_along(length, edge);
+    let around = |radius: f64| {
+        subdivisions(TAU * radius, edge).clamp(*FACETS_PER_TURN.start(), *FACETS_PER_TURN.end())
+    };
+    let straight = |length: f64| subdivisions(length, edge);
     match *solid {
         Solid::Box { size } => Patch::of_box(size, size.map(straight)),
         Solid::Sphere { radius } => {

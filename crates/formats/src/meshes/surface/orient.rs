@@ -4,7 +4,7 @@
 //! a negative signed volume is reversed as a whole. A piece without an inside (an open sheet) is turned away from the
 //! centre of the mesh.
 
-use crate::reading::limits::NO_VOLUME;
+use crate::reading::limits::MIN_RELATIVE_VOLUME;
 use nalgebra::Vector3;
 use std::collections::HashMap;
 
@@ -23,6 +23,7 @@ pub struct Orientation {
 }
 
 impl Orientation {
+    /// Adds the counts of another mesh.
     pub(super) fn add(&mut self, other: &Self) {
         self.pieces += other.pieces;
         self.turned += other.turned;
@@ -61,28 +62,28 @@ pub(super) fn turn_outward(triangles: &mut [Triangle]) -> Orientation {
         let (mut next, mut closed, mut conflict) = (0, true, false);
         while let Some(&t) = piece.get(next) {
             next += 1;
-            let own = turned[t] == Some(true);
+            let is_reversed = turned[t] == Some(true);
             for k in 0..3 {
                 let (a, b) = (corners[t][k], corners[t][(k + 1) % 3]);
                 if a == b {
                     continue;
                 }
-                let beside = &edges[&(a.min(b), a.max(b))];
-                closed &= beside.len() == 2;
+                let sharing = &edges[&(a.min(b), a.max(b))];
+                closed &= sharing.len() == 2;
                 // An edge of more than two triangles does not determine the winding of its neighbours.
-                let [first, second] = beside[..] else { continue };
+                let [first, second] = sharing[..] else { continue };
                 let other = if first as usize == t { second } else { first } as usize;
                 if other == t {
                     continue;
                 }
                 // Two neighbours with the same sense of winding pass their common edge in opposite directions.
-                let wanted = own ^ runs_along(&corners[other], a, b);
+                let expected = is_reversed ^ runs_along(&corners[other], a, b);
                 match turned[other] {
                     None => {
-                        turned[other] = Some(wanted);
+                        turned[other] = Some(expected);
                         piece.push(other);
                     }
-                    Some(found) => conflict |= found != wanted,
+                    Some(found) => conflict |= found != expected,
                 }
             }
         }
@@ -93,7 +94,7 @@ pub(super) fn turn_outward(triangles: &mut [Triangle]) -> Orientation {
         };
         let volume: f64 = piece.iter().map(|&t| signed(t)).sum();
         let area: f64 = piece.iter().map(|&t| area(&triangles[t])).sum();
-        let has_inside = closed && volume.abs() > NO_VOLUME * area * area.sqrt();
+        let has_inside = closed && volume.abs() > MIN_RELATIVE_VOLUME * area * area.sqrt();
         orientation.pieces += 1;
         orientation.open += usize::from(!has_inside);
         orientation.conflicting += usize::from(conflict);

@@ -4,25 +4,26 @@
 //! - Drake's `<drake:rotor_inertia value="I"/>` and `<drake:gear_ratio value="r"/>`, A = I r², in the joint, in an
 //!   `<actuator>` of the joint, or in the `<actuator>` of a `<transmission>` that names the joint.
 
-use crate::reading::limits::ARMATURE_SLACK;
+use crate::reading::limits::ARMATURE_TOLERANCE;
 use crate::reading::report::{Place, Report};
-use crate::urdf::elements::numbers::{bad, number, parse};
+use crate::urdf::elements::numbers::{number, parse, report_bad_number};
 use crate::urdf::elements::survey::{child, children};
 use percuss_mechanism::Severity;
 use roxmltree::Node;
 
 /// Returns the armature given inside a `<joint>`: empty, one value, or one value per velocity.
-pub(crate) fn of_joint<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Vec<f64> {
-    let mut armature = child(node, "dynamics").map(|n| listed(n, report)).unwrap_or_default();
+pub(crate) fn read_joint_armature<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Vec<f64> {
+    let mut armature = child(node, "dynamics").map(|n| listed_values(n, report)).unwrap_or_default();
     for holder in std::iter::once(node).chain(children(node, "actuator")) {
-        if let Some(value) = reflected(holder, report) {
-            add(&mut armature, value, holder, report);
+        if let Some(value) = reflected_inertia(holder, report) {
+            add_value(&mut armature, value, holder, report);
         }
     }
     armature
 }
 
-fn listed(node: Node<'_, '_>, report: &mut Report) -> Vec<f64> {
+/// Values of the attribute `armature`; empty if the attribute is absent or invalid.
+fn listed_values(node: Node<'_, '_>, report: &mut Report) -> Vec<f64> {
     let Some(text) = node.attribute("armature") else { return Vec::new() };
     let parsed = match text.split_ascii_whitespace().take(7).count() {
         3 => parse::<3>(text).map(Vec::from),
@@ -30,18 +31,18 @@ fn listed(node: Node<'_, '_>, report: &mut Report) -> Vec<f64> {
         _ => parse::<1>(text).map(Vec::from),
     };
     parsed.unwrap_or_else(|defect| {
-        bad(node, "armature", text, &defect, report);
+        report_bad_number(node, "armature", text, &defect, report);
         Vec::new()
     })
 }
 
 /// Reflected inertia I r² from Drake's elements in `holder`. The ratio defaults to 1, with a note.
-pub(crate) fn reflected<'a, 'i: 'a>(holder: Node<'a, 'i>, report: &mut Report) -> Option<f64> {
+pub(crate) fn reflected_inertia<'a, 'i: 'a>(holder: Node<'a, 'i>, report: &mut Report) -> Option<f64> {
     let inertia = number(child(holder, "drake:rotor_inertia")?, "value", report)?;
     let ratio = match child(holder, "drake:gear_ratio") {
         Some(node) => number(node, "value", report)?,
         None => {
-            report.fold(Severity::Note, "default-gear", String::new(), Place::Element(holder), || {
+            report.add_once(Severity::Note, "default-gear", String::new(), Place::Element(holder), || {
                 "a rotor inertia without <drake:gear_ratio>: the ratio is taken as 1, as in Drake".to_owned()
             });
             1.0
@@ -51,10 +52,10 @@ pub(crate) fn reflected<'a, 'i: 'a>(holder: Node<'a, 'i>, report: &mut Report) -
 }
 
 /// Sets the armature, or compares a second value with the first. A difference beyond the tolerance is an error.
-pub(crate) fn add(armature: &mut Vec<f64>, value: f64, place: Node<'_, '_>, report: &mut Report) {
+pub(crate) fn add_value(armature: &mut Vec<f64>, value: f64, place: Node<'_, '_>, report: &mut Report) {
     match armature[..] {
         [] => armature.push(value),
-        [given] if (given - value).abs() <= ARMATURE_SLACK * given.abs().max(value.abs()) => {}
+        [given] if (given - value).abs() <= ARMATURE_TOLERANCE * given.abs().max(value.abs()) => {}
         _ => report.error("two-armatures", Place::Element(place), || {
             format!("the joint's armature is given twice, with different values: {armature:?} and {value}")
         }),

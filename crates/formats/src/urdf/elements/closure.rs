@@ -1,9 +1,9 @@
 //! Parser of `<loop>` and `<loop_joint>` (joints outside the tree) and of `<coupling>` (a ratio between rates).
 
-use crate::reading::limits::SHORTEST_AXIS;
+use crate::reading::limits::MIN_AXIS_COMPONENT;
 use crate::reading::report::{Place, Report, quoted};
-use crate::urdf::elements::joint::end;
-use crate::urdf::elements::link::name;
+use crate::urdf::elements::joint::link_at_end;
+use crate::urdf::elements::link::check_name;
 use crate::urdf::elements::numbers::{number, required};
 use crate::urdf::elements::origin::{self, Origin};
 use crate::urdf::elements::survey::{child, is_gazebo_joint, is_named};
@@ -21,7 +21,7 @@ pub(crate) fn is_loop(node: Node<'_, '_>) -> bool {
 }
 
 /// Tags of the elements that name the two links: predecessor first, successor second.
-pub(crate) fn ends(node: Node<'_, '_>) -> &'static [&'static str; 2] {
+pub(crate) fn end_tags(node: Node<'_, '_>) -> &'static [&'static str; 2] {
     if is_gazebo_joint(node) {
         &["parent", "child"]
     } else if is_named(node, "loop_joint") {
@@ -33,12 +33,12 @@ pub(crate) fn ends(node: Node<'_, '_>) -> &'static [&'static str; 2] {
 
 /// Checks a `<loop>` or `<loop_joint>`. Each number of the result is finite; defects are reported.
 pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
-    let name = name(node, report);
+    let name = check_name(node, report);
     let kind = kind(node, report);
-    let [predecessor, successor] = ends(node).map(|tag| end(node, tag, report));
-    let [predecessor_frame, successor_frame] = ends(node).map(|tag| frame(node, tag, report));
+    let [predecessor, successor] = end_tags(node).map(|tag| link_at_end(node, tag, report));
+    let [predecessor_frame, successor_frame] = end_tags(node).map(|tag| frame(node, tag, report));
     if let Some(kind) = kind {
-        beside_the_point(node, kind, report);
+        report_unused_elements(node, kind, report);
     }
     let universal = kind == Some(ClosureKind::Universal);
     ClosureDescription {
@@ -56,14 +56,14 @@ pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Clos
 
 /// Checks a `<coupling>`.
 pub(crate) fn check_coupling<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> CouplingDescription {
-    let name = name(node, report);
+    let name = check_name(node, report);
     // "rolling" is the only type in use.
     if let Some(other) = node.attribute("type").filter(|t| *t != "rolling") {
         report.warning("unknown-coupling-type", Place::Attribute(node, "type"), || {
             format!("the coupling type {} is unknown; it is read as a ratio between rates", quoted(other))
         });
     }
-    let [predecessor, successor] = ends(node).map(|tag| end(node, tag, report).to_owned());
+    let [predecessor, successor] = end_tags(node).map(|tag| link_at_end(node, tag, report).to_owned());
     let ratio = match child(node, "ratio") {
         Some(ratio) => number(ratio, "value", report),
         None => {
@@ -78,6 +78,7 @@ pub(crate) fn check_coupling<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report
     CouplingDescription { name: name.to_owned(), predecessor, successor, ratio: ratio.unwrap_or(1.0) }
 }
 
+/// Reads the kind of a loop; `None` after an error.
 fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
     // URDF has two names for a hinge joint: "revolute" and "continuous".
     let names = || ClosureKind::ALL.map(ClosureKind::name).into_iter().chain(["continuous"]);
@@ -114,7 +115,7 @@ fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
 /// Loop frame in the link: `<origin>` of `<predecessor>` or `<successor>`; attributes of `<link1>` or `<link2>`.
 fn frame<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> Transform<f64> {
     let origin = match child(node, tag) {
-        Some(end) if is_named(node, "loop_joint") => origin::of(end, report),
+        Some(end) if is_named(node, "loop_joint") => origin::check_attributes(end, report),
         Some(end) => origin::check(end, report),
         None => Origin::IDENTITY,
     };
@@ -142,13 +143,14 @@ fn direction<'a, 'i: 'a>(
     };
     let axis = Vector3::from(crate::urdf::elements::numbers::parse::<3>(text).unwrap_or_default());
     // The builder does not distinguish `<axis>` from `<axis2>`; the check here names the element.
-    if let Some(element) = child(node, tag).filter(|_| kind.is_some() && axis.amax() < SHORTEST_AXIS) {
+    if let Some(element) = child(node, tag).filter(|_| kind.is_some() && axis.amax() < MIN_AXIS_COMPONENT) {
         let problem = Problem::ZeroAxis;
         report.add(problem.severity(), problem.code(), Place::Element(element), || problem.to_string());
     }
     axis
 }
 
+/// Reads the distance of a distance loop; `None` without the element.
 fn distance<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<ClosureKind>, report: &mut Report) -> Option<f64> {
     let element = child(node, "distance");
     if element.is_none() && kind == Some(ClosureKind::Distance) {
@@ -162,7 +164,7 @@ fn distance<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<ClosureKind>, report: &
 
 /// Reports elements that the kind of loop does not use. A superfluous axis is common (a note); a superfluous second
 /// axis or distance is a likely mistake (a warning).
-fn beside_the_point<'a, 'i: 'a>(node: Node<'a, 'i>, kind: ClosureKind, report: &mut Report) {
+fn report_unused_elements<'a, 'i: 'a>(node: Node<'a, 'i>, kind: ClosureKind, report: &mut Report) {
     let message = |tag: &str| format!("a {} loop has no <{tag}>; ignored", kind.name());
     if let Some(axis) = child(node, "axis").filter(|_| !kind.has_axis()) {
         report.note("unused-element", Place::Element(axis), || message("axis"));

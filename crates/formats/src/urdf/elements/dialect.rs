@@ -31,6 +31,7 @@ pub(crate) struct Element {
     pub children: &'static [Element],
 }
 
+/// Element that is read; a parent may have several.
 const fn read(
     name: &'static str,
     attributes: &'static [(&'static str, Use)],
@@ -39,11 +40,13 @@ const fn read(
     Element { name, usage: Read, single: false, attributes, children }
 }
 
+/// Element that is read, without children; a parent may have one.
 const fn single(name: &'static str, attributes: &'static [(&'static str, Use)]) -> Element {
     Element { name, usage: Read, single: true, attributes, children: &[] }
 }
 
-const fn other(name: &'static str, usage: Use) -> Element {
+/// Element with a treatment other than `Read`; attributes and children are not examined.
+const fn unread(name: &'static str, usage: Use) -> Element {
     Element { name, usage, single: false, attributes: &[], children: &[] }
 }
 
@@ -54,10 +57,11 @@ const MISPLACED: Use = Refused(
      an <origin>, <link1> and <link2> have xyz and rpy themselves",
 );
 
-const UNWATCHED: Use = Noted("what closes a loop has no limits; ignored, limit a joint of the tree");
+/// Treatment of limits of a joint that closes a loop: the limits are ignored with a note.
+const UNCHECKED_LIMIT: Use = Noted("what closes a loop has no limits; ignored, limit a joint of the tree");
 
-/// Treatment of constraints in other languages: an error that names the replacement.
-macro_rules! instead {
+/// Treatment of constraints in the notation of other programs: an error that names the replacement.
+macro_rules! write_instead {
     ($write:literal) => {
         Refused(
             "loop-unsupported",
@@ -84,38 +88,39 @@ const IN_ROBOT: &[Element] = &[
         IN_JOINT,
     ),
     // armature.rs searches transmissions for Drake's rotor inertias.
-    other("transmission", Silent),
+    unread("transmission", Silent),
     // Joints in a `<gazebo>` close loops: GAZEBO_JOINT.
-    other("gazebo", Silent),
-    other("material", Silent),
-    other("sensor", Silent),
-    other("ros2_control", Silent),
+    unread("gazebo", Silent),
+    unread("material", Silent),
+    unread("sensor", Silent),
+    unread("ros2_control", Silent),
     // survey.rs searches `<mujoco>` for equality constraints.
-    other("mujoco", Silent),
-    other("group", Silent),
-    other("frame", Silent),
-    other("capability", Silent),
-    other("self_collision_checking", Silent),
+    unread("mujoco", Silent),
+    unread("group", Silent),
+    unread("frame", Silent),
+    unread("capability", Silent),
+    unread("self_collision_checking", Silent),
     read("loop", &[("name", Read), ("type", Read)], IN_LOOP),
     read("loop_joint", &[("name", Read), ("type", Read)], IN_LOOP_JOINT),
     read("coupling", &[("name", Read), ("type", Read)], IN_COUPLING),
-    other("constraint", instead!("a <loop> or a <coupling>")),
-    other(
+    unread("constraint", write_instead!("a <loop> or a <coupling>")),
+    unread(
         "drake:joint",
         Refused(
             "unsupported",
             "joints of Drake's own are not read, and the answer without this one would be wrong",
         ),
     ),
-    other("drake:ball_constraint", instead!("<loop type=\"spherical\">")),
-    other("drake:distance_constraint", instead!("<loop type=\"distance\">")),
-    other("drake:weld_constraint", instead!("<loop type=\"fixed\">")),
-    other("drake:coupler_constraint", instead!("a <coupling>, or a <mimic> in the joint,")),
+    unread("drake:ball_constraint", write_instead!("<loop type=\"spherical\">")),
+    unread("drake:distance_constraint", write_instead!("<loop type=\"distance\">")),
+    unread("drake:weld_constraint", write_instead!("<loop type=\"fixed\">")),
+    unread("drake:coupler_constraint", write_instead!("a <coupling>, or a <mimic> in the joint,")),
 ];
 
 const ORIGIN: Element = single("origin", &[("xyz", Read), ("rpy", Read), ("quat_xyzw", Read)]);
 
-const fn one(
+/// Element that is read; a parent may have one.
+const fn single_with_children(
     name: &'static str,
     attributes: &'static [(&'static str, Use)],
     children: &'static [Element],
@@ -123,66 +128,68 @@ const fn one(
     Element { name, usage: Read, single: true, attributes, children }
 }
 
-const HOLDS: &[(&str, Use)] =
+/// Attributes of the end of a `<loop>`: the frame is given by an `<origin>`.
+const LOOP_END: &[(&str, Use)] =
     &[("link", Read), ("xyz", MISPLACED), ("rpy", MISPLACED), ("quat_xyzw", MISPLACED)];
 
 const IN_LOOP: &[Element] = &[
-    one("predecessor", HOLDS, &[ORIGIN]),
-    one("successor", HOLDS, &[ORIGIN]),
+    single_with_children("predecessor", LOOP_END, &[ORIGIN]),
+    single_with_children("successor", LOOP_END, &[ORIGIN]),
     single("axis", &[("xyz", Read)]),
     single("axis2", &[("xyz", Read)]),
     single("distance", &[("value", Read)]),
-    other("origin", MISPLACED),
-    other("predecessor_origin", MISPLACED),
-    other("successor_origin", MISPLACED),
-    other("limit", UNWATCHED),
+    unread("origin", MISPLACED),
+    unread("predecessor_origin", MISPLACED),
+    unread("successor_origin", MISPLACED),
+    unread("limit", UNCHECKED_LIMIT),
     // Damping and friction are finite forces: no effect on an instantaneous impact.
-    other("dynamics", Silent),
+    unread("dynamics", Silent),
 ];
 
-const PLACED: &[(&str, Use)] = &[("link", Read), ("xyz", Read), ("rpy", Read), ("quat_xyzw", Read)];
+/// Attributes of the end of a `<loop_joint>`: they give the frame themselves.
+const LOOP_JOINT_END: &[(&str, Use)] = &[("link", Read), ("xyz", Read), ("rpy", Read), ("quat_xyzw", Read)];
 
 const IN_LOOP_JOINT: &[Element] = &[
-    one("link1", PLACED, &[other("origin", MISPLACED)]),
-    one("link2", PLACED, &[other("origin", MISPLACED)]),
+    single_with_children("link1", LOOP_JOINT_END, &[unread("origin", MISPLACED)]),
+    single_with_children("link2", LOOP_JOINT_END, &[unread("origin", MISPLACED)]),
     single("axis", &[("xyz", Read)]),
     single("axis2", &[("xyz", Read)]),
     single("distance", &[("value", Read)]),
-    other("origin", MISPLACED),
-    other("limit", UNWATCHED),
-    other("dynamics", Silent),
+    unread("origin", MISPLACED),
+    unread("limit", UNCHECKED_LIMIT),
+    unread("dynamics", Silent),
 ];
 
 const IN_COUPLING: &[Element] = &[
     // A ratio between rates needs no position on the links.
-    one("predecessor", &[("link", Read)], &[other("origin", Silent)]),
-    one("successor", &[("link", Read)], &[other("origin", Silent)]),
+    single_with_children("predecessor", &[("link", Read)], &[unread("origin", Silent)]),
+    single_with_children("successor", &[("link", Read)], &[unread("origin", Silent)]),
     single("ratio", &[("value", Read)]),
     // Both axes are joint axes.
-    other("axis", Silent),
+    unread("axis", Silent),
 ];
 
 const IN_LINK: &[Element] = &[
     Element { name: "inertial", usage: Read, single: true, attributes: &[], children: IN_INERTIAL },
     // geometry.rs reads the size of the shape.
-    other("visual", Silent),
-    other("collision", Silent),
-    other(
+    unread("visual", Silent),
+    unread("collision", Silent),
+    unread(
         "origin",
         Warned("a link has no origin of its own in URDF (its joint and its <inertial> have); ignored"),
     ),
-    other("sensor", Silent),
-    other("gazebo", Silent),
-    other("material", Silent),
-    other("contact", Silent),
-    other("surface", Silent),
-    other("gravity", Silent),
-    other("self_filter", Silent),
-    other("collision_checking", Silent),
-    other("self_collision_checking", Silent),
-    other("collision_bullet", Silent),
-    other("verbose", Silent),
-    other(
+    unread("sensor", Silent),
+    unread("gazebo", Silent),
+    unread("material", Silent),
+    unread("contact", Silent),
+    unread("surface", Silent),
+    unread("gravity", Silent),
+    unread("self_filter", Silent),
+    unread("collision_checking", Silent),
+    unread("self_collision_checking", Silent),
+    unread("collision_bullet", Silent),
+    unread("verbose", Silent),
+    unread(
         "kinematic",
         Noted(
             "\"kinematic\" is a simulator's word for a body moved by script; ignored, lock its joint to hold it",
@@ -240,45 +247,46 @@ const IN_JOINT: &[Element] = &[
     read("actuator", &[("name", Silent)], IN_ACTUATOR),
     single("drake:rotor_inertia", &[("value", Read)]),
     single("drake:gear_ratio", &[("value", Read)]),
-    other("calibration", Silent),
-    other("safety_controller", Silent),
-    other("hardwareInterface", Silent),
-    other("joint_properties", Silent),
-    other("physics", Silent),
-    other("sensor", Silent),
-    other("gazebo", Silent),
+    unread("calibration", Silent),
+    unread("safety_controller", Silent),
+    unread("hardwareInterface", Silent),
+    unread("joint_properties", Silent),
+    unread("physics", Silent),
+    unread("sensor", Silent),
+    unread("gazebo", Silent),
 ];
 
 /// SDF `<joint>` in a `<gazebo>` of the robot. `gazebo_joint.rs` reads the values, which are element texts and
 /// frames.
 pub(crate) const GAZEBO_JOINT: Element = read("joint", &[("name", Read), ("type", Read)], IN_GAZEBO_JOINT);
 
-const fn text(name: &'static str) -> Element {
+/// Element whose content is text; a parent may have one.
+const fn single_text(name: &'static str) -> Element {
     Element { name, usage: Silent, single: true, attributes: &[], children: &[] }
 }
 
 const IN_GAZEBO_JOINT: &[Element] = &[
-    text("pose"),
-    text("parent"),
-    text("child"),
-    one("axis", &[], IN_GAZEBO_AXIS),
-    one("axis2", &[], IN_GAZEBO_AXIS),
-    other("physics", Silent),
-    other("sensor", Silent),
+    single_text("pose"),
+    single_text("parent"),
+    single_text("child"),
+    single_with_children("axis", &[], IN_GAZEBO_AXIS),
+    single_with_children("axis2", &[], IN_GAZEBO_AXIS),
+    unread("physics", Silent),
+    unread("sensor", Silent),
 ];
 
 const IN_GAZEBO_AXIS: &[Element] = &[
-    text("xyz"),
-    text("use_parent_model_frame"),
-    other("limit", UNWATCHED),
-    other("dynamics", Silent),
-    other("initial_position", Silent),
-    other("mimic", instead!("a <coupling>, or a <mimic> in a joint of the tree,")),
+    single_text("xyz"),
+    single_text("use_parent_model_frame"),
+    unread("limit", UNCHECKED_LIMIT),
+    unread("dynamics", Silent),
+    unread("initial_position", Silent),
+    unread("mimic", write_instead!("a <coupling>, or a <mimic> in a joint of the tree,")),
 ];
 
 const IN_ACTUATOR: &[Element] = &[
     single("drake:rotor_inertia", &[("value", Read)]),
     single("drake:gear_ratio", &[("value", Read)]),
-    other("hardwareInterface", Silent),
-    other("mechanicalReduction", Silent),
+    unread("hardwareInterface", Silent),
+    unread("mechanicalReduction", Silent),
 ];

@@ -4,10 +4,10 @@
 //! joints at 0, in which the loop is therefore closed. Source: SDFormat 1.11, joint.sdf, and sdformat's
 //! `parser_urdf.cc`, which copies the element into the model.
 
-use crate::reading::limits::{OBLIQUE_PINS, QUATERNION_NORM_SLACK, SHORTEST_AXIS};
+use crate::reading::limits::{MIN_AXIS_COMPONENT, OBLIQUE_PINS, QUATERNION_NORM_TOLERANCE};
 use crate::reading::report::{Place, Report, quoted};
 use crate::urdf::elements::joint::JointText;
-use crate::urdf::elements::link::name;
+use crate::urdf::elements::link::check_name;
 use crate::urdf::elements::numbers::parse;
 use crate::urdf::elements::survey::{child, refuse_gazebo_joint as refuse};
 use percuss_mechanism::{ClosureDescription, ClosureKind, Problem};
@@ -22,7 +22,11 @@ const WORLD: &str = "world";
 /// True for a joint between the world and the root link: the joint fixes the model to the world and closes no loop.
 /// `is_root(name)` is true for the root link. A joint of this kind that is not fixed is an error, because the root
 /// would move.
-pub(crate) fn holds_root(node: Node<'_, '_>, is_root: impl Fn(&str) -> bool, report: &mut Report) -> bool {
+pub(crate) fn fixes_root_to_world(
+    node: Node<'_, '_>,
+    is_root: impl Fn(&str) -> bool,
+    report: &mut Report,
+) -> bool {
     let [parent, child] = ["parent", "child"].map(|tag| child(node, tag).map(text_of).unwrap_or_default());
     let root = match (parent.trim_ascii(), child.trim_ascii()) {
         (WORLD, root) | (root, WORLD) => root,
@@ -46,14 +50,14 @@ pub(crate) fn holds_root(node: Node<'_, '_>, is_root: impl Fn(&str) -> bool, rep
     true
 }
 
-/// Link and tree-joint frames relative to the root link, all joints at 0.
-pub(crate) struct DrawnFrames<'a> {
+/// Frames of links and tree joints relative to the root link, with all joints at 0.
+pub(crate) struct ZeroPoseFrames<'a> {
     links: HashMap<&'a str, Transform<f64>>,
     /// Child link of each tree joint. The SDF frame of a URDF joint is the frame of its child.
     children: HashMap<&'a str, &'a str>,
 }
 
-impl<'a> DrawnFrames<'a> {
+impl<'a> ZeroPoseFrames<'a> {
     /// Computes the frames of all child links of `joints`; each frame is computed once.
     pub fn new(joints: &[JointText<'a>]) -> Self {
         // The first joint to a link belongs to the tree; later joints to the same link close loops.
@@ -69,16 +73,16 @@ impl<'a> DrawnFrames<'a> {
         let mut links = HashMap::new();
         for joint in tree() {
             let mut path = Vec::new();
-            let mut at = joint.child;
+            let mut current = joint.child;
             // The builder reports cycles of links; the length bound ends the walk.
-            while let Some(joint) = above.get(at)
-                && !links.contains_key(at)
+            while let Some(joint) = above.get(current)
+                && !links.contains_key(current)
                 && path.len() <= joints.len()
             {
                 path.push(*joint);
-                at = joint.parent;
+                current = joint.parent;
             }
-            let mut frame = links.get(at).copied().unwrap_or_else(Transform::identity);
+            let mut frame = links.get(current).copied().unwrap_or_else(Transform::identity);
             for joint in path.into_iter().rev() {
                 frame = frame * joint.origin.transform();
                 links.insert(joint.child, frame);
@@ -88,38 +92,38 @@ impl<'a> DrawnFrames<'a> {
     }
 
     /// X_rl of a link. Identity for the root link (a link without a parent joint) and for the world.
-    fn link(&self, link: &str) -> Transform<f64> {
+    fn link_frame(&self, link: &str) -> Transform<f64> {
         self.links.get(link).copied().unwrap_or_else(Transform::identity)
     }
 
     /// X_rf of a named frame: the model, a link or a tree joint. `None` if the name is unknown.
-    fn named(&self, frame: &str, links: &HashMap<&str, usize>) -> Option<Transform<f64>> {
+    fn named_frame(&self, frame: &str, links: &HashMap<&str, usize>) -> Option<Transform<f64>> {
         match self.children.get(frame) {
             _ if frame == MODEL => Some(Transform::identity()),
-            _ if links.contains_key(frame) => Some(self.link(frame)),
-            Some(child) => Some(self.link(child)),
+            _ if links.contains_key(frame) => Some(self.link_frame(frame)),
+            Some(child) => Some(self.link_frame(child)),
             None => None,
         }
     }
 }
 
 /// Reads SDF joints as closures.
-pub(crate) struct Reader<'f, 'a> {
-    pub drawn: &'f DrawnFrames<'a>,
+pub(crate) struct GazeboJointReader<'f, 'a> {
+    pub zero_pose: &'f ZeroPoseFrames<'a>,
     /// Index of each link by name.
     pub links: &'f HashMap<&'a str, usize>,
 }
 
-impl<'a> Reader<'_, 'a> {
+impl<'a> GazeboJointReader<'_, 'a> {
     /// Checks a joint. Each number of the result is finite; defects are reported.
     pub fn check<'i: 'a>(&self, node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
-        let name = name(node, report).to_owned();
+        let name = check_name(node, report).to_owned();
         let kind = kind(node, report);
-        let [predecessor, successor] = ["parent", "child"].map(|tag| end(node, tag, report));
-        let x_rc = self.drawn.link(&successor);
-        let x_rj = self.pose(node, &x_rc, report);
-        let wanted = kind.filter(|kind| kind.has_axis());
-        let axis = self.axis(node, "axis", &x_rj, wanted, report);
+        let [predecessor, successor] = ["parent", "child"].map(|tag| link_at_end(node, tag, report));
+        let x_rc = self.zero_pose.link_frame(&successor);
+        let x_rj = self.joint_frame(node, &x_rc, report);
+        let kind_with_axis = kind.filter(|kind| kind.has_axis());
+        let axis = self.axis(node, "axis", &x_rj, kind_with_axis, report);
         let universal = kind.filter(|kind| *kind == ClosureKind::Universal);
         let axis2 = self.axis(node, "axis2", &x_rj, universal, report);
         if universal.is_some() && axis.normalize().dot(&axis2.normalize()).abs() > OBLIQUE_PINS {
@@ -140,7 +144,7 @@ impl<'a> Reader<'_, 'a> {
         ClosureDescription {
             name,
             kind: kind.unwrap_or(ClosureKind::Fixed),
-            predecessor_frame: self.drawn.link(&predecessor).inverse() * x_rj,
+            predecessor_frame: self.zero_pose.link_frame(&predecessor).inverse() * x_rj,
             predecessor,
             successor_frame: x_rc.inverse() * x_rj,
             successor,
@@ -151,30 +155,37 @@ impl<'a> Reader<'_, 'a> {
     }
 
     /// X_rj: joint frame in the root link.
-    fn pose<'i: 'a>(&self, node: Node<'a, 'i>, x_rc: &Transform<f64>, report: &mut Report) -> Transform<f64> {
+    fn joint_frame<'i: 'a>(
+        &self,
+        node: Node<'a, 'i>,
+        x_rc: &Transform<f64>,
+        report: &mut Report,
+    ) -> Transform<f64> {
         let Some(pose) = child(node, "pose") else { return *x_rc };
         let base = pose.attribute("relative_to").or_else(|| pose.attribute("frame"));
-        let base = self.frame(pose, base, x_rc, report);
+        let base = self.frame_or(pose, base, x_rc, report);
         let text = text_of(pose);
         let format = pose.attribute("rotation_format").unwrap_or("euler_rpy").trim_ascii();
         let degrees = pose.attribute("degrees").is_some_and(|text| flag(pose, text, report));
-        let own = match format {
+        let relative = match format {
             _ if text.trim_ascii().is_empty() => Some(Transform::identity()),
-            "euler_rpy" => numbers::<6>(pose, &text, report).map(|[x, y, z, roll, pitch, yaw]| {
+            "euler_rpy" => parse_text::<6>(pose, &text, report).map(|[x, y, z, roll, pitch, yaw]| {
                 let unit = |angle: f64| if degrees { angle.to_radians() } else { angle };
                 Transform::new(rotation_from_rpy([roll, pitch, yaw].map(unit)), [x, y, z].into())
             }),
-            "quat_xyzw" if !degrees => numbers::<7>(pose, &text, report).and_then(|[x, y, z, a, b, c, w]| {
-                let norm = [a, b, c, w].iter().map(|c| c * c).sum::<f64>().sqrt();
-                if (norm - 1.0).abs() > QUATERNION_NORM_SLACK || norm.is_nan() {
-                    refuse(pose, report, || {
-                        format!("the quaternion x y z w has norm {norm}; a unit quaternion is expected")
-                    });
-                    return None;
-                }
-                let rotation = rotation_from_quaternion([w, a, b, c].map(|c| c / norm));
-                Some(Transform::new(rotation, [x, y, z].into()))
-            }),
+            "quat_xyzw" if !degrees => {
+                parse_text::<7>(pose, &text, report).and_then(|[x, y, z, a, b, c, w]| {
+                    let norm = [a, b, c, w].iter().map(|c| c * c).sum::<f64>().sqrt();
+                    if (norm - 1.0).abs() > QUATERNION_NORM_TOLERANCE || norm.is_nan() {
+                        refuse(pose, report, || {
+                            format!("the quaternion x y z w has norm {norm}; a unit quaternion is expected")
+                        });
+                        return None;
+                    }
+                    let rotation = rotation_from_quaternion([w, a, b, c].map(|c| c / norm));
+                    Some(Transform::new(rotation, [x, y, z].into()))
+                })
+            }
             other => {
                 refuse(pose, report, || {
                     format!(
@@ -185,11 +196,11 @@ impl<'a> Reader<'_, 'a> {
                 None
             }
         };
-        base * own.unwrap_or_else(Transform::identity)
+        base * relative.unwrap_or_else(Transform::identity)
     }
 
     /// X_rf of the frame named by an attribute of `node`; `default` if the attribute is absent.
-    fn frame(
+    fn frame_or(
         &self,
         node: Node<'_, '_>,
         named: Option<&str>,
@@ -199,7 +210,7 @@ impl<'a> Reader<'_, 'a> {
         let Some(frame) = named.map(str::trim_ascii).filter(|frame| !frame.is_empty()) else {
             return *default;
         };
-        self.drawn.named(frame, self.links).unwrap_or_else(|| {
+        self.zero_pose.named_frame(frame, self.links).unwrap_or_else(|| {
             refuse(node, report, || {
                 format!(
                     "the frame {} is not known; expected {MODEL}, or the name of a link or of a joint of the tree",
@@ -230,19 +241,19 @@ impl<'a> Reader<'_, 'a> {
             return Vector3::z();
         };
         let old = child(element, "use_parent_model_frame");
-        let of_model = old.is_some_and(|old| flag(old, &text_of(old), report));
+        let in_model_frame = old.is_some_and(|old| flag(old, &text_of(old), report));
         let given = child(element, "xyz");
         let expressed_in = given.and_then(|xyz| xyz.attribute("expressed_in"));
-        if of_model && expressed_in.is_some() {
+        if in_model_frame && expressed_in.is_some() {
             refuse(element, report, || {
                 "<use_parent_model_frame> and expressed_in are both given; leave one of them out".to_owned()
             });
         }
-        let frame = if of_model { Some(MODEL) } else { expressed_in };
-        let x_rf = self.frame(given.unwrap_or(element), frame, x_rj, report);
-        let axis = given.and_then(|xyz| numbers::<3>(xyz, &text_of(xyz), report));
+        let frame = if in_model_frame { Some(MODEL) } else { expressed_in };
+        let x_rf = self.frame_or(given.unwrap_or(element), frame, x_rj, report);
+        let axis = given.and_then(|xyz| parse_text::<3>(xyz, &text_of(xyz), report));
         let axis: Vector3<f64> = axis.map_or_else(Vector3::z, Into::into);
-        if kind.is_some() && axis.amax() < SHORTEST_AXIS {
+        if kind.is_some() && axis.amax() < MIN_AXIS_COMPONENT {
             let problem = Problem::ZeroAxis;
             report.add(problem.severity(), problem.code(), Place::Element(element), || problem.to_string());
         }
@@ -271,7 +282,7 @@ fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
 }
 
 /// Link name in the text of a child element.
-fn end<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> String {
+fn link_at_end<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> String {
     let element = child(node, tag);
     let name = element.map(text_of).unwrap_or_default();
     let name = name.trim_ascii();
@@ -300,7 +311,8 @@ fn flag(node: Node<'_, '_>, text: &str, report: &mut Report) -> bool {
     }
 }
 
-fn numbers<const N: usize>(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<[f64; N]> {
+/// Parses the N numbers in the text of an element; `None` after an error.
+fn parse_text<const N: usize>(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<[f64; N]> {
     let values = parse::<N>(text);
     if let Err(defect) = &values {
         report

@@ -1,26 +1,27 @@
 //! Extent of the declared shape of a link. No result depends on the extent, so no finding here is an error.
 
-use crate::reading::limits::LARGEST_SHAPE;
+use crate::reading::limits::MAX_SHAPE_SIZE;
 use crate::reading::report::{Place, Report, quoted, shortened};
 use crate::urdf::elements::numbers::parse;
-use crate::urdf::elements::origin::{ZERO_QUATERNION, of_quaternion};
+use crate::urdf::elements::origin::{ZERO_QUATERNION, rotation_from_any_quaternion};
 use crate::urdf::elements::survey::{child, children, is_substitution};
 use percuss_mechanism::Geometry;
 use roxmltree::Node;
 
 /// Sphere about the link's origin that encloses every `<visual>` and `<collision>`; not the smallest one.
-pub(crate) fn reach<'a, 'i: 'a>(link: Node<'a, 'i>, report: &mut Report) -> Geometry {
-    let mut reach = Geometry::None;
+pub(crate) fn extent<'a, 'i: 'a>(link: Node<'a, 'i>, report: &mut Report) -> Geometry {
+    let mut extent = Geometry::None;
     for holder in children(link, "visual").chain(children(link, "collision")) {
         let Some(geometry) = child(holder, "geometry") else { continue };
         for shape in geometry.children().filter(Node::is_element) {
-            reach = wider(reach, of_shape(holder, shape, report));
+            extent = union(extent, shape_extent(holder, shape, report));
         }
     }
-    reach
+    extent
 }
 
-fn wider(a: Geometry, b: Geometry) -> Geometry {
+/// Extent of two shapes together: the larger radius; a mesh has an unknown extent and prevails.
+fn union(a: Geometry, b: Geometry) -> Geometry {
     match (a, b) {
         (Geometry::Mesh, _) | (_, Geometry::Mesh) => Geometry::Mesh,
         (Geometry::None, other) | (other, Geometry::None) => other,
@@ -28,18 +29,19 @@ fn wider(a: Geometry, b: Geometry) -> Geometry {
     }
 }
 
-fn of_shape<'a, 'i: 'a>(holder: Node<'a, 'i>, shape: Node<'a, 'i>, report: &mut Report) -> Geometry {
+/// Extent of one shape; `Geometry::None`, with a warning, for an invalid shape.
+fn shape_extent<'a, 'i: 'a>(holder: Node<'a, 'i>, shape: Node<'a, 'i>, report: &mut Report) -> Geometry {
     let radius = match shape.tag_name().name() {
         "mesh" => {
             let is_valid = is_scale_valid(shape, report) && centre(holder, report).is_some();
             return if is_valid { Geometry::Mesh } else { Geometry::None };
         }
-        "box" => numbers::<3>(shape, "size", report).map(|[x, y, z]| x.hypot(y).hypot(z) / 2.0),
-        "sphere" => numbers::<1>(shape, "radius", report).map(|[r]| r),
-        "cylinder" => round(shape, report).map(|(r, length)| r.hypot(length / 2.0)),
-        "capsule" => round(shape, report).map(|(r, length)| r + length / 2.0),
+        "box" => shape_numbers::<3>(shape, "size", report).map(|[x, y, z]| x.hypot(y).hypot(z) / 2.0),
+        "sphere" => shape_numbers::<1>(shape, "radius", report).map(|[r]| r),
+        "cylinder" => radius_and_length(shape, report).map(|(r, length)| r.hypot(length / 2.0)),
+        "capsule" => radius_and_length(shape, report).map(|(r, length)| r + length / 2.0),
         name => {
-            report.fold(
+            report.add_once(
                 percuss_mechanism::Severity::Warning,
                 "unknown-shape",
                 shortened(name),
@@ -59,34 +61,36 @@ fn of_shape<'a, 'i: 'a>(holder: Node<'a, 'i>, shape: Node<'a, 'i>, report: &mut 
 fn centre<'a, 'i: 'a>(holder: Node<'a, 'i>, report: &mut Report) -> Option<[f64; 3]> {
     let Some(origin) = child(holder, "origin") else { return Some([0.0; 3]) };
     if origin.has_attribute("quat_xyzw") {
-        let quaternion = numbers::<4>(origin, "quat_xyzw", report)?;
-        if of_quaternion(quaternion).is_none() {
+        let quaternion = shape_numbers::<4>(origin, "quat_xyzw", report)?;
+        if rotation_from_any_quaternion(quaternion).is_none() {
             report.warning("bad-shape", Place::Attribute(origin, "quat_xyzw"), || {
                 format!("quat_xyzw: {ZERO_QUATERNION}; the shape is ignored")
             });
             return None;
         }
     } else if origin.has_attribute("rpy") {
-        numbers::<3>(origin, "rpy", report)?;
+        shape_numbers::<3>(origin, "rpy", report)?;
     }
-    if origin.has_attribute("xyz") { numbers(origin, "xyz", report) } else { Some([0.0; 3]) }
+    if origin.has_attribute("xyz") { shape_numbers(origin, "xyz", report) } else { Some([0.0; 3]) }
 }
 
 /// True if a mesh has no scale, one factor, or three.
 fn is_scale_valid(shape: Node<'_, '_>, report: &mut Report) -> bool {
     match shape.attribute("scale").map(parse::<1>) {
         None | Some(Ok(_)) => true,
-        Some(Err(_)) => numbers::<3>(shape, "scale", report).is_some(),
+        Some(Err(_)) => shape_numbers::<3>(shape, "scale", report).is_some(),
     }
 }
 
-fn round(shape: Node<'_, '_>, report: &mut Report) -> Option<(f64, f64)> {
-    let [radius] = numbers::<1>(shape, "radius", report)?;
-    let [length] = numbers::<1>(shape, "length", report)?;
+/// Radius and length of a cylinder or capsule.
+fn radius_and_length(shape: Node<'_, '_>, report: &mut Report) -> Option<(f64, f64)> {
+    let [radius] = shape_numbers::<1>(shape, "radius", report)?;
+    let [length] = shape_numbers::<1>(shape, "length", report)?;
     Some((radius, length))
 }
 
-fn numbers<const N: usize>(
+/// N numbers of an attribute, at most `MAX_SHAPE_SIZE`; `None`, with a warning, for anything else.
+fn shape_numbers<const N: usize>(
     node: Node<'_, '_>,
     attribute: &'static str,
     report: &mut Report,
@@ -99,12 +103,12 @@ fn numbers<const N: usize>(
     };
     let place = Place::Attribute(node, attribute);
     if is_substitution(text) {
-        report.xacro(place, &format!("{attribute}={}", quoted(text)));
+        report.add_xacro_error(place, &format!("{attribute}={}", quoted(text)));
         return None;
     }
     let defect = match parse::<N>(text) {
-        Ok(values) if values.iter().all(|v| v.abs() <= LARGEST_SHAPE) => return Some(values),
-        Ok(_) => format!("more than {LARGEST_SHAPE:e} m is no shape"),
+        Ok(values) if values.iter().all(|v| v.abs() <= MAX_SHAPE_SIZE) => return Some(values),
+        Ok(_) => format!("more than {MAX_SHAPE_SIZE:e} m is no shape"),
         Err(defect) => defect,
     };
     report.warning("bad-shape", place, || {

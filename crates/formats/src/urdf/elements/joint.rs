@@ -2,8 +2,8 @@
 
 use crate::reading::report::{Place, Report, quoted};
 use crate::urdf::elements::armature;
-use crate::urdf::elements::link::name;
-use crate::urdf::elements::numbers::{missing, optional, required};
+use crate::urdf::elements::link::check_name;
+use crate::urdf::elements::numbers::{optional, report_missing_attribute, required};
 use crate::urdf::elements::origin::{self, Origin};
 use crate::urdf::elements::survey::child;
 use percuss_mechanism::{JointKind, Severity, near_names};
@@ -41,22 +41,23 @@ const DEFAULT_AXIS: &str = "1 0 0";
 
 /// Checks a `<joint>`.
 pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> JointText<'a> {
-    let name = name(node, report);
+    let name = check_name(node, report);
     let kind = kind(node, report);
     JointText {
         name,
         kind: kind.unwrap_or(JointKind::Fixed),
-        parent: end(node, "parent", report),
-        child: end(node, "child", report),
+        parent: link_at_end(node, "parent", report),
+        child: link_at_end(node, "child", report),
         origin: origin::check(node, report),
         axis: axis(node, kind, report),
         limits: limits(node, kind, report),
-        armature: armature::of_joint(node, report),
+        armature: armature::read_joint_armature(node, report),
         mimic: child(node, "mimic").and_then(|n| mimic(n, kind, report)),
         independent: independent(node, report),
     }
 }
 
+/// Reads the kind of a joint; `None` after an error.
 fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind> {
     let names = || JointKind::ALL.map(JointKind::name);
     let Some(text) = node.attribute("type") else {
@@ -78,7 +79,7 @@ fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind> {
     kind
 }
 
-/// Reads the flag in any case: URDF+ files contain `true`, `True` and `TRUE`.
+/// Reads the recommended role in upper or lower case: URDF+ files contain `true`, `True` and `TRUE`.
 fn independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
     let text = node.attribute("independent")?;
     let word = text.trim_ascii();
@@ -94,18 +95,22 @@ fn independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
 /// Warns about a joint that is declared dependent in a file without loops and couplings: the joint moves freely here.
 /// The caller excludes files with loops or couplings, in which the dependence follows from the mobility of the
 /// mechanism.
-pub(crate) fn unbound<'a, 'i: 'a>(joint: &JointText<'a>, node: Node<'a, 'i>, report: &mut Report) {
+pub(crate) fn warn_if_unbound<'a, 'i: 'a>(joint: &JointText<'a>, node: Node<'a, 'i>, report: &mut Report) {
     let moves = joint.kind.dofs() > 0;
     if moves && joint.independent == Some(false) && child(node, "mimic").is_none() {
         let place = Place::Attribute(node, "independent");
-        report.fold(Severity::Warning, "unbound-joint", String::new(), place, || {
+        report.add_once(Severity::Warning, "unbound-joint", String::new(), place, || {
             "the joint is declared dependent, but nothing in the file binds it; it moves freely".to_owned()
         });
     }
 }
 
 /// Link name at one end, from the child element `role`.
-pub(crate) fn end<'a, 'i: 'a>(node: Node<'a, 'i>, role: &'static str, report: &mut Report) -> &'a str {
+pub(crate) fn link_at_end<'a, 'i: 'a>(
+    node: Node<'a, 'i>,
+    role: &'static str,
+    report: &mut Report,
+) -> &'a str {
     let Some(element) = child(node, role) else {
         report.error("missing-element", Place::Element(node), || {
             let tag = node.tag_name().name();
@@ -114,11 +119,12 @@ pub(crate) fn end<'a, 'i: 'a>(node: Node<'a, 'i>, role: &'static str, report: &m
         return "";
     };
     element.attribute("link").unwrap_or_else(|| {
-        missing(element, "link", report);
+        report_missing_attribute(element, "link", report);
         ""
     })
 }
 
+/// Reads the axis; the default of URDF if `<axis>` is absent.
 fn axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &mut Report) -> &'a str {
     match child(node, "axis") {
         Some(axis) => required::<3>(axis, "xyz", DEFAULT_AXIS, report),
@@ -162,9 +168,10 @@ fn limits<'a, 'i: 'a>(
     Some(["lower", "upper"].map(|name| optional::<1>(limit, name, "0", report)))
 }
 
+/// Reads a `<mimic>`; `None`, with a warning, for a fixed joint.
 fn mimic<'a>(node: Node<'a, '_>, kind: Option<JointKind>, report: &mut Report) -> Option<MimicText<'a>> {
     let joint = node.attribute("joint").unwrap_or_else(|| {
-        missing(node, "joint", report);
+        report_missing_attribute(node, "joint", report);
         ""
     });
     let multiplier = optional::<1>(node, "multiplier", "1", report);

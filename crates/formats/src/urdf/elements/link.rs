@@ -32,17 +32,17 @@ const MOMENTS: [(&str, bool); 6] =
 /// Checks a `<link>`.
 pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> LinkText<'a> {
     LinkText {
-        name: name(node, report),
+        name: check_name(node, report),
         inertial: child(node, "inertial").map(|n| inertial(n, report)),
-        geometry: geometry::reach(node, report),
+        geometry: geometry::extent(node, report),
     }
 }
 
-/// Name of a link or joint.
-pub(crate) fn name<'a>(node: Node<'a, '_>, report: &mut Report) -> &'a str {
+/// Reads the name of an element; an absent, empty or too long name is an error.
+pub(crate) fn check_name<'a>(node: Node<'a, '_>, report: &mut Report) -> &'a str {
     let name = node.attribute("name");
     let Some(name) = name else {
-        crate::urdf::elements::numbers::missing(node, "name", report);
+        crate::urdf::elements::numbers::report_missing_attribute(node, "name", report);
         return "";
     };
     if name.is_empty() {
@@ -60,6 +60,7 @@ pub(crate) fn name<'a>(node: Node<'a, '_>, report: &mut Report) -> &'a str {
     name
 }
 
+/// Reads an `<inertial>`; an absent mass or inertia is 0, with a note.
 fn inertial<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> InertialText<'a> {
     let mass = child(node, "mass");
     let inertia = child(node, "inertia");
@@ -79,10 +80,11 @@ fn inertial<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> InertialText
     }
 }
 
+/// Reads the six entries of the inertia; absent products are 0, with a warning.
 fn moments<'a>(node: Node<'a, '_>, report: &mut Report) -> [&'a str; 6] {
     let absent: Vec<&str> = MOMENTS
         .iter()
-        .filter(|(name, may)| *may && node.attribute(*name).is_none())
+        .filter(|(name, is_optional)| *is_optional && node.attribute(*name).is_none())
         .map(|(n, _)| *n)
         .collect();
     if !absent.is_empty() {
@@ -90,8 +92,8 @@ fn moments<'a>(node: Node<'a, '_>, report: &mut Report) -> [&'a str; 6] {
             format!("<inertia> has no {}: taken as 0", absent.join(", "))
         });
     }
-    MOMENTS.map(|(name, may_be_absent)| {
-        if may_be_absent {
+    MOMENTS.map(|(name, is_optional)| {
+        if is_optional {
             optional::<1>(node, name, "0", report)
         } else {
             required::<1>(node, name, "0", report)

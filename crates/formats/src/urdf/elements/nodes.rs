@@ -1,9 +1,9 @@
 //! XML elements of the mechanism, and positions of the builder's findings among them.
 
-use crate::reading::limits::MOST_BODIES;
+use crate::reading::limits::MAX_ELEMENTS_PER_KIND;
 use crate::reading::report::{Place, Report};
 use crate::urdf::elements::closure;
-use crate::urdf::elements::gazebo_joint::holds_root;
+use crate::urdf::elements::gazebo_joint::fixes_root_to_world;
 use crate::urdf::elements::survey::{child, children, is_gazebo_joint};
 use percuss_mechanism::{Problem, Subject};
 use roxmltree::Node;
@@ -18,12 +18,14 @@ pub(crate) struct Nodes<'a, 'i> {
 }
 
 impl<'a, 'i: 'a> Nodes<'a, 'i> {
-    pub fn of(robot: Node<'a, 'i>, report: &mut Report) -> Self {
+    /// Collects the elements of a robot. Joints that fix the root link to the world are left out.
+    pub fn collect(robot: Node<'a, 'i>, report: &mut Report) -> Self {
         let names: HashSet<&str> =
             children(robot, "link").filter_map(|link| link.attribute("name")).collect();
         let link = |joint: Node<'a, 'i>| child(joint, "child").and_then(|child| child.attribute("link"));
-        let below: HashSet<&str> = children(robot, "joint").filter_map(link).collect();
-        let is_root = |link: &str| names.contains(link) && !below.contains(link) && !names.contains("world");
+        let child_links: HashSet<&str> = children(robot, "joint").filter_map(link).collect();
+        let is_root =
+            |link: &str| names.contains(link) && !child_links.contains(link) && !names.contains("world");
         Self {
             links: children(robot, "link").collect(),
             joints: children(robot, "joint").collect(),
@@ -31,34 +33,34 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 .children()
                 .filter(Node::is_element)
                 .flat_map(|node| {
-                    let own = closure::is_loop(node).then_some(node);
-                    own.into_iter().chain(node.children().filter(|n| is_gazebo_joint(*n)))
+                    let loop_element = closure::is_loop(node).then_some(node);
+                    loop_element.into_iter().chain(node.children().filter(|n| is_gazebo_joint(*n)))
                 })
-                .filter(|node| !is_gazebo_joint(*node) || !holds_root(*node, is_root, report))
+                .filter(|node| !is_gazebo_joint(*node) || !fixes_root_to_world(*node, is_root, report))
                 .collect(),
             couplings: children(robot, "coupling").collect(),
         }
     }
 
     /// True if the number of elements of each kind is within the limit; otherwise reports an error.
-    pub fn are_bounded(&self, robot: Node<'a, 'i>, report: &mut Report) -> bool {
+    pub fn check_counts(&self, robot: Node<'a, 'i>, report: &mut Report) -> bool {
         let counts = [
             ("links", self.links.len()),
             ("joints", self.joints.len()),
             ("loops", self.closures.len()),
             ("couplings", self.couplings.len()),
         ];
-        let excess = counts.into_iter().find(|(_, count)| *count > MOST_BODIES);
-        if let Some((what, count)) = excess {
+        let excess = counts.into_iter().find(|(_, count)| *count > MAX_ELEMENTS_PER_KIND);
+        if let Some((kind, count)) = excess {
             report.error("too-complex", Place::Element(robot), || {
-                format!("{count} {what}; at most {MOST_BODIES} are read")
+                format!("{count} {kind}; at most {MAX_ELEMENTS_PER_KIND} are read")
             });
         }
         excess.is_none()
     }
 
     /// Position in the file of a finding of the builder.
-    pub fn place(&self, robot: Node<'a, 'i>, subject: &Subject, problem: &Problem) -> Place<'a, 'i> {
+    pub fn locate(&self, robot: Node<'a, 'i>, subject: &Subject, problem: &Problem) -> Place<'a, 'i> {
         let node = match subject {
             Subject::Mechanism => Some(robot),
             Subject::Link { index, .. } => self.links.get(*index).copied(),
@@ -98,7 +100,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 &["child"]
             }
             Problem::BadDistance { .. } => &["distance"],
-            Problem::ClosesOnItself { .. } => std::slice::from_ref(&closure::ends(node)[1]),
+            Problem::ClosesOnItself { .. } => std::slice::from_ref(&closure::end_tags(node)[1]),
             // Other problems have no element of their own; the position is the link or joint.
             _ => &[],
         };

@@ -46,7 +46,7 @@ pub(crate) fn optional<'a, const N: usize>(
     match parse::<N>(text) {
         Ok(_) => text,
         Err(defect) => {
-            bad(node, attribute, text, &defect, report);
+            report_bad_number(node, attribute, text, &defect, report);
             default
         }
     }
@@ -60,7 +60,7 @@ pub(crate) fn required<'a, const N: usize>(
     report: &mut Report,
 ) -> &'a str {
     if node.attribute(attribute).is_none() {
-        missing(node, attribute, report);
+        report_missing_attribute(node, attribute, report);
     }
     optional::<N>(node, attribute, default, report)
 }
@@ -68,20 +68,20 @@ pub(crate) fn required<'a, const N: usize>(
 /// Reads one number from a mandatory attribute.
 pub(crate) fn number(node: Node<'_, '_>, attribute: &'static str, report: &mut Report) -> Option<f64> {
     let Some(text) = node.attribute(attribute) else {
-        missing(node, attribute, report);
+        report_missing_attribute(node, attribute, report);
         return None;
     };
     match parse::<1>(text) {
         Ok([value]) => Some(value),
         Err(defect) => {
-            bad(node, attribute, text, &defect, report);
+            report_bad_number(node, attribute, text, &defect, report);
             None
         }
     }
 }
 
 /// Reports an invalid number.
-pub(crate) fn bad(
+pub(crate) fn report_bad_number(
     node: Node<'_, '_>,
     attribute: &'static str,
     text: &str,
@@ -90,14 +90,14 @@ pub(crate) fn bad(
 ) {
     let place = Place::Attribute(node, attribute);
     if is_substitution(text) {
-        report.xacro(place, &format!("{attribute}={}", quoted(text)));
+        report.add_xacro_error(place, &format!("{attribute}={}", quoted(text)));
     } else {
         report.error("bad-number", place, || format!("{attribute}={}: {defect}", quoted(text)));
     }
 }
 
 /// Reports an absent mandatory attribute.
-pub(crate) fn missing(node: Node<'_, '_>, attribute: &'static str, report: &mut Report) {
+pub(crate) fn report_missing_attribute(node: Node<'_, '_>, attribute: &'static str, report: &mut Report) {
     report.error("missing-attribute", Place::Element(node), || {
         format!("<{}> has no attribute \"{attribute}\"", node.tag_name().name())
     });

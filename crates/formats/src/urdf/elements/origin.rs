@@ -1,8 +1,8 @@
 //! `<origin>`: a translation, and a rotation in one of two notations.
 
-use crate::reading::limits::QUATERNION_NORM_SLACK;
+use crate::reading::limits::QUATERNION_NORM_TOLERANCE;
 use crate::reading::report::{Place, Report};
-use crate::urdf::elements::numbers::{bad, optional, parse};
+use crate::urdf::elements::numbers::{optional, parse, report_bad_number};
 use crate::urdf::elements::survey::child;
 use percuss_spatial::{Matrix3, Transform, rotation_from_quaternion, rotation_from_rpy};
 use roxmltree::Node;
@@ -22,6 +22,7 @@ pub(crate) struct Origin<'a> {
 impl Origin<'_> {
     pub const IDENTITY: Origin<'static> = Origin { xyz: ZERO, rpy: ZERO, quaternion: None };
 
+    /// Transform from the frame of the element to the frame of its parent.
     pub fn transform(&self) -> Transform<f64> {
         // The texts are already checked.
         let rotation = || rotation_from_rpy(parse(self.rpy).unwrap_or_default());
@@ -34,12 +35,12 @@ const ZERO: &str = "0 0 0";
 
 /// Checks the `<origin>` of `parent`; identity if absent.
 pub(crate) fn check<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut Report) -> Origin<'a> {
-    child(parent, "origin").map_or(Origin::IDENTITY, |node| of(node, report))
+    child(parent, "origin").map_or(Origin::IDENTITY, |node| check_attributes(node, report))
 }
 
 /// Checks the attributes of an `<origin>`, or of another element with the same attributes.
-pub(crate) fn of<'a>(node: Node<'a, '_>, report: &mut Report) -> Origin<'a> {
-    let quaternion = node.attribute("quat_xyzw").and_then(|text| rotation(node, text, report));
+pub(crate) fn check_attributes<'a>(node: Node<'a, '_>, report: &mut Report) -> Origin<'a> {
+    let quaternion = node.attribute("quat_xyzw").and_then(|text| quaternion_rotation(node, text, report));
     if node.attribute("quat_xyzw").is_some() && node.attribute("rpy").is_some() {
         report.warning("two-rotations", Place::Attribute(node, "quat_xyzw"), || {
             "both rpy and quat_xyzw are given; quat_xyzw is taken".to_owned()
@@ -52,19 +53,20 @@ pub(crate) fn of<'a>(node: Node<'a, '_>, report: &mut Report) -> Origin<'a> {
     }
 }
 
-fn rotation(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<Matrix3<f64>> {
+/// Rotation matrix of `quat_xyzw`; `None` after an error.
+fn quaternion_rotation(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<Matrix3<f64>> {
     let [x, y, z, w] = match parse::<4>(text) {
         Ok(values) => values,
         Err(defect) => {
-            bad(node, "quat_xyzw", text, &defect, report);
+            report_bad_number(node, "quat_xyzw", text, &defect, report);
             return None;
         }
     };
-    let Some((rotation, length)) = of_quaternion([x, y, z, w]) else {
-        bad(node, "quat_xyzw", text, ZERO_QUATERNION, report);
+    let Some((rotation, length)) = rotation_from_any_quaternion([x, y, z, w]) else {
+        report_bad_number(node, "quat_xyzw", text, ZERO_QUATERNION, report);
         return None;
     };
-    if (length - 1.0).abs() > QUATERNION_NORM_SLACK {
+    if (length - 1.0).abs() > QUATERNION_NORM_TOLERANCE {
         report.warning("quaternion-not-unit", Place::Attribute(node, "quat_xyzw"), || {
             format!("the quaternion has norm {length}, not 1; it was normalised")
         });
@@ -75,7 +77,7 @@ fn rotation(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<Matri
 pub(crate) const ZERO_QUATERNION: &str = "it is zero; a unit quaternion x y z w is expected";
 
 /// Rotation matrix and norm of a quaternion x, y, z, w of any norm; `None` if the quaternion is zero.
-pub(crate) fn of_quaternion([x, y, z, w]: [f64; 4]) -> Option<(Matrix3<f64>, f64)> {
+pub(crate) fn rotation_from_any_quaternion([x, y, z, w]: [f64; 4]) -> Option<(Matrix3<f64>, f64)> {
     // Scaling first avoids overflow and underflow of the squares.
     let scale = [x, y, z, w].iter().fold(0.0f64, |a, b| a.max(b.abs()));
     let q = [w / scale, x / scale, y / scale, z / scale];

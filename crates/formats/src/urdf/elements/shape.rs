@@ -1,9 +1,9 @@
 //! Shapes of links: `<visual>` and `<collision>`. The mechanics do not depend on them, so no finding here is an
 //! error.
 
-use crate::reading::limits::LARGEST_SHAPE;
+use crate::reading::limits::MAX_SHAPE_SIZE;
 use crate::urdf::elements::numbers::parse;
-use crate::urdf::elements::origin::of_quaternion;
+use crate::urdf::elements::origin::rotation_from_any_quaternion;
 use crate::urdf::elements::survey::{child, children};
 use nalgebra::Vector3;
 use percuss_spatial::{Transform, rotation_from_rpy};
@@ -82,17 +82,18 @@ pub(crate) fn shapes<'a, 'i: 'a>(link: Node<'a, 'i>) -> Vec<Shape> {
     for (name, purpose) in [("collision", Purpose::Collision), ("visual", Purpose::Visual)] {
         for holder in children(link, name) {
             let Some(geometry) = child(holder, "geometry") else { continue };
-            let Some(frame) = frame(holder) else { continue };
-            let solids = geometry.children().filter(Node::is_element).filter_map(solid);
+            let Some(frame) = shape_frame(holder) else { continue };
+            let solids = geometry.children().filter(Node::is_element).filter_map(read_solid);
             found.extend(solids.map(|solid| Shape { purpose, solid, frame }));
         }
     }
     found
 }
 
+/// N numbers of an attribute, at most `MAX_SHAPE_SIZE`; `None` if absent or invalid.
 fn numbers<const N: usize>(node: Node<'_, '_>, attribute: &str) -> Option<[f64; N]> {
     let values = parse::<N>(node.attribute(attribute)?).ok()?;
-    values.iter().all(|v| v.abs() <= LARGEST_SHAPE).then_some(values)
+    values.iter().all(|v| v.abs() <= MAX_SHAPE_SIZE).then_some(values)
 }
 
 /// Numbers of an attribute; `otherwise` if the attribute is absent, `None` if it is invalid.
@@ -100,13 +101,15 @@ fn numbers_or<const N: usize>(node: Node<'_, '_>, attribute: &str, otherwise: [f
     node.attribute(attribute).map_or(Some(otherwise), |_| numbers(node, attribute))
 }
 
-fn solid(shape: Node<'_, '_>) -> Option<Solid> {
-    let round = || Some((numbers::<1>(shape, "radius")?[0].abs(), numbers::<1>(shape, "length")?[0].abs()));
+/// Reads a solid; `None` if it is invalid or of an unknown kind.
+fn read_solid(shape: Node<'_, '_>) -> Option<Solid> {
+    let radius_and_length =
+        || Some((numbers::<1>(shape, "radius")?[0].abs(), numbers::<1>(shape, "length")?[0].abs()));
     Some(match shape.tag_name().name() {
         "box" => Solid::Box { size: numbers(shape, "size")?.map(f64::abs) },
         "sphere" => Solid::Sphere { radius: numbers::<1>(shape, "radius")?[0].abs() },
-        "cylinder" => round().map(|(radius, length)| Solid::Cylinder { radius, length })?,
-        "capsule" => round().map(|(radius, length)| Solid::Capsule { radius, length })?,
+        "cylinder" => radius_and_length().map(|(radius, length)| Solid::Cylinder { radius, length })?,
+        "capsule" => radius_and_length().map(|(radius, length)| Solid::Capsule { radius, length })?,
         "mesh" => Solid::Mesh {
             file: shape.attribute("filename")?.trim().to_owned(),
             scale: match shape.attribute("scale").map(parse::<1>) {
@@ -120,13 +123,13 @@ fn solid(shape: Node<'_, '_>) -> Option<Solid> {
 }
 
 /// Pose of a shape from `<origin xyz rpy quat_xyzw>`.
-fn frame<'a, 'i: 'a>(holder: Node<'a, 'i>) -> Option<Transform<f64>> {
+fn shape_frame<'a, 'i: 'a>(holder: Node<'a, 'i>) -> Option<Transform<f64>> {
     let Some(origin) = child(holder, "origin") else { return Some(Transform::identity()) };
-    let place = Vector3::from(numbers_or(origin, "xyz", [0.0; 3])?);
+    let translation = Vector3::from(numbers_or(origin, "xyz", [0.0; 3])?);
     let rotation = if origin.has_attribute("quat_xyzw") {
-        of_quaternion(numbers(origin, "quat_xyzw")?)?.0
+        rotation_from_any_quaternion(numbers(origin, "quat_xyzw")?)?.0
     } else {
         rotation_from_rpy(numbers_or(origin, "rpy", [0.0; 3])?)
     };
-    Some(Transform::new(rotation, place))
+    Some(Transform::new(rotation, translation))
 }

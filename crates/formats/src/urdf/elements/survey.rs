@@ -15,7 +15,7 @@ const XACRO: [&str; 4] = [
 
 /// Language of an element's tag.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Tongue {
+pub(crate) enum Language {
     /// URDF: no namespace, or the namespace of the root element.
     Urdf,
     /// Extensions of Drake.
@@ -25,9 +25,9 @@ pub(crate) enum Tongue {
 }
 
 /// Language of an element's tag, from its namespace.
-pub(crate) fn tongue(node: Node<'_, '_>) -> Tongue {
+pub(crate) fn language(node: Node<'_, '_>) -> Language {
     match node.tag_name().namespace() {
-        None => Tongue::Urdf,
+        None => Language::Urdf,
         Some(uri)
             if node
                 .ancestors()
@@ -35,10 +35,10 @@ pub(crate) fn tongue(node: Node<'_, '_>) -> Tongue {
                 .last()
                 .is_some_and(|root| root.tag_name().namespace() == Some(uri)) =>
         {
-            Tongue::Urdf
+            Language::Urdf
         }
-        Some(uri) if uri.contains("drake") => Tongue::Drake,
-        Some(_) => Tongue::Foreign,
+        Some(uri) if uri.contains("drake") => Language::Drake,
+        Some(_) => Language::Foreign,
     }
 }
 
@@ -46,8 +46,8 @@ pub(crate) fn tongue(node: Node<'_, '_>) -> Tongue {
 pub(crate) fn is_named(node: Node<'_, '_>, name: &str) -> bool {
     let tag = node.tag_name().name();
     match name.strip_prefix("drake:") {
-        Some(name) => tag == name && tongue(node) == Tongue::Drake,
-        None => tag == name && tongue(node) == Tongue::Urdf,
+        Some(name) => tag == name && language(node) == Language::Drake,
+        None => tag == name && language(node) == Language::Urdf,
     }
 }
 
@@ -70,27 +70,29 @@ pub(crate) fn is_substitution(value: &str) -> bool {
 }
 
 /// Reports the first unexpanded xacro element of the file.
-pub(crate) fn macros(root: Node<'_, '_>, report: &mut Report) {
+pub(crate) fn report_xacro_elements(root: Node<'_, '_>, report: &mut Report) {
     let is_macro = |n: &Node<'_, '_>| n.tag_name().namespace().is_some_and(|uri| XACRO.contains(&uri));
     if let Some(node) = root.descendants().filter(Node::is_element).find(is_macro) {
-        report.xacro(Place::Element(node), &format!("<xacro:{}>", shortened(node.tag_name().name())));
+        report
+            .add_xacro_error(Place::Element(node), &format!("<xacro:{}>", shortened(node.tag_name().name())));
     }
 }
 
-/// Reports elements and attributes that the table does not read. The depth of recursion is the depth of the table.
-pub(crate) fn survey(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
-    attributes(node, spec, report);
+/// Reports the attributes and descendants of an element that the table does not read. The depth of recursion is the depth
+/// of the table.
+pub(crate) fn check_element(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
+    check_attributes(node, spec, report);
     let mut seen = 0u64;
     for child in node.children() {
         if child.is_text() {
-            stray_text(node, child, report);
+            warn_stray_text(node, child, report);
         }
         if !child.is_element() {
             continue;
         }
         let Some(index) = spec.children.iter().position(|s| is_named(child, s.name)) else {
-            if tongue(child) == Tongue::Urdf {
-                unknown_element(child, spec, report);
+            if language(child) == Language::Urdf {
+                warn_unknown_element(child, spec, report);
             }
             continue;
         };
@@ -104,44 +106,46 @@ pub(crate) fn survey(node: Node<'_, '_>, spec: &'static Element, report: &mut Re
             });
         }
         seen |= 1 << index;
-        element(child, found, report);
+        apply_treatment(child, found, report);
     }
 }
 
-fn element(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
+/// Applies the treatment of the table to an element.
+fn apply_treatment(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
     let place = Place::Element(node);
     match spec.usage {
-        Use::Read => survey(node, spec, report),
-        Use::Silent if spec.name == "gazebo" => simulator_joints(node, report),
-        Use::Silent if spec.name == "mujoco" => equalities(node, report),
+        Use::Read => check_element(node, spec, report),
+        Use::Silent if spec.name == "gazebo" => check_gazebo_joints(node, report),
+        Use::Silent if spec.name == "mujoco" => refuse_equalities(node, report),
         Use::Silent => {}
-        Use::Noted(why) => {
-            report.fold(Severity::Note, "ignored", spec.name.to_owned(), place, || why.to_owned());
+        Use::Noted(reason) => {
+            report.add_once(Severity::Note, "ignored", spec.name.to_owned(), place, || reason.to_owned());
         }
-        Use::Warned(why) => {
-            report.fold(Severity::Warning, "ignored", spec.name.to_owned(), place, || why.to_owned());
+        Use::Warned(reason) => {
+            report.add_once(Severity::Warning, "ignored", spec.name.to_owned(), place, || reason.to_owned());
         }
-        Use::Refused(code, why) => report.error(code, place, || why.to_owned()),
+        Use::Refused(code, reason) => report.error(code, place, || reason.to_owned()),
     }
 }
 
-fn attributes(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
+/// Applies the treatments of the table to the attributes of an element.
+fn check_attributes(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
     for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
         let name = attribute.name();
         let place = Place::Attribute(node, name);
         let usage = spec.attributes.iter().find(|(known, _)| *known == name).map(|(_, usage)| usage);
         match usage {
             Some(Use::Read) if is_substitution(attribute.value()) => {
-                report.xacro(place, &format!("{name}=\"{}\"", shortened(attribute.value())));
+                report.add_xacro_error(place, &format!("{name}=\"{}\"", shortened(attribute.value())));
             }
             Some(Use::Read | Use::Silent) => {}
-            Some(Use::Noted(why)) => report.note("ignored", place, || (*why).to_owned()),
-            Some(Use::Warned(why)) => report.warning("ignored", place, || (*why).to_owned()),
-            Some(Use::Refused(code, why)) => report.error(code, place, || (*why).to_owned()),
+            Some(Use::Noted(reason)) => report.note("ignored", place, || (*reason).to_owned()),
+            Some(Use::Warned(reason)) => report.warning("ignored", place, || (*reason).to_owned()),
+            Some(Use::Refused(code, reason)) => report.error(code, place, || (*reason).to_owned()),
             None => {
                 let shown = shortened(name);
                 let kind = format!("{} {shown}", spec.name);
-                report.fold(Severity::Warning, "unknown-attribute", kind, place, || {
+                report.add_once(Severity::Warning, "unknown-attribute", kind, place, || {
                     let near = near_names(name, spec.attributes.iter().map(|(known, _)| *known));
                     let guess = near.first().map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
                     format!("unknown attribute \"{shown}\" is ignored{guess}")
@@ -151,11 +155,12 @@ fn attributes(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
     }
 }
 
-fn unknown_element(node: Node<'_, '_>, parent: &'static Element, report: &mut Report) {
+/// Warns about an element that the table does not contain, with a similar name.
+fn warn_unknown_element(node: Node<'_, '_>, parent: &'static Element, report: &mut Report) {
     let name = node.tag_name().name();
     let shown = shortened(name);
     let kind = format!("{} {shown}", parent.name);
-    report.fold(Severity::Warning, "unknown-element", kind, Place::Element(node), || {
+    report.add_once(Severity::Warning, "unknown-element", kind, Place::Element(node), || {
         let known = parent.children.iter().map(|s| s.name).filter(|n| !n.starts_with("drake:"));
         let guess =
             near_names(name, known).first().map(|n| format!("; did you mean <{n}>?")).unwrap_or_default();
@@ -164,21 +169,21 @@ fn unknown_element(node: Node<'_, '_>, parent: &'static Element, report: &mut Re
 }
 
 /// Warns about text between elements. URDF gives values in attributes; `<mass>5</mass>` belongs to other formats.
-fn stray_text(parent: Node<'_, '_>, text: Node<'_, '_>, report: &mut Report) {
+fn warn_stray_text(parent: Node<'_, '_>, text: Node<'_, '_>, report: &mut Report) {
     let words = text.text().unwrap_or_default().trim_ascii();
     if !words.is_empty() {
         let kind = parent.tag_name().name().to_owned();
-        report.fold(Severity::Warning, "stray-text", kind, Place::Element(parent), || {
+        report.add_once(Severity::Warning, "stray-text", kind, Place::Element(parent), || {
             format!("the text \"{}\" is ignored; URDF gives values in attributes", shortened(words))
         });
     }
 }
 
 /// Checks the joints in simulator settings. Other settings have no effect here, but a joint closes a loop.
-fn simulator_joints(gazebo: Node<'_, '_>, report: &mut Report) {
+fn check_gazebo_joints(gazebo: Node<'_, '_>, report: &mut Report) {
     for joint in children(gazebo, "joint") {
         if is_gazebo_joint(joint) {
-            survey(joint, &GAZEBO_JOINT, report);
+            check_element(joint, &GAZEBO_JOINT, report);
         } else {
             refuse_gazebo_joint(joint, report, || {
                 "it belongs in a <gazebo> of <robot> that has no attribute \"reference\"".to_owned()
@@ -198,18 +203,18 @@ pub(crate) fn is_gazebo_joint(node: Node<'_, '_>) -> bool {
 }
 
 /// Reports an unreadable joint as an error: without the joint, the mechanism would be a different one.
-pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, why: impl FnOnce() -> String) {
+pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, reason: impl FnOnce() -> String) {
     report.error("gazebo-joint", Place::Element(node), || {
         format!(
             "this joint inside <gazebo> closes a loop and is not read: {}. Correct it, or write the loop as a <loop> and \
              remove it here",
-            why()
+            reason()
         )
     });
 }
 
 /// Refuses MuJoCo's equality constraints, which close loops and couple joints. Other settings have no effect here.
-fn equalities(mujoco: Node<'_, '_>, report: &mut Report) {
+fn refuse_equalities(mujoco: Node<'_, '_>, report: &mut Report) {
     for equality in children(mujoco, "equality") {
         report.error("loop-unsupported", Place::Element(equality), || {
             "MuJoCo's equality constraints are not read, and the answer without them would be wrong: write a <loop> \

@@ -9,7 +9,7 @@ use roxmltree::Node;
 use std::collections::HashMap;
 
 /// Adds the armatures of all `<transmission>`s to their joints.
-pub(crate) fn of_transmissions<'a, 'i: 'a>(
+pub(crate) fn add_transmission_armatures<'a, 'i: 'a>(
     robot: Node<'a, 'i>,
     joints: &mut [JointText<'a>],
     index: &HashMap<&'a str, usize>,
@@ -18,9 +18,9 @@ pub(crate) fn of_transmissions<'a, 'i: 'a>(
     for transmission in children(robot, "transmission") {
         let joint = child(transmission, "joint").and_then(|n| n.attribute("name")).unwrap_or_default();
         for actuator in children(transmission, "actuator") {
-            let Some(value) = armature::reflected(actuator, report) else { continue };
+            let Some(value) = armature::reflected_inertia(actuator, report) else { continue };
             match index.get(joint) {
-                Some(&i) => armature::add(&mut joints[i].armature, value, actuator, report),
+                Some(&i) => armature::add_value(&mut joints[i].armature, value, actuator, report),
                 None => report.warning("dangling-armature", Place::Element(actuator), || {
                     format!("the rotor inertia is for joint {}, which does not exist; ignored", quoted(joint))
                 }),
@@ -30,7 +30,7 @@ pub(crate) fn of_transmissions<'a, 'i: 'a>(
 }
 
 /// Drops the armature of a fixed joint, which has no velocity.
-pub(crate) fn drop_from_fixed(joint: &mut JointText<'_>, node: Node<'_, '_>, report: &mut Report) {
+pub(crate) fn drop_fixed_joint_armature(joint: &mut JointText<'_>, node: Node<'_, '_>, report: &mut Report) {
     if joint.kind == JointKind::Fixed && !joint.armature.is_empty() {
         if joint.armature.iter().any(|a| *a != 0.0) {
             report.warning("fixed-armature", Place::Element(node), || {
