@@ -4,7 +4,7 @@ use crate::axis::unit;
 use crate::checks::check::Check;
 use crate::checks::{closures, inertias};
 use crate::name_mark::NameMark;
-use crate::problem::{Problem, Severity, Subject};
+use crate::problem::{Accept, Problem, Severity, Subject};
 use crate::{
     ClosureDescription, ClosureKind, CouplingDescription, Geometry, Inertial, Joint, JointDescription,
     JointId, JointKind, Link, LinkDescription, LinkId, Mechanism, Mimic, tree,
@@ -12,15 +12,6 @@ use crate::{
 use percuss_spatial::{SpatialInertia, Vector3};
 use std::collections::HashMap;
 use std::fmt;
-
-/// Findings that the user accepts; accepted errors become warnings.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Accept {
-    /// Accept inertias with a negative principal moment.
-    pub indefinite_inertia: bool,
-    /// Inertias far beyond what the size of the links allows.
-    pub implausible_inertia: bool,
-}
 
 /// Mechanism with the findings of the builder.
 #[derive(Debug)]

@@ -20,7 +20,7 @@ mod names;
 mod problem;
 mod tree;
 
-pub use builder::{Accept, BuildError, Built, MechanismBuilder};
+pub use builder::{BuildError, Built, MechanismBuilder};
 pub use closure::{Closure, ClosureId, ClosureKind, Coupling, LoopFrame};
 pub use description::{
     ClosureDescription, CouplingDescription, JointDescription, LinkDescription, MimicDescription,
@@ -30,4 +30,4 @@ pub use joint::{Joint, JointId, JointKind, Limits, Mimic};
 pub use link::{Geometry, Link, LinkId};
 pub use mechanism::Mechanism;
 pub use names::{NameKind, UnknownName, near_names};
-pub use problem::{Problem, Severity, Subject};
+pub use problem::{Accept, Problem, Severity, Subject};

@@ -3,6 +3,15 @@
 use crate::names::write_near;
 use std::fmt;
 
+/// Findings that the user accepts; accepted errors become warnings.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Accept {
+    /// Accept inertias with a negative principal moment.
+    pub indefinite_inertia: bool,
+    /// Inertias far beyond what the size of the links allows.
+    pub implausible_inertia: bool,
+}
+
 /// Severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {

@@ -1,7 +1,5 @@
 //! Colours: the set of Okabe and Ito, distinguishable with the common colour vision deficiencies, and greys.
 
-use crate::figure::Figure;
-
 /// Red, green, blue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Colour(pub u8, pub u8, pub u8);
@@ -15,7 +13,7 @@ pub(crate) const GRID: Colour = Colour(220, 224, 230);
 pub(crate) const MINOR_GRID: Colour = Colour(242, 244, 247);
 
 /// Blue, vermilion, green, purple, orange, sky blue, black. Yellow is left out: its contrast on white is too low.
-const SERIES: [Colour; 7] = [
+pub(crate) const SERIES: [Colour; 7] = [
     Colour(0, 114, 178),
     Colour(213, 94, 0),
     Colour(0, 158, 115),
@@ -24,24 +22,3 @@ const SERIES: [Colour; 7] = [
     Colour(86, 180, 233),
     Colour(60, 60, 60),
 ];
-
-/// Assigns a colour to every series, panel by panel. Equal names get the same colour, each unnamed series a new one.
-pub(crate) fn assign_colours(figure: &Figure) -> Vec<Vec<Colour>> {
-    let mut assigned = std::collections::HashMap::new();
-    let mut used = 0;
-    let mut next = || {
-        used += 1;
-        SERIES[(used - 1) % SERIES.len()]
-    };
-    figure
-        .panels
-        .iter()
-        .map(|panel| {
-            let colour_of = |series: &crate::Series| match series.name.as_str() {
-                "" => next(),
-                name => *assigned.entry(name.to_owned()).or_insert_with(&mut next),
-            };
-            panel.series.iter().map(colour_of).collect()
-        })
-        .collect()
-}

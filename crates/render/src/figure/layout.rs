@@ -1,12 +1,13 @@
 //! Layout: converts a figure to a scene.
 
 use crate::figure::axis::{Axis, drawable, extent};
+use crate::figure::colours::assign_colours;
 use crate::figure::curve;
 use crate::figure::legend::{DOT, ROW, WIDTH_RESERVE, layout_legend, stroke};
 use crate::figure::marks::{MarkStrip, layout_marks};
 use crate::figure::{Figure, Panel, Style};
 use crate::font::Font;
-use crate::palette::{AXIS, Colour, GRID, INK, MINOR_GRID, SOFT_INK, ZERO, assign_colours};
+use crate::palette::{AXIS, Colour, GRID, INK, MINOR_GRID, SOFT_INK, ZERO};
 use crate::scene::{Anchor, Point, Scene, pixel_centre, solid};
 use crate::text::{fit_to_width, medium, regular, width};
 

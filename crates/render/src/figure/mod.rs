@@ -1,6 +1,7 @@
 //! Figure in the caller's data units.
 
 pub(crate) mod axis;
+mod colours;
 mod curve;
 pub(crate) mod layout;
 mod legend;

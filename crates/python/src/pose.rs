@@ -1,7 +1,5 @@
 //! Poses: a mechanism at one configuration. The Python methods are in `pose_methods.rs`.
 
-pub(crate) mod methods;
-
 use crate::errors::input;
 use crate::model::Model;
 use percuss::nalgebra::Matrix3;

@@ -1,7 +1,5 @@
 //! Models: mechanisms from URDF, and their loading functions.
 
-pub(crate) mod methods;
-
 use crate::errors;
 use percuss::study::Model as Read;
 use percuss::{Accept, DEFAULT_MAX_SIZE, LoadOptions, Source};
