@@ -44,7 +44,9 @@ pub enum RenderError {
         source: Box<dyn std::error::Error + Send + Sync>,
     },
     /// PNG and PDF need the feature `convert`.
-    #[error("this build writes no PNG and no PDF: write an SVG, or build it with the feature \"pictures\"")]
+    #[error(
+        "this build of percuss writes no PNG and no PDF; write .svg, or build it with `cargo build --release --features pictures`"
+    )]
     NotBuilt,
     /// The PDF could not be made.
     #[error("the PDF could not be made: {message}")]

@@ -27,8 +27,8 @@ pub enum FormatFault {
     NoParquet,
     /// Parquet file, in a build without their reader.
     #[error(
-        "it is a Parquet file, and this program was built without their reader; save the table as CSV, or build with the \
-         feature \"tables\" of the crate percuss (\"parquet\" of percuss-tables)"
+        "it is a Parquet file, and this build does not read Parquet; save the table as CSV, or build it with the feature \
+         \"tables\" (`cargo build --release --features tables`)"
     )]
     NotBuiltIn,
     /// Encrypted Parquet file.

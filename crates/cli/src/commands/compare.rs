@@ -254,8 +254,8 @@ fn file_bytes(
             Ok((text + "\n").into_bytes())
         }
         "svg" => Ok(figure(report, requested)?.to_svg().into_bytes()),
-        "png" => figure(report, requested)?.to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string())),
-        "pdf" => figure(report, requested)?.to_pdf().map_err(|e| Failure::NoAnswer(e.to_string())),
+        "png" => figure(report, requested)?.to_png(2.0).map_err(Failure::from),
+        "pdf" => figure(report, requested)?.to_pdf().map_err(Failure::from),
         _ => Err(Failure::bad_input(format!(
             "--output {path}: its name must end in .csv, .xlsx, .json, .svg, .png or .pdf"
         ))),

@@ -319,10 +319,8 @@ pub fn write_history(report: &DampingReport, question: &DampingQuestion, path: &
     };
     let bytes = match ending.as_str() {
         "svg" => history_sheet(report, &samples()?).to_svg().into_bytes(),
-        "png" => {
-            history_sheet(report, &samples()?).to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string()))?
-        }
-        "pdf" => history_sheet(report, &samples()?).to_pdf().map_err(|e| Failure::NoAnswer(e.to_string()))?,
+        "png" => history_sheet(report, &samples()?).to_png(2.0)?,
+        "pdf" => history_sheet(report, &samples()?).to_pdf()?,
         "csv" => csv(&samples()?).into_bytes(),
         _ => {
             return Err(Failure::bad_input(format!(

@@ -99,8 +99,8 @@ fn write(
         Format::Svg | Format::Png | Format::Pdf => sweep_figure(sweep, question, destination.figure, bar)?,
     };
     let bytes = match format {
-        Format::Png => figure.to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string()))?,
-        Format::Pdf => figure.to_pdf().map_err(|e| Failure::NoAnswer(e.to_string()))?,
+        Format::Png => figure.to_png(2.0)?,
+        Format::Pdf => figure.to_pdf()?,
         _ => figure.to_svg().into_bytes(),
     };
     // A picture always has an output file, because the file name determines the format.

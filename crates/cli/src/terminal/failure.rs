@@ -4,6 +4,7 @@ use crate::terminal::diagnostics::lines;
 use crate::terminal::escape;
 use crate::terminal::wrap;
 use percuss_formats::LoadError;
+use percuss_render::RenderError;
 use percuss_study::contact::ContactLawError;
 use percuss_study::contact::exports::ExportError;
 use percuss_study::{DesignError, DiagnosticRecord, Names, StudyError, StudyFileError, StudyKeys};
@@ -81,6 +82,15 @@ impl Failure {
             let _ = writeln!(stderr, "{}", wrap::wrap_message(&escape::line(&line)));
         }
         code
+    }
+}
+
+impl From<RenderError> for Failure {
+    fn from(error: RenderError) -> Self {
+        match error {
+            RenderError::NotBuilt => Failure::bad_input(error.to_string()),
+            _ => Failure::NoAnswer(error.to_string()),
+        }
     }
 }
 

@@ -90,8 +90,8 @@ pub(super) fn read_workbook(bytes: &[u8], file: usize, entries: &mut Entries, fi
     #[cfg(not(feature = "xlsx"))]
     {
         let (_, _) = (bytes, entries);
-        let message = "this is an XLSX workbook, and this program was built without their reader: save the table as CSV, or \
-                       build with the feature \"tables\" of the crate percuss (\"xlsx\" of percuss-suspension)";
+        let message = "this is an XLSX workbook, and this build does not read XLSX: save the table as CSV, or build it with the \
+                       feature \"tables\" (`cargo build --release --features tables`)";
         findings.error("not-built-in", &Spot { file, ..Spot::default() }, message.to_owned());
     }
 }

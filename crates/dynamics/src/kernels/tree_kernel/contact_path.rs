@@ -49,7 +49,7 @@ impl ContactPath {
     /// Path before a contact is set, for `steps` steps. `travel`: largest translation of a joint (m) for which the bounds of
     /// sizes hold.
     pub fn none(steps: usize, travel: f64) -> Self {
-        let struck = TreeContact { point: [0.0; 3], normal: TreeNormal::Body([0.0; 3]) };
+        let contact = TreeContact { point: [0.0; 3], normal: TreeNormal::Body([0.0; 3]) };
         Self {
             path: Vec::with_capacity(steps),
             on_path: vec![false; steps],
@@ -57,7 +57,7 @@ impl ContactPath {
             amplification: NO_BOUND,
             light_bodies: LightBodies::none(steps),
             over_travel: 1.0 / travel,
-            contact: struck,
+            contact,
         }
     }
 }

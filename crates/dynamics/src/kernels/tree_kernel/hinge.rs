@@ -17,7 +17,7 @@ const PARALLEL: u8 = 2;
 pub(super) fn eliminate_hinge<T: Lanes, const ON_PATH: bool>(
     form: HingeForm,
     placed: &ScheduledStep,
-    carried: &mut PropagatedWrench<T>,
+    propagated: &mut PropagatedWrench<T>,
     own: &mut [f64],
     slot: &mut [f64],
 ) {
@@ -26,13 +26,13 @@ pub(super) fn eliminate_hinge<T: Lanes, const ON_PATH: bool>(
         ($shape:ident) => {
             match (leaf, next_to_last) {
                 (true, _) => eliminate_hinge_variant::<T, ON_PATH, $shape, true, true, false>(
-                    placed, carried, own, slot,
+                    placed, propagated, own, slot,
                 ),
                 (false, true) => eliminate_hinge_variant::<T, ON_PATH, $shape, true, false, true>(
-                    placed, carried, own, slot,
+                    placed, propagated, own, slot,
                 ),
                 (false, false) => eliminate_hinge_variant::<T, ON_PATH, $shape, true, false, false>(
-                    placed, carried, own, slot,
+                    placed, propagated, own, slot,
                 ),
             }
         };
@@ -43,10 +43,10 @@ pub(super) fn eliminate_hinge<T: Lanes, const ON_PATH: bool>(
         (Shape::Parallel, true, _) => without_armature!(PARALLEL),
         (_, true, _) => without_armature!(SKEW),
         (_, false, true) => {
-            eliminate_hinge_variant::<T, ON_PATH, SKEW, false, true, false>(placed, carried, own, slot)
+            eliminate_hinge_variant::<T, ON_PATH, SKEW, false, true, false>(placed, propagated, own, slot)
         }
         (_, false, false) => {
-            eliminate_hinge_variant::<T, ON_PATH, SKEW, false, false, false>(placed, carried, own, slot)
+            eliminate_hinge_variant::<T, ON_PATH, SKEW, false, false, false>(placed, propagated, own, slot)
         }
     }
 }
@@ -62,7 +62,7 @@ fn eliminate_hinge_variant<
     const NEXT_TO_LAST: bool,
 >(
     placed: &ScheduledStep,
-    carried: &mut PropagatedWrench<T>,
+    propagated: &mut PropagatedWrench<T>,
     own: &mut [f64],
     slot: &mut [f64],
 ) {
@@ -70,9 +70,9 @@ fn eliminate_hinge_variant<
     let ScheduledStep { step, parent_inertia: above, is_first, .. } = placed;
     let (mut inertia, sizes) = if LEAF {
         let Some(leaf) = &step.leaf else { return };
-        carried.loss = carried.loss.max(of(leaf.loss));
+        propagated.loss = propagated.loss.max(of(leaf.loss));
         if ON_PATH {
-            update_wrench::<T, 2>(step, &leaf.pivot(), carried, own);
+            update_wrench::<T, 2>(step, &leaf.pivot(), propagated, own);
         }
         let mut left = leaf.left.cast();
         if BARE {
@@ -83,9 +83,9 @@ fn eliminate_hinge_variant<
         let mut inertia = PackedInertia::load(own);
         let pivot = inertia.turn_pivot::<2>(of(step.armature[2]));
         let sizes = Sizes::of(&inertia, true, own);
-        let loss = carried.record_loss(sizes.moment, &pivot);
+        let loss = propagated.record_loss(sizes.moment, &pivot);
         if ON_PATH {
-            update_wrench::<T, 2>(step, &pivot, carried, own);
+            update_wrench::<T, 2>(step, &pivot, propagated, own);
         }
         let over_d = pivot.u.scaled(pivot.inverse_d);
         if BARE {
@@ -95,10 +95,10 @@ fn eliminate_hinge_variant<
         }
         (inertia, sizes.amplified(loss))
     };
-    let way = &step.parent_transform;
+    let transform = &step.parent_transform;
     let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
-    let (along_z, along_x) = (of(way.along_z), of(way.shift[0]));
-    let (tilt_c, tilt_s) = (of(way.tilt.cos), of(way.tilt.sin));
+    let (along_z, along_x) = (of(transform.along_z), of(transform.shift[0]));
+    let (tilt_c, tilt_s) = (of(transform.tilt.cos), of(transform.tilt.sin));
     match (SHAPE, BARE) {
         (SKEW, true) => {
             inertia.screw_without::<2, 2>(c, s, along_z);
@@ -118,7 +118,7 @@ fn eliminate_hinge_variant<
         inertia.shift::<0>(along_x);
     }
     if ON_PATH {
-        let wrench = &mut carried.wrench;
+        let wrench = &mut propagated.wrench;
         wrench.screw::<2>(c, s, along_z);
         match SHAPE {
             SKEW => wrench.turn::<0>(tilt_c, tilt_s),
@@ -126,8 +126,8 @@ fn eliminate_hinge_variant<
             _ => {}
         }
         wrench.shift::<0>(along_x);
-        carried.moment_size = of(step.reach).mul_add(carried.force_size, carried.moment_size);
-        carried.add_share(&step.share, own);
+        propagated.moment_size = of(step.reach).mul_add(propagated.force_size, propagated.moment_size);
+        propagated.add_share(&step.share, own);
     }
     if NEXT_TO_LAST {
         // The compiler drops the entries that no caller reads.

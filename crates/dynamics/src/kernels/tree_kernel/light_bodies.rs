@@ -10,7 +10,7 @@ use super::propagation::{
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{PackedInertia, PackedTwist, PackedWrench};
 
-/// Effects of relative errors of size 1 of the inertias and wrenches at the light bodies.
+/// Change of 1/m̄ by errors of the inertias and wrenches at the light bodies, per unit of relative error.
 pub(super) struct LightBodyErrors<T> {
     /// Sum of (√moment |ω| + √mass |v|)² with the bounds of the articulated inertia, 1/kg.
     pub of_inertias: T,
@@ -26,13 +26,13 @@ pub(super) fn light_body_errors<T: Lanes>(
     selection: &ContactPath,
     at: LanePositions<'_>,
     normal_error: f64,
-    room: &mut [f64],
+    scratch: &mut [f64],
 ) -> LightBodyErrors<T> {
     let mut errors = LightBodyErrors { of_inertias: T::zero(), of_wrenches: T::zero() };
     for &index in &selection.light_bodies.steps {
         let (placed, on_path) = (&steps[index], selection.on_path[index]);
         let step = &placed.step;
-        let (rest, own) = room.split_at_mut(placed.number * SCRATCH_NUMBERS * T::WIDTH);
+        let (rest, own) = scratch.split_at_mut(placed.number * SCRATCH_NUMBERS * T::WIDTH);
         let own = &mut own[..SCRATCH_NUMBERS * T::WIDTH];
         let mut twist = PackedTwist::zero();
         if let Some(parent) = step.parent.filter(|_| placed.number != selection.subtree_root) {

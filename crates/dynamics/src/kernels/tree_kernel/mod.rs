@@ -44,8 +44,8 @@ impl TreeKernel {
         let mut steps = plan.into_schedule();
         prismatic_leaf::find_prismatic_leaves(&mut steps);
         let steps: Arc<[ScheduledStep]> = steps.into();
-        let room = Aligned::zeros(steps.len() * SCRATCH_NUMBERS * WIDEST);
-        Some(Self { steps, selection, scratch: room, instructions: Instructions::best() })
+        let scratch = Aligned::zeros(steps.len() * SCRATCH_NUMBERS * WIDEST);
+        Some(Self { steps, selection, scratch, instructions: Instructions::best() })
     }
 
     /// Sets a checked contact; returns false for an unsupported kind. Allocates nothing after the first call.
@@ -114,8 +114,8 @@ impl TreeKernel {
         first: usize,
         answers: MassColumns<'a>,
     ) -> TreeLaneWork<'a> {
-        let Self { steps, selection, scratch: room, .. } = self;
-        TreeLaneWork { steps, selection, columns, first, scratch: room, answers }
+        let Self { steps, selection, scratch, .. } = self;
+        TreeLaneWork { steps, selection, columns, first, scratch, answers }
     }
 }
 
@@ -132,10 +132,10 @@ struct TreeLaneWork<'a> {
 impl Work for TreeLaneWork<'_> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<T: Lanes>(self) {
-        let Self { steps, selection, columns, first, scratch: room, mut answers } = self;
+        let Self { steps, selection, columns, first, scratch, mut answers } = self;
         let mut done = 0;
         while done < answers.masses.len() {
-            let answer: TreeResponse<T> = evaluate(steps, selection, columns, first + done, room);
+            let answer: TreeResponse<T> = evaluate(steps, selection, columns, first + done, scratch);
             answers.store(done, answer.response, answer.error);
             done += T::WIDTH;
         }

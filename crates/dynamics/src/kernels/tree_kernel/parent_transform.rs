@@ -32,11 +32,11 @@ pub(super) fn propagate_to_parent<T: Lanes>(
     inertia: &mut PackedInertia<T>,
     on_path: bool,
     at: LanePositions<'_>,
-    carried: &mut PropagatedWrench<T>,
+    propagated: &mut PropagatedWrench<T>,
     own: &[f64],
 ) {
     let of = T::from_f64;
-    let (way, wrench) = (&step.parent_transform, &mut carried.wrench);
+    let (transform, wrench) = (&step.parent_transform, &mut propagated.wrench);
     macro_rules! both {
         ($what:ident::<$axis:literal>($($by:expr),*)) => {
             inertia.$what::<$axis>($($by),*);
@@ -54,7 +54,7 @@ pub(super) fn propagate_to_parent<T: Lanes>(
             }
         };
     }
-    let along_z = of(way.along_z);
+    let along_z = of(transform.along_z);
     match step.motion {
         TreeMotion::Turn { .. } => {
             let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
@@ -80,16 +80,16 @@ pub(super) fn propagate_to_parent<T: Lanes>(
         }
         TreeMotion::Base => {}
     }
-    match (step.motion, way.turn_z) {
+    match (step.motion, transform.turn_z) {
         (TreeMotion::Turn { .. }, _) | (_, None) => {}
         (_, Some(turn)) => {
             both!(turn::<2>(of(turn.cos), of(turn.sin)));
         }
     }
-    both!(screw::<0>(of(way.tilt.cos), of(way.tilt.sin), of(way.shift[0])));
-    both!(shift::<1>(of(way.shift[1])));
-    both!(shift::<2>(of(way.shift[2])));
-    if let Some(turn) = way.last_turn_z {
+    both!(screw::<0>(of(transform.tilt.cos), of(transform.tilt.sin), of(transform.shift[0])));
+    both!(shift::<1>(of(transform.shift[1])));
+    both!(shift::<2>(of(transform.shift[2])));
+    if let Some(turn) = transform.last_turn_z {
         both!(turn::<2>(of(turn.cos), of(turn.sin)));
     }
 }
@@ -103,19 +103,19 @@ pub(super) fn transform_twist_to_body<T: Lanes>(
     own: &[f64],
 ) {
     let of = T::from_f64;
-    let way = &step.parent_transform;
-    if let Some(turn) = way.last_turn_z {
+    let transform = &step.parent_transform;
+    if let Some(turn) = transform.last_turn_z {
         twist.turn_back::<2>(of(turn.cos), of(turn.sin));
     }
-    twist.shift_back::<2>(of(way.shift[2]));
-    twist.shift_back::<1>(of(way.shift[1]));
-    twist.shift_back::<0>(of(way.shift[0]));
-    twist.turn_back::<0>(of(way.tilt.cos), of(way.tilt.sin));
-    match (step.motion, way.turn_z) {
+    twist.shift_back::<2>(of(transform.shift[2]));
+    twist.shift_back::<1>(of(transform.shift[1]));
+    twist.shift_back::<0>(of(transform.shift[0]));
+    twist.turn_back::<0>(of(transform.tilt.cos), of(transform.tilt.sin));
+    match (step.motion, transform.turn_z) {
         (TreeMotion::Turn { .. }, _) | (_, None) => {}
         (_, Some(turn)) => twist.turn_back::<2>(of(turn.cos), of(turn.sin)),
     }
-    let along_z = of(way.along_z);
+    let along_z = of(transform.along_z);
     match step.motion {
         TreeMotion::Turn { .. } => {
             twist.shift_back::<2>(along_z);

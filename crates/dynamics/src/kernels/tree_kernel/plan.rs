@@ -293,9 +293,9 @@ impl TreePlan {
             let frame = *frames[i].get_or_insert_with(|| joint_aligned_frame(model, i));
             let carrier = body.parent.map_or(Transform::identity(), |p| steps[p].own.frame);
             let k = carrier.inverse() * body.origin * frame;
-            let way = ParentTransform::of(&k);
+            let transform = ParentTransform::of(&k);
             let motion = motion_of(body);
-            let reach = way.length + motion.travel(travel);
+            let reach = transform.length + motion.travel(travel);
             let (mut free, mut armature) = ([false; 6], [0.0; 6]);
             for ((&component, own), _) in motion.components().iter().zip(&body.armature).zip(body.v.clone()) {
                 (free[component], armature[component]) = (true, *own);
@@ -310,7 +310,7 @@ impl TreePlan {
                     inertia: PackedInertia::of_body(&frame.inverse().inertia(&body.inertia)),
                     frame,
                 }),
-                parent_transform: way,
+                parent_transform: transform,
                 reach,
                 moment: 0.0,
                 mass: 0.0,

@@ -13,8 +13,9 @@ type SingleLane = Portable<1>;
 /// Finds the prismatic leaves that pass on an inertia.
 pub(super) fn find_prismatic_leaves(steps: &mut [ScheduledStep]) {
     for placed in steps {
-        let carried = placed.step.parent.is_some() && !placed.step.transmits_nothing();
-        if let (true, TreeMotion::Slide { .. }, Some(leaf)) = (carried, placed.step.motion, &placed.step.leaf)
+        let propagated = placed.step.parent.is_some() && !placed.step.transmits_nothing();
+        if let (true, TreeMotion::Slide { .. }, Some(leaf)) =
+            (propagated, placed.step.motion, &placed.step.leaf)
         {
             let mut constant = inertia_in_parent_frame(placed, leaf.left);
             if placed.is_first {

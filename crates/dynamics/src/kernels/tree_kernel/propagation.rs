@@ -127,23 +127,23 @@ impl<T: Lanes> PropagatedWrench<T> {
 pub(super) fn update_wrench<T: Lanes, const AXIS: usize>(
     step: &TreeStep,
     pivot: &Pivot<T>,
-    carried: &mut PropagatedWrench<T>,
+    propagated: &mut PropagatedWrench<T>,
     own: &mut [f64],
 ) {
     let of = T::from_f64;
     let size = of(if AXIS < 3 { step.moment } else { step.mass });
     let (t, test) = if AXIS < 3 {
-        (carried.wrench.moment[AXIS], carried.moment_size)
+        (propagated.wrench.moment[AXIS], propagated.moment_size)
     } else {
-        (carried.wrench.force[AXIS - 3], carried.force_size)
+        (propagated.wrench.force[AXIS - 3], propagated.force_size)
     };
-    let rate = carried.add_response(size, t, test, pivot.inverse_d);
+    let rate = propagated.add_response(size, t, test, pivot.inverse_d);
     store_rate(rate, AXIS, own);
     let part = rate.abs();
     let (m, f) = (&pivot.u.moment, &pivot.u.force);
-    carried.moment_size = (m[0].abs() + m[1].abs() + m[2].abs()).mul_add(part, carried.moment_size);
-    carried.force_size = (f[0].abs() + f[1].abs() + f[2].abs()).mul_add(part, carried.force_size);
-    carried.wrench.subtract(&pivot.u, rate);
+    propagated.moment_size = (m[0].abs() + m[1].abs() + m[2].abs()).mul_add(part, propagated.moment_size);
+    propagated.force_size = (f[0].abs() + f[1].abs() + f[2].abs()).mul_add(part, propagated.force_size);
+    propagated.wrench.subtract(&pivot.u, rate);
 }
 
 /// Stores t/D of the velocity along a component of the twist.

@@ -48,13 +48,13 @@ fn error_by_energy<T: Lanes>(
     steps: &[ScheduledStep],
     selection: &ContactPath,
     at: LanePositions<'_>,
-    carried: &PropagatedWrench<T>,
-    room: &mut [f64],
+    propagated: &PropagatedWrench<T>,
+    scratch: &mut [f64],
 ) -> T {
-    let mut of_inertias = T::from_f64(selection.amplification) * carried.response;
-    let mut of_wrenches = carried.by_energy * carried.response.sqrt();
+    let mut of_inertias = T::from_f64(selection.amplification) * propagated.response;
+    let mut of_wrenches = propagated.by_energy * propagated.response.sqrt();
     if !selection.light_bodies.steps.is_empty() {
-        let light = light_body_errors::<T>(steps, selection, at, normal_error(selection), room);
+        let light = light_body_errors::<T>(steps, selection, at, normal_error(selection), scratch);
         of_inertias += light.of_inertias;
         of_wrenches += light.of_wrenches;
     }
@@ -68,7 +68,7 @@ fn smaller<T: Lanes>(x: T, other: T) -> T {
     -((-other).max(-x))
 }
 
-/// 1/m̄ of the configurations from `first` on, one per lane, and its rounding error. `room`: workspace of
+/// 1/m̄ of the configurations from `first` on, one per lane, and its rounding error. `scratch`: workspace of
 /// all steps.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn evaluate<T: Lanes>(
@@ -76,26 +76,26 @@ pub(super) fn evaluate<T: Lanes>(
     selection: &ContactPath,
     columns: PositionColumns<'_>,
     first: usize,
-    room: &mut [f64],
+    scratch: &mut [f64],
 ) -> TreeResponse<T> {
-    let (beyond, travels): (T, T) = fill_joint_values(steps, selection, columns, first, room);
+    let (beyond, travels): (T, T) = fill_joint_values(steps, selection, columns, first, scratch);
     let at = LanePositions { columns, first };
-    let mut carried = contact_wrench(steps, selection, at, room);
+    let mut propagated = contact_wrench(steps, selection, at, scratch);
     for (placed, on_path) in steps.iter().zip(&selection.on_path) {
         if placed.subtree_root != selection.subtree_root {
             continue;
         }
         if *on_path {
-            eliminate_step::<T, true>(placed, at, &mut carried, room);
+            eliminate_step::<T, true>(placed, at, &mut propagated, scratch);
         } else {
-            eliminate_step::<T, false>(placed, at, &mut carried, room);
+            eliminate_step::<T, false>(placed, at, &mut propagated, scratch);
         }
     }
     let stretch = (travels * T::from_f64(selection.over_travel)).max(T::one());
-    let by_energy = error_by_energy(steps, selection, at, &carried, room);
-    let error = smaller(carried.error_of_pivots(), by_energy) * stretch * stretch;
+    let by_energy = error_by_energy(steps, selection, at, &propagated, scratch);
+    let error = smaller(propagated.error_of_pivots(), by_energy) * stretch * stretch;
     // Angles beyond the range of the sine are marked as doubtful.
-    TreeResponse { response: carried.response, error: beyond.mul_add(T::from_f64(f64::MAX), error) }
+    TreeResponse { response: propagated.response, error: beyond.mul_add(T::from_f64(f64::MAX), error) }
 }
 
 /// Sines and cosines, the excess of angles and quaternions beyond their accepted range, and the largest travel (m).
@@ -105,7 +105,7 @@ fn fill_joint_values<T: Lanes>(
     selection: &ContactPath,
     columns: PositionColumns<'_>,
     first: usize,
-    room: &mut [f64],
+    scratch: &mut [f64],
 ) -> (T, T) {
     let (mut beyond, mut angles, mut travels) = (T::zero(), T::zero(), T::zero());
     for (placed, on_path) in steps.iter().zip(&selection.on_path) {
@@ -118,7 +118,7 @@ fn fill_joint_values<T: Lanes>(
             // A position above the path does not change m̄, but must be a finite number.
             beyond += nan_unless_finite::<T>(columns, step.positions(), first);
         }
-        let slot = &mut room[placed.number * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+        let slot = &mut scratch[placed.number * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
         match step.motion {
             TreeMotion::Turn { q } => {
                 let angle: T = columns.at(q, first);
@@ -191,7 +191,7 @@ fn contact_wrench<T: Lanes>(
     steps: &[ScheduledStep],
     selection: &ContactPath,
     at: LanePositions<'_>,
-    room: &[f64],
+    scratch: &[f64],
 ) -> PropagatedWrench<T> {
     let contact = &selection.contact;
     let n = match contact.normal {
@@ -200,7 +200,8 @@ fn contact_wrench<T: Lanes>(
             let mut n = splat(&n);
             for &place in &selection.path {
                 let placed = &steps[place];
-                let slot = &room[placed.number * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+                let slot =
+                    &scratch[placed.number * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
                 rotate_to_body(&placed.step, &mut n, at, slot);
             }
             n
@@ -273,28 +274,28 @@ fn back<T: Lanes>(turn: Turn) -> (T, T) {
 fn eliminate_step<T: Lanes, const ON_PATH: bool>(
     placed: &ScheduledStep,
     at: LanePositions<'_>,
-    carried: &mut PropagatedWrench<T>,
-    room: &mut [f64],
+    propagated: &mut PropagatedWrench<T>,
+    scratch: &mut [f64],
 ) {
     let step = &placed.step;
-    let (rest, own) = room.split_at_mut(placed.number * SCRATCH_NUMBERS * T::WIDTH);
+    let (rest, own) = scratch.split_at_mut(placed.number * SCRATCH_NUMBERS * T::WIDTH);
     let own = &mut own[..SCRATCH_NUMBERS * T::WIDTH];
     match placed.form {
-        StepForm::GroundHinge => eliminate_ground_hinge(step, carried, own),
+        StepForm::GroundHinge => eliminate_ground_hinge(step, propagated, own),
         StepForm::Hinge(form) => {
             let Some(parent) = step.parent else { return };
             let slot = &mut rest[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
-            eliminate_hinge::<T, ON_PATH>(form, placed, carried, own, slot);
+            eliminate_hinge::<T, ON_PATH>(form, placed, propagated, own, slot);
         }
         StepForm::PrismaticLeaf if !ON_PATH => {
             let (Some(parent), Some(slid)) = (step.parent, &placed.prismatic_leaf) else { return };
-            carried.loss = carried.loss.max(T::from_f64(slid.loss));
+            propagated.loss = propagated.loss.max(T::from_f64(slid.loss));
             let slot = &mut rest[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
             prismatic_leaf::add_polynomial_inertia::<T>(slid, number(own, SINE), placed.is_first, slot);
             slid.sizes.cast::<T>().add_to_parent(step.reach, placed.is_first, slot);
         }
         StepForm::PrismaticLeaf | StepForm::General => {
-            eliminate_general_joint::<T>(placed, ON_PATH, at, carried, rest, own)
+            eliminate_general_joint::<T>(placed, ON_PATH, at, propagated, rest, own)
         }
     }
 }
@@ -302,35 +303,40 @@ fn eliminate_step<T: Lanes, const ON_PATH: bool>(
 /// Eliminates a hinge on the ground. Only one entry of its inertia is needed. The other entries are not computed, so the
 /// size of this entry is used for all.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn eliminate_ground_hinge<T: Lanes>(step: &TreeStep, carried: &mut PropagatedWrench<T>, own: &mut [f64]) {
+fn eliminate_ground_hinge<T: Lanes>(step: &TreeStep, propagated: &mut PropagatedWrench<T>, own: &mut [f64]) {
     let of = T::from_f64;
     let d = number::<T>(own, 5) + of(step.armature[2]);
-    let rate =
-        carried.add_response(of(step.moment), carried.wrench.moment[2], carried.moment_size, T::one() / d);
+    let rate = propagated.add_response(
+        of(step.moment),
+        propagated.wrench.moment[2],
+        propagated.moment_size,
+        T::one() / d,
+    );
     store_rate(rate, 2, own);
-    carried.add_share(&step.share, own);
+    propagated.add_share(&step.share, own);
 }
 
 /// Eliminates any joint with any transform, on the contact path or not, and adds the remaining inertia to the parent's.
-/// `carried`: propagated test wrench; `own` and `rest`: workspaces of the body and of the bodies before it.
+/// `propagated`: propagated test wrench; `own` and `rest`: workspaces of the body and of the bodies before it.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn eliminate_general_joint<T: Lanes>(
     placed: &ScheduledStep,
     on_path: bool,
     at: LanePositions<'_>,
-    carried: &mut PropagatedWrench<T>,
+    propagated: &mut PropagatedWrench<T>,
     rest: &mut [f64],
     own: &mut [f64],
 ) {
     let step = &placed.step;
-    let (mut inertia, sizes) = eliminate_velocities::<T>(step, on_path, carried, own);
+    let (mut inertia, sizes) = eliminate_velocities::<T>(step, on_path, propagated, own);
     if on_path {
-        carried.add_share(&step.share, own);
+        propagated.add_share(&step.share, own);
     }
     let Some(parent) = step.parent.filter(|_| !step.transmits_nothing()) else { return };
-    propagate_to_parent::<T>(step, &mut inertia, on_path, at, carried, own);
+    propagate_to_parent::<T>(step, &mut inertia, on_path, at, propagated, own);
     if on_path {
-        carried.moment_size = T::from_f64(step.reach).mul_add(carried.force_size, carried.moment_size);
+        propagated.moment_size =
+            T::from_f64(step.reach).mul_add(propagated.force_size, propagated.moment_size);
     }
     let slot = &mut rest[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
     add_to_parent(&mut inertia, &placed.parent_inertia, placed.is_first, slot);
@@ -342,14 +348,16 @@ fn eliminate_general_joint<T: Lanes>(
 fn eliminate_velocities<T: Lanes>(
     step: &TreeStep,
     on_path: bool,
-    carried: &mut PropagatedWrench<T>,
+    propagated: &mut PropagatedWrench<T>,
     own: &mut [f64],
 ) -> (PackedInertia<T>, Sizes<T>) {
     if let Some(leaf) = &step.leaf {
-        carried.loss = carried.loss.max(T::from_f64(leaf.loss));
+        propagated.loss = propagated.loss.max(T::from_f64(leaf.loss));
         match step.motion {
-            TreeMotion::Slide { .. } if on_path => update_wrench::<T, 5>(step, &leaf.pivot(), carried, own),
-            _ if on_path => update_wrench::<T, 2>(step, &leaf.pivot(), carried, own),
+            TreeMotion::Slide { .. } if on_path => {
+                update_wrench::<T, 5>(step, &leaf.pivot(), propagated, own)
+            }
+            _ if on_path => update_wrench::<T, 2>(step, &leaf.pivot(), propagated, own),
             _ => {}
         }
         return (leaf.left.cast(), leaf.sizes.cast());
@@ -361,7 +369,7 @@ fn eliminate_velocities<T: Lanes>(
         let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
         inertia.turn::<2>(c, s);
         if on_path {
-            carried.wrench.turn::<2>(c, s);
+            propagated.wrench.turn::<2>(c, s);
         }
     }
     // Computed before any velocity of the joint is eliminated: the last pivots are differences of these sizes.
@@ -370,9 +378,9 @@ fn eliminate_velocities<T: Lanes>(
         ($component:literal, $size:ident, $pivot:ident, $eliminate:ident, $axis:literal) => {
             if step.free[$component] {
                 let pivot = inertia.$pivot::<$axis>(T::from_f64(step.armature[$component]));
-                let loss = carried.record_loss(sizes.$size, &pivot);
+                let loss = propagated.record_loss(sizes.$size, &pivot);
                 if on_path {
-                    update_wrench::<T, $component>(step, &pivot, carried, own);
+                    update_wrench::<T, $component>(step, &pivot, propagated, own);
                 }
                 inertia.$eliminate::<$axis>(&pivot, &pivot.u.scaled(pivot.inverse_d));
                 sizes = sizes.amplified(loss);
