@@ -1,7 +1,10 @@
 #!/usr/bin/env bash
 # Compares percuss with Pinocchio, MuJoCo and Drake: robots of example-robot-data, closed linkages, contacts that bounce (there
 # and, by engines.sh, in other engines), suspensions and designs, reference files. README.md says what and how.
-# Needs python3 and, the first time, the network. Options go to compare.py (--only NAME, --update-ledger, …).
+# Needs python3 and, the first time, the network.
+#   run.sh [--prepare] [--tested] [OPTION...]
+#     --prepare: only installs the other programs      --tested: uses the programs built by `cargo test --workspace`
+#     further options go to compare.py (--only NAME, --update-ledger, …)
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../.."
@@ -9,6 +12,15 @@ target=${CARGO_TARGET_DIR:-$PWD/target}
 venv=$PWD/target/external/venv
 drake=$PWD/target/external/drake
 . "$here/environment.sh"
+prepare_only='' tested=''
+while :; do
+  case ${1-} in
+    --prepare) prepare_only=1 ;;
+    --tested) tested=1 ;;
+    *) break ;;
+  esac
+  shift
+done
 
 # PyBullet has no wheel for later ones.
 environment "$venv" "$here/requirements.txt" "$(first python3.11)"
@@ -24,23 +36,54 @@ environment "$drake" "$here/requirements-drake.txt" "$(first "${newer[@]}")"
 host=$(rustc -vV | sed -n 's/^host: //p')
 cargo fetch --quiet --locked --target "$host" --manifest-path "$here/contact/headers/Cargo.toml"
 "$here/packages.sh"
-cargo build --locked --quiet --release -p percuss-tests --bins -p percuss-cli --features percuss-cli/full
+[ -z "$prepare_only" ] || exit 0
+
+if [ -n "$tested" ]; then
+  programs=$target/debug
+else
+  programs=$target/release
+  cargo build --locked --quiet --release -p percuss-tests --bins -p percuss-cli --features percuss-cli/full
+fi
+for program in percuss percuss-probe percuss-reference; do
+  [ -x "$programs/$program" ] || { echo "$programs/$program is missing: cargo test --workspace builds it"; exit 1; }
+done
 export PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
-failed=0
-"$venv/bin/python" "$here/compare.py" --probe "$target/release/percuss-probe" "$@" || failed=1
-"$venv/bin/python" "$here/loops.py" --percuss "$target/release/percuss" || failed=1
-"$venv/bin/python" "$here/suspensions/check.py" --percuss "$target/release/percuss" --count 4 || failed=1
-"$venv/bin/python" "$here/designs.py" --percuss "$target/release/percuss" --count 30 || failed=1
-PYTHONPATH=$here "$drake/bin/python" "$here/contact/check.py" --percuss "$target/release/percuss" || failed=1
-"$here/engines.sh" "$target/release/percuss" || failed=1
-PYTHONPATH=$here "$venv/bin/python" "$here/contact/integrators.py" --percuss "$target/release/percuss" || failed=1
+output=$(mktemp -d)
+trap 'rm -rf "$output"' EXIT
+# check NAME COMMAND...: runs beside the others, one for each processor; its output is printed when all have ended.
+names=()
+check() {
+  local name=$1
+  shift
+  names+=("$name")
+  while [ "$(jobs -pr | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
+  {
+    local start=$SECONDS code=0
+    "$@" > "$output/$name" 2>&1 || code=$?
+    echo "$name: $((SECONDS - start)) s, exit $code" >> "$output/$name"
+    echo "$code" > "$output/$name.code"
+  } &
+}
+# The longest first.
+check engines "$here/engines.sh" "$programs/percuss"
+check contacts env PYTHONPATH="$here" "$drake/bin/python" "$here/contact/check.py" --percuss "$programs/percuss"
+check suspensions "$venv/bin/python" "$here/suspensions/check.py" --percuss "$programs/percuss" --count 4
+check integrators env PYTHONPATH="$here" "$venv/bin/python" "$here/contact/integrators.py" --percuss "$programs/percuss"
+check robots "$venv/bin/python" "$here/compare.py" --probe "$programs/percuss-probe" "$@"
+check designs "$venv/bin/python" "$here/designs.py" --percuss "$programs/percuss" --count 30
+check linkages "$venv/bin/python" "$here/loops.py" --percuss "$programs/percuss"
 # The shipped models: route A against the oracle's route C.
-"$target/release/percuss-reference" "shipped models" models/*.urdf || failed=1
+check shipped_models "$programs/percuss-reference" "shipped models" models/*.urdf
 # Reference files of the loop dialect, where they are at hand: beside the repository, or where PERCUSS_REFERENCE says.
 reference=${PERCUSS_REFERENCE:-../shared/data}
 if [ -d "$reference" ]; then
-  "$target/release/percuss-reference" "reference files" "$reference"/urdf-plus/*.urdf "$reference"/rounded/*.urdf || failed=1
-else
-  echo "reference files: not at hand ($reference), not compared"
+  check reference_files "$programs/percuss-reference" "reference files" "$reference"/urdf-plus/*.urdf "$reference"/rounded/*.urdf
 fi
+wait || true
+failed=0
+for name in "${names[@]}"; do
+  cat "$output/$name"
+  [ "$(cat "$output/$name.code")" = 0 ] || failed=1
+done
+[ -d "$reference" ] || echo "reference files: not at hand ($reference), not compared"
 exit $failed
