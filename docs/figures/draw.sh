@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 percuss=${1:-target/debug/percuss}
 figures=docs/figures
-stop="--link bump_stop_pad --point 0,0,0 --normal 0,-15,80 --normal-frame against --against chassis"
+stop="--at bump_stop"
 # A report holds the drawing of the mechanism as an SVG in base64.
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
@@ -22,11 +22,7 @@ cat > "$work/corner.toml" <<'TOML'
 [model]
 path = "model.toml"
 [contact]
-link = "bump_stop_pad"
-point = [0, 0, 0]
-normal = [0, -15, 80]
-normal_frame = "against"
-against = "chassis"
+at = "bump_stop"
 TOML
 cp models/suspensions/double-wishbone.toml "$work/model.toml"
 drawing "$work/corner.toml" $figures/double-wishbone.svg

@@ -45,7 +45,7 @@ else
   cargo build --locked --quiet --release -p percuss-tests --bins -p percuss-cli --features percuss-cli/full
 fi
 for program in percuss percuss-probe percuss-reference; do
-  [ -x "$programs/$program" ] || { echo "$programs/$program is missing: cargo test --workspace builds it"; exit 1; }
+  [ -x "$programs/$program" ] || { echo "$programs/$program is missing: the tests of the workspace build it"; exit 1; }
 done
 export PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 output=$(mktemp -d)

@@ -15,6 +15,7 @@ mod malformed;
 mod map;
 mod mass;
 mod models;
+mod named_contacts;
 mod outputs;
 mod own_suspension;
 mod pages;

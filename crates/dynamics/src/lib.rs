@@ -51,6 +51,7 @@ pub use model::configuration::{Configuration, ConfigurationError};
 pub use model::input;
 pub use model::velocities::StateSizeError;
 pub use motion::forward_dynamics::{Accelerations, PointForce};
+pub use motion::gap::Gap;
 pub use motion::limits::BranchLimits;
 pub use motion::operational_inertia::InverseOperationalInertia;
 pub use motion::point_velocity::PointVelocity;

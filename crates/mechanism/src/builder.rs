@@ -2,12 +2,12 @@
 
 use crate::axis::unit;
 use crate::checks::check::Check;
-use crate::checks::{closures, inertias};
+use crate::checks::{closures, contacts, inertias};
 use crate::name_mark::NameMark;
 use crate::problem::{Accept, Problem, Severity, Subject};
 use crate::{
-    ClosureDescription, ClosureKind, CouplingDescription, Geometry, Inertial, Joint, JointDescription,
-    JointId, JointKind, Link, LinkDescription, LinkId, Mechanism, Mimic, tree,
+    ClosureDescription, ClosureKind, ContactDescription, CouplingDescription, Geometry, Inertial, Joint,
+    JointDescription, JointId, JointKind, Link, LinkDescription, LinkId, Mechanism, Mimic, tree,
 };
 use percuss_spatial::{SpatialInertia, Vector3};
 use std::collections::HashMap;
@@ -51,6 +51,7 @@ pub struct MechanismBuilder {
     joint_index: Vec<usize>,
     closures: Vec<ClosureDescription>,
     couplings: Vec<CouplingDescription>,
+    contacts: Vec<ContactDescription>,
 }
 
 impl MechanismBuilder {
@@ -86,6 +87,12 @@ impl MechanismBuilder {
     /// Adds a coupling.
     pub fn coupling(mut self, coupling: CouplingDescription) -> Self {
         self.couplings.push(coupling);
+        self
+    }
+
+    /// Adds a named contact.
+    pub fn contact(mut self, contact: ContactDescription) -> Self {
+        self.contacts.push(contact);
         self
     }
 
@@ -130,6 +137,7 @@ impl MechanismBuilder {
             check.joint_numbers(joint_subject(i, &joint.name), joint);
         }
         closures::check(&self.closures, &self.couplings, &self.links, &link_ids, check);
+        contacts::check(&self.contacts, &self.links, &link_ids, check);
         let second_parents = self.take_second_parents(check, &link_ids);
         self.closures.extend(second_parents);
         let joint_ids = self.joints.iter().enumerate().map(|(i, j)| (j.name.clone(), i)).collect();
@@ -167,6 +175,7 @@ impl MechanismBuilder {
         }
         let mut mechanism = Mechanism::new(self.name, links, joints, tree, length);
         closures::attach(&mut mechanism, &self.closures, &self.couplings, check);
+        contacts::attach(&mut mechanism, &self.contacts);
         Some(mechanism)
     }
 

@@ -1,8 +1,8 @@
 //! Converts a mechanism back to a builder, to change parts of it.
 
 use crate::{
-    Accept, ClosureDescription, CouplingDescription, JointDescription, LinkDescription, LinkId, Mechanism,
-    MechanismBuilder, MimicDescription,
+    Accept, ClosureDescription, ContactDescription, CouplingDescription, JointDescription, LinkDescription,
+    LinkId, Mechanism, MechanismBuilder, MimicDescription,
 };
 
 impl Mechanism {
@@ -29,6 +29,17 @@ impl Mechanism {
                 predecessor: self.link(coupling.predecessor).name.clone(),
                 successor: self.link(coupling.successor).name.clone(),
                 ratio: coupling.ratio,
+            });
+        }
+        for contact in &self.contacts {
+            builder = builder.contact(ContactDescription {
+                name: contact.name.clone(),
+                kind: contact.kind,
+                link: self.link(contact.link).name.clone(),
+                point: contact.point,
+                against: self.end_name(contact.against),
+                normal: contact.normal,
+                gap: contact.gap,
             });
         }
         builder

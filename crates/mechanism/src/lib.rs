@@ -8,6 +8,7 @@ mod axis;
 mod builder;
 mod checks;
 mod closure;
+mod contact;
 mod describe;
 mod description;
 mod inertial;
@@ -22,6 +23,7 @@ mod tree;
 
 pub use builder::{BuildError, Built, MechanismBuilder};
 pub use closure::{Closure, ClosureId, ClosureKind, Coupling, LoopFrame};
+pub use contact::{ContactDescription, ContactKind, ContactNormal, NamedContact};
 pub use description::{
     ClosureDescription, CouplingDescription, JointDescription, LinkDescription, MimicDescription,
 };

@@ -1,7 +1,10 @@
 //! Immutable mechanism.
 
 use crate::tree::Tree;
-use crate::{Closure, ClosureId, Coupling, Joint, JointId, Link, LinkId, NameKind, UnknownName, near_names};
+use crate::{
+    Closure, ClosureId, Coupling, Joint, JointId, Link, LinkId, NameKind, NamedContact, UnknownName,
+    near_names,
+};
 use std::collections::HashMap;
 
 /// Spanning tree of links and joints, with loop closures. Immutable, `Send + Sync`; share it by `Arc`.
@@ -12,6 +15,7 @@ pub struct Mechanism {
     pub(crate) joints: Vec<Joint>,
     pub(crate) closures: Vec<Closure>,
     pub(crate) couplings: Vec<Coupling>,
+    pub(crate) contacts: Vec<NamedContact>,
     pub(crate) root: LinkId,
     pub(crate) parent_joint: Vec<Option<JointId>>,
     pub(crate) child_joints: Vec<Vec<JointId>>,
@@ -41,6 +45,7 @@ impl Mechanism {
             joints,
             closures: Vec::new(),
             couplings: Vec::new(),
+            contacts: Vec::new(),
             root,
             parent_joint,
             child_joints,
@@ -74,6 +79,11 @@ impl Mechanism {
     /// All couplings, in the given order.
     pub fn couplings(&self) -> &[Coupling] {
         &self.couplings
+    }
+
+    /// All named contacts, in the given order.
+    pub fn contacts(&self) -> &[NamedContact] {
+        &self.contacts
     }
 
     /// Indices of all closures.
@@ -160,6 +170,18 @@ impl Mechanism {
             kind: NameKind::Joint,
             name: name.to_owned(),
             near: near_names(name, self.joints.iter().map(Joint::name)),
+        })
+    }
+
+    /// Finds a contact by name.
+    ///
+    /// # Errors
+    /// [`UnknownName`] with similar names.
+    pub fn find_contact(&self, name: &str) -> Result<&NamedContact, UnknownName> {
+        self.contacts.iter().find(|contact| contact.name == name).ok_or_else(|| UnknownName {
+            kind: NameKind::Contact,
+            name: name.to_owned(),
+            near: near_names(name, self.contacts.iter().map(NamedContact::name)),
         })
     }
 

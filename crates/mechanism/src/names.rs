@@ -9,6 +9,8 @@ pub enum NameKind {
     Link,
     /// A joint.
     Joint,
+    /// A named contact.
+    Contact,
 }
 
 /// Error: unknown name, with similar names.
@@ -27,6 +29,7 @@ impl fmt::Display for UnknownName {
         let kind = match self.kind {
             NameKind::Link => "link",
             NameKind::Joint => "joint",
+            NameKind::Contact => "contact",
         };
         write!(f, "no {kind} is named \"{}\"", self.name)?;
         write_near(f, &self.near)

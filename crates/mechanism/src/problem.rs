@@ -67,6 +67,13 @@ pub enum Subject {
         /// Its name.
         name: String,
     },
+    /// Named contact with the given index.
+    Contact {
+        /// Position in the order given.
+        index: usize,
+        /// Its name.
+        name: String,
+    },
 }
 
 impl fmt::Display for Subject {
@@ -77,6 +84,7 @@ impl fmt::Display for Subject {
             Subject::Joint { name, .. } => write!(f, "joint \"{name}\""),
             Subject::Closure { name, .. } => write!(f, "loop \"{name}\""),
             Subject::Coupling { name, .. } => write!(f, "coupling \"{name}\""),
+            Subject::Contact { name, .. } => write!(f, "contact \"{name}\""),
         }
     }
 }
@@ -94,9 +102,9 @@ pub enum Problem {
         /// Index of the first element with this name.
         first: usize,
     },
-    /// Joint or closure with a link that does not exist.
+    /// Joint, closure or contact with a link that does not exist.
     UnknownLink {
-        /// `parent`, `child`, `predecessor` or `successor`.
+        /// `parent`, `child`, `predecessor`, `successor`, `contact` or `other`.
         role: &'static str,
         /// Name of the link.
         link: String,
@@ -149,7 +157,7 @@ pub enum Problem {
         /// The reason.
         why: &'static str,
     },
-    /// Closure or coupling from a link to itself.
+    /// Closure, coupling or contact from a link to itself.
     ClosesOnItself {
         /// The link.
         link: String,

@@ -77,7 +77,7 @@ impl Travel {
     /// Unit vector, world axes; (3,).
     #[getter]
     fn direction<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, self.travel.direction().as_slice())
+        PyArray1::from_slice(py, self.travel.direction().copied().unwrap_or_default().as_slice())
     }
 
     /// Displacement of the point at a pose of the same model, m.
@@ -136,7 +136,7 @@ impl Travel {
     }
 
     fn __repr__(&self) -> String {
-        let (point, along) = (self.travel.point(), self.travel.direction());
+        let (point, along) = (self.travel.point(), self.travel.direction().copied().unwrap_or_default());
         format!(
             "<Travel of [{}, {}, {}] of \"{}\" along [{}, {}, {}]>",
             point.x,

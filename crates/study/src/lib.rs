@@ -41,6 +41,7 @@ pub use map::point_map::{DirectionMass, PointMapReport, map_point};
 pub use map::surface_map::map;
 pub use mass::answer_mass::{mass, mass_with_damper, mass_with_drawing};
 pub use mass::assumptions::Assumptions;
+pub use mass::contact_list::{ContactListReport, ListedContact, contact_list};
 pub use mass::drawing::{DrawnLink, DrawnMechanism, draw_mechanism};
 pub use mass::explain::{
     Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
@@ -49,6 +50,7 @@ pub use mass::mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, TravelRecord,
 };
 pub use mass::motion_ratio::MotionRatioRecord;
+pub use mass::named_contact::{NamedContactRecord, WheelTravelRecord};
 pub use mass::tolerance::{
     SampleRecord, Sampling, Tolerance, ToleranceError, ToleranceParts, ToleranceReport, tolerance_report,
 };

@@ -178,6 +178,7 @@ pub fn safe_speed(
     if region.is_none() && matches!(limit_question.limit, Limit::Force(_) | Limit::Pressure(..)) {
         return Err(StudyError::NoRegion);
     }
+    let question = &*question.resolve_contact(&model.mechanism)?;
     if question.against.is_some() || question.against_mass.is_some() {
         return Err(StudyError::PersonIsOtherSide);
     }
@@ -276,6 +277,7 @@ pub fn safe_speed_directions(
     directions: &[[f64; 3]],
     worst: bool,
 ) -> Result<Vec<SafeSpeedReport>, StudyError> {
+    let question = &*question.resolve_contact(&model.mechanism)?;
     let mut all = directions.to_vec();
     if worst {
         all.push(worst_direction(model, question)?);

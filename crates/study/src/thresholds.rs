@@ -57,6 +57,8 @@ pub(crate) const POSED_ROWS_PER_TASK: usize = 32;
 
 /// Tolerance of a travel if several travels drive a pose, in characteristic lengths. A single travel is met to 1e-12.
 pub(crate) const TRAVEL_TOLERANCE: f64 = 1e-11;
+/// Largest gap at which a stop touches, in characteristic lengths: the tolerance of several travels, with a margin.
+pub(crate) const TOUCH_TOLERANCE: f64 = 1e-10;
 /// Largest number of Newton steps for several travels: from a near pose some five steps are needed.
 pub(crate) const TRAVEL_ROUNDS: usize = 12;
 /// Number of parts in which several travels are first divided.

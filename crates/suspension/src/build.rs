@@ -6,7 +6,7 @@ use super::findings::{Findings, Spot};
 use super::frames;
 use super::spindle::Spindle;
 use percuss_formats::reading::OBLIQUE_PINS;
-use percuss_mechanism::{ClosureKind, JointKind};
+use percuss_mechanism::{ClosureKind, ContactKind, ContactNormal, JointKind};
 use percuss_spatial::{Matrix3, Vector3};
 
 /// Left side, and the links common to both sides of an axle.
@@ -42,16 +42,55 @@ pub(super) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
     }
     for (section, [seat, chassis_seat]) in SEATS {
         let (Some(at), Some(above)) = (design.point(seat), design.point(chassis_seat)) else { continue };
-        let line = frames::unit(above - at).map(|_| ());
+        let line = frames::unit(above - at);
         let spot = design.spot(seat);
-        findings.unwrap_geometry(line, &spot, "its points coincide: it has no line");
-        let Some((link, _)) = design.on.get(section) else { continue };
-        if line.is_some() {
-            left.add_seats([seat, chassis_seat], link, [at, above]);
-            left.set_spot(seat, spot);
-        }
+        findings.unwrap_geometry(line.map(|_| ()), &spot, "its points coincide: it has no line");
+        let (Some(line), Some((link, _))) = (line, design.on.get(section)) else { continue };
+        left.add_seats([seat, chassis_seat], link, [at, above]);
+        left.set_spot(seat, spot);
+        let (kind, normal, gap) = match section {
+            "bump_stop" | "rebound_stop" => {
+                let stop = design.stops.get(section).cloned().unwrap_or_default();
+                let normal = match stop.direction.map(|direction| frames::unit(direction)) {
+                    None => line,
+                    Some(direction) => {
+                        findings.unwrap_geometry(direction, &stop.spot, "the direction of the stop is zero")
+                    }
+                };
+                let gap = stop.gap.unwrap_or_else(|| normal.dot(&(above - at)));
+                (ContactKind::Stop, ContactNormal::Fixed(normal), Some(gap))
+            }
+            "spring" => (ContactKind::Spring, ContactNormal::Toward(Vector3::zeros()), None),
+            _ => (ContactKind::Damper, ContactNormal::Toward(Vector3::zeros()), None),
+        };
+        left.add_contact((section, kind), [seat, chassis_seat], normal, gap);
     }
+    add_damper_stops(design, &mut left, findings);
     (!findings.has_errors()).then_some(Built { left, middle })
+}
+
+/// Adds the stops without points: they are on the damper, and their gap is a change of its length.
+fn add_damper_stops(design: &Design, corner: &mut Corner, findings: &mut Findings) {
+    let has_points =
+        |name: &str| SEATS.iter().any(|(key, [seat, _])| *key == name && design.point(seat).is_some());
+    let damper = ["damper", "shock"].into_iter().find(|name| has_points(name));
+    for (section, stop) in design.stops.iter().filter(|(section, _)| !has_points(section)) {
+        let Some(gap) = stop.gap else { continue };
+        let seats = SEATS.iter().find(|(key, _)| Some(*key) == damper);
+        let Some((_, seats)) = seats else {
+            let message = format!(
+                "a stop without points is on the damper, and the sheet has no damper: give the points {section}_pad and \
+                 {section}, or those of the damper"
+            );
+            findings.error("missing-key", &stop.spot, message);
+            continue;
+        };
+        // The bump stop limits the compression of the damper, the rebound stop the extension.
+        let end = Vector3::zeros();
+        let normal =
+            if *section == "bump_stop" { ContactNormal::Toward(end) } else { ContactNormal::Away(end) };
+        corner.add_contact((section, ContactKind::Stop), *seats, normal, Some(gap));
+    }
 }
 
 /// True if a part belongs to the axle as a whole, not to one side.

@@ -5,7 +5,8 @@ use super::findings::{Findings, Spot};
 use crate::limits::MAX_DISTANCE_FROM_JOINTS;
 use percuss_formats::Comments;
 use percuss_mechanism::{
-    ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder,
+    ClosureDescription, ClosureKind, ContactDescription, ContactKind, ContactNormal, Inertial,
+    JointDescription, JointKind, LinkDescription, MechanismBuilder,
 };
 use percuss_spatial::{Matrix3, Vector3};
 use std::collections::HashMap;
@@ -14,6 +15,9 @@ use std::collections::HashMap;
 pub(super) const CHASSIS: &str = "chassis";
 /// Link with the inner ends of the tie rods.
 pub(super) const RACK: &str = "rack";
+
+/// Name of the ground as the other side of a contact.
+pub(super) const GROUND: &str = "world";
 
 /// Mass and inertia of a link, in the vehicle frame at the design position.
 #[derive(Clone, Debug)]
@@ -37,6 +41,7 @@ pub(super) struct Corner {
     links: Vec<LinkDescription>,
     joints: Vec<JointDescription>,
     closures: Vec<ClosureDescription>,
+    contacts: Vec<ContactDescription>,
     /// Origin of each link frame in the vehicle frame, m.
     origins: HashMap<String, Vector3<f64>>,
     comments: Comments,
@@ -56,6 +61,7 @@ impl Corner {
             links: Vec::new(),
             joints: Vec::new(),
             closures: Vec::new(),
+            contacts: Vec::new(),
             origins: HashMap::from([(CHASSIS.to_owned(), Vector3::zeros())]),
             comments: Comments::default(),
             spots: HashMap::new(),
@@ -149,6 +155,25 @@ impl Corner {
         self.seat_pairs.push([seat, chassis_seat]);
         let name = seat.trim_end_matches("_seat").trim_end_matches("_pad");
         self.drawing.add_line(name, [at, at_chassis]);
+    }
+
+    /// Adds a named contact between the origins of two link frames; the normal is in the frame of the second.
+    pub fn add_contact(
+        &mut self,
+        (name, kind): (&str, ContactKind),
+        [link, against]: [&str; 2],
+        normal: ContactNormal,
+        gap: Option<f64>,
+    ) {
+        self.contacts.push(ContactDescription {
+            name: name.to_owned(),
+            kind,
+            link: link.to_owned(),
+            point: Vector3::zeros(),
+            against: against.to_owned(),
+            normal,
+            gap,
+        });
     }
 
     /// Adds a closure at a point; `axis` is in the vehicle's axes.
@@ -334,6 +359,11 @@ impl Corner {
             closure.axis = rotation_axis(&closure.axis);
             closure.axis2 = rotation_axis(&closure.axis2);
         }
+        for contact in &mut corner.contacts {
+            if let ContactNormal::Fixed(normal) = &mut contact.normal {
+                *normal = point(normal);
+            }
+        }
         let unshared_origins = corner.origins.iter_mut().filter(|(link, _)| !self.is_shared(link));
         unshared_origins.for_each(|(_, at)| *at = point(at));
         corner.drawing = self.drawing.mirrored();
@@ -387,6 +417,14 @@ impl Corner {
                 *name = suffixed(name);
             }
             builder = builder.closure(closure);
+        }
+        for mut contact in self.contacts {
+            contact.name = format!("{}{suffix}", contact.name);
+            contact.link = suffixed(&contact.link);
+            if contact.against != GROUND {
+                contact.against = suffixed(&contact.against);
+            }
+            builder = builder.contact(contact);
         }
         builder
     }

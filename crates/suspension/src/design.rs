@@ -85,11 +85,27 @@ pub(super) struct Design {
     pub pins: BTreeMap<&'static str, [Vector3<f64>; 2]>,
     /// Links with spring, damper or bar mounts, by section.
     pub on: BTreeMap<&'static str, (String, Spot)>,
+    /// Gap and direction of stops, as given in the file, by section.
+    pub stops: BTreeMap<&'static str, Stop>,
     /// True if a massless rod without length is left to the checks of the mechanism.
     pub unchecked_rods: bool,
     /// Comment of each hinge in the model.
     pub hinge_comment: &'static str,
 }
+
+/// Gap and direction of a stop, as given in the file.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Stop {
+    /// Gap at the design position, m; without it, the distance of the two points along the normal.
+    pub gap: Option<f64>,
+    /// Direction from the pad to the stop; without it, the line between the two points.
+    pub direction: Option<Vector3<f64>>,
+    /// Position in the file.
+    pub spot: Spot,
+}
+
+/// Sections of stops.
+pub(super) const STOPS: [&str; 2] = ["bump_stop", "rebound_stop"];
 
 /// Optional pairs of points between two bodies: section, points. A pair is given or left out as a whole.
 pub(super) const SEATS: [(&str, [&str; 2]); 5] = [

@@ -254,7 +254,8 @@ fn build_mechanism(
             Subject::Link { name, .. }
             | Subject::Joint { name, .. }
             | Subject::Closure { name, .. }
-            | Subject::Coupling { name, .. } => name,
+            | Subject::Coupling { name, .. }
+            | Subject::Contact { name, .. } => name,
         };
         let is_triangle_inequality = matches!(problem, Problem::TriangleInequality { .. });
         if is_triangle_inequality {

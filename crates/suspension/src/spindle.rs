@@ -1,11 +1,11 @@
 //! Spindle, including the axle's inertia, and wheel.
 
-use super::corner::{Body, Corner};
+use super::corner::{Body, Corner, GROUND};
 use super::drawing::WheelCircle;
 use super::findings::{Findings, Spot};
 use super::{Wheel, frames};
 use crate::limits::MOMENT_TOLERANCE;
-use percuss_mechanism::{JointKind, Problem};
+use percuss_mechanism::{ContactKind, ContactNormal, JointKind, Problem};
 use percuss_spatial::{Matrix3, Vector3, rotation_about};
 
 /// Spindle, including the axle's inertia, and wheel.
@@ -85,5 +85,7 @@ impl Spindle {
         let down = findings.unwrap_geometry(down, spot, defect);
         let comment = "the wheel's lowest point; it turns with the wheel";
         corner.add_frame("contact_patch", "spindle", at + down * radius, comment);
+        let normal = ContactNormal::Fixed(Vector3::new(0.0, 0.0, -1.0));
+        corner.add_contact(("contact_patch", ContactKind::Patch), ["contact_patch", GROUND], normal, None);
     }
 }

@@ -45,6 +45,18 @@ pub enum BaseArg {
 /// Flags of the contact and its conditions, shared by several commands.
 #[derive(Debug, Args)]
 pub struct ContactArgs {
+    /// Named contact of the model, such as bump_stop; a stop is brought to the touch. mass --at all: a table.
+    ///
+    /// Suspension sheets name their stops, spring and damper seats and contact patches; a URDF does so by <contact>. The
+    /// mechanism moves until the gap of a stop is closed, unless --travel or --pose gives the pose. On a vehicle with
+    /// both sides, both stops touch.
+    #[arg(
+        long,
+        value_name = "NAME",
+        conflicts_with_all = ["link", "point", "normal", "along_line", "normal_frame", "against"],
+        help_heading = CONTACT
+    )]
+    pub at: Option<String>,
     /// Contact link.
     #[arg(long, value_name = "LINK", help_heading = CONTACT)]
     pub link: Option<String>,
@@ -149,11 +161,12 @@ impl ContactArgs {
     /// it.
     pub fn require(given: Option<&Self>) -> Result<&Self, Failure> {
         let whole = |c: &&Self| {
-            c.link.is_some() && c.point.is_some() && (c.normal.is_some() || c.along_line.is_some())
+            let has_normal = c.normal.is_some() || c.along_line.is_some();
+            c.at.is_some() || c.link.is_some() && c.point.is_some() && has_normal
         };
         given.filter(whole).ok_or_else(|| {
             Failure::bad_input(
-                "a contact of the model is required: --link LINK, --point X,Y,Z, and --normal X,Y,Z or --along-line LINK:X,Y,Z",
+                "a contact of the model is required: --at NAME; or --link LINK, --point X,Y,Z, and --normal X,Y,Z or --along-line LINK:X,Y,Z",
             )
         })
     }
@@ -175,7 +188,8 @@ impl ContactArgs {
             GivenPose::read(path, DEFAULT_MAX_SIZE).map_err(|e| Failure::bad_input(format!("--pose: {e}")))
         };
         Ok(MassQuestion {
-            // `question` has checked that link and point are present.
+            at: self.at.clone(),
+            // `question` has checked that link and point are present, or `at`.
             link: self.link.clone().unwrap_or_default(),
             point: self.point.unwrap_or_default(),
             normal,

@@ -230,7 +230,7 @@ pub struct DampArgs {
         value_parser = joint_stop,
         requires = "mass_from",
         help_heading = FROM,
-        conflicts_with_all = ["link", "point", "normal", "along_line", "against", "against_mass"]
+        conflicts_with_all = ["at", "link", "point", "normal", "along_line", "against", "against_mass"]
     )]
     pub limit: Option<JointStop>,
     #[command(flatten)]

@@ -57,7 +57,7 @@ impl Cli {
     /// Command line. The contact is optional in commands that also accept a mass or a list of studies.
     pub fn definition() -> clap::Command {
         let optional = |argument: clap::Arg| match argument.get_id().as_str() {
-            "link" | "point" | "normal" => {
+            "at" | "link" | "point" | "normal" => {
                 argument.required(false).required_unless_present(Resettable::Reset)
             }
             _ => argument,
@@ -85,13 +85,13 @@ pub enum Command {
     /// Effective mass at a contact point along the normal.
     #[command(
         after_help = examples::MASS,
-        override_usage = "percuss mass MODEL --link L --point X,Y,Z\n                    (--normal X,Y,Z | --along-line LINK:X,Y,Z) …"
+        override_usage = "percuss mass MODEL (--at NAME | --link L --point X,Y,Z\n                    (--normal X,Y,Z | --along-line LINK:X,Y,Z)) …"
     )]
     Mass(Box<MassArgs>),
     /// Effective mass over a range of positions; loops stay on one branch.
     #[command(
         after_help = examples::SWEEP,
-        override_usage = "percuss sweep MODEL --link L --point X,Y,Z\n                     (--normal X,Y,Z | --along-line LINK:X,Y,Z)\n                     (--vary RANGE… | --input FILE | --random COUNT) …"
+        override_usage = "percuss sweep MODEL (--at NAME | --link L --point X,Y,Z\n                     (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                     (--vary RANGE… | --input FILE | --random COUNT) …"
     )]
     Sweep(Box<SweepArgs>),
     /// Compare several designs at the same contact, with differences in percent.
@@ -99,7 +99,7 @@ pub enum Command {
     /// The result is one table and one figure.
     #[command(
         after_help = examples::COMPARE,
-        override_usage = "percuss compare STUDY.toml…\n       percuss compare MODEL… --link L --point X,Y,Z --normal X,Y,Z\n                       [--vary RANGE] …"
+        override_usage = "percuss compare STUDY.toml…\n       percuss compare MODEL… (--at NAME | --link L --point X,Y,Z --normal X,Y,Z)\n                       [--vary RANGE] …"
     )]
     Compare(Box<CompareArgs>),
     /// Effective mass over a surface, or over all directions at a point.

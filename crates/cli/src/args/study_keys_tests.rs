@@ -26,13 +26,14 @@ const WITHOUT_FLAG: [(&str, &str); 2] = [
 ];
 
 /// The keys of flags that all commands share.
-const SHARED: [(&str, &str); 50] = [
+const SHARED: [(&str, &str); 51] = [
     ("model", "model.path"),
     ("mass_from", "model.path"),
     ("accept", "model.accept"),
     ("link_mass", "model.link_mass"),
     ("link_com", "model.link_com"),
     ("moves", "model.move"),
+    ("at", "contact.at"),
     ("link", "contact.link"),
     ("point", "contact.point"),
     ("normal", "contact.normal"),

@@ -46,7 +46,9 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
 
 /// Designs of studies, with their variants.
 fn designs_of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
-    if args.contact.as_ref().is_some_and(|contact| contact.link.is_some()) || !args.vary.is_empty() {
+    if args.contact.as_ref().is_some_and(|contact| contact.link.is_some() || contact.at.is_some())
+        || !args.vary.is_empty()
+    {
         return Err(Failure::bad_input(
             "--link, --point, --vary and similar flags apply to models and sheets; a study contains its own \
              contact and range",

@@ -3,6 +3,7 @@
 use crate::args::{CheckFormat, ContactArgs, DampArgs};
 use crate::files::output::{record_input, write_file};
 use crate::terminal::escape;
+use crate::terminal::explanation::named_contact;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
@@ -89,6 +90,8 @@ pub fn print(report: &DampingReport, format: CheckFormat) -> Result<(), Failure>
         CheckFormat::Text => {
             let (name, value) = headline(report);
             let mut out = fact_line(name, &value);
+            let contact = report.named_contact.as_ref().map_or_else(Vec::new, named_contact);
+            contact.iter().for_each(|(name, value)| out += &fact_line(name, &escape::line(value)));
             out += &damper(report);
             out += &exports(report);
             write_out(&out)

@@ -1,9 +1,10 @@
 //! Command `percuss mass`.
 
 use crate::args::{MassArgs, MassFormat, ToleranceArg};
+use crate::commands::contact_list;
 use crate::files::csv;
 use crate::terminal::escape::line;
-use crate::terminal::explanation::{explanation, motion_ratio};
+use crate::terminal::explanation::{explanation, motion_ratio, named_contact};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::report::{note, write_diagnostics, write_json, write_out};
@@ -24,6 +25,10 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
     if let Some(question) = &damping {
         args.damping.check_units(question, false)?;
     }
+    if args.contact.at.as_deref() == Some(ALL_CONTACTS) && model.mechanism.find_contact(ALL_CONTACTS).is_err()
+    {
+        return show_all_contacts(args, &model, damping.as_ref());
+    }
     show(
         &model,
         &args.contact.question()?,
@@ -32,6 +37,26 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
         &MassRequests { expected, explain: args.explain, tolerance: of_parts, sampling: args.sampling() },
         args.model.reading.strict,
     )
+}
+
+/// Value of --at for all named contacts of a model.
+const ALL_CONTACTS: &str = "all";
+
+/// Writes the list of all named contacts; refuses requests about a single one.
+fn show_all_contacts(
+    args: &MassArgs,
+    model: &Model,
+    damping: Option<&DampingQuestion>,
+) -> Result<(), Failure> {
+    let single = [
+        ("--expect", args.expect.is_some()),
+        ("--explain", args.explain),
+        ("--tolerance", !args.tolerance.is_empty()),
+    ];
+    if let Some((flag, _)) = single.into_iter().find(|(_, is_given)| *is_given) {
+        return Err(Failure::bad_input(format!("{flag}: it is about one contact; give its name by --at")));
+    }
+    contact_list::show(model, &args.contact.question()?, damping, args.format, args.model.reading.strict)
 }
 
 /// Additional requests of a mass question: expected value, sensitivities, tolerances.
@@ -254,7 +279,8 @@ pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
         if text.is_empty() { "none".into() } else { text }
     };
     let assumed = &report.assumptions;
-    let mut facts = vec![
+    let mut facts = report.named_contact.as_ref().map_or_else(Vec::new, named_contact);
+    facts.extend([
         ("contact link", format!("{} at {} m, in the link frame", contact.link, triple(&contact.point_link))),
         ("normal", format!("{}, out of {}", triple(&contact.normal_link), contact.link)),
         (
@@ -264,7 +290,7 @@ pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
         ("against", against),
         ("base", assumed.base.clone()),
         ("free joints", list(&assumed.free)),
-    ];
+    ]);
     if !assumed.mimics.is_empty() {
         facts.push(("following joints", list(&assumed.mimics)));
     }

@@ -2,6 +2,7 @@
 
 pub(crate) mod check;
 pub(crate) mod compare;
+pub(crate) mod contact_list;
 pub(crate) mod damp;
 pub(crate) mod import;
 pub(crate) mod init;

@@ -1,9 +1,9 @@
-//! Sensitivities of an effective mass, and effects of tolerances, as text.
+//! Sensitivities of an effective mass, effects of tolerances, motion ratios and named contacts, as text.
 
 use crate::terminal::escape::line;
 use crate::terminal::text::{Table, number, short_number, triple};
 use crate::terminal::wrap::fact_line;
-use percuss_study::{Explanation, MotionRatioRecord, ToleranceReport};
+use percuss_study::{Explanation, MotionRatioRecord, NamedContactRecord, ToleranceReport, WheelTravelRecord};
 use std::fmt::Write;
 
 /// Rates with respect to masses, rotors and hardpoints, and the changes that lower m̄ most.
@@ -111,4 +111,37 @@ pub fn motion_ratio(ratio: &MotionRatioRecord) -> String {
         triple(&ratio.direction),
         number(ratio.wheel_per_contact)
     )
+}
+
+/// Name, gap and wheel travel of a named contact.
+pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)> {
+    let mut facts = vec![("contact", format!("{} ({})", contact.name, contact.kind))];
+    if let (Some(drawn), Some(gap)) = (contact.gap_as_drawn, contact.gap) {
+        let drawn = format!("{} as drawn", millimetres(drawn));
+        facts.push(match (contact.brought_to_touch, gap) {
+            (true, _) if contact.touching.is_empty() => ("gap", format!("0, at the touch; {drawn}")),
+            (true, _) => {
+                let others = contact.touching.join(", ");
+                ("gap", format!("0, at the touch together with {others}; {drawn}"))
+            }
+            (false, gap) if gap < 0.0 => {
+                ("gap", format!("{}: a penetration at this pose; {drawn}", millimetres(gap)))
+            }
+            (false, gap) => ("gap", format!("{} at this pose: no touch; {drawn}", millimetres(gap))),
+        });
+    }
+    let travel = |wheel: &WheelTravelRecord| {
+        let sense = if wheel.travel < 0.0 { "down" } else { "up" };
+        format!("{} {sense} from the pose as drawn, at {}", millimetres(wheel.travel.abs()), wheel.link)
+    };
+    // The travel of a contact without a gap is that of the question.
+    if contact.gap.is_some() {
+        facts.extend(contact.wheel_travel.iter().map(|wheel| ("wheel travel", travel(wheel))));
+    }
+    facts
+}
+
+/// Length in mm, with the digits of 0.01 mm.
+fn millimetres(metres: f64) -> String {
+    format!("{:.2} mm", 1e3 * metres)
 }

@@ -304,7 +304,7 @@ impl Model {
     }
 
     /// X_rl of a link with all joints at 0.
-    fn drawn_frame(&self, link: LinkId) -> Transform<f64> {
+    pub fn drawn_frame(&self, link: LinkId) -> Transform<f64> {
         let on = &self.link_frames[link.index()];
         let (mut frame, mut at) = (on.frame, on.body);
         while let Some(i) = at {

@@ -2,6 +2,7 @@
 
 pub(crate) mod advance;
 pub(crate) mod forward_dynamics;
+pub(crate) mod gap;
 pub(crate) mod limits;
 pub(crate) mod operational_inertia;
 pub(crate) mod point_velocity;

@@ -10,6 +10,7 @@ use crate::model::Model;
 use crate::model::configuration::Configuration;
 use crate::model::input::{foreign_link, is_number};
 use crate::model::joint_motion::turns;
+use crate::motion::gap::{Gap, speed_along};
 use crate::motion::travel_search::{Scale, Search, SearchError, TravelPoint, VisitError};
 use crate::tolerances::{
     DISPLACEMENT_ACCURACY, FIRST_STEP, SAME_RATE, SHORTEST_DIRECTION, UNMOVED, WEAK_DRIVER,
@@ -19,20 +20,35 @@ use percuss_mechanism::{JointId, LinkId, Mechanism};
 use percuss_spatial::Transform;
 use std::sync::Arc;
 
-/// Displacement of a point of a link along a direction, relative to a given pose.
+/// Displacement of a point of a link relative to a given pose, along a direction or towards a stop.
 ///
-/// s = n · (p_w − p_w at that pose), m; ds/dq = n · J_P u with A u = 0, where u is 1 for the driver and 0 for the
-/// other drivers.
+/// Along a direction n: s = n · (p_w − p_w at that pose), m. Towards a stop: s = g at that pose − g, m, with the gap g
+/// of [`Gap`]. ds/dq is that of the motion u with A u = 0, where u is 1 for the driver and 0 for the other drivers.
 #[derive(Clone, Debug)]
 pub struct Travel {
     link: LinkId,
     point: Vector3<f64>,
-    direction: Vector3<f64>,
-    /// X_wr at the start.
-    base: Transform<f64>,
-    /// Start point in the frame of the root link, m. Root coordinates avoid a loss of digits far from the world's
-    /// origin.
-    origin: Vector3<f64>,
+    measure: Measure,
+}
+
+/// Measure of a displacement.
+#[derive(Clone, Debug)]
+enum Measure {
+    /// Along a fixed direction of the world.
+    Along {
+        direction: Vector3<f64>,
+        /// X_wr at the start.
+        base: Transform<f64>,
+        /// Start point in the frame of the root link, m. Root coordinates avoid a loss of digits far from the world's
+        /// origin.
+        origin: Vector3<f64>,
+    },
+    /// Closing of a gap.
+    TowardStop {
+        gap: Gap,
+        /// Gap at the start, m.
+        start: f64,
+    },
 }
 
 /// Error of a travel: invalid, or not reachable.
@@ -149,7 +165,14 @@ impl Travel {
             return Err(TravelError::NoDirection { length });
         }
         let origin = pose.kinematics.link_frame(pose.assembly.pose_model(), link).point(&point);
-        Ok(Self { link, point, direction: direction / length, base: pose.base, origin })
+        let measure = Measure::Along { direction: direction / length, base: pose.base, origin };
+        Ok(Self { link, point, measure })
+    }
+
+    /// Travel towards a stop, relative to a pose. The stop touches at a displacement of the gap at this pose.
+    pub fn toward_stop(pose: &Pose, gap: Gap) -> Self {
+        let start = gap.at(pose);
+        Self { link: gap.link(), point: *gap.point(), measure: Measure::TowardStop { gap, start } }
     }
 
     /// Link of the point.
@@ -162,19 +185,26 @@ impl Travel {
         &self.point
     }
 
-    /// Unit vector of the direction, in world axes.
-    pub fn direction(&self) -> &Vector3<f64> {
-        &self.direction
+    /// Unit vector of the direction, in world axes; `None` for a travel towards a stop.
+    pub fn direction(&self) -> Option<&Vector3<f64>> {
+        match &self.measure {
+            Measure::Along { direction, .. } => Some(direction),
+            Measure::TowardStop { .. } => None,
+        }
     }
 
     /// Displacement of the point at a pose of the same mechanism, m.
     pub fn displacement(&self, pose: &Pose) -> f64 {
+        let (direction, base, origin) = match &self.measure {
+            Measure::Along { direction, base, origin } => (direction, base, origin),
+            Measure::TowardStop { gap, start } => return start - gap.at(pose),
+        };
         let at = pose.kinematics.link_frame(pose.assembly.pose_model(), self.link).point(&self.point);
-        let mut moved = pose.base.vector(&(at - self.origin));
-        if pose.base != self.base {
-            moved += pose.base.point(&self.origin) - self.base.point(&self.origin);
+        let mut moved = pose.base.vector(&(at - origin));
+        if pose.base != *base {
+            moved += pose.base.point(origin) - base.point(origin);
         }
-        self.direction.dot(&moved)
+        direction.dot(&moved)
     }
 
     /// ds/dq: displacement per unit motion of a joint (m/rad, or m/m). The dependent coordinates of its loops follow,
@@ -365,16 +395,15 @@ impl Travel {
         DriveEffect::Determined { rate: self.speed(pose, &u), motion: motion(pose, &u), weak }
     }
 
-    /// Speed of the point along the direction at given rates of the coordinates, m/s.
+    /// ds/dt at given rates of the coordinates, m/s.
     fn speed(&self, pose: &Pose, u: &[f64]) -> f64 {
-        let jacobian = pose.assembly.pose_model().point_jacobian(&pose.kinematics, self.link, &self.point);
-        let along = pose.base.inverse_vector(&self.direction);
-        jacobian
-            .column_iter()
-            .zip(u)
-            .filter(|(_, u)| **u != 0.0)
-            .map(|(column, u)| along.dot(&column) * u)
-            .sum()
+        match &self.measure {
+            Measure::Along { direction, .. } => {
+                let along = pose.base.inverse_vector(direction);
+                speed_along(pose.assembly.pose_model(), pose, (self.link, &self.point), &along, u)
+            }
+            Measure::TowardStop { gap, .. } => gap.closing_speed(pose, u),
+        }
     }
 
     /// Effect of a joint on the point from a small step, with all other drivers fixed; `None` if no pose is found.

@@ -104,6 +104,7 @@ fn build(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mech
     let builder = texts.joints.iter().map(standard::joint).fold(builder, MechanismBuilder::joint);
     let builder = texts.closures.into_iter().fold(builder, MechanismBuilder::closure);
     let builder = texts.couplings.into_iter().fold(builder, MechanismBuilder::coupling);
+    let builder = texts.contacts.into_iter().fold(builder, MechanismBuilder::contact);
     let (mechanism, findings) = match builder.build() {
         Ok(Built { mechanism, mut findings }) => {
             findings.extend(mechanism.implausible_inertias(options.accept));

@@ -2,6 +2,7 @@
 
 use crate::reading::report::Report;
 use crate::urdf::elements::closure;
+use crate::urdf::elements::contact;
 use crate::urdf::elements::gazebo_joint::{GazeboJointReader, ZeroPoseFrames};
 use crate::urdf::elements::joint;
 use crate::urdf::elements::joint::JointText;
@@ -10,7 +11,7 @@ use crate::urdf::elements::link::LinkText;
 use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::elements::survey::is_gazebo_joint;
 use crate::urdf::references::index_by_name;
-use percuss_mechanism::{ClosureDescription, CouplingDescription};
+use percuss_mechanism::{ClosureDescription, ContactDescription, CouplingDescription};
 use roxmltree::Node;
 
 /// Contents of the file, in the order of [`Nodes`]. If the report has no error, all numbers are valid.
@@ -20,6 +21,7 @@ pub(crate) struct Texts<'a> {
     pub joints: Vec<JointText<'a>>,
     pub closures: Vec<ClosureDescription>,
     pub couplings: Vec<CouplingDescription>,
+    pub contacts: Vec<ContactDescription>,
 }
 
 impl<'a> Texts<'a> {
@@ -39,6 +41,7 @@ impl<'a> Texts<'a> {
             links,
             joints,
             couplings: nodes.couplings.iter().map(|n| closure::check_coupling(*n, report)).collect(),
+            contacts: nodes.contacts.iter().map(|n| contact::check(*n, report)).collect(),
         }
     }
 }

@@ -1,7 +1,9 @@
 //! Writer of mechanisms as URDF+.
 
 use crate::reading::limits::DECIMAL_NOTATION_RANGE;
-use percuss_mechanism::{Closure, ClosureKind, Coupling, Joint, JointKind, Link, LoopFrame, Mechanism};
+use percuss_mechanism::{
+    Closure, ClosureKind, ContactNormal, Coupling, Joint, JointKind, Link, LoopFrame, Mechanism, NamedContact,
+};
 use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -22,8 +24,8 @@ pub struct Comments {
     pub known: Vec<(&'static str, String)>,
 }
 
-/// Writes URDF+: links with inertias; joints with limits, mimics, armatures and recommended roles; loops and
-/// couplings. The result is plain URDF if the mechanism has no loops and couplings.
+/// Writes URDF+: links with inertias; joints with limits, mimics, armatures and recommended roles; loops,
+/// couplings and named contacts. The result is plain URDF if the mechanism has no loops and couplings.
 ///
 /// Numbers are the shortest decimals that read back as the same bits. Rotations are converted to roll, pitch and yaw
 /// and are accurate to a few roundings; all other numbers are reproduced exactly. Shapes and meshes are not written.
@@ -63,6 +65,9 @@ pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
     for coupling in mechanism.couplings() {
         write_comment(&mut out, &comments.closures, coupling.name());
         write_coupling(&mut out, mechanism, coupling);
+    }
+    for contact in mechanism.contacts() {
+        write_contact(&mut out, mechanism, contact);
     }
     out.push_str("</robot>\n");
     out
@@ -157,6 +162,26 @@ fn write_coupling(out: &mut String, mechanism: &Mechanism, coupling: &Coupling) 
         append_format(out, format_args!("    <{tag} link=\"{}\"/>\n", escaped(mechanism.link(link).name())));
     }
     append_format(out, format_args!("    <ratio value=\"{}\"/>\n  </coupling>\n", number(coupling.ratio())));
+}
+
+fn write_contact(out: &mut String, mechanism: &Mechanism, contact: &NamedContact) {
+    let (name, kind) = (escaped(contact.name()), contact.kind().name());
+    let link = escaped(mechanism.link(contact.link()).name());
+    let other = contact.against().map_or("world".to_owned(), |id| escaped(mechanism.link(id).name()));
+    let point = number_triple(contact.point());
+    append_format(out, format_args!("  <contact name=\"{name}\" type=\"{kind}\">\n"));
+    append_format(out, format_args!("    <body link=\"{link}\" xyz=\"{point}\"/>\n"));
+    append_format(out, format_args!("    <other link=\"{other}\"/>\n"));
+    let (tag, vector) = match contact.normal() {
+        ContactNormal::Fixed(normal) => ("normal", normal),
+        ContactNormal::Toward(point) => ("toward", point),
+        ContactNormal::Away(point) => ("away", point),
+    };
+    append_format(out, format_args!("    <{tag} xyz=\"{}\"/>\n", number_triple(vector)));
+    if let Some(gap) = contact.gap() {
+        append_format(out, format_args!("    <gap value=\"{}\"/>\n", number(gap)));
+    }
+    out.push_str("  </contact>\n");
 }
 
 /// `<origin>` of a frame; without `rpy` for the identity.

@@ -2,5 +2,6 @@
 
 pub(crate) mod check;
 pub(crate) mod closures;
+pub(crate) mod contacts;
 pub(crate) mod inertias;
 pub(crate) mod plausibility;

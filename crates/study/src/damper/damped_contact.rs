@@ -9,6 +9,7 @@ use crate::damper::joint_stop::JointStop;
 use crate::damper::penetration::{PenetrationEnd, PenetrationPath};
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
 use crate::evaluation::status::Status;
+use crate::mass::named_contact::named_contact;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
 use crate::question::damping_question::DampingQuestion;
@@ -83,6 +84,7 @@ pub(crate) fn damping_report(
         percuss: env!("CARGO_PKG_VERSION"),
         inputs: prepared.inputs(),
         effective_mass: mass,
+        named_contact: named_contact(evaluated)?,
         stop: None,
         damper: record,
         drift: Some(drift),
@@ -180,7 +182,7 @@ fn drift_diagnostic(
 
 /// Completes the simulator options with values of the model.
 fn options(given: Options, evaluated: &EvaluatedQuestion, mass: f64) -> Options {
-    let question = evaluated.prepared.question;
+    let question = &*evaluated.prepared.question;
     let mechanism: &Mechanism = &evaluated.prepared.model.mechanism;
     let own = |link: LinkId| evaluated.prepared.system.rigid_body_mass(link).filter(|m| *m > 0.0);
     let Contact { link, against, .. } = evaluated.contact;

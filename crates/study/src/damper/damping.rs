@@ -3,6 +3,7 @@
 
 use crate::damper::joint_stop::StopRecord;
 use crate::damper::simulators::ExportRecord;
+use crate::mass::named_contact::NamedContactRecord;
 use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
 use crate::question::damping_question::DampingQuestion;
@@ -95,6 +96,8 @@ pub struct DampingReport {
     pub inputs: Vec<Input>,
     /// m̄, kg.
     pub effective_mass: f64,
+    /// Named contact; null for a contact given by link, point and normal, and for a joint stop.
+    pub named_contact: Option<NamedContactRecord>,
     /// Joint stop; its `motion` determines the units of the report. Null for a contact between bodies.
     pub stop: Option<StopRecord>,
     /// Damper and impact.
@@ -244,6 +247,7 @@ pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, Stud
         percuss: env!("CARGO_PKG_VERSION"),
         inputs: Vec::new(),
         effective_mass: mass,
+        named_contact: None,
         stop: None,
         damper: damper(question, mass)?,
         drift: None,

@@ -21,13 +21,15 @@ use percuss_dynamics::{
     EffectiveMass, Frame, Pose, ResponseError, System,
 };
 use percuss_mechanism::{JointId, LinkId, Mechanism, UnknownName};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Question with resolved names, numbers in SI units and compiled conditions.
 #[derive(Debug)]
 pub(crate) struct PreparedQuestion<'a> {
     pub model: &'a Model,
-    pub question: &'a MassQuestion,
+    /// Question with the named contact resolved.
+    pub question: Cow<'a, MassQuestion>,
     pub system: System,
     /// Positions requested by `--set` and `--guess`.
     pub configuration: Configuration,
@@ -71,6 +73,8 @@ impl<'a> PreparedQuestion<'a> {
     /// Resolves a question.
     pub fn new(model: &'a Model, question: &'a MassQuestion) -> Result<Self, StudyError> {
         let mechanism = &model.mechanism;
+        let resolved = question.resolve_contact(mechanism)?;
+        let question = &*resolved;
         let find = |field: Field, name: &str| {
             mechanism.find_link(name).map_err(|error| StudyError::input(field, error))
         };
@@ -111,7 +115,7 @@ impl<'a> PreparedQuestion<'a> {
         let configuration = configuration(mechanism, question)?;
         Ok(Self {
             model,
-            question,
+            question: resolved,
             system,
             configuration,
             link,
@@ -186,7 +190,7 @@ impl<'a> PreparedQuestion<'a> {
 
     /// Findings about unused or distant guesses, and about a pose file that belongs to another model.
     pub fn guess_findings(&self, pose: &Pose) -> Vec<Finding> {
-        let question = self.question;
+        let question = &self.question;
         let mut found =
             guess_findings(&self.system, pose, &self.configuration, &question.guess, question.names);
         let other =
@@ -205,7 +209,7 @@ impl<'a> PreparedQuestion<'a> {
 
     /// Pose requested by the question.
     pub fn pose(&self) -> Result<Pose, StudyError> {
-        pose_solver::pose(&self.system, &self.configuration, self.question)
+        pose_solver::pose(&self.system, &self.configuration, &self.question)
     }
 
     /// Contact response, branch limits, estimate and findings at a pose.

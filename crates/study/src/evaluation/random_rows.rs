@@ -32,7 +32,7 @@ impl RandomRows {
     /// Random rows for the free joints: joints that the question does not set; within loops, only the driving
     /// joints.
     pub fn new(prepared: &PreparedQuestion, count: usize, seed: u64) -> Result<Self, StudyError> {
-        let (system, question) = (&prepared.system, prepared.question);
+        let (system, question) = (&prepared.system, &*prepared.question);
         let mechanism = system.mechanism();
         let pose = system.pose(&prepared.configuration)?;
         let drivers = pose.loops().map_or(&[][..], |loops| &loops.drivers);

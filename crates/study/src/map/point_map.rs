@@ -75,7 +75,8 @@ pub fn map_point(
     if !DIRECTIONS.contains(&directions) {
         return Err(StudyError::input(Field::Directions, Fault::Directions { count: directions }));
     }
-    let question = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question.clone() };
+    let question = question.resolve_contact(&model.mechanism)?.into_owned();
+    let question = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question };
     let prepared = PreparedQuestion::new(model, &question)?;
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);

@@ -5,6 +5,7 @@ use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::mass::drawing::{DrawnMechanism, draw_evaluated};
 use crate::mass::mass_report::MassReport;
 use crate::mass::motion_ratio::motion_ratios;
+use crate::mass::named_contact::named_contact;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
 use crate::question::damping_question::DampingQuestion;
@@ -23,7 +24,8 @@ pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyE
 /// Report without a damper, with the requested motion ratios.
 fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassReport, StudyError> {
     let motion_ratios = motion_ratios(evaluated, &evaluated.prepared.question.ratio_at)?;
-    Ok(MassReport { motion_ratios, ..MassReport::of(evaluated) })
+    let named_contact = named_contact(evaluated)?;
+    Ok(MassReport { motion_ratios, named_contact, ..MassReport::of(evaluated) })
 }
 
 /// Evaluates one contact of a model and the damper for a restitution. The report has no damper, and a warning,

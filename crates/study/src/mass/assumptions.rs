@@ -23,7 +23,7 @@ pub struct Assumptions {
 impl Assumptions {
     /// Assumptions of the result at a pose.
     pub(crate) fn of(prepared: &PreparedQuestion, pose: &Pose) -> Self {
-        let (system, question) = (&prepared.system, prepared.question);
+        let (system, question) = (&prepared.system, &*prepared.question);
         let mechanism = system.mechanism();
         let root = mechanism.link(mechanism.root()).name();
         let mut assumptions = Assumptions {

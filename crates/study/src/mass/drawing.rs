@@ -118,6 +118,7 @@ pub(crate) fn draw_evaluated(evaluated: &EvaluatedQuestion) -> DrawnMechanism {
 /// [`StudyError`]: unknown names, loops that do not close, a travel that is not reachable.
 pub fn draw_mechanism(model: &Model, question: &MassQuestion) -> Result<DrawnMechanism, StudyError> {
     let system = compile(&model.mechanism, question, None)?;
+    let question = &*question.resolve_contact(&model.mechanism)?;
     let pose = pose_solver::pose(&system, &configuration(&model.mechanism, question)?, question)?;
     Ok(draw_pose(model, &pose, None))
 }

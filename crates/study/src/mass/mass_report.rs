@@ -7,6 +7,7 @@ use crate::evaluation::status::Status;
 use crate::mass::assumptions::Assumptions;
 use crate::mass::explain::Explanation;
 use crate::mass::motion_ratio::MotionRatioRecord;
+use crate::mass::named_contact::NamedContactRecord;
 use crate::mass::tolerance::ToleranceReport;
 use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
@@ -171,6 +172,8 @@ pub struct MassReport {
     pub characteristic_length: f64,
     /// The contact.
     pub contact: ContactRecord,
+    /// Named contact; null for a contact given by link, point and normal.
+    pub named_contact: Option<NamedContactRecord>,
     /// Conditions of the question.
     pub conditions: ConditionsRecord,
     /// Joints that drive the loops.
@@ -273,7 +276,8 @@ impl MassReport {
                 point_link: response.contact.point_link.into(),
                 normal_link: response.contact.normal_link.into(),
             },
-            conditions: ConditionsRecord::of(prepared.question),
+            named_contact: None,
+            conditions: ConditionsRecord::of(&prepared.question),
             drivers: assumptions.drivers.clone(),
             assembly_modes: pose.loops().map_or_else(Vec::new, |l| l.modes.clone()),
             redundant_loops: assembly.redundant_loops().to_vec(),

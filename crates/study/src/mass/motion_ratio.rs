@@ -64,10 +64,19 @@ pub(crate) fn motion_ratios(
 
 /// Wheel points; only those on the side of the contact link if the link name ends in a side.
 fn wheel_points(mechanism: &Mechanism, contact_link: &str) -> Vec<LinkId> {
-    let side = SIDES.into_iter().find(|side| contact_link.ends_with(side));
+    WHEEL_POINTS.iter().flat_map(|point| links_of_side(mechanism, point, contact_link)).collect()
+}
+
+/// Wheel centres; only those on the side of the contact if its name ends in a side.
+pub(crate) fn wheel_centres(mechanism: &Mechanism, contact: &str) -> Vec<LinkId> {
+    links_of_side(mechanism, WHEEL_POINTS[0], contact)
+}
+
+/// Links with a name of the importer and the ending of a side; only those on the side in which `name` ends, if any.
+fn links_of_side(mechanism: &Mechanism, link: &str, name: &str) -> Vec<LinkId> {
+    let side = SIDES.into_iter().find(|side| name.ends_with(side));
     let sides = SIDES.into_iter().filter(|known| side.is_none_or(|side| side == *known));
-    let endings: Vec<&str> = [""].into_iter().chain(sides).collect();
-    let names = WHEEL_POINTS.iter().flat_map(|name| endings.iter().map(move |end| format!("{name}{end}")));
+    let names = [""].into_iter().chain(sides).map(|end| format!("{link}{end}"));
     names.filter_map(|name| mechanism.find_link(&name).ok()).collect()
 }
 

@@ -4,4 +4,5 @@ pub(crate) mod driver;
 pub(crate) mod point_travel;
 pub(crate) mod pose_solver;
 pub(crate) mod positions;
+pub(crate) mod touch;
 pub(crate) mod unreachable_range;

@@ -9,7 +9,7 @@ use crate::thresholds::{
     DEAD_CENTRE_APPROACH, LEAST_ADVANCE, LEAST_POINT_RATE, OTHER_DRIVERS, TRAVEL_STAGES,
 };
 use nalgebra::Vector3;
-use percuss_dynamics::{Configuration, ContactResponse, PointVelocity, Pose, System, TravelError};
+use percuss_dynamics::{Configuration, ContactResponse, Gap, PointVelocity, Pose, System, TravelError};
 use percuss_mechanism::{JointId, JointKind, LinkId};
 
 /// Travel of a point from its starting pose.
@@ -31,6 +31,14 @@ struct TravelStage {
     pose: Pose,
 }
 
+/// Error of an invalid travel, given by a field of the question.
+fn refuse(field: Field, error: TravelError) -> StudyError {
+    match error {
+        TravelError::Assembly(error) => StudyError::Assembly(error),
+        other => StudyError::input(field, Fault::Travel(other)),
+    }
+}
+
 /// Joints that drive the loops of a pose, in increasing order.
 fn drivers(pose: &Pose) -> Vec<JointId> {
     let mut all = pose.loops().map_or_else(Vec::new, |loops| loops.drivers.to_vec());
@@ -50,13 +58,33 @@ impl PointTravel {
         direction: Vector3<f64>,
         is_set: &dyn Fn(JointId) -> bool,
     ) -> Result<(Self, Driver), StudyError> {
-        let refuse = |error: TravelError| match error {
-            TravelError::Assembly(error) => StudyError::Assembly(error),
-            other => StudyError::input(field, Fault::Travel(other)),
-        };
         let start = system.pose(base)?;
-        let travel = percuss_dynamics::Travel::new(&start, link, point, direction).map_err(refuse)?;
-        let joint = travel.driver(&start, is_set).map_err(refuse)?;
+        let travel = percuss_dynamics::Travel::new(&start, link, point, direction);
+        let travel = travel.map_err(|error| refuse(field, error))?;
+        Self::with_driver(system, base, field, (start, travel), is_set)
+    }
+
+    /// Travel towards a stop, and the driver.
+    pub fn toward_stop(
+        system: &System,
+        base: &Configuration,
+        gap: &Gap,
+        is_set: &dyn Fn(JointId) -> bool,
+    ) -> Result<(Self, Driver), StudyError> {
+        let start = system.pose(base)?;
+        let travel = percuss_dynamics::Travel::toward_stop(&start, gap.clone());
+        Self::with_driver(system, base, Field::At, (start, travel), is_set)
+    }
+
+    /// Travel from its starting pose, and the driver.
+    fn with_driver(
+        system: &System,
+        base: &Configuration,
+        field: Field,
+        (start, travel): (Pose, percuss_dynamics::Travel),
+        is_set: &dyn Fn(JointId) -> bool,
+    ) -> Result<(Self, Driver), StudyError> {
+        let joint = travel.driver(&start, is_set).map_err(|error| refuse(field, error))?;
         let set = system.mechanism().joint_ids().filter(|joint| is_set(*joint)).collect();
         Ok((Self { travel, start, field, set }, Driver { joint, configuration: base.clone() }))
     }
@@ -214,7 +242,7 @@ impl PointTravel {
     /// Speed of the point along its direction per unit closing speed of the contact.
     pub fn motion_ratio(&self, pose: &Pose, response: &ContactResponse) -> Option<f64> {
         match pose.point_velocity(response, self.travel.link(), self.travel.point())? {
-            PointVelocity::Known(v) => Some(pose.base().vector(&v).dot(self.travel.direction()).abs()),
+            PointVelocity::Known(v) => Some(pose.base().vector(&v).dot(self.travel.direction()?).abs()),
             PointVelocity::Undetermined => None,
         }
     }

@@ -2,19 +2,20 @@
 
 use crate::pose::driver::Driver;
 use crate::pose::point_travel::PointTravel;
+use crate::pose::touch::touching_stops;
 use crate::pose::unreachable_range::UnreachedRow;
-use crate::question::error::StudyError;
+use crate::question::error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
 use crate::question::given_travel::GivenTravel;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::{HALVINGS, LEAST_PART, OTHER_DRIVERS, TRAVEL_PARTS, TRAVEL_ROUNDS, TRAVEL_TOLERANCE};
 use nalgebra::{DMatrix, DVector, Vector3};
-use percuss_dynamics::{Configuration, Pose, System};
+use percuss_dynamics::{Configuration, Gap, Pose, System, TravelError};
 use percuss_mechanism::JointId;
 
 /// Pose of a question.
 ///
-/// The driver of a travel is selected among the joints that are neither set nor drivers of another travel, by
+/// A stop is brought to the touch, see [`touching_stops`]. The driver of a travel is selected among the joints that are neither set nor drivers of another travel, by
 /// the rule of `percuss_dynamics::Travel::driver`; a sweep over a travel uses the same rule. A travel starts at
 /// the pose of the set joints. Several travels are solved together by Newton's method.
 ///
@@ -35,11 +36,35 @@ pub(crate) fn pose(
         driven.push(travel.driver.joint);
         travels.push(travel);
     }
-    match &travels[..] {
-        [] => Ok(start),
-        [alone] => alone.solve_pose(start, question),
-        several => solve_travels(system, configuration, several, start, question.names),
+    let stops = touching_stops(mechanism, question, &start)?;
+    for (_, gap) in &stops {
+        match DrivenTravel::toward_stop(system, configuration, gap, &driven) {
+            Ok(travel) => {
+                driven.push(travel.driver.joint);
+                travels.push(travel);
+            }
+            // All joints that move the stop are set: the question is about this pose.
+            Err(StudyError::Input { fault, .. }) if is_immobile(&fault) => {}
+            Err(error) => return Err(error),
+        }
     }
+    let reached = match &travels[..] {
+        [] => Ok(start.clone()),
+        [alone] => alone.solve_pose(start.clone(), question),
+        several => solve_travels(system, configuration, several, start.clone(), question.names),
+    };
+    match (reached, &stops[..]) {
+        (Err(StudyError::TravelNotReached { why, nearest }), [(stop, gap), ..]) => {
+            let (name, gap) = (stop.name().to_owned(), gap.at(&start));
+            Err(StudyError::StopNotReached { name, gap, nearest, why })
+        }
+        (reached, _) => reached,
+    }
+}
+
+/// True if no free joint moves the point of a travel.
+fn is_immobile(fault: &Fault) -> bool {
+    matches!(fault, Fault::Travel(TravelError::NothingMoves { .. }))
 }
 
 /// Pose at which several travels have the requested displacements. Newton's method on all drivers, with
@@ -81,6 +106,7 @@ fn solve_travels(
                 let percent = (100.0 * reached).floor();
                 return Err(StudyError::TravelNotReached {
                     why: format!("the travels cannot be reached together; reached: {percent} %{why}"),
+                    nearest: None,
                 });
             }
             Err(_) => part *= 0.5,
@@ -178,6 +204,19 @@ impl DrivenTravel {
         Ok(Self { travel, driver, distance: given.distance })
     }
 
+    /// Travel that closes the gap of a stop.
+    fn toward_stop(
+        system: &System,
+        base: &Configuration,
+        gap: &Gap,
+        driven: &[JointId],
+    ) -> Result<Self, StudyError> {
+        let is_set = |joint| driven.contains(&joint);
+        let (travel, driver) = PointTravel::toward_stop(system, base, gap, &is_set)?;
+        let distance = gap.at(&travel.start);
+        Ok(Self { travel, driver, distance })
+    }
+
     /// Pose with the requested displacement of the point, through intermediate poses if the displacement
     /// exceeds the work limit.
     fn solve_pose(&self, from: Pose, question: &MassQuestion) -> Result<Pose, StudyError> {
@@ -195,7 +234,10 @@ impl DrivenTravel {
                     parts += 1;
                     to = 0.5 * (self.travel.displacement(&pose) + to);
                 }
-                Err(UnreachedRow { reason: why, .. }) => return Err(StudyError::TravelNotReached { why }),
+                Err(UnreachedRow { reason: why, extent }) => {
+                    let nearest = extent.nearest();
+                    return Err(StudyError::TravelNotReached { why, nearest });
+                }
             }
         }
     }

@@ -25,6 +25,16 @@ impl UnreachableExtent {
     pub fn exceeds_work_limit(self) -> bool {
         matches!(self, UnreachableExtent::BeyondWorkLimit(_))
     }
+
+    /// Nearest value found.
+    pub fn nearest(self) -> Option<f64> {
+        match self {
+            UnreachableExtent::BeyondEnd(nearest)
+            | UnreachableExtent::BeyondWorkLimit(nearest)
+            | UnreachableExtent::ProbablyBeyond(nearest) => Some(nearest),
+            UnreachableExtent::Everywhere | UnreachableExtent::ThisRowOnly => None,
+        }
+    }
 }
 
 /// Row that was not reached.

@@ -24,6 +24,12 @@ pub enum Fault {
     /// Unknown name.
     #[error(transparent)]
     UnknownName(#[from] UnknownName),
+    /// Model without named contacts.
+    #[error(
+        "the model names no contact; a suspension sheet names its stops, springs and dampers, a URDF names contacts by \
+         <contact> elements; give link, point and normal instead"
+    )]
+    NoNamedContacts,
     /// Invalid position.
     #[error(transparent)]
     Configuration(#[from] ConfigurationError),
@@ -391,6 +397,20 @@ pub enum StudyError {
     TravelNotReached {
         /// Reason, and the reachable displacement.
         why: String,
+        /// Nearest displacement found, m, if a single travel is requested.
+        nearest: Option<f64>,
+    },
+    /// Stop that the mechanism cannot reach.
+    #[error("{}", stop_not_reached(name, *gap, *nearest, why, Names::Fields))]
+    StopNotReached {
+        /// Name of the stop.
+        name: String,
+        /// Gap as drawn, m.
+        gap: f64,
+        /// Largest closing of the gap, m, if known.
+        nearest: Option<f64>,
+        /// Reason.
+        why: String,
     },
     /// Invalid mass matrix.
     #[error(transparent)]
@@ -488,6 +508,7 @@ impl StudyError {
             | StudyError::MassUnknown
             | StudyError::NoMass
             | StudyError::TravelNotReached { .. }
+            | StudyError::StopNotReached { .. }
             | StudyError::Route(_) => true,
             StudyError::Assembly(error) => !error.is_bad_input(),
             _ => false,
@@ -504,13 +525,36 @@ impl StudyError {
                 format!("{}: {}", Field::Set.name_in(names), assembly_error_message(error, names))
             }
             StudyError::Assembly(error) => assembly_error_message(error, names),
-            StudyError::TravelNotReached { why } => format!("{}: {why}", Field::Travel.name_in(names)),
+            StudyError::TravelNotReached { why, .. } => format!("{}: {why}", Field::Travel.name_in(names)),
+            StudyError::StopNotReached { name, gap, nearest, why } => {
+                stop_not_reached(name, *gap, *nearest, why, names)
+            }
             StudyError::PersonIsOtherSide => person_is_other_side_message(names),
             StudyError::NoMass => missing_mass_message(names),
             StudyError::NoRegion => missing_region_message(names),
             other => other.to_string(),
         }
     }
+}
+
+/// Message: the mechanism cannot reach a stop.
+fn stop_not_reached(name: &str, gap: f64, nearest: Option<f64>, why: &str, names: Names) -> String {
+    let travel = match names {
+        Names::Fields => "",
+        Names::Flags => " (--travel)",
+        Names::Keys => " (pose.travel)",
+    };
+    let shown = 1e3 * gap;
+    let why = match nearest {
+        Some(nearest) => {
+            format!("it closes by {:.2} mm only, and {:.2} mm remain", 1e3 * nearest, 1e3 * (gap - nearest))
+        }
+        None => why.to_owned(),
+    };
+    format!(
+        "the stop \"{name}\" with a gap of {shown:.2} mm cannot be reached: {why}; give a travel{travel} for the mass at \
+         another pose"
+    )
 }
 
 /// Message: another side is given in a question about a person.

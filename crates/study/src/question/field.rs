@@ -17,6 +17,8 @@ pub enum Names {
 /// Part of a question: a flag on the command line, a key in a study file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Field {
+    /// Named contact.
+    At,
     /// Contact link.
     Link,
     /// Contact point.
@@ -87,6 +89,7 @@ impl Field {
     /// Flag and study key.
     fn names(self) -> (&'static str, &'static str) {
         match self {
+            Field::At => ("--at", "contact.at"),
             Field::Link => ("--link", "contact.link"),
             Field::Point => ("--point", "contact.point"),
             Field::Normal => ("--normal", "contact.normal"),

@@ -1,11 +1,14 @@
 //! Question about a contact of a model, in terms of names. The fields correspond to the flags of `percuss
 //! mass`.
 
-use crate::question::field::Names;
+use crate::question::error::StudyError;
+use crate::question::field::{Field, Names};
 use crate::question::given_travel::GivenTravel;
 use crate::question::pose_file::GivenPose;
 use crate::values::position::GivenPosition;
-use percuss_dynamics::{Base, Frame};
+use percuss_dynamics::{Base, Contact, Direction, Frame};
+use percuss_mechanism::{LinkId, Mechanism, NamedContact};
+use std::borrow::Cow;
 
 /// Direction of the contact normal.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,11 +60,53 @@ pub struct RatioPoint {
 }
 
 impl MassQuestion {
+    /// Question with the link, point, normal and other side of its named contact; the name remains, so that a stop is
+    /// still brought to the touch. A question that has a link is resolved already.
+    ///
+    /// # Errors
+    /// Unknown contact.
+    pub(crate) fn resolve_contact(&self, mechanism: &Mechanism) -> Result<Cow<'_, Self>, StudyError> {
+        let contact = self.named_contact(mechanism)?.filter(|_| self.link.is_empty());
+        let Some(contact) = contact else { return Ok(Cow::Borrowed(self)) };
+        let name = |link: LinkId| mechanism.link(link).name().to_owned();
+        let (normal, normal_frame) = match Contact::named(contact, mechanism.root()).normal {
+            Direction::Along(normal, frame) => (Normal::Along(normal.into()), frame),
+            Direction::Toward(link, point) => (Normal::Toward(name(link), point.into()), Frame::Link),
+            Direction::TurningToward(link, point) => {
+                (Normal::TurningToward(name(link), point.into()), Frame::Link)
+            }
+        };
+        Ok(Cow::Owned(Self {
+            link: name(contact.link()),
+            point: (*contact.point()).into(),
+            normal,
+            frame: Frame::Link,
+            normal_frame,
+            against: contact.against().map(name),
+            ..self.clone()
+        }))
+    }
+
+    /// True if a travel or a file of positions gives the pose.
+    pub(crate) fn gives_pose(&self) -> bool {
+        !self.travel.is_empty() || self.pose.is_some()
+    }
+
+    /// Named contact of the question.
+    pub(crate) fn named_contact<'m>(
+        &self,
+        mechanism: &'m Mechanism,
+    ) -> Result<Option<&'m NamedContact>, StudyError> {
+        let find = |name: &String| mechanism.find_contact(name).map_err(|e| StudyError::input(Field::At, e));
+        self.at.as_ref().map(find).transpose()
+    }
+
     /// Question without a contact, for commands that define the contact by other data: all joints at 0, nothing
     /// held.
     pub fn without_contact() -> Self {
         Self {
             names: Names::default(),
+            at: None,
             link: String::new(),
             point: [0.0; 3],
             normal: Normal::Along([0.0; 3]),
@@ -86,6 +131,9 @@ impl MassQuestion {
 /// Question about a contact of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassQuestion {
+    /// Named contact of the model; replaces `link`, `point`, `normal`, the frames and `against`. A stop is brought to
+    /// the touch, unless `travel` or `pose` gives the pose, or all joints that move it are set.
+    pub at: Option<String>,
     /// Contact link.
     pub link: String,
     /// The contact point, m, in `frame`.

@@ -9,7 +9,7 @@ use crate::question::error::StudyError;
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::{MassQuestion, Normal};
 use percuss_dynamics::{Base, Conditions, System};
-use percuss_mechanism::{LinkId, Mechanism};
+use percuss_mechanism::{ContactKind, LinkId, Mechanism, NamedContact};
 use percuss_units::{Dimension, Unit};
 use std::fmt::Write;
 use std::sync::Arc;
@@ -18,19 +18,8 @@ use std::sync::Arc;
 const CANDIDATES: usize = 60;
 /// Largest number of names listed in a comment.
 const LISTED: usize = 40;
-/// Name endings of links that define a contact, and of the links that define the normal, as written by the
-/// suspension importer.
-const IMPORTER_CONTACTS: [(&str, &str); 3] = [
-    ("bump_stop_pad", "bump_stop"),
-    ("spring_seat", "spring_chassis_seat"),
-    ("damper_seat", "damper_chassis_seat"),
-];
-
-/// Suffixes of the link names of each side.
-const SIDES: [&str; 3] = ["", "_left", "_right"];
-
 /// Starting study of a model, as TOML with comments. The contact is the first with a finite effective mass:
-/// contacts defined by the importer (bump stops, springs of suspensions) first, then tips of the mechanism.
+/// named contacts first, stops before all, then tips of the mechanism.
 /// Further keys are commented out. `path`: model path written to the study.
 ///
 /// # Errors
@@ -93,23 +82,14 @@ fn candidate_contacts(model: &Model, base: Base) -> Vec<MassQuestion> {
         ..MassQuestion::without_contact()
     };
     let mut found = Vec::new();
-    for (ending, toward) in IMPORTER_CONTACTS {
-        for link in mechanism.link_ids() {
-            // With two sides, the suffix of the side follows the ending.
-            let split = SIDES
-                .iter()
-                .find_map(|side| Some((name(link).strip_suffix(side)?.strip_suffix(ending)?, side)));
-            let Some((before, side)) = split else { continue };
-            let Ok(other) = mechanism.find_link(&format!("{before}{toward}{side}")) else { continue };
-            let against = mechanism.parent_joint(other).map(|joint| mechanism.joint(joint).parent());
-            let to = (name(other).to_owned(), [0.0; 3]);
-            // The line of a spring or damper turns with the suspension; a bump stop has a fixed face.
-            let is_stop = ending == "bump_stop_pad";
-            let normal = if is_stop { Normal::Toward(to.0, to.1) } else { Normal::TurningToward(to.0, to.1) };
-            let against = against.filter(|against| *against != link).map(|against| name(against).to_owned());
-            found.push(MassQuestion { against, ..of(link, [0.0; 3], normal) });
-        }
-    }
+    let mut named: Vec<&NamedContact> = mechanism.contacts().iter().collect();
+    named.sort_by_key(|contact| contact.kind() != ContactKind::Stop);
+    found.extend(named.into_iter().map(|contact| MassQuestion {
+        at: Some(contact.name().to_owned()),
+        base,
+        names: Names::Keys,
+        ..MassQuestion::without_contact()
+    }));
     for link in links_by_depth(mechanism) {
         for point in points(mechanism, link) {
             for axis in [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] {
@@ -196,38 +176,17 @@ impl StarterWriter<'_> {
         writeln!(out, "# All keys: docs/reference/STUDIES.md; `percuss schema` prints them for editors.\n")?;
         writeln!(out, "[model]\npath = {}\n", toml_string(path))?;
         self.links(out)?;
-        writeln!(
-            out,
-            "\n# Point and normal are in the frame of the link. The normal points out of it; its length does not matter."
-        )?;
-        writeln!(
-            out,
-            "[contact]\nlink = {}\npoint = {}",
-            toml_string(&question.link),
-            triple(&question.point)
-        )?;
-        match &question.normal {
-            Normal::Along(normal) => writeln!(out, "normal = {}", triple(normal))?,
-            // The face of a stop follows the line as drawn, in the frame of the other side, which is the root
-            // link.
-            Normal::Toward(..) if self.is_against_root() => {
-                let normal = self.report.contact.normal_world.map(|x| (x * 1e6).round() / 1e6 + 0.0);
-                writeln!(out, "normal = {}\nnormal_frame = \"against\"", triple(&normal))?;
-            }
-            Normal::Toward(link, point) | Normal::TurningToward(link, point) => {
-                let link = toml_string(link);
-                writeln!(out, "along_line = {{ link = {link}, point = {} }}", triple(point))?;
-                if matches!(question.normal, Normal::TurningToward(..)) {
-                    writeln!(out, "turning_normal = true")?;
+        match &question.at {
+            Some(name) => {
+                writeln!(out, "\n# A named contact of the model; a stop is brought to the touch.")?;
+                writeln!(out, "[contact]\nat = {}", toml_string(name))?;
+                let others = self.model.mechanism.contacts().iter().map(NamedContact::name);
+                let others: Vec<String> = others.filter(|other| other != name).map(toml_string).collect();
+                if !others.is_empty() {
+                    writeln!(out, "#   others: {}", others.join(", "))?;
                 }
             }
-        }
-        match &question.against {
-            Some(link) => writeln!(out, "against = {}", toml_string(link))?,
-            None => writeln!(
-                out,
-                "#   against = \"LINK\": another link in place of the ground; or against_mass = \"2 kg\""
-            )?,
+            None => self.contact(out)?,
         }
         if question.base == Base::Floating {
             writeln!(out, "\n# With a fixed root nothing moves.\n[conditions]\nbase = \"floating\"")?;
@@ -243,7 +202,7 @@ impl StarterWriter<'_> {
         )?;
         self.variant(out)?;
         self.map(out)?;
-        if question.against.is_none() && self.report.status == Status::Finite {
+        if self.report.contact.against.is_none() && self.report.status == Status::Finite {
             writeln!(
                 out,
                 "\n# How fast this contact may go where it may hit a person; the limit is that of your standard."
@@ -253,10 +212,22 @@ impl StarterWriter<'_> {
         Ok(())
     }
 
-    /// True if the other side is the root link, whose axes are the world's.
-    fn is_against_root(&self) -> bool {
-        let mechanism = &self.model.mechanism;
-        self.question.against.as_deref() == Some(mechanism.link(mechanism.root()).name())
+    /// Writes the link, point and normal of a contact without a name.
+    fn contact(&self, out: &mut String) -> std::fmt::Result {
+        let question = self.question;
+        writeln!(
+            out,
+            "\n# Point and normal are in the frame of the link. The normal points out of it; its length does not matter."
+        )?;
+        let link = toml_string(&question.link);
+        writeln!(out, "[contact]\nlink = {link}\npoint = {}", triple(&question.point))?;
+        if let Normal::Along(normal) = &question.normal {
+            writeln!(out, "normal = {}", triple(normal))?;
+        }
+        writeln!(
+            out,
+            "#   against = \"LINK\": another link in place of the ground; or against_mass = \"2 kg\""
+        )
     }
 
     /// Writes the names of the links as a comment.
@@ -332,7 +303,7 @@ impl StarterWriter<'_> {
             return Some((None, format!("travel:{wheel}:0,0,0:0,0,1=-30mm:30mm:25")));
         }
         let free = self.free();
-        let link = mechanism.find_link(&self.question.link).ok()?;
+        let link = mechanism.find_link(&self.report.contact.link).ok()?;
         let above = std::iter::successors(mechanism.parent_joint(link), |joint| {
             mechanism.parent_joint(mechanism.joint(*joint).parent())
         });
@@ -377,13 +348,13 @@ impl StarterWriter<'_> {
 
     /// Writes a suggested map.
     fn map(&self, out: &mut String) -> std::fmt::Result {
-        let link = self.model.mechanism.find_link(&self.question.link).ok();
+        let link = self.model.mechanism.find_link(&self.report.contact.link).ok();
         let shapes = |id: LinkId| self.model.shapes.get(id.index()).is_some_and(|shapes| !shapes.is_empty());
         if !link.is_some_and(shapes) {
             return Ok(());
         }
         writeln!(out, "\n# The effective mass over the surface of a link.")?;
-        writeln!(out, "# [map]\n# link = {}\n# output = \"map.png\"", toml_string(&self.question.link))
+        writeln!(out, "# [map]\n# link = {}\n# output = \"map.png\"", toml_string(&self.report.contact.link))
     }
 }
 

@@ -118,6 +118,8 @@ pub(crate) struct PoseText {
 #[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ContactText {
+    /// A named contact of the model, in place of link, point, normal and against; a stop is brought to the touch.
+    pub at: Option<String>,
     /// The contact link.
     pub link: Option<String>,
     /// The contact point, m.
@@ -220,6 +222,9 @@ pub(crate) struct HoldText {
 impl ContactText {
     /// First missing part of the contact.
     pub fn missing(&self) -> Option<&'static str> {
+        if self.at.is_some() {
+            return None;
+        }
         let normal = self.normal.is_some() || self.along_line.is_some();
         let parts = [
             ("link", self.link.is_some()),
@@ -229,8 +234,13 @@ impl ContactText {
         parts.into_iter().find(|(_, is_there)| !is_there).map(|(part, _)| part)
     }
 
-    /// True if the contact has no own data: no link, point, normal or frame.
+    /// True if the contact has no own data: no name, link, point, normal or frame.
     pub fn is_empty(&self) -> bool {
+        self.at.is_none() && self.has_no_geometry()
+    }
+
+    /// True without link, point, normal and frame.
+    fn has_no_geometry(&self) -> bool {
         let Self { link, point, normal, along_line, turning_normal, frame, normal_frame, .. } = self;
         link.is_none()
             && point.is_none()
@@ -278,6 +288,11 @@ impl StudyText {
             (None, normal) => Normal::Along(normal.unwrap_or_default()),
             (Some(_), Some(_)) => return Err(InvalidKey::new("contact", "give either normal or along_line")),
         };
+        if contact.at.is_some() && (!contact.has_no_geometry() || contact.against.is_some()) {
+            let why =
+                "at names a contact of the model: remove link, point, normal, along_line, frame and against";
+            return Err(InvalidKey::new("contact.at", why));
+        }
         let frame = frame_of("contact.frame", contact.frame.as_deref(), Frame::Link)?;
         let normal_frame = frame_of("contact.normal_frame", contact.normal_frame.as_deref(), frame)?;
         let base = match self.conditions.base.as_deref() {
@@ -297,6 +312,7 @@ impl StudyText {
         let hold = |h: &HoldText| Hold { link: h.link.clone(), point: h.point, normal: h.normal };
         let armature = |(joint, values): (&String, &Vec<f64>)| (joint.clone(), values.clone());
         Ok(MassQuestion {
+            at: contact.at.clone(),
             link: contact.link.clone().unwrap_or_default(),
             point: contact.point.unwrap_or_default(),
             normal,

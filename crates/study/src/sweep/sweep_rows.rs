@@ -131,7 +131,7 @@ impl<'a> Sweep<'a> {
             varied: setting.columns.to_vec(),
             continuation: continuation(&prepared, &rows),
             seed,
-            link: question.link.clone(),
+            link: prepared.question.link.clone(),
             joints: PoseLayout::new(&model.mechanism),
         };
         let (along, lanes) = (rows.distance_measure(), BatchEvaluator::new(&prepared, &setting, &contact));

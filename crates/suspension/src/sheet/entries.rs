@@ -60,6 +60,8 @@ pub(super) enum Quantity {
     Inertia(&'static Unit),
     /// Angle; the unit deg or rad is mandatory.
     Angle,
+    /// Component of a direction, without unit.
+    Component,
 }
 
 impl Quantity {
@@ -69,6 +71,7 @@ impl Quantity {
             Quantity::Mass => Dimension::Mass,
             Quantity::Inertia(_) => Dimension::Inertia,
             Quantity::Angle => Dimension::Angle,
+            Quantity::Component => Dimension::Plain,
         }
     }
 
@@ -79,6 +82,7 @@ impl Quantity {
             Quantity::Mass => "a mass in kg, such as 3.2 or \"3.2 kg\"".to_owned(),
             Quantity::Inertia(_) => "an inertia, such as 0.05".to_owned(),
             Quantity::Angle => "an angle with its unit, such as \"-1.5 deg\"".to_owned(),
+            Quantity::Component => "a number without unit, such as 0.5".to_owned(),
         }
     }
 
@@ -94,7 +98,7 @@ impl Quantity {
         };
         let value = match (self, unit) {
             (Quantity::Length(default), "") => default.to_metres(number),
-            (Quantity::Mass, "") => number,
+            (Quantity::Mass | Quantity::Component, "") => number,
             (Quantity::Inertia(default), "") => default.to_si(number),
             (Quantity::Angle, "") => return None,
             (_, unit) => Unit::named(unit, &[self.dimension()])?.to_si(number),

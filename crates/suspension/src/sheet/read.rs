@@ -1,6 +1,6 @@
 //! Reader of the entries of a sheet according to its template.
 
-use super::super::design::{Design, GivenBody, Part};
+use super::super::design::{Design, GivenBody, Part, STOPS, Stop};
 use super::super::findings::{Findings, Spot};
 use super::super::options::{ImportOptions, Rack, Side, Wheel};
 use super::super::units::{Frame, VehicleAxes, check_size};
@@ -81,6 +81,7 @@ pub(super) fn keys_of(template: &Template) -> Vec<String> {
     keys.push("spindle.axle_inertia".to_owned());
     keys.extend(["mass", "inertia", "radius", "camber", "toe"].map(|key| format!("wheel.{key}")));
     keys.extend(template.on.iter().map(|(section, _)| format!("{section}.on")));
+    keys.extend(STOPS.iter().flat_map(|section| ["gap", "direction"].map(|key| format!("{section}.{key}"))));
     if template.has_rack() {
         keys.extend(["mass", "slides"].map(|key| format!("rack.{key}")));
     }
@@ -147,6 +148,7 @@ impl SheetReader<'_> {
             self.scalar("spindle.axle_inertia", Quantity::Inertia(inertia_unit)).map_or(0.0, |(x, _)| x);
         let on = self.attachments(template);
         let rack = self.rack(template);
+        let stops = self.stops(template, frame, points_side);
         let bar = catalogue::keys().anti_roll_bar.iter().filter(|_| points.contains_key("drop_link_bar"));
         let design = Design {
             parts: template.parts.iter().chain(bar).collect(),
@@ -154,6 +156,7 @@ impl SheetReader<'_> {
             points,
             bodies,
             on,
+            stops,
             hinge_comment: "about the line through its two points, first to second",
             ..Design::default()
         };
@@ -499,6 +502,30 @@ impl SheetReader<'_> {
             on.insert(&**section, (link, spot));
         }
         on
+    }
+
+    /// Reads the gap and the direction of the stops, mirrored to the left side.
+    fn stops(
+        &mut self,
+        template: &Template,
+        frame: Frame,
+        points_side: Side,
+    ) -> BTreeMap<&'static str, Stop> {
+        let mut stops = BTreeMap::new();
+        for section in STOPS.into_iter().filter(|section| template.on.iter().any(|(key, _)| key == section)) {
+            let gap = self.scalar(&format!("{section}.gap"), Quantity::Length(frame.unit));
+            let key = format!("{section}.direction");
+            let direction = self.entries.numbers(self.findings, &key, Quantity::Component, &[3]);
+            let spot = gap.iter().map(|(_, spot)| spot).chain(direction.iter().map(|(_, spot)| spot)).next();
+            let Some(spot) = spot.cloned() else { continue };
+            let mirror = if points_side == Side::Right { -1.0 } else { 1.0 };
+            let direction = direction.map(|(values, _)| {
+                let along = frame.axes.to_iso(Vector3::new(values[0], values[1], values[2]));
+                Vector3::new(along.x, mirror * along.y, along.z)
+            });
+            stops.insert(section, Stop { gap: gap.map(|(gap, _)| gap), direction, spot });
+        }
+        stops
     }
 
     /// Rack of the options, or else of the sheet; fixed by default.

@@ -29,6 +29,14 @@ pub(crate) struct Template {
     /// Default links for the attachment of springs and similar parts: section and link.
     #[serde(deserialize_with = "in_file_order")]
     pub on: Vec<(String, String)>,
+    /// Example gaps of the stops, mm.
+    #[serde(default = "example_gaps")]
+    pub gaps: [(String, f64); 2],
+}
+
+/// Example gaps of the stops, mm.
+fn example_gaps() -> [(String, f64); 2] {
+    [("bump_stop".to_owned(), 30.0), ("rebound_stop".to_owned(), 25.0)]
 }
 
 /// Description of each key of the sheets, and the parts that every template has.

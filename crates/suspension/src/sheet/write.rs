@@ -69,20 +69,12 @@ impl SheetWriter<'_> {
         }
         self.write_line("#");
         self.write_line("# The figures are an example, those of no car: put yours in their place. Then");
-        self.write_line("#   percuss import THIS.toml -o my.urdf");
         let side = if template.axle { "_left" } else { "" };
-        self.write_line(&format!("#   percuss mass my.urdf --link bump_stop_pad{side} --point 0,0,0 \\"));
-        let at = |key: &str| template.point(key).map(Vector3::from);
-        if let Some((pad, stop)) = at("bump_stop_pad").zip(at("bump_stop")) {
-            // Rounds to a micron, to remove the rounding error of the difference.
-            let [x, y, z] = [0, 1, 2].map(|i| ((stop - pad)[i] * 1e3).round() / 1e3 + 0.0);
-            self.write_line(&format!(
-                "#       --normal {x},{y},{z} --normal-frame against --against chassis"
-            ));
-            self.write_line(
-                "# with the normal of the stop: from the pad to the stop, x forward, y left, z up.",
-            );
-        }
+        self.write_line("#   percuss mass THIS.toml --at all");
+        self.write_line(&format!("#   percuss mass THIS.toml --at bump_stop{side}"));
+        self.write_line(
+            "# give the effective masses at all contacts, and the one at the bump stop when it touches.",
+        );
         self.write_line("");
         self.write_key("template", &format!("\"{}\"", template.name), "");
         self.write_key("name", &format!("\"{}\"", template.title), "yours");
@@ -202,7 +194,12 @@ impl SheetWriter<'_> {
         for (section, link) in template.on.iter().filter(|(section, _)| !is_body(section)) {
             self.write_line(&format!("[{section}]"));
             self.write_key("on", &format!("\"{link}\""), "");
+            let Some((_, gap)) = template.gaps.iter().find(|(stop, _)| stop == section) else { continue };
+            let gap = self.length_text(*gap);
+            self.write_key("gap", &gap, "at the design position; default: the distance of its points");
         }
+        self.write_line("# A stop also has the key direction = [x, y, z], from the pad to the stop; default: the line of its points.");
+        self.write_line("# A stop with a gap and without points is on the damper: the gap is then a change of the damper's length.");
         if template.has_rack() {
             self.write_line("");
             self.write_line("# The rack holds the tie rods' inner ends: fixed to the chassis, or sliding along y to steer.");
@@ -274,6 +271,17 @@ pub fn template_keys() -> String {
         let with = of(&|t| t.on.iter().any(|(key, _)| key == section));
         row(&format!("{section}.on"), "the link that it is on", &with);
     }
+    row(
+        "bump_stop.gap`, `rebound_stop.gap",
+        "the gap at the design position; without it, the distance of pad and stop along the direction. A stop with a gap and \
+         without points is on the damper",
+        "all",
+    );
+    row(
+        "bump_stop.direction`, `rebound_stop.direction",
+        "from the pad to the stop; without it, the line between the two points",
+        "all",
+    );
     let steered = of(&|t| t.has_rack());
     row(
         "rack.slides`, `rack.mass",

@@ -103,6 +103,7 @@ const IN_ROBOT: &[Element] = &[
     read("loop", &[("name", Read), ("type", Read)], IN_LOOP),
     read("loop_joint", &[("name", Read), ("type", Read)], IN_LOOP_JOINT),
     read("coupling", &[("name", Read), ("type", Read)], IN_COUPLING),
+    read("contact", &[("name", Read), ("type", Read)], IN_CONTACT),
     unread("constraint", write_instead!("a <loop> or a <coupling>")),
     unread(
         "drake:joint",
@@ -167,6 +168,15 @@ const IN_COUPLING: &[Element] = &[
     single("ratio", &[("value", Read)]),
     // Both axes are joint axes.
     unread("axis", Silent),
+];
+
+const IN_CONTACT: &[Element] = &[
+    single("body", &[("link", Read), ("xyz", Read)]),
+    single("other", &[("link", Read)]),
+    single("normal", &[("xyz", Read)]),
+    single("toward", &[("xyz", Read)]),
+    single("away", &[("xyz", Read)]),
+    single("gap", &[("value", Read)]),
 ];
 
 const IN_LINK: &[Element] = &[

@@ -2,6 +2,7 @@
 
 pub(crate) mod armature;
 pub(crate) mod closure;
+pub(crate) mod contact;
 pub(crate) mod dialect;
 pub(crate) mod gazebo_joint;
 pub(crate) mod geometry;

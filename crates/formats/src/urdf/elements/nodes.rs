@@ -9,12 +9,13 @@ use percuss_mechanism::{Problem, Subject};
 use roxmltree::Node;
 use std::collections::HashSet;
 
-/// Elements of links, joints, loops and couplings, in the order of the file.
+/// Elements of links, joints, loops, couplings and contacts, in the order of the file.
 pub(crate) struct Nodes<'a, 'i> {
     pub links: Vec<Node<'a, 'i>>,
     pub joints: Vec<Node<'a, 'i>>,
     pub closures: Vec<Node<'a, 'i>>,
     pub couplings: Vec<Node<'a, 'i>>,
+    pub contacts: Vec<Node<'a, 'i>>,
 }
 
 impl<'a, 'i: 'a> Nodes<'a, 'i> {
@@ -39,6 +40,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 .filter(|node| !is_gazebo_joint(*node) || !fixes_root_to_world(*node, is_root, report))
                 .collect(),
             couplings: children(robot, "coupling").collect(),
+            contacts: children(robot, "contact").collect(),
         }
     }
 
@@ -49,6 +51,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
             ("joints", self.joints.len()),
             ("loops", self.closures.len()),
             ("couplings", self.couplings.len()),
+            ("contacts", self.contacts.len()),
         ];
         let excess = counts.into_iter().find(|(_, count)| *count > MAX_ELEMENTS_PER_KIND);
         if let Some((kind, count)) = excess {
@@ -67,6 +70,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
             Subject::Joint { index, .. } => self.joints.get(*index).copied(),
             Subject::Closure { index, .. } => self.closures.get(*index).copied(),
             Subject::Coupling { index, .. } => self.couplings.get(*index).copied(),
+            Subject::Contact { index, .. } => self.contacts.get(*index).copied(),
         };
         let node = node.unwrap_or(robot);
         let within: &[&'static str] = match problem {
@@ -81,6 +85,10 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 "armature" => &["dynamics"],
                 "distance" => &["distance"],
                 "ratio" => &["ratio"],
+                "contact point" => &["body"],
+                "normal" => &["normal"],
+                "point of the line" => &["toward"],
+                "gap" => &["gap"],
                 // Other names of quantities have no element of their own.
                 _ => &[],
             },
@@ -90,6 +98,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
             | Problem::WideInertia { .. }
             | Problem::DenseInertia { .. } => &["inertial", "inertia"],
             Problem::InertiaWithoutMass { .. } => &["inertial", "mass"],
+            Problem::ZeroAxis if matches!(subject, Subject::Contact { .. }) => &["normal"],
             Problem::ZeroAxis | Problem::AxisNotUnit { .. } => &["axis"],
             Problem::LimitsReversed { .. } => &["limit"],
             Problem::NegativeArmature { .. } | Problem::ArmatureCount { .. } => &["dynamics"],
@@ -100,6 +109,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 &["child"]
             }
             Problem::BadDistance { .. } => &["distance"],
+            Problem::ClosesOnItself { .. } if matches!(subject, Subject::Contact { .. }) => &["other"],
             Problem::ClosesOnItself { .. } => std::slice::from_ref(&closure::end_tags(node)[1]),
             // Other problems have no element of their own; the position is the link or joint.
             _ => &[],

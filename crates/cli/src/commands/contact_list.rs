@@ -1,0 +1,105 @@
+//! `percuss mass --at all`: the named contacts of a model in one table.
+
+use crate::args::MassFormat;
+use crate::files::csv;
+use crate::files::table_style::round_to_digits;
+use crate::terminal::failure::Failure;
+use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::text::{Table, number};
+use crate::terminal::wrap::wrap_hanging;
+use percuss_study::{
+    ContactListReport, DampingQuestion, ListedContact, MassQuestion, MassReport, Model, contact_list,
+};
+use std::fmt::Write;
+
+/// Significant digits of masses and damping coefficients in the text.
+const DIGITS: i32 = 6;
+
+/// Evaluates all named contacts and writes the result.
+pub fn show(
+    model: &Model,
+    conditions: &MassQuestion,
+    damping: Option<&DampingQuestion>,
+    format: MassFormat,
+    strict: bool,
+) -> Result<(), Failure> {
+    let report = contact_list(model, conditions, damping)?;
+    write_diagnostics(&report.diagnostics, strict)?;
+    match format {
+        MassFormat::Json => write_json(&report),
+        MassFormat::Csv => write_out(&table_as_csv(&report)),
+        MassFormat::Text => write_out(&text(&report)),
+    }
+}
+
+/// Numbers of a contact, in the units of the table: m̄ (kg), gap as drawn (mm), wheel travel at the pose of the result
+/// (mm), wheel travel per closing of the contact, damping coefficient (N·s/m).
+fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
+    let report = contact.report.as_ref();
+    let named = report.and_then(|report| report.named_contact.as_ref());
+    // A contact without a gap is evaluated at the pose of the question, which has its own travel.
+    let travel = named.filter(|named| named.gap.is_some()).and_then(|named| named.wheel_travel.first());
+    let ratio = |report: &MassReport| Some(report.motion_ratios.first()?.wheel_per_contact);
+    [
+        report.and_then(|report| report.effective_mass),
+        named.and_then(|named| named.gap_as_drawn).map(|gap| 1e3 * gap),
+        travel.map(|wheel| 1e3 * wheel.travel),
+        report.and_then(ratio),
+        report.and_then(|report| report.damper.as_ref()?.damper.damping),
+    ]
+}
+
+/// The list as text: a table, and the reasons of missing results below it.
+fn text(report: &ContactListReport) -> String {
+    let mut table = Table::new(["contact", "m̄, kg", "gap, mm", "wheel travel, mm", "wheel/contact"]);
+    for contact in &report.contacts {
+        let [mass, gap, travel, ratio, _] = numbers(contact);
+        let shown =
+            |x: Option<f64>, decimals: usize| x.map_or("–".to_owned(), |x| format!("{x:.decimals$}"));
+        let mass = match (&contact.report, mass) {
+            (_, Some(mass)) => number(round_to_digits(mass, DIGITS)),
+            (Some(report), None) => report.status.name().to_owned(),
+            (None, None) => "none".to_owned(),
+        };
+        table.row([contact.name.clone(), mass, shown(gap, 2), shown(travel, 2), shown(ratio, 4)]);
+    }
+    let mut out = table.to_string();
+    let mut dampers = Table::new(["contact", "damping, N·s/m"]);
+    for contact in &report.contacts {
+        if let [.., Some(damping)] = numbers(contact) {
+            dampers.row([contact.name.clone(), number(round_to_digits(damping, DIGITS))]);
+        }
+    }
+    if dampers.rows().len() > 1 {
+        let _ = write!(out, "\n{dampers}");
+    }
+    out += "\nA stop is evaluated at the touch: \"gap\" is the gap as drawn, \"wheel travel\" the\nupward travel of the wheel at the touch. A contact without a gap is evaluated at\nthe pose as drawn, unless another is given.\n";
+    for contact in &report.contacts {
+        if let Some(problem) = &contact.problem {
+            let _ = writeln!(out, "\n{}", wrap_hanging(&format!("{}: {problem}", contact.name), 2));
+        }
+    }
+    out
+}
+
+/// The list as CSV.
+fn table_as_csv(report: &ContactListReport) -> String {
+    let header = [
+        "contact",
+        "kind",
+        "status",
+        "effective_mass",
+        "gap_as_drawn_mm",
+        "wheel_travel_mm",
+        "motion_ratio",
+        "damping",
+    ];
+    let mut out = csv::line(&header.map(str::to_owned));
+    for contact in &report.contacts {
+        let status = contact.report.as_ref().map_or("none", |report| report.status.name());
+        let mut cells = vec![contact.name.clone(), contact.kind.to_owned(), status.to_owned()];
+        cells.extend(numbers(contact).map(csv::cell));
+        out += &csv::line(&cells);
+    }
+    out
+}

@@ -1,0 +1,176 @@
+//! Named contacts: stops at the touch, lists, files.
+
+use crate::support::{Scratch, json, percuss, refused, root};
+use serde_json::Value;
+
+/// A bar of 2 kg on a hinge along y, with stops in front of its tip: a plane, a line that shortens, a line that grows.
+const BAR: &str = r#"<robot name="bar"><link name="ground"/><link name="post"/>
+  <link name="bar"><inertial><origin xyz="0 0 -0.3"/><mass value="2"/>
+    <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.05" iyz="0" izz="0.1"/></inertial></link>
+  <joint name="post" type="fixed"><parent link="ground"/><child link="post"/><origin xyz="1 0 -0.5"/></joint>
+  <joint name="hinge" type="continuous"><parent link="ground"/><child link="bar"/><axis xyz="0 1 0"/></joint>
+  <contact name="plane" type="stop"><body link="bar" xyz="0 0 -0.5"/><other link="world"/>
+    <normal xyz="3 0 0"/><gap value="0.2"/></contact>
+  <contact name="line" type="stop"><body link="bar" xyz="0 0 -0.5"/><other link="post"/>
+    <toward xyz="0 0 0"/><gap value="0.2"/></contact>
+  <contact name="rebound" type="stop"><body link="bar" xyz="0 0 -0.5"/><other link="post"/>
+    <away xyz="0 0 0"/><gap value="0.2"/></contact>
+  <contact name="far" type="stop"><body link="bar" xyz="0 0 -0.5"/><other link="world"/>
+    <normal xyz="1 0 0"/><gap value="0.6"/></contact>
+  <contact name="seat" type="spring"><body link="bar" xyz="0 0 -0.5"/><other link="post"/><toward xyz="0 0 0"/></contact>
+</robot>"#;
+
+/// Moment of inertia of the bar about its hinge, kg·m².
+const INERTIA: f64 = 0.05 + 2.0 * 0.3 * 0.3;
+const LENGTH: f64 = 0.5;
+
+fn number(report: &Value, key: &str) -> f64 {
+    report[key].as_f64().unwrap_or_else(|| panic!("{key} is {}", report[key]))
+}
+
+#[test]
+fn stops_touch_where_the_closed_form_says() {
+    let folder = Scratch::new("contacts-bar");
+    let bar = folder.write("bar.urdf", BAR);
+    let at = |name: &str| json(&format!("mass {bar} --at {name} --format json"));
+    let angle = |report: &Value| report["pose"]["hinge"][0].as_f64().expect("an angle");
+    // The tip is at L (−sin q, −cos q); the plane x = 0.2 is touched at sin q = −0.4. The lever is L cos q.
+    let plane = at("plane");
+    let q = -(0.2f64 / LENGTH).asin();
+    assert!((angle(&plane) - q).abs() < 1e-12, "{plane}");
+    let expected = INERTIA / (LENGTH * q.cos()).powi(2);
+    assert!((number(&plane, "effective_mass") / expected - 1.0).abs() < 1e-11, "{plane}");
+    // A line from the tip to (1, −0.5): its length is 1 as drawn, and 0.8 and 1.2 at the touch.
+    for (name, length) in [("line", 0.8), ("rebound", 1.2)] {
+        let report = at(name);
+        let q = angle(&report);
+        let (x, z) = (1.0 + LENGTH * q.sin(), -0.5 + LENGTH * q.cos());
+        assert!((x.hypot(z) - length).abs() < 1e-12, "{name}: {}", x.hypot(z));
+        // d(length)/dq = (x L cos q − z L sin q) / length.
+        let lever = LENGTH * (x * q.cos() - z * q.sin()) / length;
+        let found = number(&report, "effective_mass");
+        assert!((found / (INERTIA / lever.powi(2)) - 1.0).abs() < 1e-11, "{name}: {found}");
+        let contact = &report["named_contact"];
+        assert_eq!(contact["brought_to_touch"], true);
+        assert_eq!(contact["gap_as_drawn"], 0.2);
+        assert!(number(contact, "gap").abs() < 1e-12);
+    }
+    // A seat always touches: the pose as drawn.
+    let seat = at("seat");
+    assert_eq!(angle(&seat), 0.0);
+    assert_eq!(seat["named_contact"]["gap"], Value::Null);
+}
+
+#[test]
+fn a_given_pose_is_kept_and_its_gap_is_stated() {
+    let folder = Scratch::new("contacts-pose");
+    let bar = folder.write("bar.urdf", BAR);
+    // The only joint is set, so that nothing is free to close the gap: 0.2 − L sin 0.1 remains.
+    let set = json(&format!("mass {bar} --at plane --set hinge=-0.1 --format json"));
+    assert_eq!(set["named_contact"]["brought_to_touch"], false);
+    assert!((number(&set["named_contact"], "gap") - (0.2 - LENGTH * 0.1f64.sin())).abs() < 1e-12);
+    let travel = json(&format!("mass {bar} --at plane --travel bar:0,0,-0.5:1,0,0=0.3 --format json"));
+    assert!((number(&travel["named_contact"], "gap") + 0.1).abs() < 1e-11, "a penetration of 0.1 m");
+    let text = percuss(&format!("mass {bar} --at plane --travel bar:0,0,-0.5:1,0,0=0.3")).stdout;
+    assert!(text.contains("a penetration at this pose"), "{text}");
+    // The tip reaches x = 0.5 at most.
+    let far = percuss(&format!("mass {bar} --at far"));
+    assert_eq!(far.code, 1, "{}", far.stderr);
+    assert!(far.stderr.contains("closes by 500.00 mm only, and 100.00 mm remain"), "{}", far.stderr);
+}
+
+#[test]
+fn the_list_has_every_contact_and_the_reason_of_a_missing_one() {
+    let folder = Scratch::new("contacts-list");
+    let bar = folder.write("bar.urdf", BAR);
+    let list = json(&format!("mass {bar} --at all --format json"));
+    let contacts = list["contacts"].as_array().expect("a list");
+    let names: Vec<&str> = contacts.iter().filter_map(|c| c["name"].as_str()).collect();
+    assert_eq!(names, ["plane", "line", "rebound", "far", "seat"]);
+    for contact in contacts {
+        let name = contact["name"].as_str().expect("a name");
+        if name == "far" {
+            assert!(contact["problem"].as_str().expect("a reason").contains("cannot be reached"));
+            continue;
+        }
+        let alone = json(&format!("mass {bar} --at {name} --format json"));
+        assert_eq!(contact["report"]["effective_mass"], alone["effective_mass"], "{name}");
+    }
+    let text = percuss(&format!("mass {bar} --at all")).stdout;
+    assert!(text.contains("\nfar      none") && text.contains("\nfar: the stop"), "{text}");
+    let rows = percuss(&format!("mass {bar} --at all --format csv")).stdout;
+    assert_eq!(rows.lines().count(), 6, "{rows}");
+    refused(&format!("mass {bar} --at all --explain"), &["--explain", "--at"]);
+    refused(&format!("mass {bar} --at plain"), &["--at", "did you mean \"plane\""]);
+    refused("mass models/six_r_arm.urdf --at all", &["--at", "names no contact", "<contact>"]);
+    refused(&format!("mass {bar} --at plane --link bar"), &["--at", "--link"]);
+}
+
+#[test]
+fn damp_and_studies_take_named_contacts() {
+    let folder = Scratch::new("contacts-damp");
+    let bar = folder.write("bar.urdf", BAR);
+    let options = "--restitution 0.3 --stiffness 2e5 --speed 1 --format json";
+    let damp = json(&format!("damp --mass-from {bar} --at plane {options}"));
+    let mass = json(&format!("mass {bar} --at plane --format json"));
+    assert_eq!(damp["effective_mass"], mass["effective_mass"]);
+    assert_eq!(damp["named_contact"], mass["named_contact"]);
+    let study = folder.write("s.toml", "[model]\npath = \"bar.urdf\"\n[contact]\nat = \"plane\"\n");
+    let run = json(&format!("run {study} --format json"));
+    assert_eq!(run["effective_mass"], mass["effective_mass"]);
+    let both =
+        folder.write("b.toml", "[model]\npath = \"bar.urdf\"\n[contact]\nat = \"plane\"\nlink = \"bar\"\n");
+    refused(&format!("run {both}"), &["contact.at", "remove link"]);
+}
+
+/// For every shipped sheet and stop: the gap is closed, the mass is that of the same contact given by link, point and
+/// normal at the same positions, and the imported URDF gives the same.
+#[test]
+fn stops_of_every_sheet_touch_and_survive_the_import() {
+    let folder = Scratch::new("contacts-sheets");
+    let mut stops = 0;
+    for entry in std::fs::read_dir(root().join("models/suspensions")).expect("a folder") {
+        let file = entry.expect("an entry").file_name().to_string_lossy().into_owned();
+        if !file.ends_with(".toml") {
+            continue;
+        }
+        let sheet = format!("models/suspensions/{file}");
+        let urdf = folder.path("car.urdf");
+        assert_eq!(percuss(&format!("import {sheet} -o {urdf} --force")).code, 0, "{sheet}");
+        let list = json(&format!("mass {sheet} --at all --format json"));
+        let imported = json(&format!("mass {urdf} --at all --format json"));
+        let both = list["contacts"]
+            .as_array()
+            .expect("a list")
+            .iter()
+            .zip(imported["contacts"].as_array().expect("a list"));
+        for (contact, again) in both {
+            let name = contact["name"].as_str().expect("a name");
+            assert_eq!(contact["name"], again["name"], "{sheet}");
+            let [report, again] = [contact, again].map(|contact| &contact["report"]);
+            assert!(!report.is_null(), "{sheet}: {name}: {}", contact["problem"]);
+            let [mass, of_urdf] = [report, again].map(|report| number(report, "effective_mass"));
+            assert!((mass / of_urdf - 1.0).abs() < 1e-9, "{sheet}: {name}: {mass}, {of_urdf}");
+            if contact["kind"] != "stop" {
+                continue;
+            }
+            stops += 1;
+            let named = &report["named_contact"];
+            assert!(number(named, "gap").abs() < 1e-10, "{sheet}: {name}");
+            assert_eq!(named["brought_to_touch"], true, "{sheet}: {name}");
+            // On an axle, both wheels have the same travel.
+            let pose = folder.write("pose.json", &report.to_string());
+            let side = ["_left", "_right"].into_iter().find(|side| name.ends_with(side)).unwrap_or_default();
+            let stop = name.trim_end_matches(side);
+            let line = format!(
+                "mass {sheet} --pose {pose} --link {stop}_pad{side} --point 0,0,0 --normal {} --normal-frame world \
+                 --against chassis --format json",
+                report["contact"]["normal_world"].to_string().trim_matches(['[', ']']).replace(' ', "")
+            );
+            let by_hand = number(&json(&line), "effective_mass");
+            assert!((mass / by_hand - 1.0).abs() < 1e-9, "{line}: {mass}, {by_hand}");
+        }
+    }
+    // Ten sheets with one side and three axles with both; two stops on each side.
+    assert_eq!(stops, 2 * 10 + 4 * 3);
+}

@@ -1,0 +1,34 @@
+//! Pose at which a stop touches.
+
+use crate::question::error::StudyError;
+use crate::question::mass_question::MassQuestion;
+use percuss_dynamics::{Gap, Pose};
+use percuss_mechanism::{Mechanism, NamedContact};
+
+/// Endings of the names of both sides of a vehicle.
+const SIDES: [[&str; 2]; 2] = [["_left", "_right"], ["_right", "_left"]];
+
+/// Stops that touch at the pose of a question, with their gaps: the stop of the question and, on a vehicle with both
+/// sides, the same stop of the other side, because both wheels move up together. Empty if the contact of the question
+/// is no stop, or if the question gives the pose by a travel or a file.
+pub(crate) fn touching_stops<'m>(
+    mechanism: &'m Mechanism,
+    question: &MassQuestion,
+    start: &Pose,
+) -> Result<Vec<(&'m NamedContact, Gap)>, StudyError> {
+    if question.gives_pose() {
+        return Ok(Vec::new());
+    }
+    let Some(contact) = question.named_contact(mechanism)? else { return Ok(Vec::new()) };
+    let stops = [Some(contact), other_side(mechanism, contact)];
+    let with_gap = |stop: &'m NamedContact| Some((stop, Gap::new(start, stop)?));
+    Ok(stops.into_iter().flatten().filter_map(with_gap).collect())
+}
+
+/// Contact of the same name on the other side of the vehicle.
+pub(crate) fn other_side<'m>(mechanism: &'m Mechanism, contact: &NamedContact) -> Option<&'m NamedContact> {
+    let name = SIDES
+        .into_iter()
+        .find_map(|[own, other]| Some(format!("{}{other}", contact.name().strip_suffix(own)?)))?;
+    mechanism.find_contact(&name).ok()
+}
