@@ -11,8 +11,8 @@ use crate::reading::limits::{
 };
 use crate::reading::report::{Place, Report};
 
-/// True if the text is within the bounds; otherwise reports the excess.
-pub(crate) fn check(text: &str, report: &mut Report) -> bool {
+/// True if the XML text is within the bounds; otherwise reports the exceeded bound.
+pub(crate) fn check_bounds(text: &str, report: &mut Report) -> bool {
     let mut scanner = Scan { bytes: text.as_bytes(), position: 0, ..Scan::default() };
     match scanner.scan_text() {
         Ok(()) => true,
@@ -23,7 +23,7 @@ pub(crate) fn check(text: &str, report: &mut Report) -> bool {
     }
 }
 
-/// State of the scan.
+/// State of the scan: byte offset and counts.
 #[derive(Default)]
 struct Scan<'t> {
     bytes: &'t [u8],
@@ -33,6 +33,8 @@ struct Scan<'t> {
     attributes: usize,
     namespaces: usize,
     entities: usize,
+    /// Number of entity references.
+    references: usize,
     /// Length of the longest entity value, bytes.
     longest_entity: usize,
     /// True if an entity refers to another.
@@ -40,25 +42,24 @@ struct Scan<'t> {
 }
 
 impl Scan<'_> {
-    /// Scans the whole text. An error is the text of the exceeded bound; `position` is then its place.
+    /// Scans the whole text. An error names the exceeded bound; `position` is then the byte offset of the excess.
     fn scan_text(&mut self) -> Result<(), String> {
         let tags = self.bytes.iter().filter(|b| **b == b'<').count();
         if tags > MAX_NODES as usize {
             return Err(format!("{tags} tags; at most {MAX_NODES} are read"));
         }
-        let mut references = 0usize;
         while let Some(&byte) = self.bytes.get(self.position) {
             match byte {
-                b'<' => self.scan_markup(&mut references)?,
+                b'<' => self.scan_markup()?,
                 b'&' => {
-                    references += 1;
+                    self.references += 1;
                     self.position += 1;
                 }
                 _ => self.position += 1,
             }
         }
         let nested = if self.nested_entities { MAX_NESTED_REFERENCES } else { 1 };
-        let expanded = references.saturating_mul(nested).saturating_mul(self.longest_entity);
+        let expanded = self.references.saturating_mul(nested).saturating_mul(self.longest_entity);
         if self.entities > 0 && expanded > MAX_EXPANDED_BYTES {
             self.position = 0;
             return Err(
@@ -69,8 +70,8 @@ impl Scan<'_> {
         Ok(())
     }
 
-    /// Scans the markup that begins at the current position. `references` counts the entity references.
-    fn scan_markup(&mut self, references: &mut usize) -> Result<(), String> {
+    /// Scans the tag, comment, CDATA section, instruction or DOCTYPE at the current position.
+    fn scan_markup(&mut self) -> Result<(), String> {
         let rest = &self.bytes[self.position..];
         if rest.starts_with(b"<!--") {
             self.skip_past(4, b"-->");
@@ -84,12 +85,12 @@ impl Scan<'_> {
             self.depth = self.depth.saturating_sub(1);
             self.position += 2;
         } else {
-            self.scan_tag(references)?;
+            self.scan_tag()?;
         }
         Ok(())
     }
 
-    /// Advances past `end`, searched from `opening_length` bytes after the current position.
+    /// Advances past the next `end`, searched from `opening_length` bytes after the current position, or to the end of the text.
     fn skip_past(&mut self, opening_length: usize, end: &[u8]) {
         let from = (self.position + opening_length).min(self.bytes.len());
         let offset = self.bytes[from..].windows(end.len()).position(|w| w == end);
@@ -106,8 +107,8 @@ impl Scan<'_> {
         start..end
     }
 
-    /// Scans an opening tag with its attributes and updates the counts.
-    fn scan_tag(&mut self, references: &mut usize) -> Result<(), String> {
+    /// Scans an opening tag with its attributes, counts them and checks the counts.
+    fn scan_tag(&mut self) -> Result<(), String> {
         let start = self.position;
         let mut attributes = 0;
         let mut empty = false;
@@ -121,7 +122,7 @@ impl Scan<'_> {
                 }
                 b'"' | b'\'' => {
                     let value = self.skip_quoted();
-                    *references += self.bytes[value].iter().filter(|b| **b == b'&').count();
+                    self.references += self.bytes[value].iter().filter(|b| **b == b'&').count();
                 }
                 // Not well formed; the parser reports an error.
                 b'<' => break,
@@ -161,7 +162,7 @@ impl Scan<'_> {
         Ok(())
     }
 
-    /// Scans the document type declaration with its entities.
+    /// Scans the document type declaration and counts its entities; an entity that contains tags is an error.
     fn scan_doctype(&mut self) -> Result<(), String> {
         let mut in_entity = false;
         let mut in_subset = false;

@@ -66,7 +66,7 @@ pub fn load_file(path: &str) -> Result<Loaded, LoadError> {
 
 /// Builds the mechanism and the shapes of all links; `None` after an error in the report.
 fn build(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mechanism, Vec<Vec<Shape>>)> {
-    if !prescan::check(text, report) {
+    if !prescan::check_bounds(text, report) {
         return None;
     }
     let parsing = ParsingOptions { allow_dtd: true, nodes_limit: limits::MAX_NODES, entity_resolver: None };
