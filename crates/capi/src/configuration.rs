@@ -1,9 +1,9 @@
 //! Configurations: joint positions given by the user.
 
-use crate::arrays::{input, text};
-use crate::handle::{Exclusive, Handle, clear_handle, free, lock, object_of, write_handle};
+use crate::arrays::{input_slice, input_text};
+use crate::handle::{Exclusive, Handle, clear_handle, free_handle, lock_object, object_of, write_handle};
 use crate::model::{Model, percuss_model};
-use crate::status::{Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONDITIONS, guarded, percuss_status};
+use crate::status::{Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONDITIONS, guard_call, percuss_status};
 use percuss::spatial::Transform;
 use percuss::{Configuration, ConfigurationError};
 use std::ffi::c_char;
@@ -21,8 +21,8 @@ pub(crate) struct ModelConfiguration {
 }
 
 impl ModelConfiguration {
-    /// Refuses a configuration of another model.
-    pub fn check(&self, model: &Arc<Model>) -> Result<(), Failure> {
+    /// Error if the configuration belongs to another model.
+    pub fn check_model(&self, model: &Arc<Model>) -> Result<(), Failure> {
         if Arc::ptr_eq(&self.model, model) {
             return Ok(());
         }
@@ -48,7 +48,7 @@ pub unsafe extern "C" fn percuss_configuration_new(
     model: *const percuss_model,
     configuration: *mut *mut percuss_configuration,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(configuration)?;
         let model = Arc::clone(object_of(model)?);
         let values = Configuration::zero(&model.mechanism);
@@ -64,7 +64,7 @@ pub unsafe extern "C" fn percuss_configuration_new(
 pub unsafe extern "C" fn percuss_configuration_free(
     configuration: *mut *mut percuss_configuration,
 ) -> percuss_status {
-    guarded(|| free(configuration))
+    guard_call(|| free_handle(configuration))
 }
 
 /// Resets every joint to zero and removes all settings and guesses.
@@ -75,8 +75,8 @@ pub unsafe extern "C" fn percuss_configuration_free(
 pub unsafe extern "C" fn percuss_configuration_reset(
     configuration: *mut percuss_configuration,
 ) -> percuss_status {
-    guarded(|| {
-        let mut configuration_guard = lock(object_of(configuration)?, "percuss_configuration")?;
+    guard_call(|| {
+        let mut configuration_guard = lock_object(object_of(configuration)?, "percuss_configuration")?;
         configuration_guard.values = Configuration::zero(&configuration_guard.model.mechanism);
         Ok(())
     })
@@ -86,7 +86,7 @@ pub unsafe extern "C" fn percuss_configuration_reset(
 type JointSetter =
     for<'a> fn(&'a mut Configuration, &str, &[f64]) -> Result<&'a mut Configuration, ConfigurationError>;
 
-/// Passes the values of a joint to a setter of the locked configuration.
+/// Calls a setter of the configuration with a joint's name and values, under the lock of the handle.
 fn set_joint_values(
     handle: *mut percuss_configuration,
     joint: *const c_char,
@@ -94,10 +94,11 @@ fn set_joint_values(
     count: usize,
     set: JointSetter,
 ) -> percuss_status {
-    guarded(|| {
-        let (joint, values) = (text(joint, "joint")?, input(values, count, "values")?);
-        let mut configuration_guard = lock(object_of(handle)?, "percuss_configuration")?;
-        set(&mut configuration_guard.values, joint, values).map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
+    guard_call(|| {
+        let (joint, values) = (input_text(joint, "joint")?, input_slice(values, count, "values")?);
+        let mut configuration_guard = lock_object(object_of(handle)?, "percuss_configuration")?;
+        set(&mut configuration_guard.values, joint, values)
+            .map_err(Failure::with_status(PERCUSS_ERROR_CONDITIONS))?;
         Ok(())
     })
 }
@@ -148,11 +149,11 @@ pub unsafe extern "C" fn percuss_configuration_set_positions(
     positions: *const f64,
     count: usize,
 ) -> percuss_status {
-    guarded(|| {
-        let positions = input(positions, count, "positions")?;
-        let mut configuration_guard = lock(object_of(configuration)?, "percuss_configuration")?;
+    guard_call(|| {
+        let positions = input_slice(positions, count, "positions")?;
+        let mut configuration_guard = lock_object(object_of(configuration)?, "percuss_configuration")?;
         let found = Configuration::from_positions(&configuration_guard.model.mechanism, positions);
-        configuration_guard.values = found.map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
+        configuration_guard.values = found.map_err(Failure::with_status(PERCUSS_ERROR_CONDITIONS))?;
         Ok(())
     })
 }
@@ -170,20 +171,24 @@ pub unsafe extern "C" fn percuss_configuration_set_base(
     position: *const f64,
     quaternion: *const f64,
 ) -> percuss_status {
-    guarded(|| {
-        let x_wr = base_pose(position, quaternion)?;
-        let mut configuration_guard = lock(object_of(configuration)?, "percuss_configuration")?;
+    guard_call(|| {
+        let x_wr = read_base_pose(position, quaternion)?;
+        let mut configuration_guard = lock_object(object_of(configuration)?, "percuss_configuration")?;
         configuration_guard.values.set_base(x_wr);
         Ok(())
     })
 }
 
-/// Pose of a base from its origin (3 numbers) and its orientation (4 numbers).
-pub(crate) fn base_pose(position: *const f64, quaternion: *const f64) -> Result<Transform<f64>, Failure> {
+/// Transform X_wr from the root link to the world, from the origin (3 numbers, m) and the orientation (a quaternion w, x, y,
+/// z); an error if a number is not finite or the norm is not 1.
+pub(crate) fn read_base_pose(
+    position: *const f64,
+    quaternion: *const f64,
+) -> Result<Transform<f64>, Failure> {
     let (mut p, mut q) = ([0.0; 3], [0.0; 4]);
-    p.copy_from_slice(input(position, 3, "position")?);
-    q.copy_from_slice(input(quaternion, 4, "quaternion")?);
-    percuss::input::base_pose(p, q).map_err(Failure::of(PERCUSS_ERROR_ARGUMENT))
+    p.copy_from_slice(input_slice(position, 3, "position")?);
+    q.copy_from_slice(input_slice(quaternion, 4, "quaternion")?);
+    percuss::input::base_pose(p, q).map_err(Failure::with_status(PERCUSS_ERROR_ARGUMENT))
 }
 
 /// Accepts a pose on another assembly mode, beyond the reach of the branch of the first closed pose. Such a pose has
@@ -196,8 +201,8 @@ pub(crate) fn base_pose(position: *const f64, quaternion: *const f64) -> Result<
 pub unsafe extern "C" fn percuss_configuration_allow_other_assembly(
     configuration: *mut percuss_configuration,
 ) -> percuss_status {
-    guarded(|| {
-        lock(object_of(configuration)?, "percuss_configuration")?.values.allow_other_assembly();
+    guard_call(|| {
+        lock_object(object_of(configuration)?, "percuss_configuration")?.values.allow_other_assembly();
         Ok(())
     })
 }
