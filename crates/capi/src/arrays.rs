@@ -6,7 +6,7 @@ use crate::status::{
 };
 use std::ffi::{CStr, c_char};
 
-/// Slice of `length` values that the caller gives; an empty array may be null. `name` is the argument's name in messages.
+/// Slice of `length` values of the caller; an empty array may be null.
 #[inline]
 pub(crate) fn input_slice<'a, T>(values: *const T, length: usize, name: &str) -> Result<&'a [T], Failure> {
     check_array(values, length, name)?;
@@ -17,7 +17,7 @@ pub(crate) fn input_slice<'a, T>(values: *const T, length: usize, name: &str) ->
     Ok(unsafe { std::slice::from_raw_parts(values, length) })
 }
 
-/// Mutable slice of `length` values of the caller for results; an empty array may be null.
+/// Mutable slice of `length` values of the caller; an empty array may be null.
 pub(crate) fn output_slice<'a, T>(values: *mut T, length: usize, name: &str) -> Result<&'a mut [T], Failure> {
     check_array(values, length, name)?;
     if length == 0 {
@@ -37,7 +37,7 @@ pub(crate) fn optional_output_slice<'a, T>(
     if values.is_null() { Ok(None) } else { output_slice(values, length, name).map(Some) }
 }
 
-/// Error unless a pointer to `length` values is not null, aligned, and the values are no larger than memory.
+/// Checks a pointer to `length` values: not null, aligned, at most the size of memory.
 #[inline]
 fn check_array<T>(values: *const T, length: usize, name: &str) -> Result<(), Failure> {
     let fits = length <= isize::MAX as usize / size_of::<T>().max(1);
@@ -48,7 +48,7 @@ fn check_array<T>(values: *const T, length: usize, name: &str) -> Result<(), Fai
     }
 }
 
-/// Error of an invalid array; no error for an empty array with a null pointer. `fits`: no larger than memory.
+/// Error of an invalid array; no error for an empty array with a null pointer.
 #[cold]
 fn array_failure<T>(values: *const T, length: usize, fits: bool, name: &str) -> Result<(), Failure> {
     if !fits {
@@ -93,7 +93,7 @@ impl ByteRange {
     }
 }
 
-/// Error if a byte range of results overlaps another one, or a byte range of input.
+/// Refuses output ranges that overlap each other or an input range.
 #[inline]
 pub(crate) fn refuse_overlaps(written: &[ByteRange], read: &[ByteRange]) -> Result<(), Failure> {
     for (i, own) in written.iter().enumerate() {
@@ -113,7 +113,7 @@ fn overlap_failure(written: &str, other: &str) -> Failure {
     Failure::new(PERCUSS_ERROR_OVERLAP, message)
 }
 
-/// Error if the length `got` of an array of the caller is not `expected`.
+/// Refuses an array of the wrong length.
 pub(crate) fn expect_length(got: usize, expected: usize, name: &str) -> Result<(), Failure> {
     if got == expected {
         return Ok(());
@@ -122,7 +122,7 @@ pub(crate) fn expect_length(got: usize, expected: usize, name: &str) -> Result<(
     Err(Failure::new(PERCUSS_ERROR_LENGTH, message))
 }
 
-/// Copies results to an array of the caller of `length` values; another length than that of the results is an error.
+/// Copies values to an array of the caller, whose length must match.
 pub(crate) fn copy_to_caller(from: &[f64], to: *mut f64, length: usize, name: &str) -> Result<(), Failure> {
     expect_length(length, from.len(), name)?;
     output_slice(to, length, name)?.copy_from_slice(from);
@@ -139,7 +139,7 @@ pub(crate) fn input_text<'a>(text: *const c_char, name: &str) -> Result<&'a str,
     text.to_str().map_err(|_| Failure::new(PERCUSS_ERROR_TEXT, format_args!("{name} is not UTF-8")))
 }
 
-/// Value of the enumeration constant `number` of C, which counts `values` from 0; an error if out of range.
+/// Value of an enumeration constant of C, which numbers `values` from 0.
 pub(crate) fn enumeration_value<T: Copy>(values: &[T], number: i32, name: &str) -> Result<T, Failure> {
     usize::try_from(number).ok().and_then(|at| values.get(at)).copied().ok_or_else(|| {
         let most = values.len() - 1;

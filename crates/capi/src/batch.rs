@@ -96,7 +96,7 @@ pub unsafe extern "C" fn percuss_workspace_batch(
 }
 
 impl ThreadedBatch {
-    /// Creates a batch with its threads; `positions` is the number of joint positions of a configuration.
+    /// Batch with its own threads; `positions` is the number of joint positions of a configuration.
     fn new(batch: Batch, positions: usize, threads: usize) -> Result<Self, Failure> {
         if threads > MAX_THREADS {
             let message = format_args!("threads is {threads}; expected at most {MAX_THREADS}");
@@ -220,8 +220,7 @@ pub unsafe extern "C" fn percuss_batch_run(
 }
 
 impl ThreadedBatch {
-    /// Thread pool of the batch; `None` for the calling thread. An error in a forked process, which has none of its parent's
-    /// threads and would wait for them forever.
+    /// Thread pool; `None` for the calling thread. A forked process has none of its parent's threads and would wait forever.
     fn thread_pool(&self) -> Result<Option<&ThreadPool>, Failure> {
         let Some((process, pool)) = &self.pool else { return Ok(None) };
         if *process == std::process::id() {
@@ -232,7 +231,7 @@ impl ThreadedBatch {
         Err(Failure::new(PERCUSS_ERROR_HANDLE, message))
     }
 
-    /// Error if an array of `length` positions is too small for `count` configurations in this layout, or the layout is unknown.
+    /// Refuses a `length` that is too small for the configurations, and an unknown layout.
     fn check_layout(&self, length: usize, layout: i32, stride: usize, count: usize) -> Result<(), Failure> {
         let (outer, inner) = match layout {
             PERCUSS_ROW_MAJOR => (count, self.positions),

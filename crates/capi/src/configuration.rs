@@ -21,7 +21,7 @@ pub(crate) struct ModelConfiguration {
 }
 
 impl ModelConfiguration {
-    /// Error if the configuration belongs to another model.
+    /// Refuses a configuration of another model.
     pub fn check_model(&self, model: &Arc<Model>) -> Result<(), Failure> {
         if Arc::ptr_eq(&self.model, model) {
             return Ok(());
@@ -86,7 +86,7 @@ pub unsafe extern "C" fn percuss_configuration_reset(
 type JointSetter =
     for<'a> fn(&'a mut Configuration, &str, &[f64]) -> Result<&'a mut Configuration, ConfigurationError>;
 
-/// Calls a setter of the configuration with a joint's name and values, under the lock of the handle.
+/// Passes the values of a joint to a setter of the locked configuration.
 fn set_joint_values(
     handle: *mut percuss_configuration,
     joint: *const c_char,
@@ -179,8 +179,7 @@ pub unsafe extern "C" fn percuss_configuration_set_base(
     })
 }
 
-/// Transform X_wr from the root link to the world, from the origin (3 numbers, m) and the orientation (a quaternion w, x, y,
-/// z); an error if a number is not finite or the norm is not 1.
+/// Transform X_wr, root link to world, from its origin (3 numbers, m) and its orientation (quaternion w, x, y, z).
 pub(crate) fn read_base_pose(
     position: *const f64,
     quaternion: *const f64,

@@ -71,7 +71,7 @@ pub unsafe extern "C" fn percuss_contact_init(contact: *mut percuss_contact) -> 
 }
 
 impl percuss_contact {
-    /// Contact on a model: link numbers become links of the mechanism; an error if a link is not set or does not exist.
+    /// Contact on a model; refuses links that are not set or do not exist.
     #[inline]
     pub(crate) fn resolve(&self, model: &Model) -> Result<Contact, Failure> {
         let vector = Vector3::from(self.normal);
@@ -97,13 +97,13 @@ impl percuss_contact {
     }
 }
 
-/// Link number `number` of a model; an error if the field is not set or the number does not exist.
+/// Link with this number; `field` names it in messages.
 #[inline]
 fn contact_link(model: &Model, number: usize, field: &str) -> Result<LinkId, Failure> {
     if number == PERCUSS_NO_LINK { Err(unset_link_failure(field)) } else { model.link_id(number) }
 }
 
-/// Error of a contact whose link in this field is not set.
+/// Error of a contact whose link was not set.
 #[cold]
 fn unset_link_failure(field: &str) -> Failure {
     let message =
@@ -202,7 +202,7 @@ pub struct percuss_mass {
     pub error_file: f64,
 }
 
-/// Outcome as a constant of C, and m̄ in kg; NaN unless finite.
+/// Outcome, and m̄ in kg, or NaN.
 #[inline]
 pub(crate) fn outcome_and_value(mass: EffectiveMass) -> (percuss_outcome, f64) {
     match mass {
@@ -217,7 +217,7 @@ pub(crate) fn remark_bits(remarks: &[Remark]) -> u32 {
     remarks.iter().collect::<RemarkFlags>().bits()
 }
 
-/// m̄, its error and the remarks of a response, as a struct of C.
+/// m̄, its error and the remarks, for C.
 pub(crate) fn mass_summary(response: &ContactResponse) -> percuss_mass {
     let (outcome, effective_mass) = outcome_and_value(response.effective_mass);
     let budget = response.error.unwrap_or(ErrorBudget { rounding: None, closing: None, file: None });
@@ -238,7 +238,7 @@ pub(crate) fn mass_summary(response: &ContactResponse) -> percuss_mass {
     }
 }
 
-/// Route of a constant PERCUSS_ROUTE_…; an error for another number.
+/// Route of a constant PERCUSS_ROUTE_….
 pub(crate) fn parse_route(route: percuss_route) -> Result<RouteChoice, Failure> {
     let choices = [RouteChoice::Auto, RouteChoice::Only(Route::Dense), RouteChoice::Only(Route::Articulated)];
     enumeration_value(&choices, route, "route")

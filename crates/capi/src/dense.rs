@@ -100,7 +100,7 @@ pub unsafe extern "C" fn percuss_matrix_options_init(options: *mut percuss_matri
 }
 
 impl percuss_matrix_options {
-    /// Options of the library, without the characteristic lengths. The computation refuses values out of range.
+    /// Options without characteristic lengths. Values out of range are refused later.
     #[allow(clippy::float_cmp, reason = "the default is one certain number")]
     fn to_options_without_lengths<'a>(&self) -> MatrixOptions<'a> {
         let given = |value: f64| (value != PERCUSS_DEFAULT).then_some(value);
@@ -125,7 +125,7 @@ impl percuss_matrix_options {
     }
 }
 
-/// View of a matrix of the caller, without a copy; an error for a wrong shape or layout.
+/// View of a matrix of the caller, without a copy; refuses a wrong shape or layout.
 fn matrix_view<'a>(matrix: &percuss_matrix, name: &str) -> Result<MatrixView<'a>, Failure> {
     let values: &'a [f64] = input_slice(matrix.values, matrix.length, name)?;
     let percuss_matrix { rows, columns, leading_dimension, layout, .. } = *matrix;
@@ -142,7 +142,7 @@ fn matrix_view<'a>(matrix: &percuss_matrix, name: &str) -> Result<MatrixView<'a>
     view.map_err(|error: LayoutError| Failure::new(PERCUSS_ERROR_LENGTH, format_args!("{name}: {error}")))
 }
 
-/// Error of C for an error of the matrices.
+/// Failure with the status for the kind of the error.
 fn matrix_failure(error: MatrixError) -> Failure {
     let status = match &error {
         MatrixError::Shape { .. } | MatrixError::LengthCount { .. } => PERCUSS_ERROR_LENGTH,

@@ -12,7 +12,7 @@
 pub(crate) struct DefaultEnvironment(Option<control::Register>);
 
 impl DefaultEnvironment {
-    /// Sets the default environment, if another one is set, and stores the environment of the caller.
+    /// Sets the default environment, if it differs, and keeps that of the caller.
     #[inline]
     pub fn enter() -> Self {
         let found = control::read_register();
@@ -43,7 +43,7 @@ mod control {
     /// Exception flags: they persist while no trap is enabled.
     pub const FLAGS: u32 = 0x3f;
 
-    /// Bits of the floating-point control register of this thread.
+    /// Bits of the floating-point control register.
     #[inline]
     pub fn read_register() -> u32 {
         let mut register = 0_u32;
@@ -52,7 +52,7 @@ mod control {
         register
     }
 
-    /// Sets the bits of the floating-point control register of this thread.
+    /// Sets the floating-point control register.
     #[inline]
     pub fn write_register(register: u32) {
         // SAFETY: the instruction loads four bytes from a local number, a value of this register or its default: no
@@ -71,7 +71,7 @@ mod control {
     /// The flags are in a separate register.
     pub const FLAGS: u64 = 0;
 
-    /// Bits of the floating-point control register of this thread.
+    /// Bits of the floating-point control register.
     #[inline]
     pub fn read_register() -> u64 {
         let register: u64;
@@ -80,7 +80,7 @@ mod control {
         register
     }
 
-    /// Sets the bits of the floating-point control register of this thread.
+    /// Sets the floating-point control register.
     #[inline]
     pub fn write_register(register: u64) {
         // SAFETY: a value of this register, or its default.
@@ -95,7 +95,7 @@ mod control {
     pub const DEFAULT: u32 = 0;
     pub const FLAGS: u32 = 0;
 
-    /// Bits of the floating-point control register of this thread.
+    /// Bits of the floating-point control register.
     #[inline]
     pub fn read_register() -> u32 {
         DEFAULT

@@ -29,7 +29,7 @@ struct Tagged<T> {
     object: T,
 }
 
-/// Mutable reference to the value behind a pointer argument; an error if the pointer is null or misaligned.
+/// Mutable reference to the value of a pointer argument.
 #[inline]
 pub(crate) fn argument_mut<'a, T>(pointer: *mut T, name: &str) -> Result<&'a mut T, Failure> {
     check_pointer(pointer, name)?;
@@ -37,14 +37,14 @@ pub(crate) fn argument_mut<'a, T>(pointer: *mut T, name: &str) -> Result<&'a mut
     Ok(unsafe { &mut *pointer })
 }
 
-/// Copy of the value behind a pointer argument; an error if the pointer is null or misaligned.
+/// Copy of the value of a pointer argument.
 pub(crate) fn read_argument<T: Copy>(pointer: *const T, name: &str) -> Result<T, Failure> {
     check_pointer(pointer, name)?;
     // SAFETY: as above; T is a type of plain numbers, which have no invalid bit pattern.
     Ok(unsafe { *pointer })
 }
 
-/// Shared reference to the value behind a pointer argument; an error if the pointer is null or misaligned.
+/// Shared reference to the value of a pointer argument.
 #[inline]
 pub(crate) fn argument_ref<'a, T: Copy>(pointer: *const T, name: &str) -> Result<&'a T, Failure> {
     check_pointer(pointer, name)?;
@@ -57,7 +57,7 @@ pub(crate) fn read_optional_argument<T: Copy>(pointer: *const T, name: &str) -> 
     if pointer.is_null() { Ok(None) } else { read_argument(pointer, name).map(Some) }
 }
 
-/// Error if a pointer is null or misaligned.
+/// Refuses a null or misaligned pointer.
 #[inline]
 fn check_pointer<T>(pointer: *const T, name: &str) -> Result<(), Failure> {
     if pointer.is_null() || !pointer.is_aligned() {
@@ -81,13 +81,13 @@ pub(crate) fn write_handle<H: Handle>(object: H::Object, to: *mut *mut H) -> Res
     Ok(())
 }
 
-/// Sets the caller's new handle to null, so that a failed call leaves a null handle.
+/// Sets the new handle to null, so that a failed call leaves a null handle.
 pub(crate) fn clear_handle<H: Handle>(to: *mut *mut H) -> Result<(), Failure> {
     *argument_mut(to, "the place for the new handle")? = std::ptr::null_mut();
     Ok(())
 }
 
-/// Pointer to the object of a handle; an error unless the tag is that of the handle type.
+/// Pointer to the object of a handle, after a check of its tag.
 #[inline]
 fn checked_object<H: Handle>(handle: *const H) -> Result<*const Tagged<H::Object>, Failure> {
     let pointer: *const Tagged<H::Object> = handle.cast();
@@ -98,7 +98,7 @@ fn checked_object<H: Handle>(handle: *const H) -> Result<*const Tagged<H::Object
     if tag == H::TAG { Ok(pointer) } else { Err(handle_failure(tag, H::NAME)) }
 }
 
-/// Error of a handle with the tag `tag`: freed before, or of another type.
+/// Error of a handle with another tag: freed before, or of another type.
 #[cold]
 fn handle_failure(tag: u64, name: &str) -> Failure {
     match tag {
@@ -107,7 +107,7 @@ fn handle_failure(tag: u64, name: &str) -> Failure {
     }
 }
 
-/// Object of a handle; an error if the handle is null, freed or of another type.
+/// Object of a handle, after a check of its tag.
 #[inline]
 pub(crate) fn object_of<'a, H: Handle>(handle: *const H) -> Result<&'a H::Object, Failure> {
     let pointer = checked_object(handle)?;
@@ -148,7 +148,6 @@ struct Guarded<T> {
 pub(crate) struct ExclusiveGuard<'a, T>(Locked<'a, Guarded<T>>);
 
 impl<T> Exclusive<T> {
-    /// Wraps an object, unlocked.
     pub fn new(object: T) -> Self {
         Self(TryLock::new(Guarded { broken: false, object }))
     }
@@ -179,7 +178,7 @@ impl<T> Drop for ExclusiveGuard<'_, T> {
     }
 }
 
-/// Locks a mutable object for one call; an error if another call uses it, or if a call panicked while it used the object.
+/// Locks a mutable object for one call; fails if another call uses it or a panic left it unusable.
 #[inline]
 pub(crate) fn lock_object<'a, T>(
     object: &'a Exclusive<T>,

@@ -93,13 +93,13 @@ const NAMES: [&CStr; Law::ALL.len()] = [
     c"exudyn-mixed",
 ];
 
-/// The result, with the error of a contact law as an error of C (PERCUSS_ERROR_LAW).
+/// Converts the error of a contact law to a failure with PERCUSS_ERROR_LAW.
 fn with_law_status<T>(result: Result<T, ContactLawError>) -> Result<T, Failure> {
     result.map_err(Failure::with_status(PERCUSS_ERROR_LAW))
 }
 
 impl percuss_spring {
-    /// Compliant contact of the library with this mass, stiffness and exponent; an error for numbers out of range.
+    /// Compliant contact with this mass, stiffness and exponent; checks the numbers.
     fn to_contact(&self) -> Result<CompliantContact, Failure> {
         let linear = with_law_status(CompliantContact::new(self.effective_mass, self.stiffness))?;
         with_law_status(linear.with_exponent(self.exponent))
@@ -107,7 +107,7 @@ impl percuss_spring {
 }
 
 impl percuss_damper {
-    /// Struct of C for a damper of the library; NaN for coefficients that the kind of damper does not have.
+    /// Damper for C; NaN for coefficients of the other kind.
     fn from_damper(damper: Damper) -> Self {
         match damper {
             Damper::KelvinVoigt { ratio, coefficient, separation } => Self {
@@ -130,7 +130,7 @@ impl percuss_damper {
         }
     }
 
-    /// Damper of the library on this contact; an error for numbers out of range.
+    /// Damper on this contact: its force depends on the coefficient.
     fn to_damper(&self, contact: CompliantContact) -> Result<Damper, Failure> {
         let kinds = [PERCUSS_DAMPER_KELVIN_VOIGT, PERCUSS_DAMPER_HUNT_CROSSLEY];
         match enumeration_value(&kinds, self.kind, "kind of the damper")? {

@@ -116,7 +116,7 @@ pub struct percuss_diagnostic {
 }
 
 impl DiagnosticTexts {
-    /// Zero-terminated texts and numbers of a diagnostic for C; unknown positions are 0.
+    /// Diagnostic for C; unknown positions are 0.
     fn from_diagnostic(diagnostic: &Diagnostic) -> Self {
         Self {
             severity: match diagnostic.severity {
@@ -133,7 +133,7 @@ impl DiagnosticTexts {
 }
 
 impl Model {
-    /// Reads a model from URDF, and makes the zero-terminated texts for C.
+    /// Reads a URDF and prepares its names and texts for C.
     fn load(source: &Source) -> Result<Arc<Self>, Failure> {
         let loaded =
             load(source, &LoadOptions::default()).map_err(Failure::with_status(PERCUSS_ERROR_LOAD))?;
@@ -156,7 +156,7 @@ impl Model {
         }))
     }
 
-    /// Id of the link with this number, from 0; an error if there is no such link.
+    /// Id of link number `index`, from 0.
     pub fn link_id(&self, index: usize) -> Result<LinkId, Failure> {
         element_at(&self.links, index, "link").copied()
     }

@@ -3,12 +3,12 @@
 use crate::status::{Failure, PERCUSS_ERROR_NAME};
 use std::ffi::CString;
 
-/// Zero-terminated copy of a text; zero bytes in the text, which no valid name has, are replaced by U+FFFD.
+/// Zero-terminated text; zero bytes inside, which no valid name has, are replaced.
 pub(crate) fn c_string(text: &str) -> CString {
     CString::new(text.replace('\0', "\u{fffd}")).unwrap_or_default()
 }
 
-/// Element of a list by its index, from 0; an error with `kind`, the word for an element, if there is no such element.
+/// Element number `index`, from 0; `kind` names the element in messages.
 pub(crate) fn element_at<'a, T>(list: &'a [T], index: usize, kind: &str) -> Result<&'a T, Failure> {
     list.get(index).ok_or_else(|| {
         let message = format_args!("there is no {kind} number {index}; there are {}, from 0", list.len());

@@ -133,7 +133,7 @@ pub unsafe extern "C" fn percuss_pose_positions(
     guard_call(|| copy_to_caller(object_of(pose)?.pose.positions(), positions, count, "positions"))
 }
 
-/// Effective mass, error and motion at a pose for a contact, computed by the method `route` (PERCUSS_ROUTE_…).
+/// m̄, its error and v* at a pose for a contact; `route` is PERCUSS_ROUTE_….
 fn compute_response(
     posed: &NamedPose,
     contact: *const percuss_contact,
@@ -185,8 +185,7 @@ pub unsafe extern "C" fn percuss_pose_respond(
     })
 }
 
-/// Copies a matrix to an array of the caller of `length` numbers; an error if the leading dimension or the array is too
-/// small.
+/// Copies a matrix to an array of the caller; refuses one that is too small.
 fn copy_matrix_to_caller(
     matrix: &DMatrix<f64>,
     values: *mut f64,

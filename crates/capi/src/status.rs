@@ -52,12 +52,11 @@ pub(crate) struct Failure {
 }
 
 impl Failure {
-    /// Failure with a status and a message.
     pub fn new(status: percuss_status, message: impl Display) -> Self {
         Self { status, message: message.to_string() }
     }
 
-    /// Conversion for `map_err`: a failure with this status and the message of the error.
+    /// Conversion for `map_err`: this status with the error's own message.
     pub fn with_status<E: Display>(status: percuss_status) -> impl Fn(E) -> Self {
         move |error| Self::new(status, error)
     }
@@ -67,8 +66,8 @@ thread_local! {
     static MESSAGE: RefCell<CString> = RefCell::default();
 }
 
-/// Runs the body of a C function in the default floating-point environment; stores the message of a failure for this thread
-/// and returns the status. A panic, which is a defect, does not unwind into C.
+/// Runs a call in the default floating-point environment and keeps the message of a failure for this thread. A panic,
+/// which is a defect, does not unwind into C.
 #[inline]
 pub(crate) fn guard_call(call: impl FnOnce() -> Result<(), Failure>) -> percuss_status {
     let _environment = DefaultEnvironment::enter();
@@ -81,7 +80,7 @@ pub(crate) fn guard_call(call: impl FnOnce() -> Result<(), Failure>) -> percuss_
     }
 }
 
-/// Stores the message of a failure for this thread and returns the status.
+/// Keeps the message for this thread and returns the status.
 #[cold]
 fn record_failure(failure: Failure) -> percuss_status {
     let message = CString::new(failure.message.replace('\0', "\u{fffd}")).unwrap_or_default();

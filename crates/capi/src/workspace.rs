@@ -155,7 +155,7 @@ struct ResultPointers<'a> {
 }
 
 impl ResultPointers<'_> {
-    /// Byte ranges of the results, for the check of overlaps.
+    /// Memory ranges of the outputs, for the check of overlaps.
     #[inline]
     fn byte_ranges(outcome: *const percuss_outcome, mass: *const f64, remarks: *const u32) -> [ByteRange; 3] {
         [
@@ -165,7 +165,7 @@ impl ResultPointers<'_> {
         ]
     }
 
-    /// References to the places of the results; an error for a null or misaligned pointer. `remarks` may be null.
+    /// References to the outputs; `remarks` may be null.
     #[inline]
     fn from_pointers(
         outcome: *mut percuss_outcome,
@@ -182,7 +182,7 @@ impl ResultPointers<'_> {
 }
 
 impl ModelWorkspace {
-    /// Computes m̄ of a contact at the workspace's positions and writes the results. Keeps the last contact with its link ids.
+    /// Computes m̄ of a contact at the workspace's positions and writes the results. The last contact is kept resolved.
     #[inline]
     fn write_effective_mass(
         &mut self,
@@ -203,7 +203,7 @@ impl ModelWorkspace {
     }
 }
 
-/// Error of C for an error of the response.
+/// Failure with the status for the kind of the error.
 fn response_failure(error: ResponseError) -> Failure {
     let status = match &error {
         ResponseError::NotFinite { .. } | ResponseError::Quaternion { .. } => PERCUSS_ERROR_ARGUMENT,

@@ -11,7 +11,7 @@ use crate::reading::limits::{
 };
 use crate::reading::report::{Place, Report};
 
-/// True if the XML text is within the bounds; otherwise reports the exceeded bound.
+/// True if the text is within the bounds; otherwise reports the excess.
 pub(crate) fn check_bounds(text: &str, report: &mut Report) -> bool {
     let mut scanner = Scan { bytes: text.as_bytes(), position: 0, ..Scan::default() };
     match scanner.scan_text() {
@@ -23,7 +23,7 @@ pub(crate) fn check_bounds(text: &str, report: &mut Report) -> bool {
     }
 }
 
-/// State of the scan: byte offset and counts.
+/// State of the scan.
 #[derive(Default)]
 struct Scan<'t> {
     bytes: &'t [u8],
@@ -33,7 +33,6 @@ struct Scan<'t> {
     attributes: usize,
     namespaces: usize,
     entities: usize,
-    /// Number of entity references.
     references: usize,
     /// Length of the longest entity value, bytes.
     longest_entity: usize,
@@ -42,7 +41,7 @@ struct Scan<'t> {
 }
 
 impl Scan<'_> {
-    /// Scans the whole text. An error names the exceeded bound; `position` is then the byte offset of the excess.
+    /// Scans the whole text. An error names the exceeded bound, at the byte offset `position`.
     fn scan_text(&mut self) -> Result<(), String> {
         let tags = self.bytes.iter().filter(|b| **b == b'<').count();
         if tags > MAX_NODES as usize {
@@ -90,7 +89,7 @@ impl Scan<'_> {
         Ok(())
     }
 
-    /// Advances past the next `end`, searched from `opening_length` bytes after the current position, or to the end of the text.
+    /// Advances past `end`, searched from `opening_length` bytes after the current position.
     fn skip_past(&mut self, opening_length: usize, end: &[u8]) {
         let from = (self.position + opening_length).min(self.bytes.len());
         let offset = self.bytes[from..].windows(end.len()).position(|w| w == end);
@@ -107,7 +106,7 @@ impl Scan<'_> {
         start..end
     }
 
-    /// Scans an opening tag with its attributes, counts them and checks the counts.
+    /// Scans an opening tag and its attributes.
     fn scan_tag(&mut self) -> Result<(), String> {
         let start = self.position;
         let mut attributes = 0;
@@ -162,7 +161,7 @@ impl Scan<'_> {
         Ok(())
     }
 
-    /// Scans the document type declaration and counts its entities; an entity that contains tags is an error.
+    /// Scans the document type declaration; an entity that contains tags is an error.
     fn scan_doctype(&mut self) -> Result<(), String> {
         let mut in_entity = false;
         let mut in_subset = false;

@@ -1,4 +1,6 @@
 //! Collection of findings while a file is read: bounded in number, with positions computed at the end.
+//!
+//! Functions with a `Report` parameter add every defect to the report, and then return `None`, a default or an empty text.
 
 use crate::Diagnostic;
 use crate::reading::limits::{MAX_COLUMN_OFFSET, MAX_QUOTED_CHARACTERS, MAX_REPEATED_KINDS, MOST_FINDINGS};
@@ -40,7 +42,7 @@ pub struct Report {
     is_xacro: bool,
 }
 
-/// Index of a severity in `Report::counts`.
+/// Index in `Report::counts`.
 fn severity_index(severity: Severity) -> usize {
     match severity {
         Severity::Error => 0,
@@ -50,7 +52,7 @@ fn severity_index(severity: Severity) -> usize {
 }
 
 impl Report {
-    /// Adds a finding. Beyond the limit per severity, it is only counted, and the message is not formatted.
+    /// Adds a finding; beyond the limit, the finding is only counted.
     pub fn add(
         &mut self,
         severity: Severity,
@@ -135,8 +137,7 @@ impl Report {
         self.counts[severity_index(Severity::Error)] > 0
     }
 
-    /// Converts the findings to diagnostics of the file `path`, in the order of the file, findings without a position first.
-    /// `text` converts byte offsets to lines; the numbers of findings beyond the limit come last.
+    /// Converts the findings to diagnostics in the order of the file, findings without a position first.
     pub fn finish(mut self, path: &str, text: &str) -> Vec<Diagnostic> {
         self.findings.sort_by_key(|finding| finding.offset);
         let mut line_counter = LineCounter { text: text.as_bytes(), position: 0, line: 1, line_start: 0 };
@@ -184,8 +185,7 @@ struct LineCounter<'t> {
 }
 
 impl LineCounter<'_> {
-    /// Line and column of a byte offset, both from 1; the column is `None` beyond `MAX_COLUMN_OFFSET`. Offsets must not
-    /// decrease between calls.
+    /// Line and column of a byte offset, both from 1; `None` for a column far into a line. Offsets must not decrease.
     fn advance_to(&mut self, offset: usize) -> (u32, Option<u32>) {
         let offset = offset.min(self.text.len());
         while self.position < offset {
@@ -231,7 +231,7 @@ pub fn shortened(text: &str) -> String {
     cut(text, MAX_QUOTED_CHARACTERS)
 }
 
-/// Text on one line, truncated to `longest` characters and an ellipsis.
+/// Text on one line, truncated to `longest` characters.
 pub fn cut(text: &str, longest: usize) -> String {
     let printable = |c: char| if c.is_control() { ' ' } else { c };
     match text.char_indices().nth(longest) {

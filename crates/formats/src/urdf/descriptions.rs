@@ -6,13 +6,13 @@ use crate::urdf::elements::numbers::parse_numbers;
 use nalgebra::Matrix3;
 use percuss_mechanism::{Inertial, JointDescription, Limits, LinkDescription, MimicDescription};
 
-/// Converts the contents of a `<link>`, whose numbers are checked, to a description for the builder.
+/// Description of a link for the builder.
 pub(crate) fn describe_link(text: &LinkText<'_>) -> LinkDescription {
     let inertial = text.inertial.as_ref().map(convert_inertial);
     LinkDescription { name: text.name.to_owned(), inertial, geometry: text.geometry }
 }
 
-/// Converts mass, centre of mass and inertia about it; the inertia is expressed in the axes of the link.
+/// Mass, centre of mass and inertia about the centre, in the axes of the link.
 fn convert_inertial(text: &InertialText<'_>) -> Inertial {
     let [ixx, ixy, ixz, iyy, iyz, izz] = text.moments.map(parse_checked_number);
     let tensor = Matrix3::new(ixx, ixy, ixz, ixy, iyy, iyz, ixz, iyz, izz);
@@ -23,7 +23,7 @@ fn convert_inertial(text: &InertialText<'_>) -> Inertial {
     Inertial { mass: parse_checked_number(text.mass), com: origin.translation, about_com }
 }
 
-/// Converts the contents of a `<joint>`, whose numbers are checked, to a description for the builder.
+/// Description of a joint for the builder.
 pub(crate) fn describe_joint(text: &JointText<'_>) -> JointDescription {
     let mimic = text.mimic.as_ref().map(|text| MimicDescription {
         joint: text.joint.to_owned(),
@@ -47,7 +47,6 @@ pub(crate) fn describe_joint(text: &JointText<'_>) -> JointDescription {
     }
 }
 
-/// Number in a text that was checked before.
 fn parse_checked_number(text: &str) -> f64 {
     let [value] = parse_numbers(text).unwrap_or_default();
     value

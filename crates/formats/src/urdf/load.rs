@@ -64,7 +64,7 @@ pub fn load_file(path: &str) -> Result<Loaded, LoadError> {
     load(&Source::read(path, DEFAULT_MAX_SIZE)?, &LoadOptions::default())
 }
 
-/// Parses the text, and builds the mechanism and the shapes of all links; `None` after a reported error.
+/// Builds the mechanism and the shapes of all links; `None` after an error.
 fn build_mechanism(
     text: &str,
     options: &LoadOptions,
@@ -143,7 +143,7 @@ fn known_warnings<'a>(document: &'a Document<'_>) -> HashSet<(&'a str, &'a str)>
     known.filter(|(code, _)| *code == KNOWN_WARNING).collect()
 }
 
-/// Reports an error of the XML parser, with its position and a remedy.
+/// Reports text that is not well-formed XML.
 fn report_parse_error(text: &str, error: &roxmltree::Error, report: &mut Report) {
     use roxmltree::Error;
     let position = error.pos();
@@ -179,7 +179,7 @@ fn report_parse_error(text: &str, error: &roxmltree::Error, report: &mut Report)
     });
 }
 
-/// Byte offset in `text` of a line and column (in characters), both from 1.
+/// Byte offset of a line and column (in characters), both from 1.
 fn byte_offset(text: &str, row: u32, column: u32) -> usize {
     let start: usize = text.split_inclusive('\n').take(row.saturating_sub(1) as usize).map(str::len).sum();
     let line = &text[start..];
@@ -187,7 +187,7 @@ fn byte_offset(text: &str, row: u32, column: u32) -> usize {
     start + within
 }
 
-/// True if the root element is `<robot>`; otherwise reports an error with the probable kind of the file.
+/// True for `<robot>`; otherwise reports the probable kind of the file.
 fn check_root_tag(root: Node<'_, '_>, report: &mut Report) -> bool {
     let name = root.tag_name().name();
     let remark = match name {
@@ -212,7 +212,7 @@ fn check_root_tag(root: Node<'_, '_>, report: &mut Report) -> bool {
     false
 }
 
-/// Reports an absent name (a note) and an unknown version (a warning) of `<robot>`.
+/// Reports an absent name and an unknown version.
 fn check_robot_attributes(robot: Node<'_, '_>, report: &mut Report) {
     if robot.attribute("name").is_none() {
         report.note("unnamed-robot", Place::Element(robot), || "<robot> has no name".to_owned());

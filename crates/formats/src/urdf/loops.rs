@@ -29,7 +29,7 @@ pub(crate) struct LoopChecks<'f, 'a, 'i> {
 }
 
 impl<'a, 'i: 'a> LoopChecks<'_, 'a, 'i> {
-    /// Reports unknown links, repeated names, properties that joints in loops cannot have, and too long paths of couplings.
+    /// Reports unknown links, repeated names, properties that closures cannot have, and too many couplings.
     pub fn check_all(&self, suggestions: &mut Suggestions, report: &mut Report) {
         let links = index_by_name(self.texts.links.iter().map(|l| l.name));
         for (closure, node) in self.texts.closures.iter().zip(&self.nodes.closures) {
@@ -58,7 +58,7 @@ impl<'a, 'i: 'a> LoopChecks<'_, 'a, 'i> {
         }
     }
 
-    /// Reports unknown links at the two ends of a loop or coupling; `exists(name)` is true for a known link.
+    /// Reports unknown links at both ends of a loop or coupling.
     fn check_link_names(
         &self,
         node: Node<'a, 'i>,
@@ -81,7 +81,7 @@ impl<'a, 'i: 'a> LoopChecks<'_, 'a, 'i> {
         }
     }
 
-    /// Reports repeated names: closures, couplings and joints that close loops share one set of names.
+    /// Closures, couplings and joints that close loops share one set of names.
     fn check_unique_names(&self, report: &mut Report) {
         let closures = self.texts.closures.iter().map(|c| c.name.as_str()).zip(&self.nodes.closures);
         let couplings = self.texts.couplings.iter().map(|c| c.name.as_str()).zip(&self.nodes.couplings);
@@ -103,7 +103,7 @@ impl<'a, 'i: 'a> LoopChecks<'_, 'a, 'i> {
         }
     }
 
-    /// Reports mimics of joints that close loops as errors: these joints have no position coordinate.
+    /// A joint that closes a loop has no position coordinate to mimic.
     fn refuse_mimics_of_closures(&self, report: &mut Report) {
         let closing = self.texts.joints.iter().zip(self.closes_loop).filter(|(_, closes)| **closes);
         let closing: HashSet<&str> = closing.map(|(joint, _)| joint.name).collect();
@@ -120,7 +120,7 @@ impl<'a, 'i: 'a> LoopChecks<'_, 'a, 'i> {
         }
     }
 
-    /// Reports limits of joints that close loops by a note: a closure has no position coordinate.
+    /// A joint that closes a loop has no position coordinate to limit.
     fn note_unused_limits(&self, report: &mut Report) {
         let closing = self.texts.joints.iter().zip(&self.nodes.joints).zip(self.closes_loop);
         for ((_, node), _) in closing.filter(|((joint, _), closes)| **closes && joint.limits.is_some()) {
@@ -131,7 +131,7 @@ impl<'a, 'i: 'a> LoopChecks<'_, 'a, 'i> {
         }
     }
 
-    /// Number of joints on the paths from the coupled links to the root, summed over all couplings: the work of the builder.
+    /// Number of joints on the paths from coupled links to the root, summed: the work of the builder.
     fn coupling_path_lengths(&self) -> usize {
         if self.texts.couplings.is_empty() {
             return 0;

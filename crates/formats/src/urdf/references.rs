@@ -31,7 +31,7 @@ impl Suggestions {
         Self { remaining: MAX_SUGGESTIONS }
     }
 
-    /// Those of `names` that are similar to `name`; empty when the searches are used up.
+    /// Names similar to `name`; empty when the searches are used up.
     pub fn similar_names<'a>(&mut self, name: &str, names: impl Iterator<Item = &'a str>) -> Vec<String> {
         if self.remaining == 0 {
             return Vec::new();
@@ -41,8 +41,7 @@ impl Suggestions {
     }
 }
 
-/// Reports unknown links and joints named by joints. A mimic of an unknown joint is dropped, with a warning; cycles and long
-/// chains of mimics are errors.
+/// Reports unknown links and joints in joints. A mimic of an unknown joint is dropped, with a warning.
 pub(crate) fn check_joint_references<'a, 'i: 'a>(
     links: &[LinkText<'a>],
     joints: &mut [JointText<'a>],
@@ -80,8 +79,7 @@ pub(crate) fn check_joint_references<'a, 'i: 'a>(
     refuse_mimic_cycles(joints, nodes, joint_index, report);
 }
 
-/// Reports cycles of mimics, and chains longer than `MAX_MIMIC_CHAIN`, as errors: cost and messages would grow with their
-/// length. `index` contains the joints by name.
+/// Refuses cycles and long chains of mimics, whose cost and messages would grow with their length.
 fn refuse_mimic_cycles<'a, 'i: 'a>(
     joints: &[JointText<'a>],
     nodes: &[Node<'a, 'i>],

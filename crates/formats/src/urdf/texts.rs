@@ -23,7 +23,7 @@ pub(crate) struct Texts<'a> {
 }
 
 impl<'a> Texts<'a> {
-    /// Contents of all elements of `nodes`; errors are reported.
+    /// Reads all elements.
     pub fn read_elements<'i: 'a>(nodes: &Nodes<'a, 'i>, report: &mut Report) -> Self {
         let links: Vec<LinkText<'a>> = nodes.links.iter().map(|n| link::read_link(*n, report)).collect();
         let joints: Vec<JointText<'a>> = nodes.joints.iter().map(|n| joint::read_joint(*n, report)).collect();

@@ -68,20 +68,17 @@ pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
     out
 }
 
-/// Appends the comment for this name, if there is one.
 fn write_comment(out: &mut String, comments: &HashMap<String, String>, name: &str) {
     if let Some(text) = comments.get(name) {
         append(out, format_args!("  <!-- {} -->\n", escape_comment(text)));
     }
 }
 
-/// Appends formatted text.
 fn append(out: &mut String, text: std::fmt::Arguments<'_>) {
     // Writing to a string cannot fail.
     let _ = out.write_fmt(text);
 }
 
-/// Appends a `<link>` with its inertia.
 fn write_link(out: &mut String, link: &Link) {
     let name = escape_attribute(link.name());
     let Some(inertial) = link.inertial() else {
@@ -99,7 +96,6 @@ fn write_link(out: &mut String, link: &Link) {
     out.push_str("/>\n    </inertial>\n  </link>\n");
 }
 
-/// Appends a `<joint>` with axis, limits, armature and mimic.
 fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
     let (name, kind) = (escape_attribute(joint.name()), joint.kind());
     let link_name = |id| escape_attribute(mechanism.link(id).name());
@@ -135,7 +131,6 @@ fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
     out.push_str("  </joint>\n");
 }
 
-/// Appends a `<loop>`.
 fn write_closure(out: &mut String, mechanism: &Mechanism, closure: &Closure) {
     let (name, kind) = (escape_attribute(closure.name()), closure.kind());
     append(out, format_args!("  <loop name=\"{name}\" type=\"{}\">\n", kind.name()));
@@ -156,7 +151,6 @@ fn write_closure(out: &mut String, mechanism: &Mechanism, closure: &Closure) {
     out.push_str("  </loop>\n");
 }
 
-/// Appends a `<coupling>`.
 fn write_coupling(out: &mut String, mechanism: &Mechanism, coupling: &Coupling) {
     append(out, format_args!("  <coupling name=\"{}\">\n", escape_attribute(coupling.name())));
     for (tag, link) in [("predecessor", coupling.predecessor()), ("successor", coupling.successor())] {
@@ -168,7 +162,7 @@ fn write_coupling(out: &mut String, mechanism: &Mechanism, coupling: &Coupling) 
     append(out, format_args!("    <ratio value=\"{}\"/>\n  </coupling>\n", format_number(coupling.ratio())));
 }
 
-/// `<origin>` of a frame in its parent frame; without `rpy` for no rotation.
+/// `<origin>` of a frame; without `rpy` for no rotation.
 fn origin_element(frame: &Transform<f64>) -> String {
     let xyz = format_vector(&frame.translation);
     if frame.rotation == Matrix3::identity() {
@@ -179,7 +173,6 @@ fn origin_element(frame: &Transform<f64>) -> String {
     format!("<origin xyz=\"{xyz}\" rpy=\"{rpy}\"/>")
 }
 
-/// Components x, y and z, separated by spaces.
 fn format_vector(v: &Vector3<f64>) -> String {
     format!("{} {} {}", format_number(v.x), format_number(v.y), format_number(v.z))
 }

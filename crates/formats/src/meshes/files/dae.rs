@@ -10,7 +10,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// Triangles of a COLLADA document, m. The error text names the defect.
+/// Triangles of a COLLADA document, m.
 pub(super) fn read_collada(bytes: &[u8]) -> Result<Triangles, String> {
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let text = std::str::from_utf8(bytes).map_err(|_| "no UTF-8 text".to_owned())?;
@@ -72,19 +72,18 @@ fn child_elements<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str) -> impl Ite
     node.children().filter(move |c| c.is_element() && c.tag_name().name() == tag)
 }
 
-/// Finite numbers in the text of an element; an error for any other word.
+/// Finite numbers in the text of an element.
 fn parse_finite_numbers(node: Node<'_, '_>) -> Result<Vec<f64>, String> {
     let read = |word: &str| word.parse::<f64>().ok().filter(|value| value.is_finite());
     parse_words(node, read, "finite number")
 }
 
-/// Indices or counts in the text of an element; an error for any other word.
+/// Indices or counts in the text of an element.
 fn parse_indices(node: Node<'_, '_>) -> Result<Vec<u32>, String> {
     parse_words(node, |word| word.parse().ok(), "index")
 }
 
-/// Words in the text of an element, converted by `parse_word`; at most `MAX_MESH_NUMBERS`. `kind` names the
-/// expected words in errors.
+/// Words in the text of an element, converted by `parse_word`. `kind` names the expected words in errors.
 fn parse_words<T>(
     node: Node<'_, '_>,
     parse_word: impl Fn(&str) -> Option<T>,
@@ -100,7 +99,6 @@ fn parse_words<T>(
     Ok(list)
 }
 
-/// Message for a word that is not of the expected kind.
 fn invalid_word_message(node: Node<'_, '_>, word: &str, kind: &str) -> String {
     format!("<{}> has {}, which is no {kind}", node.tag_name().name(), quoted(word))
 }
@@ -108,15 +106,14 @@ fn invalid_word_message(node: Node<'_, '_>, word: &str, kind: &str) -> String {
 /// Scene with caches by the offset of an element: an element is read once, even with many references.
 struct Scene<'a, 'i> {
     elements_by_id: HashMap<&'a str, Node<'a, 'i>>,
-    /// Triangles of `geometry` elements, in the frame and unit of the geometry.
+    /// Triangles of geometries, in their own frames.
     geometries: HashMap<usize, Triangles>,
     /// Positions of `source` and `vertices` elements.
     positions: HashMap<usize, Rc<Vec<[f64; 3]>>>,
     /// Nodes of the scene.
     scene_nodes: HashMap<usize, Rc<SceneNode<'a, 'i>>>,
-    /// Number of positions and indices read so far.
+    /// Number of values read so far.
     numbers: usize,
-    /// Number of visits to nodes and geometries so far.
     visits: usize,
     triangles: Triangles,
 }
@@ -134,14 +131,13 @@ enum Content<'a, 'i> {
 }
 
 impl<'a, 'i: 'a> Scene<'a, 'i> {
-    /// Element of the document to which the attribute `url` or `source` refers; `None` if there is no such element.
+    /// Element to which the attribute `url` or `source` refers.
     fn resolve_reference(&self, node: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
         let url = node.attribute("url").or_else(|| node.attribute("source"))?;
         self.elements_by_id.get(url.strip_prefix('#')?).copied()
     }
 
-    /// Appends the triangles of a node and of its descendants. `parent_transform` maps the parent node's frame to the mesh
-    /// frame, m; `depth` is the number of ancestors that are nodes.
+    /// Appends the triangles of a node and its descendants. `parent_transform` maps the parent node's frame to the mesh frame, m.
     fn append_node(
         &mut self,
         node: Node<'a, 'i>,
@@ -168,7 +164,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         Ok(())
     }
 
-    /// Counts a visit to a node or geometry; an error beyond `MAX_SCENE_NODES`.
+    /// Counts a visit to a node or geometry, and checks the limit.
     fn count_visit(&mut self) -> Result<(), String> {
         self.visits += 1;
         if self.visits > MAX_SCENE_NODES {
@@ -299,7 +295,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         Ok(())
     }
 
-    /// Positions of the vertices of a `vertices` element, in the frame and unit of the geometry.
+    /// Positions of a `vertices` element, in the frame and unit of the geometry.
     fn vertex_positions(&mut self, vertices: Node<'a, 'i>) -> Result<Rc<Vec<[f64; 3]>>, String> {
         let key = vertices.range().start;
         if let Some(positions) = self.positions.get(&key) {
@@ -350,7 +346,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         Ok(positions)
     }
 
-    /// Adds `numbers` to the number of positions and indices read; an error beyond `MAX_MESH_NUMBERS`.
+    /// Adds to the number of positions and indices read, and checks the limit.
     fn count_numbers(&mut self, numbers: usize) -> Result<(), String> {
         self.numbers += numbers;
         if self.numbers > MAX_MESH_NUMBERS { Err(too_many_numbers_message()) } else { Ok(()) }
@@ -376,14 +372,12 @@ fn append_polygon(polygon: &[u32], positions: &[[f64; 3]], out: &mut Triangles) 
     Ok(())
 }
 
-/// Message for a reference to an element that does not exist.
 fn unresolved_reference_message(node: Node<'_, '_>) -> String {
     let url = node.attribute("url").or_else(|| node.attribute("source")).unwrap_or("");
     format!("<{}> refers to {url:?}, which there is not", node.tag_name().name())
 }
 
-/// Transform of a `matrix`, `rotate`, `translate` or `scale` element of a node; `None` for an element of another kind, an
-/// error for `lookat` and `skew`.
+/// Transform of a `matrix`, `rotate`, `translate` or `scale` element; `None` for an element of another kind.
 fn transform_of_element(node: Node<'_, '_>) -> Result<Option<Matrix4<f64>>, String> {
     let name = node.tag_name().name();
     let count = match name {

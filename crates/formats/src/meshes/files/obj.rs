@@ -6,7 +6,7 @@ use super::error::excerpt;
 use super::triangles::{Triangles, check_triangle_count};
 use crate::reading::limits::MAX_MESH_VERTICES;
 
-/// Triangles of an OBJ file. The error text names the line and the defect.
+/// Triangles of an OBJ file.
 pub(super) fn read_obj(bytes: &[u8]) -> Result<Triangles, String> {
     let mut positions: Vec<[f64; 3]> = Vec::new();
     // Corners of each triangle with the line of the face: a face may refer to later vertices.
@@ -60,14 +60,12 @@ pub(super) fn read_obj(bytes: &[u8]) -> Result<Triangles, String> {
     faces.iter().map(triangle).collect()
 }
 
-/// Parses a number; `None` for other text. Infinite values and NaN are accepted here, and refused for all formats by
-/// [`read_mesh`](super::read_mesh).
+/// Infinite values and NaN are accepted here, and refused for all formats by [`read_mesh`](super::read_mesh).
 fn parse_number(word: &[u8]) -> Option<f64> {
     std::str::from_utf8(word).ok()?.parse().ok()
 }
 
-/// Index, from 0, of the vertex in `v/vt/vn`; a negative number counts back from the last of `count` vertices. `None` if
-/// the word is no index.
+/// Index, from 0, of the vertex in `v/vt/vn`; a negative number counts back from the last of `count` vertices.
 fn vertex_index(word: &[u8], count: usize) -> Option<u32> {
     let vertex = word.split(|byte| *byte == b'/').next()?;
     let vertex: i64 = std::str::from_utf8(vertex).ok()?.parse().ok()?;

@@ -8,7 +8,7 @@ const HEADER_SIZE: usize = 84;
 /// Bytes of a facet in a binary file.
 const FACET_SIZE: usize = 50;
 
-/// Triangles of an STL file, binary or ASCII. The error text names the defect.
+/// Triangles of an STL file, binary or ASCII.
 pub(super) fn read_stl(bytes: &[u8]) -> Result<Triangles, String> {
     // Binary files may also begin with "solid", so the length of the file decides.
     match stated_facet_count(bytes) {
@@ -29,7 +29,7 @@ pub(super) fn read_stl(bytes: &[u8]) -> Result<Triangles, String> {
     }
 }
 
-/// Number of facets stated in the header of a binary file; `None` if the file is shorter than the header.
+/// Number of facets stated in the header of a binary file; `None` for a shorter file.
 fn stated_facet_count(bytes: &[u8]) -> Option<usize> {
     let count: [u8; 4] = bytes.get(HEADER_SIZE - 4..HEADER_SIZE)?.try_into().ok()?;
     usize::try_from(u32::from_le_bytes(count)).ok()
@@ -41,7 +41,7 @@ fn begins_as_ascii_stl(bytes: &[u8]) -> bool {
     text.len() >= 5 && text[..5].eq_ignore_ascii_case(b"solid") && !bytes.contains(&0)
 }
 
-/// Corners of a facet of a binary file (`FACET_SIZE` bytes).
+/// Corners of a facet of a binary file.
 fn binary_facet_corners(facet: &[u8]) -> [[f64; 3]; 3] {
     let number = |at: usize| {
         let bytes = [facet[at], facet[at + 1], facet[at + 2], facet[at + 3]];
@@ -51,8 +51,7 @@ fn binary_facet_corners(facet: &[u8]) -> [[f64; 3]; 3] {
     std::array::from_fn(|corner| std::array::from_fn(|axis| number(12 + 12 * corner + 4 * axis)))
 }
 
-/// Triangles of an ASCII file: `solid`, facets, `endsolid`. Blank lines are ignored; keywords may be in upper or lower
-/// case.
+/// Triangles of an ASCII file. Blank lines are ignored; keywords may be in upper or lower case.
 fn read_ascii_stl(bytes: &[u8]) -> Result<Triangles, String> {
     let lines = (1_usize..).zip(bytes.split(|byte| *byte == b'\n'));
     let mut lines = lines.map(|(line, text)| (line, text.trim_ascii())).filter(|(_, text)| !text.is_empty());
@@ -93,7 +92,6 @@ fn read_ascii_stl(bytes: &[u8]) -> Result<Triangles, String> {
     }
 }
 
-/// Words of a line, separated by ASCII white space.
 fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
     text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
 }

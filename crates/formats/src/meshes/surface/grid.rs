@@ -4,7 +4,7 @@ use super::facet::Facet;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
-/// Surface patch in the frame of its solid, m, and the number of parts into which each parameter is divided.
+/// Surface patch in the frame of its solid, m, and the number of parts along each parameter.
 pub(super) struct Patch {
     kind: PatchKind,
     parts: (usize, usize),
@@ -22,7 +22,7 @@ enum PatchKind {
 }
 
 impl Patch {
-    /// The six faces of a box centred at the origin: edge lengths, and number of parts along each axis.
+    /// Faces of a box centred at the origin: edge lengths, parts along each axis.
     pub fn box_faces(size: [f64; 3], parts: [usize; 3]) -> Vec<Self> {
         let mut patches = Vec::with_capacity(6);
         for axis in 0..3 {
@@ -49,22 +49,22 @@ impl Patch {
         Self { kind: PatchKind::CylinderSide(radius, length), parts }
     }
 
-    /// End disc of a cylinder about z at the height `height`; `side` is 1 for the upper end, −1 for the lower.
+    /// End disc of a cylinder about z; `side` is 1 for the upper end, −1 for the lower.
     pub fn cylinder_end(radius: f64, height: f64, side: f64, parts: (usize, usize)) -> Self {
         Self { kind: PatchKind::CylinderEnd(radius, height, side), parts }
     }
 
-    /// Zone of a sphere about z: `height` of its centre, first latitude and range of latitudes (rad).
+    /// Zone of a sphere about z: first latitude and range of latitudes (rad).
     pub fn sphere_zone(radius: f64, height: f64, (first, span): (f64, f64), parts: (usize, usize)) -> Self {
         Self { kind: PatchKind::SphereZone(radius, height, first, span), parts }
     }
 
-    /// Number of facets of all parts, including degenerate ones at the poles.
+    /// Includes degenerate facets at the poles.
     pub fn facet_count(&self) -> usize {
         self.parts.0.saturating_mul(self.parts.1).saturating_mul(2)
     }
 
-    /// Point and outward normal (of any length) at the parameters (u, v), from 0 to 1.
+    /// Point and normal (of any length) at the parameters (u, v), from 0 to 1.
     fn point_and_normal(&self, u: f64, v: f64) -> (Vector3<f64>, Vector3<f64>) {
         let (sine, cosine) = (TAU * u).sin_cos();
         match self.kind {
@@ -87,7 +87,7 @@ impl Patch {
         }
     }
 
-    /// Appends two facets per part; degenerate facets are left out.
+    /// Appends two facets per part, except degenerate ones.
     pub fn append_facets(&self, out: &mut Vec<Facet>) {
         let (across, along) = self.parts;
         let part = |i: usize, k: usize| (i as f64 / across as f64, k as f64 / along as f64);
@@ -100,7 +100,7 @@ impl Patch {
         }
     }
 
-    /// Appends the facet with corners at these parameters (u, v); a degenerate facet is left out.
+    /// Appends the facet with corners at these (u, v), unless degenerate.
     fn append_facet(&self, parameters: [(f64, f64); 3], out: &mut Vec<Facet>) {
         let mut corners = parameters.map(|(u, v)| self.point_and_normal(u, v).0);
         let mean = |coordinate: fn(&(f64, f64)) -> f64| parameters.iter().map(coordinate).sum::<f64>() / 3.0;

@@ -38,7 +38,7 @@ pub struct Surface {
     files: Vec<PathBuf>,
 }
 
-/// Part of the surface, in the link frame.
+/// Part of a surface.
 #[derive(Clone, Debug)]
 enum Part {
     /// Solid, and the pose of its frame in the link frame.
@@ -77,12 +77,12 @@ impl Surface {
         Ok(surface)
     }
 
-    /// Paths of the mesh files that were read.
+    /// Mesh files that were read.
     pub fn files(&self) -> &[PathBuf] {
         &self.files
     }
 
-    /// Counts of the changes that oriented the triangles of the meshes outward.
+    /// Changes that oriented the meshes outward.
     pub fn orientation(&self) -> &Orientation {
         &self.orientation
     }
@@ -152,7 +152,7 @@ fn half_extents(solid: &Solid) -> [f64; 3] {
     }
 }
 
-/// Number of facets of a part, for edges of about `max_edge` (m) at most, including degenerate ones.
+/// Number of facets of a part, including degenerate ones.
 fn facet_count(part: &Part, max_edge: f64) -> usize {
     match part {
         Part::Solid(solid, _) => {
@@ -167,21 +167,21 @@ fn facet_count(part: &Part, max_edge: f64) -> usize {
     }
 }
 
-/// Number of equal pieces, each of at most `max_edge`, into which an edge of this length is divided; at least 1.
+/// Number of pieces of at most `max_edge` in an edge of this length.
 fn subdivisions(length: f64, max_edge: f64) -> usize {
     let parts = (length / max_edge).ceil();
     // NaN gives one part. A very large number is refused later, by the number of facets.
     if parts >= 1.0 { parts as usize } else { 1 }
 }
 
-/// Number n of pieces per edge of a triangle, from its longest edge.
+/// Number n of pieces of at most `max_edge` in the longest edge.
 fn triangle_subdivisions(triangle: &[Vector3<f64>; 3], max_edge: f64) -> usize {
     let edge = |from: usize, to: usize| (triangle[to] - triangle[from]).norm();
     let longest = edge(0, 1).max(edge(1, 2)).max(edge(2, 0));
     subdivisions(longest, max_edge)
 }
 
-/// Appends the n² congruent facets of a triangle, n = [`triangle_subdivisions`].
+/// Appends n² congruent facets, n = [`triangle_subdivisions`].
 fn append_triangle_facets(triangle: &[Vector3<f64>; 3], max_edge: f64, out: &mut Vec<Facet>) {
     let n = triangle_subdivisions(triangle, max_edge);
     let at = |i: usize, k: usize| {
@@ -202,7 +202,7 @@ fn append_triangle_facets(triangle: &[Vector3<f64>; 3], max_edge: f64, out: &mut
     }
 }
 
-/// Appends a flat facet with its centroid and right-handed normal; a degenerate triangle is left out.
+/// Appends a facet with its centroid and right-handed normal, unless degenerate.
 fn append_flat_facet(corners: [Vector3<f64>; 3], out: &mut Vec<Facet>) {
     let [a, b, c] = corners;
     let cross = (b - a).cross(&(c - a));
@@ -213,7 +213,7 @@ fn append_flat_facet(corners: [Vector3<f64>; 3], out: &mut Vec<Facet>) {
     }
 }
 
-/// Patches that form the surface of a solid, divided for edges of about `max_edge` (m); empty for a mesh.
+/// Patches that form the surface of a solid, for edges of about `max_edge`; empty for a mesh.
 fn solid_patches(solid: &Solid, max_edge: f64) -> Vec<Patch> {
     let around = |radius: f64| {
         subdivisions(TAU * radius, max_edge).clamp(*FACETS_PER_TURN.start(), *FACETS_PER_TURN.end())

@@ -23,7 +23,7 @@ pub struct Orientation {
 }
 
 impl Orientation {
-    /// Adds the counts of another mesh to these counts.
+    /// Adds the counts of another mesh.
     pub(super) fn add(&mut self, other: &Self) {
         self.pieces += other.pieces;
         self.turned += other.turned;
@@ -34,7 +34,7 @@ impl Orientation {
 
 type Triangle = [Vector3<f64>; 3];
 
-/// Orders the corners of each triangle anticlockwise as seen from outside. Returns the counts of the changes.
+/// Orders the corners of each triangle anticlockwise as seen from outside; counts the changes.
 pub(super) fn orient_outward(triangles: &mut [Triangle]) -> Orientation {
     let corners = number_vertices(triangles);
     // Triangles at each edge.
@@ -113,17 +113,16 @@ pub(super) fn orient_outward(triangles: &mut [Triangle]) -> Orientation {
     orientation
 }
 
-/// Area of a triangle, m².
 fn triangle_area([a, b, c]: &Triangle) -> f64 {
     0.5 * (b - a).cross(&(c - a)).norm()
 }
 
-/// True if the triangle with these vertex indices has the edge `from` → `to` in this direction.
+/// True if the triangle has the edge `from` → `to` in this direction.
 fn has_directed_edge(vertices: &[u32; 3], from: u32, to: u32) -> bool {
     (0..3).any(|k| vertices[k] == from && vertices[(k + 1) % 3] == to)
 }
 
-/// Vertex index of each corner: corners that are equal to the last bit share an index.
+/// Vertex index of each corner; equal corners share an index.
 fn number_vertices(triangles: &[Triangle]) -> Vec<[u32; 3]> {
     let mut known: HashMap<[u64; 3], u32> = HashMap::with_capacity(triangles.len() / 2 + 3);
     let mut number = |p: &Vector3<f64>| {

@@ -22,7 +22,7 @@ pub(crate) fn read_joint_armature<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut R
     armature
 }
 
-/// Values of the attribute `armature` of `<dynamics>`, kg·m² or kg; empty if absent or, after a reported error, invalid.
+/// Values of the attribute `armature`, kg·m² or kg; empty if absent or invalid.
 fn armature_attribute(node: Node<'_, '_>, report: &mut Report) -> Vec<f64> {
     let Some(text) = node.attribute("armature") else { return Vec::new() };
     let parsed = match text.split_ascii_whitespace().take(7).count() {
@@ -36,8 +36,7 @@ fn armature_attribute(node: Node<'_, '_>, report: &mut Report) -> Vec<f64> {
     })
 }
 
-/// Reflected inertia I r² (kg·m² or kg) from Drake's child elements of `parent`; `None` if absent or, after a reported error,
-/// invalid. The ratio r defaults to 1, with a note.
+/// Reflected inertia I r² (kg·m² or kg) from Drake's elements in `parent`. The ratio defaults to 1, with a note.
 pub(crate) fn reflected_inertia<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut Report) -> Option<f64> {
     let inertia = required_number(child(parent, "drake:rotor_inertia")?, "value", report)?;
     let ratio = match child(parent, "drake:gear_ratio") {
@@ -52,7 +51,7 @@ pub(crate) fn reflected_inertia<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut R
     Some(inertia * ratio * ratio)
 }
 
-/// Sets an empty armature, or compares `value` with the one given before; a difference beyond the tolerance is an error.
+/// Sets the armature, or compares a second value with the first. A difference beyond the tolerance is an error.
 pub(crate) fn merge_armature(armature: &mut Vec<f64>, value: f64, place: Node<'_, '_>, report: &mut Report) {
     match armature[..] {
         [] => armature.push(value),

@@ -31,7 +31,7 @@ pub(crate) fn link_tags(node: Node<'_, '_>) -> &'static [&'static str; 2] {
     }
 }
 
-/// Contents of a `<loop>` or `<loop_joint>`. Each number of the result is finite; errors are reported.
+/// Description of a `<loop>` or `<loop_joint>`, with finite numbers.
 pub(crate) fn read_loop<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
     let name = read_name(node, report);
     let kind = read_loop_type(node, report);
@@ -54,7 +54,7 @@ pub(crate) fn read_loop<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> 
     }
 }
 
-/// Contents of a `<coupling>`; the ratio is 1 after a reported error.
+/// Description of a `<coupling>`.
 pub(crate) fn read_coupling<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> CouplingDescription {
     let name = read_name(node, report);
     // "rolling" is the only type in use.
@@ -78,7 +78,7 @@ pub(crate) fn read_coupling<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report)
     CouplingDescription { name: name.to_owned(), predecessor, successor, ratio: ratio.unwrap_or(1.0) }
 }
 
-/// Kind of closure from the attribute `type`; `None` after a reported error.
+/// Kind of closure from the attribute `type`; `None` if invalid.
 fn read_loop_type(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
     // URDF has two names for a hinge joint: "revolute" and "continuous".
     let names = || ClosureKind::ALL.map(ClosureKind::name).into_iter().chain(["continuous"]);
@@ -112,7 +112,7 @@ fn read_loop_type(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind
     kind
 }
 
-/// Pose of the loop frame in the link: `<origin>` of `<predecessor>` or `<successor>`; attributes of `<link1>` or `<link2>`.
+/// Loop frame in the link: `<origin>` of `<predecessor>` or `<successor>`; attributes of `<link1>` or `<link2>`.
 fn read_loop_frame<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> Transform<f64> {
     let origin = match child(node, tag) {
         Some(end) if is_named(node, "loop_joint") => origin::read_origin_attributes(end, report),
@@ -122,8 +122,7 @@ fn read_loop_frame<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &m
     origin.transform()
 }
 
-/// Axis in the loop frame from the child element with this tag; `default` if absent or invalid. `kind` is `Some` if the loop
-/// needs the axis; a zero axis is then a reported error.
+/// Axis in the loop frame. `kind` is `Some` if the loop needs this axis; then a zero axis is an error.
 fn read_axis<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     tag: &'static str,
@@ -151,7 +150,7 @@ fn read_axis<'a, 'i: 'a>(
     axis
 }
 
-/// Distance of a distance loop, m; `None` without the element.
+/// Distance, m; `None` without the element.
 fn read_distance<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     kind: Option<ClosureKind>,

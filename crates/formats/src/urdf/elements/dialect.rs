@@ -31,7 +31,7 @@ pub(crate) struct ElementRule {
     pub children: &'static [ElementRule],
 }
 
-/// Entry of an element that is read; a parent may have several.
+/// Element that is read; a parent may have several.
 const fn element(
     name: &'static str,
     attributes: &'static [(&'static str, Treatment)],
@@ -40,12 +40,12 @@ const fn element(
     ElementRule { name, treatment: Read, single: false, attributes, children }
 }
 
-/// Entry of an element that is read, without children; a parent may have one.
+/// Element that is read, without children; a parent may have one.
 const fn single_element(name: &'static str, attributes: &'static [(&'static str, Treatment)]) -> ElementRule {
     ElementRule { name, treatment: Read, single: true, attributes, children: &[] }
 }
 
-/// Entry of an element with a treatment other than `Read`; attributes and children are not examined.
+/// Element with a treatment other than `Read`; attributes and children are not examined.
 const fn unread_element(name: &'static str, treatment: Treatment) -> ElementRule {
     ElementRule { name, treatment, single: false, attributes: &[], children: &[] }
 }
@@ -120,7 +120,7 @@ const IN_ROBOT: &[ElementRule] = &[
 
 const ORIGIN: ElementRule = single_element("origin", &[("xyz", Read), ("rpy", Read), ("quat_xyzw", Read)]);
 
-/// Entry of an element that is read; a parent may have one.
+/// Element that is read; a parent may have one.
 const fn single_element_with_children(
     name: &'static str,
     attributes: &'static [(&'static str, Treatment)],
@@ -263,7 +263,7 @@ const IN_JOINT: &[ElementRule] = &[
 pub(crate) const GAZEBO_JOINT: ElementRule =
     element("joint", &[("name", Read), ("type", Read)], IN_GAZEBO_JOINT);
 
-/// Entry of an element whose content is text; a parent may have one.
+/// Element whose content is text; a parent may have one.
 const fn single_text_element(name: &'static str) -> ElementRule {
     ElementRule { name, treatment: Silent, single: true, attributes: &[], children: &[] }
 }

@@ -19,9 +19,8 @@ use std::collections::HashMap;
 const MODEL: &str = "__model__";
 const WORLD: &str = "world";
 
-/// True for a joint between the world and the root link: the joint fixes the model to the world and closes no loop.
-/// `is_root(name)` is true for the root link. Such a joint of a type other than fixed is a reported error, because the root
-/// would move.
+/// True for a joint between the world and the root link: the joint fixes the model to the world and closes no loop. A joint
+/// of this kind that is not fixed is an error, because the root would move.
 pub(crate) fn fixes_root_to_world(
     node: Node<'_, '_>,
     is_root: impl Fn(&str) -> bool,
@@ -92,12 +91,12 @@ impl<'a> ZeroPoseFrames<'a> {
         Self { links, children: tree().map(|joint| (joint.name, joint.child)).collect() }
     }
 
-    /// X_rl, from a link's frame to the root link's frame. Identity for the root link (no parent joint) and for the world.
+    /// X_rl, link to root link. Identity for the root link (no parent joint) and for the world.
     fn link_frame(&self, link: &str) -> Transform<f64> {
         self.links.get(link).copied().unwrap_or_else(Transform::identity)
     }
 
-    /// X_rf, from a named frame (the model, a link or a tree joint) to the root link's frame. `None` if the name is unknown.
+    /// X_rf of the model, a link or a tree joint; `None` for an unknown name.
     fn named_frame(&self, frame: &str, links: &HashMap<&str, usize>) -> Option<Transform<f64>> {
         match self.children.get(frame) {
             _ if frame == MODEL => Some(Transform::identity()),
@@ -116,7 +115,7 @@ pub(crate) struct GazeboJointReader<'f, 'a> {
 }
 
 impl<'a> GazeboJointReader<'_, 'a> {
-    /// Contents of an SDF joint as a closure. Each number of the result is finite; errors are reported.
+    /// Description of the closure, with finite numbers.
     pub fn read_closure<'i: 'a>(&self, node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
         let name = read_name(node, report).to_owned();
         let kind = read_joint_type(node, report);
@@ -155,7 +154,7 @@ impl<'a> GazeboJointReader<'_, 'a> {
         }
     }
 
-    /// X_rj, from the joint frame to the root link: `<pose>`, relative to the child link (X_rc) unless another frame is named.
+    /// X_rj. The pose is relative to the child link (X_rc) unless another frame is named.
     fn read_joint_frame<'i: 'a>(
         &self,
         node: Node<'a, 'i>,
@@ -202,7 +201,7 @@ impl<'a> GazeboJointReader<'_, 'a> {
         base * relative.unwrap_or_else(Transform::identity)
     }
 
-    /// X_rf of the frame with this name; `default` if there is no name or, after a reported error, if the frame is unknown.
+    /// X_rf of a named frame; `default` if there is no name or the name is unknown.
     fn frame_or_default(
         &self,
         node: Node<'_, '_>,
@@ -224,7 +223,7 @@ impl<'a> GazeboJointReader<'_, 'a> {
         })
     }
 
-    /// Axis of the joint from the child element with this tag, converted to the joint frame. The default of SDF is 0 0 1.
+    /// Axis in the joint frame. The default of SDF is 0 0 1.
     fn read_axis<'i: 'a>(
         &self,
         node: Node<'a, 'i>,
@@ -264,7 +263,7 @@ impl<'a> GazeboJointReader<'_, 'a> {
     }
 }
 
-/// Kind of closure for the SDF joint type; `None` after a reported error.
+/// Kind of closure for the SDF joint type; `None` if invalid.
 fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
     let read = [
         ("revolute", ClosureKind::Revolute),
@@ -284,7 +283,7 @@ fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKin
     kind
 }
 
-/// Link name in the text of the child element with this tag; an empty text after a reported error.
+/// Link name in the text of a child element; empty if absent.
 fn read_link_name<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> String {
     let element = child(node, tag);
     let name = element.map(element_text).unwrap_or_default();
@@ -297,12 +296,12 @@ fn read_link_name<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mu
     name.to_owned()
 }
 
-/// Concatenated text of an element, without comments.
+/// Text of an element, without comments.
 fn element_text(node: Node<'_, '_>) -> String {
     node.children().filter(Node::is_text).filter_map(|text| text.text()).collect()
 }
 
-/// Boolean value in SDF notation; false, after a reported error, for another text.
+/// Boolean value in SDF notation; false for another text.
 fn parse_boolean(node: Node<'_, '_>, text: &str, report: &mut Report) -> bool {
     match text.trim_ascii() {
         "true" | "True" | "TRUE" | "1" => true,
@@ -314,7 +313,7 @@ fn parse_boolean(node: Node<'_, '_>, text: &str, report: &mut Report) -> bool {
     }
 }
 
-/// Parses the N numbers in the text of an element; `None` after a reported error.
+/// Parses the N numbers in the text of an element; `None` if invalid.
 fn parse_element_numbers<const N: usize>(
     node: Node<'_, '_>,
     text: &str,

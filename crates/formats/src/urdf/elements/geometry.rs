@@ -8,8 +8,7 @@ use crate::urdf::elements::survey::{child, children, has_xacro_substitution};
 use percuss_mechanism::Geometry;
 use roxmltree::Node;
 
-/// Radius (m) of a sphere about the link's origin that encloses every `<visual>` and `<collision>`; not the smallest one.
-/// Unknown for meshes.
+/// Radius (m) of a sphere about the link's origin around every `<visual>` and `<collision>`; not the smallest one.
 pub(crate) fn enclosing_sphere<'a, 'i: 'a>(link: Node<'a, 'i>, report: &mut Report) -> Geometry {
     let mut extent = Geometry::None;
     for holder in children(link, "visual").chain(children(link, "collision")) {
@@ -30,8 +29,7 @@ fn combine_extents(a: Geometry, b: Geometry) -> Geometry {
     }
 }
 
-/// Radius (m) of a sphere about the link's origin that encloses one shape; `Geometry::None`, with a warning, for an invalid
-/// shape.
+/// Radius (m) of a sphere about the link's origin around one shape; `Geometry::None`, with a warning, if invalid.
 fn shape_enclosing_sphere<'a, 'i: 'a>(
     holder: Node<'a, 'i>,
     shape: Node<'a, 'i>,
@@ -63,7 +61,7 @@ fn shape_enclosing_sphere<'a, 'i: 'a>(
     }
 }
 
-/// Position of the shape's origin in the link frame, m; `None`, with a warning, if the `<origin>` is invalid.
+/// Position of a shape in the link frame, m; `None`, with a warning, if invalid.
 fn shape_position<'a, 'i: 'a>(holder: Node<'a, 'i>, report: &mut Report) -> Option<[f64; 3]> {
     let Some(origin) = child(holder, "origin") else { return Some([0.0; 3]) };
     if origin.has_attribute("quat_xyzw") {
@@ -80,7 +78,7 @@ fn shape_position<'a, 'i: 'a>(holder: Node<'a, 'i>, report: &mut Report) -> Opti
     if origin.has_attribute("xyz") { shape_numbers(origin, "xyz", report) } else { Some([0.0; 3]) }
 }
 
-/// True if the mesh has no scale, one factor, or three; otherwise warns.
+/// True if a mesh has no scale, one factor, or three.
 fn is_scale_valid(shape: Node<'_, '_>, report: &mut Report) -> bool {
     match shape.attribute("scale").map(parse_numbers::<1>) {
         None | Some(Ok(_)) => true,
@@ -88,14 +86,14 @@ fn is_scale_valid(shape: Node<'_, '_>, report: &mut Report) -> bool {
     }
 }
 
-/// Radius and length (m) of a cylinder or capsule; `None`, with a warning, if invalid.
+/// Radius and length of a cylinder or capsule, m.
 fn radius_and_length(shape: Node<'_, '_>, report: &mut Report) -> Option<(f64, f64)> {
     let [radius] = shape_numbers::<1>(shape, "radius", report)?;
     let [length] = shape_numbers::<1>(shape, "length", report)?;
     Some((radius, length))
 }
 
-/// N numbers of an attribute, each at most `MAX_SHAPE_SIZE` in magnitude; `None`, with a warning, if absent or invalid.
+/// N numbers of an attribute, at most `MAX_SHAPE_SIZE`; `None`, with a warning, for anything else.
 fn shape_numbers<const N: usize>(
     node: Node<'_, '_>,
     attribute: &'static str,

@@ -39,7 +39,6 @@ pub(crate) struct MimicText<'a> {
 /// Default axis of URDF.
 const DEFAULT_AXIS: &str = "1 0 0";
 
-/// Contents of a `<joint>`. Errors are reported.
 pub(crate) fn read_joint<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> JointText<'a> {
     let name = read_name(node, report);
     let kind = read_joint_type(node, report);
@@ -57,7 +56,7 @@ pub(crate) fn read_joint<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) ->
     }
 }
 
-/// Kind of a joint from the attribute `type`; `None` after a reported error.
+/// Kind of a joint; `None` if invalid.
 fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind> {
     let names = || JointKind::ALL.map(JointKind::name);
     let Some(text) = node.attribute("type") else {
@@ -79,8 +78,7 @@ fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind>
     kind
 }
 
-/// Attribute `independent` (see [`JointText`]) in upper or lower case: URDF+ files contain `true`, `True` and `TRUE`. `None`
-/// if absent or, with a warning, invalid.
+/// Recommended role in upper or lower case: URDF+ files contain `true`, `True` and `TRUE`.
 fn read_independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
     let text = node.attribute("independent")?;
     let word = text.trim_ascii();
@@ -110,7 +108,7 @@ pub(crate) fn warn_if_dependence_is_ignored<'a, 'i: 'a>(
     }
 }
 
-/// Attribute `link` of the child element with this tag; an empty text, after a reported error, if absent.
+/// Attribute `link` of a child element; empty if absent.
 pub(crate) fn read_link_name<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     tag: &'static str,
@@ -129,7 +127,7 @@ pub(crate) fn read_link_name<'a, 'i: 'a>(
     })
 }
 
-/// Text of the axis in the joint frame: three valid numbers. The default of URDF, with a note, if `<axis>` is absent.
+/// Text of the axis, in the joint frame; the default of URDF if `<axis>` is absent.
 fn read_axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &mut Report) -> &'a str {
     match child(node, "axis") {
         Some(axis) => required_numbers::<3>(axis, "xyz", DEFAULT_AXIS, report),
@@ -144,8 +142,8 @@ fn read_axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &m
     }
 }
 
-/// Texts of the lower and upper position limit, rad or m; `None` if `<limit>` gives neither. A `<limit>` with only effort
-/// and speed does not fix the joint at zero.
+/// Lower and upper position limit; `None` if `<limit>` gives neither. A `<limit>` with only effort and speed does not fix the
+/// joint at zero.
 fn read_limits<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     kind: Option<JointKind>,
@@ -173,7 +171,7 @@ fn read_limits<'a, 'i: 'a>(
     Some(["lower", "upper"].map(|name| optional_numbers::<1>(limit, name, "0", report)))
 }
 
-/// Contents of a `<mimic>`; `None`, with a warning, for a fixed joint.
+/// `None`, with a warning, for a fixed joint.
 fn read_mimic<'a>(node: Node<'a, '_>, kind: Option<JointKind>, report: &mut Report) -> Option<MimicText<'a>> {
     let joint = node.attribute("joint").unwrap_or_else(|| {
         report_missing_attribute(node, "joint", report);

@@ -29,7 +29,6 @@ pub(crate) struct InertialText<'a> {
 const MOMENTS: [(&str, bool); 6] =
     [("ixx", false), ("ixy", true), ("ixz", true), ("iyy", false), ("iyz", true), ("izz", false)];
 
-/// Contents of a `<link>`. Errors are reported.
 pub(crate) fn read_link<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> LinkText<'a> {
     LinkText {
         name: read_name(node, report),
@@ -38,7 +37,7 @@ pub(crate) fn read_link<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> 
     }
 }
 
-/// Attribute `name` of an element. An absent, empty or too long name is a reported error; absent: an empty text.
+/// Attribute `name`; an absent, empty or too long name is an error.
 pub(crate) fn read_name<'a>(node: Node<'a, '_>, report: &mut Report) -> &'a str {
     let name = node.attribute("name");
     let Some(name) = name else {
@@ -60,7 +59,7 @@ pub(crate) fn read_name<'a>(node: Node<'a, '_>, report: &mut Report) -> &'a str 
     name
 }
 
-/// Contents of an `<inertial>`; an absent mass or inertia is 0, with a note.
+/// An absent mass or inertia is 0, with a note.
 fn read_inertial<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> InertialText<'a> {
     let mass = child(node, "mass");
     let inertia = child(node, "inertia");
@@ -80,7 +79,7 @@ fn read_inertial<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Inertia
     }
 }
 
-/// Texts of the six entries of an `<inertia>`, kg·m²; absent products of inertia are 0, with a warning.
+/// Six entries of `<inertia>`, kg·m²; absent products are 0, with a warning.
 fn read_moments<'a>(node: Node<'a, '_>, report: &mut Report) -> [&'a str; 6] {
     let absent: Vec<&str> = MOMENTS
         .iter()

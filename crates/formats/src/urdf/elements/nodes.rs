@@ -59,7 +59,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
         excess.is_none()
     }
 
-    /// Place in the file of a problem that the builder found in `subject`.
+    /// Position in the file of a problem that the builder found.
     pub fn locate(&self, robot: Node<'a, 'i>, subject: &Subject, problem: &Problem) -> Place<'a, 'i> {
         let node = match subject {
             Subject::Mechanism => Some(robot),

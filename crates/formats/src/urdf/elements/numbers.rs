@@ -4,7 +4,7 @@ use crate::reading::report::{Place, Report, quoted};
 use crate::urdf::elements::survey::has_xacro_substitution;
 use roxmltree::Node;
 
-/// Parses exactly N finite numbers separated by ASCII white space. The error text names the defect.
+/// Parses exactly N finite numbers separated by white space. The error text names the defect.
 pub(crate) fn parse_numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
     let expected = || if N == 1 { "1 finite number".to_owned() } else { format!("{N} finite numbers") };
     let mut values = [0.0; N];
@@ -31,12 +31,11 @@ pub(crate) fn parse_numbers<const N: usize>(text: &str) -> Result<[f64; N], Stri
     }
 }
 
-/// Subject and verb for "… expected" in messages.
 fn expected_numbers_text(count: usize) -> String {
     if count == 1 { "1 finite number is".to_owned() } else { format!("{count} finite numbers are") }
 }
 
-/// Text of the attribute, checked to hold N finite numbers; `default` if absent, or, after a reported error, if invalid.
+/// Text of an attribute that holds N finite numbers; `default` if absent or invalid (an error).
 pub(crate) fn optional_numbers<'a, const N: usize>(
     node: Node<'a, '_>,
     attribute: &'static str,
@@ -53,7 +52,7 @@ pub(crate) fn optional_numbers<'a, const N: usize>(
     }
 }
 
-/// As [`optional_numbers`], but an absent attribute is a reported error.
+/// As [`optional_numbers`], but an absent attribute is an error.
 pub(crate) fn required_numbers<'a, const N: usize>(
     node: Node<'a, '_>,
     attribute: &'static str,
@@ -66,7 +65,7 @@ pub(crate) fn required_numbers<'a, const N: usize>(
     optional_numbers::<N>(node, attribute, default, report)
 }
 
-/// Number in a mandatory attribute; `None`, after a reported error, if absent or invalid.
+/// Number in a mandatory attribute; `None` if absent or invalid.
 pub(crate) fn required_number(
     node: Node<'_, '_>,
     attribute: &'static str,
@@ -85,7 +84,7 @@ pub(crate) fn required_number(
     }
 }
 
-/// Reports an attribute whose text does not hold the expected numbers; `defect` is the message of the parser.
+/// Reports an invalid number; `defect` is the error text of [`parse_numbers`].
 pub(crate) fn report_bad_number(
     node: Node<'_, '_>,
     attribute: &'static str,

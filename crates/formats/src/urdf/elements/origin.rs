@@ -33,12 +33,12 @@ impl Origin<'_> {
 
 const ZERO: &str = "0 0 0";
 
-/// Translation and rotation of the `<origin>` of `parent`; identity if absent. Errors are reported.
+/// The `<origin>` of `parent`; identity if absent.
 pub(crate) fn read_origin<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut Report) -> Origin<'a> {
     child(parent, "origin").map_or(Origin::IDENTITY, |node| read_origin_attributes(node, report))
 }
 
-/// Translation and rotation from the attributes of an `<origin>`, or of another element with the same attributes.
+/// Origin from the attributes of an `<origin>` or of another element.
 pub(crate) fn read_origin_attributes<'a>(node: Node<'a, '_>, report: &mut Report) -> Origin<'a> {
     let quaternion =
         node.attribute("quat_xyzw").and_then(|text| parse_quaternion_rotation(node, text, report));
@@ -54,7 +54,7 @@ pub(crate) fn read_origin_attributes<'a>(node: Node<'a, '_>, report: &mut Report
     }
 }
 
-/// Rotation matrix of the text of `quat_xyzw`, normalised; `None` after a reported error.
+/// Rotation matrix of `quat_xyzw`, normalised; `None` if invalid.
 fn parse_quaternion_rotation(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<Matrix3<f64>> {
     let [x, y, z, w] = match parse_numbers::<4>(text) {
         Ok(values) => values,

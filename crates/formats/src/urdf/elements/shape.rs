@@ -90,7 +90,7 @@ pub(crate) fn link_shapes<'a, 'i: 'a>(link: Node<'a, 'i>) -> Vec<Shape> {
     found
 }
 
-/// N numbers of an attribute, each at most `MAX_SHAPE_SIZE` in magnitude; `None` if absent or invalid.
+/// N numbers of an attribute, at most `MAX_SHAPE_SIZE`; `None` if absent or invalid.
 fn bounded_numbers<const N: usize>(node: Node<'_, '_>, attribute: &str) -> Option<[f64; N]> {
     let values = parse_numbers::<N>(node.attribute(attribute)?).ok()?;
     values.iter().all(|v| v.abs() <= MAX_SHAPE_SIZE).then_some(values)
@@ -105,7 +105,7 @@ fn bounded_numbers_or<const N: usize>(
     node.attribute(attribute).map_or(Some(default), |_| bounded_numbers(node, attribute))
 }
 
-/// Solid in its own frame, from a child of `<geometry>`; `None` if it is invalid or of an unknown kind.
+/// Solid in its own frame; `None` if invalid or of an unknown kind.
 fn read_solid(shape: Node<'_, '_>) -> Option<Solid> {
     let radius_and_length = || {
         Some((
@@ -130,7 +130,7 @@ fn read_solid(shape: Node<'_, '_>) -> Option<Solid> {
     })
 }
 
-/// Pose of a shape in the link frame, from `<origin xyz rpy quat_xyzw>`; identity if absent, `None` if invalid.
+/// Pose of a shape in the link frame; identity if absent, `None` if invalid.
 fn shape_frame<'a, 'i: 'a>(parent: Node<'a, 'i>) -> Option<Transform<f64>> {
     let Some(origin) = child(parent, "origin") else { return Some(Transform::identity()) };
     let translation = Vector3::from(bounded_numbers_or(origin, "xyz", [0.0; 3])?);

@@ -24,7 +24,7 @@ pub(crate) enum Language {
     Foreign,
 }
 
-/// Language of an element's tag, from its namespace.
+/// Language of a tag, from its namespace.
 pub(crate) fn tag_language(node: Node<'_, '_>) -> Language {
     match node.tag_name().namespace() {
         None => Language::Urdf,
@@ -42,7 +42,7 @@ pub(crate) fn tag_language(node: Node<'_, '_>) -> Language {
     }
 }
 
-/// True if the element has this tag of the table: in URDF's namespace, or in Drake's with the prefix `drake:`.
+/// True if the element has this tag of the table; `drake:` is the prefix of Drake's namespace.
 pub(crate) fn is_named(node: Node<'_, '_>, tag: &str) -> bool {
     let local_name = node.tag_name().name();
     match tag.strip_prefix("drake:") {
@@ -51,7 +51,7 @@ pub(crate) fn is_named(node: Node<'_, '_>, tag: &str) -> bool {
     }
 }
 
-/// Child elements with this tag (see [`is_named`]).
+/// Child elements with this tag.
 pub(crate) fn children<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     tag: &'static str,
@@ -59,17 +59,16 @@ pub(crate) fn children<'a, 'i: 'a>(
     node.children().filter(move |c| c.is_element() && is_named(*c, tag))
 }
 
-/// First child element with this tag (see [`is_named`]).
+/// First child element with this tag.
 pub(crate) fn child<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str) -> Option<Node<'a, 'i>> {
     children(node, tag).next()
 }
 
-/// True if the value contains an unexpanded xacro substitution.
 pub(crate) fn has_xacro_substitution(value: &str) -> bool {
     value.contains("${") || value.contains("$(")
 }
 
-/// Reports the first unexpanded xacro element of the document as an error.
+/// Reports the first unexpanded xacro element.
 pub(crate) fn report_xacro_elements(root: Node<'_, '_>, report: &mut Report) {
     let is_macro = |n: &Node<'_, '_>| n.tag_name().namespace().is_some_and(|uri| XACRO.contains(&uri));
     if let Some(node) = root.descendants().filter(Node::is_element).find(is_macro) {
@@ -78,8 +77,7 @@ pub(crate) fn report_xacro_elements(root: Node<'_, '_>, report: &mut Report) {
     }
 }
 
-/// Reports the attributes and descendants of an element according to the treatments in its entry of the table. The depth of
-/// recursion is the depth of the table.
+/// Applies the table to an element, its attributes and its descendants. The depth of recursion is the depth of the table.
 pub(crate) fn check_element(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut Report) {
     check_attributes(node, rule, report);
     let mut seen = 0u64;
@@ -110,7 +108,7 @@ pub(crate) fn check_element(node: Node<'_, '_>, rule: &'static ElementRule, repo
     }
 }
 
-/// Applies the treatment in the table to an element: reads on, ignores it, or reports a note, a warning or an error.
+/// Applies the treatment of the table to an element.
 fn apply_treatment(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut Report) {
     let place = Place::Element(node);
     match rule.treatment {
@@ -128,7 +126,7 @@ fn apply_treatment(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut 
     }
 }
 
-/// Applies the treatments in the table to the attributes of an element; an unknown attribute gets a warning.
+/// Applies the treatments of the table to the attributes of an element.
 fn check_attributes(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut Report) {
     for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
         let name = attribute.name();
@@ -156,7 +154,7 @@ fn check_attributes(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut
     }
 }
 
-/// Warns about an element that the table does not contain; the message names a similar tag.
+/// Warns about an element that the table does not contain, with a similar name.
 fn warn_unknown_element(node: Node<'_, '_>, parent: &'static ElementRule, report: &mut Report) {
     let name = node.tag_name().name();
     let shown = shortened(name);
@@ -180,7 +178,7 @@ fn warn_stray_text(parent: Node<'_, '_>, text: Node<'_, '_>, report: &mut Report
     }
 }
 
-/// Checks the joints in a `<gazebo>`, which close loops. Other settings of a simulator have no effect here.
+/// Checks the joints in a `<gazebo>`, which close loops. Other settings of simulators have no effect here.
 fn check_gazebo_joints(gazebo: Node<'_, '_>, report: &mut Report) {
     for joint in children(gazebo, "joint") {
         if is_gazebo_joint(joint) {
@@ -203,7 +201,7 @@ pub(crate) fn is_gazebo_joint(node: Node<'_, '_>) -> bool {
     is_named(node, "joint") && node.parent().is_some_and(of_robot)
 }
 
-/// Reports a joint in a `<gazebo>` as an error, with the reason: without the joint, the mechanism would be a different one.
+/// Reports an unreadable joint as an error: without the joint, the mechanism would be a different one.
 pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, reason: impl FnOnce() -> String) {
     report.error("gazebo-joint", Place::Element(node), || {
         format!(
@@ -214,7 +212,7 @@ pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, reaso
     });
 }
 
-/// Reports MuJoCo's equality constraints, which close loops and couple joints, as errors. Other settings have no effect here.
+/// Refuses equality constraints, which close loops and couple joints. Other settings have no effect here.
 fn refuse_mujoco_equalities(mujoco: Node<'_, '_>, report: &mut Report) {
     for equality in children(mujoco, "equality") {
         report.error("loop-unsupported", Place::Element(equality), || {

@@ -8,7 +8,7 @@ use percuss_mechanism::JointKind;
 use roxmltree::Node;
 use std::collections::HashMap;
 
-/// Adds the armatures given in `<transmission>`s to their joints; `index` contains the joints by name.
+/// Adds the armatures given in `<transmission>`s to their joints.
 pub(crate) fn add_transmission_armatures<'a, 'i: 'a>(
     robot: Node<'a, 'i>,
     joints: &mut [JointText<'a>],
