@@ -1,14 +1,14 @@
 //! Dense entry: m̄ from matrices of the caller.
 
-use crate::arrays::{
+use crate::boundary::arrays::{
     ByteRange, expect_length, input_slice, nan_if_unknown, optional_output_slice, refuse_overlaps,
 };
-use crate::contact::{PERCUSS_ROUTE_DENSE, outcome_and_value, percuss_mass, remark_bits};
-use crate::handle::{argument_mut, read_argument, read_optional_argument};
-use crate::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
-use crate::status::{
+use crate::boundary::handle::{argument_mut, read_argument, read_optional_argument};
+use crate::boundary::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_MATRIX, guard_call, percuss_status,
 };
+use crate::evaluation::contact::{PERCUSS_ROUTE_DENSE, outcome_and_value, percuss_mass, remark_bits};
+use crate::evaluation::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
 use percuss::{LayoutError, MatrixError, MatrixName, MatrixOptions, MatrixView, effective_mass};
 
 /// A matrix of the caller, read in place.

@@ -1,9 +1,9 @@
 //! Contact laws: the damper for a restitution, and the characteristics of an impact.
 
-use crate::arrays::{enumeration_value, input_text, nan_if_unknown};
-use crate::handle::{argument_mut, read_argument};
-use crate::names::element_at;
-use crate::status::{Failure, PERCUSS_ERROR_LAW, PERCUSS_ERROR_NAME, guard_call, percuss_status};
+use crate::boundary::arrays::{enumeration_value, input_text, nan_if_unknown};
+use crate::boundary::handle::{argument_mut, read_argument};
+use crate::boundary::names::element_at;
+use crate::boundary::status::{Failure, PERCUSS_ERROR_LAW, PERCUSS_ERROR_NAME, guard_call, percuss_status};
 use percuss::contact::{CompliantContact, ContactLawError, Damper, Law, Separation};
 use std::ffi::{CStr, c_char};
 

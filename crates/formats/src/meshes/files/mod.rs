@@ -1,4 +1,7 @@
 //! Readers of triangle meshes: STL (binary and ASCII), OBJ, COLLADA. Only positions are read, in metres.
+//!
+//! The crate `mesh-loader` (0.1.13) is not used: it has single precision, and panics or allocates without bound for indices and
+//! offsets out of range in COLLADA.
 
 mod dae;
 mod error;

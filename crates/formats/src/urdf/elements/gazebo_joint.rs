@@ -201,7 +201,7 @@ impl<'a> GazeboJointReader<'_, 'a> {
         base * relative.unwrap_or_else(Transform::identity)
     }
 
-    /// X_rf of a named frame; `default` if there is no name or the name is unknown.
+    /// X_rf, named frame to root link; `default` if there is no name or the name is unknown.
     fn frame_or_default(
         &self,
         node: Node<'_, '_>,

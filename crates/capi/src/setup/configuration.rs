@@ -1,9 +1,13 @@
 //! Configurations: joint positions given by the user.
 
-use crate::arrays::{input_slice, input_text};
-use crate::handle::{Exclusive, Handle, clear_handle, free_handle, lock_object, object_of, write_handle};
-use crate::model::{Model, percuss_model};
-use crate::status::{Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONDITIONS, guard_call, percuss_status};
+use crate::boundary::arrays::{input_slice, input_text};
+use crate::boundary::handle::{
+    Exclusive, Handle, clear_handle, free_handle, lock_object, object_of, write_handle,
+};
+use crate::boundary::status::{
+    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONDITIONS, guard_call, percuss_status,
+};
+use crate::setup::model::{Model, percuss_model};
 use percuss::spatial::Transform;
 use percuss::{Configuration, ConfigurationError};
 use std::ffi::c_char;

@@ -3,7 +3,7 @@
 //! The functions here and in `arrays` take pointers from C and rely on the contract of the calling C function
 //! ("Pointers" in the header). They are called only by C functions, with the arguments of those functions.
 
-use crate::status::{
+use crate::boundary::status::{
     Failure, PERCUSS_ERROR_BUSY, PERCUSS_ERROR_HANDLE, PERCUSS_ERROR_INTERNAL, PERCUSS_ERROR_NULL,
 };
 use std::ops::{Deref, DerefMut};

@@ -1,18 +1,18 @@
 //! Poses: a mechanism at one configuration, its matrices, m̄.
 
-use crate::arrays::{copy_to_caller, expect_length, output_slice};
-use crate::configuration::percuss_configuration;
-use crate::contact::{mass_summary, parse_route, percuss_contact, percuss_mass, percuss_route};
-use crate::handle::{
+use crate::boundary::arrays::{copy_to_caller, expect_length, output_slice};
+use crate::boundary::handle::{
     Handle, argument_mut, clear_handle, free_handle, lock_object, object_of, read_argument, write_handle,
 };
-use crate::model::Model;
-use crate::response::{NamedResponse, percuss_response};
-use crate::status::{
+use crate::boundary::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH,
     guard_call, percuss_status,
 };
-use crate::system::{percuss_assembly, percuss_system};
+use crate::evaluation::contact::{mass_summary, parse_route, percuss_contact, percuss_mass, percuss_route};
+use crate::evaluation::response::{NamedResponse, percuss_response};
+use crate::setup::configuration::percuss_configuration;
+use crate::setup::model::Model;
+use crate::setup::system::{percuss_assembly, percuss_system};
 use percuss::nalgebra::DMatrix;
 use percuss::{ContactResponse, Pose};
 use std::sync::Arc;

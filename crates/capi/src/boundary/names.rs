@@ -1,6 +1,6 @@
 //! Zero-terminated texts for C, and elements by number.
 
-use crate::status::{Failure, PERCUSS_ERROR_NAME};
+use crate::boundary::status::{Failure, PERCUSS_ERROR_NAME};
 use std::ffi::CString;
 
 /// Zero-terminated text; zero bytes inside, which no valid name has, are replaced.

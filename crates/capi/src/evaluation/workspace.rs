@@ -1,18 +1,18 @@
 //! Workspaces: one configuration after another, without allocations.
 
-use crate::arrays::{ByteRange, input_slice, refuse_overlaps};
-use crate::configuration::read_base_pose;
-use crate::contact::{outcome_and_value, percuss_contact, percuss_outcome};
-use crate::handle::{
+use crate::boundary::arrays::{ByteRange, input_slice, refuse_overlaps};
+use crate::boundary::handle::{
     Exclusive, Handle, argument_mut, argument_ref, clear_handle, free_handle, lock_object, object_of,
     write_handle,
 };
-use crate::model::Model;
-use crate::status::{
+use crate::boundary::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH,
     guard_call, percuss_status,
 };
-use crate::system::percuss_assembly;
+use crate::evaluation::contact::{outcome_and_value, percuss_contact, percuss_outcome};
+use crate::setup::configuration::read_base_pose;
+use crate::setup::model::Model;
+use crate::setup::system::percuss_assembly;
 use percuss::{Contact, ResponseError, Workspace};
 use std::sync::Arc;
 

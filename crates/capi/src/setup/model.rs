@@ -1,9 +1,9 @@
 //! Models: mechanisms read from URDF, the names of their links and joints, and findings about the file.
 
-use crate::arrays::{input_slice, input_text};
-use crate::handle::{Handle, argument_mut, clear_handle, free_handle, object_of, write_handle};
-use crate::names::{c_string, element_at};
-use crate::status::{
+use crate::boundary::arrays::{input_slice, input_text};
+use crate::boundary::handle::{Handle, argument_mut, clear_handle, free_handle, object_of, write_handle};
+use crate::boundary::names::{c_string, element_at};
+use crate::boundary::status::{
     Failure, PERCUSS_ERROR_LOAD, PERCUSS_ERROR_NAME, PERCUSS_ERROR_TEXT, guard_call, percuss_status,
 };
 use percuss::{

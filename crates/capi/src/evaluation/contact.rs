@@ -1,9 +1,9 @@
 //! Contacts and their results.
 
-use crate::arrays::{enumeration_value, nan_if_unknown};
-use crate::handle::argument_mut;
-use crate::model::Model;
-use crate::status::{Failure, PERCUSS_ERROR_CONTACT, guard_call, percuss_status};
+use crate::boundary::arrays::{enumeration_value, nan_if_unknown};
+use crate::boundary::handle::argument_mut;
+use crate::boundary::status::{Failure, PERCUSS_ERROR_CONTACT, guard_call, percuss_status};
+use crate::setup::model::Model;
 use percuss::nalgebra::Vector3;
 use percuss::{
     Contact, ContactResponse, Direction, EffectiveMass, ErrorBudget, Frame, LinkId, Remark, RemarkFlags,

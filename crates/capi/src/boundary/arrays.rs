@@ -1,6 +1,6 @@
 //! Arrays and texts of the caller.
 
-use crate::status::{
+use crate::boundary::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_NULL, PERCUSS_ERROR_OVERLAP,
     PERCUSS_ERROR_TEXT,
 };

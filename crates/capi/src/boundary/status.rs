@@ -1,6 +1,6 @@
 //! Status of a call, and the message of a failure.
 
-use crate::floating_point::DefaultEnvironment;
+use crate::boundary::floating_point::DefaultEnvironment;
 use std::cell::RefCell;
 use std::ffi::{CString, c_char};
 use std::fmt::Display;

@@ -1,10 +1,14 @@
 //! Systems (a mechanism under conditions) and assemblies (systems with closed loops).
 
-use crate::conditions::percuss_conditions;
-use crate::configuration::percuss_configuration;
-use crate::handle::{Handle, argument_mut, clear_handle, free_handle, lock_object, object_of, write_handle};
-use crate::model::{Model, percuss_model};
-use crate::status::{Failure, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONDITIONS, guard_call, percuss_status};
+use crate::boundary::handle::{
+    Handle, argument_mut, clear_handle, free_handle, lock_object, object_of, write_handle,
+};
+use crate::boundary::status::{
+    Failure, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONDITIONS, guard_call, percuss_status,
+};
+use crate::setup::conditions::percuss_conditions;
+use crate::setup::configuration::percuss_configuration;
+use crate::setup::model::{Model, percuss_model};
 use percuss::{Assembly, Conditions, System};
 use std::sync::Arc;
 

@@ -1,20 +1,22 @@
 //! Batches: one contact at many configurations, with SIMD lanes and threads.
 
-use crate::arrays::{
+use crate::boundary::arrays::{
     ByteRange, expect_length, input_slice, nan_if_unknown, optional_output_slice, output_slice,
     refuse_overlaps,
 };
-use crate::contact::{
-    PERCUSS_MASSLESS_TO_ROUNDING, PERCUSS_NO_ANSWER, outcome_and_value, percuss_contact, percuss_outcome,
+use crate::boundary::handle::{
+    Handle, clear_handle, free_handle, lock_object, object_of, read_argument, write_handle,
 };
-use crate::handle::{Handle, clear_handle, free_handle, lock_object, object_of, read_argument, write_handle};
-use crate::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
-use crate::status::{
+use crate::boundary::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_HANDLE, PERCUSS_ERROR_INTERNAL,
     PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_STOPPED, guard_call, percuss_status,
 };
-use crate::system::percuss_assembly;
-use crate::workspace::percuss_workspace;
+use crate::evaluation::contact::{
+    PERCUSS_MASSLESS_TO_ROUNDING, PERCUSS_NO_ANSWER, outcome_and_value, percuss_contact, percuss_outcome,
+};
+use crate::evaluation::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
+use crate::evaluation::workspace::percuss_workspace;
+use crate::setup::system::percuss_assembly;
 use percuss::{Batch, BatchAnswer, BatchError, BatchPositions};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::ffi::c_void;

@@ -1,8 +1,10 @@
 //! Conditions of an analysis: the base, locks, armatures, held contacts.
 
-use crate::arrays::{enumeration_value, input_slice, input_text};
-use crate::handle::{Exclusive, Handle, clear_handle, free_handle, lock_object, object_of, write_handle};
-use crate::status::{Failure, PERCUSS_ERROR_NULL, guard_call, percuss_status};
+use crate::boundary::arrays::{enumeration_value, input_slice, input_text};
+use crate::boundary::handle::{
+    Exclusive, Handle, clear_handle, free_handle, lock_object, object_of, write_handle,
+};
+use crate::boundary::status::{Failure, PERCUSS_ERROR_NULL, guard_call, percuss_status};
 use percuss::nalgebra::Vector3;
 use percuss::{Base, Conditions};
 use std::ffi::c_char;

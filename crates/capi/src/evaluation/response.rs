@@ -1,10 +1,10 @@
 //! Full response to a contact.
 
-use crate::arrays::{ByteRange, copy_to_caller, expect_length, output_slice, refuse_overlaps};
-use crate::contact::{mass_summary, percuss_mass};
-use crate::handle::{Handle, argument_mut, free_handle, object_of};
-use crate::model::Model;
-use crate::status::{Failure, PERCUSS_ERROR_CONTACT, guard_call, percuss_status};
+use crate::boundary::arrays::{ByteRange, copy_to_caller, expect_length, output_slice, refuse_overlaps};
+use crate::boundary::handle::{Handle, argument_mut, free_handle, object_of};
+use crate::boundary::status::{Failure, PERCUSS_ERROR_CONTACT, guard_call, percuss_status};
+use crate::evaluation::contact::{mass_summary, percuss_mass};
+use crate::setup::model::Model;
 use percuss::ContactResponse;
 use std::sync::Arc;
 
