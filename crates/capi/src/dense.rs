@@ -102,7 +102,7 @@ pub unsafe extern "C" fn percuss_matrix_options_init(options: *mut percuss_matri
 impl percuss_matrix_options {
     /// Options without characteristic lengths. Values out of range are refused later.
     #[allow(clippy::float_cmp, reason = "the default is one certain number")]
-    fn to_options_without_lengths<'a>(&self) -> MatrixOptions<'a> {
+    fn to_options_without_lengths<'a>(self) -> MatrixOptions<'a> {
         let given = |value: f64| (value != PERCUSS_DEFAULT).then_some(value);
         let mut options = MatrixOptions::new().accuracy(self.accuracy);
         if let Some(floor) = given(self.rank_floor) {

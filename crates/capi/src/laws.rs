@@ -100,7 +100,7 @@ fn with_law_status<T>(result: Result<T, ContactLawError>) -> Result<T, Failure> 
 
 impl percuss_spring {
     /// Compliant contact with this mass, stiffness and exponent; checks the numbers.
-    fn to_contact(&self) -> Result<CompliantContact, Failure> {
+    fn to_contact(self) -> Result<CompliantContact, Failure> {
         let linear = with_law_status(CompliantContact::new(self.effective_mass, self.stiffness))?;
         with_law_status(linear.with_exponent(self.exponent))
     }
@@ -131,7 +131,7 @@ impl percuss_damper {
     }
 
     /// Damper on this contact: its force depends on the coefficient.
-    fn to_damper(&self, contact: CompliantContact) -> Result<Damper, Failure> {
+    fn to_damper(self, contact: CompliantContact) -> Result<Damper, Failure> {
         let kinds = [PERCUSS_DAMPER_KELVIN_VOIGT, PERCUSS_DAMPER_HUNT_CROSSLEY];
         match enumeration_value(&kinds, self.kind, "kind of the damper")? {
             PERCUSS_DAMPER_KELVIN_VOIGT => {
