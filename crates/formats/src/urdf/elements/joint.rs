@@ -78,7 +78,7 @@ fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind>
     kind
 }
 
-/// Recommended role in upper or lower case: URDF+ files contain `true`, `True` and `TRUE`.
+/// True for a recommended driving joint. Upper or lower case: URDF+ files contain `true`, `True` and `TRUE`.
 fn read_independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
     let text = node.attribute("independent")?;
     let word = text.trim_ascii();
