@@ -1,12 +1,14 @@
 //! Dense entry: m̄ from matrices of the caller.
 
-use crate::arrays::{Span, expect_length, input, nan_if_unknown, optional_output, refuse_overlaps};
-use crate::contact::{PERCUSS_ROUTE_DENSE, outcome_code, percuss_mass, remark_bits};
-use crate::handle::{read_optional_target, read_target, target_mut};
-use crate::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
-use crate::status::{
-    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_MATRIX, guarded, percuss_status,
+use crate::boundary::arrays::{
+    ByteRange, expect_length, input_slice, nan_if_unknown, optional_output_slice, refuse_overlaps,
 };
+use crate::boundary::handle::{argument_mut, read_argument, read_optional_argument};
+use crate::boundary::status::{
+    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_MATRIX, guard_call, percuss_status,
+};
+use crate::evaluation::contact::{PERCUSS_ROUTE_DENSE, outcome_and_value, percuss_mass, remark_bits};
+use crate::evaluation::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
 use percuss::{LayoutError, MatrixError, MatrixName, MatrixOptions, MatrixView, effective_mass};
 
 /// A matrix of the caller, read in place.
@@ -82,8 +84,8 @@ pub struct percuss_rank {
 /// options is null or points to storage for a percuss_matrix_options.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_matrix_options_init(options: *mut percuss_matrix_options) -> percuss_status {
-    guarded(|| {
-        *target_mut(options, "options")? = percuss_matrix_options {
+    guard_call(|| {
+        *argument_mut(options, "options")? = percuss_matrix_options {
             lengths: std::ptr::null(),
             length_count: 0,
             rank_floor: PERCUSS_DEFAULT,
@@ -98,9 +100,9 @@ pub unsafe extern "C" fn percuss_matrix_options_init(options: *mut percuss_matri
 }
 
 impl percuss_matrix_options {
-    /// Options without lengths. Values out of range are refused by [`effective_mass`].
+    /// Options without characteristic lengths. Values out of range are refused later.
     #[allow(clippy::float_cmp, reason = "the default is one certain number")]
-    fn without_lengths<'a>(&self) -> MatrixOptions<'a> {
+    fn to_options_without_lengths<'a>(self) -> MatrixOptions<'a> {
         let given = |value: f64| (value != PERCUSS_DEFAULT).then_some(value);
         let mut options = MatrixOptions::new().accuracy(self.accuracy);
         if let Some(floor) = given(self.rank_floor) {
@@ -123,9 +125,9 @@ impl percuss_matrix_options {
     }
 }
 
-/// Checked view of a matrix of the caller, without a copy.
-fn view<'a>(matrix: &percuss_matrix, name: &str) -> Result<MatrixView<'a>, Failure> {
-    let values: &'a [f64] = input(matrix.values, matrix.length, name)?;
+/// View of a matrix of the caller, without a copy; refuses a wrong shape or layout.
+fn matrix_view<'a>(matrix: &percuss_matrix, name: &str) -> Result<MatrixView<'a>, Failure> {
+    let values: &'a [f64] = input_slice(matrix.values, matrix.length, name)?;
     let percuss_matrix { rows, columns, leading_dimension, layout, .. } = *matrix;
     let view = match layout {
         PERCUSS_ROW_MAJOR => MatrixView::row_major_with(values, rows, columns, leading_dimension),
@@ -140,7 +142,7 @@ fn view<'a>(matrix: &percuss_matrix, name: &str) -> Result<MatrixView<'a>, Failu
     view.map_err(|error: LayoutError| Failure::new(PERCUSS_ERROR_LENGTH, format_args!("{name}: {error}")))
 }
 
-/// Status and message of an error of a matrix.
+/// Failure with the status for the kind of the error.
 fn matrix_failure(error: MatrixError) -> Failure {
     let status = match &error {
         MatrixError::Shape { .. } | MatrixError::LengthCount { .. } => PERCUSS_ERROR_LENGTH,
@@ -175,47 +177,47 @@ pub unsafe extern "C" fn percuss_effective_mass(
     rank: *mut percuss_rank,
     redundant_rows: *mut u8,
 ) -> percuss_status {
-    guarded(|| {
-        let mass = read_target(mass, "mass")?;
-        let constraints = read_optional_target(constraints, "constraints")?;
-        let given = read_optional_target(options, "options")?;
-        let row = input(contact_row, count, "contact_row")?;
+    guard_call(|| {
+        let mass = read_argument(mass, "mass")?;
+        let constraints = read_optional_argument(constraints, "constraints")?;
+        let given = read_optional_argument(options, "options")?;
+        let row = input_slice(contact_row, count, "contact_row")?;
         expect_length(count, mass.rows, "contact_row")?;
         let mut parsed_options = MatrixOptions::new();
         if let Some(options) = given {
-            parsed_options = options.without_lengths();
+            parsed_options = options.to_options_without_lengths();
             if !options.lengths.is_null() {
                 parsed_options =
-                    parsed_options.lengths(input(options.lengths, options.length_count, "lengths")?);
+                    parsed_options.lengths(input_slice(options.lengths, options.length_count, "lengths")?);
             }
         }
-        let rows = constraints.as_ref().map(|a| view(a, "constraints")).transpose()?;
-        let matrix = view(&mass, "mass")?;
+        let rows = constraints.as_ref().map(|a| matrix_view(a, "constraints")).transpose()?;
+        let matrix = matrix_view(&mass, "mass")?;
         let redundant = constraints.map_or(0, |a| a.rows);
         let written = [
-            Span::of(mass_result, 1, "mass_result"),
-            Span::of(velocities, count, "velocities"),
-            Span::of(rank, 1, "rank"),
-            Span::of(redundant_rows, redundant, "redundant_rows"),
+            ByteRange::of_array(mass_result, 1, "mass_result"),
+            ByteRange::of_array(velocities, count, "velocities"),
+            ByteRange::of_array(rank, 1, "rank"),
+            ByteRange::of_array(redundant_rows, redundant, "redundant_rows"),
         ];
         let (a, lengths) = (
-            constraints.map_or(Span::of(contact_row, 0, "constraints"), |a| {
-                Span::of(a.values, a.length, "constraints")
+            constraints.map_or(ByteRange::of_array(contact_row, 0, "constraints"), |a| {
+                ByteRange::of_array(a.values, a.length, "constraints")
             }),
-            given.map_or(Span::of(contact_row, 0, "lengths"), |options| {
-                Span::of(options.lengths, options.length_count, "lengths")
+            given.map_or(ByteRange::of_array(contact_row, 0, "lengths"), |options| {
+                ByteRange::of_array(options.lengths, options.length_count, "lengths")
             }),
         );
         let read = [
-            Span::of(mass.values, mass.length, "mass"),
-            Span::of(contact_row, count, "contact_row"),
+            ByteRange::of_array(mass.values, mass.length, "mass"),
+            ByteRange::of_array(contact_row, count, "contact_row"),
             a,
             lengths,
         ];
         refuse_overlaps(&written, &read)?;
         let found = effective_mass(matrix, row, rows, &parsed_options).map_err(matrix_failure)?;
-        let (outcome, m) = outcome_code(found.effective_mass);
-        *target_mut(mass_result, "mass_result")? = percuss_mass {
+        let (outcome, m) = outcome_and_value(found.effective_mass);
+        *argument_mut(mass_result, "mass_result")? = percuss_mass {
             outcome,
             route: PERCUSS_ROUTE_DENSE,
             remarks: remark_bits(&found.remarks),
@@ -227,11 +229,11 @@ pub unsafe extern "C" fn percuss_effective_mass(
             error_closing: f64::NAN,
             error_file: f64::NAN,
         };
-        if let Some(to) = optional_output(velocities, count, "velocities")? {
+        if let Some(to) = optional_output_slice(velocities, count, "velocities")? {
             to.copy_from_slice(&found.velocity);
         }
         if !rank.is_null() {
-            *target_mut(rank, "rank")? = percuss_rank {
+            *argument_mut(rank, "rank")? = percuss_rank {
                 rank: found.rank.rank,
                 redundant: found.rank.redundant_rows.len(),
                 gap: nan_if_unknown(found.rank.gap),
@@ -240,7 +242,7 @@ pub unsafe extern "C" fn percuss_effective_mass(
             };
         }
         let m = constraints.map_or(0, |a| a.rows);
-        if let Some(to) = optional_output(redundant_rows, m, "redundant_rows")? {
+        if let Some(to) = optional_output_slice(redundant_rows, m, "redundant_rows")? {
             to.fill(0);
             found.rank.redundant_rows.iter().for_each(|&r| to[r] = 1);
         }

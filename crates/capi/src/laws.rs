@@ -1,9 +1,9 @@
 //! Contact laws: the damper for a restitution, and the characteristics of an impact.
 
-use crate::arrays::{choice, nan_if_unknown, text};
-use crate::handle::{read_target, target_mut};
-use crate::names::element;
-use crate::status::{Failure, PERCUSS_ERROR_LAW, PERCUSS_ERROR_NAME, guarded, percuss_status};
+use crate::boundary::arrays::{enumeration_value, input_text, nan_if_unknown};
+use crate::boundary::handle::{argument_mut, read_argument};
+use crate::boundary::names::element_at;
+use crate::boundary::status::{Failure, PERCUSS_ERROR_LAW, PERCUSS_ERROR_NAME, guard_call, percuss_status};
 use percuss::contact::{CompliantContact, ContactLawError, Damper, Law, Separation};
 use std::ffi::{CStr, c_char};
 
@@ -94,20 +94,21 @@ const NAMES: [&CStr; Law::ALL.len()] = [
 ];
 
 /// Converts the error of a contact law to a failure with PERCUSS_ERROR_LAW.
-fn law_result<T>(result: Result<T, ContactLawError>) -> Result<T, Failure> {
-    result.map_err(Failure::of(PERCUSS_ERROR_LAW))
+fn with_law_status<T>(result: Result<T, ContactLawError>) -> Result<T, Failure> {
+    result.map_err(Failure::with_status(PERCUSS_ERROR_LAW))
 }
 
 impl percuss_spring {
-    /// Compliant contact of this spring; checks the numbers.
-    fn contact(&self) -> Result<CompliantContact, Failure> {
-        let linear = law_result(CompliantContact::new(self.effective_mass, self.stiffness))?;
-        law_result(linear.with_exponent(self.exponent))
+    /// Compliant contact with this mass, stiffness and exponent; checks the numbers.
+    fn to_contact(self) -> Result<CompliantContact, Failure> {
+        let linear = with_law_status(CompliantContact::new(self.effective_mass, self.stiffness))?;
+        with_law_status(linear.with_exponent(self.exponent))
     }
 }
 
 impl percuss_damper {
-    fn new(damper: Damper) -> Self {
+    /// Damper for C; NaN for coefficients of the other kind.
+    fn from_damper(damper: Damper) -> Self {
         match damper {
             Damper::KelvinVoigt { ratio, coefficient, separation } => Self {
                 kind: PERCUSS_DAMPER_KELVIN_VOIGT,
@@ -129,15 +130,15 @@ impl percuss_damper {
         }
     }
 
-    /// The damper on this contact: its force depends on the coefficient.
-    fn on(&self, contact: CompliantContact) -> Result<Damper, Failure> {
+    /// Damper on this contact: its force depends on the coefficient.
+    fn to_damper(self, contact: CompliantContact) -> Result<Damper, Failure> {
         let kinds = [PERCUSS_DAMPER_KELVIN_VOIGT, PERCUSS_DAMPER_HUNT_CROSSLEY];
-        match choice(&kinds, self.kind, "kind of the damper")? {
+        match enumeration_value(&kinds, self.kind, "kind of the damper")? {
             PERCUSS_DAMPER_KELVIN_VOIGT => {
-                let separation = choice(&Separation::ALL, self.separation, "separation")?;
-                law_result(Damper::kelvin_voigt_from_coefficient(contact, self.coefficient, separation))
+                let separation = enumeration_value(&Separation::ALL, self.separation, "separation")?;
+                with_law_status(Damper::kelvin_voigt_from_coefficient(contact, self.coefficient, separation))
             }
-            _ => law_result(Damper::hunt_crossley(self.dissipation)),
+            _ => with_law_status(Damper::hunt_crossley(self.dissipation)),
         }
     }
 }
@@ -154,9 +155,9 @@ pub extern "C" fn percuss_law_count() -> usize {
 /// name is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_law_name(law: percuss_law, name: *mut *const c_char) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         let index = usize::try_from(law).unwrap_or(usize::MAX);
-        *target_mut(name, "name")? = element(&NAMES, index, "law")?.as_ptr();
+        *argument_mut(name, "name")? = element_at(&NAMES, index, "law")?.as_ptr();
         Ok(())
     })
 }
@@ -167,10 +168,11 @@ pub unsafe extern "C" fn percuss_law_name(law: percuss_law, name: *mut *const c_
 /// name ends with a zero byte; law is null or points to storage for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_law_find(name: *const c_char, law: *mut percuss_law) -> percuss_status {
-    guarded(|| {
-        let found = Law::from_name(text(name, "name")?).map_err(Failure::of(PERCUSS_ERROR_NAME))?;
+    guard_call(|| {
+        let found =
+            Law::from_name(input_text(name, "name")?).map_err(Failure::with_status(PERCUSS_ERROR_NAME))?;
         let number = Law::ALL.iter().position(|law| *law == found).unwrap_or_default();
-        *target_mut(law, "law")? = number as percuss_law;
+        *argument_mut(law, "law")? = number as percuss_law;
         Ok(())
     })
 }
@@ -191,14 +193,14 @@ pub unsafe extern "C" fn percuss_law_damper(
     separation: percuss_separation,
     damper: *mut percuss_damper,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         let index = usize::try_from(law).unwrap_or(usize::MAX);
-        let law = *element(&Law::ALL, index, "law")?;
-        let contact = read_target(spring, "spring")?.contact()?;
-        let separation = choice(&Separation::ALL, separation, "separation")?;
+        let law = *element_at(&Law::ALL, index, "law")?;
+        let contact = read_argument(spring, "spring")?.to_contact()?;
+        let separation = enumeration_value(&Separation::ALL, separation, "separation")?;
         let speed = (speed != 0.0).then_some(speed);
-        let found = law_result(law.damper(contact, restitution, speed, separation))?;
-        *target_mut(damper, "damper")? = percuss_damper::new(found);
+        let found = with_law_status(law.damper(contact, restitution, speed, separation))?;
+        *argument_mut(damper, "damper")? = percuss_damper::from_damper(found);
         Ok(())
     })
 }
@@ -216,10 +218,10 @@ pub unsafe extern "C" fn percuss_damper_restitution(
     speed: f64,
     restitution: *mut f64,
 ) -> percuss_status {
-    guarded(|| {
-        let contact = read_target(spring, "spring")?.contact()?;
-        let found = read_target(damper, "damper")?.on(contact)?.restitution(contact, speed);
-        *target_mut(restitution, "restitution")? = law_result(found)?;
+    guard_call(|| {
+        let contact = read_argument(spring, "spring")?.to_contact()?;
+        let found = read_argument(damper, "damper")?.to_damper(contact)?.restitution(contact, speed);
+        *argument_mut(restitution, "restitution")? = with_law_status(found)?;
         Ok(())
     })
 }
@@ -237,10 +239,11 @@ pub unsafe extern "C" fn percuss_damper_impact(
     speed: f64,
     impact: *mut percuss_impact,
 ) -> percuss_status {
-    guarded(|| {
-        let contact = read_target(spring, "spring")?.contact()?;
-        let found = law_result(read_target(damper, "damper")?.on(contact)?.impact(contact, speed))?;
-        *target_mut(impact, "impact")? = percuss_impact {
+    guard_call(|| {
+        let contact = read_argument(spring, "spring")?.to_contact()?;
+        let found =
+            with_law_status(read_argument(damper, "damper")?.to_damper(contact)?.impact(contact, speed))?;
+        *argument_mut(impact, "impact")? = percuss_impact {
             restitution: found.restitution,
             duration: nan_if_unknown(found.duration),
             max_penetration: found.max_penetration,

@@ -11,34 +11,23 @@
 // Names follow the header.
 #![allow(non_camel_case_types)]
 
-mod arrays;
-mod batch;
-mod conditions;
-mod configuration;
-mod contact;
+mod boundary;
 mod dense;
-mod floating_point;
-mod handle;
+mod evaluation;
 mod laws;
-mod model;
-mod names;
-mod pose;
-mod response;
-mod status;
-mod system;
+mod setup;
 mod version;
-mod workspace;
 
-pub use batch::*;
-pub use conditions::*;
-pub use configuration::*;
-pub use contact::*;
+pub use boundary::status::*;
 pub use dense::*;
+pub use evaluation::batch::*;
+pub use evaluation::contact::*;
+pub use evaluation::pose::*;
+pub use evaluation::response::*;
+pub use evaluation::workspace::*;
 pub use laws::*;
-pub use model::*;
-pub use pose::*;
-pub use response::*;
-pub use status::*;
-pub use system::*;
+pub use setup::conditions::*;
+pub use setup::configuration::*;
+pub use setup::model::*;
+pub use setup::system::*;
 pub use version::*;
-pub use workspace::*;

@@ -1,23 +1,16 @@
-//! Contact laws, one per file.
+//! Contact laws.
 
-mod carvalho_martins;
+mod approximate;
 mod exact;
-mod exudyn_mixed;
 mod facts;
-mod flores;
-mod gharib_hurmuzlu;
-mod gonthier;
-mod herbert_mcwhannell;
-mod hu_guo;
-mod hunt_crossley_1975;
-mod lankarani_nikravesh;
-mod lee_wang;
-mod safaeifar_farshidianfar;
-mod zhiying_qishao;
 
 use crate::error::{nearest, positive, unit_interval};
 use crate::solutions::{hunt_crossley, kelvin_voigt};
 use crate::{CompliantContact, ContactLawError, Damper, Separation};
+use approximate::{
+    carvalho_martins, exudyn_mixed, flores, gharib_hurmuzlu, gonthier, herbert_mcwhannell, hu_guo,
+    hunt_crossley_1975, lankarani_nikravesh, lee_wang, safaeifar_farshidianfar, zhiying_qishao,
+};
 use facts::Facts;
 use serde::Serialize;
 

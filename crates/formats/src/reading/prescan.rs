@@ -12,7 +12,7 @@ use crate::reading::limits::{
 use crate::reading::report::{Place, Report};
 
 /// True if the text is within the bounds; otherwise reports the excess.
-pub(crate) fn check(text: &str, report: &mut Report) -> bool {
+pub(crate) fn check_bounds(text: &str, report: &mut Report) -> bool {
     let mut scanner = Scan { bytes: text.as_bytes(), position: 0, ..Scan::default() };
     match scanner.scan_text() {
         Ok(()) => true,
@@ -33,6 +33,7 @@ struct Scan<'t> {
     attributes: usize,
     namespaces: usize,
     entities: usize,
+    references: usize,
     /// Length of the longest entity value, bytes.
     longest_entity: usize,
     /// True if an entity refers to another.
@@ -40,25 +41,24 @@ struct Scan<'t> {
 }
 
 impl Scan<'_> {
-    /// Scans the whole text. An error is the text of the exceeded bound; `position` is then its place.
+    /// Scans the whole text. An error names the exceeded bound, at the byte offset `position`.
     fn scan_text(&mut self) -> Result<(), String> {
         let tags = self.bytes.iter().filter(|b| **b == b'<').count();
         if tags > MAX_NODES as usize {
             return Err(format!("{tags} tags; at most {MAX_NODES} are read"));
         }
-        let mut references = 0usize;
         while let Some(&byte) = self.bytes.get(self.position) {
             match byte {
-                b'<' => self.scan_markup(&mut references)?,
+                b'<' => self.scan_markup()?,
                 b'&' => {
-                    references += 1;
+                    self.references += 1;
                     self.position += 1;
                 }
                 _ => self.position += 1,
             }
         }
         let nested = if self.nested_entities { MAX_NESTED_REFERENCES } else { 1 };
-        let expanded = references.saturating_mul(nested).saturating_mul(self.longest_entity);
+        let expanded = self.references.saturating_mul(nested).saturating_mul(self.longest_entity);
         if self.entities > 0 && expanded > MAX_EXPANDED_BYTES {
             self.position = 0;
             return Err(
@@ -69,8 +69,8 @@ impl Scan<'_> {
         Ok(())
     }
 
-    /// Scans the markup that begins at the current position. `references` counts the entity references.
-    fn scan_markup(&mut self, references: &mut usize) -> Result<(), String> {
+    /// Scans the tag, comment, CDATA section, instruction or DOCTYPE at the current position.
+    fn scan_markup(&mut self) -> Result<(), String> {
         let rest = &self.bytes[self.position..];
         if rest.starts_with(b"<!--") {
             self.skip_past(4, b"-->");
@@ -84,7 +84,7 @@ impl Scan<'_> {
             self.depth = self.depth.saturating_sub(1);
             self.position += 2;
         } else {
-            self.scan_tag(references)?;
+            self.scan_tag()?;
         }
         Ok(())
     }
@@ -106,8 +106,8 @@ impl Scan<'_> {
         start..end
     }
 
-    /// Scans an opening tag with its attributes and updates the counts.
-    fn scan_tag(&mut self, references: &mut usize) -> Result<(), String> {
+    /// Scans an opening tag and its attributes.
+    fn scan_tag(&mut self) -> Result<(), String> {
         let start = self.position;
         let mut attributes = 0;
         let mut empty = false;
@@ -121,7 +121,7 @@ impl Scan<'_> {
                 }
                 b'"' | b'\'' => {
                     let value = self.skip_quoted();
-                    *references += self.bytes[value].iter().filter(|b| **b == b'&').count();
+                    self.references += self.bytes[value].iter().filter(|b| **b == b'&').count();
                 }
                 // Not well formed; the parser reports an error.
                 b'<' => break,
@@ -161,7 +161,7 @@ impl Scan<'_> {
         Ok(())
     }
 
-    /// Scans the document type declaration with its entities.
+    /// Scans the document type declaration; an entity that contains tags is an error.
     fn scan_doctype(&mut self) -> Result<(), String> {
         let mut in_entity = false;
         let mut in_subset = false;

@@ -1,4 +1,6 @@
 //! Collection of findings while a file is read: bounded in number, with positions computed at the end.
+//!
+//! Functions with a `Report` parameter add every defect to the report, and then return `None`, a default or an empty text.
 
 use crate::Diagnostic;
 use crate::reading::limits::{MAX_COLUMN_OFFSET, MAX_QUOTED_CHARACTERS, MAX_REPEATED_KINDS, MOST_FINDINGS};
@@ -20,7 +22,7 @@ pub enum Place<'a, 'i> {
 }
 
 /// Finding with its position as a byte offset.
-struct Item {
+struct Finding {
     severity: Severity,
     code: &'static str,
     offset: Option<usize>,
@@ -29,17 +31,18 @@ struct Item {
     repeats: usize,
 }
 
-/// Findings collected so far.
+/// Findings collected so far, bounded in number.
 #[derive(Default)]
 pub struct Report {
-    items: Vec<Item>,
+    findings: Vec<Finding>,
     /// Number of findings per severity, including those beyond the limit.
     counts: [usize; 3],
-    /// Index in `items` per code and kind; `None` beyond the limit.
+    /// Index in `findings` per code and kind; `None` beyond the limit.
     once: HashMap<(&'static str, String), Option<usize>>,
     is_xacro: bool,
 }
 
+/// Index in `Report::counts`.
 fn severity_index(severity: Severity) -> usize {
     match severity {
         Severity::Error => 0,
@@ -49,7 +52,7 @@ fn severity_index(severity: Severity) -> usize {
 }
 
 impl Report {
-    /// Adds a finding. The message is formatted only for a finding within the limit.
+    /// Adds a finding; beyond the limit, the finding is only counted.
     pub fn add(
         &mut self,
         severity: Severity,
@@ -64,13 +67,13 @@ impl Report {
         let (offset, element) = match place {
             Place::File => (None, None),
             Place::Offset(offset) => (Some(offset), None),
-            Place::Element(node) => (Some(node.range().start), Some(path_of(node))),
+            Place::Element(node) => (Some(node.range().start), Some(element_path(node))),
             Place::Attribute(node, name) => {
                 let offset = node.attribute_node(name).map_or(node.range().start, |a| a.range().start);
-                (Some(offset), Some(path_of(node)))
+                (Some(offset), Some(element_path(node)))
             }
         };
-        self.items.push(Item { severity, code, offset, element, message: message(), repeats: 0 });
+        self.findings.push(Finding { severity, code, offset, element, message: message(), repeats: 0 });
     }
 
     /// Adds an error.
@@ -98,20 +101,20 @@ impl Report {
         message: impl FnOnce() -> String,
     ) {
         if let Some(first) = self.once.get(&(code, kind.clone())) {
-            if let Some(item) = first {
-                self.items[*item].repeats += 1;
+            if let Some(finding) = first {
+                self.findings[*finding].repeats += 1;
             }
             return;
         }
-        let before = self.items.len();
+        let before = self.findings.len();
         self.add(severity, code, place, message);
         if self.once.len() < MAX_REPEATED_KINDS {
-            let is_listed = self.items.len() > before;
+            let is_listed = self.findings.len() > before;
             self.once.insert((code, kind), is_listed.then_some(before));
         }
     }
 
-    /// Adds the error for a xacro file, at most once. `evidence`: xacro syntax in the file.
+    /// Adds the error for an unexpanded xacro file, at most once. `evidence`: xacro syntax in the file.
     pub(crate) fn add_xacro_error(&mut self, place: Place<'_, '_>, evidence: &str) {
         let message = || {
             format!(
@@ -134,24 +137,24 @@ impl Report {
         self.counts[severity_index(Severity::Error)] > 0
     }
 
-    /// Returns all findings in the order of the file, findings without a position first.
+    /// Converts the findings to diagnostics in the order of the file, findings without a position first.
     pub fn finish(mut self, path: &str, text: &str) -> Vec<Diagnostic> {
-        self.items.sort_by_key(|item| item.offset);
+        self.findings.sort_by_key(|finding| finding.offset);
         let mut line_counter = LineCounter { text: text.as_bytes(), position: 0, line: 1, line_start: 0 };
-        let mut diagnostics: Vec<Diagnostic> = Vec::with_capacity(self.items.len() + 3);
-        for item in self.items {
-            let place = item.offset.map(|offset| line_counter.advance_to(offset));
-            let mut message = item.message;
-            if item.repeats > 0 {
-                message.push_str(&format!(" ({} more like it)", item.repeats));
+        let mut diagnostics: Vec<Diagnostic> = Vec::with_capacity(self.findings.len() + 3);
+        for finding in self.findings {
+            let place = finding.offset.map(|offset| line_counter.advance_to(offset));
+            let mut message = finding.message;
+            if finding.repeats > 0 {
+                message.push_str(&format!(" ({} more like it)", finding.repeats));
             }
             diagnostics.push(Diagnostic {
-                severity: item.severity,
-                code: item.code,
+                severity: finding.severity,
+                code: finding.code,
                 path: path.to_owned(),
                 line: place.map(|(line, _)| line),
                 column: place.and_then(|(_, column)| column),
-                element: item.element,
+                element: finding.element,
                 message,
             });
         }
@@ -200,7 +203,7 @@ impl LineCounter<'_> {
 }
 
 /// XML path of an element, for example `robot/joint[hinge]/axis`.
-fn path_of(node: Node<'_, '_>) -> String {
+fn element_path(node: Node<'_, '_>) -> String {
     let mut steps: Vec<String> = node
         .ancestors()
         .filter(Node::is_element)

@@ -4,14 +4,14 @@ use crate::reading::report::Report;
 use crate::urdf::elements::joint;
 use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::elements::transmission;
-use crate::urdf::loops::{Loops, second_parents};
+use crate::urdf::loops::{LoopChecks, find_loop_closing_joints};
 use crate::urdf::references::{self, Suggestions};
 use crate::urdf::texts::Texts;
 use roxmltree::Node;
 
 /// Adds the armatures of transmissions to their joints and checks every reference. If the report has no error
 /// afterwards, every name refers to an existing element.
-pub(crate) fn check<'a, 'i: 'a>(
+pub(crate) fn resolve_references<'a, 'i: 'a>(
     robot: Node<'a, 'i>,
     nodes: &Nodes<'a, 'i>,
     texts: &mut Texts<'a>,
@@ -24,11 +24,18 @@ pub(crate) fn check<'a, 'i: 'a>(
         transmission::drop_fixed_joint_armature(joint, *node, report);
     }
     let mut suggestions = Suggestions::new();
-    references::check(&texts.links, joints, &nodes.joints, &joint_index, &mut suggestions, report);
-    let second = second_parents(&texts.joints);
-    Loops { texts, nodes, is_second_parent: &second }.check(&mut suggestions, report);
-    if texts.closures.is_empty() && texts.couplings.is_empty() && !second.contains(&true) {
+    references::check_joint_references(
+        &texts.links,
+        joints,
+        &nodes.joints,
+        &joint_index,
+        &mut suggestions,
+        report,
+    );
+    let closes_loop = find_loop_closing_joints(&texts.joints);
+    LoopChecks { texts, nodes, closes_loop: &closes_loop }.check_all(&mut suggestions, report);
+    if texts.closures.is_empty() && texts.couplings.is_empty() && !closes_loop.contains(&true) {
         let joints = texts.joints.iter().zip(&nodes.joints);
-        joints.for_each(|(joint, node)| joint::warn_if_unbound(joint, *node, report));
+        joints.for_each(|(joint, node)| joint::warn_if_dependence_is_ignored(joint, *node, report));
     }
 }

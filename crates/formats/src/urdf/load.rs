@@ -4,11 +4,11 @@ use crate::reading::limits;
 use crate::reading::prescan;
 use crate::reading::report::{Place, Report, cut, shortened};
 use crate::urdf::consistency;
+use crate::urdf::descriptions;
 use crate::urdf::elements::dialect::ROBOT;
 use crate::urdf::elements::nodes::Nodes;
-use crate::urdf::elements::shape::{Shape, shapes};
+use crate::urdf::elements::shape::{Shape, link_shapes};
 use crate::urdf::elements::survey::{check_element, report_xacro_elements};
-use crate::urdf::standard;
 use crate::urdf::texts::Texts;
 use crate::{DEFAULT_MAX_SIZE, Diagnostic, LoadError, Source};
 use percuss_mechanism::{Accept, Built, Mechanism, MechanismBuilder, Severity, Subject};
@@ -46,7 +46,7 @@ pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError>
     let Some(text) = source.text(&mut report) else {
         return Err(LoadError { diagnostics: report.finish(&source.name, "") });
     };
-    let mechanism = build(text, options, &mut report);
+    let mechanism = build_mechanism(text, options, &mut report);
     let failed = report.has_errors();
     let diagnostics = report.finish(&source.name, text);
     match mechanism {
@@ -64,9 +64,13 @@ pub fn load_file(path: &str) -> Result<Loaded, LoadError> {
     load(&Source::read(path, DEFAULT_MAX_SIZE)?, &LoadOptions::default())
 }
 
-/// Builds the mechanism and the shapes of all links; `None` after an error in the report.
-fn build(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mechanism, Vec<Vec<Shape>>)> {
-    if !prescan::check(text, report) {
+/// Builds the mechanism and the shapes of all links; `None` after an error.
+fn build_mechanism(
+    text: &str,
+    options: &LoadOptions,
+    report: &mut Report,
+) -> Option<(Mechanism, Vec<Vec<Shape>>)> {
+    if !prescan::check_bounds(text, report) {
         return None;
     }
     let parsing = ParsingOptions { allow_dtd: true, nodes_limit: limits::MAX_NODES, entity_resolver: None };
@@ -78,7 +82,7 @@ fn build(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mech
         }
     };
     let robot = document.root_element();
-    if !is_robot(robot, report) {
+    if !check_root_tag(robot, report) {
         return None;
     }
     report_xacro_elements(robot, report);
@@ -91,8 +95,8 @@ fn build(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mech
     if !nodes.check_counts(robot, report) {
         return None;
     }
-    let mut texts = Texts::read(&nodes, report);
-    consistency::check(robot, &nodes, &mut texts, report);
+    let mut texts = Texts::read_elements(&nodes, report);
+    consistency::resolve_references(robot, &nodes, &mut texts, report);
     if report.has_errors() {
         return None;
     }
@@ -100,8 +104,9 @@ fn build(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mech
     let name =
         if name.len() > limits::LONGEST_NAME { cut(name, limits::LONGEST_NAME) } else { name.to_owned() };
     let builder = MechanismBuilder::new(name).accept(options.accept);
-    let builder = texts.links.iter().map(standard::link).fold(builder, MechanismBuilder::link);
-    let builder = texts.joints.iter().map(standard::joint).fold(builder, MechanismBuilder::joint);
+    let builder = texts.links.iter().map(descriptions::describe_link).fold(builder, MechanismBuilder::link);
+    let builder =
+        texts.joints.iter().map(descriptions::describe_joint).fold(builder, MechanismBuilder::joint);
     let builder = texts.closures.into_iter().fold(builder, MechanismBuilder::closure);
     let builder = texts.couplings.into_iter().fold(builder, MechanismBuilder::coupling);
     let builder = texts.contacts.into_iter().fold(builder, MechanismBuilder::contact);
@@ -122,7 +127,7 @@ fn build(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mech
         };
         report.add(severity, problem.code(), nodes.locate(robot, &subject, &problem), || problem.to_string());
     }
-    let shapes = nodes.links.iter().map(|link| shapes(*link)).collect();
+    let shapes = nodes.links.iter().map(|link| link_shapes(*link)).collect();
     mechanism.map(|mechanism| (mechanism, shapes))
 }
 
@@ -130,7 +135,7 @@ fn build(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mech
 /// suspension file.
 pub const KNOWN_WARNING: &str = "triangle-inequality";
 
-/// Code and link name of the warnings that the importer reported: `<?percuss-known CODE NAME?>` above the robot.
+/// Code and link name of the warnings that the importer reported before: `<?percuss-known CODE NAME?>` above the robot.
 fn known_warnings<'a>(document: &'a Document<'_>) -> HashSet<(&'a str, &'a str)> {
     let instructions = document.root().children().filter_map(|node| node.pi());
     let known = instructions.filter(|pi| pi.target == "percuss-known").filter_map(|pi| pi.value);
@@ -145,7 +150,7 @@ fn report_parse_error(text: &str, error: &roxmltree::Error, report: &mut Report)
     let position = error.pos();
     let place = match error {
         Error::UnclosedRootNode | Error::UnexpectedEndOfStream => Place::Offset(text.len()),
-        _ => Place::Offset(offset_of(text, position.row, position.col)),
+        _ => Place::Offset(byte_offset(text, position.row, position.col)),
     };
     let remedy = match error {
         Error::UnknownNamespace(prefix, _) if prefix == "xacro" => {
@@ -176,15 +181,15 @@ fn report_parse_error(text: &str, error: &roxmltree::Error, report: &mut Report)
 }
 
 /// Byte offset of a line and column (in characters), both from 1.
-fn offset_of(text: &str, row: u32, column: u32) -> usize {
+fn byte_offset(text: &str, row: u32, column: u32) -> usize {
     let start: usize = text.split_inclusive('\n').take(row.saturating_sub(1) as usize).map(str::len).sum();
     let line = &text[start..];
     let within = line.char_indices().nth(column.saturating_sub(1) as usize).map_or(line.len(), |(i, _)| i);
     start + within
 }
 
-/// True if the root element is that of a URDF; otherwise reports the probable kind of the file.
-fn is_robot(root: Node<'_, '_>, report: &mut Report) -> bool {
+/// True for `<robot>`; otherwise reports the probable kind of the file.
+fn check_root_tag(root: Node<'_, '_>, report: &mut Report) -> bool {
     let name = root.tag_name().name();
     let remark = match name {
         "robot" => return true,
@@ -208,7 +213,7 @@ fn is_robot(root: Node<'_, '_>, report: &mut Report) -> bool {
     false
 }
 
-/// Checks the attributes of `<robot>`.
+/// Reports an absent name and an unknown version.
 fn check_robot_attributes(robot: Node<'_, '_>, report: &mut Report) {
     if robot.attribute("name").is_none() {
         report.note("unnamed-robot", Place::Element(robot), || "<robot> has no name".to_owned());

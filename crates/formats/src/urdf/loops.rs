@@ -3,7 +3,7 @@
 
 use crate::reading::limits::MAX_COUPLING_STEPS;
 use crate::reading::report::{Place, Report, quoted, shortened};
-use crate::urdf::elements::closure::end_tags;
+use crate::urdf::elements::closure::link_tags;
 use crate::urdf::elements::joint::JointText;
 use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::elements::survey::child;
@@ -15,27 +15,26 @@ use std::collections::{HashMap, HashSet};
 
 /// True for each joint whose child is already the child of an earlier joint. The builder turns these joints into
 /// closures.
-pub(crate) fn second_parents(joints: &[JointText<'_>]) -> Vec<bool> {
+pub(crate) fn find_loop_closing_joints(joints: &[JointText<'_>]) -> Vec<bool> {
     let mut children = HashSet::new();
     joints.iter().map(|joint| !children.insert(joint.child)).collect()
 }
 
 /// Contents of a file with their XML elements, and the flags of joints that close loops.
-pub(crate) struct Loops<'f, 'a, 'i> {
+pub(crate) struct LoopChecks<'f, 'a, 'i> {
     pub texts: &'f Texts<'a>,
     pub nodes: &'f Nodes<'a, 'i>,
-    /// Result of [`second_parents`].
-    pub is_second_parent: &'f [bool],
+    /// Result of [`find_loop_closing_joints`].
+    pub closes_loop: &'f [bool],
 }
 
-impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
-    /// Checks the links named by loops and couplings, the names of loops and couplings, properties that joints in
-    /// loops cannot have, and the amount of work caused by couplings.
-    pub fn check(&self, suggestions: &mut Suggestions, report: &mut Report) {
+impl<'a, 'i: 'a> LoopChecks<'_, 'a, 'i> {
+    /// Reports unknown links, repeated names, properties that closures cannot have, and too many couplings.
+    pub fn check_all(&self, suggestions: &mut Suggestions, report: &mut Report) {
         let links = index_by_name(self.texts.links.iter().map(|l| l.name));
         for (closure, node) in self.texts.closures.iter().zip(&self.nodes.closures) {
             let names = [closure.predecessor.as_str(), &closure.successor];
-            self.check_ends(
+            self.check_link_names(
                 *node,
                 names,
                 &|link| link == "world" || links.contains_key(link),
@@ -45,12 +44,12 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         }
         for (coupling, node) in self.texts.couplings.iter().zip(&self.nodes.couplings) {
             let names = [coupling.predecessor.as_str(), &coupling.successor];
-            self.check_ends(*node, names, &|link| links.contains_key(link), suggestions, report);
+            self.check_link_names(*node, names, &|link| links.contains_key(link), suggestions, report);
         }
-        self.check_names(report);
-        self.refuse_mimics(report);
-        self.note_limits(report);
-        if self.coupling_steps() > MAX_COUPLING_STEPS {
+        self.check_unique_names(report);
+        self.refuse_mimics_of_closures(report);
+        self.note_unused_limits(report);
+        if self.coupling_path_lengths() > MAX_COUPLING_STEPS {
             report.error("too-complex", Place::File, || {
                 format!(
                     "the couplings' paths to the root have more than {MAX_COUPLING_STEPS} joints together"
@@ -59,8 +58,8 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         }
     }
 
-    /// Checks the link names at both ends of a loop or coupling.
-    fn check_ends(
+    /// Reports unknown links at both ends of a loop or coupling.
+    fn check_link_names(
         &self,
         node: Node<'a, 'i>,
         names: [&str; 2],
@@ -68,7 +67,7 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         suggestions: &mut Suggestions,
         report: &mut Report,
     ) {
-        for ((tag, role), name) in end_tags(node).iter().zip(["predecessor", "successor"]).zip(names) {
+        for ((tag, role), name) in link_tags(node).iter().zip(["predecessor", "successor"]).zip(names) {
             // An empty name means that the name is missing; this error is already reported.
             let element = child(node, tag).filter(|_| !name.is_empty());
             if let Some(element) = element
@@ -82,12 +81,12 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         }
     }
 
-    /// Checks uniqueness: closures, couplings and joints that close loops share one set of names.
-    fn check_names(&self, report: &mut Report) {
+    /// Closures, couplings and joints that close loops share one set of names.
+    fn check_unique_names(&self, report: &mut Report) {
         let closures = self.texts.closures.iter().map(|c| c.name.as_str()).zip(&self.nodes.closures);
         let couplings = self.texts.couplings.iter().map(|c| c.name.as_str()).zip(&self.nodes.couplings);
         let joints = self.texts.joints.iter().map(|j| j.name).zip(&self.nodes.joints);
-        let joints = joints.zip(self.is_second_parent).filter(|(_, second)| **second).map(|(named, _)| named);
+        let joints = joints.zip(self.closes_loop).filter(|(_, closes)| **closes).map(|(named, _)| named);
         let mut given: HashMap<&str, Node<'a, 'i>> = HashMap::new();
         for (name, node) in closures.chain(couplings).chain(joints).filter(|(name, _)| !name.is_empty()) {
             if let Some(first) = given.get(name) {
@@ -104,9 +103,9 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         }
     }
 
-    /// Refuses mimics of joints that close loops, because these have no position coordinate.
-    fn refuse_mimics(&self, report: &mut Report) {
-        let closing = self.texts.joints.iter().zip(self.is_second_parent).filter(|(_, second)| **second);
+    /// A joint that closes a loop has no position coordinate to mimic.
+    fn refuse_mimics_of_closures(&self, report: &mut Report) {
+        let closing = self.texts.joints.iter().zip(self.closes_loop).filter(|(_, closes)| **closes);
         let closing: HashSet<&str> = closing.map(|(joint, _)| joint.name).collect();
         for (joint, node) in self.texts.joints.iter().zip(&self.nodes.joints) {
             let Some(mimic) = joint.mimic.as_ref().filter(|m| closing.contains(m.joint)) else { continue };
@@ -121,10 +120,10 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         }
     }
 
-    /// Notes limits of joints that close loops: a closure has no position coordinate.
-    fn note_limits(&self, report: &mut Report) {
-        let closing = self.texts.joints.iter().zip(&self.nodes.joints).zip(self.is_second_parent);
-        for ((_, node), _) in closing.filter(|((joint, _), second)| **second && joint.limits.is_some()) {
+    /// A joint that closes a loop has no position coordinate to limit.
+    fn note_unused_limits(&self, report: &mut Report) {
+        let closing = self.texts.joints.iter().zip(&self.nodes.joints).zip(self.closes_loop);
+        for ((_, node), _) in closing.filter(|((joint, _), closes)| **closes && joint.limits.is_some()) {
             let place = child(*node, "limit").map_or(Place::Element(*node), Place::Element);
             report.add_once(Severity::Note, "unused-element", "limit".to_owned(), place, || {
                 "the joint closes a loop, its limits are not checked; limit a joint of the tree".to_owned()
@@ -132,12 +131,12 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         }
     }
 
-    /// Number of joints that the builder visits because of couplings; quadratic in the length of a chain.
-    fn coupling_steps(&self) -> usize {
+    /// Number of joints on the paths from coupled links to the root, summed: the work of the builder.
+    fn coupling_path_lengths(&self) -> usize {
         if self.texts.couplings.is_empty() {
             return 0;
         }
-        let tree = self.texts.joints.iter().zip(self.is_second_parent).filter(|(_, second)| !**second);
+        let tree = self.texts.joints.iter().zip(self.closes_loop).filter(|(_, closes)| !**closes);
         let parent: HashMap<&str, &str> = tree.map(|(joint, _)| (joint.child, joint.parent)).collect();
         let mut depths: HashMap<&str, usize> = HashMap::new();
         let mut steps = 0usize;

@@ -1,10 +1,10 @@
 //! URDF and URDF+ files.
 
 pub(crate) mod consistency;
+pub(crate) mod descriptions;
 pub(crate) mod elements;
 pub(crate) mod load;
 pub(crate) mod loops;
 pub(crate) mod references;
-pub(crate) mod standard;
 pub(crate) mod texts;
 pub(crate) mod write;

@@ -19,14 +19,14 @@ pub(crate) fn index_by_name<'a>(names: impl Iterator<Item = &'a str>) -> HashMap
     index
 }
 
-/// Search for similar names, limited in number because of its cost.
+/// Searches for similar names, limited in number because of their cost.
 pub(crate) struct Suggestions {
     /// Number of searches still allowed.
     remaining: usize,
 }
 
 impl Suggestions {
-    /// Allows the full number of searches.
+    /// Starts with `MAX_SUGGESTIONS` searches.
     pub fn new() -> Self {
         Self { remaining: MAX_SUGGESTIONS }
     }
@@ -41,8 +41,8 @@ impl Suggestions {
     }
 }
 
-/// Checks the link and joint names in joints. A mimic of an unknown joint is dropped, with a warning.
-pub(crate) fn check<'a, 'i: 'a>(
+/// Reports unknown links and joints in joints. A mimic of an unknown joint is dropped, with a warning.
+pub(crate) fn check_joint_references<'a, 'i: 'a>(
     links: &[LinkText<'a>],
     joints: &mut [JointText<'a>],
     nodes: &[Node<'a, 'i>],
@@ -76,11 +76,11 @@ pub(crate) fn check<'a, 'i: 'a>(
             joint.mimic = None;
         }
     }
-    refuse_mimic_chains(joints, nodes, joint_index, report);
+    refuse_mimic_cycles(joints, nodes, joint_index, report);
 }
 
 /// Refuses cycles and long chains of mimics, whose cost and messages would grow with their length.
-fn refuse_mimic_chains<'a, 'i: 'a>(
+fn refuse_mimic_cycles<'a, 'i: 'a>(
     joints: &[JointText<'a>],
     nodes: &[Node<'a, 'i>],
     index: &HashMap<&'a str, usize>,

@@ -15,7 +15,7 @@ use percuss_mechanism::{ClosureDescription, ContactDescription, CouplingDescript
 use roxmltree::Node;
 
 /// Contents of the file, in the order of [`Nodes`]. If the report has no error, all numbers are valid.
-/// [`consistency::check`](crate::urdf::consistency::check) checks the references by name.
+/// [`consistency::resolve_references`](crate::urdf::consistency::resolve_references) checks the references by name.
 pub(crate) struct Texts<'a> {
     pub links: Vec<LinkText<'a>>,
     pub joints: Vec<JointText<'a>>,
@@ -26,22 +26,26 @@ pub(crate) struct Texts<'a> {
 
 impl<'a> Texts<'a> {
     /// Reads all elements.
-    pub fn read<'i: 'a>(nodes: &Nodes<'a, 'i>, report: &mut Report) -> Self {
-        let links: Vec<LinkText<'a>> = nodes.links.iter().map(|n| link::check(*n, report)).collect();
-        let joints: Vec<JointText<'a>> = nodes.joints.iter().map(|n| joint::check(*n, report)).collect();
+    pub fn read_elements<'i: 'a>(nodes: &Nodes<'a, 'i>, report: &mut Report) -> Self {
+        let links: Vec<LinkText<'a>> = nodes.links.iter().map(|n| link::read_link(*n, report)).collect();
+        let joints: Vec<JointText<'a>> = nodes.joints.iter().map(|n| joint::read_joint(*n, report)).collect();
         let has_gazebo_joints = nodes.closures.iter().any(|n| is_gazebo_joint(*n));
         let zero_pose = ZeroPoseFrames::new(if has_gazebo_joints { &joints } else { &[] });
         let link_index = index_by_name(links.iter().map(|l| l.name));
         let reader = GazeboJointReader { zero_pose: &zero_pose, links: &link_index };
         let closure = |node: &Node<'a, 'i>| {
-            if is_gazebo_joint(*node) { reader.check(*node, report) } else { closure::check(*node, report) }
+            if is_gazebo_joint(*node) {
+                reader.read_closure(*node, report)
+            } else {
+                closure::read_loop(*node, report)
+            }
         };
         Texts {
             closures: nodes.closures.iter().map(closure).collect(),
             links,
             joints,
-            couplings: nodes.couplings.iter().map(|n| closure::check_coupling(*n, report)).collect(),
-            contacts: nodes.contacts.iter().map(|n| contact::check(*n, report)).collect(),
+            couplings: nodes.couplings.iter().map(|n| closure::read_coupling(*n, report)).collect(),
+            contacts: nodes.contacts.iter().map(|n| contact::read_contact(*n, report)).collect(),
         }
     }
 }

@@ -44,12 +44,12 @@ pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
     let fits_instruction =
         |name: &str| !name.contains("?>") && !name.chars().any(char::is_control) && name.trim() == name;
     for (code, name) in comments.known.iter().filter(|(_, name)| fits_instruction(name)) {
-        append_format(&mut out, format_args!("<?percuss-known {code} {name}?>\n"));
+        append(&mut out, format_args!("<?percuss-known {code} {name}?>\n"));
     }
     for line in &comments.heading {
-        append_format(&mut out, format_args!("<!-- {} -->\n", comment_text(line)));
+        append(&mut out, format_args!("<!-- {} -->\n", escape_comment(line)));
     }
-    append_format(&mut out, format_args!("<robot name=\"{}\">\n", escaped(mechanism.name())));
+    append(&mut out, format_args!("<robot name=\"{}\">\n", escape_attribute(mechanism.name())));
     for link in mechanism.links() {
         write_comment(&mut out, &comments.links, link.name());
         write_link(&mut out, link);
@@ -75,46 +75,46 @@ pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
 
 fn write_comment(out: &mut String, comments: &HashMap<String, String>, name: &str) {
     if let Some(text) = comments.get(name) {
-        append_format(out, format_args!("  <!-- {} -->\n", comment_text(text)));
+        append(out, format_args!("  <!-- {} -->\n", escape_comment(text)));
     }
 }
 
-fn append_format(out: &mut String, text: std::fmt::Arguments<'_>) {
+fn append(out: &mut String, text: std::fmt::Arguments<'_>) {
     // Writing to a string cannot fail.
     let _ = out.write_fmt(text);
 }
 
 fn write_link(out: &mut String, link: &Link) {
-    let name = escaped(link.name());
+    let name = escape_attribute(link.name());
     let Some(inertial) = link.inertial() else {
-        append_format(out, format_args!("  <link name=\"{name}\"/>\n"));
+        append(out, format_args!("  <link name=\"{name}\"/>\n"));
         return;
     };
-    append_format(out, format_args!("  <link name=\"{name}\">\n    <inertial>\n"));
-    append_format(out, format_args!("      <origin xyz=\"{}\"/>\n", number_triple(&inertial.com)));
-    append_format(out, format_args!("      <mass value=\"{}\"/>\n", number(inertial.mass)));
+    append(out, format_args!("  <link name=\"{name}\">\n    <inertial>\n"));
+    append(out, format_args!("      <origin xyz=\"{}\"/>\n", format_vector(&inertial.com)));
+    append(out, format_args!("      <mass value=\"{}\"/>\n", format_number(inertial.mass)));
     let entries = [("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz", 1, 2), ("izz", 2, 2)];
     out.push_str("      <inertia");
     for (name, row, column) in entries {
-        append_format(out, format_args!(" {name}=\"{}\"", number(inertial.about_com[(row, column)])));
+        append(out, format_args!(" {name}=\"{}\"", format_number(inertial.about_com[(row, column)])));
     }
     out.push_str("/>\n    </inertial>\n  </link>\n");
 }
 
 fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
-    let (name, kind) = (escaped(joint.name()), joint.kind());
-    let link_name = |id| escaped(mechanism.link(id).name());
+    let (name, kind) = (escape_attribute(joint.name()), joint.kind());
+    let link_name = |id| escape_attribute(mechanism.link(id).name());
     let role = joint.independent().map(|i| format!(" independent=\"{i}\"")).unwrap_or_default();
-    append_format(out, format_args!("  <joint name=\"{name}\" type=\"{}\"{role}>\n", kind.name()));
-    append_format(out, format_args!("    {}\n", origin_element(joint.origin())));
-    append_format(out, format_args!("    <parent link=\"{}\"/>\n", link_name(joint.parent())));
-    append_format(out, format_args!("    <child link=\"{}\"/>\n", link_name(joint.child())));
+    append(out, format_args!("  <joint name=\"{name}\" type=\"{}\"{role}>\n", kind.name()));
+    append(out, format_args!("    {}\n", origin_element(joint.origin())));
+    append(out, format_args!("    <parent link=\"{}\"/>\n", link_name(joint.parent())));
+    append(out, format_args!("    <child link=\"{}\"/>\n", link_name(joint.child())));
     if kind.has_axis() {
-        append_format(out, format_args!("    <axis xyz=\"{}\"/>\n", number_triple(joint.axis())));
+        append(out, format_args!("    <axis xyz=\"{}\"/>\n", format_vector(joint.axis())));
     }
     if let Some(limits) = joint.limits() {
-        let (lower, upper) = (number(limits.lower), number(limits.upper));
-        append_format(
+        let (lower, upper) = (format_number(limits.lower), format_number(limits.upper));
+        append(
             out,
             format_args!("    <limit lower=\"{lower}\" upper=\"{upper}\" effort=\"0\" velocity=\"0\"/>\n"),
         );
@@ -122,13 +122,13 @@ fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
         out.push_str("    <limit effort=\"0\" velocity=\"0\"/>\n");
     }
     if joint.armature().iter().any(|a| *a != 0.0) {
-        let values: Vec<String> = joint.armature().iter().map(|a| number(*a)).collect();
-        append_format(out, format_args!("    <dynamics armature=\"{}\"/>\n", values.join(" ")));
+        let values: Vec<String> = joint.armature().iter().map(|a| format_number(*a)).collect();
+        append(out, format_args!("    <dynamics armature=\"{}\"/>\n", values.join(" ")));
     }
     if let Some(mimic) = joint.mimic() {
-        let master = escaped(mechanism.joint(mimic.master).name());
-        let (multiplier, offset) = (number(mimic.multiplier), number(mimic.offset));
-        append_format(
+        let master = escape_attribute(mechanism.joint(mimic.master).name());
+        let (multiplier, offset) = (format_number(mimic.multiplier), format_number(mimic.offset));
+        append(
             out,
             format_args!("    <mimic joint=\"{master}\" multiplier=\"{multiplier}\" offset=\"{offset}\"/>\n"),
         );
@@ -137,76 +137,80 @@ fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
 }
 
 fn write_closure(out: &mut String, mechanism: &Mechanism, closure: &Closure) {
-    let (name, kind) = (escaped(closure.name()), closure.kind());
-    append_format(out, format_args!("  <loop name=\"{name}\" type=\"{}\">\n", kind.name()));
+    let (name, kind) = (escape_attribute(closure.name()), closure.kind());
+    append(out, format_args!("  <loop name=\"{name}\" type=\"{}\">\n", kind.name()));
     for (tag, end) in [("predecessor", closure.predecessor()), ("successor", closure.successor())] {
         let LoopFrame { link, frame } = end;
-        let link = link.map_or("world".to_owned(), |id| escaped(mechanism.link(id).name()));
-        append_format(out, format_args!("    <{tag} link=\"{link}\">{}</{tag}>\n", origin_element(frame)));
+        let link = link.map_or("world".to_owned(), |id| escape_attribute(mechanism.link(id).name()));
+        append(out, format_args!("    <{tag} link=\"{link}\">{}</{tag}>\n", origin_element(frame)));
     }
     if kind.has_axis() {
-        append_format(out, format_args!("    <axis xyz=\"{}\"/>\n", number_triple(closure.axis())));
+        append(out, format_args!("    <axis xyz=\"{}\"/>\n", format_vector(closure.axis())));
     }
     if kind == ClosureKind::Universal {
-        append_format(out, format_args!("    <axis2 xyz=\"{}\"/>\n", number_triple(closure.axis2())));
+        append(out, format_args!("    <axis2 xyz=\"{}\"/>\n", format_vector(closure.axis2())));
     }
     if let Some(distance) = closure.distance() {
-        append_format(out, format_args!("    <distance value=\"{}\"/>\n", number(distance)));
+        append(out, format_args!("    <distance value=\"{}\"/>\n", format_number(distance)));
     }
     out.push_str("  </loop>\n");
 }
 
 fn write_coupling(out: &mut String, mechanism: &Mechanism, coupling: &Coupling) {
-    append_format(out, format_args!("  <coupling name=\"{}\">\n", escaped(coupling.name())));
+    append(out, format_args!("  <coupling name=\"{}\">\n", escape_attribute(coupling.name())));
     for (tag, link) in [("predecessor", coupling.predecessor()), ("successor", coupling.successor())] {
-        append_format(out, format_args!("    <{tag} link=\"{}\"/>\n", escaped(mechanism.link(link).name())));
+        append(
+            out,
+            format_args!("    <{tag} link=\"{}\"/>\n", escape_attribute(mechanism.link(link).name())),
+        );
     }
-    append_format(out, format_args!("    <ratio value=\"{}\"/>\n  </coupling>\n", number(coupling.ratio())));
+    append(out, format_args!("    <ratio value=\"{}\"/>\n  </coupling>\n", format_number(coupling.ratio())));
 }
 
 fn write_contact(out: &mut String, mechanism: &Mechanism, contact: &NamedContact) {
-    let (name, kind) = (escaped(contact.name()), contact.kind().name());
-    let link = escaped(mechanism.link(contact.link()).name());
-    let other = contact.against().map_or("world".to_owned(), |id| escaped(mechanism.link(id).name()));
-    let point = number_triple(contact.point());
-    append_format(out, format_args!("  <contact name=\"{name}\" type=\"{kind}\">\n"));
-    append_format(out, format_args!("    <body link=\"{link}\" xyz=\"{point}\"/>\n"));
-    append_format(out, format_args!("    <other link=\"{other}\"/>\n"));
+    let (name, kind) = (escape_attribute(contact.name()), contact.kind().name());
+    let link = escape_attribute(mechanism.link(contact.link()).name());
+    let other =
+        contact.against().map_or("world".to_owned(), |id| escape_attribute(mechanism.link(id).name()));
+    let point = format_vector(contact.point());
+    append(out, format_args!("  <contact name=\"{name}\" type=\"{kind}\">\n"));
+    append(out, format_args!("    <body link=\"{link}\" xyz=\"{point}\"/>\n"));
+    append(out, format_args!("    <other link=\"{other}\"/>\n"));
     let (tag, vector) = match contact.normal() {
         ContactNormal::Fixed(normal) => ("normal", normal),
         ContactNormal::Toward(point) => ("toward", point),
         ContactNormal::Away(point) => ("away", point),
     };
-    append_format(out, format_args!("    <{tag} xyz=\"{}\"/>\n", number_triple(vector)));
+    append(out, format_args!("    <{tag} xyz=\"{}\"/>\n", format_vector(vector)));
     if let Some(gap) = contact.gap() {
-        append_format(out, format_args!("    <gap value=\"{}\"/>\n", number(gap)));
+        append(out, format_args!("    <gap value=\"{}\"/>\n", format_number(gap)));
     }
     out.push_str("  </contact>\n");
 }
 
-/// `<origin>` of a frame; without `rpy` for the identity.
+/// `<origin>` of a frame; without `rpy` for no rotation.
 fn origin_element(frame: &Transform<f64>) -> String {
-    let xyz = number_triple(&frame.translation);
+    let xyz = format_vector(&frame.translation);
     if frame.rotation == Matrix3::identity() {
         return format!("<origin xyz=\"{xyz}\"/>");
     }
     // Adding 0 turns −0 into 0.
-    let rpy = number_triple(&Vector3::from(rpy_from_rotation(&frame.rotation).map(|angle| angle + 0.0)));
+    let rpy = format_vector(&Vector3::from(rpy_from_rotation(&frame.rotation).map(|angle| angle + 0.0)));
     format!("<origin xyz=\"{xyz}\" rpy=\"{rpy}\"/>")
 }
 
-fn number_triple(v: &Vector3<f64>) -> String {
-    format!("{} {} {}", number(v.x), number(v.y), number(v.z))
+fn format_vector(v: &Vector3<f64>) -> String {
+    format!("{} {} {}", format_number(v.x), format_number(v.y), format_number(v.z))
 }
 
 /// Shortest decimal that reads back as the same bits; in exponent notation for very small and very large numbers.
-fn number(x: f64) -> String {
+fn format_number(x: f64) -> String {
     let size = x.abs();
     if x == 0.0 || DECIMAL_NOTATION_RANGE.contains(&size) { format!("{x}") } else { format!("{x:e}") }
 }
 
 /// Escapes text for an attribute in double quotes. Characters forbidden in XML 1.0 become U+FFFD.
-fn escaped(text: &str) -> String {
+fn escape_attribute(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -224,8 +228,8 @@ fn escaped(text: &str) -> String {
     out
 }
 
-/// Converts text for an XML comment: on one line and without `--`.
-fn comment_text(text: &str) -> String {
+/// Text for an XML comment: on one line and without `--`.
+fn escape_comment(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.trim().chars() {
         match c {

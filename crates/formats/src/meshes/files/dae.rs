@@ -10,11 +10,12 @@ use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::HashMap;
 use std::rc::Rc;
 
-pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
+/// Triangles of a COLLADA document, m.
+pub(super) fn read_collada(bytes: &[u8]) -> Result<Triangles, String> {
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let text = std::str::from_utf8(bytes).map_err(|_| "no UTF-8 text".to_owned())?;
     let mut report = Report::default();
-    if !prescan::check(text, &mut report) {
+    if !prescan::check_bounds(text, &mut report) {
         let first = report.finish("", text).into_iter().next();
         return Err(first.map_or_else(|| "too complex".to_owned(), |d| d.message));
     }
@@ -28,14 +29,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
     if root.tag_name().name() != "COLLADA" {
         return Err(format!("its root is <{}>; <COLLADA> is expected", root.tag_name().name()));
     }
-    let ids = root.descendants().filter_map(|node| Some((node.attribute("id")?, node))).collect();
+    let elements_by_id = root.descendants().filter_map(|node| Some((node.attribute("id")?, node))).collect();
     let mut scene = Scene {
-        ids,
-        meshes: HashMap::new(),
+        elements_by_id,
+        geometries: HashMap::new(),
         positions: HashMap::new(),
         scene_nodes: HashMap::new(),
         numbers: 0,
-        visited: 0,
+        visits: 0,
         triangles: Triangles::new(),
     };
     let unit = child_elements(root, "asset").flat_map(|asset| child_elements(asset, "unit")).next();
@@ -52,63 +53,68 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
     match visual {
         Some(visual) => {
             for node in child_elements(visual, "node") {
-                scene.add_node(node, &root_transform, 0)?;
+                scene.append_node(node, &root_transform, 0)?;
             }
         }
         None => {
             for geometry in
                 child_elements(root, "library_geometries").flat_map(|l| child_elements(l, "geometry"))
             {
-                scene.add_geometry(geometry, &root_transform)?;
+                scene.append_geometry(geometry, &root_transform)?;
             }
         }
     }
     Ok(scene.triangles)
 }
 
-fn child_elements<'a, 'i: 'a>(node: Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
-    node.children().filter(move |c| c.is_element() && c.tag_name().name() == name)
+/// Child elements with this tag, in any namespace.
+fn child_elements<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
+    node.children().filter(move |c| c.is_element() && c.tag_name().name() == tag)
 }
 
-fn parse_numbers(node: Node<'_, '_>) -> Result<Vec<f64>, String> {
+/// Finite numbers in the text of an element.
+fn parse_finite_numbers(node: Node<'_, '_>) -> Result<Vec<f64>, String> {
     let read = |word: &str| word.parse::<f64>().ok().filter(|value| value.is_finite());
-    parse_list(node, read, "finite number")
+    parse_words(node, read, "finite number")
 }
 
+/// Indices or counts in the text of an element.
 fn parse_indices(node: Node<'_, '_>) -> Result<Vec<u32>, String> {
-    parse_list(node, |word| word.parse().ok(), "index")
+    parse_words(node, |word| word.parse().ok(), "index")
 }
 
-/// Words of an element parsed by `read`, at most `MAX_MESH_NUMBERS`. `kind` names the expected words in errors.
-fn parse_list<T>(node: Node<'_, '_>, read: impl Fn(&str) -> Option<T>, kind: &str) -> Result<Vec<T>, String> {
+/// Words in the text of an element, converted by `parse_word`. `kind` names the expected words in errors.
+fn parse_words<T>(
+    node: Node<'_, '_>,
+    parse_word: impl Fn(&str) -> Option<T>,
+    kind: &str,
+) -> Result<Vec<T>, String> {
     let mut list = Vec::new();
     for word in node.text().unwrap_or("").split_ascii_whitespace() {
         if list.len() == MAX_MESH_NUMBERS {
-            return Err(too_many_numbers());
+            return Err(too_many_numbers_message());
         }
-        list.push(read(word).ok_or_else(|| invalid_number(node, word, kind))?);
+        list.push(parse_word(word).ok_or_else(|| invalid_word_message(node, word, kind))?);
     }
     Ok(list)
 }
 
-/// Message for a word that is not of the expected kind.
-fn invalid_number(node: Node<'_, '_>, word: &str, kind: &str) -> String {
+fn invalid_word_message(node: Node<'_, '_>, word: &str, kind: &str) -> String {
     format!("<{}> has {}, which is no {kind}", node.tag_name().name(), quoted(word))
 }
 
 /// Scene with caches by the offset of an element: an element is read once, even with many references.
 struct Scene<'a, 'i> {
-    ids: HashMap<&'a str, Node<'a, 'i>>,
-    /// Triangles of geometries.
-    meshes: HashMap<usize, Triangles>,
+    elements_by_id: HashMap<&'a str, Node<'a, 'i>>,
+    /// Triangles of geometries, in their own frames.
+    geometries: HashMap<usize, Triangles>,
     /// Positions of `source` and `vertices` elements.
     positions: HashMap<usize, Rc<Vec<[f64; 3]>>>,
     /// Nodes of the scene.
     scene_nodes: HashMap<usize, Rc<SceneNode<'a, 'i>>>,
-    /// Numbers read so far.
+    /// Number of values read so far.
     numbers: usize,
-    /// Nodes and instances of geometries visited so far.
-    visited: usize,
+    visits: usize,
     triangles: Triangles,
 }
 
@@ -127,15 +133,12 @@ enum Content<'a, 'i> {
 impl<'a, 'i: 'a> Scene<'a, 'i> {
     /// Element to which the attribute `url` or `source` refers.
     fn resolve_reference(&self, node: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
-        self.element_by_url(node.attribute("url").or_else(|| node.attribute("source"))?)
+        let url = node.attribute("url").or_else(|| node.attribute("source"))?;
+        self.elements_by_id.get(url.strip_prefix('#')?).copied()
     }
 
-    fn element_by_url(&self, url: &str) -> Option<Node<'a, 'i>> {
-        self.ids.get(url.strip_prefix('#')?).copied()
-    }
-
-    /// Adds the triangles of a node and of its children; `parent_transform` maps the parent node to the scene.
-    fn add_node(
+    /// Appends the triangles of a node and its descendants. `parent_transform` maps the parent node's frame to the mesh frame, m.
+    fn append_node(
         &mut self,
         node: Node<'a, 'i>,
         parent_transform: &Matrix4<f64>,
@@ -147,14 +150,14 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
                 "its nodes are nested too deep; at most {MAX_SCENE_DEPTH} within one another are read"
             ));
         }
-        let scene_node = self.scene_node(node)?;
+        let scene_node = self.read_scene_node(node)?;
         let transform = parent_transform * scene_node.transform;
         for contents in &scene_node.contents {
             match *contents {
-                Content::Node(node) => self.add_node(node, &transform, depth + 1)?,
+                Content::Node(node) => self.append_node(node, &transform, depth + 1)?,
                 Content::Geometry(geometry) => {
                     self.count_visit()?;
-                    self.add_geometry(geometry, &transform)?;
+                    self.append_geometry(geometry, &transform)?;
                 }
             }
         }
@@ -163,15 +166,15 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
 
     /// Counts a visit to a node or geometry, and checks the limit.
     fn count_visit(&mut self) -> Result<(), String> {
-        self.visited += 1;
-        if self.visited > MAX_SCENE_NODES {
+        self.visits += 1;
+        if self.visits > MAX_SCENE_NODES {
             return Err(format!("its nodes and instances are too many; at most {MAX_SCENE_NODES} are read"));
         }
         Ok(())
     }
 
-    /// Transform and content of a node.
-    fn scene_node(&mut self, node: Node<'a, 'i>) -> Result<Rc<SceneNode<'a, 'i>>, String> {
+    /// Transform to the parent node, child nodes and geometries of a `node` element; each element is read once.
+    fn read_scene_node(&mut self, node: Node<'a, 'i>) -> Result<Rc<SceneNode<'a, 'i>>, String> {
         let key = node.range().start;
         if let Some(scene_node) = self.scene_nodes.get(&key) {
             return Ok(scene_node.clone());
@@ -182,12 +185,12 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
                 "node" => scene_node.contents.push(Content::Node(child)),
                 "instance_node" => {
                     scene_node.contents.push(Content::Node(
-                        self.resolve_reference(child).ok_or_else(|| unresolved_reference(child))?,
+                        self.resolve_reference(child).ok_or_else(|| unresolved_reference_message(child))?,
                     ));
                 }
                 "instance_geometry" => {
                     scene_node.contents.push(Content::Geometry(
-                        self.resolve_reference(child).ok_or_else(|| unresolved_reference(child))?,
+                        self.resolve_reference(child).ok_or_else(|| unresolved_reference_message(child))?,
                     ));
                 }
                 "instance_controller" => {
@@ -195,7 +198,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
                         .to_owned());
                 }
                 _ => {
-                    if let Some(step) = node_transform(child)? {
+                    if let Some(step) = transform_of_element(child)? {
                         scene_node.transform *= step;
                     }
                 }
@@ -206,28 +209,28 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         Ok(scene_node)
     }
 
-    /// Adds the triangles of a geometry, converted to the scene by `transform`.
-    fn add_geometry(&mut self, geometry: Node<'a, 'i>, transform: &Matrix4<f64>) -> Result<(), String> {
+    /// Appends the triangles of a `geometry` element; `transform` maps its frame to the mesh frame, m.
+    fn append_geometry(&mut self, geometry: Node<'a, 'i>, transform: &Matrix4<f64>) -> Result<(), String> {
         let key = geometry.range().start;
-        if !self.meshes.contains_key(&key) {
-            let mut own_triangles = Triangles::new();
+        if !self.geometries.contains_key(&key) {
+            let mut local_triangles = Triangles::new();
             for mesh in child_elements(geometry, "mesh") {
-                self.add_mesh(mesh, &mut own_triangles)?;
+                self.append_mesh(mesh, &mut local_triangles)?;
             }
-            self.meshes.insert(key, own_triangles);
+            self.geometries.insert(key, local_triangles);
         }
-        let own_triangles = &self.meshes[&key];
-        check_triangle_count(self.triangles.len() + own_triangles.len())?;
+        let local_triangles = &self.geometries[&key];
+        check_triangle_count(self.triangles.len() + local_triangles.len())?;
         let transformed = |p: &[f64; 3]| {
             let q = transform * Vector4::new(p[0], p[1], p[2], 1.0);
             [q.x, q.y, q.z]
         };
-        self.triangles.extend(own_triangles.iter().map(|corners| corners.each_ref().map(transformed)));
+        self.triangles.extend(local_triangles.iter().map(|corners| corners.each_ref().map(transformed)));
         Ok(())
     }
 
-    /// Appends the triangles of a `mesh` element, in its own frame.
-    fn add_mesh(&mut self, mesh: Node<'a, 'i>, out: &mut Triangles) -> Result<(), String> {
+    /// Appends the triangles of a `mesh` element to `out`, in the frame and unit of the geometry.
+    fn append_mesh(&mut self, mesh: Node<'a, 'i>, out: &mut Triangles) -> Result<(), String> {
         for primitive in mesh.children().filter(Node::is_element) {
             let kind = primitive.tag_name().name();
             match kind {
@@ -249,7 +252,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
                 stride = stride.max(offset + 1);
                 if input.attribute("semantic") == Some("VERTEX") {
                     let vertices =
-                        self.resolve_reference(input).ok_or_else(|| unresolved_reference(input))?;
+                        self.resolve_reference(input).ok_or_else(|| unresolved_reference_message(input))?;
                     positions = Some((offset, self.vertex_positions(vertices)?));
                 }
             }
@@ -285,14 +288,14 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
                     let (polygon, after) = rest.split_at(count);
                     // Only a list of counts contains empty polygons, and the list is finite, so the loop ends.
                     rest = after;
-                    add_polygon(polygon, &positions, out)?;
+                    append_polygon(polygon, &positions, out)?;
                 }
             }
         }
         Ok(())
     }
 
-    /// Positions of a `vertices` element.
+    /// Positions of a `vertices` element, in the frame and unit of the geometry.
     fn vertex_positions(&mut self, vertices: Node<'a, 'i>) -> Result<Rc<Vec<[f64; 3]>>, String> {
         let key = vertices.range().start;
         if let Some(positions) = self.positions.get(&key) {
@@ -305,7 +308,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         Ok(positions)
     }
 
-    /// Positions of a `source` element.
+    /// Positions of a `source` element, in the frame and unit of the geometry.
     fn source_positions(&mut self, source: Node<'a, 'i>) -> Result<Rc<Vec<[f64; 3]>>, String> {
         let key = source.range().start;
         if let Some(positions) = self.positions.get(&key) {
@@ -328,7 +331,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         let mut position = [0.0; 3];
         for (i, word) in array.text().unwrap_or("").split_ascii_whitespace().enumerate() {
             let value = word.parse::<f64>().ok().filter(|value| value.is_finite());
-            let value = value.ok_or_else(|| invalid_number(array, word, "finite number"))?;
+            let value = value.ok_or_else(|| invalid_word_message(array, word, "finite number"))?;
             let Some(i) = i.checked_sub(first) else { continue };
             if let Some(axis) = position.get_mut(i % stride) {
                 *axis = value;
@@ -343,19 +346,19 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         Ok(positions)
     }
 
-    /// Adds to the count of read numbers, and checks the limit.
+    /// Adds to the number of positions and indices read, and checks the limit.
     fn count_numbers(&mut self, numbers: usize) -> Result<(), String> {
         self.numbers += numbers;
-        if self.numbers > MAX_MESH_NUMBERS { Err(too_many_numbers()) } else { Ok(()) }
+        if self.numbers > MAX_MESH_NUMBERS { Err(too_many_numbers_message()) } else { Ok(()) }
     }
 }
 
-fn too_many_numbers() -> String {
+fn too_many_numbers_message() -> String {
     format!("more than {MAX_MESH_NUMBERS} numbers; simplify the mesh")
 }
 
 /// Appends a polygon as a fan of triangles about its first corner. `polygon`: indices into `positions`.
-fn add_polygon(polygon: &[u32], positions: &[[f64; 3]], out: &mut Triangles) -> Result<(), String> {
+fn append_polygon(polygon: &[u32], positions: &[[f64; 3]], out: &mut Triangles) -> Result<(), String> {
     let at = |i: u32| {
         positions
             .get(i as usize)
@@ -369,14 +372,13 @@ fn add_polygon(polygon: &[u32], positions: &[[f64; 3]], out: &mut Triangles) -> 
     Ok(())
 }
 
-/// Message for a reference to an element that does not exist.
-fn unresolved_reference(node: Node<'_, '_>) -> String {
+fn unresolved_reference_message(node: Node<'_, '_>) -> String {
     let url = node.attribute("url").or_else(|| node.attribute("source")).unwrap_or("");
     format!("<{}> refers to {url:?}, which there is not", node.tag_name().name())
 }
 
-/// Transform given by a child element of a node; `None` for an element of another kind.
-fn node_transform(node: Node<'_, '_>) -> Result<Option<Matrix4<f64>>, String> {
+/// Transform of a `matrix`, `rotate`, `translate` or `scale` element; `None` for an element of another kind.
+fn transform_of_element(node: Node<'_, '_>) -> Result<Option<Matrix4<f64>>, String> {
     let name = node.tag_name().name();
     let count = match name {
         "matrix" => 16,
@@ -385,7 +387,7 @@ fn node_transform(node: Node<'_, '_>) -> Result<Option<Matrix4<f64>>, String> {
         "lookat" | "skew" => return Err(format!("a node has <{name}>, which is not read")),
         _ => return Ok(None),
     };
-    let v = parse_numbers(node)?;
+    let v = parse_finite_numbers(node)?;
     if v.len() != count {
         return Err(format!("<{name}> has {} numbers; {count} are expected", v.len()));
     }

@@ -1,5 +1,6 @@
 //! Errors of reading a mesh.
 
+use crate::reading::report::shortened;
 use std::path::PathBuf;
 
 /// Reason for failing to read a mesh.
@@ -7,7 +8,7 @@ use std::path::PathBuf;
 #[non_exhaustive]
 pub enum MeshError {
     /// The file does not exist.
-    #[error("mesh \"{file}\" was not found; looked for {}{}", listed(tried), remedy(file))]
+    #[error("mesh \"{file}\" was not found; looked for {}{}", list_paths(tried), package_remedy(file))]
     NotFound {
         /// File name in the URDF.
         file: String,
@@ -51,8 +52,8 @@ pub enum MeshError {
     },
 }
 
-/// Paths that were tried; at most four are written out.
-fn listed(tried: &[PathBuf]) -> String {
+/// The first four paths, separated by commas, and the number of the others.
+fn list_paths(tried: &[PathBuf]) -> String {
     let shown: Vec<String> = tried.iter().take(4).map(|p| p.display().to_string()).collect();
     match tried.len() {
         0 => "it nowhere".to_owned(),
@@ -62,10 +63,15 @@ fn listed(tried: &[PathBuf]) -> String {
 }
 
 /// Remedy for a mesh of a package that was not found; empty for other file names.
-fn remedy(file: &str) -> &'static str {
+fn package_remedy(file: &str) -> &'static str {
     if file.starts_with("package://") || file.starts_with("model://") {
         "; name the package's folder (--package NAME=FOLDER), or set ROS_PACKAGE_PATH"
     } else {
         ""
     }
+}
+
+/// Shortened line or word of a mesh file for a message.
+pub(super) fn excerpt(bytes: &[u8]) -> String {
+    shortened(&String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]))
 }

@@ -1,4 +1,7 @@
 //! Readers of triangle meshes: STL (binary and ASCII), OBJ, COLLADA. Only positions are read, in metres.
+//!
+//! The crate `mesh-loader` (0.1.13) is not used: it has single precision, and panics or allocates without bound for indices and
+//! offsets out of range in COLLADA.
 
 mod dae;
 mod error;
@@ -38,9 +41,9 @@ pub fn read_mesh(path: &Path, max_size: u64) -> Result<Triangles, MeshError> {
     }
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
     let (format, read) = match ending.as_str() {
-        "stl" | "stla" | "stlb" => ("STL", stl::read(&bytes)),
-        "obj" => ("OBJ", obj::read(&bytes)),
-        "dae" => ("COLLADA", dae::read(&bytes)),
+        "stl" | "stla" | "stlb" => ("STL", stl::read_stl(&bytes)),
+        "obj" => ("OBJ", obj::read_obj(&bytes)),
+        "dae" => ("COLLADA", dae::read_collada(&bytes)),
         _ => return Err(MeshError::Format { path: path.to_owned() }),
     };
     let malformed = |message: String| MeshError::Malformed { path: path.to_owned(), format, message };
@@ -48,8 +51,8 @@ pub fn read_mesh(path: &Path, max_size: u64) -> Result<Triangles, MeshError> {
     if triangles.is_empty() {
         return Err(malformed("it has no triangle".to_owned()));
     }
-    let wrong = triangles.iter().flatten().flatten().find(|x| !(x.is_finite() && x.abs() <= 1e30));
-    if let Some(x) = wrong {
+    let out_of_range = triangles.iter().flatten().flatten().find(|x| !(x.is_finite() && x.abs() <= 1e30));
+    if let Some(x) = out_of_range {
         return Err(malformed(format!("a coordinate is {x}; a finite number below 1e30 is expected")));
     }
     Ok(triangles)

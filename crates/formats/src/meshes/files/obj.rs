@@ -2,11 +2,12 @@
 //!
 //! The file is read line by line: memory is needed only for positions and triangles, and errors have line numbers.
 
+use super::error::excerpt;
 use super::triangles::{Triangles, check_triangle_count};
 use crate::reading::limits::MAX_MESH_VERTICES;
-use crate::reading::report::shortened;
 
-pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
+/// Triangles of an OBJ file.
+pub(super) fn read_obj(bytes: &[u8]) -> Result<Triangles, String> {
     let mut positions: Vec<[f64; 3]> = Vec::new();
     // Corners of each triangle with the line of the face: a face may refer to later vertices.
     let mut faces: Vec<([u32; 3], u32)> = Vec::new();
@@ -59,7 +60,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
     faces.iter().map(triangle).collect()
 }
 
-/// Parses a number; infinite values and NaN are accepted here, and refused for all formats by [`read_mesh`](super::read_mesh).
+/// Infinite values and NaN are accepted here, and refused for all formats by [`read_mesh`](super::read_mesh).
 fn parse_number(word: &[u8]) -> Option<f64> {
     std::str::from_utf8(word).ok()?.parse().ok()
 }
@@ -70,9 +71,4 @@ fn vertex_index(word: &[u8], count: usize) -> Option<u32> {
     let vertex: i64 = std::str::from_utf8(vertex).ok()?.parse().ok()?;
     let index = if vertex < 0 { i64::try_from(count).ok()?.checked_add(vertex)? } else { vertex - 1 };
     u32::try_from(index).ok()
-}
-
-/// Shortened bytes of the file for a message.
-fn excerpt(bytes: &[u8]) -> String {
-    shortened(&String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]))
 }

@@ -3,7 +3,7 @@
 use super::error::MeshError;
 use std::path::{Path, PathBuf};
 
-/// Folders that are searched for meshes.
+/// Folders that are searched for the mesh files of a URDF.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshFolders {
     /// Folder of the URDF; base of relative names.
@@ -16,7 +16,8 @@ pub struct MeshFolders {
 }
 
 impl MeshFolders {
-    /// Creates the folders for a URDF file, with the packages of the environment variables.
+    /// Creates the folders for the URDF file `path`, with the given packages (names and folders) and those of the environment
+    /// variables.
     pub fn of_model(path: &Path, packages: Vec<(String, PathBuf)>) -> Self {
         let model = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new(".")).to_owned();
         let folders_in = |name: &str| {
@@ -52,7 +53,7 @@ impl MeshFolders {
         let Some(rest) = packaged else {
             let plain =
                 file.strip_prefix("file://").map(|rest| rest.strip_prefix("localhost").unwrap_or(rest));
-            return vec![self.model.join(plain.map_or(file, without_root_of_drive))];
+            return vec![self.model.join(plain.map_or(file, strip_slash_before_drive))];
         };
         let (name, within) = rest.split_once('/').unwrap_or((rest, ""));
         let mut paths: Vec<PathBuf> = self
@@ -81,7 +82,7 @@ impl MeshFolders {
 }
 
 /// Path of a `file://` name; on Windows, `/C:/…` becomes `C:/…`.
-fn without_root_of_drive(path: &str) -> &str {
+fn strip_slash_before_drive(path: &str) -> &str {
     match path.as_bytes() {
         [b'/', letter, b':', ..] if cfg!(windows) && letter.is_ascii_alphabetic() => &path[1..],
         _ => path,

@@ -1,22 +1,26 @@
 //! Reader of STL files, binary or ASCII.
 
+use super::error::excerpt;
 use super::triangles::{Triangles, check_triangle_count};
-use crate::reading::report::shortened;
 
 /// Bytes before the first facet of a binary file.
 const HEADER_SIZE: usize = 84;
 /// Bytes of a facet in a binary file.
 const FACET_SIZE: usize = 50;
 
-pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
+/// Triangles of an STL file, binary or ASCII.
+pub(super) fn read_stl(bytes: &[u8]) -> Result<Triangles, String> {
     // Binary files may also begin with "solid", so the length of the file decides.
-    match stated_count(bytes) {
-        Some(count) if bytes.len() >= HEADER_SIZE + FACET_SIZE * count && (count > 0 || !is_ascii(bytes)) => {
+    match stated_facet_count(bytes) {
+        Some(count)
+            if bytes.len() >= HEADER_SIZE + FACET_SIZE * count
+                && (count > 0 || !begins_as_ascii_stl(bytes)) =>
+        {
             check_triangle_count(count)?;
             let facets = bytes[HEADER_SIZE..].chunks_exact(FACET_SIZE).take(count);
-            Ok(facets.map(facet_corners).collect())
+            Ok(facets.map(binary_facet_corners).collect())
         }
-        _ if is_ascii(bytes) => read_ascii(bytes),
+        _ if begins_as_ascii_stl(bytes) => read_ascii_stl(bytes),
         Some(count) => Err(format!(
             "it announces {count} triangles and has bytes for {}; was it cut off?",
             (bytes.len() - HEADER_SIZE) / FACET_SIZE
@@ -25,20 +29,20 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
     }
 }
 
-/// Number of facets stated in the header of a binary file.
-fn stated_count(bytes: &[u8]) -> Option<usize> {
+/// Number of facets stated in the header of a binary file; `None` for a shorter file.
+fn stated_facet_count(bytes: &[u8]) -> Option<usize> {
     let count: [u8; 4] = bytes.get(HEADER_SIZE - 4..HEADER_SIZE)?.try_into().ok()?;
     usize::try_from(u32::from_le_bytes(count)).ok()
 }
 
 /// True for text that begins with `solid`.
-fn is_ascii(bytes: &[u8]) -> bool {
+fn begins_as_ascii_stl(bytes: &[u8]) -> bool {
     let text = bytes.trim_ascii_start();
     text.len() >= 5 && text[..5].eq_ignore_ascii_case(b"solid") && !bytes.contains(&0)
 }
 
 /// Corners of a facet of a binary file.
-fn facet_corners(facet: &[u8]) -> [[f64; 3]; 3] {
+fn binary_facet_corners(facet: &[u8]) -> [[f64; 3]; 3] {
     let number = |at: usize| {
         let bytes = [facet[at], facet[at + 1], facet[at + 2], facet[at + 3]];
         f64::from(f32::from_le_bytes(bytes))
@@ -47,8 +51,8 @@ fn facet_corners(facet: &[u8]) -> [[f64; 3]; 3] {
     std::array::from_fn(|corner| std::array::from_fn(|axis| number(12 + 12 * corner + 4 * axis)))
 }
 
-/// Reads `solid`, facets, `endsolid`. Blank lines are ignored; keywords may be in upper or lower case.
-fn read_ascii(bytes: &[u8]) -> Result<Triangles, String> {
+/// Triangles of an ASCII file. Blank lines are ignored; keywords may be in upper or lower case.
+fn read_ascii_stl(bytes: &[u8]) -> Result<Triangles, String> {
     let lines = (1_usize..).zip(bytes.split(|byte| *byte == b'\n'));
     let mut lines = lines.map(|(line, text)| (line, text.trim_ascii())).filter(|(_, text)| !text.is_empty());
     let mut next = |expected: &str| {
@@ -69,18 +73,19 @@ fn read_ascii(bytes: &[u8]) -> Result<Triangles, String> {
             )
         };
         let header = "\"facet normal\" with three finite numbers";
-        keyword_line::<3>(text, &["facet", "normal"]).ok_or_else(|| mismatch(line, text, header))?;
+        parse_keyword_line::<3>(text, &["facet", "normal"]).ok_or_else(|| mismatch(line, text, header))?;
         let (line, text) = next("\"outer loop\"")?;
-        keyword_line::<0>(text, &["outer", "loop"]).ok_or_else(|| mismatch(line, text, "\"outer loop\""))?;
+        parse_keyword_line::<0>(text, &["outer", "loop"])
+            .ok_or_else(|| mismatch(line, text, "\"outer loop\""))?;
         let mut corners = [[0.0; 3]; 3];
         for corner in &mut corners {
             let (line, text) = next("\"vertex\"")?;
-            *corner = keyword_line(text, &["vertex"])
+            *corner = parse_keyword_line(text, &["vertex"])
                 .ok_or_else(|| mismatch(line, text, "\"vertex\" with three finite numbers"))?;
         }
         for end in ["endloop", "endfacet"] {
             let (line, text) = next(end)?;
-            keyword_line::<0>(text, &[end]).ok_or_else(|| mismatch(line, text, end))?;
+            parse_keyword_line::<0>(text, &[end]).ok_or_else(|| mismatch(line, text, end))?;
         }
         check_triangle_count(triangles.len() + 1).map_err(|why| format!("line {line}: {why}"))?;
         triangles.push(corners);
@@ -91,12 +96,12 @@ fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
     text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
 }
 
-/// The `N` finite numbers after the keywords `names` in a line; `None` for any other line. Numbers have single precision, as
-/// in binary files.
-fn keyword_line<const N: usize>(text: &[u8], names: &[&str]) -> Option<[f64; N]> {
+/// The `N` finite numbers after the keywords of a line; `None` for any other line. Numbers have single precision, as in
+/// binary files.
+fn parse_keyword_line<const N: usize>(text: &[u8], keywords: &[&str]) -> Option<[f64; N]> {
     let mut words = words(text);
-    for name in names {
-        words.next().filter(|word| word.eq_ignore_ascii_case(name.as_bytes()))?;
+    for keyword in keywords {
+        words.next().filter(|word| word.eq_ignore_ascii_case(keyword.as_bytes()))?;
     }
     let mut numbers = [0.0; N];
     for number in &mut numbers {
@@ -104,9 +109,4 @@ fn keyword_line<const N: usize>(text: &[u8], names: &[&str]) -> Option<[f64; N]>
         *number = f64::from(Some(read).filter(|x| x.is_finite())?);
     }
     words.next().is_none().then_some(numbers)
-}
-
-/// Shortened line of the file for a message.
-fn excerpt(text: &[u8]) -> String {
-    shortened(&String::from_utf8_lossy(&text[..text.len().min(1000)]))
 }

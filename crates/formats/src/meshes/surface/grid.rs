@@ -4,7 +4,7 @@ use super::facet::Facet;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
-/// Surface patch, and the number of parts along each parameter.
+/// Surface patch in the frame of its solid, m, and the number of parts along each parameter.
 pub(super) struct Patch {
     kind: PatchKind,
     parts: (usize, usize),
@@ -12,18 +12,18 @@ pub(super) struct Patch {
 
 enum PatchKind {
     /// Parallelogram: corner, first edge, second edge. The normal is first × second.
-    Plane([Vector3<f64>; 3]),
+    Parallelogram([Vector3<f64>; 3]),
     /// Side of a cylinder about z: radius, length.
-    Side(f64, f64),
+    CylinderSide(f64, f64),
     /// End disc of a cylinder: radius, height, side (1 for the upper end, −1 for the lower).
-    Disc(f64, f64, f64),
+    CylinderEnd(f64, f64, f64),
     /// Zone of a sphere: radius, height of the centre, first latitude, range of latitudes (rad).
-    Ball(f64, f64, f64, f64),
+    SphereZone(f64, f64, f64, f64),
 }
 
 impl Patch {
-    /// The six faces of a box; `parts` per axis.
-    pub fn of_box(size: [f64; 3], parts: [usize; 3]) -> Vec<Self> {
+    /// Faces of a box centred at the origin: edge lengths, parts along each axis.
+    pub fn box_faces(size: [f64; 3], parts: [usize; 3]) -> Vec<Self> {
         let mut patches = Vec::with_capacity(6);
         for axis in 0..3 {
             let (second, third) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -36,7 +36,7 @@ impl Patch {
                 let corner = 0.5 * (sign * edge(axis) - edge(second) - edge(third));
                 let (first, last) = if sign > 0.0 { (second, third) } else { (third, second) };
                 patches.push(Self {
-                    kind: PatchKind::Plane([corner, edge(first), edge(last)]),
+                    kind: PatchKind::Parallelogram([corner, edge(first), edge(last)]),
                     parts: (parts[first], parts[last]),
                 });
             }
@@ -44,42 +44,42 @@ impl Patch {
         patches
     }
 
-    /// Side of a cylinder about z.
-    pub fn side(radius: f64, length: f64, parts: (usize, usize)) -> Self {
-        Self { kind: PatchKind::Side(radius, length), parts }
+    /// Side of a cylinder about z, centred at the origin.
+    pub fn cylinder_side(radius: f64, length: f64, parts: (usize, usize)) -> Self {
+        Self { kind: PatchKind::CylinderSide(radius, length), parts }
     }
 
-    /// End disc of a cylinder at the height `height`; `side` is 1 for the upper end, −1 for the lower.
-    pub fn disc(radius: f64, height: f64, side: f64, parts: (usize, usize)) -> Self {
-        Self { kind: PatchKind::Disc(radius, height, side), parts }
+    /// End disc of a cylinder about z; `side` is 1 for the upper end, −1 for the lower.
+    pub fn cylinder_end(radius: f64, height: f64, side: f64, parts: (usize, usize)) -> Self {
+        Self { kind: PatchKind::CylinderEnd(radius, height, side), parts }
     }
 
-    /// Zone of a sphere: `height` of its centre, first latitude and range of latitudes (rad).
-    pub fn ball(radius: f64, height: f64, (first, span): (f64, f64), parts: (usize, usize)) -> Self {
-        Self { kind: PatchKind::Ball(radius, height, first, span), parts }
+    /// Zone of a sphere about z: first latitude and range of latitudes (rad).
+    pub fn sphere_zone(radius: f64, height: f64, (first, span): (f64, f64), parts: (usize, usize)) -> Self {
+        Self { kind: PatchKind::SphereZone(radius, height, first, span), parts }
     }
 
-    /// Number of facets, including degenerate ones at the poles.
+    /// Includes degenerate facets at the poles.
     pub fn facet_count(&self) -> usize {
         self.parts.0.saturating_mul(self.parts.1).saturating_mul(2)
     }
 
-    /// Point and normal (of any length) at the parameters (u, v).
+    /// Point and normal (of any length) at the parameters (u, v), from 0 to 1.
     fn point_and_normal(&self, u: f64, v: f64) -> (Vector3<f64>, Vector3<f64>) {
         let (sine, cosine) = (TAU * u).sin_cos();
         match self.kind {
-            PatchKind::Plane([corner, first, second]) => {
+            PatchKind::Parallelogram([corner, first, second]) => {
                 let normal = first.cross(&second);
                 (corner + first * u + second * v, normal)
             }
-            PatchKind::Side(radius, length) => {
+            PatchKind::CylinderSide(radius, length) => {
                 let normal = Vector3::new(cosine, sine, 0.0);
                 (normal * radius + Vector3::z() * (length * (v - 0.5)), normal)
             }
-            PatchKind::Disc(radius, height, side) => {
+            PatchKind::CylinderEnd(radius, height, side) => {
                 (Vector3::new(radius * v * cosine, radius * v * sine, height), Vector3::z() * side)
             }
-            PatchKind::Ball(radius, height, first, span) => {
+            PatchKind::SphereZone(radius, height, first, span) => {
                 let (up, level) = (first + span * v).sin_cos();
                 let normal = Vector3::new(level * cosine, level * sine, up);
                 (normal * radius + Vector3::z() * height, normal)
@@ -87,21 +87,21 @@ impl Patch {
         }
     }
 
-    /// Appends two facets per part.
-    pub fn divide(&self, out: &mut Vec<Facet>) {
+    /// Appends two facets per part, except degenerate ones.
+    pub fn append_facets(&self, out: &mut Vec<Facet>) {
         let (across, along) = self.parts;
         let part = |i: usize, k: usize| (i as f64 / across as f64, k as f64 / along as f64);
         for i in 0..across {
             for k in 0..along {
                 let [a, b, c, d] = [part(i, k), part(i + 1, k), part(i + 1, k + 1), part(i, k + 1)];
-                self.add_facet([a, b, c], out);
-                self.add_facet([a, c, d], out);
+                self.append_facet([a, b, c], out);
+                self.append_facet([a, c, d], out);
             }
         }
     }
 
-    /// Appends the facet with these corners in parameters; degenerate facets are left out.
-    fn add_facet(&self, parameters: [(f64, f64); 3], out: &mut Vec<Facet>) {
+    /// Appends the facet with corners at these (u, v), unless degenerate.
+    fn append_facet(&self, parameters: [(f64, f64); 3], out: &mut Vec<Facet>) {
         let mut corners = parameters.map(|(u, v)| self.point_and_normal(u, v).0);
         let mean = |coordinate: fn(&(f64, f64)) -> f64| parameters.iter().map(coordinate).sum::<f64>() / 3.0;
         let (point, normal) = self.point_and_normal(mean(|p| p.0), mean(|p| p.1));

@@ -38,9 +38,12 @@ pub struct Surface {
     files: Vec<PathBuf>,
 }
 
+/// Part of a surface.
 #[derive(Clone, Debug)]
 enum Part {
+    /// Solid, and the pose of its frame in the link frame.
     Solid(Solid, Transform<f64>),
+    /// Triangles of a mesh, m.
     Mesh(Vec<[Vector3<f64>; 3]>),
 }
 
@@ -68,23 +71,23 @@ impl Surface {
             };
             let mut triangles: Vec<[Vector3<f64>; 3]> =
                 triangles.into_iter().map(|corners| corners.map(in_link_frame)).collect();
-            surface.orientation.add(&orient::turn_outward(&mut triangles));
+            surface.orientation.add(&orient::orient_outward(&mut triangles));
             surface.parts.push(Part::Mesh(triangles));
         }
         Ok(surface)
     }
 
-    /// Files of the meshes.
+    /// Mesh files that were read.
     pub fn files(&self) -> &[PathBuf] {
         &self.files
     }
 
-    /// Report about the orientation of the meshes.
+    /// Changes that oriented the meshes outward.
     pub fn orientation(&self) -> &Orientation {
         &self.orientation
     }
 
-    /// Centre and radius (m) of a sphere around the surface, not the smallest one; `None` for an empty surface.
+    /// Centre (link frame) and radius (m) of a sphere around the surface, not the smallest one; `None` for an empty surface.
     pub fn bounds(&self) -> Option<(Vector3<f64>, f64)> {
         let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
         let mut include = |p: &Vector3<f64>| {
@@ -94,7 +97,7 @@ impl Surface {
         for part in &self.parts {
             match part {
                 Part::Solid(solid, frame) => {
-                    let half = half_size(solid);
+                    let half = half_extents(solid);
                     for corner in 0..8_usize {
                         let side =
                             |axis: usize| if corner >> axis & 1 == 0 { -half[axis] } else { half[axis] };
@@ -107,13 +110,13 @@ impl Surface {
         (low.x <= high.x).then(|| (0.5 * (low + high), 0.5 * (high - low).norm()))
     }
 
-    /// Divides the surface into facets with edges of about `edge` (m) at most. Triangles of a mesh are divided but
+    /// Divides the surface into facets with edges of about `max_edge` (m) at most. Triangles of a mesh are divided but
     /// never merged.
     ///
     /// # Errors
     /// [`SurfaceError::TooMany`] if more than `max_count` facets are needed.
-    pub fn facets(&self, edge: f64, max_count: usize) -> Result<Vec<Facet>, SurfaceError> {
-        let needed = self.parts.iter().map(|part| facet_count(part, edge)).fold(0, usize::saturating_add);
+    pub fn facets(&self, max_edge: f64, max_count: usize) -> Result<Vec<Facet>, SurfaceError> {
+        let needed = self.parts.iter().map(|part| facet_count(part, max_edge)).fold(0, usize::saturating_add);
         if needed > max_count {
             return Err(SurfaceError::TooMany { needed, most: max_count });
         }
@@ -122,22 +125,24 @@ impl Surface {
             match part {
                 Part::Solid(solid, frame) => {
                     let first = facets.len();
-                    patches(solid, edge).iter().for_each(|patch| patch.divide(&mut facets));
+                    solid_patches(solid, max_edge).iter().for_each(|patch| patch.append_facets(&mut facets));
                     for facet in &mut facets[first..] {
                         facet.corners = facet.corners.map(|p| frame.point(&p));
                         facet.point = frame.point(&facet.point);
                         facet.normal = frame.vector(&facet.normal);
                     }
                 }
-                Part::Mesh(triangles) => triangles.iter().for_each(|t| divide_triangle(t, edge, &mut facets)),
+                Part::Mesh(triangles) => {
+                    triangles.iter().for_each(|t| append_triangle_facets(t, max_edge, &mut facets))
+                }
             }
         }
         Ok(facets)
     }
 }
 
-/// Half the edge lengths of the bounding box of a solid, m; 0 for a mesh.
-fn half_size(solid: &Solid) -> [f64; 3] {
+/// Half the edge lengths of the bounding box of a solid in its own frame, m; 0 for a mesh.
+fn half_extents(solid: &Solid) -> [f64; 3] {
     match solid {
         Solid::Box { size } => size.map(|s| 0.5 * s),
         Solid::Sphere { radius } => [*radius; 3],
@@ -147,56 +152,58 @@ fn half_size(solid: &Solid) -> [f64; 3] {
     }
 }
 
-/// Number of facets of a part, for edges of about `edge` (m) at most.
-fn facet_count(part: &Part, edge: f64) -> usize {
+/// Number of facets of a part, including degenerate ones.
+fn facet_count(part: &Part, max_edge: f64) -> usize {
     match part {
         Part::Solid(solid, _) => {
-            patches(solid, edge).iter().map(Patch::facet_count).fold(0, usize::saturating_add)
+            solid_patches(solid, max_edge).iter().map(Patch::facet_count).fold(0, usize::saturating_add)
         }
         Part::Mesh(triangles) => {
             let facets_of_triangle = |t: &[Vector3<f64>; 3]| {
-                triangle_subdivisions(t, edge).saturating_mul(triangle_subdivisions(t, edge))
+                triangle_subdivisions(t, max_edge).saturating_mul(triangle_subdivisions(t, max_edge))
             };
             triangles.iter().map(facets_of_triangle).fold(0, usize::saturating_add)
         }
     }
 }
 
-/// Number of pieces into which an edge of the given length is divided.
-fn subdivisions(length: f64, edge: f64) -> usize {
-    let parts = (length / edge).ceil();
+/// Number of pieces of at most `max_edge` in an edge of this length.
+fn subdivisions(length: f64, max_edge: f64) -> usize {
+    let parts = (length / max_edge).ceil();
     // NaN gives one part. A very large number is refused later, by the number of facets.
     if parts >= 1.0 { parts as usize } else { 1 }
 }
 
-/// Number of pieces per edge of a triangle, from its longest edge.
-fn triangle_subdivisions(t: &[Vector3<f64>; 3], edge: f64) -> usize {
-    let longest = (t[1] - t[0]).norm().max((t[2] - t[1]).norm()).max((t[0] - t[2]).norm());
-    subdivisions(longest, edge)
+/// Number n of pieces of at most `max_edge` in the longest edge.
+fn triangle_subdivisions(triangle: &[Vector3<f64>; 3], max_edge: f64) -> usize {
+    let edge = |from: usize, to: usize| (triangle[to] - triangle[from]).norm();
+    let longest = edge(0, 1).max(edge(1, 2)).max(edge(2, 0));
+    subdivisions(longest, max_edge)
 }
 
-/// Divides a triangle into n² congruent facets.
-fn divide_triangle(t: &[Vector3<f64>; 3], edge: f64, out: &mut Vec<Facet>) {
-    let n = triangle_subdivisions(t, edge);
+/// Appends n² congruent facets, n = [`triangle_subdivisions`].
+fn append_triangle_facets(triangle: &[Vector3<f64>; 3], max_edge: f64, out: &mut Vec<Facet>) {
+    let n = triangle_subdivisions(triangle, max_edge);
     let at = |i: usize, k: usize| {
         if n == 1 {
             // Uses the exact corner, without the rounding of a sum.
-            return t[if i == 1 { 1 } else { 2 * k }];
+            return triangle[if i == 1 { 1 } else { 2 * k }];
         }
-        t[0] + (t[1] - t[0]) * (i as f64 / n as f64) + (t[2] - t[0]) * (k as f64 / n as f64)
+        let [a, b, c] = triangle;
+        a + (b - a) * (i as f64 / n as f64) + (c - a) * (k as f64 / n as f64)
     };
     for i in 0..n {
         for k in 0..n - i {
-            add_flat_facet([at(i, k), at(i + 1, k), at(i, k + 1)], out);
+            append_flat_facet([at(i, k), at(i + 1, k), at(i, k + 1)], out);
             if i + k + 1 < n {
-                add_flat_facet([at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)], out);
+                append_flat_facet([at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)], out);
             }
         }
     }
 }
 
-/// Appends a facet; a degenerate triangle is left out.
-fn add_flat_facet(corners: [Vector3<f64>; 3], out: &mut Vec<Facet>) {
+/// Appends a facet with its centroid and right-handed normal, unless degenerate.
+fn append_flat_facet(corners: [Vector3<f64>; 3], out: &mut Vec<Facet>) {
     let [a, b, c] = corners;
     let cross = (b - a).cross(&(c - a));
     let length = cross.norm();
@@ -206,33 +213,33 @@ fn add_flat_facet(corners: [Vector3<f64>; 3], out: &mut Vec<Facet>) {
     }
 }
 
-/// Patches that form the surface of a solid, divided for edges of about `edge` (m); empty for a mesh.
-fn patches(solid: &Solid, edge: f64) -> Vec<Patch> {
+/// Patches that form the surface of a solid, for edges of about `max_edge`; empty for a mesh.
+fn solid_patches(solid: &Solid, max_edge: f64) -> Vec<Patch> {
     let around = |radius: f64| {
-        subdivisions(TAU * radius, edge).clamp(*FACETS_PER_TURN.start(), *FACETS_PER_TURN.end())
+        subdivisions(TAU * radius, max_edge).clamp(*FACETS_PER_TURN.start(), *FACETS_PER_TURN.end())
     };
-    let straight = |length: f64| subdivisions(length, edge);
+    let straight = |length: f64| subdivisions(length, max_edge);
     match *solid {
-        Solid::Box { size } => Patch::of_box(size, size.map(straight)),
+        Solid::Box { size } => Patch::box_faces(size, size.map(straight)),
         Solid::Sphere { radius } => {
             let n = around(radius);
-            vec![Patch::ball(radius, 0.0, (-FRAC_PI_2, PI), (n, n.div_ceil(2)))]
+            vec![Patch::sphere_zone(radius, 0.0, (-FRAC_PI_2, PI), (n, n.div_ceil(2)))]
         }
         Solid::Cylinder { radius, length } => {
             let (n, rings) = (around(radius), straight(radius));
             vec![
-                Patch::side(radius, length, (n, straight(length))),
-                Patch::disc(radius, 0.5 * length, 1.0, (n, rings)),
-                Patch::disc(radius, -0.5 * length, -1.0, (n, rings)),
+                Patch::cylinder_side(radius, length, (n, straight(length))),
+                Patch::cylinder_end(radius, 0.5 * length, 1.0, (n, rings)),
+                Patch::cylinder_end(radius, -0.5 * length, -1.0, (n, rings)),
             ]
         }
         Solid::Capsule { radius, length } => {
             let n = around(radius);
             let half = (n, n.div_ceil(4));
             vec![
-                Patch::side(radius, length, (n, straight(length))),
-                Patch::ball(radius, 0.5 * length, (0.0, FRAC_PI_2), half),
-                Patch::ball(radius, -0.5 * length, (-FRAC_PI_2, FRAC_PI_2), half),
+                Patch::cylinder_side(radius, length, (n, straight(length))),
+                Patch::sphere_zone(radius, 0.5 * length, (0.0, FRAC_PI_2), half),
+                Patch::sphere_zone(radius, -0.5 * length, (-FRAC_PI_2, FRAC_PI_2), half),
             ]
         }
         Solid::Mesh { .. } => Vec::new(),

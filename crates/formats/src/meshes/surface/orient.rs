@@ -34,9 +34,9 @@ impl Orientation {
 
 type Triangle = [Vector3<f64>; 3];
 
-/// Orders the corners of each triangle anticlockwise as seen from outside.
-pub(super) fn turn_outward(triangles: &mut [Triangle]) -> Orientation {
-    let corners = weld(triangles);
+/// Orders the corners of each triangle anticlockwise as seen from outside; counts the changes.
+pub(super) fn orient_outward(triangles: &mut [Triangle]) -> Orientation {
+    let corners = number_vertices(triangles);
     // Triangles at each edge.
     let mut edges: HashMap<(u32, u32), Vec<u32>> = HashMap::with_capacity(corners.len() * 3 / 2);
     for (t, corner) in (0_u32..).zip(&corners) {
@@ -77,7 +77,7 @@ pub(super) fn turn_outward(triangles: &mut [Triangle]) -> Orientation {
                     continue;
                 }
                 // Two neighbours with the same sense of winding pass their common edge in opposite directions.
-                let expected = is_reversed ^ runs_along(&corners[other], a, b);
+                let expected = is_reversed ^ has_directed_edge(&corners[other], a, b);
                 match turned[other] {
                     None => {
                         turned[other] = Some(expected);
@@ -93,7 +93,7 @@ pub(super) fn turn_outward(triangles: &mut [Triangle]) -> Orientation {
             if turned[t] == Some(true) { -volume } else { volume }
         };
         let volume: f64 = piece.iter().map(|&t| signed(t)).sum();
-        let area: f64 = piece.iter().map(|&t| area(&triangles[t])).sum();
+        let area: f64 = piece.iter().map(|&t| triangle_area(&triangles[t])).sum();
         let has_inside = closed && volume.abs() > MIN_RELATIVE_VOLUME * area * area.sqrt();
         orientation.pieces += 1;
         orientation.open += usize::from(!has_inside);
@@ -113,17 +113,17 @@ pub(super) fn turn_outward(triangles: &mut [Triangle]) -> Orientation {
     orientation
 }
 
-fn area([a, b, c]: &Triangle) -> f64 {
+fn triangle_area([a, b, c]: &Triangle) -> f64 {
     0.5 * (b - a).cross(&(c - a)).norm()
 }
 
 /// True if the triangle has the edge `from` → `to` in this direction.
-fn runs_along(corners: &[u32; 3], from: u32, to: u32) -> bool {
-    (0..3).any(|k| corners[k] == from && corners[(k + 1) % 3] == to)
+fn has_directed_edge(vertices: &[u32; 3], from: u32, to: u32) -> bool {
+    (0..3).any(|k| vertices[k] == from && vertices[(k + 1) % 3] == to)
 }
 
-/// Numbers the corners; equal corners share a number.
-fn weld(triangles: &[Triangle]) -> Vec<[u32; 3]> {
+/// Vertex index of each corner; equal corners share an index.
+fn number_vertices(triangles: &[Triangle]) -> Vec<[u32; 3]> {
     let mut known: HashMap<[u64; 3], u32> = HashMap::with_capacity(triangles.len() / 2 + 3);
     let mut number = |p: &Vector3<f64>| {
         // Maps −0 to 0.
@@ -160,7 +160,7 @@ mod tests {
                 let _ = i;
                 t.swap(0, 1);
             }
-            let done = turn_outward(&mut triangles);
+            let done = orient_outward(&mut triangles);
             assert!(is_outward(&triangles, Vector3::repeat(0.5)), "{mask:b}");
             assert_eq!((done.pieces, done.open, done.conflicting), (1, 0, 0));
             assert_eq!(done.turned, mask.count_ones() as usize);
@@ -176,7 +176,7 @@ mod tests {
             t.swap(0, 1);
         });
         triangles.extend(second);
-        let done = turn_outward(&mut triangles);
+        let done = orient_outward(&mut triangles);
         assert_eq!((done.pieces, done.turned, done.open), (2, 12, 0));
         assert!(is_outward(&triangles[..12], Vector3::repeat(0.5)));
         assert!(is_outward(&triangles[12..], Vector3::new(5.5, 0.5, 0.5)));
@@ -188,7 +188,7 @@ mod tests {
         // The lid is removed, and all triangles are wound inward.
         triangles.drain(2..4);
         triangles.iter_mut().for_each(|t| t.swap(0, 1));
-        let done = turn_outward(&mut triangles);
+        let done = orient_outward(&mut triangles);
         assert_eq!((done.pieces, done.open), (1, 1));
         assert!(is_outward(&triangles, Vector3::new(0.5, 0.5, 0.4)));
     }
@@ -208,7 +208,7 @@ mod tests {
             triangles.push([at(i, 1.0), at(i, -1.0), at(i + 1, 1.0)]);
             triangles.push([at(i, -1.0), at(i + 1, -1.0), at(i + 1, 1.0)]);
         }
-        let done = turn_outward(&mut triangles);
+        let done = orient_outward(&mut triangles);
         assert_eq!((done.pieces, done.conflicting), (1, 1));
     }
 }

@@ -6,29 +6,29 @@
 
 use crate::reading::limits::ARMATURE_TOLERANCE;
 use crate::reading::report::{Place, Report};
-use crate::urdf::elements::numbers::{number, parse, report_bad_number};
+use crate::urdf::elements::numbers::{parse_numbers, report_bad_number, required_number};
 use crate::urdf::elements::survey::{child, children};
 use percuss_mechanism::Severity;
 use roxmltree::Node;
 
-/// Returns the armature given inside a `<joint>`: empty, one value, or one value per velocity.
+/// Armature given inside a `<joint>`, kg·m² or kg: empty, one value, or one value per velocity.
 pub(crate) fn read_joint_armature<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Vec<f64> {
-    let mut armature = child(node, "dynamics").map(|n| listed_values(n, report)).unwrap_or_default();
+    let mut armature = child(node, "dynamics").map(|n| armature_attribute(n, report)).unwrap_or_default();
     for holder in std::iter::once(node).chain(children(node, "actuator")) {
         if let Some(value) = reflected_inertia(holder, report) {
-            add_value(&mut armature, value, holder, report);
+            merge_armature(&mut armature, value, holder, report);
         }
     }
     armature
 }
 
-/// Values of the attribute `armature`; empty if the attribute is absent or invalid.
-fn listed_values(node: Node<'_, '_>, report: &mut Report) -> Vec<f64> {
+/// Values of the attribute `armature`, kg·m² or kg; empty if absent or invalid.
+fn armature_attribute(node: Node<'_, '_>, report: &mut Report) -> Vec<f64> {
     let Some(text) = node.attribute("armature") else { return Vec::new() };
     let parsed = match text.split_ascii_whitespace().take(7).count() {
-        3 => parse::<3>(text).map(Vec::from),
-        6 => parse::<6>(text).map(Vec::from),
-        _ => parse::<1>(text).map(Vec::from),
+        3 => parse_numbers::<3>(text).map(Vec::from),
+        6 => parse_numbers::<6>(text).map(Vec::from),
+        _ => parse_numbers::<1>(text).map(Vec::from),
     };
     parsed.unwrap_or_else(|defect| {
         report_bad_number(node, "armature", text, &defect, report);
@@ -36,13 +36,13 @@ fn listed_values(node: Node<'_, '_>, report: &mut Report) -> Vec<f64> {
     })
 }
 
-/// Reflected inertia I r² from Drake's elements in `holder`. The ratio defaults to 1, with a note.
-pub(crate) fn reflected_inertia<'a, 'i: 'a>(holder: Node<'a, 'i>, report: &mut Report) -> Option<f64> {
-    let inertia = number(child(holder, "drake:rotor_inertia")?, "value", report)?;
-    let ratio = match child(holder, "drake:gear_ratio") {
-        Some(node) => number(node, "value", report)?,
+/// Reflected inertia I r² (kg·m² or kg) from Drake's elements in `parent`. The ratio defaults to 1, with a note.
+pub(crate) fn reflected_inertia<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut Report) -> Option<f64> {
+    let inertia = required_number(child(parent, "drake:rotor_inertia")?, "value", report)?;
+    let ratio = match child(parent, "drake:gear_ratio") {
+        Some(node) => required_number(node, "value", report)?,
         None => {
-            report.add_once(Severity::Note, "default-gear", String::new(), Place::Element(holder), || {
+            report.add_once(Severity::Note, "default-gear", String::new(), Place::Element(parent), || {
                 "a rotor inertia without <drake:gear_ratio>: the ratio is taken as 1, as in Drake".to_owned()
             });
             1.0
@@ -52,7 +52,7 @@ pub(crate) fn reflected_inertia<'a, 'i: 'a>(holder: Node<'a, 'i>, report: &mut R
 }
 
 /// Sets the armature, or compares a second value with the first. A difference beyond the tolerance is an error.
-pub(crate) fn add_value(armature: &mut Vec<f64>, value: f64, place: Node<'_, '_>, report: &mut Report) {
+pub(crate) fn merge_armature(armature: &mut Vec<f64>, value: f64, place: Node<'_, '_>, report: &mut Report) {
     match armature[..] {
         [] => armature.push(value),
         [given] if (given - value).abs() <= ARMATURE_TOLERANCE * given.abs().max(value.abs()) => {}

@@ -2,9 +2,9 @@
 
 use crate::reading::limits::MIN_AXIS_COMPONENT;
 use crate::reading::report::{Place, Report, quoted};
-use crate::urdf::elements::joint::link_at_end;
-use crate::urdf::elements::link::check_name;
-use crate::urdf::elements::numbers::{number, required};
+use crate::urdf::elements::joint::read_link_name;
+use crate::urdf::elements::link::read_name;
+use crate::urdf::elements::numbers::{required_number, required_numbers};
 use crate::urdf::elements::origin::{self, Origin};
 use crate::urdf::elements::survey::{child, is_gazebo_joint, is_named};
 use percuss_mechanism::{ClosureDescription, ClosureKind, CouplingDescription, Problem, near_names};
@@ -16,12 +16,12 @@ const DEFAULT_AXIS: &str = "1 0 0";
 const DEFAULT_AXIS2: &str = "0 1 0";
 
 /// True for `<loop>` and `<loop_joint>`.
-pub(crate) fn is_loop(node: Node<'_, '_>) -> bool {
+pub(crate) fn is_loop_element(node: Node<'_, '_>) -> bool {
     is_named(node, "loop") || is_named(node, "loop_joint")
 }
 
 /// Tags of the elements that name the two links: predecessor first, successor second.
-pub(crate) fn end_tags(node: Node<'_, '_>) -> &'static [&'static str; 2] {
+pub(crate) fn link_tags(node: Node<'_, '_>) -> &'static [&'static str; 2] {
     if is_gazebo_joint(node) {
         &["parent", "child"]
     } else if is_named(node, "loop_joint") {
@@ -31,12 +31,12 @@ pub(crate) fn end_tags(node: Node<'_, '_>) -> &'static [&'static str; 2] {
     }
 }
 
-/// Checks a `<loop>` or `<loop_joint>`. Each number of the result is finite; defects are reported.
-pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
-    let name = check_name(node, report);
-    let kind = kind(node, report);
-    let [predecessor, successor] = end_tags(node).map(|tag| link_at_end(node, tag, report));
-    let [predecessor_frame, successor_frame] = end_tags(node).map(|tag| frame(node, tag, report));
+/// Description of a `<loop>` or `<loop_joint>`, with finite numbers.
+pub(crate) fn read_loop<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
+    let name = read_name(node, report);
+    let kind = read_loop_type(node, report);
+    let [predecessor, successor] = link_tags(node).map(|tag| read_link_name(node, tag, report));
+    let [predecessor_frame, successor_frame] = link_tags(node).map(|tag| read_loop_frame(node, tag, report));
     if let Some(kind) = kind {
         report_unused_elements(node, kind, report);
     }
@@ -48,24 +48,24 @@ pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Clos
         predecessor_frame,
         successor: successor.to_owned(),
         successor_frame,
-        axis: direction(node, "axis", DEFAULT_AXIS, kind.filter(|k| k.has_axis()), report),
-        axis2: direction(node, "axis2", DEFAULT_AXIS2, kind.filter(|_| universal), report),
-        distance: distance(node, kind, report),
+        axis: read_axis(node, "axis", DEFAULT_AXIS, kind.filter(|k| k.has_axis()), report),
+        axis2: read_axis(node, "axis2", DEFAULT_AXIS2, kind.filter(|_| universal), report),
+        distance: read_distance(node, kind, report),
     }
 }
 
-/// Checks a `<coupling>`.
-pub(crate) fn check_coupling<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> CouplingDescription {
-    let name = check_name(node, report);
+/// Description of a `<coupling>`.
+pub(crate) fn read_coupling<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> CouplingDescription {
+    let name = read_name(node, report);
     // "rolling" is the only type in use.
     if let Some(other) = node.attribute("type").filter(|t| *t != "rolling") {
         report.warning("unknown-coupling-type", Place::Attribute(node, "type"), || {
             format!("the coupling type {} is unknown; it is read as a ratio between rates", quoted(other))
         });
     }
-    let [predecessor, successor] = end_tags(node).map(|tag| link_at_end(node, tag, report).to_owned());
+    let [predecessor, successor] = link_tags(node).map(|tag| read_link_name(node, tag, report).to_owned());
     let ratio = match child(node, "ratio") {
-        Some(ratio) => number(ratio, "value", report),
+        Some(ratio) => required_number(ratio, "value", report),
         None => {
             report.error("missing-element", Place::Element(node), || {
                 "<coupling> has no <ratio>; it needs <ratio value=\"...\"/>, the successor's rate over the \
@@ -78,8 +78,8 @@ pub(crate) fn check_coupling<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report
     CouplingDescription { name: name.to_owned(), predecessor, successor, ratio: ratio.unwrap_or(1.0) }
 }
 
-/// Reads the kind of a loop; `None` after an error.
-fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
+/// Kind of closure from the attribute `type`; `None` if invalid.
+fn read_loop_type(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
     // URDF has two names for a hinge joint: "revolute" and "continuous".
     let names = || ClosureKind::ALL.map(ClosureKind::name).into_iter().chain(["continuous"]);
     let listed = || names().collect::<Vec<_>>().join(", ");
@@ -113,17 +113,17 @@ fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
 }
 
 /// Loop frame in the link: `<origin>` of `<predecessor>` or `<successor>`; attributes of `<link1>` or `<link2>`.
-fn frame<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> Transform<f64> {
+fn read_loop_frame<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> Transform<f64> {
     let origin = match child(node, tag) {
-        Some(end) if is_named(node, "loop_joint") => origin::check_attributes(end, report),
-        Some(end) => origin::check(end, report),
+        Some(end) if is_named(node, "loop_joint") => origin::read_origin_attributes(end, report),
+        Some(end) => origin::read_origin(end, report),
         None => Origin::IDENTITY,
     };
     origin.transform()
 }
 
-/// Reads an axis. `kind` is `Some` if the loop needs this axis; then a zero axis is an error.
-fn direction<'a, 'i: 'a>(
+/// Axis in the loop frame. `kind` is `Some` if the loop needs this axis; then a zero axis is an error.
+fn read_axis<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     tag: &'static str,
     default: &'static str,
@@ -131,7 +131,7 @@ fn direction<'a, 'i: 'a>(
     report: &mut Report,
 ) -> Vector3<f64> {
     let text = match child(node, tag) {
-        Some(axis) => required::<3>(axis, "xyz", default, report),
+        Some(axis) => required_numbers::<3>(axis, "xyz", default, report),
         None => {
             if let Some(kind) = kind {
                 report.note("default-axis", Place::Element(node), || {
@@ -141,7 +141,7 @@ fn direction<'a, 'i: 'a>(
             default
         }
     };
-    let axis = Vector3::from(crate::urdf::elements::numbers::parse::<3>(text).unwrap_or_default());
+    let axis = Vector3::from(crate::urdf::elements::numbers::parse_numbers::<3>(text).unwrap_or_default());
     // The builder does not distinguish `<axis>` from `<axis2>`; the check here names the element.
     if let Some(element) = child(node, tag).filter(|_| kind.is_some() && axis.amax() < MIN_AXIS_COMPONENT) {
         let problem = Problem::ZeroAxis;
@@ -150,8 +150,12 @@ fn direction<'a, 'i: 'a>(
     axis
 }
 
-/// Reads the distance of a distance loop; `None` without the element.
-fn distance<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<ClosureKind>, report: &mut Report) -> Option<f64> {
+/// Distance, m; `None` without the element.
+fn read_distance<'a, 'i: 'a>(
+    node: Node<'a, 'i>,
+    kind: Option<ClosureKind>,
+    report: &mut Report,
+) -> Option<f64> {
     let element = child(node, "distance");
     if element.is_none() && kind == Some(ClosureKind::Distance) {
         report.note("default-distance", Place::Element(node), || {
@@ -159,7 +163,7 @@ fn distance<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<ClosureKind>, report: &
                 .to_owned()
         });
     }
-    number(element?, "value", report)
+    required_number(element?, "value", report)
 }
 
 /// Reports elements that the kind of loop does not use. A superfluous axis is common (a note); a superfluous second

@@ -11,32 +11,33 @@
 //! ```
 
 use crate::reading::report::{Place, Report, quoted};
-use crate::urdf::elements::joint::link_at_end;
-use crate::urdf::elements::link::check_name;
-use crate::urdf::elements::numbers::{number, optional, parse, required};
+use crate::urdf::elements::joint::read_link_name;
+use crate::urdf::elements::link::read_name;
+use crate::urdf::elements::numbers::{optional_numbers, parse_numbers, required_number, required_numbers};
 use crate::urdf::elements::survey::child;
 use percuss_mechanism::{ContactDescription, ContactKind, ContactNormal, near_names};
 use percuss_spatial::Vector3;
 use roxmltree::Node;
 
-/// Checks a `<contact>` of the robot. Each number of the result is finite; defects are reported.
-pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ContactDescription {
-    let name = check_name(node, report);
-    let [link, against] = ["body", "other"].map(|tag| link_at_end(node, tag, report));
-    let point = child(node, "body").map_or("0 0 0", |body| optional::<3>(body, "xyz", "0 0 0", report));
+/// Reads a `<contact>` of the robot. Each number of the result is finite; defects are reported.
+pub(crate) fn read_contact<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ContactDescription {
+    let name = read_name(node, report);
+    let [link, against] = ["body", "other"].map(|tag| read_link_name(node, tag, report));
+    let point =
+        child(node, "body").map_or("0 0 0", |body| optional_numbers::<3>(body, "xyz", "0 0 0", report));
     ContactDescription {
         name: name.to_owned(),
-        kind: kind(node, report),
+        kind: read_kind(node, report),
         link: link.to_owned(),
         point: vector(point),
         against: against.to_owned(),
-        normal: normal(node, report),
-        gap: child(node, "gap").and_then(|gap| number(gap, "value", report)),
+        normal: read_normal(node, report),
+        gap: child(node, "gap").and_then(|gap| required_number(gap, "value", report)),
     }
 }
 
 /// Reads the kind; [`ContactKind::Other`] without the attribute or after an error.
-fn kind(node: Node<'_, '_>, report: &mut Report) -> ContactKind {
+fn read_kind(node: Node<'_, '_>, report: &mut Report) -> ContactKind {
     let Some(text) = node.attribute("type") else { return ContactKind::Other };
     let names = ContactKind::ALL.map(ContactKind::name);
     if let Some(kind) = ContactKind::ALL.into_iter().find(|kind| kind.name() == text) {
@@ -51,7 +52,7 @@ fn kind(node: Node<'_, '_>, report: &mut Report) -> ContactKind {
 }
 
 /// Reads `<normal>`, `<toward>` or `<away>`; exactly one of the three is expected.
-fn normal<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ContactNormal {
+fn read_normal<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ContactNormal {
     let default = ContactNormal::Fixed(Vector3::z());
     let mut given = ["normal", "toward", "away"].into_iter().filter_map(|tag| Some((tag, child(node, tag)?)));
     let Some((tag, element)) = given.next() else {
@@ -68,7 +69,7 @@ fn normal<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ContactNormal 
         });
         return default;
     }
-    let xyz = vector(required::<3>(element, "xyz", "0 0 1", report));
+    let xyz = vector(required_numbers::<3>(element, "xyz", "0 0 1", report));
     match tag {
         "normal" => ContactNormal::Fixed(xyz),
         "toward" => ContactNormal::Toward(xyz),
@@ -78,5 +79,5 @@ fn normal<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ContactNormal 
 
 /// Vector of a text that is already checked.
 fn vector(text: &str) -> Vector3<f64> {
-    parse::<3>(text).unwrap_or_default().into()
+    parse_numbers::<3>(text).unwrap_or_default().into()
 }

@@ -7,8 +7,8 @@
 use crate::reading::limits::{MIN_AXIS_COMPONENT, OBLIQUE_PINS, QUATERNION_NORM_TOLERANCE};
 use crate::reading::report::{Place, Report, quoted};
 use crate::urdf::elements::joint::JointText;
-use crate::urdf::elements::link::check_name;
-use crate::urdf::elements::numbers::parse;
+use crate::urdf::elements::link::read_name;
+use crate::urdf::elements::numbers::parse_numbers;
 use crate::urdf::elements::survey::{child, refuse_gazebo_joint as refuse};
 use percuss_mechanism::{ClosureDescription, ClosureKind, Problem};
 use percuss_spatial::{Transform, Vector3, rotation_from_quaternion, rotation_from_rpy};
@@ -19,15 +19,15 @@ use std::collections::HashMap;
 const MODEL: &str = "__model__";
 const WORLD: &str = "world";
 
-/// True for a joint between the world and the root link: the joint fixes the model to the world and closes no loop.
-/// `is_root(name)` is true for the root link. A joint of this kind that is not fixed is an error, because the root
-/// would move.
+/// True for a joint between the world and the root link: the joint fixes the model to the world and closes no loop. A joint
+/// of this kind that is not fixed is an error, because the root would move.
 pub(crate) fn fixes_root_to_world(
     node: Node<'_, '_>,
     is_root: impl Fn(&str) -> bool,
     report: &mut Report,
 ) -> bool {
-    let [parent, child] = ["parent", "child"].map(|tag| child(node, tag).map(text_of).unwrap_or_default());
+    let [parent, child] =
+        ["parent", "child"].map(|tag| child(node, tag).map(element_text).unwrap_or_default());
     let root = match (parent.trim_ascii(), child.trim_ascii()) {
         (WORLD, root) | (root, WORLD) => root,
         _ => return false,
@@ -91,12 +91,12 @@ impl<'a> ZeroPoseFrames<'a> {
         Self { links, children: tree().map(|joint| (joint.name, joint.child)).collect() }
     }
 
-    /// X_rl of a link. Identity for the root link (a link without a parent joint) and for the world.
+    /// X_rl, link to root link. Identity for the root link (no parent joint) and for the world.
     fn link_frame(&self, link: &str) -> Transform<f64> {
         self.links.get(link).copied().unwrap_or_else(Transform::identity)
     }
 
-    /// X_rf of a named frame: the model, a link or a tree joint. `None` if the name is unknown.
+    /// X_rf of the model, a link or a tree joint; `None` for an unknown name.
     fn named_frame(&self, frame: &str, links: &HashMap<&str, usize>) -> Option<Transform<f64>> {
         match self.children.get(frame) {
             _ if frame == MODEL => Some(Transform::identity()),
@@ -115,17 +115,17 @@ pub(crate) struct GazeboJointReader<'f, 'a> {
 }
 
 impl<'a> GazeboJointReader<'_, 'a> {
-    /// Checks a joint. Each number of the result is finite; defects are reported.
-    pub fn check<'i: 'a>(&self, node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
-        let name = check_name(node, report).to_owned();
-        let kind = kind(node, report);
-        let [predecessor, successor] = ["parent", "child"].map(|tag| link_at_end(node, tag, report));
+    /// Description of the closure, with finite numbers.
+    pub fn read_closure<'i: 'a>(&self, node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
+        let name = read_name(node, report).to_owned();
+        let kind = read_joint_type(node, report);
+        let [predecessor, successor] = ["parent", "child"].map(|tag| read_link_name(node, tag, report));
         let x_rc = self.zero_pose.link_frame(&successor);
-        let x_rj = self.joint_frame(node, &x_rc, report);
+        let x_rj = self.read_joint_frame(node, &x_rc, report);
         let kind_with_axis = kind.filter(|kind| kind.has_axis());
-        let axis = self.axis(node, "axis", &x_rj, kind_with_axis, report);
+        let axis = self.read_axis(node, "axis", &x_rj, kind_with_axis, report);
         let universal = kind.filter(|kind| *kind == ClosureKind::Universal);
-        let axis2 = self.axis(node, "axis2", &x_rj, universal, report);
+        let axis2 = self.read_axis(node, "axis2", &x_rj, universal, report);
         if universal.is_some() && axis.normalize().dot(&axis2.normalize()).abs() > OBLIQUE_PINS {
             refuse(node, report, || {
                 "the two axes of a universal joint are at right angles here; these are not".to_owned()
@@ -154,8 +154,8 @@ impl<'a> GazeboJointReader<'_, 'a> {
         }
     }
 
-    /// X_rj: joint frame in the root link.
-    fn joint_frame<'i: 'a>(
+    /// X_rj. The pose is relative to the child link (X_rc) unless another frame is named.
+    fn read_joint_frame<'i: 'a>(
         &self,
         node: Node<'a, 'i>,
         x_rc: &Transform<f64>,
@@ -163,18 +163,20 @@ impl<'a> GazeboJointReader<'_, 'a> {
     ) -> Transform<f64> {
         let Some(pose) = child(node, "pose") else { return *x_rc };
         let base = pose.attribute("relative_to").or_else(|| pose.attribute("frame"));
-        let base = self.frame_or(pose, base, x_rc, report);
-        let text = text_of(pose);
+        let base = self.frame_or_default(pose, base, x_rc, report);
+        let text = element_text(pose);
         let format = pose.attribute("rotation_format").unwrap_or("euler_rpy").trim_ascii();
-        let degrees = pose.attribute("degrees").is_some_and(|text| flag(pose, text, report));
+        let degrees = pose.attribute("degrees").is_some_and(|text| parse_boolean(pose, text, report));
         let relative = match format {
             _ if text.trim_ascii().is_empty() => Some(Transform::identity()),
-            "euler_rpy" => parse_text::<6>(pose, &text, report).map(|[x, y, z, roll, pitch, yaw]| {
-                let unit = |angle: f64| if degrees { angle.to_radians() } else { angle };
-                Transform::new(rotation_from_rpy([roll, pitch, yaw].map(unit)), [x, y, z].into())
-            }),
+            "euler_rpy" => {
+                parse_element_numbers::<6>(pose, &text, report).map(|[x, y, z, roll, pitch, yaw]| {
+                    let unit = |angle: f64| if degrees { angle.to_radians() } else { angle };
+                    Transform::new(rotation_from_rpy([roll, pitch, yaw].map(unit)), [x, y, z].into())
+                })
+            }
             "quat_xyzw" if !degrees => {
-                parse_text::<7>(pose, &text, report).and_then(|[x, y, z, a, b, c, w]| {
+                parse_element_numbers::<7>(pose, &text, report).and_then(|[x, y, z, a, b, c, w]| {
                     let norm = [a, b, c, w].iter().map(|c| c * c).sum::<f64>().sqrt();
                     if (norm - 1.0).abs() > QUATERNION_NORM_TOLERANCE || norm.is_nan() {
                         refuse(pose, report, || {
@@ -199,8 +201,8 @@ impl<'a> GazeboJointReader<'_, 'a> {
         base * relative.unwrap_or_else(Transform::identity)
     }
 
-    /// X_rf of the frame named by an attribute of `node`; `default` if the attribute is absent.
-    fn frame_or(
+    /// X_rf, named frame to root link; `default` if there is no name or the name is unknown.
+    fn frame_or_default(
         &self,
         node: Node<'_, '_>,
         named: Option<&str>,
@@ -221,8 +223,8 @@ impl<'a> GazeboJointReader<'_, 'a> {
         })
     }
 
-    /// Axis of the joint, converted to the joint frame. The SDF default is 0 0 1.
-    fn axis<'i: 'a>(
+    /// Axis in the joint frame. The default of SDF is 0 0 1.
+    fn read_axis<'i: 'a>(
         &self,
         node: Node<'a, 'i>,
         tag: &'static str,
@@ -241,7 +243,7 @@ impl<'a> GazeboJointReader<'_, 'a> {
             return Vector3::z();
         };
         let old = child(element, "use_parent_model_frame");
-        let in_model_frame = old.is_some_and(|old| flag(old, &text_of(old), report));
+        let in_model_frame = old.is_some_and(|old| parse_boolean(old, &element_text(old), report));
         let given = child(element, "xyz");
         let expressed_in = given.and_then(|xyz| xyz.attribute("expressed_in"));
         if in_model_frame && expressed_in.is_some() {
@@ -250,8 +252,8 @@ impl<'a> GazeboJointReader<'_, 'a> {
             });
         }
         let frame = if in_model_frame { Some(MODEL) } else { expressed_in };
-        let x_rf = self.frame_or(given.unwrap_or(element), frame, x_rj, report);
-        let axis = given.and_then(|xyz| parse_text::<3>(xyz, &text_of(xyz), report));
+        let x_rf = self.frame_or_default(given.unwrap_or(element), frame, x_rj, report);
+        let axis = given.and_then(|xyz| parse_element_numbers::<3>(xyz, &element_text(xyz), report));
         let axis: Vector3<f64> = axis.map_or_else(Vector3::z, Into::into);
         if kind.is_some() && axis.amax() < MIN_AXIS_COMPONENT {
             let problem = Problem::ZeroAxis;
@@ -261,8 +263,8 @@ impl<'a> GazeboJointReader<'_, 'a> {
     }
 }
 
-/// Kind of closure for the joint type.
-fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
+/// Kind of closure for the SDF joint type; `None` if invalid.
+fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
     let read = [
         ("revolute", ClosureKind::Revolute),
         ("continuous", ClosureKind::Revolute),
@@ -281,10 +283,10 @@ fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
     kind
 }
 
-/// Link name in the text of a child element.
-fn link_at_end<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> String {
+/// Link name in the text of a child element; empty if absent.
+fn read_link_name<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> String {
     let element = child(node, tag);
-    let name = element.map(text_of).unwrap_or_default();
+    let name = element.map(element_text).unwrap_or_default();
     let name = name.trim_ascii();
     if name.is_empty() {
         refuse(element.unwrap_or(node), report, || {
@@ -294,13 +296,13 @@ fn link_at_end<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut R
     name.to_owned()
 }
 
-/// Text of an element without comments.
-fn text_of(node: Node<'_, '_>) -> String {
+/// Text of an element, without comments.
+fn element_text(node: Node<'_, '_>) -> String {
     node.children().filter(Node::is_text).filter_map(|text| text.text()).collect()
 }
 
-/// Boolean value in SDF notation.
-fn flag(node: Node<'_, '_>, text: &str, report: &mut Report) -> bool {
+/// Boolean value in SDF notation; false for another text.
+fn parse_boolean(node: Node<'_, '_>, text: &str, report: &mut Report) -> bool {
     match text.trim_ascii() {
         "true" | "True" | "TRUE" | "1" => true,
         "false" | "False" | "FALSE" | "0" | "" => false,
@@ -311,9 +313,13 @@ fn flag(node: Node<'_, '_>, text: &str, report: &mut Report) -> bool {
     }
 }
 
-/// Parses the N numbers in the text of an element; `None` after an error.
-fn parse_text<const N: usize>(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<[f64; N]> {
-    let values = parse::<N>(text);
+/// Parses the N numbers in the text of an element; `None` if invalid.
+fn parse_element_numbers<const N: usize>(
+    node: Node<'_, '_>,
+    text: &str,
+    report: &mut Report,
+) -> Option<[f64; N]> {
+    let values = parse_numbers::<N>(text);
     if let Err(defect) = &values {
         report
             .error("bad-number", Place::Element(node), || format!("{}: {defect}", quoted(text.trim_ascii())));

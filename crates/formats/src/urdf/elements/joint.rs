@@ -2,8 +2,8 @@
 
 use crate::reading::report::{Place, Report, quoted};
 use crate::urdf::elements::armature;
-use crate::urdf::elements::link::check_name;
-use crate::urdf::elements::numbers::{optional, report_missing_attribute, required};
+use crate::urdf::elements::link::read_name;
+use crate::urdf::elements::numbers::{optional_numbers, report_missing_attribute, required_numbers};
 use crate::urdf::elements::origin::{self, Origin};
 use crate::urdf::elements::survey::child;
 use percuss_mechanism::{JointKind, Severity, near_names};
@@ -39,26 +39,25 @@ pub(crate) struct MimicText<'a> {
 /// Default axis of URDF.
 const DEFAULT_AXIS: &str = "1 0 0";
 
-/// Checks a `<joint>`.
-pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> JointText<'a> {
-    let name = check_name(node, report);
-    let kind = kind(node, report);
+pub(crate) fn read_joint<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> JointText<'a> {
+    let name = read_name(node, report);
+    let kind = read_joint_type(node, report);
     JointText {
         name,
         kind: kind.unwrap_or(JointKind::Fixed),
-        parent: link_at_end(node, "parent", report),
-        child: link_at_end(node, "child", report),
-        origin: origin::check(node, report),
-        axis: axis(node, kind, report),
-        limits: limits(node, kind, report),
+        parent: read_link_name(node, "parent", report),
+        child: read_link_name(node, "child", report),
+        origin: origin::read_origin(node, report),
+        axis: read_axis(node, kind, report),
+        limits: read_limits(node, kind, report),
         armature: armature::read_joint_armature(node, report),
-        mimic: child(node, "mimic").and_then(|n| mimic(n, kind, report)),
-        independent: independent(node, report),
+        mimic: child(node, "mimic").and_then(|n| read_mimic(n, kind, report)),
+        independent: read_independent(node, report),
     }
 }
 
-/// Reads the kind of a joint; `None` after an error.
-fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind> {
+/// Kind of a joint; `None` if invalid.
+fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind> {
     let names = || JointKind::ALL.map(JointKind::name);
     let Some(text) = node.attribute("type") else {
         report.error("missing-attribute", Place::Element(node), || {
@@ -79,8 +78,8 @@ fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind> {
     kind
 }
 
-/// Reads the recommended role in upper or lower case: URDF+ files contain `true`, `True` and `TRUE`.
-fn independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
+/// True for a recommended driving joint. Upper or lower case: URDF+ files contain `true`, `True` and `TRUE`.
+fn read_independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
     let text = node.attribute("independent")?;
     let word = text.trim_ascii();
     let value = [true, false].into_iter().find(|value| word.eq_ignore_ascii_case(&value.to_string()));
@@ -95,7 +94,11 @@ fn independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
 /// Warns about a joint that is declared dependent in a file without loops and couplings: the joint moves freely here.
 /// The caller excludes files with loops or couplings, in which the dependence follows from the mobility of the
 /// mechanism.
-pub(crate) fn warn_if_unbound<'a, 'i: 'a>(joint: &JointText<'a>, node: Node<'a, 'i>, report: &mut Report) {
+pub(crate) fn warn_if_dependence_is_ignored<'a, 'i: 'a>(
+    joint: &JointText<'a>,
+    node: Node<'a, 'i>,
+    report: &mut Report,
+) {
     let moves = joint.kind.dofs() > 0;
     if moves && joint.independent == Some(false) && child(node, "mimic").is_none() {
         let place = Place::Attribute(node, "independent");
@@ -105,16 +108,16 @@ pub(crate) fn warn_if_unbound<'a, 'i: 'a>(joint: &JointText<'a>, node: Node<'a, 
     }
 }
 
-/// Link name at one end, from the child element `role`.
-pub(crate) fn link_at_end<'a, 'i: 'a>(
+/// Attribute `link` of a child element; empty if absent.
+pub(crate) fn read_link_name<'a, 'i: 'a>(
     node: Node<'a, 'i>,
-    role: &'static str,
+    tag: &'static str,
     report: &mut Report,
 ) -> &'a str {
-    let Some(element) = child(node, role) else {
+    let Some(element) = child(node, tag) else {
         report.error("missing-element", Place::Element(node), || {
-            let tag = node.tag_name().name();
-            format!("<{tag}> has no <{role}>; it needs <{role} link=\"...\"/>")
+            let parent = node.tag_name().name();
+            format!("<{parent}> has no <{tag}>; it needs <{tag} link=\"...\"/>")
         });
         return "";
     };
@@ -124,10 +127,10 @@ pub(crate) fn link_at_end<'a, 'i: 'a>(
     })
 }
 
-/// Reads the axis; the default of URDF if `<axis>` is absent.
-fn axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &mut Report) -> &'a str {
+/// Text of the axis, in the joint frame; the default of URDF if `<axis>` is absent.
+fn read_axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &mut Report) -> &'a str {
     match child(node, "axis") {
-        Some(axis) => required::<3>(axis, "xyz", DEFAULT_AXIS, report),
+        Some(axis) => required_numbers::<3>(axis, "xyz", DEFAULT_AXIS, report),
         None => {
             if let Some(kind) = kind.filter(|k| k.has_axis()) {
                 report.note("default-axis", Place::Element(node), || {
@@ -139,9 +142,9 @@ fn axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &mut Re
     }
 }
 
-/// Range of positions; `None` if `<limit>` gives neither end. A `<limit>` with only effort and speed does not fix the
+/// Lower and upper position limit; `None` if `<limit>` gives neither. A `<limit>` with only effort and speed does not fix the
 /// joint at zero.
-fn limits<'a, 'i: 'a>(
+fn read_limits<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     kind: Option<JointKind>,
     report: &mut Report,
@@ -165,17 +168,17 @@ fn limits<'a, 'i: 'a>(
         });
         return None;
     }
-    Some(["lower", "upper"].map(|name| optional::<1>(limit, name, "0", report)))
+    Some(["lower", "upper"].map(|name| optional_numbers::<1>(limit, name, "0", report)))
 }
 
-/// Reads a `<mimic>`; `None`, with a warning, for a fixed joint.
-fn mimic<'a>(node: Node<'a, '_>, kind: Option<JointKind>, report: &mut Report) -> Option<MimicText<'a>> {
+/// `None`, with a warning, for a fixed joint.
+fn read_mimic<'a>(node: Node<'a, '_>, kind: Option<JointKind>, report: &mut Report) -> Option<MimicText<'a>> {
     let joint = node.attribute("joint").unwrap_or_else(|| {
         report_missing_attribute(node, "joint", report);
         ""
     });
-    let multiplier = optional::<1>(node, "multiplier", "1", report);
-    let offset = optional::<1>(node, "offset", "0", report);
+    let multiplier = optional_numbers::<1>(node, "multiplier", "1", report);
+    let offset = optional_numbers::<1>(node, "offset", "0", report);
     if kind == Some(JointKind::Fixed) {
         // Reduced robot models often fix a joint and keep its other elements.
         report.warning("fixed-mimic", Place::Element(node), || {

@@ -3,7 +3,7 @@
 use crate::reading::limits::LONGEST_NAME;
 use crate::reading::report::{Place, Report, shortened};
 use crate::urdf::elements::geometry;
-use crate::urdf::elements::numbers::{optional, required};
+use crate::urdf::elements::numbers::{optional_numbers, required_numbers};
 use crate::urdf::elements::origin::{self, Origin};
 use crate::urdf::elements::survey::child;
 use percuss_mechanism::{Geometry, Problem};
@@ -29,17 +29,16 @@ pub(crate) struct InertialText<'a> {
 const MOMENTS: [(&str, bool); 6] =
     [("ixx", false), ("ixy", true), ("ixz", true), ("iyy", false), ("iyz", true), ("izz", false)];
 
-/// Checks a `<link>`.
-pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> LinkText<'a> {
+pub(crate) fn read_link<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> LinkText<'a> {
     LinkText {
-        name: check_name(node, report),
-        inertial: child(node, "inertial").map(|n| inertial(n, report)),
-        geometry: geometry::extent(node, report),
+        name: read_name(node, report),
+        inertial: child(node, "inertial").map(|n| read_inertial(n, report)),
+        geometry: geometry::enclosing_sphere(node, report),
     }
 }
 
-/// Reads the name of an element; an absent, empty or too long name is an error.
-pub(crate) fn check_name<'a>(node: Node<'a, '_>, report: &mut Report) -> &'a str {
+/// Attribute `name`; an absent, empty or too long name is an error.
+pub(crate) fn read_name<'a>(node: Node<'a, '_>, report: &mut Report) -> &'a str {
     let name = node.attribute("name");
     let Some(name) = name else {
         crate::urdf::elements::numbers::report_missing_attribute(node, "name", report);
@@ -60,8 +59,8 @@ pub(crate) fn check_name<'a>(node: Node<'a, '_>, report: &mut Report) -> &'a str
     name
 }
 
-/// Reads an `<inertial>`; an absent mass or inertia is 0, with a note.
-fn inertial<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> InertialText<'a> {
+/// An absent mass or inertia is 0, with a note.
+fn read_inertial<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> InertialText<'a> {
     let mass = child(node, "mass");
     let inertia = child(node, "inertia");
     let absent = match (mass, inertia) {
@@ -74,14 +73,14 @@ fn inertial<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> InertialText
         report.note("partial-inertial", Place::Element(node), || absent.to_owned());
     }
     InertialText {
-        origin: origin::check(node, report),
-        mass: mass.map_or("0", |n| required::<1>(n, "value", "0", report)),
-        moments: inertia.map_or(["0"; 6], |n| moments(n, report)),
+        origin: origin::read_origin(node, report),
+        mass: mass.map_or("0", |n| required_numbers::<1>(n, "value", "0", report)),
+        moments: inertia.map_or(["0"; 6], |n| read_moments(n, report)),
     }
 }
 
-/// Reads the six entries of the inertia; absent products are 0, with a warning.
-fn moments<'a>(node: Node<'a, '_>, report: &mut Report) -> [&'a str; 6] {
+/// Six entries of `<inertia>`, kg·m²; absent products are 0, with a warning.
+fn read_moments<'a>(node: Node<'a, '_>, report: &mut Report) -> [&'a str; 6] {
     let absent: Vec<&str> = MOMENTS
         .iter()
         .filter(|(name, is_optional)| *is_optional && node.attribute(*name).is_none())
@@ -94,9 +93,9 @@ fn moments<'a>(node: Node<'a, '_>, report: &mut Report) -> [&'a str; 6] {
     }
     MOMENTS.map(|(name, is_optional)| {
         if is_optional {
-            optional::<1>(node, name, "0", report)
+            optional_numbers::<1>(node, name, "0", report)
         } else {
-            required::<1>(node, name, "0", report)
+            required_numbers::<1>(node, name, "0", report)
         }
     })
 }

@@ -34,7 +34,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 .children()
                 .filter(Node::is_element)
                 .flat_map(|node| {
-                    let loop_element = closure::is_loop(node).then_some(node);
+                    let loop_element = closure::is_loop_element(node).then_some(node);
                     loop_element.into_iter().chain(node.children().filter(|n| is_gazebo_joint(*n)))
                 })
                 .filter(|node| !is_gazebo_joint(*node) || !fixes_root_to_world(*node, is_root, report))
@@ -62,7 +62,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
         excess.is_none()
     }
 
-    /// Position in the file of a finding of the builder.
+    /// Position in the file of a problem that the builder found.
     pub fn locate(&self, robot: Node<'a, 'i>, subject: &Subject, problem: &Problem) -> Place<'a, 'i> {
         let node = match subject {
             Subject::Mechanism => Some(robot),
@@ -110,7 +110,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
             }
             Problem::BadDistance { .. } => &["distance"],
             Problem::ClosesOnItself { .. } if matches!(subject, Subject::Contact { .. }) => &["other"],
-            Problem::ClosesOnItself { .. } => std::slice::from_ref(&closure::end_tags(node)[1]),
+            Problem::ClosesOnItself { .. } => std::slice::from_ref(&closure::link_tags(node)[1]),
             // Other problems have no element of their own; the position is the link or joint.
             _ => &[],
         };

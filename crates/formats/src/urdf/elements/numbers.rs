@@ -1,21 +1,21 @@
 //! Strict parser of numbers in attributes: the right count, finite, and no other text.
 
 use crate::reading::report::{Place, Report, quoted};
-use crate::urdf::elements::survey::is_substitution;
+use crate::urdf::elements::survey::has_xacro_substitution;
 use roxmltree::Node;
 
 /// Parses exactly N finite numbers separated by white space. The error text names the defect.
-pub(crate) fn parse<const N: usize>(text: &str) -> Result<[f64; N], String> {
+pub(crate) fn parse_numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
     let expected = || if N == 1 { "1 finite number".to_owned() } else { format!("{N} finite numbers") };
     let mut values = [0.0; N];
     let mut count = 0;
     for word in text.split_ascii_whitespace() {
         let value = word.parse::<f64>().map_err(|_| {
             let remedy = if word.contains(',') { " (spaces, not commas, go between numbers)" } else { "" };
-            format!("{} is not a number{remedy}; {} expected", quoted(word), expected_count(N))
+            format!("{} is not a number{remedy}; {} expected", quoted(word), expected_numbers_text(N))
         })?;
         if !value.is_finite() {
-            return Err(format!("{} is not finite; {} expected", quoted(word), expected_count(N)));
+            return Err(format!("{} is not finite; {} expected", quoted(word), expected_numbers_text(N)));
         }
         if let Some(slot) = values.get_mut(count) {
             *slot = value;
@@ -25,25 +25,25 @@ pub(crate) fn parse<const N: usize>(text: &str) -> Result<[f64; N], String> {
     if count == N {
         Ok(values)
     } else if count == 0 {
-        Err(format!("it is empty; {} expected", expected_count(N)))
+        Err(format!("it is empty; {} expected", expected_numbers_text(N)))
     } else {
         Err(format!("got {count}, expected {}", expected()))
     }
 }
 
-fn expected_count(count: usize) -> String {
+fn expected_numbers_text(count: usize) -> String {
     if count == 1 { "1 finite number is".to_owned() } else { format!("{count} finite numbers are") }
 }
 
-/// Text of the attribute, checked to hold N valid numbers; `default` if absent or invalid (an error).
-pub(crate) fn optional<'a, const N: usize>(
+/// Text of an attribute that holds N finite numbers; `default` if absent or invalid (an error).
+pub(crate) fn optional_numbers<'a, const N: usize>(
     node: Node<'a, '_>,
     attribute: &'static str,
     default: &'a str,
     report: &mut Report,
 ) -> &'a str {
     let Some(text) = node.attribute(attribute) else { return default };
-    match parse::<N>(text) {
+    match parse_numbers::<N>(text) {
         Ok(_) => text,
         Err(defect) => {
             report_bad_number(node, attribute, text, &defect, report);
@@ -52,8 +52,8 @@ pub(crate) fn optional<'a, const N: usize>(
     }
 }
 
-/// As [`optional`], but an absent attribute is an error.
-pub(crate) fn required<'a, const N: usize>(
+/// As [`optional_numbers`], but an absent attribute is an error.
+pub(crate) fn required_numbers<'a, const N: usize>(
     node: Node<'a, '_>,
     attribute: &'static str,
     default: &'a str,
@@ -62,16 +62,20 @@ pub(crate) fn required<'a, const N: usize>(
     if node.attribute(attribute).is_none() {
         report_missing_attribute(node, attribute, report);
     }
-    optional::<N>(node, attribute, default, report)
+    optional_numbers::<N>(node, attribute, default, report)
 }
 
-/// Reads one number from a mandatory attribute.
-pub(crate) fn number(node: Node<'_, '_>, attribute: &'static str, report: &mut Report) -> Option<f64> {
+/// Number in a mandatory attribute; `None` if absent or invalid.
+pub(crate) fn required_number(
+    node: Node<'_, '_>,
+    attribute: &'static str,
+    report: &mut Report,
+) -> Option<f64> {
     let Some(text) = node.attribute(attribute) else {
         report_missing_attribute(node, attribute, report);
         return None;
     };
-    match parse::<1>(text) {
+    match parse_numbers::<1>(text) {
         Ok([value]) => Some(value),
         Err(defect) => {
             report_bad_number(node, attribute, text, &defect, report);
@@ -80,7 +84,7 @@ pub(crate) fn number(node: Node<'_, '_>, attribute: &'static str, report: &mut R
     }
 }
 
-/// Reports an invalid number.
+/// Reports an invalid number; `defect` is the error text of [`parse_numbers`].
 pub(crate) fn report_bad_number(
     node: Node<'_, '_>,
     attribute: &'static str,
@@ -89,7 +93,7 @@ pub(crate) fn report_bad_number(
     report: &mut Report,
 ) {
     let place = Place::Attribute(node, attribute);
-    if is_substitution(text) {
+    if has_xacro_substitution(text) {
         report.add_xacro_error(place, &format!("{attribute}={}", quoted(text)));
     } else {
         report.error("bad-number", place, || format!("{attribute}={}: {defect}", quoted(text)));
@@ -105,17 +109,17 @@ pub(crate) fn report_missing_attribute(node: Node<'_, '_>, attribute: &'static s
 
 #[cfg(test)]
 mod tests {
-    use super::parse;
+    use super::parse_numbers;
 
     #[test]
     fn only_the_right_count_of_finite_numbers_passes() {
-        assert_eq!(parse::<3>(" 1\t-2.5e-3 +.5\n"), Ok([1.0, -2.5e-3, 0.5]));
+        assert_eq!(parse_numbers::<3>(" 1\t-2.5e-3 +.5\n"), Ok([1.0, -2.5e-3, 0.5]));
         for text in
             ["", "  ", "1 2", "1 2 3 4", "0 x 0 1", "1,2,3", "1 2 nan", "1 2 inf", "1 2 1e400", "1 2 0x3"]
         {
-            assert!(parse::<3>(text).is_err(), "{text}");
+            assert!(parse_numbers::<3>(text).is_err(), "{text}");
         }
         // A no-break space does not separate numbers.
-        assert!(parse::<2>("1\u{a0}2").is_err());
+        assert!(parse_numbers::<2>("1\u{a0}2").is_err());
     }
 }

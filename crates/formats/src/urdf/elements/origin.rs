@@ -2,7 +2,7 @@
 
 use crate::reading::limits::QUATERNION_NORM_TOLERANCE;
 use crate::reading::report::{Place, Report};
-use crate::urdf::elements::numbers::{optional, parse, report_bad_number};
+use crate::urdf::elements::numbers::{optional_numbers, parse_numbers, report_bad_number};
 use crate::urdf::elements::survey::child;
 use percuss_spatial::{Matrix3, Transform, rotation_from_quaternion, rotation_from_rpy};
 use roxmltree::Node;
@@ -25,37 +25,38 @@ impl Origin<'_> {
     /// Transform from the frame of the element to the frame of its parent.
     pub fn transform(&self) -> Transform<f64> {
         // The texts are already checked.
-        let rotation = || rotation_from_rpy(parse(self.rpy).unwrap_or_default());
-        let translation = parse::<3>(self.xyz).unwrap_or_default();
+        let rotation = || rotation_from_rpy(parse_numbers(self.rpy).unwrap_or_default());
+        let translation = parse_numbers::<3>(self.xyz).unwrap_or_default();
         Transform::new(self.quaternion.unwrap_or_else(rotation), translation.into())
     }
 }
 
 const ZERO: &str = "0 0 0";
 
-/// Checks the `<origin>` of `parent`; identity if absent.
-pub(crate) fn check<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut Report) -> Origin<'a> {
-    child(parent, "origin").map_or(Origin::IDENTITY, |node| check_attributes(node, report))
+/// The `<origin>` of `parent`; identity if absent.
+pub(crate) fn read_origin<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut Report) -> Origin<'a> {
+    child(parent, "origin").map_or(Origin::IDENTITY, |node| read_origin_attributes(node, report))
 }
 
-/// Checks the attributes of an `<origin>`, or of another element with the same attributes.
-pub(crate) fn check_attributes<'a>(node: Node<'a, '_>, report: &mut Report) -> Origin<'a> {
-    let quaternion = node.attribute("quat_xyzw").and_then(|text| quaternion_rotation(node, text, report));
+/// Origin from the attributes of an `<origin>` or of another element.
+pub(crate) fn read_origin_attributes<'a>(node: Node<'a, '_>, report: &mut Report) -> Origin<'a> {
+    let quaternion =
+        node.attribute("quat_xyzw").and_then(|text| parse_quaternion_rotation(node, text, report));
     if node.attribute("quat_xyzw").is_some() && node.attribute("rpy").is_some() {
         report.warning("two-rotations", Place::Attribute(node, "quat_xyzw"), || {
             "both rpy and quat_xyzw are given; quat_xyzw is taken".to_owned()
         });
     }
     Origin {
-        xyz: optional::<3>(node, "xyz", ZERO, report),
-        rpy: optional::<3>(node, "rpy", ZERO, report),
+        xyz: optional_numbers::<3>(node, "xyz", ZERO, report),
+        rpy: optional_numbers::<3>(node, "rpy", ZERO, report),
         quaternion,
     }
 }
 
-/// Rotation matrix of `quat_xyzw`; `None` after an error.
-fn quaternion_rotation(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<Matrix3<f64>> {
-    let [x, y, z, w] = match parse::<4>(text) {
+/// Rotation matrix of `quat_xyzw`, normalised; `None` if invalid.
+fn parse_quaternion_rotation(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<Matrix3<f64>> {
+    let [x, y, z, w] = match parse_numbers::<4>(text) {
         Ok(values) => values,
         Err(defect) => {
             report_bad_number(node, "quat_xyzw", text, &defect, report);

@@ -1,7 +1,7 @@
 //! Comparison of the file with the table of the dialect.
 
 use crate::reading::report::{Place, Report, shortened};
-use crate::urdf::elements::dialect::{Element, GAZEBO_JOINT, Use};
+use crate::urdf::elements::dialect::{ElementRule, GAZEBO_JOINT, Treatment};
 use percuss_mechanism::{Severity, near_names};
 use roxmltree::Node;
 
@@ -24,8 +24,8 @@ pub(crate) enum Language {
     Foreign,
 }
 
-/// Language of an element's tag, from its namespace.
-pub(crate) fn language(node: Node<'_, '_>) -> Language {
+/// Language of a tag, from its namespace.
+pub(crate) fn tag_language(node: Node<'_, '_>) -> Language {
     match node.tag_name().namespace() {
         None => Language::Urdf,
         Some(uri)
@@ -42,34 +42,33 @@ pub(crate) fn language(node: Node<'_, '_>) -> Language {
     }
 }
 
-/// True if the element has the name `name` of the table.
-pub(crate) fn is_named(node: Node<'_, '_>, name: &str) -> bool {
-    let tag = node.tag_name().name();
-    match name.strip_prefix("drake:") {
-        Some(name) => tag == name && language(node) == Language::Drake,
-        None => tag == name && language(node) == Language::Urdf,
+/// True if the element has this tag of the table; `drake:` is the prefix of Drake's namespace.
+pub(crate) fn is_named(node: Node<'_, '_>, tag: &str) -> bool {
+    let local_name = node.tag_name().name();
+    match tag.strip_prefix("drake:") {
+        Some(name) => local_name == name && tag_language(node) == Language::Drake,
+        None => local_name == tag && tag_language(node) == Language::Urdf,
     }
 }
 
-/// Child elements of the given name.
+/// Child elements with this tag.
 pub(crate) fn children<'a, 'i: 'a>(
     node: Node<'a, 'i>,
-    name: &'static str,
+    tag: &'static str,
 ) -> impl Iterator<Item = Node<'a, 'i>> {
-    node.children().filter(move |c| c.is_element() && is_named(*c, name))
+    node.children().filter(move |c| c.is_element() && is_named(*c, tag))
 }
 
-/// First child element of the given name.
-pub(crate) fn child<'a, 'i: 'a>(node: Node<'a, 'i>, name: &'static str) -> Option<Node<'a, 'i>> {
-    children(node, name).next()
+/// First child element with this tag.
+pub(crate) fn child<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str) -> Option<Node<'a, 'i>> {
+    children(node, tag).next()
 }
 
-/// True if the value contains an unexpanded xacro substitution.
-pub(crate) fn is_substitution(value: &str) -> bool {
+pub(crate) fn has_xacro_substitution(value: &str) -> bool {
     value.contains("${") || value.contains("$(")
 }
 
-/// Reports the first unexpanded xacro element of the file.
+/// Reports the first unexpanded xacro element.
 pub(crate) fn report_xacro_elements(root: Node<'_, '_>, report: &mut Report) {
     let is_macro = |n: &Node<'_, '_>| n.tag_name().namespace().is_some_and(|uri| XACRO.contains(&uri));
     if let Some(node) = root.descendants().filter(Node::is_element).find(is_macro) {
@@ -78,10 +77,9 @@ pub(crate) fn report_xacro_elements(root: Node<'_, '_>, report: &mut Report) {
     }
 }
 
-/// Reports the attributes and descendants of an element that the table does not read. The depth of recursion is the depth
-/// of the table.
-pub(crate) fn check_element(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
-    check_attributes(node, spec, report);
+/// Applies the table to an element, its attributes and its descendants. The depth of recursion is the depth of the table.
+pub(crate) fn check_element(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut Report) {
+    check_attributes(node, rule, report);
     let mut seen = 0u64;
     for child in node.children() {
         if child.is_text() {
@@ -90,13 +88,13 @@ pub(crate) fn check_element(node: Node<'_, '_>, spec: &'static Element, report: 
         if !child.is_element() {
             continue;
         }
-        let Some(index) = spec.children.iter().position(|s| is_named(child, s.name)) else {
-            if language(child) == Language::Urdf {
-                warn_unknown_element(child, spec, report);
+        let Some(index) = rule.children.iter().position(|s| is_named(child, s.name)) else {
+            if tag_language(child) == Language::Urdf {
+                warn_unknown_element(child, rule, report);
             }
             continue;
         };
-        let found = &spec.children[index];
+        let found = &rule.children[index];
         if found.single && seen & (1 << index) != 0 {
             report.error("duplicate-element", Place::Element(child), || {
                 format!(
@@ -111,42 +109,43 @@ pub(crate) fn check_element(node: Node<'_, '_>, spec: &'static Element, report: 
 }
 
 /// Applies the treatment of the table to an element.
-fn apply_treatment(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
+fn apply_treatment(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut Report) {
     let place = Place::Element(node);
-    match spec.usage {
-        Use::Read => check_element(node, spec, report),
-        Use::Silent if spec.name == "gazebo" => check_gazebo_joints(node, report),
-        Use::Silent if spec.name == "mujoco" => refuse_equalities(node, report),
-        Use::Silent => {}
-        Use::Noted(reason) => {
-            report.add_once(Severity::Note, "ignored", spec.name.to_owned(), place, || reason.to_owned());
+    match rule.treatment {
+        Treatment::Read => check_element(node, rule, report),
+        Treatment::Silent if rule.name == "gazebo" => check_gazebo_joints(node, report),
+        Treatment::Silent if rule.name == "mujoco" => refuse_mujoco_equalities(node, report),
+        Treatment::Silent => {}
+        Treatment::Noted(reason) => {
+            report.add_once(Severity::Note, "ignored", rule.name.to_owned(), place, || reason.to_owned());
         }
-        Use::Warned(reason) => {
-            report.add_once(Severity::Warning, "ignored", spec.name.to_owned(), place, || reason.to_owned());
+        Treatment::Warned(reason) => {
+            report.add_once(Severity::Warning, "ignored", rule.name.to_owned(), place, || reason.to_owned());
         }
-        Use::Refused(code, reason) => report.error(code, place, || reason.to_owned()),
+        Treatment::Refused(code, reason) => report.error(code, place, || reason.to_owned()),
     }
 }
 
 /// Applies the treatments of the table to the attributes of an element.
-fn check_attributes(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
+fn check_attributes(node: Node<'_, '_>, rule: &'static ElementRule, report: &mut Report) {
     for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
         let name = attribute.name();
         let place = Place::Attribute(node, name);
-        let usage = spec.attributes.iter().find(|(known, _)| *known == name).map(|(_, usage)| usage);
-        match usage {
-            Some(Use::Read) if is_substitution(attribute.value()) => {
+        let treatment =
+            rule.attributes.iter().find(|(known, _)| *known == name).map(|(_, treatment)| treatment);
+        match treatment {
+            Some(Treatment::Read) if has_xacro_substitution(attribute.value()) => {
                 report.add_xacro_error(place, &format!("{name}=\"{}\"", shortened(attribute.value())));
             }
-            Some(Use::Read | Use::Silent) => {}
-            Some(Use::Noted(reason)) => report.note("ignored", place, || (*reason).to_owned()),
-            Some(Use::Warned(reason)) => report.warning("ignored", place, || (*reason).to_owned()),
-            Some(Use::Refused(code, reason)) => report.error(code, place, || (*reason).to_owned()),
+            Some(Treatment::Read | Treatment::Silent) => {}
+            Some(Treatment::Noted(reason)) => report.note("ignored", place, || (*reason).to_owned()),
+            Some(Treatment::Warned(reason)) => report.warning("ignored", place, || (*reason).to_owned()),
+            Some(Treatment::Refused(code, reason)) => report.error(code, place, || (*reason).to_owned()),
             None => {
                 let shown = shortened(name);
-                let kind = format!("{} {shown}", spec.name);
+                let kind = format!("{} {shown}", rule.name);
                 report.add_once(Severity::Warning, "unknown-attribute", kind, place, || {
-                    let near = near_names(name, spec.attributes.iter().map(|(known, _)| *known));
+                    let near = near_names(name, rule.attributes.iter().map(|(known, _)| *known));
                     let guess = near.first().map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
                     format!("unknown attribute \"{shown}\" is ignored{guess}")
                 });
@@ -156,7 +155,7 @@ fn check_attributes(node: Node<'_, '_>, spec: &'static Element, report: &mut Rep
 }
 
 /// Warns about an element that the table does not contain, with a similar name.
-fn warn_unknown_element(node: Node<'_, '_>, parent: &'static Element, report: &mut Report) {
+fn warn_unknown_element(node: Node<'_, '_>, parent: &'static ElementRule, report: &mut Report) {
     let name = node.tag_name().name();
     let shown = shortened(name);
     let kind = format!("{} {shown}", parent.name);
@@ -179,7 +178,7 @@ fn warn_stray_text(parent: Node<'_, '_>, text: Node<'_, '_>, report: &mut Report
     }
 }
 
-/// Checks the joints in simulator settings. Other settings have no effect here, but a joint closes a loop.
+/// Checks the joints in a `<gazebo>`, which close loops. Other settings of simulators have no effect here.
 fn check_gazebo_joints(gazebo: Node<'_, '_>, report: &mut Report) {
     for joint in children(gazebo, "joint") {
         if is_gazebo_joint(joint) {
@@ -213,8 +212,8 @@ pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, reaso
     });
 }
 
-/// Refuses MuJoCo's equality constraints, which close loops and couple joints. Other settings have no effect here.
-fn refuse_equalities(mujoco: Node<'_, '_>, report: &mut Report) {
+/// Refuses equality constraints, which close loops and couple joints. Other settings have no effect here.
+fn refuse_mujoco_equalities(mujoco: Node<'_, '_>, report: &mut Report) {
     for equality in children(mujoco, "equality") {
         report.error("loop-unsupported", Place::Element(equality), || {
             "MuJoCo's equality constraints are not read, and the answer without them would be wrong: write a <loop> \

@@ -8,7 +8,7 @@ use percuss_mechanism::JointKind;
 use roxmltree::Node;
 use std::collections::HashMap;
 
-/// Adds the armatures of all `<transmission>`s to their joints.
+/// Adds the armatures given in `<transmission>`s to their joints.
 pub(crate) fn add_transmission_armatures<'a, 'i: 'a>(
     robot: Node<'a, 'i>,
     joints: &mut [JointText<'a>],
@@ -20,7 +20,7 @@ pub(crate) fn add_transmission_armatures<'a, 'i: 'a>(
         for actuator in children(transmission, "actuator") {
             let Some(value) = armature::reflected_inertia(actuator, report) else { continue };
             match index.get(joint) {
-                Some(&i) => armature::add_value(&mut joints[i].armature, value, actuator, report),
+                Some(&i) => armature::merge_armature(&mut joints[i].armature, value, actuator, report),
                 None => report.warning("dangling-armature", Place::Element(actuator), || {
                     format!("the rotor inertia is for joint {}, which does not exist; ignored", quoted(joint))
                 }),

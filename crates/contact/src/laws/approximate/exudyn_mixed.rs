@@ -2,10 +2,10 @@
 //!
 //! The most accurate of the approximations; discontinuous at e = 1/3.
 
-use super::facts::Facts;
 use super::{carvalho_martins, gonthier};
+use crate::laws::facts::Facts;
 
-pub(super) const FACTS: Facts = Facts {
+pub(in crate::laws) const FACTS: Facts = Facts {
     name: "exudyn-mixed",
     title: "EXUDYN's mixture",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e)(11−e)/(2(1+9e)) for e > 1/3, else (1−e²)/e",

@@ -2,9 +2,9 @@
 //!
 //! Agrees with the exact law to first order in 1 − e.
 
-use super::facts::Facts;
+use crate::laws::facts::Facts;
 
-pub(super) const FACTS: Facts = Facts {
+pub(in crate::laws) const FACTS: Facts = Facts {
     name: "zhiying-qishao",
     title: "Zhiying and Qishao 2006",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e²) exp(2(1−e))/4",

@@ -1,9 +1,13 @@
 //! Configurations: joint positions given by the user.
 
-use crate::arrays::{input, text};
-use crate::handle::{Exclusive, Handle, clear_handle, free, lock, object_of, write_handle};
-use crate::model::{Model, percuss_model};
-use crate::status::{Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONDITIONS, guarded, percuss_status};
+use crate::boundary::arrays::{input_slice, input_text};
+use crate::boundary::handle::{
+    Exclusive, Handle, clear_handle, free_handle, lock_object, object_of, write_handle,
+};
+use crate::boundary::status::{
+    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONDITIONS, guard_call, percuss_status,
+};
+use crate::setup::model::{Model, percuss_model};
 use percuss::spatial::Transform;
 use percuss::{Configuration, ConfigurationError};
 use std::ffi::c_char;
@@ -22,7 +26,7 @@ pub(crate) struct ModelConfiguration {
 
 impl ModelConfiguration {
     /// Refuses a configuration of another model.
-    pub fn check(&self, model: &Arc<Model>) -> Result<(), Failure> {
+    pub fn check_model(&self, model: &Arc<Model>) -> Result<(), Failure> {
         if Arc::ptr_eq(&self.model, model) {
             return Ok(());
         }
@@ -48,7 +52,7 @@ pub unsafe extern "C" fn percuss_configuration_new(
     model: *const percuss_model,
     configuration: *mut *mut percuss_configuration,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(configuration)?;
         let model = Arc::clone(object_of(model)?);
         let values = Configuration::zero(&model.mechanism);
@@ -64,7 +68,7 @@ pub unsafe extern "C" fn percuss_configuration_new(
 pub unsafe extern "C" fn percuss_configuration_free(
     configuration: *mut *mut percuss_configuration,
 ) -> percuss_status {
-    guarded(|| free(configuration))
+    guard_call(|| free_handle(configuration))
 }
 
 /// Resets every joint to zero and removes all settings and guesses.
@@ -75,8 +79,8 @@ pub unsafe extern "C" fn percuss_configuration_free(
 pub unsafe extern "C" fn percuss_configuration_reset(
     configuration: *mut percuss_configuration,
 ) -> percuss_status {
-    guarded(|| {
-        let mut configuration_guard = lock(object_of(configuration)?, "percuss_configuration")?;
+    guard_call(|| {
+        let mut configuration_guard = lock_object(object_of(configuration)?, "percuss_configuration")?;
         configuration_guard.values = Configuration::zero(&configuration_guard.model.mechanism);
         Ok(())
     })
@@ -94,10 +98,11 @@ fn set_joint_values(
     count: usize,
     set: JointSetter,
 ) -> percuss_status {
-    guarded(|| {
-        let (joint, values) = (text(joint, "joint")?, input(values, count, "values")?);
-        let mut configuration_guard = lock(object_of(handle)?, "percuss_configuration")?;
-        set(&mut configuration_guard.values, joint, values).map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
+    guard_call(|| {
+        let (joint, values) = (input_text(joint, "joint")?, input_slice(values, count, "values")?);
+        let mut configuration_guard = lock_object(object_of(handle)?, "percuss_configuration")?;
+        set(&mut configuration_guard.values, joint, values)
+            .map_err(Failure::with_status(PERCUSS_ERROR_CONDITIONS))?;
         Ok(())
     })
 }
@@ -148,11 +153,11 @@ pub unsafe extern "C" fn percuss_configuration_set_positions(
     positions: *const f64,
     count: usize,
 ) -> percuss_status {
-    guarded(|| {
-        let positions = input(positions, count, "positions")?;
-        let mut configuration_guard = lock(object_of(configuration)?, "percuss_configuration")?;
+    guard_call(|| {
+        let positions = input_slice(positions, count, "positions")?;
+        let mut configuration_guard = lock_object(object_of(configuration)?, "percuss_configuration")?;
         let found = Configuration::from_positions(&configuration_guard.model.mechanism, positions);
-        configuration_guard.values = found.map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
+        configuration_guard.values = found.map_err(Failure::with_status(PERCUSS_ERROR_CONDITIONS))?;
         Ok(())
     })
 }
@@ -170,20 +175,23 @@ pub unsafe extern "C" fn percuss_configuration_set_base(
     position: *const f64,
     quaternion: *const f64,
 ) -> percuss_status {
-    guarded(|| {
-        let x_wr = base_pose(position, quaternion)?;
-        let mut configuration_guard = lock(object_of(configuration)?, "percuss_configuration")?;
+    guard_call(|| {
+        let x_wr = read_base_pose(position, quaternion)?;
+        let mut configuration_guard = lock_object(object_of(configuration)?, "percuss_configuration")?;
         configuration_guard.values.set_base(x_wr);
         Ok(())
     })
 }
 
-/// Pose of a base from its origin (3 numbers) and its orientation (4 numbers).
-pub(crate) fn base_pose(position: *const f64, quaternion: *const f64) -> Result<Transform<f64>, Failure> {
+/// Transform X_wr, root link to world, from its origin (3 numbers, m) and its orientation (quaternion w, x, y, z).
+pub(crate) fn read_base_pose(
+    position: *const f64,
+    quaternion: *const f64,
+) -> Result<Transform<f64>, Failure> {
     let (mut p, mut q) = ([0.0; 3], [0.0; 4]);
-    p.copy_from_slice(input(position, 3, "position")?);
-    q.copy_from_slice(input(quaternion, 4, "quaternion")?);
-    percuss::input::base_pose(p, q).map_err(Failure::of(PERCUSS_ERROR_ARGUMENT))
+    p.copy_from_slice(input_slice(position, 3, "position")?);
+    q.copy_from_slice(input_slice(quaternion, 4, "quaternion")?);
+    percuss::input::base_pose(p, q).map_err(Failure::with_status(PERCUSS_ERROR_ARGUMENT))
 }
 
 /// Accepts a pose on another assembly mode, beyond the reach of the branch of the first closed pose. Such a pose has
@@ -196,8 +204,8 @@ pub(crate) fn base_pose(position: *const f64, quaternion: *const f64) -> Result<
 pub unsafe extern "C" fn percuss_configuration_allow_other_assembly(
     configuration: *mut percuss_configuration,
 ) -> percuss_status {
-    guarded(|| {
-        lock(object_of(configuration)?, "percuss_configuration")?.values.allow_other_assembly();
+    guard_call(|| {
+        lock_object(object_of(configuration)?, "percuss_configuration")?.values.allow_other_assembly();
         Ok(())
     })
 }

@@ -2,9 +2,9 @@
 //!
 //! Agrees with the exact law to first order in 1 − e.
 
-use super::facts::Facts;
+use crate::laws::facts::Facts;
 
-pub(super) const FACTS: Facts = Facts {
+pub(in crate::laws) const FACTS: Facts = Facts {
     name: "herbert-mcwhannell",
     title: "Herbert and McWhannell 1977",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 6(1−e)/((2e−1)²+3)",

@@ -3,7 +3,7 @@
 //! The functions here and in `arrays` take pointers from C and rely on the contract of the calling C function
 //! ("Pointers" in the header). They are called only by C functions, with the arguments of those functions.
 
-use crate::status::{
+use crate::boundary::status::{
     Failure, PERCUSS_ERROR_BUSY, PERCUSS_ERROR_HANDLE, PERCUSS_ERROR_INTERNAL, PERCUSS_ERROR_NULL,
 };
 use std::ops::{Deref, DerefMut};
@@ -29,39 +29,39 @@ struct Tagged<T> {
     object: T,
 }
 
-/// Mutable reference to an argument's target.
+/// Mutable reference to the value of a pointer argument.
 #[inline]
-pub(crate) fn target_mut<'a, T>(pointer: *mut T, name: &str) -> Result<&'a mut T, Failure> {
+pub(crate) fn argument_mut<'a, T>(pointer: *mut T, name: &str) -> Result<&'a mut T, Failure> {
     check_pointer(pointer, name)?;
     // SAFETY: neither null nor misaligned; the caller of the C function promises that it points to a T of its own.
     Ok(unsafe { &mut *pointer })
 }
 
-/// Copy of an argument's target.
-pub(crate) fn read_target<T: Copy>(pointer: *const T, name: &str) -> Result<T, Failure> {
+/// Copy of the value of a pointer argument.
+pub(crate) fn read_argument<T: Copy>(pointer: *const T, name: &str) -> Result<T, Failure> {
     check_pointer(pointer, name)?;
     // SAFETY: as above; T is a type of plain numbers, which have no invalid bit pattern.
     Ok(unsafe { *pointer })
 }
 
-/// Shared reference to an argument's target.
+/// Shared reference to the value of a pointer argument.
 #[inline]
-pub(crate) fn target_ref<'a, T: Copy>(pointer: *const T, name: &str) -> Result<&'a T, Failure> {
+pub(crate) fn argument_ref<'a, T: Copy>(pointer: *const T, name: &str) -> Result<&'a T, Failure> {
     check_pointer(pointer, name)?;
     // SAFETY: as above; the caller of the C function promises that the value does not change during the call.
     Ok(unsafe { &*pointer })
 }
 
-/// Like [`read_target`]; `None` for a null pointer.
-pub(crate) fn read_optional_target<T: Copy>(pointer: *const T, name: &str) -> Result<Option<T>, Failure> {
-    if pointer.is_null() { Ok(None) } else { read_target(pointer, name).map(Some) }
+/// As [`read_argument`]; `None` for a null pointer.
+pub(crate) fn read_optional_argument<T: Copy>(pointer: *const T, name: &str) -> Result<Option<T>, Failure> {
+    if pointer.is_null() { Ok(None) } else { read_argument(pointer, name).map(Some) }
 }
 
-/// Checks that a pointer is neither null nor misaligned.
+/// Refuses a null or misaligned pointer.
 #[inline]
 fn check_pointer<T>(pointer: *const T, name: &str) -> Result<(), Failure> {
     if pointer.is_null() || !pointer.is_aligned() {
-        Err(bad_pointer(pointer.is_null(), name))
+        Err(pointer_failure(pointer.is_null(), name))
     } else {
         Ok(())
     }
@@ -69,60 +69,60 @@ fn check_pointer<T>(pointer: *const T, name: &str) -> Result<(), Failure> {
 
 /// Error of a null or misaligned pointer.
 #[cold]
-fn bad_pointer(null: bool, name: &str) -> Failure {
+fn pointer_failure(null: bool, name: &str) -> Failure {
     let fault = if null { "null" } else { "not aligned for its type" };
     Failure::new(PERCUSS_ERROR_NULL, format_args!("{name} is {fault}"))
 }
 
 /// Moves an object to the heap and writes its handle to `to`.
 pub(crate) fn write_handle<H: Handle>(object: H::Object, to: *mut *mut H) -> Result<(), Failure> {
-    let to = target_mut(to, "the place for the new handle")?;
+    let to = argument_mut(to, "the place for the new handle")?;
     *to = Box::into_raw(Box::new(Tagged { tag: H::TAG, object })).cast();
     Ok(())
 }
 
 /// Sets the new handle to null, so that a failed call leaves a null handle.
 pub(crate) fn clear_handle<H: Handle>(to: *mut *mut H) -> Result<(), Failure> {
-    *target_mut(to, "the place for the new handle")? = std::ptr::null_mut();
+    *argument_mut(to, "the place for the new handle")? = std::ptr::null_mut();
     Ok(())
 }
 
 /// Pointer to the object of a handle, after a check of its tag.
 #[inline]
-fn tagged<H: Handle>(handle: *const H) -> Result<*const Tagged<H::Object>, Failure> {
+fn checked_object<H: Handle>(handle: *const H) -> Result<*const Tagged<H::Object>, Failure> {
     let pointer: *const Tagged<H::Object> = handle.cast();
     check_pointer(pointer, H::NAME)?;
     // SAFETY: neither null nor misaligned; all handles begin with a tag. A freed handle must not be read: its
     // detection, while its memory is intact, is a help without guarantee.
     let tag = unsafe { pointer.cast::<u64>().read() };
-    if tag == H::TAG { Ok(pointer) } else { Err(bad_handle(tag, H::NAME)) }
+    if tag == H::TAG { Ok(pointer) } else { Err(handle_failure(tag, H::NAME)) }
 }
 
 /// Error of a handle with another tag: freed before, or of another type.
 #[cold]
-fn bad_handle(tag: u64, name: &str) -> Failure {
+fn handle_failure(tag: u64, name: &str) -> Failure {
     match tag {
         FREED => Failure::new(PERCUSS_ERROR_HANDLE, format_args!("this {name} was freed before")),
         _ => Failure::new(PERCUSS_ERROR_HANDLE, format_args!("this is no handle of a {name}")),
     }
 }
 
-/// Object of a handle.
+/// Object of a handle, after a check of its tag.
 #[inline]
 pub(crate) fn object_of<'a, H: Handle>(handle: *const H) -> Result<&'a H::Object, Failure> {
-    let pointer = tagged(handle)?;
+    let pointer = checked_object(handle)?;
     // SAFETY: the tag proves an object of this kind, made by `write_handle`; the caller promises not to free it during the
     // call. References are shared only: mutable objects are behind a lock.
     Ok(unsafe { &(*pointer).object })
 }
 
 /// Frees the object of a handle and sets the handle to null; a null handle is ignored.
-pub(crate) fn free<H: Handle>(handle: *mut *mut H) -> Result<(), Failure> {
-    let handle = target_mut(handle, "the place of the handle")?;
+pub(crate) fn free_handle<H: Handle>(handle: *mut *mut H) -> Result<(), Failure> {
+    let handle = argument_mut(handle, "the place of the handle")?;
     if handle.is_null() {
         return Ok(());
     }
-    let pointer = tagged(*handle)?.cast_mut();
+    let pointer = checked_object(*handle)?.cast_mut();
     *handle = std::ptr::null_mut();
     // SAFETY: the tag proves that `write_handle` made the object from a box, and that it was not freed; the caller promises
     // that no other call uses it.
@@ -178,16 +178,19 @@ impl<T> Drop for ExclusiveGuard<'_, T> {
     }
 }
 
-/// Locks a mutable object for one call; fails if another call uses it.
+/// Locks a mutable object for one call; fails if another call uses it or a panic left it unusable.
 #[inline]
-pub(crate) fn lock<'a, T>(object: &'a Exclusive<T>, name: &str) -> Result<ExclusiveGuard<'a, T>, Failure> {
+pub(crate) fn lock_object<'a, T>(
+    object: &'a Exclusive<T>,
+    name: &str,
+) -> Result<ExclusiveGuard<'a, T>, Failure> {
     match object.0.try_lock() {
         Some(kept) if !kept.broken => Ok(ExclusiveGuard(kept)),
         found => Err(lock_failure(found.is_some(), name)),
     }
 }
 
-/// Error of an object that a defect made unusable, or that another thread is using.
+/// Error of an object that a panic left unusable (`broken`), or that another thread is using.
 #[cold]
 fn lock_failure(broken: bool, name: &str) -> Failure {
     match broken {
@@ -210,19 +213,19 @@ mod tests {
     #[test]
     fn one_call_at_a_time_and_none_after_a_defect() {
         let object = Exclusive::new(1);
-        let mut first = lock(&object, "thing").expect("nobody has it");
+        let mut first = lock_object(&object, "thing").expect("nobody has it");
         *first += 1;
-        let second = lock(&object, "thing").err().expect("it is taken");
+        let second = lock_object(&object, "thing").err().expect("it is taken");
         assert_eq!(second.status, PERCUSS_ERROR_BUSY);
         drop(first);
-        assert_eq!(*lock(&object, "thing").expect("it was given back"), 2);
+        assert_eq!(*lock_object(&object, "thing").expect("it was given back"), 2);
         let panicked = catch_unwind(AssertUnwindSafe(|| {
-            let _taken = lock(&object, "thing").expect("nobody has it");
+            let _taken = lock_object(&object, "thing").expect("nobody has it");
             panic!("a defect");
         }));
         assert!(panicked.is_err());
         for _ in 0..2 {
-            let after = lock(&object, "thing").err().expect("it is broken");
+            let after = lock_object(&object, "thing").err().expect("it is broken");
             assert_eq!(after.status, PERCUSS_ERROR_INTERNAL);
         }
     }

@@ -1,16 +1,18 @@
 //! Poses: a mechanism at one configuration, its matrices, m̄.
 
-use crate::arrays::{copy_out, expect_length, output};
-use crate::configuration::percuss_configuration;
-use crate::contact::{percuss_contact, percuss_mass, percuss_route, route_choice, summary};
-use crate::handle::{Handle, clear_handle, free, lock, object_of, read_target, target_mut, write_handle};
-use crate::model::Model;
-use crate::response::{NamedResponse, percuss_response};
-use crate::status::{
-    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH,
-    guarded, percuss_status,
+use crate::boundary::arrays::{copy_to_caller, expect_length, output_slice};
+use crate::boundary::handle::{
+    Handle, argument_mut, clear_handle, free_handle, lock_object, object_of, read_argument, write_handle,
 };
-use crate::system::{percuss_assembly, percuss_system};
+use crate::boundary::status::{
+    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH,
+    guard_call, percuss_status,
+};
+use crate::evaluation::contact::{mass_summary, parse_route, percuss_contact, percuss_mass, percuss_route};
+use crate::evaluation::response::{NamedResponse, percuss_response};
+use crate::setup::configuration::percuss_configuration;
+use crate::setup::model::Model;
+use crate::setup::system::{percuss_assembly, percuss_system};
 use percuss::nalgebra::DMatrix;
 use percuss::{ContactResponse, Pose};
 use std::sync::Arc;
@@ -54,13 +56,13 @@ pub unsafe extern "C" fn percuss_pose_new(
     configuration: *const percuss_configuration,
     pose: *mut *mut percuss_pose,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(pose)?;
         let compiled = object_of(system)?;
-        let configuration = lock(object_of(configuration)?, "percuss_configuration")?;
-        configuration.check(&compiled.model)?;
+        let configuration = lock_object(object_of(configuration)?, "percuss_configuration")?;
+        configuration.check_model(&compiled.model)?;
         let found = compiled.system.pose(&configuration.values);
-        let found = found.map_err(Failure::of(PERCUSS_ERROR_ASSEMBLY))?;
+        let found = found.map_err(Failure::with_status(PERCUSS_ERROR_ASSEMBLY))?;
         write_handle(NamedPose { model: Arc::clone(&compiled.model), pose: found }, pose)
     })
 }
@@ -75,13 +77,13 @@ pub unsafe extern "C" fn percuss_assembly_pose(
     configuration: *const percuss_configuration,
     pose: *mut *mut percuss_pose,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(pose)?;
         let assembled = object_of(assembly)?;
-        let configuration = lock(object_of(configuration)?, "percuss_configuration")?;
-        configuration.check(&assembled.model)?;
+        let configuration = lock_object(object_of(configuration)?, "percuss_configuration")?;
+        configuration.check_model(&assembled.model)?;
         let found = assembled.assembly.pose(&configuration.values);
-        let found = found.map_err(Failure::of(PERCUSS_ERROR_ASSEMBLY))?;
+        let found = found.map_err(Failure::with_status(PERCUSS_ERROR_ASSEMBLY))?;
         write_handle(NamedPose { model: Arc::clone(&assembled.model), pose: found }, pose)
     })
 }
@@ -97,13 +99,13 @@ pub unsafe extern "C" fn percuss_pose_follow(
     configuration: *const percuss_configuration,
     pose: *mut *mut percuss_pose,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(pose)?;
         let posed = object_of(from)?;
-        let configuration = lock(object_of(configuration)?, "percuss_configuration")?;
-        configuration.check(&posed.model)?;
+        let configuration = lock_object(object_of(configuration)?, "percuss_configuration")?;
+        configuration.check_model(&posed.model)?;
         let found = posed.pose.assembly().pose_from(&posed.pose, &configuration.values);
-        let found = found.map_err(Failure::of(PERCUSS_ERROR_ASSEMBLY))?;
+        let found = found.map_err(Failure::with_status(PERCUSS_ERROR_ASSEMBLY))?;
         write_handle(NamedPose { model: Arc::clone(&posed.model), pose: found }, pose)
     })
 }
@@ -114,7 +116,7 @@ pub unsafe extern "C" fn percuss_pose_follow(
 /// pose is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_pose_free(pose: *mut *mut percuss_pose) -> percuss_status {
-    guarded(|| free(pose))
+    guard_call(|| free_handle(pose))
 }
 
 /// The positions of all joints, concatenated in joint order, mimics included: count is the positions of
@@ -128,18 +130,18 @@ pub unsafe extern "C" fn percuss_pose_positions(
     positions: *mut f64,
     count: usize,
 ) -> percuss_status {
-    guarded(|| copy_out(object_of(pose)?.pose.positions(), positions, count, "positions"))
+    guard_call(|| copy_to_caller(object_of(pose)?.pose.positions(), positions, count, "positions"))
 }
 
-/// Response of a pose to a contact by a route.
-fn respond(
+/// m̄, its error and v* at a pose for a contact; `route` is PERCUSS_ROUTE_….
+fn compute_response(
     posed: &NamedPose,
     contact: *const percuss_contact,
     route: i32,
 ) -> Result<ContactResponse, Failure> {
-    let contact = read_target(contact, "contact")?.resolve(&posed.model)?;
-    let found = posed.pose.respond_by_route(&contact, route_choice(route)?);
-    found.map_err(Failure::of(PERCUSS_ERROR_CONTACT))
+    let contact = read_argument(contact, "contact")?.resolve(&posed.model)?;
+    let found = posed.pose.respond_by_route(&contact, parse_route(route)?);
+    found.map_err(Failure::with_status(PERCUSS_ERROR_CONTACT))
 }
 
 /// m̄ of a contact, with its error. route: normally PERCUSS_ROUTE_AUTO.
@@ -155,9 +157,9 @@ pub unsafe extern "C" fn percuss_pose_effective_mass(
     route: percuss_route,
     mass: *mut percuss_mass,
 ) -> percuss_status {
-    guarded(|| {
-        let response = respond(object_of(pose)?, contact, route)?;
-        *target_mut(mass, "mass")? = summary(&response);
+    guard_call(|| {
+        let response = compute_response(object_of(pose)?, contact, route)?;
+        *argument_mut(mass, "mass")? = mass_summary(&response);
         Ok(())
     })
 }
@@ -175,16 +177,16 @@ pub unsafe extern "C" fn percuss_pose_respond(
     route: percuss_route,
     response: *mut *mut percuss_response,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(response)?;
         let posed = object_of(pose)?;
-        let found = respond(posed, contact, route)?;
+        let found = compute_response(posed, contact, route)?;
         write_handle(NamedResponse { model: Arc::clone(&posed.model), response: found }, response)
     })
 }
 
-/// Writes a matrix to an array of the caller.
-fn write_matrix(
+/// Copies a matrix to an array of the caller; refuses one that is too small.
+fn copy_matrix_to_caller(
     matrix: &DMatrix<f64>,
     values: *mut f64,
     length: usize,
@@ -215,7 +217,7 @@ fn write_matrix(
         );
         return Err(Failure::new(PERCUSS_ERROR_LENGTH, message));
     }
-    let to = output(values, length, "values")?;
+    let to = output_slice(values, length, "values")?;
     for o in 0..outer {
         for i in 0..inner {
             to[o * leading + i] = if layout == PERCUSS_ROW_MAJOR { matrix[(o, i)] } else { matrix[(i, o)] };
@@ -236,7 +238,9 @@ pub unsafe extern "C" fn percuss_pose_mass_matrix(
     layout: percuss_layout,
     leading_dimension: usize,
 ) -> percuss_status {
-    guarded(|| write_matrix(&object_of(pose)?.pose.mass_matrix(), values, length, layout, leading_dimension))
+    guard_call(|| {
+        copy_matrix_to_caller(&object_of(pose)?.pose.mass_matrix(), values, length, layout, leading_dimension)
+    })
 }
 
 /// Number of rows of A, redundant rows included.
@@ -248,8 +252,8 @@ pub unsafe extern "C" fn percuss_pose_constraint_rows(
     pose: *const percuss_pose,
     rows: *mut usize,
 ) -> percuss_status {
-    guarded(|| {
-        *target_mut(rows, "rows")? = object_of(pose)?.pose.constraint_matrix().nrows();
+    guard_call(|| {
+        *argument_mut(rows, "rows")? = object_of(pose)?.pose.constraint_matrix().nrows();
         Ok(())
     })
 }
@@ -267,8 +271,14 @@ pub unsafe extern "C" fn percuss_pose_constraint_matrix(
     layout: percuss_layout,
     leading_dimension: usize,
 ) -> percuss_status {
-    guarded(|| {
-        write_matrix(&object_of(pose)?.pose.constraint_matrix(), values, length, layout, leading_dimension)
+    guard_call(|| {
+        copy_matrix_to_caller(
+            &object_of(pose)?.pose.constraint_matrix(),
+            values,
+            length,
+            layout,
+            leading_dimension,
+        )
     })
 }
 
@@ -283,12 +293,12 @@ pub unsafe extern "C" fn percuss_pose_contact_row(
     values: *mut f64,
     count: usize,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         let posed = object_of(pose)?;
-        let contact = read_target(contact, "contact")?.resolve(&posed.model)?;
-        let located = posed.pose.locate(&contact).map_err(Failure::of(PERCUSS_ERROR_CONTACT))?;
+        let contact = read_argument(contact, "contact")?.resolve(&posed.model)?;
+        let located = posed.pose.locate(&contact).map_err(Failure::with_status(PERCUSS_ERROR_CONTACT))?;
         let row = posed.pose.contact_row(&located);
         expect_length(count, row.len(), "values")?;
-        copy_out(&row, values, count, "values")
+        copy_to_caller(&row, values, count, "values")
     })
 }

@@ -2,9 +2,9 @@
 //!
 //! Damping too small by 1/6 near e = 1, too large by 1/4 for e → 0.
 
-use super::facts::Facts;
+use crate::laws::facts::Facts;
 
-pub(super) const FACTS: Facts = Facts {
+pub(in crate::laws) const FACTS: Facts = Facts {
     name: "safaeifar-farshidianfar",
     title: "Safaeifar and Farshidianfar 2020",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 5(1−e)/(4e)",

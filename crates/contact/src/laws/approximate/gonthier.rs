@@ -2,9 +2,9 @@
 //!
 //! Exact for e → 0; damping too large by 1/3 near e = 1.
 
-use super::facts::Facts;
+use crate::laws::facts::Facts;
 
-pub(super) const FACTS: Facts = Facts {
+pub(in crate::laws) const FACTS: Facts = Facts {
     name: "gonthier",
     title: "Gonthier and others 2004",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = (1−e²)/e",

@@ -2,9 +2,9 @@
 //!
 //! Agrees with the exact law to third order in 1 − e; finite for e → 0.
 
-use super::facts::Facts;
+use crate::laws::facts::Facts;
 
-pub(super) const FACTS: Facts = Facts {
+pub(in crate::laws) const FACTS: Facts = Facts {
     name: "carvalho-martins",
     title: "Carvalho and Martins 2019",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e)(11−e)/(2(1+9e))",

@@ -2,9 +2,9 @@
 //!
 //! Half of the exact damping near e = 1.
 
-use super::facts::Facts;
+use crate::laws::facts::Facts;
 
-pub(super) const FACTS: Facts = Facts {
+pub(in crate::laws) const FACTS: Facts = Facts {
     name: "lee-wang",
     title: "Lee and Wang 1983",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e)/4",

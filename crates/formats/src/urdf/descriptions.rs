@@ -2,33 +2,33 @@
 
 use crate::urdf::elements::joint::JointText;
 use crate::urdf::elements::link::{InertialText, LinkText};
-use crate::urdf::elements::numbers::parse;
+use crate::urdf::elements::numbers::parse_numbers;
 use nalgebra::Matrix3;
 use percuss_mechanism::{Inertial, JointDescription, Limits, LinkDescription, MimicDescription};
 
-/// Converts a link.
-pub(crate) fn link(text: &LinkText<'_>) -> LinkDescription {
-    let inertial = text.inertial.as_ref().map(inertial);
+/// Description of a link for the builder.
+pub(crate) fn describe_link(text: &LinkText<'_>) -> LinkDescription {
+    let inertial = text.inertial.as_ref().map(convert_inertial);
     LinkDescription { name: text.name.to_owned(), inertial, geometry: text.geometry }
 }
 
-/// Converts mass, centre of mass and inertia; the inertia is expressed in the axes of the link.
-fn inertial(text: &InertialText<'_>) -> Inertial {
-    let [ixx, ixy, ixz, iyy, iyz, izz] = text.moments.map(number);
+/// Mass, centre of mass and inertia about the centre, in the axes of the link.
+fn convert_inertial(text: &InertialText<'_>) -> Inertial {
+    let [ixx, ixy, ixz, iyy, iyz, izz] = text.moments.map(parse_checked_number);
     let tensor = Matrix3::new(ixx, ixy, ixz, ixy, iyy, iyz, ixz, iyz, izz);
     let origin = text.origin.transform();
     let turned = origin.rotation * tensor * origin.rotation.transpose();
     // Makes the tensor exactly symmetric. Halving first avoids overflow.
     let about_com = turned * 0.5 + turned.transpose() * 0.5;
-    Inertial { mass: number(text.mass), com: origin.translation, about_com }
+    Inertial { mass: parse_checked_number(text.mass), com: origin.translation, about_com }
 }
 
-/// Converts a joint.
-pub(crate) fn joint(text: &JointText<'_>) -> JointDescription {
+/// Description of a joint for the builder.
+pub(crate) fn describe_joint(text: &JointText<'_>) -> JointDescription {
     let mimic = text.mimic.as_ref().map(|text| MimicDescription {
         joint: text.joint.to_owned(),
-        multiplier: number(text.multiplier),
-        offset: number(text.offset),
+        multiplier: parse_checked_number(text.multiplier),
+        offset: parse_checked_number(text.offset),
     });
     JointDescription {
         name: text.name.to_owned(),
@@ -36,16 +36,18 @@ pub(crate) fn joint(text: &JointText<'_>) -> JointDescription {
         parent: text.parent.to_owned(),
         child: text.child.to_owned(),
         origin: text.origin.transform(),
-        axis: parse::<3>(text.axis).unwrap_or_default().into(),
-        limits: text.limits.map(|[lower, upper]| Limits { lower: number(lower), upper: number(upper) }),
+        axis: parse_numbers::<3>(text.axis).unwrap_or_default().into(),
+        limits: text.limits.map(|[lower, upper]| Limits {
+            lower: parse_checked_number(lower),
+            upper: parse_checked_number(upper),
+        }),
         armature: text.armature.clone(),
         mimic,
         independent: text.independent,
     }
 }
 
-/// Converts the text of a valid number.
-fn number(text: &str) -> f64 {
-    let [value] = parse(text).unwrap_or_default();
+fn parse_checked_number(text: &str) -> f64 {
+    let [value] = parse_numbers(text).unwrap_or_default();
     value
 }

@@ -12,14 +12,14 @@
 pub(crate) struct DefaultEnvironment(Option<control::Register>);
 
 impl DefaultEnvironment {
-    /// Sets the default environment, if it differs, and keeps the environment of the caller.
+    /// Sets the default environment, if it differs, and keeps that of the caller.
     #[inline]
     pub fn enter() -> Self {
-        let found = control::read();
+        let found = control::read_register();
         if found & !control::FLAGS == control::DEFAULT {
             return Self(None);
         }
-        control::write(control::DEFAULT);
+        control::write_register(control::DEFAULT);
         Self(Some(found))
     }
 }
@@ -28,7 +28,7 @@ impl Drop for DefaultEnvironment {
     #[inline]
     fn drop(&mut self) {
         if let Some(found) = self.0 {
-            control::write(found);
+            control::write_register(found);
         }
     }
 }
@@ -43,18 +43,18 @@ mod control {
     /// Exception flags: they persist while no trap is enabled.
     pub const FLAGS: u32 = 0x3f;
 
-    /// Value of the control register.
+    /// Bits of the floating-point control register.
     #[inline]
-    pub fn read() -> u32 {
+    pub fn read_register() -> u32 {
         let mut register = 0_u32;
         // SAFETY: the instruction stores four bytes at the address of a local number.
         unsafe { asm!("stmxcsr [{}]", in(reg) &raw mut register, options(nostack, preserves_flags)) };
         register
     }
 
-    /// Replaces the value of the control register.
+    /// Sets the floating-point control register.
     #[inline]
-    pub fn write(register: u32) {
+    pub fn write_register(register: u32) {
         // SAFETY: the instruction loads four bytes from a local number, a value of this register or its default: no
         // reserved bit is set.
         unsafe { asm!("ldmxcsr [{}]", in(reg) &raw const register, options(nostack, preserves_flags)) };
@@ -71,18 +71,18 @@ mod control {
     /// The flags are in a separate register.
     pub const FLAGS: u64 = 0;
 
-    /// Value of the control register.
+    /// Bits of the floating-point control register.
     #[inline]
-    pub fn read() -> u64 {
+    pub fn read_register() -> u64 {
         let register: u64;
         // SAFETY: the instruction reads the control register of floating-point arithmetic.
         unsafe { asm!("mrs {}, fpcr", out(reg) register, options(nostack, preserves_flags)) };
         register
     }
 
-    /// Replaces the value of the control register.
+    /// Sets the floating-point control register.
     #[inline]
-    pub fn write(register: u64) {
+    pub fn write_register(register: u64) {
         // SAFETY: a value of this register, or its default.
         unsafe { asm!("msr fpcr, {}", in(reg) register, options(nostack, preserves_flags)) };
     }
@@ -95,13 +95,13 @@ mod control {
     pub const DEFAULT: u32 = 0;
     pub const FLAGS: u32 = 0;
 
-    /// Value of the control register.
+    /// Bits of the floating-point control register.
     #[inline]
-    pub fn read() -> u32 {
+    pub fn read_register() -> u32 {
         DEFAULT
     }
 
     /// Does nothing.
     #[inline]
-    pub fn write(_: u32) {}
+    pub fn write_register(_: u32) {}
 }

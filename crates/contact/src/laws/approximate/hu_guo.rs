@@ -2,9 +2,9 @@
 //!
 //! Agrees with the exact law to second order in 1 − e; damping too large by 1/2 for e → 0.
 
-use super::facts::Facts;
+use crate::laws::facts::Facts;
 
-pub(super) const FACTS: Facts = Facts {
+pub(in crate::laws) const FACTS: Facts = Facts {
     name: "hu-guo",
     title: "Hu and Guo 2015",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e)/(2e)",

@@ -2,9 +2,9 @@
 //!
 //! Damping too large by 1/15 near e = 1, and by a factor of 1.6 for e → 0.
 
-use super::facts::Facts;
+use crate::laws::facts::Facts;
 
-pub(super) const FACTS: Facts = Facts {
+pub(in crate::laws) const FACTS: Facts = Facts {
     name: "flores",
     title: "Flores and others 2011",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 8(1−e)/(5e)",

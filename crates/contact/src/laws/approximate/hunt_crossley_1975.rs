@@ -2,9 +2,9 @@
 //!
 //! Agrees with the exact law to first order in 1 − e.
 
-use super::facts::Facts;
+use crate::laws::facts::Facts;
 
-pub(super) const FACTS: Facts = Facts {
+pub(in crate::laws) const FACTS: Facts = Facts {
     name: "hunt-crossley-1975",
     title: "Hunt and Crossley 1975, linearised",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e)/2",

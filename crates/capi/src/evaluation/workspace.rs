@@ -1,17 +1,18 @@
 //! Workspaces: one configuration after another, without allocations.
 
-use crate::arrays::{Span, input, refuse_overlaps};
-use crate::configuration::base_pose;
-use crate::contact::{outcome_code, percuss_contact, percuss_outcome};
-use crate::handle::{
-    Exclusive, Handle, clear_handle, free, lock, object_of, target_mut, target_ref, write_handle,
+use crate::boundary::arrays::{ByteRange, input_slice, refuse_overlaps};
+use crate::boundary::handle::{
+    Exclusive, Handle, argument_mut, argument_ref, clear_handle, free_handle, lock_object, object_of,
+    write_handle,
 };
-use crate::model::Model;
-use crate::status::{
+use crate::boundary::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH,
-    guarded, percuss_status,
+    guard_call, percuss_status,
 };
-use crate::system::percuss_assembly;
+use crate::evaluation::contact::{outcome_and_value, percuss_contact, percuss_outcome};
+use crate::setup::configuration::read_base_pose;
+use crate::setup::model::Model;
+use crate::setup::system::percuss_assembly;
 use percuss::{Contact, ResponseError, Workspace};
 use std::sync::Arc;
 
@@ -43,7 +44,7 @@ pub unsafe extern "C" fn percuss_workspace_new(
     assembly: *const percuss_assembly,
     workspace: *mut *mut percuss_workspace,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(workspace)?;
         let assembled = object_of(assembly)?;
         let (model, inside) = (Arc::clone(&assembled.model), assembled.assembly.workspace());
@@ -58,7 +59,7 @@ pub unsafe extern "C" fn percuss_workspace_new(
 /// workspace is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_workspace_free(workspace: *mut *mut percuss_workspace) -> percuss_status {
-    guarded(|| free(workspace))
+    guard_call(|| free_handle(workspace))
 }
 
 /// m̄ of a contact at the positions of all joints (concatenated in joint order; unit quaternions; positions of mimics
@@ -87,15 +88,19 @@ pub unsafe extern "C" fn percuss_workspace_effective_mass(
     effective_mass: *mut f64,
     remarks: *mut u32,
 ) -> percuss_status {
-    guarded(|| {
-        let read = [Span::of(positions, count, "positions"), Span::of(contact, 1, "contact")];
-        refuse_overlaps(&ResultPointers::spans(outcome, effective_mass, remarks), &read)?;
-        let mut workspace_guard = lock(object_of(workspace)?, "percuss_workspace")?;
-        let results = ResultPointers::of(outcome, effective_mass, remarks)?;
-        let c_contact = target_ref(contact, "contact")?;
-        let positions = input(positions, count, "positions")?;
-        workspace_guard.workspace.set_positions(positions).map_err(Failure::of(PERCUSS_ERROR_LENGTH))?;
-        workspace_guard.answer(c_contact, results)
+    guard_call(|| {
+        let read =
+            [ByteRange::of_array(positions, count, "positions"), ByteRange::of_array(contact, 1, "contact")];
+        refuse_overlaps(&ResultPointers::byte_ranges(outcome, effective_mass, remarks), &read)?;
+        let mut workspace_guard = lock_object(object_of(workspace)?, "percuss_workspace")?;
+        let results = ResultPointers::from_pointers(outcome, effective_mass, remarks)?;
+        let c_contact = argument_ref(contact, "contact")?;
+        let positions = input_slice(positions, count, "positions")?;
+        workspace_guard
+            .workspace
+            .set_positions(positions)
+            .map_err(Failure::with_status(PERCUSS_ERROR_LENGTH))?;
+        workspace_guard.write_effective_mass(c_contact, results)
     })
 }
 
@@ -113,12 +118,12 @@ pub unsafe extern "C" fn percuss_workspace_effective_mass_again(
     effective_mass: *mut f64,
     remarks: *mut u32,
 ) -> percuss_status {
-    guarded(|| {
-        let read = [Span::of(contact, 1, "contact")];
-        refuse_overlaps(&ResultPointers::spans(outcome, effective_mass, remarks), &read)?;
-        let mut workspace_guard = lock(object_of(workspace)?, "percuss_workspace")?;
-        let results = ResultPointers::of(outcome, effective_mass, remarks)?;
-        workspace_guard.answer(target_ref(contact, "contact")?, results)
+    guard_call(|| {
+        let read = [ByteRange::of_array(contact, 1, "contact")];
+        refuse_overlaps(&ResultPointers::byte_ranges(outcome, effective_mass, remarks), &read)?;
+        let mut workspace_guard = lock_object(object_of(workspace)?, "percuss_workspace")?;
+        let results = ResultPointers::from_pointers(outcome, effective_mass, remarks)?;
+        workspace_guard.write_effective_mass(argument_ref(contact, "contact")?, results)
     })
 }
 
@@ -135,10 +140,10 @@ pub unsafe extern "C" fn percuss_workspace_set_base(
     position: *const f64,
     quaternion: *const f64,
 ) -> percuss_status {
-    guarded(|| {
-        let x_wr = base_pose(position, quaternion)?;
-        let mut workspace_guard = lock(object_of(workspace)?, "percuss_workspace")?;
-        workspace_guard.workspace.set_base(&x_wr).map_err(Failure::of(PERCUSS_ERROR_ARGUMENT))
+    guard_call(|| {
+        let x_wr = read_base_pose(position, quaternion)?;
+        let mut workspace_guard = lock_object(object_of(workspace)?, "percuss_workspace")?;
+        workspace_guard.workspace.set_base(&x_wr).map_err(Failure::with_status(PERCUSS_ERROR_ARGUMENT))
     })
 }
 
@@ -152,38 +157,45 @@ struct ResultPointers<'a> {
 impl ResultPointers<'_> {
     /// Memory ranges of the outputs, for the check of overlaps.
     #[inline]
-    fn spans(outcome: *const percuss_outcome, mass: *const f64, remarks: *const u32) -> [Span; 3] {
+    fn byte_ranges(outcome: *const percuss_outcome, mass: *const f64, remarks: *const u32) -> [ByteRange; 3] {
         [
-            Span::of(outcome, 1, "outcome"),
-            Span::of(mass, 1, "effective_mass"),
-            Span::of(remarks, 1, "remarks"),
+            ByteRange::of_array(outcome, 1, "outcome"),
+            ByteRange::of_array(mass, 1, "effective_mass"),
+            ByteRange::of_array(remarks, 1, "remarks"),
         ]
     }
 
-    /// Checks the pointers; `remarks` may be null.
+    /// References to the outputs; `remarks` may be null.
     #[inline]
-    fn of(outcome: *mut percuss_outcome, mass: *mut f64, remarks: *mut u32) -> Result<Self, Failure> {
-        let remarks = if remarks.is_null() { None } else { Some(target_mut(remarks, "remarks")?) };
+    fn from_pointers(
+        outcome: *mut percuss_outcome,
+        mass: *mut f64,
+        remarks: *mut u32,
+    ) -> Result<Self, Failure> {
+        let remarks = if remarks.is_null() { None } else { Some(argument_mut(remarks, "remarks")?) };
         Ok(Self {
-            outcome: target_mut(outcome, "outcome")?,
-            mass: target_mut(mass, "effective_mass")?,
+            outcome: argument_mut(outcome, "outcome")?,
+            mass: argument_mut(mass, "effective_mass")?,
             remarks,
         })
     }
 }
 
 impl ModelWorkspace {
-    /// Computes m̄ of a contact at the workspace's positions and writes the results. The last contact is kept
-    /// resolved.
+    /// Computes m̄ of a contact at the workspace's positions and writes the results. The last contact is kept resolved.
     #[inline]
-    fn answer(&mut self, c_contact: &percuss_contact, results: ResultPointers<'_>) -> Result<(), Failure> {
+    fn write_effective_mass(
+        &mut self,
+        c_contact: &percuss_contact,
+        results: ResultPointers<'_>,
+    ) -> Result<(), Failure> {
         let ModelWorkspace { model, workspace, last_contact } = self;
         let (_, contact) = match last_contact {
             Some(last) if last.0 == *c_contact => last,
             _ => last_contact.insert((*c_contact, c_contact.resolve(model)?)),
         };
         let mass = workspace.effective_mass(contact).map_err(response_failure)?;
-        (*results.outcome, *results.mass) = outcome_code(mass);
+        (*results.outcome, *results.mass) = outcome_and_value(mass);
         if let Some(remarks) = results.remarks {
             *remarks = workspace.remarks().bits();
         }

@@ -1,10 +1,10 @@
 //! Models: mechanisms read from URDF, the names of their links and joints, and findings about the file.
 
-use crate::arrays::{input, text};
-use crate::handle::{Handle, clear_handle, free, object_of, target_mut, write_handle};
-use crate::names::{c_string, element};
-use crate::status::{
-    Failure, PERCUSS_ERROR_LOAD, PERCUSS_ERROR_NAME, PERCUSS_ERROR_TEXT, guarded, percuss_status,
+use crate::boundary::arrays::{input_slice, input_text};
+use crate::boundary::handle::{Handle, argument_mut, clear_handle, free_handle, object_of, write_handle};
+use crate::boundary::names::{c_string, element_at};
+use crate::boundary::status::{
+    Failure, PERCUSS_ERROR_LOAD, PERCUSS_ERROR_NAME, PERCUSS_ERROR_TEXT, guard_call, percuss_status,
 };
 use percuss::{
     DEFAULT_MAX_SIZE, Diagnostic, JointId, JointKind, LinkId, LoadOptions, Mechanism, Severity, Source, load,
@@ -116,7 +116,8 @@ pub struct percuss_diagnostic {
 }
 
 impl DiagnosticTexts {
-    fn new(diagnostic: &Diagnostic) -> Self {
+    /// Diagnostic for C; unknown positions are 0.
+    fn from_diagnostic(diagnostic: &Diagnostic) -> Self {
         Self {
             severity: match diagnostic.severity {
                 Severity::Note => PERCUSS_NOTE,
@@ -132,9 +133,10 @@ impl DiagnosticTexts {
 }
 
 impl Model {
-    /// Loads a model and prepares its names and texts for C.
-    fn read(source: &Source) -> Result<Arc<Self>, Failure> {
-        let loaded = load(source, &LoadOptions::default()).map_err(Failure::of(PERCUSS_ERROR_LOAD))?;
+    /// Reads a URDF and prepares its names and texts for C.
+    fn load(source: &Source) -> Result<Arc<Self>, Failure> {
+        let loaded =
+            load(source, &LoadOptions::default()).map_err(Failure::with_status(PERCUSS_ERROR_LOAD))?;
         let mechanism = Arc::new(loaded.mechanism);
         let (mut first, mut at) = (Vec::new(), (0, 0));
         for joint in mechanism.joints() {
@@ -149,14 +151,14 @@ impl Model {
             velocities: at.1,
             link_names: mechanism.links().iter().map(|link| c_string(link.name())).collect(),
             joint_names: mechanism.joints().iter().map(|joint| c_string(joint.name())).collect(),
-            diagnostics: loaded.diagnostics.iter().map(DiagnosticTexts::new).collect(),
+            diagnostics: loaded.diagnostics.iter().map(DiagnosticTexts::from_diagnostic).collect(),
             mechanism,
         }))
     }
 
-    /// Id of link number `index`.
-    pub fn link(&self, index: usize) -> Result<LinkId, Failure> {
-        element(&self.links, index, "link").copied()
+    /// Id of link number `index`, from 0.
+    pub fn link_id(&self, index: usize) -> Result<LinkId, Failure> {
+        element_at(&self.links, index, "link").copied()
     }
 }
 
@@ -171,14 +173,15 @@ pub unsafe extern "C" fn percuss_model_load_file(
     path: *const c_char,
     model: *mut *mut percuss_model,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(model)?;
-        let path = text(path, "path")?;
+        let path = input_text(path, "path")?;
         if path == "-" {
             return Err(Failure::new(PERCUSS_ERROR_LOAD, "path is \"-\"; expected the name of a file"));
         }
-        let source = Source::read(path, DEFAULT_MAX_SIZE).map_err(Failure::of(PERCUSS_ERROR_LOAD))?;
-        write_handle(Model::read(&source)?, model)
+        let source =
+            Source::read(path, DEFAULT_MAX_SIZE).map_err(Failure::with_status(PERCUSS_ERROR_LOAD))?;
+        write_handle(Model::load(&source)?, model)
     })
 }
 
@@ -196,10 +199,10 @@ pub unsafe extern "C" fn percuss_model_load_memory(
     length: usize,
     model: *mut *mut percuss_model,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(model)?;
-        let name = text(name, "name")?;
-        let bytes: &[u8] = input(bytes.cast(), length, "bytes")?;
+        let name = input_text(name, "name")?;
+        let bytes: &[u8] = input_slice(bytes.cast(), length, "bytes")?;
         if bytes.len() as u64 > DEFAULT_MAX_SIZE {
             let message = format_args!("{name}: {length} bytes; at most {DEFAULT_MAX_SIZE} are read");
             return Err(Failure::new(PERCUSS_ERROR_LOAD, message));
@@ -210,7 +213,7 @@ pub unsafe extern "C" fn percuss_model_load_memory(
                 format_args!("{name}: not UTF-8 at byte {}", error.valid_up_to()),
             )
         })?;
-        write_handle(Model::read(&Source::from_text(name, urdf))?, model)
+        write_handle(Model::load(&Source::from_text(name, urdf))?, model)
     })
 }
 
@@ -220,7 +223,7 @@ pub unsafe extern "C" fn percuss_model_load_memory(
 /// model is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_model_free(model: *mut *mut percuss_model) -> percuss_status {
-    guarded(|| free(model))
+    guard_call(|| free_handle(model))
 }
 
 /// Numbers of links, joints, positions of all joints, and velocities of all joints. Each pointer may be null.
@@ -235,12 +238,12 @@ pub unsafe extern "C" fn percuss_model_counts(
     positions: *mut usize,
     velocities: *mut usize,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         let model = object_of(model)?;
         let counts = [model.links.len(), model.joints.len(), model.positions, model.velocities];
         for (to, count) in [links, joints, positions, velocities].into_iter().zip(counts) {
             if !to.is_null() {
-                *target_mut(to, "a count")? = count;
+                *argument_mut(to, "a count")? = count;
             }
         }
         Ok(())
@@ -257,10 +260,10 @@ pub unsafe extern "C" fn percuss_model_link_name(
     index: usize,
     name: *mut *const c_char,
 ) -> percuss_status {
-    guarded(|| {
-        let name = target_mut(name, "name")?;
+    guard_call(|| {
+        let name = argument_mut(name, "name")?;
         *name = null();
-        *name = element(&object_of(model)?.link_names, index, "link")?.as_ptr();
+        *name = element_at(&object_of(model)?.link_names, index, "link")?.as_ptr();
         Ok(())
     })
 }
@@ -275,9 +278,9 @@ pub unsafe extern "C" fn percuss_model_find_link(
     name: *const c_char,
     index: *mut usize,
 ) -> percuss_status {
-    guarded(|| {
-        let found = object_of(model)?.mechanism.find_link(text(name, "name")?);
-        *target_mut(index, "index")? = found.map_err(Failure::of(PERCUSS_ERROR_NAME))?.index();
+    guard_call(|| {
+        let found = object_of(model)?.mechanism.find_link(input_text(name, "name")?);
+        *argument_mut(index, "index")? = found.map_err(Failure::with_status(PERCUSS_ERROR_NAME))?.index();
         Ok(())
     })
 }
@@ -292,9 +295,9 @@ pub unsafe extern "C" fn percuss_model_find_joint(
     name: *const c_char,
     index: *mut usize,
 ) -> percuss_status {
-    guarded(|| {
-        let found = object_of(model)?.mechanism.find_joint(text(name, "name")?);
-        *target_mut(index, "index")? = found.map_err(Failure::of(PERCUSS_ERROR_NAME))?.index();
+    guard_call(|| {
+        let found = object_of(model)?.mechanism.find_joint(input_text(name, "name")?);
+        *argument_mut(index, "index")? = found.map_err(Failure::with_status(PERCUSS_ERROR_NAME))?.index();
         Ok(())
     })
 }
@@ -309,13 +312,13 @@ pub unsafe extern "C" fn percuss_model_joint(
     index: usize,
     joint: *mut percuss_joint,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         let model = object_of(model)?;
-        let name = element(&model.joint_names, index, "joint")?.as_ptr();
+        let name = element_at(&model.joint_names, index, "joint")?.as_ptr();
         let found = &model.mechanism.joints()[index];
         let kind = found.kind();
         let (first_position, first_velocity) = model.first[index];
-        *target_mut(joint, "joint")? = percuss_joint {
+        *argument_mut(joint, "joint")? = percuss_joint {
             name,
             kind: match kind {
                 JointKind::Fixed => PERCUSS_FIXED,
@@ -349,8 +352,8 @@ pub unsafe extern "C" fn percuss_model_diagnostic_count(
     model: *const percuss_model,
     count: *mut usize,
 ) -> percuss_status {
-    guarded(|| {
-        *target_mut(count, "count")? = object_of(model)?.diagnostics.len();
+    guard_call(|| {
+        *argument_mut(count, "count")? = object_of(model)?.diagnostics.len();
         Ok(())
     })
 }
@@ -365,9 +368,9 @@ pub unsafe extern "C" fn percuss_model_diagnostic(
     index: usize,
     diagnostic: *mut percuss_diagnostic,
 ) -> percuss_status {
-    guarded(|| {
-        let texts = element(&object_of(model)?.diagnostics, index, "diagnostic")?;
-        *target_mut(diagnostic, "diagnostic")? = percuss_diagnostic {
+    guard_call(|| {
+        let texts = element_at(&object_of(model)?.diagnostics, index, "diagnostic")?;
+        *argument_mut(diagnostic, "diagnostic")? = percuss_diagnostic {
             severity: texts.severity,
             line: texts.line,
             column: texts.column,

@@ -1,9 +1,9 @@
 //! Contacts and their results.
 
-use crate::arrays::{choice, nan_if_unknown};
-use crate::handle::target_mut;
-use crate::model::Model;
-use crate::status::{Failure, PERCUSS_ERROR_CONTACT, guarded, percuss_status};
+use crate::boundary::arrays::{enumeration_value, nan_if_unknown};
+use crate::boundary::handle::argument_mut;
+use crate::boundary::status::{Failure, PERCUSS_ERROR_CONTACT, guard_call, percuss_status};
+use crate::setup::model::Model;
 use percuss::nalgebra::Vector3;
 use percuss::{
     Contact, ContactResponse, Direction, EffectiveMass, ErrorBudget, Frame, LinkId, Remark, RemarkFlags,
@@ -57,8 +57,8 @@ pub struct percuss_contact {
 /// contact is null or points to storage for a percuss_contact.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_contact_init(contact: *mut percuss_contact) -> percuss_status {
-    guarded(|| {
-        *target_mut(contact, "contact")? = percuss_contact {
+    guard_call(|| {
+        *argument_mut(contact, "contact")? = percuss_contact {
             link: PERCUSS_NO_LINK,
             against: PERCUSS_GROUND,
             point: [0.0; 3],
@@ -71,25 +71,25 @@ pub unsafe extern "C" fn percuss_contact_init(contact: *mut percuss_contact) -> 
 }
 
 impl percuss_contact {
-    /// The contact on this model.
+    /// Contact on a model; refuses links that are not set or do not exist.
     #[inline]
     pub(crate) fn resolve(&self, model: &Model) -> Result<Contact, Failure> {
         let vector = Vector3::from(self.normal);
         // In the order of PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_TOWARD.
         let frames = [Some(Frame::Link), Some(Frame::World), Some(Frame::Against), None, None];
-        let normal = match choice(&frames, self.normal_given, "normal_given")? {
+        let normal = match enumeration_value(&frames, self.normal_given, "normal_given")? {
             Some(frame) => Direction::Along(vector, frame),
             None if self.normal_given == PERCUSS_NORMAL_TOWARD => {
-                Direction::Toward(link(model, self.toward, "toward")?, vector)
+                Direction::Toward(contact_link(model, self.toward, "toward")?, vector)
             }
-            None => Direction::TurningToward(link(model, self.toward, "toward")?, vector),
+            None => Direction::TurningToward(contact_link(model, self.toward, "toward")?, vector),
         };
         Ok(Contact {
-            link: link(model, self.link, "link")?,
+            link: contact_link(model, self.link, "link")?,
             against: if self.against == PERCUSS_GROUND {
                 None
             } else {
-                Some(link(model, self.against, "against")?)
+                Some(contact_link(model, self.against, "against")?)
             },
             point: self.point.into(),
             normal,
@@ -97,15 +97,15 @@ impl percuss_contact {
     }
 }
 
-/// A link of a contact.
+/// Link with this number; `field` names it in messages.
 #[inline]
-fn link(model: &Model, number: usize, field: &str) -> Result<LinkId, Failure> {
-    if number == PERCUSS_NO_LINK { Err(no_link(field)) } else { model.link(number) }
+fn contact_link(model: &Model, number: usize, field: &str) -> Result<LinkId, Failure> {
+    if number == PERCUSS_NO_LINK { Err(unset_link_failure(field)) } else { model.link_id(number) }
 }
 
-/// Error of a contact whose field for a link was not set.
+/// Error of a contact whose link was not set.
 #[cold]
-fn no_link(field: &str) -> Failure {
+fn unset_link_failure(field: &str) -> Failure {
     let message =
         format_args!("the contact's {field} is not set; expected a number of percuss_model_find_link");
     Failure::new(PERCUSS_ERROR_CONTACT, message)
@@ -202,9 +202,9 @@ pub struct percuss_mass {
     pub error_file: f64,
 }
 
-/// The outcome and the value, kg.
+/// Outcome, and m̄ in kg, or NaN.
 #[inline]
-pub(crate) fn outcome_code(mass: EffectiveMass) -> (percuss_outcome, f64) {
+pub(crate) fn outcome_and_value(mass: EffectiveMass) -> (percuss_outcome, f64) {
     match mass {
         EffectiveMass::Finite(m) => (PERCUSS_FINITE, m),
         EffectiveMass::Immovable => (PERCUSS_IMMOVABLE, f64::NAN),
@@ -212,14 +212,14 @@ pub(crate) fn outcome_code(mass: EffectiveMass) -> (percuss_outcome, f64) {
     }
 }
 
-/// Bits PERCUSS_REMARK_… of a list of remarks.
+/// The remarks as bits PERCUSS_REMARK_….
 pub(crate) fn remark_bits(remarks: &[Remark]) -> u32 {
     remarks.iter().collect::<RemarkFlags>().bits()
 }
 
-/// Effective mass, error and remarks of a response, for C.
-pub(crate) fn summary(response: &ContactResponse) -> percuss_mass {
-    let (outcome, effective_mass) = outcome_code(response.effective_mass);
+/// m̄, its error and the remarks, for C.
+pub(crate) fn mass_summary(response: &ContactResponse) -> percuss_mass {
+    let (outcome, effective_mass) = outcome_and_value(response.effective_mass);
     let budget = response.error.unwrap_or(ErrorBudget { rounding: None, closing: None, file: None });
     percuss_mass {
         outcome,
@@ -238,8 +238,8 @@ pub(crate) fn summary(response: &ContactResponse) -> percuss_mass {
     }
 }
 
-/// Route of a constant `PERCUSS_ROUTE_…`.
-pub(crate) fn route_choice(route: percuss_route) -> Result<RouteChoice, Failure> {
+/// Route of a constant PERCUSS_ROUTE_….
+pub(crate) fn parse_route(route: percuss_route) -> Result<RouteChoice, Failure> {
     let choices = [RouteChoice::Auto, RouteChoice::Only(Route::Dense), RouteChoice::Only(Route::Articulated)];
-    choice(&choices, route, "route")
+    enumeration_value(&choices, route, "route")
 }

@@ -1,14 +1,14 @@
 //! Arrays and texts of the caller.
 
-use crate::status::{
+use crate::boundary::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_NULL, PERCUSS_ERROR_OVERLAP,
     PERCUSS_ERROR_TEXT,
 };
 use std::ffi::{CStr, c_char};
 
-/// Slice of `length` input values; an empty array may be null.
+/// Slice of `length` values of the caller; an empty array may be null.
 #[inline]
-pub(crate) fn input<'a, T>(values: *const T, length: usize, name: &str) -> Result<&'a [T], Failure> {
+pub(crate) fn input_slice<'a, T>(values: *const T, length: usize, name: &str) -> Result<&'a [T], Failure> {
     check_array(values, length, name)?;
     if length == 0 {
         return Ok(&[]);
@@ -17,8 +17,8 @@ pub(crate) fn input<'a, T>(values: *const T, length: usize, name: &str) -> Resul
     Ok(unsafe { std::slice::from_raw_parts(values, length) })
 }
 
-/// Mutable slice of `length` output values; an empty array may be null.
-pub(crate) fn output<'a, T>(values: *mut T, length: usize, name: &str) -> Result<&'a mut [T], Failure> {
+/// Mutable slice of `length` values of the caller; an empty array may be null.
+pub(crate) fn output_slice<'a, T>(values: *mut T, length: usize, name: &str) -> Result<&'a mut [T], Failure> {
     check_array(values, length, name)?;
     if length == 0 {
         return Ok(&mut []);
@@ -28,13 +28,13 @@ pub(crate) fn output<'a, T>(values: *mut T, length: usize, name: &str) -> Result
     Ok(unsafe { std::slice::from_raw_parts_mut(values, length) })
 }
 
-/// Like [`output`]; `None` for a null pointer.
-pub(crate) fn optional_output<'a, T>(
+/// As [`output_slice`]; `None` for a null pointer.
+pub(crate) fn optional_output_slice<'a, T>(
     values: *mut T,
     length: usize,
     name: &str,
 ) -> Result<Option<&'a mut [T]>, Failure> {
-    if values.is_null() { Ok(None) } else { output(values, length, name).map(Some) }
+    if values.is_null() { Ok(None) } else { output_slice(values, length, name).map(Some) }
 }
 
 /// Checks a pointer to `length` values: not null, aligned, at most the size of memory.
@@ -69,16 +69,16 @@ fn array_failure<T>(values: *const T, length: usize, fits: bool, name: &str) -> 
 
 /// Byte range of an array or of a single value of the caller.
 #[derive(Clone, Copy)]
-pub(crate) struct Span {
+pub(crate) struct ByteRange {
     first: usize,
     bytes: usize,
     name: &'static str,
 }
 
-impl Span {
-    /// Span of `length` values; empty for a null pointer.
+impl ByteRange {
+    /// Byte range of `length` values; empty for a null pointer.
     #[inline]
-    pub fn of<T>(values: *const T, length: usize, name: &'static str) -> Self {
+    pub fn of_array<T>(values: *const T, length: usize, name: &'static str) -> Self {
         let length = if values.is_null() { 0 } else { length };
         Self { first: values as usize, bytes: length.saturating_mul(size_of::<T>()), name }
     }
@@ -95,7 +95,7 @@ impl Span {
 
 /// Refuses output ranges that overlap each other or an input range.
 #[inline]
-pub(crate) fn refuse_overlaps(written: &[Span], read: &[Span]) -> Result<(), Failure> {
+pub(crate) fn refuse_overlaps(written: &[ByteRange], read: &[ByteRange]) -> Result<(), Failure> {
     for (i, own) in written.iter().enumerate() {
         if let Some(other) = written[i + 1..].iter().chain(read).find(|other| own.overlaps(other)) {
             return Err(overlap_failure(own.name, other.name));
@@ -123,14 +123,14 @@ pub(crate) fn expect_length(got: usize, expected: usize, name: &str) -> Result<(
 }
 
 /// Copies values to an array of the caller, whose length must match.
-pub(crate) fn copy_out(from: &[f64], to: *mut f64, length: usize, name: &str) -> Result<(), Failure> {
+pub(crate) fn copy_to_caller(from: &[f64], to: *mut f64, length: usize, name: &str) -> Result<(), Failure> {
     expect_length(length, from.len(), name)?;
-    output(to, length, name)?.copy_from_slice(from);
+    output_slice(to, length, name)?.copy_from_slice(from);
     Ok(())
 }
 
-/// UTF-8 string from a zero-terminated text.
-pub(crate) fn text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Failure> {
+/// UTF-8 string from a zero-terminated text of the caller.
+pub(crate) fn input_text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Failure> {
     if text.is_null() {
         return Err(Failure::new(PERCUSS_ERROR_NULL, format_args!("{name} is null")));
     }
@@ -139,15 +139,15 @@ pub(crate) fn text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Failu
     text.to_str().map_err(|_| Failure::new(PERCUSS_ERROR_TEXT, format_args!("{name} is not UTF-8")))
 }
 
-/// Element of `all` by an enumeration number of C.
-pub(crate) fn choice<T: Copy>(all: &[T], number: i32, name: &str) -> Result<T, Failure> {
-    usize::try_from(number).ok().and_then(|at| all.get(at)).copied().ok_or_else(|| {
-        let most = all.len() - 1;
+/// Value of an enumeration constant of C, which numbers `values` from 0.
+pub(crate) fn enumeration_value<T: Copy>(values: &[T], number: i32, name: &str) -> Result<T, Failure> {
+    usize::try_from(number).ok().and_then(|at| values.get(at)).copied().ok_or_else(|| {
+        let most = values.len() - 1;
         Failure::new(PERCUSS_ERROR_ARGUMENT, format_args!("{name} is {number}; expected 0 to {most}"))
     })
 }
 
-/// Value for C: NaN if unknown.
+/// The number; NaN for `None`.
 pub(crate) fn nan_if_unknown(value: Option<f64>) -> f64 {
     value.unwrap_or(f64::NAN)
 }

@@ -1,6 +1,6 @@
 //! Status of a call, and the message of a failure.
 
-use crate::floating_point::DefaultEnvironment;
+use crate::boundary::floating_point::DefaultEnvironment;
 use std::cell::RefCell;
 use std::ffi::{CString, c_char};
 use std::fmt::Display;
@@ -56,8 +56,8 @@ impl Failure {
         Self { status, message: message.to_string() }
     }
 
-    /// Conversion for `map_err`: a status with the error's own message.
-    pub fn of<E: Display>(status: percuss_status) -> impl Fn(E) -> Self {
+    /// Conversion for `map_err`: this status with the error's own message.
+    pub fn with_status<E: Display>(status: percuss_status) -> impl Fn(E) -> Self {
         move |error| Self::new(status, error)
     }
 }
@@ -69,7 +69,7 @@ thread_local! {
 /// Runs a call in the default floating-point environment and keeps the message of a failure for this thread. A panic,
 /// which is a defect, does not unwind into C.
 #[inline]
-pub(crate) fn guarded(call: impl FnOnce() -> Result<(), Failure>) -> percuss_status {
+pub(crate) fn guard_call(call: impl FnOnce() -> Result<(), Failure>) -> percuss_status {
     let _environment = DefaultEnvironment::enter();
     match catch_unwind(AssertUnwindSafe(call)) {
         Ok(Ok(())) => PERCUSS_OK,

@@ -1,10 +1,14 @@
 //! Systems (a mechanism under conditions) and assemblies (systems with closed loops).
 
-use crate::conditions::percuss_conditions;
-use crate::configuration::percuss_configuration;
-use crate::handle::{Handle, clear_handle, free, lock, object_of, target_mut, write_handle};
-use crate::model::{Model, percuss_model};
-use crate::status::{Failure, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONDITIONS, guarded, percuss_status};
+use crate::boundary::handle::{
+    Handle, argument_mut, clear_handle, free_handle, lock_object, object_of, write_handle,
+};
+use crate::boundary::status::{
+    Failure, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONDITIONS, guard_call, percuss_status,
+};
+use crate::setup::conditions::percuss_conditions;
+use crate::setup::configuration::percuss_configuration;
+use crate::setup::model::{Model, percuss_model};
 use percuss::{Assembly, Conditions, System};
 use std::sync::Arc;
 
@@ -56,15 +60,15 @@ pub unsafe extern "C" fn percuss_system_new(
     conditions: *const percuss_conditions,
     system: *mut *mut percuss_system,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(system)?;
         let model = object_of(model)?;
         let conditions = match conditions.is_null() {
             true => Conditions::new(),
-            false => lock(object_of(conditions)?, "percuss_conditions")?.clone(),
+            false => lock_object(object_of(conditions)?, "percuss_conditions")?.clone(),
         };
         let compiled = System::new(Arc::clone(&model.mechanism), &conditions)
-            .map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
+            .map_err(Failure::with_status(PERCUSS_ERROR_CONDITIONS))?;
         write_handle(NamedSystem { model: Arc::clone(model), system: compiled }, system)
     })
 }
@@ -75,7 +79,7 @@ pub unsafe extern "C" fn percuss_system_new(
 /// system is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_system_free(system: *mut *mut percuss_system) -> percuss_status {
-    guarded(|| free(system))
+    guard_call(|| free_handle(system))
 }
 
 /// Number of coordinates: independent velocities of the tree, without locked joints and mimics; a floating base adds
@@ -88,8 +92,8 @@ pub unsafe extern "C" fn percuss_system_coordinates(
     system: *const percuss_system,
     coordinates: *mut usize,
 ) -> percuss_status {
-    guarded(|| {
-        *target_mut(coordinates, "coordinates")? = object_of(system)?.system.coordinates();
+    guard_call(|| {
+        *argument_mut(coordinates, "coordinates")? = object_of(system)?.system.coordinates();
         Ok(())
     })
 }
@@ -107,18 +111,18 @@ pub unsafe extern "C" fn percuss_assembly_new(
     configuration: *const percuss_configuration,
     assembly: *mut *mut percuss_assembly,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(assembly)?;
         let compiled = object_of(system)?;
         let found = match configuration.is_null() {
             true => compiled.system.reference().map(Arc::clone),
             false => {
-                let configuration = lock(object_of(configuration)?, "percuss_configuration")?;
-                configuration.check(&compiled.model)?;
+                let configuration = lock_object(object_of(configuration)?, "percuss_configuration")?;
+                configuration.check_model(&compiled.model)?;
                 compiled.system.assemble(&configuration.values)
             }
         };
-        let found = found.map_err(Failure::of(PERCUSS_ERROR_ASSEMBLY))?;
+        let found = found.map_err(Failure::with_status(PERCUSS_ERROR_ASSEMBLY))?;
         write_handle(NamedAssembly { model: Arc::clone(&compiled.model), assembly: found }, assembly)
     })
 }
@@ -129,7 +133,7 @@ pub unsafe extern "C" fn percuss_assembly_new(
 /// assembly is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_assembly_free(assembly: *mut *mut percuss_assembly) -> percuss_status {
-    guarded(|| free(assembly))
+    guard_call(|| free_handle(assembly))
 }
 
 /// Degrees of freedom at a generic pose (a floating base counts 6), and number of redundant rows of A at that pose.
@@ -143,12 +147,12 @@ pub unsafe extern "C" fn percuss_assembly_mobility(
     degrees_of_freedom: *mut usize,
     redundant_constraints: *mut usize,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         let assembly = &object_of(assembly)?.assembly;
         let counts = [assembly.degrees_of_freedom(), assembly.redundant_constraints()];
         for (to, count) in [degrees_of_freedom, redundant_constraints].into_iter().zip(counts) {
             if !to.is_null() {
-                *target_mut(to, "a count")? = count;
+                *argument_mut(to, "a count")? = count;
             }
         }
         Ok(())

@@ -1,17 +1,22 @@
 //! Batches: one contact at many configurations, with SIMD lanes and threads.
 
-use crate::arrays::{Span, expect_length, input, nan_if_unknown, optional_output, output, refuse_overlaps};
-use crate::contact::{
-    PERCUSS_MASSLESS_TO_ROUNDING, PERCUSS_NO_ANSWER, outcome_code, percuss_contact, percuss_outcome,
+use crate::boundary::arrays::{
+    ByteRange, expect_length, input_slice, nan_if_unknown, optional_output_slice, output_slice,
+    refuse_overlaps,
 };
-use crate::handle::{Handle, clear_handle, free, lock, object_of, read_target, write_handle};
-use crate::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
-use crate::status::{
+use crate::boundary::handle::{
+    Handle, clear_handle, free_handle, lock_object, object_of, read_argument, write_handle,
+};
+use crate::boundary::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_HANDLE, PERCUSS_ERROR_INTERNAL,
-    PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_STOPPED, guarded, percuss_status,
+    PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_STOPPED, guard_call, percuss_status,
 };
-use crate::system::percuss_assembly;
-use crate::workspace::percuss_workspace;
+use crate::evaluation::contact::{
+    PERCUSS_MASSLESS_TO_ROUNDING, PERCUSS_NO_ANSWER, outcome_and_value, percuss_contact, percuss_outcome,
+};
+use crate::evaluation::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
+use crate::evaluation::workspace::percuss_workspace;
+use crate::setup::system::percuss_assembly;
 use percuss::{Batch, BatchAnswer, BatchError, BatchPositions};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::ffi::c_void;
@@ -58,11 +63,12 @@ pub unsafe extern "C" fn percuss_batch_new(
     threads: usize,
     batch: *mut *mut percuss_batch,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(batch)?;
         let assembled = object_of(assembly)?;
-        let contact = read_target(contact, "contact")?.resolve(&assembled.model)?;
-        let ready = assembled.assembly.batch(&contact).map_err(Failure::of(PERCUSS_ERROR_CONTACT))?;
+        let contact = read_argument(contact, "contact")?.resolve(&assembled.model)?;
+        let ready =
+            assembled.assembly.batch(&contact).map_err(Failure::with_status(PERCUSS_ERROR_CONTACT))?;
         write_handle(ThreadedBatch::new(ready, assembled.model.positions, threads)?, batch)
     })
 }
@@ -81,11 +87,12 @@ pub unsafe extern "C" fn percuss_workspace_batch(
     threads: usize,
     batch: *mut *mut percuss_batch,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(batch)?;
-        let workspace_guard = lock(object_of(workspace)?, "percuss_workspace")?;
-        let contact = read_target(contact, "contact")?.resolve(&workspace_guard.model)?;
-        let ready = workspace_guard.workspace.batch(&contact).map_err(Failure::of(PERCUSS_ERROR_CONTACT))?;
+        let workspace_guard = lock_object(object_of(workspace)?, "percuss_workspace")?;
+        let contact = read_argument(contact, "contact")?.resolve(&workspace_guard.model)?;
+        let ready =
+            workspace_guard.workspace.batch(&contact).map_err(Failure::with_status(PERCUSS_ERROR_CONTACT))?;
         write_handle(ThreadedBatch::new(ready, workspace_guard.model.positions, threads)?, batch)
     })
 }
@@ -101,7 +108,7 @@ impl ThreadedBatch {
             1 => None,
             _ => {
                 let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-                Some((std::process::id(), pool.map_err(Failure::of(PERCUSS_ERROR_INTERNAL))?))
+                Some((std::process::id(), pool.map_err(Failure::with_status(PERCUSS_ERROR_INTERNAL))?))
             }
         };
         Ok(Self { batch, positions, pool })
@@ -114,7 +121,7 @@ impl ThreadedBatch {
 /// batch is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_batch_free(batch: *mut *mut percuss_batch) -> percuss_status {
-    guarded(|| free(batch))
+    guard_call(|| free_handle(batch))
 }
 
 /// m̄ at count configurations. A configuration holds the positions of all joints (p numbers, the positions of
@@ -150,21 +157,21 @@ pub unsafe extern "C" fn percuss_batch_run(
     watch: percuss_watch,
     user: *mut c_void,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         let threaded = object_of(batch)?;
         let written = [
-            Span::of(outcomes, count, "outcomes"),
-            Span::of(effective_masses, count, "effective_masses"),
-            Span::of(errors, count, "errors"),
-            Span::of(remarks, count, "remarks"),
+            ByteRange::of_array(outcomes, count, "outcomes"),
+            ByteRange::of_array(effective_masses, count, "effective_masses"),
+            ByteRange::of_array(errors, count, "errors"),
+            ByteRange::of_array(remarks, count, "remarks"),
         ];
-        refuse_overlaps(&written, &[Span::of(positions, length, "positions")])?;
-        let values = input(positions, length, "positions")?;
-        let outcomes = output(outcomes, count, "outcomes")?;
-        let masses = output(effective_masses, count, "effective_masses")?;
-        let mut errors = optional_output(errors, count, "errors")?;
-        let mut remarks = optional_output(remarks, count, "remarks")?;
-        threaded.check(length, layout, stride, count)?;
+        refuse_overlaps(&written, &[ByteRange::of_array(positions, length, "positions")])?;
+        let values = input_slice(positions, length, "positions")?;
+        let outcomes = output_slice(outcomes, count, "outcomes")?;
+        let masses = output_slice(effective_masses, count, "effective_masses")?;
+        let mut errors = optional_output_slice(errors, count, "errors")?;
+        let mut remarks = optional_output_slice(remarks, count, "remarks")?;
+        threaded.check_layout(length, layout, stride, count)?;
         let pool = threaded.thread_pool()?;
         outcomes.fill(PERCUSS_NO_ANSWER);
         masses.fill(f64::NAN);
@@ -190,7 +197,7 @@ pub unsafe extern "C" fn percuss_batch_run(
             run.map_err(|error: BatchError| Failure::new(PERCUSS_ERROR_LENGTH, error))?;
             for (at, answer) in (done..).zip(&*answers) {
                 if let Some(mass) = answer.mass {
-                    (outcomes[at], masses[at]) = outcome_code(mass);
+                    (outcomes[at], masses[at]) = outcome_and_value(mass);
                 }
                 if answer.is_massless_to_rounding() {
                     outcomes[at] = PERCUSS_MASSLESS_TO_ROUNDING;
@@ -215,7 +222,7 @@ pub unsafe extern "C" fn percuss_batch_run(
 }
 
 impl ThreadedBatch {
-    /// Thread pool of the batch. A forked process has none of its parent's threads and would wait for them forever.
+    /// Thread pool; `None` for the calling thread. A forked process has none of its parent's threads and would wait forever.
     fn thread_pool(&self) -> Result<Option<&ThreadPool>, Failure> {
         let Some((process, pool)) = &self.pool else { return Ok(None) };
         if *process == std::process::id() {
@@ -226,8 +233,8 @@ impl ThreadedBatch {
         Err(Failure::new(PERCUSS_ERROR_HANDLE, message))
     }
 
-    /// Refuses a `length` that is too small for the configurations.
-    fn check(&self, length: usize, layout: i32, stride: usize, count: usize) -> Result<(), Failure> {
+    /// Refuses a `length` that is too small for the configurations, and an unknown layout.
+    fn check_layout(&self, length: usize, layout: i32, stride: usize, count: usize) -> Result<(), Failure> {
         let (outer, inner) = match layout {
             PERCUSS_ROW_MAJOR => (count, self.positions),
             PERCUSS_COLUMN_MAJOR => (self.positions, count),

@@ -1,8 +1,10 @@
 //! Conditions of an analysis: the base, locks, armatures, held contacts.
 
-use crate::arrays::{choice, input, text};
-use crate::handle::{Exclusive, Handle, clear_handle, free, lock, object_of, write_handle};
-use crate::status::{Failure, PERCUSS_ERROR_NULL, guarded, percuss_status};
+use crate::boundary::arrays::{enumeration_value, input_slice, input_text};
+use crate::boundary::handle::{
+    Exclusive, Handle, clear_handle, free_handle, lock_object, object_of, write_handle,
+};
+use crate::boundary::status::{Failure, PERCUSS_ERROR_NULL, guard_call, percuss_status};
 use percuss::nalgebra::Vector3;
 use percuss::{Base, Conditions};
 use std::ffi::c_char;
@@ -29,7 +31,7 @@ pub const PERCUSS_BASE_FLOATING: i32 = 1;
 /// conditions is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_conditions_new(conditions: *mut *mut percuss_conditions) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         clear_handle(conditions)?;
         write_handle(Exclusive::new(Conditions::new()), conditions)
     })
@@ -41,15 +43,15 @@ pub unsafe extern "C" fn percuss_conditions_new(conditions: *mut *mut percuss_co
 /// conditions is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_conditions_free(conditions: *mut *mut percuss_conditions) -> percuss_status {
-    guarded(|| free(conditions))
+    guard_call(|| free_handle(conditions))
 }
 
 /// Locks the conditions of a handle and replaces them by the result of `change`.
-fn modify(
+fn modify_conditions(
     handle: *mut percuss_conditions,
     change: impl FnOnce(Conditions) -> Result<Conditions, Failure>,
 ) -> Result<(), Failure> {
-    let mut conditions = lock(object_of(handle)?, "percuss_conditions")?;
+    let mut conditions = lock_object(object_of(handle)?, "percuss_conditions")?;
     *conditions = change(conditions.clone())?;
     Ok(())
 }
@@ -63,9 +65,9 @@ pub unsafe extern "C" fn percuss_conditions_base(
     conditions: *mut percuss_conditions,
     base: i32,
 ) -> percuss_status {
-    guarded(|| {
-        let base = choice(&[Base::Fixed, Base::Floating], base, "base")?;
-        modify(conditions, |conditions| Ok(conditions.base(base)))
+    guard_call(|| {
+        let base = enumeration_value(&[Base::Fixed, Base::Floating], base, "base")?;
+        modify_conditions(conditions, |conditions| Ok(conditions.base(base)))
     })
 }
 
@@ -78,9 +80,9 @@ pub unsafe extern "C" fn percuss_conditions_lock(
     conditions: *mut percuss_conditions,
     joint: *const c_char,
 ) -> percuss_status {
-    guarded(|| {
-        let joint = text(joint, "joint")?;
-        modify(conditions, |conditions| Ok(conditions.lock(joint)))
+    guard_call(|| {
+        let joint = input_text(joint, "joint")?;
+        modify_conditions(conditions, |conditions| Ok(conditions.lock(joint)))
     })
 }
 
@@ -96,9 +98,9 @@ pub unsafe extern "C" fn percuss_conditions_armature(
     values: *const f64,
     count: usize,
 ) -> percuss_status {
-    guarded(|| {
-        let (joint, values) = (text(joint, "joint")?, input(values, count, "values")?);
-        modify(conditions, |conditions| Ok(conditions.armature(joint, values.to_vec())))
+    guard_call(|| {
+        let (joint, values) = (input_text(joint, "joint")?, input_slice(values, count, "values")?);
+        modify_conditions(conditions, |conditions| Ok(conditions.armature(joint, values.to_vec())))
     })
 }
 
@@ -114,16 +116,16 @@ pub unsafe extern "C" fn percuss_conditions_hold(
     point: *const f64,
     normal: *const f64,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         if point.is_null() {
             return Err(Failure::new(PERCUSS_ERROR_NULL, "point is null; expected 3 values"));
         }
-        let link = text(link, "link")?;
-        let point = Vector3::from_column_slice(input(point, 3, "point")?);
+        let link = input_text(link, "link")?;
+        let point = Vector3::from_column_slice(input_slice(point, 3, "point")?);
         let normal = match normal.is_null() {
             true => None,
-            false => Some(Vector3::from_column_slice(input(normal, 3, "normal")?)),
+            false => Some(Vector3::from_column_slice(input_slice(normal, 3, "normal")?)),
         };
-        modify(conditions, |conditions| Ok(conditions.hold(link, point, normal)))
+        modify_conditions(conditions, |conditions| Ok(conditions.hold(link, point, normal)))
     })
 }

@@ -2,9 +2,9 @@
 //!
 //! Designed for small e, and exact for e → 0. For e = 1 the damping is not zero: the restitution is 0.59.
 
-use super::facts::Facts;
+use crate::laws::facts::Facts;
 
-pub(super) const FACTS: Facts = Facts {
+pub(in crate::laws) const FACTS: Facts = Facts {
     name: "gharib-hurmuzlu",
     title: "Gharib and Hurmuzlu 2012",
     formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 1/e",

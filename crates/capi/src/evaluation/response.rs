@@ -1,10 +1,10 @@
 //! Full response to a contact.
 
-use crate::arrays::{Span, copy_out, expect_length, output, refuse_overlaps};
-use crate::contact::{percuss_mass, summary};
-use crate::handle::{Handle, free, object_of, target_mut};
-use crate::model::Model;
-use crate::status::{Failure, PERCUSS_ERROR_CONTACT, guarded, percuss_status};
+use crate::boundary::arrays::{ByteRange, copy_to_caller, expect_length, output_slice, refuse_overlaps};
+use crate::boundary::handle::{Handle, argument_mut, free_handle, object_of};
+use crate::boundary::status::{Failure, PERCUSS_ERROR_CONTACT, guard_call, percuss_status};
+use crate::evaluation::contact::{mass_summary, percuss_mass};
+use crate::setup::model::Model;
 use percuss::ContactResponse;
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ impl Handle for percuss_response {
 /// response is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_response_free(response: *mut *mut percuss_response) -> percuss_status {
-    guarded(|| free(response))
+    guard_call(|| free_handle(response))
 }
 
 /// m̄ and its error.
@@ -43,8 +43,8 @@ pub unsafe extern "C" fn percuss_response_mass(
     response: *const percuss_response,
     mass: *mut percuss_mass,
 ) -> percuss_status {
-    guarded(|| {
-        *target_mut(mass, "mass")? = summary(&object_of(response)?.response);
+    guard_call(|| {
+        *argument_mut(mass, "mass")? = mass_summary(&object_of(response)?.response);
         Ok(())
     })
 }
@@ -59,9 +59,10 @@ pub unsafe extern "C" fn percuss_response_against_mass(
     other: f64,
     mass: *mut percuss_mass,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         let together = object_of(response)?.response.clone().against_mass(other);
-        *target_mut(mass, "mass")? = summary(&together.map_err(Failure::of(PERCUSS_ERROR_CONTACT))?);
+        *argument_mut(mass, "mass")? =
+            mass_summary(&together.map_err(Failure::with_status(PERCUSS_ERROR_CONTACT))?);
         Ok(())
     })
 }
@@ -77,9 +78,9 @@ pub unsafe extern "C" fn percuss_response_velocities(
     velocities: *mut f64,
     count: usize,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         let all = object_of(response)?.response.joint_velocities.concat();
-        copy_out(&all, velocities, count, "velocities")
+        copy_to_caller(&all, velocities, count, "velocities")
     })
 }
 
@@ -92,10 +93,10 @@ pub unsafe extern "C" fn percuss_response_base_velocity(
     response: *const percuss_response,
     twist: *mut f64,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         let base = object_of(response)?.response.base_velocity;
         let (w, v) = (base.angular, base.linear);
-        copy_out(&[w.x, w.y, w.z, v.x, v.y, v.z], twist, 6, "twist")
+        copy_to_caller(&[w.x, w.y, w.z, v.x, v.y, v.z], twist, 6, "twist")
     })
 }
 
@@ -112,17 +113,20 @@ pub unsafe extern "C" fn percuss_response_contributions(
     rotors: *mut f64,
     joint_count: usize,
 ) -> percuss_status {
-    guarded(|| {
+    guard_call(|| {
         let named_response = object_of(response)?;
-        let written = [Span::of(links, link_count, "links"), Span::of(rotors, joint_count, "rotors")];
+        let written = [
+            ByteRange::of_array(links, link_count, "links"),
+            ByteRange::of_array(rotors, joint_count, "rotors"),
+        ];
         refuse_overlaps(&written, &[])?;
         let contributions = named_response.response.contributions.as_ref().ok_or_else(|| {
             Failure::new(PERCUSS_ERROR_CONTACT, "m̄ is not finite: no link contributes to it")
         })?;
-        copy_out(&contributions.links, links, link_count, "links")?;
+        copy_to_caller(&contributions.links, links, link_count, "links")?;
         if !rotors.is_null() {
             expect_length(joint_count, named_response.model.joints.len(), "rotors")?;
-            let to = output(rotors, joint_count, "rotors")?;
+            let to = output_slice(rotors, joint_count, "rotors")?;
             to.fill(0.0);
             contributions.rotors.iter().for_each(|(joint, part)| to[joint.index()] = *part);
         }

@@ -1,0 +1,7 @@
+//! Effective masses of contacts: at a pose, in a workspace, in a batch.
+
+pub(crate) mod batch;
+pub(crate) mod contact;
+pub(crate) mod pose;
+pub(crate) mod response;
+pub(crate) mod workspace;
