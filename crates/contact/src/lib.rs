@@ -45,6 +45,7 @@ mod separation;
 mod solutions;
 mod trajectory;
 mod transient_contact;
+mod varying_mass;
 
 pub use body_region::BodyRegion;
 pub use contact::CompliantContact;
@@ -55,3 +56,4 @@ pub use laws::{Alias, ApproximationError, Law};
 pub use separation::Separation;
 pub use solutions::{hunt_crossley, kelvin_voigt};
 pub use transient_contact::{SafeSpeed, TransientContact, standard_robot_mass};
+pub use varying_mass::{VaryingMassImpact, impact_with_varying_mass};

@@ -14,3 +14,4 @@ mod measured;
 mod stops;
 mod support;
 mod transient_contact;
+mod varying_mass;

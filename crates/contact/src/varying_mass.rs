@@ -1,0 +1,127 @@
+//! Impact with an effective mass that changes over the penetration.
+
+use crate::error::positive;
+use crate::{CompliantContact, ContactLawError, Damper, Separation};
+use serde::Serialize;
+
+/// Steps of the integration over the duration of the impact with the mass at the touch.
+const STEPS: f64 = 4000.0;
+/// Greatest number of steps: an impact that takes longer has no end.
+const MOST_STEPS: usize = 100_000;
+
+/// Key figures of an impact with an effective mass that changes over the penetration.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct VaryingMassImpact {
+    /// Rebound speed divided by approach speed.
+    pub restitution: f64,
+    /// Largest penetration, m.
+    pub max_penetration: f64,
+    /// m̄ at the largest penetration, kg.
+    pub mass_at_max_penetration: f64,
+    /// Largest force, N.
+    pub peak_force: f64,
+}
+
+/// Impact of a mechanism with one degree of freedom on a contact: m̄ δ̈ + ½ m̄′ δ̇² = −F(δ, δ̇).
+///
+/// `profile`: pairs of penetration (m, increasing from 0) and m̄ (kg); interpolated by cubics, constant beyond the last.
+/// With w = √m̄ δ̇ the equation is ẇ = −F/√m̄, without the derivative of m̄; it is integrated by the classical
+/// Runge–Kutta method with a fixed step. The mass of `contact` is that at the touch. `None`: the contact does not end.
+///
+/// # Errors
+/// As for [`Damper::impact`]; a profile with less than two points or a mass that is not above 0.
+pub fn impact_with_varying_mass(
+    damper: Damper,
+    contact: CompliantContact,
+    profile: &[(f64, f64)],
+    speed: f64,
+) -> Result<Option<VaryingMassImpact>, ContactLawError> {
+    let speed = positive("approach speed, m/s", speed)?;
+    for (_, mass) in profile {
+        positive("effective mass, kg", *mass)?;
+    }
+    if profile.len() < 2 {
+        let valid = "at least 2";
+        return Err(ContactLawError::OutOfRange {
+            what: "points of the mass",
+            got: profile.len() as f64,
+            valid,
+        });
+    }
+    let constant = damper.impact(contact, speed)?;
+    let step = constant.duration.unwrap_or(4.0 * constant.time_of_max_penetration) / STEPS;
+    let force = |x: f64, rate: f64| {
+        let (k, p, x) = (contact.stiffness(), contact.exponent(), x.max(0.0));
+        match damper {
+            Damper::KelvinVoigt { coefficient, .. } => {
+                k * x.powf(p) + coefficient * x.powf(0.5 * (p - 1.0)) * rate
+            }
+            Damper::HuntCrossley { dissipation } => k * x.powf(p) * (1.0 + dissipation * rate),
+        }
+    };
+    let ends_at_zero_force =
+        matches!(damper, Damper::KelvinVoigt { separation: Separation::ForceVanishes, .. });
+    let mass = |x: f64| interpolate(profile, x);
+    let rates = |(x, w): (f64, f64)| {
+        let root = mass(x).sqrt();
+        (w / root, -force(x, w / root) / root)
+    };
+    let rate = |(x, w): (f64, f64)| w / mass(x).sqrt();
+    let along = |(x, w): (f64, f64), (dx, dw): (f64, f64), h: f64| (x + h * dx, w + h * dw);
+    let mut state = (0.0, mass(0.0).sqrt() * speed);
+    let (mut deepest, mut peak_force) = (0.0f64, force(0.0, speed));
+    for _ in 0..MOST_STEPS {
+        let a = rates(state);
+        let b = rates(along(state, a, 0.5 * step));
+        let c = rates(along(state, b, 0.5 * step));
+        let d = rates(along(state, c, step));
+        let mean = |a: f64, b: f64, c: f64, d: f64| (a + 2.0 * b + 2.0 * c + d) / 6.0;
+        let next = along(state, (mean(a.0, b.0, c.0, d.0), mean(a.1, b.1, c.1, d.1)), step);
+        // The contact ends where this quantity falls below zero during the expansion.
+        let remaining =
+            |state: (f64, f64)| if ends_at_zero_force { force(state.0, rate(state)) } else { state.0 };
+        if next.1 < 0.0 && remaining(next) <= 0.0 {
+            let (before, after) = (remaining(state), remaining(next));
+            let fraction = if before > after { (before / (before - after)).clamp(0.0, 1.0) } else { 1.0 };
+            let end = (state.0 + fraction * (next.0 - state.0), state.1 + fraction * (next.1 - state.1));
+            return Ok(Some(VaryingMassImpact {
+                restitution: -rate(end) / speed,
+                max_penetration: deepest,
+                mass_at_max_penetration: mass(deepest),
+                peak_force,
+            }));
+        }
+        deepest = deepest.max(next.0);
+        peak_force = peak_force.max(force(next.0, rate(next)));
+        state = next;
+    }
+    Ok(None)
+}
+
+/// Cubic through the values and slopes at the ends of an interval; slopes of the parabolas through three neighbours.
+fn interpolate(points: &[(f64, f64)], x: f64) -> f64 {
+    let last = points.len() - 1;
+    if x <= points[0].0 {
+        return points[0].1;
+    }
+    if x >= points[last].0 {
+        return points[last].1;
+    }
+    let right = points.partition_point(|(at, _)| *at <= x).clamp(1, last);
+    let ((x0, y0), (x1, y1)) = (points[right - 1], points[right]);
+    let chord = |i: usize| (points[i + 1].1 - points[i].1) / (points[i + 1].0 - points[i].0);
+    let slope = |i: usize| match i {
+        0 => chord(0),
+        i if i == last => chord(last - 1),
+        i => {
+            let (before, after) = (points[i].0 - points[i - 1].0, points[i + 1].0 - points[i].0);
+            (chord(i - 1) * after + chord(i) * before) / (before + after)
+        }
+    };
+    let (h, t) = (x1 - x0, (x - x0) / (x1 - x0));
+    let (t2, t3) = (t * t, t * t * t);
+    (2.0 * t3 - 3.0 * t2 + 1.0) * y0
+        + (t3 - 2.0 * t2 + t) * h * slope(right - 1)
+        + (3.0 * t2 - 2.0 * t3) * y1
+        + (t3 - t2) * h * slope(right)
+}
