@@ -34,6 +34,8 @@ pub enum Direction {
     /// Along the same line, which may turn: a spring, a damper or a rod between two points. Refused if the line is
     /// shorter than a tenth of its length as drawn.
     TurningToward(LinkId, Vector3<f64>),
+    /// Opposite direction of this line: a stop that limits the extension of a damper.
+    TurningAwayFrom(LinkId, Vector3<f64>),
 }
 
 impl Direction {
@@ -42,7 +44,9 @@ impl Direction {
     pub fn line(&self) -> Option<(LinkId, Vector3<f64>)> {
         match *self {
             Direction::Along(..) => None,
-            Direction::Toward(link, point) | Direction::TurningToward(link, point) => Some((link, point)),
+            Direction::Toward(link, point)
+            | Direction::TurningToward(link, point)
+            | Direction::TurningAwayFrom(link, point) => Some((link, point)),
         }
     }
 
@@ -50,7 +54,7 @@ impl Direction {
     pub(crate) fn least_cosine(&self) -> f64 {
         match self {
             Direction::Toward(..) => LINE_TURNED,
-            Direction::Along(..) | Direction::TurningToward(..) => -2.0,
+            Direction::Along(..) | Direction::TurningToward(..) | Direction::TurningAwayFrom(..) => -2.0,
         }
     }
 }
@@ -90,7 +94,10 @@ impl Contact {
         match self.normal {
             Direction::Along(_, Frame::World) => true,
             Direction::Along(_, Frame::Against) => self.against.is_none(),
-            Direction::Along(_, Frame::Link) | Direction::Toward(..) | Direction::TurningToward(..) => false,
+            Direction::Along(_, Frame::Link)
+            | Direction::Toward(..)
+            | Direction::TurningToward(..)
+            | Direction::TurningAwayFrom(..) => false,
         }
     }
 
@@ -287,9 +294,9 @@ impl Model {
                 let length = normal.norm();
                 if length < SHORTEST_DIRECTION { Err(ContactError::NoNormal { length }) } else { Ok(()) }
             }
-            Direction::Toward(_, point) | Direction::TurningToward(_, point) => {
-                finite(ContactPart::Line, &point)
-            }
+            Direction::Toward(_, point)
+            | Direction::TurningToward(_, point)
+            | Direction::TurningAwayFrom(_, point) => finite(ContactPart::Line, &point),
         }
     }
 
@@ -380,10 +387,13 @@ impl Model {
                     (Frame::World, _) | (Frame::Against, None) => base.inverse_vector(&unit).map(T::from_f64),
                 }
             }
-            Direction::Toward(link, to) | Direction::TurningToward(link, to) => {
+            Direction::Toward(link, to)
+            | Direction::TurningToward(link, to)
+            | Direction::TurningAwayFrom(link, to) => {
                 let line = kinematics.link_frame(self, link).point(&to.map(T::from_f64)) - point;
                 let square = line.dot(&line) + T::from_f64(f64::MIN_POSITIVE);
-                line * (T::one() / square.sqrt())
+                let sense = if let Direction::TurningAwayFrom(..) = contact.normal { -1.0 } else { 1.0 };
+                line * (T::from_f64(sense) / square.sqrt())
             }
         };
         ContactPoint { point, normal }

@@ -23,8 +23,7 @@ pub struct Gap {
 
 impl Contact {
     /// Contact of a named contact: a fixed normal in the frame of the other side, or a line that turns with the
-    /// mechanism. The normal of a stop of the extension points along the line, toward the other side: both senses have
-    /// the same effective mass.
+    /// mechanism.
     pub fn named(contact: &NamedContact, root: LinkId) -> Self {
         let other = contact.against().unwrap_or(root);
         Self {
@@ -33,9 +32,8 @@ impl Contact {
             point: *contact.point(),
             normal: match *contact.normal() {
                 ContactNormal::Fixed(normal) => Direction::Along(normal, Frame::Against),
-                ContactNormal::Toward(point) | ContactNormal::Away(point) => {
-                    Direction::TurningToward(other, point)
-                }
+                ContactNormal::Toward(point) => Direction::TurningToward(other, point),
+                ContactNormal::Away(point) => Direction::TurningAwayFrom(other, point),
             },
         }
     }

@@ -93,6 +93,9 @@ impl<'a> PreparedQuestion<'a> {
             Normal::TurningToward(name, point) => {
                 Direction::TurningToward(find(Field::AlongLine, name)?, Vector3::from(*point))
             }
+            Normal::TurningAwayFrom(name, point) => {
+                Direction::TurningAwayFrom(find(Field::AlongLine, name)?, Vector3::from(*point))
+            }
         };
         if let Some(mass) = question.against_mass.filter(|m| !(m.is_finite() && *m > LEAST_OTHER_MASS)) {
             return Err(StudyError::input(Field::AgainstMass, Fault::OtherMass { mass }));

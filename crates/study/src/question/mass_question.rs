@@ -20,6 +20,8 @@ pub enum Normal {
     Toward(String, [f64; 3]),
     /// Same as `Toward`, for a line that may turn freely: of a spring, a damper or a rod.
     TurningToward(String, [f64; 3]),
+    /// Opposite direction of this line: a stop that limits the extension of a damper.
+    TurningAwayFrom(String, [f64; 3]),
 }
 
 /// Held contact: a point (m, link's frame) of a link that stays in place along a normal (world axes, out of the
@@ -74,6 +76,9 @@ impl MassQuestion {
             Direction::Toward(link, point) => (Normal::Toward(name(link), point.into()), Frame::Link),
             Direction::TurningToward(link, point) => {
                 (Normal::TurningToward(name(link), point.into()), Frame::Link)
+            }
+            Direction::TurningAwayFrom(link, point) => {
+                (Normal::TurningAwayFrom(name(link), point.into()), Frame::Link)
             }
         };
         Ok(Cow::Owned(Self {

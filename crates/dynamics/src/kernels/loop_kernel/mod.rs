@@ -61,7 +61,10 @@ impl LoopKernel {
                     (Frame::World, _) | (Frame::Against, None) => BodyDirection { body: None, e: n.into() },
                 })
             }
-            Direction::Toward(link, to) | Direction::TurningToward(link, to) => {
+            // m̄ is the same for both senses of the normal.
+            Direction::Toward(link, to)
+            | Direction::TurningToward(link, to)
+            | Direction::TurningAwayFrom(link, to) => {
                 let drawn = model.drawn_line(contact);
                 let length = drawn.map_or(f64::INFINITY, |drawn| drawn.length);
                 let unit = drawn.map_or_else(Vector3::x, |drawn| drawn.unit);
