@@ -39,8 +39,8 @@ pub use percuss_dynamics::{
     ErrorBudget, Frame, InverseOperationalInertia, LayoutError, LocatedContact, LoopState, MapAnswers,
     MapError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer, PointForce,
     PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops, Route,
-    RouteChoice, RouteError, ScalarWorkspace, Singularity, StateSizeError, System, Travel, TravelError,
-    Workspace, effective_mass, input,
+    RouteChoice, RouteError, RowAnswer, RowHandler, RowPath, ScalarWorkspace, Singularity, StateSizeError,
+    System, Travel, TravelError, Workspace, effective_mass, input,
 };
 #[doc(no_inline)]
 pub use percuss_formats::{

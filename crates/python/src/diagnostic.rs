@@ -13,7 +13,7 @@ impl Diagnostic {
     /// "error", "warning" or "note".
     #[getter]
     fn severity(&self) -> &'static str {
-        self.0.severity
+        self.0.severity.name()
     }
 
     /// Stable short name, for programs.

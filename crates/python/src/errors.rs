@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Diagnostic;
 use percuss::study::{DesignError, DiagnosticRecord, Names, StudyError, StudyFileError};
-use percuss::{AssemblyError, LoadError as Refused, ResponseError, RouteError, TravelError};
+use percuss::{AssemblyError, LoadError as Refused, ResponseError, RouteError, Severity, TravelError};
 use pyo3::prelude::*;
 use std::fmt::Display;
 
@@ -70,8 +70,11 @@ pub fn travel(error: TravelError) -> PyErr {
 /// objects.
 pub fn load(error: Refused) -> PyErr {
     let records: Vec<DiagnosticRecord> = error.diagnostics.into_iter().map(Into::into).collect();
-    let of_errors: Vec<String> =
-        records.iter().filter(|record| record.severity == "error").map(DiagnosticRecord::line).collect();
+    let of_errors: Vec<String> = records
+        .iter()
+        .filter(|record| record.severity == Severity::Error)
+        .map(DiagnosticRecord::line)
+        .collect();
     let found: Vec<Diagnostic> = records.into_iter().map(Diagnostic).collect();
     LoadError::new_err((of_errors.join("\n"), found))
 }
@@ -106,7 +109,7 @@ pub fn study_file(error: StudyFileError) -> PyErr {
 /// Issues a `ModelWarning` for each warning of a file. Notes are only in the model's diagnostics.
 pub fn warn(py: Python<'_>, found: &[DiagnosticRecord]) -> PyResult<()> {
     let category = py.get_type::<ModelWarning>();
-    for record in found.iter().filter(|record| record.severity == "warning") {
+    for record in found.iter().filter(|record| record.severity == Severity::Warning) {
         let text = std::ffi::CString::new(record.line().replace('\0', "\u{fffd}"))?;
         PyErr::warn(py, &category, &text, 1)?;
     }

@@ -1,6 +1,8 @@
 //! Comparison of one question over several designs: the result of each design and the difference from the
 //! first.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::status::Status;
 use crate::mass::answer_mass::mass;
 use crate::model::loading::{Input, Model};
@@ -11,7 +13,6 @@ use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::varied_values::VariedColumn;
 use crate::sweep::sweep_rows::sweep_report;
-use percuss_mechanism::Severity;
 use serde::Serialize;
 
 /// Model and question of a design.
@@ -247,7 +248,7 @@ fn rows(
                 missing().count(),
                 report.rows.len()
             );
-            let warning = DiagnosticRecord::about_result(Severity::Warning, "rows-unanswered", message);
+            let warning = DiagnosticRecord::from(Finding::about_result(FindingKind::RowsUnanswered, message));
             merge_diagnostics(diagnostics, vec![warning], &design.name);
         }
         if number == 0 {

@@ -1,5 +1,7 @@
 //! Safe speed of a robot that may hit a person, with the effective mass instead of the standard's M/2 + m_L.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion, PreparedQuestion};
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
@@ -11,9 +13,7 @@ use crate::question::row_source::RowSource;
 use crate::sweep::sweep_rows::Sweep;
 use percuss_contact::{BodyRegion, ContactLawError, SafeSpeed, TransientContact, standard_robot_mass};
 use percuss_dynamics::{Base, EffectiveMass, Frame};
-use percuss_mechanism::{
-    Inertial, JointDescription, JointKind, LinkDescription, LinkId, Mechanism, Severity,
-};
+use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
 use serde::Serialize;
 use std::ops::ControlFlow;
 
@@ -198,7 +198,8 @@ pub fn safe_speed(
         EffectiveMass::Immovable => {
             let message =
                 "the robot is immovable along this direction: only the mass of the person counts".to_owned();
-            diagnostics.push(DiagnosticRecord::about_result(Severity::Warning, "immovable-robot", message));
+            diagnostics
+                .push(DiagnosticRecord::from(Finding::about_result(FindingKind::ImmovableRobot, message)));
             speed(None)?
         }
         EffectiveMass::Massless => return Err(StudyError::NoMass),
@@ -210,7 +211,8 @@ pub fn safe_speed(
             reflected.speed,
             if region.is_some() { "M/2 + m_L" } else { "M + m_L" }
         );
-        diagnostics.push(DiagnosticRecord::about_result(Severity::Warning, "standard-too-fast", message));
+        diagnostics
+            .push(DiagnosticRecord::from(Finding::about_result(FindingKind::StandardTooFast, message)));
     }
     Ok(SafeSpeedReport {
         schema: "percuss.safe-speed/2",
@@ -344,11 +346,9 @@ pub fn safe_speed_along(
             end.rows,
             first_unanswered.unwrap_or_default()
         );
-        report.diagnostics.push(DiagnosticRecord::about_result(
-            Severity::Warning,
-            "rows-without-speed",
-            message,
-        ));
+        report
+            .diagnostics
+            .push(DiagnosticRecord::from(Finding::about_result(FindingKind::RowsWithoutSpeed, message)));
     }
     Ok(report)
 }

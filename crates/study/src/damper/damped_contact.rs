@@ -1,6 +1,8 @@
 //! Damper of a contact of a model: effective mass, drift over the penetration, and simulator options derived
 //! from the model.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::damper::curvature::motion_curvature;
 use crate::damper::damping::{
     DampingReport, Drift, compare_with_body_mass, damper, exports, law_mismatch_diagnostic,
@@ -18,7 +20,7 @@ use crate::question::mass_question::MassQuestion;
 use crate::thresholds::{DIFFERENCE, SAME_LIMIT, WARNED_MASS_DRIFT};
 use percuss_contact::exports::{MassDrift, Options};
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, System};
-use percuss_mechanism::{LinkId, Mechanism, Severity};
+use percuss_mechanism::{LinkId, Mechanism};
 
 /// Damper of a contact of a model.
 ///
@@ -46,12 +48,13 @@ pub fn damp_stop(
     let (question, record) = stop.question(model, conditions)?;
     let mut damping = damping.clone();
     damping.options.stop = Some(record.motion);
-    let mut report = damp_contact(model, &question, &damping)?;
+    let mut evaluated = EvaluatedQuestion::new(model, &question)?;
+    // The contact point is chosen by percuss, 1 m from the axis.
+    evaluated.result.findings.retain(|finding| finding.kind() != FindingKind::FarPoint);
+    let mut report = damping_report(&evaluated, &damping)?;
     report.stop = Some(record);
     // The mass of the child link alone has no meaning for a joint stop.
     report.body_alone = None;
-    // The contact point is chosen by percuss, 1 m from the axis.
-    report.diagnostics.retain(|found| found.code != "far-point");
     Ok(report)
 }
 
@@ -167,7 +170,10 @@ fn drift_diagnostic(
             "the greatest penetration, {depth:.4e} m or rad, is unreachable: the motion of the impact ends after {reached:.4e}: \
              {why}. The effective mass is that at the touch; a stiffer contact or a slower impact penetrates less"
         );
-        return Some(DiagnosticRecord::about_result(Severity::Warning, "penetration-unreachable", message));
+        return Some(DiagnosticRecord::from(Finding::about_result(
+            FindingKind::PenetrationUnreachable,
+            message,
+        )));
     }
     let over = drift.over_penetration.filter(|over| over.abs() > WARNED_MASS_DRIFT)?;
     let message = format!(
@@ -175,7 +181,7 @@ fn drift_diagnostic(
          stiffer contact or a slower impact reduces it",
         100.0 * over
     );
-    Some(DiagnosticRecord::about_result(Severity::Warning, "mass-drifts", message))
+    Some(DiagnosticRecord::from(Finding::about_result(FindingKind::MassDrifts, message)))
 }
 
 /// Completes the simulator options with values of the model.

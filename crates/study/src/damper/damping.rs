@@ -1,6 +1,8 @@
 //! Damper design from a coefficient of restitution: damper of the contact, impact at a given speed, and
 //! simulator parameters.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::damper::joint_stop::StopRecord;
 use crate::damper::simulators::ExportRecord;
 use crate::model::loading::Input;
@@ -9,7 +11,6 @@ use crate::question::damping_question::DampingQuestion;
 use crate::question::error::StudyError;
 use percuss_contact::exports::{Options, Request};
 use percuss_contact::{CompliantContact, ContactLawError, Damper, Law, Sample, Separation};
-use percuss_mechanism::Severity;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -216,7 +217,7 @@ pub(crate) fn law_mismatch_diagnostic(question: &DampingQuestion) -> Option<Diag
              requested law and separation apply only to the damper above",
             question.restitution
         );
-        DiagnosticRecord::about_result(Severity::Note, "exports-own-law", message)
+        DiagnosticRecord::from(Finding::about_result(FindingKind::ExportsOwnLaw, message))
     })
 }
 

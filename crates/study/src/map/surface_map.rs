@@ -1,5 +1,7 @@
 //! m̄ over the surfaces of links at one pose.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::checks::findings::collect_pose_findings;
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::map::map_report::{
@@ -16,7 +18,7 @@ use crate::question::mass_question::{MassQuestion, Normal};
 use crate::thresholds::{EDGES_ACROSS, FACETS, LEAST_EDGE};
 use percuss_dynamics::{ContactColumns, ContactMap, ContactStatus, MapAnswers, Pose};
 use percuss_formats::{Facet, MeshFolders, Purpose, Shape, Surface};
-use percuss_mechanism::{LinkId, Severity};
+use percuss_mechanism::LinkId;
 use rayon::prelude::*;
 use std::cell::RefCell;
 use std::path::Path;
@@ -84,7 +86,7 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     if rank.singular {
         let message = "branches cross at this pose: every effective mass is a lower bound here, and the limits \
             along the branches may be much larger; use a nearby pose, or percuss mass, which shows the limits";
-        diagnostics.push(DiagnosticRecord::about_result(Severity::Warning, "singular-pose", message.into()));
+        diagnostics.push(DiagnosticRecord::from(Finding::about_result(FindingKind::SingularPose, message)));
     }
     let report = MapReport {
         schema: "percuss.map/1",

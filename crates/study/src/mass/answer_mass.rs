@@ -1,5 +1,7 @@
 //! Effective mass at one contact of a model, optionally with the damper for a restitution.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::damping_report;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::mass::drawing::{DrawnMechanism, draw_evaluated};
@@ -10,7 +12,6 @@ use crate::model::record::DiagnosticRecord;
 use crate::question::damping_question::DampingQuestion;
 use crate::question::error::StudyError;
 use crate::question::mass_question::MassQuestion;
-use percuss_mechanism::Severity;
 
 /// Evaluates one contact of a model.
 ///
@@ -66,7 +67,8 @@ fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Resu
             report.damper = Some(damper);
         }
         Err(error @ (StudyError::NoDamper { .. } | StudyError::BranchMassesDiffer { .. })) => {
-            let note = DiagnosticRecord::about_result(Severity::Warning, "no-damper", error.to_string());
+            let note =
+                DiagnosticRecord::from(Finding::about_result(FindingKind::NoDamper, error.to_string()));
             report.diagnostics.push(note);
         }
         Err(error) => return Err(error),

@@ -1,5 +1,7 @@
 //! Drawing of a mechanism at the pose of a result: position, share of m̄ and velocity of each link.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile, configuration};
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
@@ -9,7 +11,7 @@ use crate::question::mass_question::MassQuestion;
 use crate::thresholds::FACETS;
 use percuss_dynamics::{ContactResponse, PointVelocity, Pose};
 use percuss_formats::{DEFAULT_MAX_MESH_SIZE, MeshFolders, Purpose, Shape, Surface};
-use percuss_mechanism::{LinkId, Mechanism, Severity};
+use percuss_mechanism::{LinkId, Mechanism};
 use percuss_spatial::Vector3;
 use percuss_suspension::WheelCircle;
 use std::path::Path;
@@ -101,7 +103,7 @@ impl ShapeReader<'_> {
     fn add_omitted_shape(&mut self, link: LinkId, why: String) {
         let link = self.model.mechanism.link(link).name();
         let message = format!("link \"{link}\" is drawn without its shape: {why}");
-        let note = DiagnosticRecord::about_result(Severity::Note, "shape-not-drawn", message);
+        let note = DiagnosticRecord::from(Finding::about_result(FindingKind::ShapeNotDrawn, message));
         self.drawing.diagnostics.push(note);
     }
 }
