@@ -3,15 +3,15 @@
 use crate::arrays::{list, triple};
 use crate::contact::{Contact, frame};
 use crate::errors::input;
-use crate::system::{base, held, numbers};
+use crate::system::{base, link_point_vector, numbers};
 use percuss::Direction;
 use percuss::contact::Separation;
 use percuss::contact::exports::Tool;
 use percuss::study::{
-    DampingQuestion, EstimateQuestion, GivenPosition, Hold, MassQuestion, Normal, Quantity, RowSource,
-    Varied, Vary,
+    DampingQuestion, EstimateQuestion, GivenPose, GivenPosition, GivenTravel, Hold, MassQuestion, Normal,
+    Quantity, RatioPoint, RowSource, UPWARDS, Varied, Vary,
 };
-use percuss::{Frame, Mechanism};
+use percuss::{DEFAULT_MAX_SIZE, Frame, Mechanism};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
@@ -22,11 +22,14 @@ pub struct Conditions<'py> {
     against_mass: Option<f64>,
     set: Option<Bound<'py, PyDict>>,
     guess: Option<Bound<'py, PyDict>>,
+    travel: Vec<Bound<'py, PyAny>>,
+    pose: Option<String>,
     lock: Vec<String>,
     hold: Vec<Bound<'py, PyAny>>,
     armature: Option<Bound<'py, PyDict>>,
     base: String,
     estimate: Option<Bound<'py, PyAny>>,
+    ratio_at: Vec<Bound<'py, PyAny>>,
 }
 
 /// Positions by joint, from numbers or text such as "30deg".
@@ -65,11 +68,36 @@ fn estimate(given: &Bound<'_, PyAny>) -> PyResult<EstimateQuestion> {
     Ok(EstimateQuestion { links, point, direction })
 }
 
+/// Travel, from text in command-line syntax or from (link, point, direction, distance) in SI units.
+fn travel(given: &Bound<'_, PyAny>) -> PyResult<GivenTravel> {
+    if let Ok(text) = given.extract::<String>() {
+        return GivenTravel::parse(&text).map_err(|error| input(format_args!("travel: \"{text}\": {error}")));
+    }
+    let (link, point, direction, distance): (String, Bound<'_, PyAny>, Bound<'_, PyAny>, f64) =
+        given.extract().map_err(|_| input("travel: expected text, or (link, point, direction, distance)"))?;
+    let point = triple(&point, "point of travel")?;
+    let direction = triple(&direction, "direction of travel")?;
+    let distance =
+        Quantity::number(distance).map_err(|error| input(format_args!("distance of travel: {error}")))?;
+    Ok(GivenTravel { link, point, direction, distance: distance.value })
+}
+
+/// Reads the file of joint positions.
+fn pose(path: &str) -> PyResult<GivenPose> {
+    GivenPose::read(path, DEFAULT_MAX_SIZE).map_err(|error| input(format_args!("pose: {error}")))
+}
+
+/// Point of a motion ratio from (link, point) or (link, point, direction).
+fn ratio_point(given: &Bound<'_, PyAny>) -> PyResult<RatioPoint> {
+    let (link, point, direction) = link_point_vector(given, "ratio_at", "direction")?;
+    Ok(RatioPoint { link, point, direction: direction.unwrap_or(UPWARDS) })
+}
+
 impl Conditions<'_> {
     /// Mass question without a contact.
     pub fn question(&self) -> PyResult<MassQuestion> {
         let hold = |hold: &Bound<'_, PyAny>| {
-            let (link, point, normal) = held(hold)?;
+            let (link, point, normal) = link_point_vector(hold, "hold", "normal")?;
             PyResult::Ok(Hold { link, point, normal })
         };
         let frame = frame(&self.frame, "frame")?;
@@ -79,11 +107,14 @@ impl Conditions<'_> {
             against_mass: self.against_mass,
             set: positions(self.set.as_ref(), "set")?,
             guess: positions(self.guess.as_ref(), "guess")?,
+            travel: self.travel.iter().map(travel).collect::<PyResult<_>>()?,
+            pose: self.pose.as_deref().map(pose).transpose()?,
             lock: self.lock.clone(),
             hold: self.hold.iter().map(hold).collect::<PyResult<_>>()?,
             armature: numbers(self.armature.as_ref(), "armature")?,
             base: base(&self.base)?,
             estimate: self.estimate.as_ref().map(estimate).transpose()?,
+            ratio_at: self.ratio_at.iter().map(ratio_point).collect::<PyResult<_>>()?,
             ..MassQuestion::without_contact()
         })
     }
@@ -194,11 +225,9 @@ pub fn rows(
 ) -> PyResult<RowSource> {
     match (ranges, file, random) {
         (Some(ranges), None, None) => Ok(RowSource::Grid(ranges.iter().map(vary).collect::<PyResult<_>>()?)),
-        (None, Some((path, ignore)), None) => Ok(RowSource::File(percuss::study::PositionFile {
-            path,
-            ignore,
-            max_size: percuss::DEFAULT_MAX_SIZE,
-        })),
+        (None, Some((path, ignore)), None) => {
+            Ok(RowSource::File(percuss::study::PositionFile { path, ignore, max_size: DEFAULT_MAX_SIZE }))
+        }
         (None, None, Some((count, seed))) => Ok(RowSource::Random { count, seed }),
         _ => Err(input("give one of vary, input and random")),
     }

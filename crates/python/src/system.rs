@@ -47,19 +47,22 @@ pub fn base(name: &str) -> PyResult<Base> {
     }
 }
 
-/// Held point: (link, point) or (link, point, normal).
-pub type Held = (String, [f64; 3], Option<[f64; 3]>);
+/// Link, point and vector, if given.
+pub type LinkPointVector = (String, [f64; 3], Option<[f64; 3]>);
 
-/// Reads a held point.
-pub fn held(hold: &Bound<'_, PyAny>) -> PyResult<Held> {
-    let parts: Vec<Bound<'_, PyAny>> = hold.extract()?;
-    let (link, point, normal) = match &parts[..] {
+/// Reads (link, point) or (link, point, vector). `what` and `vector` name the tuple and its last part in messages.
+pub fn link_point_vector(given: &Bound<'_, PyAny>, what: &str, vector: &str) -> PyResult<LinkPointVector> {
+    let parts: Vec<Bound<'_, PyAny>> = given.extract()?;
+    let (link, point, last) = match &parts[..] {
         [link, point] => (link, point, None),
-        [link, point, normal] => (link, point, Some(normal)),
-        _ => return Err(input("hold: expected (link, point) or (link, point, normal)")),
+        [link, point, last] => (link, point, Some(last)),
+        _ => {
+            return Err(input(format_args!("{what}: expected (link, point) or (link, point, {vector})")));
+        }
     };
-    let normal = normal.filter(|n| !n.is_none()).map(|n| triple(n, "normal of hold")).transpose()?;
-    Ok((link.extract()?, triple(point, "point of hold")?, normal))
+    let last =
+        last.filter(|l| !l.is_none()).map(|l| triple(l, &format!("{vector} of {what}"))).transpose()?;
+    Ok((link.extract()?, triple(point, &format!("point of {what}"))?, last))
 }
 
 /// Numbers by name, from a dict.
@@ -154,7 +157,7 @@ impl System {
             conditions = conditions.armature(joint, values);
         }
         for hold in &hold {
-            let (link, point, normal) = held(hold)?;
+            let (link, point, normal) = link_point_vector(hold, "hold", "normal")?;
             conditions = conditions.hold(link, point, normal.map(Vector3::from));
         }
         let system = Compiled::new(Arc::clone(&model.read.mechanism), &conditions).map_err(input)?;

@@ -6,7 +6,7 @@ import html
 import json
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Union, cast
 
 import numpy as np
@@ -20,6 +20,8 @@ from ._percuss import Contact, Model
 Position = Union[float, Sequence[float], str]
 #: Range of a sweep: text in command-line syntax, or (joint, from, to, count) in SI.
 Range = Union[str, tuple[str, float, float, int]]
+#: Travel of a point: text in command-line syntax, or (link, point, direction, distance) in SI.
+Travel = Union[str, tuple[str, Sequence[float], Sequence[float], float]]
 
 
 @dataclass(frozen=True)
@@ -29,20 +31,27 @@ class Conditions:
     frame: frame of the contact point: "link", "world", "against".
     against_mass: mass of a free body on the other side, kg.
     set: driving joints and their positions. guess: initial positions in the search for dependent joints.
+    travel: moves of points from the pose of set, as text "LINK:X,Y,Z:DX,DY,DZ=DISTANCE" or (link, point, direction,
+    distance): point in m in the link's frame, direction in world axes, distance in m.
+    pose: JSON file with the positions of all joints, such as a saved report; set and guess take precedence.
     lock: joints that are locked. hold: points that are held: (link, point) or (link, point, normal).
     armature: joints and the inertia of their rotors, kg·m² or kg. base: "fixed" or "floating".
     estimate: adds the classical estimate to the result: (links,), (links, point) or (links, point, direction).
+    ratio_at: adds motion ratios at points to the result: (link, point) or (link, point, direction), default upwards.
     """
 
     frame: str = "link"
     against_mass: float | None = None
     set: Mapping[str, Position] = field(default_factory=dict)
     guess: Mapping[str, Position] = field(default_factory=dict)
+    travel: Sequence[Travel] = ()
+    pose: str | os.PathLike[str] | None = None
     lock: Sequence[str] = ()
     hold: Sequence[Sequence[Any]] = ()
     armature: Mapping[str, float | Sequence[float]] = field(default_factory=dict)
     base: str = "fixed"
     estimate: Sequence[Any] | None = None
+    ratio_at: Sequence[Sequence[Any]] = ()
 
 
 @dataclass(frozen=True)
@@ -180,16 +189,16 @@ class MapReport(Report):
 def _asked(conditions: Conditions | None) -> Conditions:
     """Conditions with plain dicts and lists, as the extension requires."""
     given = Conditions() if conditions is None else conditions
-    return Conditions(
-        frame=given.frame,
-        against_mass=given.against_mass,
+    return replace(
+        given,
         set=dict(given.set),
         guess=dict(given.guess),
+        travel=list(given.travel),
+        pose=None if given.pose is None else os.fspath(given.pose),
         lock=list(given.lock),
         hold=list(given.hold),
         armature=dict(given.armature),
-        base=given.base,
-        estimate=given.estimate,
+        ratio_at=list(given.ratio_at),
     )
 
 
