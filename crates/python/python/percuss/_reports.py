@@ -44,13 +44,13 @@ class Conditions:
     against_mass: float | None = None
     set: Mapping[str, Position] = field(default_factory=dict)
     guess: Mapping[str, Position] = field(default_factory=dict)
-    travel: Sequence[Travel] = ()
-    pose: str | os.PathLike[str] | None = None
     lock: Sequence[str] = ()
     hold: Sequence[Sequence[Any]] = ()
     armature: Mapping[str, float | Sequence[float]] = field(default_factory=dict)
     base: str = "fixed"
     estimate: Sequence[Any] | None = None
+    travel: Sequence[Travel] = ()
+    pose: str | os.PathLike[str] | None = None
     ratio_at: Sequence[Sequence[Any]] = ()
 
 

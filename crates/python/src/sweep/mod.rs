@@ -3,15 +3,15 @@
 pub(crate) mod columns;
 pub(crate) mod portions;
 
-use crate::arrays::{float64_matrix as matrix, shape};
-use crate::contact::Contact;
-use crate::diagnostic::Diagnostic;
-use crate::errors::{self, input};
-use crate::matrices::mass_and_code;
-use crate::model::Model;
+use crate::analysis::contact::Contact;
+use crate::analysis::matrices::mass_and_code;
+use crate::analysis::model::Model;
+use crate::analysis::system::{Assembly, System, in_root_axes, position_names, root_frame};
+use crate::conversion::arrays::{float64_matrix as matrix, shape};
+use crate::conversion::diagnostic::Diagnostic;
+use crate::conversion::errors::{self, input};
 use crate::sweep::columns::{Columns, MASSLESS_TO_ROUNDING, zeros};
 use crate::sweep::portions::{run_fixed_portions, run_timed_portions};
-use crate::system::{Assembly, System, in_root_axes, position_names, root_frame};
 use numpy::ndarray::{ArrayView2, s};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use percuss::study::row_findings;

@@ -48,7 +48,7 @@ impl Finding {
     }
 
     /// The finding with the severity of a note.
-    pub fn as_note(self) -> Self {
+    pub fn into_note(self) -> Self {
         Self { severity: Severity::Note, ..self }
     }
 }

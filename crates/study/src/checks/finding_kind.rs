@@ -41,24 +41,10 @@ macro_rules! finding_kinds {
             #[cfg(test)]
             const ALL: &[Self] = &[$(Self::$kind,)*];
 
-            /// Stable short name.
-            pub const fn code(self) -> &'static str {
+            /// Code, usual severity and scope.
+            const fn properties(self) -> (&'static str, Severity, FindingScope) {
                 match self {
-                    $(Self::$kind => $code,)*
-                }
-            }
-
-            /// Usual severity of a finding of this kind.
-            pub const fn severity(self) -> Severity {
-                match self {
-                    $(Self::$kind => Severity::$severity,)*
-                }
-            }
-
-            /// Poses for which a finding of this kind holds.
-            pub const fn scope(self) -> FindingScope {
-                match self {
-                    $(Self::$kind => FindingScope::$scope,)*
+                    $(Self::$kind => ($code, Severity::$severity, FindingScope::$scope),)*
                 }
             }
         }
@@ -112,6 +98,23 @@ finding_kinds! {
     UnknownError = "unknown-error", Warning, Pose;
     UnusedGuess = "unused-guess", Warning, Pose;
     WeaklyConstrained = "weakly-constrained", Warning, Model;
+}
+
+impl FindingKind {
+    /// Stable short name.
+    pub const fn code(self) -> &'static str {
+        self.properties().0
+    }
+
+    /// Usual severity of a finding of this kind.
+    pub const fn severity(self) -> Severity {
+        self.properties().1
+    }
+
+    /// Poses for which a finding of this kind holds.
+    pub const fn scope(self) -> FindingScope {
+        self.properties().2
+    }
 }
 
 #[cfg(test)]

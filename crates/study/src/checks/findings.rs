@@ -117,7 +117,7 @@ fn drawn_gap_finding(mechanism: &Mechanism, gap: &DrawnGap) -> Finding {
         let message = format!("{message}: {part:.1} % of its size; check the points for typing errors");
         Finding::new(FindingKind::DrawnOpen, subject, message)
     } else {
-        Finding::new(FindingKind::DrawnOpen, subject, message).as_note()
+        Finding::new(FindingKind::DrawnOpen, subject, message).into_note()
     }
 }
 

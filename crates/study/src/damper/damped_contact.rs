@@ -170,10 +170,7 @@ fn drift_diagnostic(
             "the greatest penetration, {depth:.4e} m or rad, is unreachable: the motion of the impact ends after {reached:.4e}: \
              {why}. The effective mass is that at the touch; a stiffer contact or a slower impact penetrates less"
         );
-        return Some(DiagnosticRecord::from(Finding::about_result(
-            FindingKind::PenetrationUnreachable,
-            message,
-        )));
+        return Some(Finding::about_result(FindingKind::PenetrationUnreachable, message).into());
     }
     let over = drift.over_penetration.filter(|over| over.abs() > WARNED_MASS_DRIFT)?;
     let message = format!(
@@ -181,7 +178,7 @@ fn drift_diagnostic(
          stiffer contact or a slower impact reduces it",
         100.0 * over
     );
-    Some(DiagnosticRecord::from(Finding::about_result(FindingKind::MassDrifts, message)))
+    Some(Finding::about_result(FindingKind::MassDrifts, message).into())
 }
 
 /// Completes the simulator options with values of the model.

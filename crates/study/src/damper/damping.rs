@@ -217,7 +217,7 @@ pub(crate) fn law_mismatch_diagnostic(question: &DampingQuestion) -> Option<Diag
              requested law and separation apply only to the damper above",
             question.restitution
         );
-        DiagnosticRecord::from(Finding::about_result(FindingKind::ExportsOwnLaw, message))
+        Finding::about_result(FindingKind::ExportsOwnLaw, message).into()
     })
 }
 

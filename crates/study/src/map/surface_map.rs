@@ -7,7 +7,6 @@ use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::map::map_report::{
     Extreme, LinkMap, MapAnswer, MapReport, OmittedLink, OrientationRecord, SkinFacets,
 };
-use crate::mass::mass_report::ConditionsRecord;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
@@ -15,6 +14,7 @@ use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::map_question::{MapLinks, MapQuestion, MapShapes};
 use crate::question::mass_question::{MassQuestion, Normal};
+use crate::reports::mass_report::ConditionsRecord;
 use crate::thresholds::{EDGES_ACROSS, FACETS, LEAST_EDGE};
 use percuss_dynamics::{ContactColumns, ContactMap, ContactStatus, MapAnswers, Pose};
 use percuss_formats::{Facet, MeshFolders, Purpose, Shape, Surface};
@@ -86,7 +86,7 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     if rank.singular {
         let message = "branches cross at this pose: every effective mass is a lower bound here, and the limits \
             along the branches may be much larger; use a nearby pose, or percuss mass, which shows the limits";
-        diagnostics.push(DiagnosticRecord::from(Finding::about_result(FindingKind::SingularPose, message)));
+        diagnostics.push(Finding::about_result(FindingKind::SingularPose, message).into());
     }
     let report = MapReport {
         schema: "percuss.map/1",

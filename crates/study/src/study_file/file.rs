@@ -3,9 +3,7 @@
 use crate::checks::design_variant::DesignError;
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
-use crate::compare::Design;
 use crate::damper::joint_stop::JointStop;
-use crate::message_text::truncate_for_message;
 use crate::model::loading::{Input, Model, Origin};
 use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::is_study;
@@ -15,6 +13,7 @@ use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
 use crate::question::refusal::InvalidKey;
 use crate::question::row_source::RowSource;
+use crate::reports::compare::Design;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::keys::{StudyKeys, UnknownKey};
 use crate::study_file::map::StudyMap;
@@ -26,6 +25,7 @@ use crate::study_file::variant::{Variant, VariantModels, changes};
 use crate::thresholds::{
     LARGEST_STUDY, LARGEST_VARIANTS, LONGEST_LINE_SHOWN, MOST_VARIANT_LINKS, MOST_VARIANTS,
 };
+use crate::values::message_text::truncate_for_message;
 use percuss_contact::exports::StopMotion;
 use percuss_formats::{LoadError, LoadOptions, Source};
 use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind, Subject};
