@@ -67,7 +67,7 @@ FIELDS_ONLY = {"closed_loops"}
 
 def keys(table: str) -> set[str]:
     """Python names of the keys of a table of a study."""
-    known = percuss.study_schema()["properties"][table]["properties"]
+    known: dict[str, Any] = percuss.study_schema()["properties"][table]["properties"]
     return {PYTHON_NAMES.get(f"{table}.{key}", key) for key in known} - {""}
 
 
