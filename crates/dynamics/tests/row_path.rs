@@ -91,7 +91,7 @@ fn rows_have_the_results_of_their_poses() {
     let joint = start.loops().expect("loops").drivers[0];
     let contact = Contact::new(system.mechanism().find_link("b").unwrap(), [1.0, 0.2, 0.0], [0.0, 1.0, 0.0]);
     let first = start.joint(joint)[0];
-    let rows: Vec<f64> = (0..400).map(|row| first + 2.0 * (f64::from(row) / 50.0).sin()).collect();
+    let rows: Vec<f64> = (0..400).map(|row| first + 3.0 * (f64::from(row) / 50.0).sin()).collect();
     let mut recorder = Recorder { contact, joint, masses: Vec::new(), singles: 0, paths: 0 };
     let mut path = RowPath::new(Some(Arc::new(start.clone())));
     for portion in rows.chunks(100) {
@@ -109,7 +109,7 @@ fn rows_have_the_results_of_their_poses() {
     }
     let unreached = recorder.masses.iter().filter(|mass| mass.is_none()).count();
     let reached = rows.len() - unreached;
-    assert!(unreached > 20 && reached > 200, "{unreached} of {}", rows.len());
+    assert!(unreached > 20 && reached > 100, "{unreached} of {}", rows.len());
     assert!(recorder.singles < unreached + reached / 4, "{} poses", recorder.singles);
     assert!((2..=16).contains(&recorder.paths), "{} paths", recorder.paths);
 }
