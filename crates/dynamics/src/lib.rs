@@ -32,6 +32,7 @@ pub use batch::contact_map::{
     ContactColumns, ContactMap, ContactStatus, MapAnswers, MapError, PrincipalMass,
 };
 pub use batch::driven_path::{DrivenPath, PathAnswer};
+pub use batch::row_path::{RowAnswer, RowHandler, RowPath};
 pub use batch::rows::{Batch, BatchAnswer, BatchError, BatchPositions};
 pub use batch::workspace::{ScalarWorkspace, Workspace};
 pub use dense::matrices::{

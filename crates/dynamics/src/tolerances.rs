@@ -557,3 +557,7 @@ pub(crate) const LAGRANGE_EIGHT: [f64; 4] = [4.0 / 5.0, -2.0 / 5.0, 4.0 / 35.0, 
 pub(crate) const LAGRANGE_SIX: [f64; 4] = [3.0 / 4.0, -3.0 / 10.0, 1.0 / 20.0, 0.0];
 /// Golden ratio minus 1: its multiples modulo 1 are evenly spread.
 pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// Least number of remaining rows for a start of a driven path: the start costs as much as a few rows.
+pub(crate) const LEAST_FOLLOWED_ROWS: usize = 4;
+/// Largest number of starts of a driven path along its rows. With more frequent stops a driven path saves no time.
+pub(crate) const MOST_PATH_STARTS: usize = 16;

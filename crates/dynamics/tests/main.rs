@@ -1,4 +1,5 @@
-//! Poses and workspaces.
+//! Poses, workspaces and paths of rows.
 
 mod four_bar;
 mod inputs;
+mod row_path;

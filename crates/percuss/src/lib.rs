@@ -36,11 +36,11 @@ pub use percuss_dynamics::{
     BranchLimits, ConditionOfJoint, Conditions, ConditionsError, Configuration, ConfigurationError,
     ConstraintRank, Contact, ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse,
     ContactStatus, Contributions, DenseReason, DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass,
-    ErrorBudget, Frame, InverseOperationalInertia, LayoutError, LocatedContact, LoopState, MapAnswers,
+    ErrorBudget, Frame, Gap, InverseOperationalInertia, LayoutError, LocatedContact, LoopState, MapAnswers,
     MapError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer, PointForce,
     PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops, Route,
-    RouteChoice, RouteError, ScalarWorkspace, Singularity, StateSizeError, System, Travel, TravelError,
-    Workspace, effective_mass, input,
+    RouteChoice, RouteError, RowAnswer, RowHandler, RowPath, ScalarWorkspace, Singularity, StateSizeError,
+    System, Travel, TravelError, Workspace, effective_mass, input,
 };
 #[doc(no_inline)]
 pub use percuss_formats::{
@@ -51,10 +51,10 @@ pub use percuss_formats::{
 pub use percuss_mechanism as mechanism;
 #[doc(no_inline)]
 pub use percuss_mechanism::{
-    Accept, BuildError, Built, Closure, ClosureDescription, ClosureId, ClosureKind, Coupling,
-    CouplingDescription, Geometry, Inertial, Joint, JointDescription, JointId, JointKind, Limits, Link,
-    LinkDescription, LinkId, LoopFrame, Mechanism, MechanismBuilder, Mimic, MimicDescription, NameKind,
-    Problem, Severity, Subject, UnknownName,
+    Accept, BuildError, Built, Closure, ClosureDescription, ClosureId, ClosureKind, ContactDescription,
+    ContactKind, ContactNormal, Coupling, CouplingDescription, Geometry, Inertial, Joint, JointDescription,
+    JointId, JointKind, Limits, Link, LinkDescription, LinkId, LoopFrame, Mechanism, MechanismBuilder, Mimic,
+    MimicDescription, NameKind, NamedContact, Problem, Severity, Subject, UnknownName,
 };
 pub use percuss_spatial as spatial;
 #[cfg(feature = "study")]

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from dataclasses import fields
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -48,6 +50,89 @@ def test_mass_with_a_damper_and_an_estimate() -> None:
     assert isinstance(of_command, dict) and without_paths(of_damper) == without_paths(of_command)
     assert set(of_damper["exports"]) == {"mujoco", "drake"}
     assert report.status == "finite" and report.estimate
+
+
+#: Python names of keys of a study that have another name there. An empty name: the key is no field of a question.
+PYTHON_NAMES = {
+    "pose.file": "pose",
+    "contact.along_line": "toward",
+    "contact.turning_normal": "turning",
+    "damping.for": "tools",
+    "damping.limit": "",
+    "damping.output": "",
+}
+#: Fields that are no keys of a study: the model of a study has the loops.
+FIELDS_ONLY = {"closed_loops"}
+
+
+def keys(table: str) -> set[str]:
+    """Python names of the keys of a table of a study."""
+    known: dict[str, Any] = percuss.study_schema()["properties"][table]["properties"]
+    return {PYTHON_NAMES.get(f"{table}.{key}", key) for key in known} - {""}
+
+
+def names(question: type[Any]) -> set[str]:
+    """Fields of a question."""
+    return {field.name for field in fields(question)}
+
+
+def test_questions_have_the_keys_of_studies() -> None:
+    contact = {name for name in dir(percuss.Contact) if not name.startswith("_")}
+    # A named contact is given by its name in place of a Contact.
+    of_contact = keys("contact") - {"at"}
+    expected = keys("conditions") | keys("pose") | (of_contact - contact) | {"hold"}
+    assert names(percuss.Conditions) == expected
+    assert of_contact <= contact | names(percuss.Conditions)
+    assert names(percuss.Damping) - FIELDS_ONLY == keys("damping")
+
+
+def test_named_contacts() -> None:
+    model = percuss.load(ROOT / "models/suspensions/double-wishbone.toml")
+    assert model.contacts == ["contact_patch", "spring", "damper", "bump_stop", "rebound_stop"]
+    for name in model.contacts:
+        expected = printed("mass", "models/suspensions/double-wishbone.toml", "--at", name, "--format", "json")
+        assert without_paths(percuss.mass(model, name)) == without_paths(expected)
+    damping = percuss.Damping(restitution=0.3, stiffness=1e6, speed=0.1)
+    assert percuss.damp_contact(model, "bump_stop", damping).named_contact["brought_to_touch"]
+    with pytest.raises(percuss.InputError, match="did you mean"):
+        percuss.mass(model, "bumpstop")
+
+
+def test_travels_poses_and_motion_ratios(tmp_path: Path) -> None:
+    model = percuss.load(ROOT / MODEL)
+    travel, ratio = ("wheel_centre:0,0,0:0,0,1=20mm", "spindle:0.01,0,0:0,0,1")
+    expected = printed("mass", MODEL, *FLAGS, "--lock", "spin", "--travel", travel, "--ratio-at", ratio, "--format", "json")
+    by_text = percuss.Conditions(lock=["spin"], travel=[travel], ratio_at=[("spindle", [0.01, 0, 0])])
+    in_si = percuss.Conditions(
+        lock=["spin"],
+        travel=[("wheel_centre", [0, 0, 0], [0, 0, 1], 0.02)],
+        ratio_at=[("spindle", [0.01, 0, 0], [0, 0, 1])],
+    )
+    for conditions in (by_text, in_si):
+        assert without_paths(percuss.mass(model, SEAT, conditions)) == without_paths(expected)
+    assert percuss.mass(model, SEAT, in_si).motion_ratios != percuss.mass(model, SEAT, percuss.Conditions(lock=["spin"])).motion_ratios
+    pose = tmp_path / "pose.json"
+    pose.write_text(json.dumps(expected))
+    flags = ("--lock", "spin", "--pose", str(pose), "--format", "json")
+    at_pose = percuss.mass(model, SEAT, percuss.Conditions(lock=["spin"], pose=pose))
+    assert without_paths(at_pose) == without_paths(printed("mass", MODEL, *FLAGS, *flags))
+    assert at_pose.effective_mass == pytest.approx(expected["effective_mass"], rel=1e-9)
+    four_bar = percuss.load(ROOT / "models/four_bar.urdf")
+    contact = percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
+    (tmp_path / "none.json").write_text("{}")
+    for given, words in [
+        (percuss.Conditions(travel=["coupler=1mm"]), "LINK:X,Y,Z"),
+        (percuss.Conditions(travel=[("nope", [0, 0, 0], [0, 0, 1], 0.001)]), "nope"),
+        (percuss.Conditions(travel=[("coupler", [0, 0, 0], [0, 0, 0], 0.001)]), "no length"),
+        (percuss.Conditions(travel=[("coupler", [0, 0, 0], [0, 0, 1], float("nan"))]), "distance of travel"),
+        (percuss.Conditions(travel=[("coupler", [0, 0, 0])]), "link, point, direction, distance"),  # type: ignore[list-item]
+        (percuss.Conditions(pose=tmp_path / "missing.json"), "missing.json"),
+        (percuss.Conditions(pose=tmp_path / "none.json"), "pose: .*names no joint"),
+        (percuss.Conditions(ratio_at=[("coupler",)]), "ratio_at: expected"),
+        (percuss.Conditions(ratio_at=[("nope", [0, 0, 0])]), "nope"),
+    ]:
+        with pytest.raises(percuss.InputError, match=words):
+            percuss.mass(four_bar, contact, given)
 
 
 def test_sweeps_of_ranges_files_and_random_rows(tmp_path) -> None:  # type: ignore[no-untyped-def]

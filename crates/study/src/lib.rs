@@ -5,16 +5,13 @@
 //! serialise to the JSON format for scripts. This crate does not write to a terminal.
 
 mod checks;
-mod compare;
 mod damper;
 mod evaluation;
 mod map;
-mod mass;
-mod message_text;
 mod model;
 mod pose;
 mod question;
-mod safe_speed;
+mod reports;
 mod study_file;
 mod sweep;
 mod tables;
@@ -27,33 +24,18 @@ pub use percuss_contact as contact;
 pub use checks::design_variant::DesignError;
 pub use checks::model_check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
 pub use checks::response_findings::{matrix_findings, pose_findings, response_findings, row_findings};
-pub use compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
 pub use damper::damped_contact::{damp_contact, damp_stop};
 pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
 pub use damper::joint_stop::{JointStop, StopEnd, StopRecord};
 pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
+pub use evaluation::named_contact::{NamedContactRecord, WheelTravelRecord};
 pub use evaluation::status::Status;
 pub use map::map_report::{
     Extreme, FacetRecord, LinkMap, MapAnswer, MapReport, OmittedLink, OrientationRecord, SkinFacets,
 };
 pub use map::point_map::{DirectionMass, PointMapReport, map_point};
 pub use map::surface_map::map;
-pub use mass::answer_mass::{mass, mass_with_damper, mass_with_drawing};
-pub use mass::assumptions::Assumptions;
-pub use mass::contact_list::{ContactListReport, ListedContact, contact_list};
-pub use mass::drawing::{DrawnLink, DrawnMechanism, draw_mechanism};
-pub use mass::explain::{
-    Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
-};
-pub use mass::mass_report::{
-    BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, TravelRecord,
-};
-pub use mass::motion_ratio::MotionRatioRecord;
-pub use mass::named_contact::{NamedContactRecord, WheelTravelRecord};
-pub use mass::tolerance::{
-    SampleRecord, Sampling, Tolerance, ToleranceError, ToleranceParts, ToleranceReport, tolerance_report,
-};
 pub use model::changes::Changes;
 pub use model::loading::{Input, Model, Origin};
 pub use model::record::DiagnosticRecord;
@@ -72,9 +54,24 @@ pub use question::row_source::{PositionFile, RowSource};
 pub use question::table_error::{TableError, TableFault};
 pub use question::varied_values::{VariedColumn, VariedValues};
 pub use question::vary::{Varied, Vary, VaryError};
-pub use safe_speed::{
+pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing};
+pub use reports::assumptions::Assumptions;
+pub use reports::compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
+pub use reports::contact_list::{ContactListReport, ListedContact, contact_list};
+pub use reports::drawing::{DrawnLink, DrawnMechanism, draw_mechanism};
+pub use reports::explain::{
+    Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
+};
+pub use reports::mass_report::{
+    BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, TravelRecord,
+};
+pub use reports::motion_ratio::MotionRatioRecord;
+pub use reports::safe_speed::{
     AlongRecord, Limit, LimitError, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, StatedLimits,
     safe_speed, safe_speed_along, safe_speed_directions,
+};
+pub use reports::tolerance::{
+    SampleRecord, Sampling, Tolerance, ToleranceError, ToleranceParts, ToleranceReport, tolerance_report,
 };
 pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
 pub use study_file::keys::{StudyKeys, UnknownKey};

@@ -44,10 +44,6 @@ pub(crate) const POSED_BLOCK_ROWS: usize = 256;
 pub(crate) const POSED_BLOCK_LINKS: usize = 10_000;
 /// Largest number of rows in a block without poses: a millisecond for a small tree.
 pub(crate) const BATCH_BLOCK_ROWS: usize = 4096;
-/// Least number of remaining rows for a start of the path follower: the start costs as much as a few rows.
-pub(crate) const FOLLOWED_ROWS: usize = 4;
-/// Largest number of starts of the path follower along a line. With more frequent stops the path follower saves no time.
-pub(crate) const MOST_PATH_FOLLOWERS: usize = 16;
 /// Number of consecutive rows without poses per thread: 1/32 of a block, so that the wait for the last thread is short.
 pub(crate) const BATCH_ROWS_PER_TASK: usize = 128;
 /// Number of rows of the first block: few, so that the first results appear soon. Later blocks double in size.
@@ -100,6 +96,10 @@ pub(crate) const LIFT_OFF_SPEED: f64 = 1e-9;
 /// Step of the central difference for dm̄/dδ, in characteristic lengths: the cube root of the rounding unit, at which
 /// truncation and rounding errors are equal.
 pub(crate) const DIFFERENCE: f64 = 1e-5;
+/// Depths to which m̄ is followed for an impact with the varying mass, relative to the penetration of the constant mass.
+pub(crate) const STROKES: [f64; 3] = [1.05, 1.3, 2.0];
+/// Largest step over the penetration, relative to the depth.
+pub(crate) const LARGEST_PENETRATION: f64 = 1.0 / 16.0;
 /// First step of the motion over the penetration, relative to the penetration.
 pub(crate) const FIRST_PENETRATION: f64 = 0.5;
 /// Ratio of the next step to the last accepted step.

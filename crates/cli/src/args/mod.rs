@@ -3,13 +3,12 @@
 mod compare;
 mod contact;
 mod damping;
-mod examples;
 mod format;
 mod headings;
+mod help;
 mod import;
 mod map;
 mod model;
-mod short_help;
 #[cfg(test)]
 mod study_keys_tests;
 mod table;
@@ -20,10 +19,10 @@ pub use compare::CompareArgs;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, DampingArgs, SafeSpeedArgs};
 pub use format::{CheckFormat, MassFormat};
+pub use help::short_help::{requested_command, short_help};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
 pub use map::MapArgs;
 pub use model::ModelArgs;
-pub use short_help::{requested_command, short_help};
 pub use table::{FigureArgs, TableArgs};
 pub use writing::WritingArgs;
 
@@ -31,6 +30,7 @@ use crate::terminal::failure::Failure;
 use clap::builder::Resettable;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use headings::{ADDITIONAL, ANSWER, OUTPUT};
+use help::examples;
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::{PositionFile, RowSource, Sampling, Vary};
 pub use value_parsers::ToleranceArg;

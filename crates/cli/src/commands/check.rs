@@ -6,6 +6,7 @@ use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::wrap_hanging;
+use percuss_mechanism::Severity;
 use percuss_study::{CheckReport, check};
 use std::fmt::Write;
 
@@ -114,7 +115,7 @@ fn degrees_of_freedom_text(report: &CheckReport) -> String {
 /// Number of warnings and notes.
 fn diagnostics_text(report: &CheckReport) -> String {
     let count = |severity| report.diagnostics.iter().filter(|d| d.severity == severity).count();
-    match (count("warning"), count("note")) {
+    match (count(Severity::Warning), count(Severity::Note)) {
         (0, 0) => "none".into(),
         (warnings, notes) => format!("{warnings} warning(s), {notes} note(s)"),
     }

@@ -7,7 +7,7 @@ use crate::terminal::explanation::named_contact;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
-use crate::terminal::text::{Table, number, upper_bound};
+use crate::terminal::text::{Table, number, short_number, upper_bound};
 use crate::terminal::wrap::{fact_line, wrap_hanging};
 use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
 use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
@@ -139,7 +139,7 @@ pub fn exports(report: &DampingReport) -> String {
 /// Damper, impact and validity as names with values.
 pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     let damper = &report.damper;
-    let Units { length, shown: (shown, factor), force, .. } = Units::from_report(report);
+    let Units { length, shown: (shown, factor), force, mass: mass_unit, .. } = Units::from_report(report);
     let e = damper.restitution;
     let mut facts = Vec::new();
     let law = match damper.separation {
@@ -200,6 +200,17 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
             .map(|depth| format!("unknown: the motion ends after {} {shown}", number(factor * depth)));
         let text: Vec<String> = [over, ends, slope].into_iter().flatten().collect();
         facts.push(("mass drifts by", if text.is_empty() { "unknown".into() } else { text.join(", ") }));
+    }
+    if let Some(stroke) = report.over_stroke {
+        facts.push((
+            "with that drift",
+            format!(
+                "restitution {}, penetration {} {shown}, {} {mass_unit} at the largest penetration",
+                short_number(stroke.restitution),
+                short_number(factor * stroke.max_penetration),
+                short_number(stroke.mass_at_max_penetration)
+            ),
+        ));
     }
     if let Some(alone) = report.body_alone {
         let wrong = alone.restitution.map_or_else(String::new, |e| {

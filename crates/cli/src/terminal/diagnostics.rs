@@ -1,16 +1,17 @@
 //! Diagnostics as lines of text.
 
 use crate::terminal::limits;
+use percuss_mechanism::Severity;
 use percuss_study::DiagnosticRecord;
 use std::collections::HashMap;
 
 /// One line per diagnostic. Of many warnings or notes of one kind, only the first few are shown, with a count. Notes
 /// are summarised in one line unless `notes_shown`.
 pub fn lines(diagnostics: &[DiagnosticRecord], notes_shown: bool) -> Vec<String> {
-    let notes = diagnostics.iter().filter(|d| d.severity == "note").count();
+    let notes = diagnostics.iter().filter(|d| d.severity == Severity::Note).count();
     if !notes_shown && notes > 0 {
         let rest: Vec<DiagnosticRecord> =
-            diagnostics.iter().filter(|d| d.severity != "note").cloned().collect();
+            diagnostics.iter().filter(|d| d.severity != Severity::Note).cloned().collect();
         let mut lines = lines(&rest, true);
         lines.push(match notes {
             1 => "1 note: --notes shows it".to_owned(),
@@ -27,7 +28,7 @@ pub fn lines(diagnostics: &[DiagnosticRecord], notes_shown: bool) -> Vec<String>
     for d in diagnostics {
         let (total, so_far) = (totals[d.code], shown.entry(d.code).or_default());
         *so_far += 1;
-        if d.severity == "error"
+        if d.severity == Severity::Error
             || total <= limits::DIAGNOSTICS_SHOWN + 1
             || *so_far <= limits::DIAGNOSTICS_SHOWN
         {
@@ -36,7 +37,8 @@ pub fn lines(diagnostics: &[DiagnosticRecord], notes_shown: bool) -> Vec<String>
             let rest = total - limits::DIAGNOSTICS_SHOWN;
             lines.push(format!(
                 "{}: and {rest} more of this kind ({}); all in --format json",
-                d.severity, d.code
+                d.severity.name(),
+                d.code
             ));
         }
     }

@@ -5,6 +5,7 @@ use crate::terminal::escape::{self, Terminal};
 use crate::terminal::failure::Failure;
 use crate::terminal::wrap;
 use percuss_formats::KNOWN_WARNING;
+use percuss_mechanism::Severity;
 use percuss_study::DiagnosticRecord;
 use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -72,8 +73,9 @@ fn write_message(severity: &str, message: &str) {
 pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Result<(), Failure> {
     let mut lines = lines(diagnostics, NOTES_SHOWN.load(Ordering::Relaxed));
     // A warning that the model file marks as known becomes a note; under --strict this note counts as a warning.
-    let is_warning =
-        |d: &&DiagnosticRecord| d.severity == "warning" || d.severity == "note" && d.code == KNOWN_WARNING;
+    let is_warning = |d: &&DiagnosticRecord| {
+        d.severity == Severity::Warning || d.severity == Severity::Note && d.code == KNOWN_WARNING
+    };
     let warnings = diagnostics.iter().filter(is_warning).count();
     if strict && warnings > 0 {
         lines.push(format!("error: {warnings} warning(s); --strict treats warnings as errors"));

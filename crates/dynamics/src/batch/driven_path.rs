@@ -139,7 +139,7 @@ impl DrivenPath {
     }
 
     /// Pose at given positions, with the given residual of the loops.
-    fn pose_from_positions(&self, positions: &[f64], residual: f64) -> Pose {
+    pub(crate) fn pose_from_positions(&self, positions: &[f64], residual: f64) -> Pose {
         let model = self.from.assembly.pose_model();
         let mut kinematics = Kinematics::new(model);
         kinematics.q.copy_from_slice(positions);

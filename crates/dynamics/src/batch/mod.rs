@@ -3,5 +3,6 @@
 pub(crate) mod contact_map;
 pub(crate) mod driven_path;
 pub(crate) mod pool;
+pub(crate) mod row_path;
 pub(crate) mod rows;
 pub(crate) mod workspace;

@@ -1,6 +1,6 @@
 //! Constraints (loops, couplings, held contacts) that contain redundant rows of A.
 
-use crate::model::partition::Partition;
+use crate::model::structure::partition::Partition;
 use crate::tolerances::FAINT_COEFFICIENT;
 use faer::Mat;
 use faer::linalg::solvers::Solve;

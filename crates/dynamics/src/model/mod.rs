@@ -1,25 +1,21 @@
 //! Compiled form of a mechanism under conditions: plain immutable data, and the compilation.
 
 mod body;
-mod cluster;
-mod clusters;
 mod compile;
 pub(crate) mod conditions;
 pub(crate) mod configuration;
 mod constraint;
 mod constraints;
-mod group;
-mod groups;
 pub mod input;
 pub(crate) mod joint_motion;
-pub(crate) mod partition;
+pub(crate) mod structure;
 pub(crate) mod tangent;
 pub(crate) mod velocities;
 
 pub(crate) use body::{Body, Coordinate, LinkFrame, VelocityCoordinate};
-pub(crate) use cluster::{Cluster, ClusterGroup};
 pub(crate) use constraint::{CompiledClosure, CompiledCoupling};
-pub(crate) use group::{Constraint, ConstraintRows, ConstraintTerm, Group};
+pub(crate) use structure::cluster::{Cluster, ClusterGroup};
+pub(crate) use structure::group::{Constraint, ConstraintRows, ConstraintTerm, Group};
 
 use crate::model::conditions::{Base, CompiledHold};
 use percuss_mechanism::{JointId, LinkId, Mechanism};

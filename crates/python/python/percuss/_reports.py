@@ -6,7 +6,7 @@ import html
 import json
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Union, cast
 
 import numpy as np
@@ -20,6 +20,8 @@ from ._percuss import Contact, Model
 Position = Union[float, Sequence[float], str]
 #: Range of a sweep: text in command-line syntax, or (joint, from, to, count) in SI.
 Range = Union[str, tuple[str, float, float, int]]
+#: Travel of a point: text in command-line syntax, or (link, point, direction, distance) in SI.
+Travel = Union[str, tuple[str, Sequence[float], Sequence[float], float]]
 
 
 @dataclass(frozen=True)
@@ -29,9 +31,13 @@ class Conditions:
     frame: frame of the contact point: "link", "world", "against".
     against_mass: mass of a free body on the other side, kg.
     set: driving joints and their positions. guess: initial positions in the search for dependent joints.
+    travel: moves of points from the pose of set, as text "LINK:X,Y,Z:DX,DY,DZ=DISTANCE" or (link, point, direction,
+    distance): point in m in the link's frame, direction in world axes, distance in m.
+    pose: JSON file with the positions of all joints, such as a saved report; set and guess take precedence.
     lock: joints that are locked. hold: points that are held: (link, point) or (link, point, normal).
     armature: joints and the inertia of their rotors, kg·m² or kg. base: "fixed" or "floating".
     estimate: adds the classical estimate to the result: (links,), (links, point) or (links, point, direction).
+    ratio_at: adds motion ratios at points to the result: (link, point) or (link, point, direction), default upwards.
     """
 
     frame: str = "link"
@@ -43,6 +49,9 @@ class Conditions:
     armature: Mapping[str, float | Sequence[float]] = field(default_factory=dict)
     base: str = "fixed"
     estimate: Sequence[Any] | None = None
+    travel: Sequence[Travel] = ()
+    pose: str | os.PathLike[str] | None = None
+    ratio_at: Sequence[Sequence[Any]] = ()
 
 
 @dataclass(frozen=True)
@@ -79,7 +88,7 @@ class Design:
 
     name: str
     model: Model
-    contact: Contact
+    contact: Contact | str
     conditions: Conditions | None = None
 
 
@@ -180,16 +189,16 @@ class MapReport(Report):
 def _asked(conditions: Conditions | None) -> Conditions:
     """Conditions with plain dicts and lists, as the extension requires."""
     given = Conditions() if conditions is None else conditions
-    return Conditions(
-        frame=given.frame,
-        against_mass=given.against_mass,
+    return replace(
+        given,
         set=dict(given.set),
         guess=dict(given.guess),
+        travel=list(given.travel),
+        pose=None if given.pose is None else os.fspath(given.pose),
         lock=list(given.lock),
         hold=list(given.hold),
         armature=dict(given.armature),
-        base=given.base,
-        estimate=given.estimate,
+        ratio_at=list(given.ratio_at),
     )
 
 
@@ -199,15 +208,16 @@ def check(model: Model) -> Report:
 
 
 def mass(
-    model: Model, contact: Contact, conditions: Conditions | None = None, *, damping: Damping | None = None
+    model: Model, contact: Contact | str, conditions: Conditions | None = None, *, damping: Damping | None = None
 ) -> Report:
-    """Report on one contact of a model, with the damper if damping is given. As ``percuss mass``."""
+    """Report on one contact of a model, with the damper if damping is given. contact: a Contact, or the name of a
+    contact of the model (Model.contacts), such as "bump_stop"; a stop is brought to the touch. As ``percuss mass``."""
     return Report(json.loads(_percuss.mass_report(model, contact, _asked(conditions), damping)))
 
 
 def sweep_report(
     model: Model,
-    contact: Contact,
+    contact: Contact | str,
     conditions: Conditions | None = None,
     *,
     vary: Range | Sequence[Range] | None = None,
@@ -251,7 +261,7 @@ def map(
 
 
 def map_point(
-    model: Model, contact: Contact, directions: int = 500, conditions: Conditions | None = None
+    model: Model, contact: Contact | str, directions: int = 500, conditions: Conditions | None = None
 ) -> Report:
     """m̄ in many directions at the point of a contact, and the principal effective masses. The contact's normal is
     not used."""
@@ -264,7 +274,7 @@ def damp(mass: float, damping: Damping) -> Report:
 
 
 def damp_contact(
-    model: Model, contact: Contact, damping: Damping, conditions: Conditions | None = None
+    model: Model, contact: Contact | str, damping: Damping, conditions: Conditions | None = None
 ) -> Report:
     """Damper for a contact of a model, and its changes over the penetration. As ``percuss damp --mass-from``."""
     return Report(json.loads(_percuss.damp(model, contact, None, _asked(conditions), damping)))
@@ -289,7 +299,7 @@ def impact_history(mass: float, damping: Damping, samples: int = 200) -> NDArray
     return _percuss.impact_history(mass, damping, samples)
 
 
-def explain(model: Model, contact: Contact, conditions: Conditions | None = None) -> Report | None:
+def explain(model: Model, contact: Contact | str, conditions: Conditions | None = None) -> Report | None:
     """Sensitivity of m̄: its derivative with respect to the mass and the centre of mass of each link, each armature,
     and each hardpoint of a sheet. None if the contact has no finite mass, or different masses on its branches. As
     ``percuss mass --explain``."""
@@ -299,7 +309,7 @@ def explain(model: Model, contact: Contact, conditions: Conditions | None = None
 
 def tolerate(
     model: Model,
-    contact: Contact,
+    contact: Contact | str,
     tolerance: str,
     conditions: Conditions | None = None,
     *,
@@ -336,7 +346,7 @@ def compare_study(path: str | os.PathLike[str], name: str = "as given") -> Repor
 
 def safe_speed(
     model: Model,
-    contact: Contact,
+    contact: Contact | str,
     region: str | None,
     conditions: Conditions | None = None,
     *,
@@ -363,7 +373,7 @@ def safe_speed(
 
 def safe_speed_directions(
     model: Model,
-    contact: Contact,
+    contact: Contact | str,
     region: str | None,
     directions: Sequence[Sequence[float]],
     conditions: Conditions | None = None,

@@ -1,6 +1,6 @@
 //! Results of a sweep by columns, in arrays of numpy.
 
-use crate::matrices::mass_and_code;
+use crate::analysis::matrices::mass_and_code;
 use numpy::{Element, PyArray1, PyArrayMethods, PyReadwriteArray1};
 use percuss::{Contact, Pose, Remark, RemarkFlags};
 use pyo3::prelude::*;

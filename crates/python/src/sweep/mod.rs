@@ -3,21 +3,21 @@
 pub(crate) mod columns;
 pub(crate) mod portions;
 
-use crate::arrays::{float64_matrix as matrix, shape};
-use crate::contact::Contact;
-use crate::diagnostic::Diagnostic;
-use crate::errors::{self, input};
-use crate::matrices::mass_and_code;
-use crate::model::Model;
+use crate::analysis::contact::Contact;
+use crate::analysis::matrices::mass_and_code;
+use crate::analysis::model::Model;
+use crate::analysis::system::{Assembly, System, in_root_axes, position_names, root_frame};
+use crate::conversion::arrays::{float64_matrix as matrix, shape};
+use crate::conversion::diagnostic::Diagnostic;
+use crate::conversion::errors::{self, input};
 use crate::sweep::columns::{Columns, MASSLESS_TO_ROUNDING, zeros};
 use crate::sweep::portions::{run_fixed_portions, run_timed_portions};
-use crate::system::{Assembly, System, in_root_axes, position_names, root_frame};
 use numpy::ndarray::{ArrayView2, s};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use percuss::study::row_findings;
 use percuss::{
     Assembly as Assembled, Batch, BatchAnswer, BatchError, BatchPositions, Configuration,
-    Contact as Resolved, DrivenPath, JointId, PathAnswer, Pose as Posed, RemarkFlags,
+    Contact as Resolved, DrivenPath, JointId, Pose as Posed, RemarkFlags, RowAnswer, RowHandler, RowPath,
 };
 use percuss_render::{Figure, Panel, Series, Style};
 use pyo3::exceptions::PyTypeError;
@@ -151,8 +151,17 @@ pub fn sweep(
             match assembly.groups().is_empty() {
                 true => solve_tree(py, &batch, &model, &q, &position_indices, columns)?,
                 false => {
-                    let path = Path::new(&model, &assembly, resolved, &position_indices, other_assembly)?;
-                    no_answer = path.follow(py, &q, columns)?;
+                    let path = PathColumns {
+                        model: &model,
+                        assembly: &assembly,
+                        contact: resolved,
+                        joints: position_indices.iter().map(|(joint, _)| *joint).collect(),
+                        other_assembly,
+                        columns,
+                        first: 0,
+                        no_answer: None,
+                    };
+                    no_answer = path.solve(py, &q)?;
                 }
             }
         }
@@ -371,113 +380,48 @@ fn solve_tree(
     )
 }
 
-/// Path of a linkage by its drivers; each row continues from the row before.
-struct Path<'a> {
+/// Rows of the drivers of a linkage, with the columns of their results.
+struct PathColumns<'a> {
     model: &'a Model,
     assembly: &'a Arc<Assembled>,
     contact: Resolved,
     joints: Vec<JointId>,
-    /// Pose of the last reached row.
-    last_pose: Posed,
-    driven: Option<DrivenPath>,
     /// True if rows on another assembly mode are solved.
     other_assembly: bool,
+    columns: Columns<'a>,
+    /// Number of the first row of the portion.
+    first: usize,
     /// Reason of the first row without an answer.
     no_answer: Option<String>,
 }
 
-impl<'a> Path<'a> {
-    fn new(
-        model: &'a Model,
-        assembly: &'a Arc<Assembled>,
-        contact: Resolved,
-        position_indices: &[(JointId, usize)],
-        other_assembly: bool,
-    ) -> PyResult<Self> {
-        let joints = position_indices.iter().map(|(joint, _)| *joint).collect();
-        let zero = Configuration::zero(&model.read.mechanism);
-        let last_pose = assembly.pose(&zero).map_err(errors::assembly)?;
-        Ok(Self {
-            model,
-            assembly,
-            contact,
-            joints,
-            last_pose,
-            driven: None,
-            other_assembly,
-            no_answer: None,
-        })
-    }
-
+impl PathColumns<'_> {
     /// Solves all rows; returns the reason of the first row without an answer.
-    fn follow(
-        mut self,
-        py: Python<'_>,
-        q: &PyReadonlyArray2<'_, f64>,
-        mut columns: Columns<'_>,
-    ) -> PyResult<Option<String>> {
-        let (count, width) = (q.shape()[0], self.joints.len());
+    fn solve(mut self, py: Python<'_>, q: &PyReadonlyArray2<'_, f64>) -> PyResult<Option<String>> {
+        let zero = Configuration::zero(&self.model.read.mechanism);
+        let start = self.assembly.pose(&zero).map_err(errors::assembly)?;
+        let mut path = RowPath::new(Some(Arc::new(start)));
         let view = q.as_array();
         let mut values = Vec::new();
-        run_fixed_portions(py, count, |rows| {
-            let (first, row_count) = (rows.start, rows.len());
+        run_fixed_portions(py, view.nrows(), |rows| {
             values.clear();
             view.slice(s![rows.clone(), ..]).rows().into_iter().for_each(|row| values.extend(row));
             if !is_finite(&values) {
                 return Err(nonfinite_error(view, rows));
             }
-            let mut done = 0;
-            while done < row_count {
-                done += self.solve_in_lanes(&values[done * width..], first + done, &mut columns);
-                if done < row_count {
-                    let row = &values[done * width..(done + 1) * width];
-                    if let Err(reason) = self.solve_row(row, first + done, &mut columns) {
-                        columns.set(first + done, None, None, RemarkFlags::NO_ANSWER);
-                        self.no_answer.get_or_insert(reason);
-                    }
-                    done += 1;
-                }
-            }
+            self.first = rows.start;
+            path.follow(&values, rows.len(), &mut self);
             Ok(())
         })?;
         Ok(self.no_answer)
     }
+}
 
-    /// Solves rows in SIMD lanes while the branch is certain. Returns their number.
-    fn solve_in_lanes(&mut self, rows: &[f64], first: usize, columns: &mut Columns<'_>) -> usize {
-        let Some(driven) = &mut self.driven else { return 0 };
-        let (mut answers, mut positions): (Vec<PathAnswer>, Vec<f64>) = (Vec::new(), Vec::new());
-        let reached = driven.follow(rows, &mut answers, &mut positions);
-        let width = positions.len() / reached.max(1);
-        for (number, answer) in answers.iter().enumerate() {
-            let (at, row_positions) = (first + number, &positions[number * width..(number + 1) * width]);
-            let done = match answer.mass {
-                Some((mass, error)) => {
-                    let mass = Some(percuss::EffectiveMass::Finite(mass));
-                    columns.set(at, mass, Some(error), answer.remarks);
-                    Ok(())
-                }
-                None => driven
-                    .pose_at(row_positions, answer.residual)
-                    .map_err(|error| error.to_string())
-                    .and_then(|pose| columns.respond(&pose, &self.contact, at)),
-            };
-            if let Err(reason) = done {
-                columns.set(at, None, None, RemarkFlags::NO_ANSWER);
-                self.no_answer.get_or_insert(reason);
-            }
-        }
-        if reached > 0 {
-            self.last_pose = driven.pose();
-        }
-        reached
-    }
+impl RowHandler for PathColumns<'_> {
+    type Shared = ();
+    type Error = String;
 
-    /// Solves one row. If the row is not reached, the path continues from the last pose.
-    ///
-    /// # Errors
-    /// The reason of a row without an answer.
-    fn solve_row(&mut self, row: &[f64], at: usize, columns: &mut Columns<'_>) -> Result<(), String> {
+    fn pose(&mut self, _: usize, row: &[f64], last: Option<&Posed>) -> Result<Arc<Posed>, String> {
         let mechanism = &self.model.read.mechanism;
         let mut configuration = Configuration::zero(mechanism);
         if self.other_assembly {
@@ -488,15 +432,32 @@ impl<'a> Path<'a> {
                 .set(mechanism.joint(*joint).name(), &[*value])
                 .map_err(|error| error.to_string())?;
         }
-        let pose =
-            self.assembly.pose_from(&self.last_pose, &configuration).map_err(|error| error.to_string())?;
-        let done = columns.respond(&pose, &self.contact, at);
-        let is_restarted = self.driven.as_mut().is_some_and(|driven| driven.restart(&pose));
-        if !is_restarted {
-            self.driven = pose.driven_path(&self.contact, &self.joints).ok().flatten();
+        let pose = match last {
+            Some(last) => self.assembly.pose_from(last, &configuration),
+            None => self.assembly.pose(&configuration),
+        };
+        pose.map(Arc::new).map_err(|error| error.to_string())
+    }
+
+    fn driven_path(&mut self, pose: &Posed) -> Option<(DrivenPath, ())> {
+        pose.driven_path(&self.contact, &self.joints).ok().flatten().map(|path| (path, ()))
+    }
+
+    fn receive(&mut self, row: usize, _: &[f64], answer: RowAnswer<'_, (), String>) {
+        let at = self.first + row;
+        let done = match answer {
+            RowAnswer::Followed { mass: (mass, error), answer, .. } => {
+                let mass = Some(percuss::EffectiveMass::Finite(mass));
+                self.columns.set(at, mass, Some(error), answer.remarks);
+                Ok(())
+            }
+            RowAnswer::Posed(pose) => self.columns.respond(&pose, &self.contact, at),
+            RowAnswer::Unreached(reason) => Err(reason),
+        };
+        if let Err(reason) = done {
+            self.columns.set(at, None, None, RemarkFlags::NO_ANSWER);
+            self.no_answer.get_or_insert(reason);
         }
-        self.last_pose = pose;
-        done
     }
 }
 

@@ -1,6 +1,6 @@
 //! Portions of rows, with a check for Ctrl-C after each.
 
-use crate::threads::detached;
+use crate::conversion::threads::detached;
 use pyo3::prelude::*;
 use std::ops::Range;
 use std::time::{Duration, Instant};

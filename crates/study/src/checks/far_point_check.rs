@@ -2,6 +2,7 @@
 //! mistake.
 
 use crate::checks::finding::{Finding, FindingSubject};
+use crate::checks::finding_kind::FindingKind;
 use crate::question::field::{Field, Names};
 use crate::thresholds::{FAR_POINT, NEAR_POINT};
 use nalgebra::Vector3;
@@ -37,5 +38,5 @@ pub(crate) fn far_point_finding(
          {hint}",
         body.name()
     );
-    Some(Finding::warning("far-point", FindingSubject::Link(link), message))
+    Some(Finding::new(FindingKind::FarPoint, FindingSubject::Link(link), message))
 }

@@ -1,11 +1,12 @@
-//! Finding about a result: severity, code, subject and message, and the count of equal findings over rows.
+//! Finding about a result: severity, kind, subject and message, and the count of equal findings over rows.
 
+use crate::checks::finding_kind::FindingKind;
 use crate::model::record::DiagnosticRecord;
 use percuss_mechanism::{JointId, LinkId, Severity};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// Subject of a finding. Findings with the same code and subject are counted as one, even if the numbers in the
+/// Subject of a finding. Findings of the same kind and subject are counted as one, even if the numbers in the
 /// messages differ.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum FindingSubject {
@@ -25,39 +26,45 @@ pub(crate) enum FindingSubject {
 #[derive(Clone, Debug)]
 pub(crate) struct Finding {
     severity: Severity,
-    code: &'static str,
+    kind: FindingKind,
     subject: FindingSubject,
     message: String,
 }
 
 impl Finding {
-    /// Stable short name.
-    pub fn code(&self) -> &'static str {
-        self.code
+    /// Kind of the finding.
+    pub fn kind(&self) -> FindingKind {
+        self.kind
     }
 
-    /// Finding of the severity warning.
-    pub fn warning(code: &'static str, subject: FindingSubject, message: impl Into<String>) -> Self {
-        Self { severity: Severity::Warning, code, subject, message: message.into() }
+    /// Finding about a subject.
+    pub fn new(kind: FindingKind, subject: FindingSubject, message: impl Into<String>) -> Self {
+        Self { severity: kind.severity(), kind, subject, message: message.into() }
     }
 
-    /// Finding of the severity note.
-    pub fn note(code: &'static str, subject: FindingSubject, message: impl Into<String>) -> Self {
-        Self { severity: Severity::Note, code, subject, message: message.into() }
+    /// Finding about the result as a whole.
+    pub fn about_result(kind: FindingKind, message: impl Into<String>) -> Self {
+        Self::new(kind, FindingSubject::Result, message)
+    }
+
+    /// The finding with the severity of a note.
+    pub fn into_note(self) -> Self {
+        Self { severity: Severity::Note, ..self }
     }
 }
 
 impl From<Finding> for DiagnosticRecord {
     fn from(finding: Finding) -> Self {
-        Self::about_result(finding.severity, finding.code, finding.message)
+        let Finding { severity, kind, message, .. } = finding;
+        Self { severity, code: kind.code(), path: None, line: None, column: None, element: None, message }
     }
 }
 
-/// Findings over the rows of a sweep, one entry per code and subject, with the first row and the number of
+/// Findings over the rows of a sweep, one entry per kind and subject, with the first row and the number of
 /// rows.
 #[derive(Debug, Default)]
 pub(crate) struct FindingTally {
-    counts: BTreeMap<(&'static str, FindingSubject), CountedFinding>,
+    counts: BTreeMap<(FindingKind, FindingSubject), CountedFinding>,
 }
 
 #[derive(Debug)]
@@ -72,24 +79,24 @@ impl FindingTally {
     /// Adds the findings of a row.
     pub fn add(&mut self, row: usize, findings: impl IntoIterator<Item = Finding>) {
         for finding in findings {
-            let kind = (finding.code, finding.subject.clone());
-            self.counts.entry(kind).or_insert(CountedFinding { finding, first_row: row, rows: 0 }).rows += 1;
+            let key = (finding.kind, finding.subject.clone());
+            self.counts.entry(key).or_insert(CountedFinding { finding, first_row: row, rows: 0 }).rows += 1;
         }
     }
 
     /// Adds findings that hold for each of `rows` rows.
     pub fn add_repeated(&mut self, first_row: usize, rows: usize, findings: &[Finding]) {
         for finding in findings {
-            let kind = (finding.code, finding.subject.clone());
+            let key = (finding.kind, finding.subject.clone());
             let counted = || CountedFinding { finding: finding.clone(), first_row, rows: 0 };
-            self.counts.entry(kind).or_insert_with(counted).rows += rows;
+            self.counts.entry(key).or_insert_with(counted).rows += rows;
         }
     }
 
     /// Adds the findings of later rows.
     pub fn append(&mut self, later: Self) {
-        for (kind, counted) in later.counts {
-            match self.counts.entry(kind) {
+        for (key, counted) in later.counts {
+            match self.counts.entry(key) {
                 Entry::Vacant(entry) => drop(entry.insert(counted)),
                 Entry::Occupied(mut entry) => entry.get_mut().rows += counted.rows,
             }
@@ -121,17 +128,20 @@ impl FindingTally {
 mod tests {
     use super::*;
 
-    /// Findings with equal code and subject are counted as one; the message text is ignored.
+    /// Findings of equal kind and subject are counted as one; the message text is ignored.
     #[test]
     fn a_message_is_not_read() {
         let mut tally = FindingTally::default();
         let rod = || FindingSubject::Closure("rod".into());
-        tally.add(0, [Finding::note("n", rod(), "\"a\" 1")]);
+        tally.add(0, [Finding::new(FindingKind::DrawnOpen, rod(), "\"a\" 1")]);
         tally.add(
             1,
-            [Finding::note("n", rod(), "\"b\" 2"), Finding::note("n", FindingSubject::Hold(0), "\"a\" 1")],
+            [
+                Finding::new(FindingKind::DrawnOpen, rod(), "\"b\" 2"),
+                Finding::new(FindingKind::DrawnOpen, FindingSubject::Hold(0), "\"a\" 1"),
+            ],
         );
-        tally.add(2, [Finding::note("n", rod(), "\"c\" 3")]);
+        tally.add(2, [Finding::new(FindingKind::DrawnOpen, rod(), "\"c\" 3")]);
         let messages: Vec<String> = tally.into_records(3).map(|record| record.message).collect();
         assert_eq!(messages, ["\"a\" 1", "\"a\" 1 (row 1)"]);
     }

@@ -2,6 +2,8 @@
 
 use crate::checks::far_point_check;
 use crate::checks::finding::{Finding, FindingSubject};
+use crate::checks::finding_kind::FindingKind;
+use crate::checks::joint_limits::joint_limit_finding;
 use crate::question::field::{Field, Names};
 use crate::thresholds::{FAR_FROM_GUESS, WARNED_RELATIVE_ERROR};
 use crate::values::position::{GivenPosition, position_dimension};
@@ -9,7 +11,7 @@ use percuss_dynamics::{
     Assembly, BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose, Remark,
     RigidLoops, Singularity, System,
 };
-use percuss_mechanism::{JointId, JointKind, Limits, Mechanism};
+use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::Dimension;
 
 /// Remainder of x modulo the period, from −period/2 to period/2.
@@ -32,22 +34,6 @@ pub(crate) fn collect_pose_findings(system: &System, pose: &Pose, names: Names) 
     found
 }
 
-/// Finding for a joint outside its limits.
-pub(crate) fn joint_limit_finding(
-    mechanism: &Mechanism,
-    joint: JointId,
-    value: f64,
-    limits: Limits,
-) -> Finding {
-    let message = format!(
-        "joint \"{}\" is at {value}, outside its limits {} to {}",
-        mechanism.joint(joint).name(),
-        limits.lower,
-        limits.upper
-    );
-    Finding::warning("outside-limits", FindingSubject::Joint(joint), message)
-}
-
 /// Findings about closure of the loops and about the driving joints.
 fn add_loop_findings(system: &System, pose: &Pose, names: Names, found: &mut Vec<Finding>) {
     let mechanism = system.mechanism();
@@ -58,7 +44,11 @@ fn add_loop_findings(system: &System, pose: &Pose, names: Names, found: &mut Vec
             "the axis of loop \"{name}\" has opposite directions in its two frames with all joints at 0; the \
              axis of the successor was reversed"
         );
-        found.push(Finding::note("reversed-axis", FindingSubject::Closure(name.to_string()), message));
+        found.push(Finding::new(
+            FindingKind::ReversedAxis,
+            FindingSubject::Closure(name.to_string()),
+            message,
+        ));
     }
     if loops.inexactness > 0.0 {
         let part = loops.inexactness / mechanism.characteristic_length();
@@ -67,7 +57,7 @@ fn add_loop_findings(system: &System, pose: &Pose, names: Names, found: &mut Vec
              closed in the least-squares sense; check for rounded angles (1.5708)",
             loops.inexactness
         );
-        found.push(Finding::warning("inexact-loops", FindingSubject::Result, message));
+        found.push(Finding::about_result(FindingKind::InexactLoops, message));
     }
     for (joint, value) in &loops.off_zero {
         let message = format!(
@@ -75,7 +65,7 @@ fn add_loop_findings(system: &System, pose: &Pose, names: Names, found: &mut Vec
              {value:.9}; set it{set}",
             mechanism.joint(*joint).name()
         );
-        found.push(Finding::warning("driver-off-zero", FindingSubject::Joint(*joint), message));
+        found.push(Finding::new(FindingKind::DriverOffZero, FindingSubject::Joint(*joint), message));
     }
     for (joint, far) in &loops.off_target {
         let message = format!(
@@ -83,14 +73,14 @@ fn add_loop_findings(system: &System, pose: &Pose, names: Names, found: &mut Vec
              reachable position is used, {far:.6} rad or m away",
             mechanism.joint(*joint).name()
         );
-        found.push(Finding::warning("off-target", FindingSubject::Joint(*joint), message));
+        found.push(Finding::new(FindingKind::OffTarget, FindingSubject::Joint(*joint), message));
     }
     if let Some(starts) = loops.starts_tried {
         let message = format!(
             "the pose is on a different assembly mode than the first closed pose: the branch of that pose ends \
              before these positions; this pose was found from {starts} other start(s)"
         );
-        found.push(Finding::warning("other-assembly", FindingSubject::Result, message));
+        found.push(Finding::about_result(FindingKind::OtherAssembly, message));
     }
     for gap in pose.assembly().drawn_gaps() {
         found.push(drawn_gap_finding(mechanism, &gap));
@@ -103,7 +93,7 @@ fn add_loop_findings(system: &System, pose: &Pose, names: Names, found: &mut Vec
              because the model declares none",
             format_names(&drivers)
         );
-        found.push(Finding::note("drivers-chosen", FindingSubject::Result, message));
+        found.push(Finding::about_result(FindingKind::DriversChosen, message));
     }
 }
 
@@ -125,9 +115,9 @@ fn drawn_gap_finding(mechanism: &Mechanism, gap: &DrawnGap) -> Finding {
     if gap.is_wide {
         let part = 100.0 * gap.gap / gap.size;
         let message = format!("{message}: {part:.1} % of its size; check the points for typing errors");
-        Finding::warning("drawn-open", subject, message)
+        Finding::new(FindingKind::DrawnOpen, subject, message)
     } else {
-        Finding::note("drawn-open", subject, message)
+        Finding::new(FindingKind::DrawnOpen, subject, message).into_note()
     }
 }
 
@@ -142,7 +132,7 @@ fn add_rank_findings(assembly: &Assembly, found: &mut Vec<Finding>) {
         let gap = assembly.rank_gap().unwrap_or_default();
         let message =
             format!("the rank of the constraints is unclear (gap {gap:.1e}): the mobility may differ");
-        found.push(Finding::warning("unclear-rank", FindingSubject::Result, message));
+        found.push(Finding::about_result(FindingKind::UnclearRank, message));
     }
     let least = assembly.least_singular_value();
     if assembly.is_weakly_constrained() {
@@ -152,7 +142,7 @@ fn add_rank_findings(assembly: &Assembly, found: &mut Vec<Finding>) {
              one more degree of freedom than the {} counted",
             assembly.degrees_of_freedom()
         );
-        found.push(Finding::warning("weakly-constrained", FindingSubject::Result, message));
+        found.push(Finding::about_result(FindingKind::WeaklyConstrained, message));
     }
 }
 
@@ -187,7 +177,7 @@ fn rigid_loop_finding(mechanism: &Mechanism, rigid: &RigidLoops) -> Finding {
         message += "; if the linkage should move, check its lengths, the directions of its axes, and whether a loop \
                     should leave more motions (spherical instead of revolute)";
     }
-    Finding::warning("rigid-loops", subject, message)
+    Finding::new(FindingKind::RigidLoops, subject, message)
 }
 
 /// First six names and the number of further names.
@@ -214,18 +204,17 @@ pub(crate) fn guess_findings(
         if !explicit_guesses.iter().any(|(guessed, _)| guessed == name) {
             continue;
         }
-        let mut add =
-            |code, message| found.push(Finding::warning(code, FindingSubject::Joint(joint), message));
+        let mut add = |kind, message| found.push(Finding::new(kind, FindingSubject::Joint(joint), message));
         if !system.is_bound(joint) {
             let message = format!(
                 "the guess{given} for joint \"{name}\" is not used: the joint is in no loop; use {set} instead"
             );
-            add("unused-guess", message);
+            add(FindingKind::UnusedGuess, message);
         } else if drives(joint) {
             let message = format!(
                 "the guess{given} for joint \"{name}\" is not used: the joint is a driving joint; use {set} instead"
             );
-            add("unused-guess", message);
+            add(FindingKind::UnusedGuess, message);
         } else if let (&[at], &[guess]) = (pose.joint(joint), guess) {
             let size = system.mechanism().characteristic_length();
             let kind = system.mechanism().joint(joint).kind();
@@ -239,7 +228,7 @@ pub(crate) fn guess_findings(
                     "joint \"{name}\" was guessed at {guess}{given} and is at {at:.9}: no closer solution of \
                      its loops was found"
                 );
-                add("far-from-guess", message);
+                add(FindingKind::FarFromGuess, message);
             }
         }
     }
@@ -264,7 +253,7 @@ pub(crate) fn collect_response_findings(
     if let (EffectiveMass::Finite(_), None) = (response.effective_mass, response.effective_mass_error()) {
         let message = "the error of the effective mass is unknown: near this pose the effective mass is not \
             finite; do not rely on its digits";
-        found.push(Finding::warning("unknown-error", FindingSubject::Result, message));
+        found.push(Finding::about_result(FindingKind::UnknownError, message));
     }
     if let (EffectiveMass::Finite(m), Some(error)) =
         (response.effective_mass, response.effective_mass_error())
@@ -275,7 +264,7 @@ pub(crate) fn collect_response_findings(
              the mass matrix is nearly singular; do not rely on further digits",
             error / m
         );
-        found.push(Finding::warning("uncertain-mass", FindingSubject::Result, message));
+        found.push(Finding::about_result(FindingKind::UncertainMass, message));
     }
     found
 }
@@ -317,45 +306,43 @@ pub(crate) fn singular_pose_finding(
              the branches found; there may be more branches"
         }
     };
-    Some(Finding::warning("singular-pose", FindingSubject::Result, message))
+    Some(Finding::about_result(FindingKind::SingularPose, message))
 }
 
 /// Finding for a remark on the response. Remarks about the pose give `None`; [`about_pose`] reports them.
 fn remark(remark: &Remark) -> Option<Finding> {
-    let warning = |code, message: String| Finding::warning(code, FindingSubject::Result, message);
-    let note = |code, message: String| Finding::note(code, FindingSubject::Result, message);
-    Some(match remark {
-        Remark::NearlyImmovable { closing_speed, uncertainty } => warning(
-            "nearly-immovable",
+    let (kind, message) = match remark {
+        Remark::NearlyImmovable { closing_speed, uncertainty } => (
+            FindingKind::NearlyImmovable,
             format!(
                 "the gap is nearly constant (closing speed {closing_speed:.1e} of its terms): the relative \
                  uncertainty of the \
                  effective mass is {uncertainty:.1e}"
             ),
         ),
-        Remark::MasslessMotions { directions } => note(
-            "massless-motions",
+        Remark::MasslessMotions { directions } => (
+            FindingKind::MasslessMotions,
             format!("{directions} motion(s) of the mechanism have no mass; they do not affect the result"),
         ),
-        Remark::MasslessToRounding { up_to } => warning(
-            "massless-to-rounding",
+        Remark::MasslessToRounding { up_to } => (
+            FindingKind::MasslessToRounding,
             format!(
                 "massless within rounding: the masses differ by so many decades that an effective mass of up to \
                  {up_to:.1e} kg cannot be distinguished from 0"
             ),
         ),
-        Remark::UndeterminedMotion => note(
-            "undetermined-motion",
+        Remark::UndeterminedMotion => (
+            FindingKind::UndeterminedMotion,
             "a motion without mass leaves some velocities of the contact response undetermined; the mass and the \
              contributions are not affected"
                 .into(),
         ),
-        Remark::IndefiniteMassMatrix => warning(
-            "indefinite-mass-matrix",
+        Remark::IndefiniteMassMatrix => (
+            FindingKind::IndefiniteMassMatrix,
             "the mass matrix has negative directions: the value is stationary, not a minimum".into(),
         ),
-        Remark::UnclearRank { gap } => warning(
-            "unclear-rank-here",
+        Remark::UnclearRank { gap } => (
+            FindingKind::UnclearRankHere,
             format!(
                 "the rank of the constraints is unclear at this pose (gap {gap:.1e}): it is close to a change point, \
                  where the mobility differs"
@@ -371,5 +358,6 @@ fn remark(remark: &Remark) -> Option<Finding> {
         | Remark::UnclearMobility { .. }
         // The world of a question is the frame of its root link.
         | Remark::BaseNotGiven => return None,
-    })
+    };
+    Some(Finding::about_result(kind, message))
 }

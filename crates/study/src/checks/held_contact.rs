@@ -1,6 +1,7 @@
 //! Check of held contacts for tension: a held contact can push but not pull.
 
 use crate::checks::finding::{Finding, FindingSubject};
+use crate::checks::finding_kind::FindingKind;
 use crate::question::error::StudyError;
 use crate::question::field::{Field, Names};
 use crate::thresholds::LIFT_OFF_SPEED;
@@ -49,7 +50,7 @@ impl HeldContact {
                  without this held contact {}",
                 mass_text(response, other)?
             );
-            return Ok(Some(Finding::warning("hold-pulls", subject, message)));
+            return Ok(Some(Finding::new(FindingKind::HoldPulls, subject, message)));
         }
         let finite = matches!(response.effective_mass, EffectiveMass::Finite(_));
         Ok((!finite || velocity == Some(PointVelocity::Undetermined)).then(|| {
@@ -57,7 +58,7 @@ impl HeldContact {
                 "without the held contact of link \"{name}\"{hold} the contact response is undetermined, so the \
                  sign of its force is unknown"
             );
-            Finding::note("hold-undetermined", subject, message)
+            Finding::new(FindingKind::HoldUndetermined, subject, message)
         }))
     }
 }

@@ -1,12 +1,12 @@
 //! Findings about poses and responses for programs that use the library directly; the reports list the same
 //! findings.
 
-use crate::checks::finding::{Finding, FindingSubject, FindingTally};
+use crate::checks::finding::{Finding, FindingTally};
+use crate::checks::finding_kind::FindingKind;
 use crate::checks::findings::{collect_pose_findings, collect_response_findings, singular_pose_finding};
 use crate::model::record::DiagnosticRecord;
 use crate::question::field::Names;
 use percuss_dynamics::{Contact, ContactResponse, Pose, RemarkFlags, System};
-use percuss_mechanism::Severity;
 
 /// Findings about a pose: joints outside their limits, closure of the loops, rank of the constraint rows.
 pub fn pose_findings(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> {
@@ -29,117 +29,100 @@ pub fn response_findings(
     findings.into_iter().map(DiagnosticRecord::from).collect()
 }
 
-/// Code, severity and text of every kind of remark about a row.
-const REMARKS: [(RemarkFlags, Severity, &str, &str); 20] = {
+/// Kind of the finding and text for every kind of remark about a row.
+const REMARKS: [(RemarkFlags, FindingKind, &str); 20] = {
+    use FindingKind as Kind;
     use RemarkFlags as Flags;
-    use Severity::{Note, Warning};
     [
         (
             Flags::NEARLY_IMMOVABLE,
-            Warning,
-            "nearly-immovable",
+            Kind::NearlyImmovable,
             "the gap hardly closes: the effective mass is large and uncertain",
         ),
         (
             Flags::MASSLESS_MOTIONS,
-            Note,
-            "massless-motions",
+            Kind::MasslessMotions,
             "motions of the mechanism move no mass; they do not affect the answer",
         ),
         (
             Flags::MASSLESS_TO_ROUNDING,
-            Warning,
-            "massless-to-rounding",
+            Kind::MasslessToRounding,
             "massless to rounding only: the error of the row is the largest possible effective mass",
         ),
         (
             Flags::UNDETERMINED_MOTION,
-            Note,
-            "undetermined-motion",
+            Kind::UndeterminedMotion,
             "a motion without mass leaves some velocities of the contact response undetermined",
         ),
         (
             Flags::UNCLEAR_RANK,
-            Warning,
-            "unclear-rank-here",
+            Kind::UnclearRankHere,
             "the rank of the constraints is unclear at this pose: it is close to a change point",
         ),
         (
             Flags::INDEFINITE_MASS_MATRIX,
-            Warning,
-            "indefinite-mass-matrix",
+            Kind::IndefiniteMassMatrix,
             "the mass matrix has negative directions: the value is stationary, not a minimum",
         ),
         (
             Flags::SINGULAR_POSE,
-            Warning,
-            "singular-pose",
+            Kind::SingularPose,
             "branches cross at this pose, and the value is a lower bound",
         ),
         (
             Flags::OTHER_ASSEMBLY,
-            Warning,
-            "other-assembly",
+            Kind::OtherAssembly,
             "the pose is on another assembly mode than the first closed pose",
         ),
         (
             Flags::DRAWN_OPEN,
-            Warning,
-            "drawn-open",
+            Kind::DrawnOpen,
             "a loop as drawn is open by more than a hundredth of its size: is a point mistyped?",
         ),
         (
             Flags::INEXACT_LOOPS,
-            Warning,
-            "inexact-loops",
+            Kind::InexactLoops,
             "the file's loops are inexact and closed in least squares: are its angles rounded (1.5708)?",
         ),
         (
             Flags::DRIVER_OFF_ZERO,
-            Warning,
-            "driver-off-zero",
+            Kind::DriverOffZero,
             "a driving joint was not set, and its position 0 is out of reach",
         ),
         (
             Flags::OFF_TARGET,
-            Warning,
-            "off-target",
+            Kind::OffTarget,
             "a joint was set to more numbers than its loops leave degrees of freedom",
         ),
-        (Flags::OUTSIDE_LIMITS, Warning, "outside-limits", "a joint is outside its limits"),
+        (Flags::OUTSIDE_LIMITS, Kind::OutsideLimits, "a joint is outside its limits"),
         (
             Flags::WEAKLY_CONSTRAINED,
-            Warning,
-            "weakly-constrained",
+            Kind::WeaklyConstrained,
             "the mechanism is weakly constrained: rounded figures of the file can free one more motion",
         ),
         (
             Flags::UNCLEAR_MOBILITY,
-            Warning,
-            "unclear-rank",
+            Kind::UnclearRank,
             "the rank of the constraints is unclear: the mobility may differ",
         ),
         (
             Flags::BASE_NOT_GIVEN,
-            Warning,
-            "base-not-given",
+            Kind::BaseNotGiven,
             "the normal is given in the world and the base floats, but the pose of the base was not given: the root link \
              is taken to be at the world's origin",
         ),
-        (Flags::NOT_FINITE, Warning, "not-finite", "no result: a position is not a finite number"),
+        (Flags::NOT_FINITE, Kind::NotFinite, "no result: a position is not a finite number"),
         (
             Flags::NOT_UNIT_QUATERNION,
-            Warning,
-            "not-unit-quaternion",
+            Kind::NotUnitQuaternion,
             "no result: a quaternion is not of unit length",
         ),
         (
             Flags::OPEN_LOOPS,
-            Warning,
-            "open-loops",
+            Kind::OpenLoops,
             "no result: the loops are open at the given positions; expected the positions of a pose",
         ),
-        (Flags::NO_ANSWER, Warning, "no-answer", "no result: the pose does not exist, or no route solves it"),
+        (Flags::NO_ANSWER, Kind::NoAnswer, "no result: the pose does not exist, or no route solves it"),
     ]
 };
 
@@ -178,7 +161,7 @@ pub fn matrix_findings(
     if let Some(first) = small_rows.first() {
         let text = "rows of A count and are below the rounding of others: small units, or rounding to be excluded \
                     by row_noise";
-        let finding = Finding::warning("small-rows", FindingSubject::Result, text);
+        let finding = Finding::about_result(FindingKind::SmallRows, text);
         tally.add_repeated(*first, small_rows.len(), &[finding]);
     }
     tally.into_records_of(count, "number").collect()
@@ -204,15 +187,12 @@ fn tally_remarks(
         }
     }
     let mut tally = FindingTally::default();
-    for ((flag, severity, code, usual), (first, rows)) in REMARKS.iter().zip(occurrences) {
+    for ((flag, kind, usual), (first, rows)) in REMARKS.iter().zip(occurrences) {
         if rows == 0 {
             continue;
         }
         let text = text(*flag, usual);
-        let finding = match severity {
-            Severity::Note => Finding::note(code, FindingSubject::Result, text),
-            _ => Finding::warning(code, FindingSubject::Result, text),
-        };
+        let finding = Finding::about_result(*kind, text);
         tally.add_repeated(first, rows, &[finding]);
     }
     (tally, count)
@@ -235,9 +215,8 @@ mod tests {
         let found = row_findings(rows, Some("out of reach"));
         assert_eq!(found.len(), REMARKS.len());
         assert!(found.iter().all(|record| record.message.ends_with(" (row 1, and 1 more)")));
-        assert!(
-            found.iter().any(|r| r.code == "no-answer" && r.message.starts_with("no result: out of reach"))
-        );
+        let no_answer = found.iter().find(|record| record.code == FindingKind::NoAnswer.code());
+        assert!(no_answer.is_some_and(|r| r.message == "no result: out of reach (row 1, and 1 more)"));
         assert!(row_findings([RemarkFlags::NONE; 3], None).is_empty());
     }
 

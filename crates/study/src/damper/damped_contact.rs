@@ -1,25 +1,29 @@
 //! Damper of a contact of a model: effective mass, drift over the penetration, and simulator options derived
 //! from the model.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::damper::curvature::motion_curvature;
 use crate::damper::damping::{
-    DampingReport, Drift, compare_with_body_mass, damper, exports, law_mismatch_diagnostic,
+    DamperRecord, DampingReport, Drift, compare_with_body_mass, damper, exports, impact_over_stroke,
+    law_mismatch_diagnostic,
 };
 use crate::damper::joint_stop::JointStop;
 use crate::damper::penetration::{PenetrationEnd, PenetrationPath};
+use crate::evaluation::named_contact::named_contact;
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
 use crate::evaluation::status::Status;
-use crate::mass::named_contact::named_contact;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
 use crate::question::damping_question::DampingQuestion;
 use crate::question::error::StudyError;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
-use crate::thresholds::{DIFFERENCE, SAME_LIMIT, WARNED_MASS_DRIFT};
+use crate::thresholds::{DIFFERENCE, SAME_LIMIT, STROKES, WARNED_MASS_DRIFT};
+use percuss_contact::VaryingMassImpact;
 use percuss_contact::exports::{MassDrift, Options};
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, System};
-use percuss_mechanism::{LinkId, Mechanism, Severity};
+use percuss_mechanism::{LinkId, Mechanism};
 
 /// Damper of a contact of a model.
 ///
@@ -47,12 +51,13 @@ pub fn damp_stop(
     let (question, record) = stop.question(model, conditions)?;
     let mut damping = damping.clone();
     damping.options.stop = Some(record.motion);
-    let mut report = damp_contact(model, &question, &damping)?;
+    let mut evaluated = EvaluatedQuestion::new(model, &question)?;
+    // The contact point is chosen by percuss, 1 m from the axis.
+    evaluated.result.findings.retain(|finding| finding.kind() != FindingKind::FarPoint);
+    let mut report = damping_report(&evaluated, &damping)?;
     report.stop = Some(record);
     // The mass of the child link alone has no meaning for a joint stop.
     report.body_alone = None;
-    // The contact point is chosen by percuss, 1 m from the axis.
-    report.diagnostics.retain(|found| found.code != "far-point");
     Ok(report)
 }
 
@@ -69,6 +74,7 @@ pub(crate) fn damping_report(
     };
     let record = damper(damping, mass)?;
     let (drift, ended) = drift(evaluated, mass, record.max_penetration);
+    let over_stroke = over_stroke(evaluated, damping, &record);
     let mut options = options(damping.options, evaluated, mass);
     let changes = drift.over_penetration.zip(record.max_penetration.filter(|x| *x > 0.0));
     options.drift =
@@ -88,6 +94,7 @@ pub(crate) fn damping_report(
         stop: None,
         damper: record,
         drift: Some(drift),
+        over_stroke,
         body_alone,
         exports: exports(damping, mass, options)?,
         diagnostics,
@@ -142,7 +149,9 @@ fn drift(evaluated: &EvaluatedQuestion, mass: f64, depth: Option<f64>) -> (Drift
     };
     let step = DIFFERENCE * system.mechanism().characteristic_length();
     let per_metre = at(step).zip(at(-step)).map(|(more, less)| (more - less) / (2.0 * step * mass));
-    let mass_at_depth = depth.map(|depth| PenetrationPath { prepared, contact }.mass_at(pose, depth));
+    let masses = depth.map(|depth| PenetrationPath { prepared, contact }.masses_to(pose, depth));
+    let mass_at_depth =
+        masses.map(|masses| masses.map(|masses| masses.last().map_or(mass, |(_, mass)| *mass)));
     let (over_penetration, ended) = match mass_at_depth {
         None => (None, None),
         Some(Ok(mass_at_depth)) => (Some(mass_at_depth / mass - 1.0), None),
@@ -150,6 +159,27 @@ fn drift(evaluated: &EvaluatedQuestion, mass: f64, depth: Option<f64>) -> (Drift
     };
     let ends_at = ended.as_ref().map(|ended| ended.depth);
     (Drift { per_metre, over_penetration, ends_at }, ended)
+}
+
+/// Impact with m̄ as it changes over the penetration; `None` without a speed, or if the motion of the impact ends before
+/// the largest penetration.
+fn over_stroke(
+    evaluated: &EvaluatedQuestion,
+    damping: &DampingQuestion,
+    record: &DamperRecord,
+) -> Option<VaryingMassImpact> {
+    let EvaluatedQuestion { prepared, pose, contact, result } = evaluated;
+    let depth = record.max_penetration.filter(|depth| *depth > 0.0)?;
+    if result.response.singular_pose || !result.response.mechanism_moves() {
+        return None;
+    }
+    let path = PenetrationPath { prepared, contact };
+    // A mass that grows over the penetration penetrates deeper than the constant mass.
+    STROKES.into_iter().find_map(|factor| {
+        let masses = path.masses_to(pose, factor * depth).ok()?;
+        let impact = impact_over_stroke(damping, &masses).ok()??;
+        (impact.max_penetration <= factor * depth).then_some(impact)
+    })
 }
 
 /// Warning if m̄ changes strongly over the penetration, or if the penetration is not reachable.
@@ -169,7 +199,7 @@ fn drift_diagnostic(
             "the greatest penetration, {depth:.4e} m or rad, is unreachable: the motion of the impact ends after {reached:.4e}: \
              {why}. The effective mass is that at the touch; a stiffer contact or a slower impact penetrates less"
         );
-        return Some(DiagnosticRecord::about_result(Severity::Warning, "penetration-unreachable", message));
+        return Some(Finding::about_result(FindingKind::PenetrationUnreachable, message).into());
     }
     let over = drift.over_penetration.filter(|over| over.abs() > WARNED_MASS_DRIFT)?;
     let message = format!(
@@ -177,7 +207,7 @@ fn drift_diagnostic(
          stiffer contact or a slower impact reduces it",
         100.0 * over
     );
-    Some(DiagnosticRecord::about_result(Severity::Warning, "mass-drifts", message))
+    Some(Finding::about_result(FindingKind::MassDrifts, message).into())
 }
 
 /// Completes the simulator options with values of the model.

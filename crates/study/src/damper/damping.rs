@@ -1,16 +1,20 @@
 //! Damper design from a coefficient of restitution: damper of the contact, impact at a given speed, and
 //! simulator parameters.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::damper::joint_stop::StopRecord;
 use crate::damper::simulators::ExportRecord;
-use crate::mass::named_contact::NamedContactRecord;
+use crate::evaluation::named_contact::NamedContactRecord;
 use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
 use crate::question::damping_question::DampingQuestion;
 use crate::question::error::StudyError;
 use percuss_contact::exports::{Options, Request};
-use percuss_contact::{CompliantContact, ContactLawError, Damper, Law, Sample, Separation};
-use percuss_mechanism::Severity;
+use percuss_contact::{
+    CompliantContact, ContactLawError, Damper, Law, Sample, Separation, VaryingMassImpact,
+    impact_with_varying_mass,
+};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -105,6 +109,10 @@ pub struct DampingReport {
     pub damper: DamperRecord,
     /// Change of m̄ over the penetration; null if the mass is given directly.
     pub drift: Option<Drift>,
+    /// The same damper in an impact with m̄ as it changes over the penetration: exact for a mechanism with one degree of
+    /// freedom, otherwise along the motion of the impact. Null without a speed, if the mass is given directly, and if the
+    /// motion ends before the largest penetration.
+    pub over_stroke: Option<VaryingMassImpact>,
     /// Mass of the contact body alone and the resulting restitution; null if neither the model nor the options
     /// give this mass.
     pub body_alone: Option<BodyAlone>,
@@ -171,6 +179,16 @@ pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, Con
     })
 }
 
+/// Impact of a damper, designed for the mass at the touch, with a mass that changes over the penetration.
+pub(crate) fn impact_over_stroke(
+    question: &DampingQuestion,
+    masses: &[(f64, f64)],
+) -> Result<Option<VaryingMassImpact>, ContactLawError> {
+    let (Some((_, mass)), Some(speed)) = (masses.first(), question.speed) else { return Ok(None) };
+    let contact = contact(question, *mass)?;
+    impact_with_varying_mass(contact_damper(question, contact)?, contact, masses, speed)
+}
+
 /// History of the impact at `samples` times: time, penetration, penetration rate and force.
 ///
 /// # Errors
@@ -219,7 +237,7 @@ pub(crate) fn law_mismatch_diagnostic(question: &DampingQuestion) -> Option<Diag
              requested law and separation apply only to the damper above",
             question.restitution
         );
-        DiagnosticRecord::about_result(Severity::Note, "exports-own-law", message)
+        Finding::about_result(FindingKind::ExportsOwnLaw, message).into()
     })
 }
 
@@ -251,6 +269,7 @@ pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, Stud
         stop: None,
         damper: damper(question, mass)?,
         drift: None,
+        over_stroke: None,
         body_alone,
         exports: exports(question, mass, question.options)?,
         diagnostics: law_mismatch_diagnostic(question).into_iter().collect(),

@@ -11,7 +11,8 @@
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::question::error::StudyError;
 use crate::thresholds::{
-    FIRST_PENETRATION, LEAST_PENETRATION, PENETRATION_GROWTH, PENETRATION_MASS, PENETRATION_MOTION,
+    FIRST_PENETRATION, LARGEST_PENETRATION, LEAST_PENETRATION, PENETRATION_GROWTH, PENETRATION_MASS,
+    PENETRATION_MOTION,
 };
 use percuss_dynamics::{Contact, ContactResponse, EffectiveMass, Pose};
 
@@ -38,22 +39,24 @@ struct PathPoint {
 }
 
 impl PenetrationPath<'_> {
-    /// m̄ at a depth (m), kg.
+    /// m̄ (kg) over the penetration (m): pairs from first touch to a depth, at most a sixteenth of the depth apart.
     ///
     /// # Errors
-    /// [`Ended`]: the gap cannot close to this depth on the branch, or the contact has no finite mass there.
-    pub fn mass_at(&self, pose: &Pose, depth: f64) -> Result<f64, PenetrationEnd> {
+    /// [`PenetrationEnd`]: the gap cannot close to this depth on the branch, or the contact has no finite mass there.
+    pub fn masses_to(&self, pose: &Pose, depth: f64) -> Result<Vec<(f64, f64)>, PenetrationEnd> {
         let mut done = 0.0;
         let mut step = depth * FIRST_PENETRATION;
         let mut at = self.point(pose.clone()).map_err(|error| PenetrationEnd { depth: done, error })?;
         let mut error = None;
+        let mut masses = vec![(0.0, at.mass)];
         while done < depth {
-            step = f64::min(step, depth - done);
+            step = step.min(depth - done).min(LARGEST_PENETRATION * depth);
             match self.step_with_error_control(&at, step) {
                 Ok(next) => {
                     at = next;
                     // Exact end at `depth`, without rounding.
                     done = if step < depth - done { done + step } else { depth };
+                    masses.push((done, at.mass));
                     step *= PENETRATION_GROWTH;
                     error = None;
                 }
@@ -66,7 +69,7 @@ impl PenetrationPath<'_> {
                 }
             }
         }
-        Ok(at.mass)
+        Ok(masses)
     }
 
     /// Point after a step, if one whole step and two half steps agree; `Err(None)` otherwise.

@@ -1,6 +1,8 @@
 //! Evaluation of one contact at one pose.
 
 pub(crate) mod estimate;
+pub(crate) mod named_contact;
 pub(crate) mod prepared_question;
 pub(crate) mod random_rows;
 pub(crate) mod status;
+pub(crate) mod wheel_points;

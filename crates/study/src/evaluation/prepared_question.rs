@@ -2,6 +2,7 @@
 //! conditions once; the contact is then evaluated at any number of poses.
 
 use crate::checks::finding::{Finding, FindingSubject};
+use crate::checks::finding_kind::{FindingKind, FindingScope};
 use crate::checks::findings::{
     collect_pose_findings, collect_response_findings, guess_findings, singular_pose_finding,
 };
@@ -66,6 +67,17 @@ impl ContactResult {
     pub fn complete_branch_limits(&self) -> Option<&[EffectiveMass]> {
         let limits = &self.limits;
         (limits.complete && !limits.continuous && !limits.limits.is_empty()).then_some(&limits.limits)
+    }
+
+    /// Findings of a regular pose with a finite m̄ that hold for all poses of its branch. `None` if another finding than
+    /// that of the joint limits depends on the pose.
+    pub fn into_branch_findings(self) -> Option<Vec<Finding>> {
+        let finite = matches!(self.response.effective_mass, EffectiveMass::Finite(_));
+        let scope = |finding: &Finding| finding.kind().scope();
+        let of_branch = |finding: &Finding| scope(finding).covers_branch();
+        let plain = |finding: &Finding| of_branch(finding) || scope(finding) == FindingScope::Positions;
+        let regular = finite && !self.response.singular_pose && self.findings.iter().all(plain);
+        regular.then(|| self.findings.into_iter().filter(of_branch).collect())
     }
 }
 
@@ -188,7 +200,7 @@ impl<'a> PreparedQuestion<'a> {
             "the contact point given in another frame ({given}) is {x},{y},{z} m in the frame of link \"{link}\", converted \
              {condition}; it moves with the link"
         );
-        Some(Finding::note("point-converted", FindingSubject::Link(contact.link), message))
+        Some(Finding::new(FindingKind::PointConverted, FindingSubject::Link(contact.link), message))
     }
 
     /// Findings about unused or distant guesses, and about a pose file that belongs to another model.
@@ -198,9 +210,7 @@ impl<'a> PreparedQuestion<'a> {
             guess_findings(&self.system, pose, &self.configuration, &question.guess, question.names);
         let other =
             question.pose.as_ref().and_then(|file| file.model_mismatch_message(self.model, question.names));
-        found.extend(
-            other.map(|message| Finding::warning("pose-of-another-file", FindingSubject::Result, message)),
-        );
+        found.extend(other.map(|message| Finding::about_result(FindingKind::PoseOfAnotherFile, message)));
         found
     }
 
@@ -236,7 +246,7 @@ impl<'a> PreparedQuestion<'a> {
                 "the mechanism is immovable at this contact: the result is the mass of the other body alone{}",
                 Field::AgainstMass.hint(names)
             );
-            findings.push(Finding::note("immovable-mechanism", FindingSubject::Result, message));
+            findings.push(Finding::about_result(FindingKind::ImmovableMechanism, message));
         }
         let with_other = response.clone().against_mass(other).map_err(ResponseError::from)?;
         Ok(ContactResult {

@@ -1,9 +1,9 @@
 //! Report of a map: a summary of each link, and the facets.
 
-use crate::mass::mass_report::ConditionsRecord;
 use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::Positions;
+use crate::reports::mass_report::ConditionsRecord;
 use percuss_dynamics::ContactStatus;
 use percuss_formats::{Facet, Orientation};
 use percuss_spatial::Transform;

@@ -2,13 +2,13 @@
 
 use crate::checks::findings::collect_pose_findings;
 use crate::evaluation::prepared_question::PreparedQuestion;
-use crate::mass::mass_report::ConditionsRecord;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
+use crate::reports::mass_report::ConditionsRecord;
 use crate::thresholds::DIRECTIONS;
 use nalgebra::Vector3;
 use percuss_dynamics::EffectiveMass;

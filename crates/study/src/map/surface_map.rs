@@ -1,11 +1,12 @@
 //! m̄ over the surfaces of links at one pose.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::checks::findings::collect_pose_findings;
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::map::map_report::{
     Extreme, LinkMap, MapAnswer, MapReport, OmittedLink, OrientationRecord, SkinFacets,
 };
-use crate::mass::mass_report::ConditionsRecord;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
@@ -13,10 +14,11 @@ use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::map_question::{MapLinks, MapQuestion, MapShapes};
 use crate::question::mass_question::{MassQuestion, Normal};
+use crate::reports::mass_report::ConditionsRecord;
 use crate::thresholds::{EDGES_ACROSS, FACETS, LEAST_EDGE};
 use percuss_dynamics::{ContactColumns, ContactMap, ContactStatus, MapAnswers, Pose};
 use percuss_formats::{Facet, MeshFolders, Purpose, Shape, Surface};
-use percuss_mechanism::{LinkId, Severity};
+use percuss_mechanism::LinkId;
 use rayon::prelude::*;
 use std::cell::RefCell;
 use std::path::Path;
@@ -84,7 +86,7 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     if rank.singular {
         let message = "branches cross at this pose: every effective mass is a lower bound here, and the limits \
             along the branches may be much larger; use a nearby pose, or percuss mass, which shows the limits";
-        diagnostics.push(DiagnosticRecord::about_result(Severity::Warning, "singular-pose", message.into()));
+        diagnostics.push(Finding::about_result(FindingKind::SingularPose, message).into());
     }
     let report = MapReport {
         schema: "percuss.map/1",

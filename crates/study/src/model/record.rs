@@ -2,13 +2,14 @@
 
 use percuss_formats::Diagnostic;
 use percuss_mechanism::Severity;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// Finding about a file or a result.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DiagnosticRecord {
-    /// `error`, `warning` or `note`.
-    pub severity: &'static str,
+    /// Severity; `error`, `warning` or `note` in JSON.
+    #[serde(serialize_with = "serialize_severity")]
+    pub severity: Severity,
     /// Stable short name for scripts.
     pub code: &'static str,
     /// File; null for a finding about the result.
@@ -24,11 +25,6 @@ pub struct DiagnosticRecord {
 }
 
 impl DiagnosticRecord {
-    /// Finding about the result, without a place in a file.
-    pub fn about_result(severity: Severity, code: &'static str, message: String) -> Self {
-        Self { severity: severity.name(), code, path: None, line: None, column: None, element: None, message }
-    }
-
     /// Text `file:line: severity: element: message`; missing parts are omitted.
     pub fn line(&self) -> String {
         let mut text = String::new();
@@ -39,7 +35,7 @@ impl DiagnosticRecord {
             }
             text += ": ";
         }
-        text += self.severity;
+        text += self.severity.name();
         text += ": ";
         if let Some(element) = &self.element {
             text += element;
@@ -52,7 +48,7 @@ impl DiagnosticRecord {
 impl From<Diagnostic> for DiagnosticRecord {
     fn from(d: Diagnostic) -> Self {
         Self {
-            severity: d.severity.name(),
+            severity: d.severity,
             code: d.code,
             path: Some(d.path),
             line: d.line,
@@ -61,4 +57,10 @@ impl From<Diagnostic> for DiagnosticRecord {
             message: d.message,
         }
     }
+}
+
+/// Serializes the name of a severity.
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "signature required by serde")]
+fn serialize_severity<S: Serializer>(severity: &Severity, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(severity.name())
 }

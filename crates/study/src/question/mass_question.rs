@@ -24,6 +24,22 @@ pub enum Normal {
     TurningAwayFrom(String, [f64; 3]),
 }
 
+impl Normal {
+    /// Normal with names in place of links, and the frame of a normal that is a vector.
+    pub fn of_direction(direction: Direction, name: impl Fn(LinkId) -> String) -> (Self, Frame) {
+        match direction {
+            Direction::Along(normal, frame) => (Normal::Along(normal.into()), frame),
+            Direction::Toward(link, point) => (Normal::Toward(name(link), point.into()), Frame::Link),
+            Direction::TurningToward(link, point) => {
+                (Normal::TurningToward(name(link), point.into()), Frame::Link)
+            }
+            Direction::TurningAwayFrom(link, point) => {
+                (Normal::TurningAwayFrom(name(link), point.into()), Frame::Link)
+            }
+        }
+    }
+}
+
 /// Held contact: a point (m, link's frame) of a link that stays in place along a normal (world axes, out of the
 /// link) or in all directions.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,16 +87,8 @@ impl MassQuestion {
         let contact = self.named_contact(mechanism)?.filter(|_| self.link.is_empty());
         let Some(contact) = contact else { return Ok(Cow::Borrowed(self)) };
         let name = |link: LinkId| mechanism.link(link).name().to_owned();
-        let (normal, normal_frame) = match Contact::named(contact, mechanism.root()).normal {
-            Direction::Along(normal, frame) => (Normal::Along(normal.into()), frame),
-            Direction::Toward(link, point) => (Normal::Toward(name(link), point.into()), Frame::Link),
-            Direction::TurningToward(link, point) => {
-                (Normal::TurningToward(name(link), point.into()), Frame::Link)
-            }
-            Direction::TurningAwayFrom(link, point) => {
-                (Normal::TurningAwayFrom(name(link), point.into()), Frame::Link)
-            }
-        };
+        let (normal, normal_frame) =
+            Normal::of_direction(Contact::named(contact, mechanism.root()).normal, name);
         Ok(Cow::Owned(Self {
             link: name(contact.link()),
             point: (*contact.point()).into(),

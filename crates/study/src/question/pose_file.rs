@@ -1,8 +1,8 @@
 //! Joint positions from a file: the JSON of a result, or an object of joints and positions.
 
-use crate::message_text::truncate_for_message;
 use crate::model::loading::{Input, Model, hexadecimal};
 use crate::question::field::Names;
+use crate::values::message_text::truncate_for_message;
 use crate::values::position::GivenPosition;
 use crate::values::value;
 use percuss_formats::Source;

@@ -1,9 +1,9 @@
 //! Study file: a model with queries in TOML, equivalent to flags of the commands.
 
 use crate::checks::design_variant::DesignError;
-use crate::compare::Design;
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::damper::joint_stop::JointStop;
-use crate::message_text::truncate_for_message;
 use crate::model::loading::{Input, Model, Origin};
 use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::is_study;
@@ -13,6 +13,7 @@ use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
 use crate::question::refusal::InvalidKey;
 use crate::question::row_source::RowSource;
+use crate::reports::compare::Design;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::keys::{StudyKeys, UnknownKey};
 use crate::study_file::map::StudyMap;
@@ -24,9 +25,10 @@ use crate::study_file::variant::{Variant, VariantModels, changes};
 use crate::thresholds::{
     LARGEST_STUDY, LARGEST_VARIANTS, LONGEST_LINE_SHOWN, MOST_VARIANT_LINKS, MOST_VARIANTS,
 };
+use crate::values::message_text::truncate_for_message;
 use percuss_contact::exports::StopMotion;
 use percuss_formats::{LoadError, LoadOptions, Source};
-use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind, Severity, Subject};
+use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind, Subject};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -444,7 +446,7 @@ fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) ->
     for closure in closures.iter().filter(|c| c.kind == ClosureKind::Distance && c.distance.is_none()) {
         let message =
             format!("loop \"{}\" has no distance: the distance with all joints at 0 is used", closure.name);
-        let record = DiagnosticRecord::about_result(Severity::Note, "default-distance", message);
+        let record = DiagnosticRecord::from(Finding::about_result(FindingKind::DefaultDistance, message));
         diagnostics.push(DiagnosticRecord { path: Some(path.to_owned()), ..record });
     }
     // The findings about unbound joints concern the model file alone; the added closures may bind these joints.
@@ -455,9 +457,15 @@ fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) ->
     // Other findings of the builder were reported, with positions, when the model file was read.
     for (subject, problem) in built.findings {
         if matches!(subject, Subject::Closure { index, .. } if index >= of_file) {
-            let message = format!("{subject}: {problem}");
-            let record = DiagnosticRecord::about_result(problem.severity(), problem.code(), message);
-            diagnostics.push(DiagnosticRecord { path: Some(path.to_owned()), ..record });
+            diagnostics.push(DiagnosticRecord {
+                severity: problem.severity(),
+                code: problem.code(),
+                path: Some(path.to_owned()),
+                line: None,
+                column: None,
+                element: None,
+                message: format!("{subject}: {problem}"),
+            });
         }
     }
     let origin = Origin { closures: added, ..model.origin };

@@ -1,7 +1,7 @@
 //! Positions of the keys of a study file, and its unknown keys, each with the nearest known key.
 
-use crate::message_text::truncate_for_message;
 use crate::study_file::schema::{alternatives, properties, study_keys, study_schema};
+use crate::values::message_text::truncate_for_message;
 use serde_json::{Map, Value};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};

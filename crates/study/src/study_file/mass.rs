@@ -1,7 +1,7 @@
 //! Options of a study for its contact, in addition to the effective mass.
 
-use crate::mass::tolerance::{Sampling, Tolerance};
 use crate::question::refusal::InvalidKey;
+use crate::reports::tolerance::{Sampling, Tolerance};
 use crate::values::value::{self, NumberOrText};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};

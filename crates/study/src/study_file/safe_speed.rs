@@ -5,7 +5,7 @@ use crate::question::error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::question::refusal::InvalidKey;
 use crate::question::row_source::{PositionFile, RowSource};
-use crate::safe_speed::{
+use crate::reports::safe_speed::{
     SafeSpeedQuestion, SafeSpeedReport, StatedLimits, safe_speed, safe_speed_along, safe_speed_directions,
 };
 use crate::values::value::{self, NumberOrText, Words};

@@ -2,12 +2,12 @@
 
 use crate::checks::model_check::{CheckReport, JointRecord, check};
 use crate::evaluation::status::Status;
-use crate::mass::answer_mass::mass;
-use crate::mass::mass_report::MassReport;
 use crate::model::loading::Model;
 use crate::question::error::StudyError;
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::{MassQuestion, Normal};
+use crate::reports::answer_mass::mass;
+use crate::reports::mass_report::MassReport;
 use percuss_dynamics::{Base, Conditions, System};
 use percuss_mechanism::{ContactKind, LinkId, Mechanism, NamedContact};
 use percuss_units::{Dimension, Unit};

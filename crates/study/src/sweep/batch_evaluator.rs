@@ -3,20 +3,15 @@
 //! The results and findings equal those of an evaluation with a pose. An uncertain row is posed and evaluated
 //! separately.
 
-use crate::checks::far_point_check;
 use crate::checks::finding::{Finding, FindingTally};
-use crate::checks::findings::joint_limit_finding;
+use crate::checks::joint_limits::LimitedJoints;
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::sweep::row_blocks::RowBlock;
 use crate::sweep::row_layout::RowLayout;
-use percuss_dynamics::{Batch, BatchAnswer, BatchPositions, Contact, EffectiveMass, Pose};
-use percuss_mechanism::{JointId, Limits};
+use percuss_dynamics::{Batch, BatchAnswer, BatchPositions, Contact, EffectiveMass};
 use std::ops::Range;
 use std::sync::Arc;
-
-/// Codes of findings that may occur for any row with a finite m̄.
-const ROW_FINDING_CODES: [&str; 2] = ["outside-limits", "far-point"];
 
 /// Contact prepared for the SIMD evaluation of many rows.
 #[derive(Debug)]
@@ -26,8 +21,21 @@ pub(crate) struct BatchEvaluator {
     base: Vec<f64>,
     /// Index in `base` of each number of a row.
     base_indices: Vec<usize>,
-    limits: Vec<(JointId, usize, Limits)>,
-    far_point: Option<Finding>,
+    limits: LimitedJoints,
+    /// Findings that hold for all rows.
+    shared_findings: Vec<Finding>,
+}
+
+/// Findings that hold for all rows; `None` if a generic sample pose has no finite m̄, or findings that depend on its
+/// response.
+fn shared_findings(
+    prepared: &PreparedQuestion,
+    setting: &RowLayout,
+    contact: &Contact,
+) -> Option<Vec<Finding>> {
+    let values: Vec<f64> = (0..setting.width()).map(|i| 0.1 + (0.618 * i as f64).fract()).collect();
+    let pose = prepared.system.pose(&setting.configuration(&values, false).ok()?).ok()?;
+    prepared.evaluate(&pose, contact).ok()?.into_branch_findings()
 }
 
 /// Results of one batch of rows.
@@ -64,35 +72,9 @@ impl BatchEvaluator {
                 places[number] = starts[joint.index()] + component;
             }
         }
-        let limits = mechanism.joint_ids().filter_map(|id| {
-            let joint = mechanism.joint(id);
-            let limits = joint.limits().filter(|_| joint.kind().positions() == 1)?;
-            Some((id, starts[id.index()], limits))
-        });
-        let far_point = far_point_check::far_point_finding(
-            mechanism,
-            contact.link,
-            &contact.point,
-            prepared.question.names,
-        );
-        let lanes = Self { batch, base_indices: places, limits: limits.collect(), base, far_point };
-        lanes.has_only_row_findings(prepared, setting, contact).then_some(lanes)
-    }
-
-    /// True if a generic sample pose has a finite m̄ and no other findings than those in `ROW_FINDING_CODES`.
-    fn has_only_row_findings(
-        &self,
-        prepared: &PreparedQuestion,
-        setting: &RowLayout,
-        contact: &Contact,
-    ) -> bool {
-        let values: Vec<f64> = (0..setting.width()).map(|i| 0.1 + (0.618 * i as f64).fract()).collect();
-        let pose = setting.configuration(&values, false).ok().and_then(|c| prepared.system.pose(&c).ok());
-        let answer = pose.and_then(|pose| prepared.evaluate(&pose, contact).ok());
-        answer.is_some_and(|answer| {
-            matches!(answer.response.effective_mass, EffectiveMass::Finite(_))
-                && answer.findings.iter().all(|finding| ROW_FINDING_CODES.contains(&finding.code()))
-        })
+        let limits = LimitedJoints::of(mechanism);
+        let shared_findings = shared_findings(prepared, setting, contact)?;
+        Some(Self { batch, base, base_indices: places, limits, shared_findings })
     }
 
     /// Evaluates some rows of a block.
@@ -126,15 +108,9 @@ impl BatchEvaluator {
         row: usize,
         tally: &mut FindingTally,
     ) {
-        if let Some(far_point) = &self.far_point {
-            tally.add(row, [far_point.clone()]);
-        }
-        for &(joint, place, limits) in &self.limits {
-            let value = results.columns[place * results.rows + i];
-            if Pose::is_outside(value, limits) {
-                tally.add(row, [joint_limit_finding(prepared.system.mechanism(), joint, value, limits)]);
-            }
-        }
+        tally.add_repeated(row, 1, &self.shared_findings);
+        let position = |index: usize| results.columns[index * results.rows + i];
+        tally.add(row, self.limits.findings(prepared.system.mechanism(), position));
     }
 }
 

@@ -6,9 +6,9 @@ use crate::pose::point_travel::PointTravel;
 use crate::pose::unreachable_range::{UnreachableExtent, UnreachableRange, UnreachedRow};
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::{Field, Names, assembly_error_message};
-use crate::sweep::path_follower::PathFollower;
+use crate::sweep::followed_rows::PathFindings;
 use crate::sweep::row_layout::RowLayout;
-use percuss_dynamics::{AssemblyError, Pose, System};
+use percuss_dynamics::{AssemblyError, Pose, RowPath, System};
 use std::sync::Arc;
 
 /// Number of a row that measures the distance along a line.
@@ -38,14 +38,10 @@ pub(crate) fn min_limit(a: StepLimit, b: StepLimit) -> StepLimit {
 pub(crate) struct LineContinuation {
     distance_measure: DistanceMeasure,
     travel: Option<Arc<(PointTravel, Driver)>>,
-    /// Pose of the last row reached.
-    last: Option<Arc<Pose>>,
     pub unreachable: UnreachableRange,
     pub step_limit: StepLimit,
-    /// Path follower from the last pose, if rows can be followed several at once, and the number of followers
-    /// built.
-    pub path_follower: Option<Box<PathFollower>>,
-    pub followers_built: usize,
+    /// Path along the line.
+    pub path: RowPath<PathFindings>,
 }
 
 impl LineContinuation {
@@ -58,23 +54,23 @@ impl LineContinuation {
         Self {
             distance_measure: along,
             travel,
-            last: None,
             unreachable: UnreachableRange::default(),
             step_limit: too_far,
-            path_follower: None,
-            followers_built: 0,
+            path: RowPath::new(None),
         }
     }
 
-    /// Continues from a pose reached by the path follower; `value` is the last number of the row.
-    pub fn continue_from(&mut self, pose: Pose, value: f64) {
-        self.unreachable.record_reached(value);
-        self.last = Some(Arc::new(pose));
+    /// Distance of a row along the line.
+    fn distance(&self, values: &[f64]) -> f64 {
+        match (self.distance_measure, values.last()) {
+            (DistanceMeasure::LastNumber, Some(value)) => *value,
+            _ => 0.0,
+        }
     }
 
-    /// True if no row has been reached.
-    pub fn has_no_pose(&self) -> bool {
-        self.last.is_none()
+    /// Records a row that is reached.
+    pub fn record_reached(&mut self, values: &[f64]) {
+        self.unreachable.record_reached(self.distance(values));
     }
 
     /// Travel along this line.
@@ -82,7 +78,7 @@ impl LineContinuation {
         self.travel.clone()
     }
 
-    /// Pose of the next row, or the reason why the row is not reached.
+    /// Pose of the next row, from the pose of the last row reached, or the reason why the row is not reached.
     pub fn pose(
         &mut self,
         system: &System,
@@ -90,12 +86,10 @@ impl LineContinuation {
         names: Names,
         row: usize,
         values: &[f64],
+        last: Option<&Pose>,
     ) -> Result<Result<Arc<Pose>, String>, StudyError> {
-        let value = match (self.distance_measure, values.last()) {
-            (DistanceMeasure::LastNumber, Some(value)) => *value,
-            _ => 0.0,
-        };
-        let distance = setting.largest_displacement(values, |joint| match &self.last {
+        let value = self.distance(values);
+        let distance = setting.largest_displacement(values, |joint| match last {
             Some(pose) => pose.joint(joint).first().copied().unwrap_or_default(),
             None => 0.0,
         });
@@ -103,13 +97,8 @@ impl LineContinuation {
         if let Some(found_by) = beyond.or_else(|| self.unreachable.excluding_row(value)) {
             return Ok(Err(self.unreachable.skip(row, found_by)));
         }
-        let missed = match self.pose_on_branch(system, setting, names, values)? {
-            Ok(pose) => {
-                let pose = Arc::new(pose);
-                self.unreachable.record_reached(value);
-                self.last = Some(Arc::clone(&pose));
-                return Ok(Ok(pose));
-            }
+        let missed = match self.pose_on_branch(system, setting, names, values, last)? {
+            Ok(pose) => return Ok(Ok(Arc::new(pose))),
             Err((missed, walked)) => {
                 self.step_limit = min_limit(self.step_limit, walked.map(|walked| (walked, row)));
                 missed
@@ -128,6 +117,7 @@ impl LineContinuation {
         setting: &RowLayout,
         names: Names,
         values: &[f64],
+        last: Option<&Pose>,
     ) -> Result<Result<Pose, (UnreachedRow, Option<f64>)>, StudyError> {
         if setting.travels() && self.travel.is_none() {
             match setting.travel(system, values) {
@@ -138,50 +128,41 @@ impl LineContinuation {
                         reason: assembly_error_message(&error, names),
                         extent: UnreachableExtent::Everywhere,
                     };
-                    return Ok(Err((missed, self.distance_followed(&error))));
+                    return Ok(Err((missed, distance_followed(&error, last))));
                 }
                 Err(error) => return Err(error),
             }
         }
         if let (Some(travel), Some(&requested)) = (&self.travel, values.last()) {
             let (travel, driver) = &**travel;
-            let last = self.last.as_deref().unwrap_or(&travel.start);
+            let last = last.unwrap_or(&travel.start);
             return Ok(travel
                 .pose_at_displacement(driver, last, requested, names)?
                 .map_err(|missed| (missed, None)));
         }
-        let configuration = setting.configuration(values, self.last.is_some())?;
-        let pose = match &self.last {
+        let configuration = setting.configuration(values, last.is_some())?;
+        let pose = match last {
             Some(last) => system.pose_from(last, &configuration),
             None => system.pose(&configuration),
         };
         match pose {
             Ok(pose) => Ok(Ok(pose)),
             Err(error) if !error.is_bad_input() => {
-                let extent = self.failure_extent(&error, setting);
-                let walked = self.distance_followed(&error);
+                let extent = self.failure_extent(&error, setting, last.is_some());
+                let walked = distance_followed(&error, last);
                 Ok(Err((UnreachedRow { reason: assembly_error_message(&error, names), extent }, walked)))
             }
             Err(error) => Err(error.into()),
         }
     }
 
-    /// Largest displacement of a driver, rad or m, up to which the loops were followed; `None` unless the work
-    /// limit was exceeded.
-    fn distance_followed(&self, error: &AssemblyError) -> Option<f64> {
-        let AssemblyError::TooFar { reached, .. } = error else { return None };
-        let from = |name: &str| match &self.last {
-            Some(pose) => {
-                let joint = pose.mechanism().find_joint(name).ok();
-                joint.and_then(|joint| pose.joint(joint).first().copied()).unwrap_or_default()
-            }
-            None => 0.0,
-        };
-        Some(reached.iter().map(|(name, value)| (value - from(name)).abs()).fold(0.0, f64::max))
-    }
-
-    /// Consequence of a failed row for the other rows of the line.
-    fn failure_extent(&self, error: &AssemblyError, setting: &RowLayout) -> UnreachableExtent {
+    /// Consequence of a failed row for the other rows of the line. `continued`: the row started from another row.
+    fn failure_extent(
+        &self,
+        error: &AssemblyError,
+        setting: &RowLayout,
+        continued: bool,
+    ) -> UnreachableExtent {
         let of_driver = |places: &[(String, f64)]| {
             let own = |(name, _): &&(String, f64)| Some(name.as_str()) == setting.last_joint();
             places.iter().find(own).map(|(_, value)| *value)
@@ -193,7 +174,7 @@ impl LineContinuation {
             }
             (AssemblyError::Unreachable { requested, nearest, .. }, DistanceMeasure::LastNumber) => {
                 match (of_driver(requested), of_driver(nearest)) {
-                    (Some(_), Some(end)) if self.last.is_some() => UnreachableExtent::BeyondEnd(end),
+                    (Some(_), Some(end)) if continued => UnreachableExtent::BeyondEnd(end),
                     // The assembly of a first row uses many starts; one of them may reach another row.
                     (Some(_), _) => UnreachableExtent::ThisRowOnly,
                     (None, _) => UnreachableExtent::Everywhere,
@@ -202,6 +183,17 @@ impl LineContinuation {
             _ => UnreachableExtent::ThisRowOnly,
         }
     }
+}
+
+/// Largest displacement of a driver from the last pose, rad or m, up to which the loops were followed; `None` unless the
+/// work limit was exceeded.
+fn distance_followed(error: &AssemblyError, last: Option<&Pose>) -> Option<f64> {
+    let AssemblyError::TooFar { reached, .. } = error else { return None };
+    let from = |name: &str| {
+        let joint = last.and_then(|pose| Some(pose.joint(pose.mechanism().find_joint(name).ok()?)));
+        joint.and_then(|positions| positions.first().copied()).unwrap_or_default()
+    };
+    Some(reached.iter().map(|(name, value)| (value - from(name)).abs()).fold(0.0, f64::max))
 }
 
 /// Pose with all varied values at 0, for the conversion of points given in other frames. Independent of the

@@ -2,7 +2,7 @@
 
 pub(crate) mod batch_evaluator;
 pub(crate) mod continuation;
-pub(crate) mod path_follower;
+pub(crate) mod followed_rows;
 pub(crate) mod pipeline;
 pub(crate) mod row_blocks;
 pub(crate) mod row_layout;

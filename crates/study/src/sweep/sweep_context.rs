@@ -11,12 +11,11 @@ use crate::question::error::StudyError;
 use crate::question::varied_values::VariedValues;
 use crate::sweep::batch_evaluator::BatchEvaluator;
 use crate::sweep::continuation::{DistanceMeasure, LineContinuation, StepLimit};
-use crate::sweep::path_follower::{FollowResult, FollowedRow, PathFollower};
+use crate::sweep::followed_rows::{FollowedRow, PathFindings};
 use crate::sweep::row_blocks::RowBlock;
 use crate::sweep::row_layout::RowLayout;
 use crate::sweep::sweep_report::{SweepHeading, SweepRow};
-use crate::thresholds::{FOLLOWED_ROWS, MOST_PATH_FOLLOWERS};
-use percuss_dynamics::{Contact, Pose};
+use percuss_dynamics::{Contact, DrivenPath, Pose, RowAnswer, RowHandler, RowPath};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -100,18 +99,66 @@ impl<T> RowResults<T> {
     }
 }
 
+/// Collector of the poses of a line, and of the results that need no pose.
+struct LineHandler<'r, 'a> {
+    context: &'r SweepContext<'a>,
+    line: &'r mut LineContinuation,
+    /// Number of the first row.
+    first: usize,
+    /// True if the row posed last starts the line.
+    starts_line: bool,
+    row_poses: Vec<RowPose>,
+}
+
+impl RowHandler for LineHandler<'_, '_> {
+    type Shared = PathFindings;
+    type Error = RowPose;
+
+    fn pose(&mut self, row: usize, values: &[f64], last: Option<&Pose>) -> Result<Arc<Pose>, RowPose> {
+        self.starts_line = last.is_none();
+        self.context.pose_row(self.line, self.first + row, values, last)
+    }
+
+    fn driven_path(&mut self, pose: &Pose) -> Option<(DrivenPath, PathFindings)> {
+        let SweepContext { prepared, row_layout, contact, .. } = self.context;
+        PathFindings::of_path(prepared, row_layout, contact, pose)
+    }
+
+    fn receive(&mut self, _: usize, values: &[f64], answer: RowAnswer<'_, PathFindings, RowPose>) {
+        let SweepContext { prepared, heading, .. } = self.context;
+        let row_pose = match answer {
+            RowAnswer::Unreached(outcome) => return self.row_poses.push(outcome),
+            RowAnswer::Posed(pose) => RowPose::Posed { pose, first: std::mem::take(&mut self.starts_line) },
+            RowAnswer::Followed { shared, mass, answer, positions } => {
+                let row = shared.row(prepared, &heading.joints, mass, answer.residual, positions);
+                RowPose::Followed(Box::new(row))
+            }
+        };
+        self.line.record_reached(values);
+        self.row_poses.push(row_pose);
+    }
+}
+
 /// Conversion of a row to the caller's type, callable from any thread.
 pub(crate) type RowConversion<'m, T> = &'m (dyn Fn(SweepRow) -> T + Sync);
 
 impl SweepContext<'_> {
-    /// Pose of the next row of a line.
-    pub fn next_pose(&self, line: &mut LineContinuation, block: &RowBlock, i: usize) -> RowPose {
-        let first = line.has_no_pose();
-        let (names, values) = (self.prepared.question.names, block.values(i));
-        match line.pose(&self.prepared.system, &self.row_layout, names, block.first + i, values) {
-            Ok(Ok(pose)) => RowPose::Posed { pose, first },
-            Ok(Err(why)) => RowPose::Unreached(why),
-            Err(error) => RowPose::Failed(error),
+    /// Pose of a row of a line, from the pose of the last row reached.
+    ///
+    /// # Errors
+    /// The outcome of a row without a pose.
+    fn pose_row(
+        &self,
+        line: &mut LineContinuation,
+        row: usize,
+        values: &[f64],
+        last: Option<&Pose>,
+    ) -> Result<Arc<Pose>, RowPose> {
+        let names = self.prepared.question.names;
+        match line.pose(&self.prepared.system, &self.row_layout, names, row, values, last) {
+            Ok(Ok(pose)) => Ok(pose),
+            Ok(Err(why)) => Err(RowPose::Unreached(why)),
+            Err(error) => Err(RowPose::Failed(error)),
         }
     }
 
@@ -122,54 +169,15 @@ impl SweepContext<'_> {
         block: &RowBlock,
         rows: Range<usize>,
     ) -> Vec<RowPose> {
-        let mut row_poses = Vec::with_capacity(rows.len());
-        let mut next = rows.start;
-        while next < rows.end {
-            if let Some(following) = &mut line.path_follower {
-                let values = block.values_from(next, rows.end);
-                let layout = &self.heading.joints;
-                let reached = following.follow(&self.prepared, layout, values, |reached| {
-                    row_poses.push(match reached {
-                        FollowResult::Evaluated(row) => RowPose::Followed(Box::new(row)),
-                        FollowResult::Posed(pose) => RowPose::Posed { pose, first: false },
-                    });
-                });
-                if reached > 0 {
-                    let pose = following.pose();
-                    next += reached;
-                    line.continue_from(pose, block.values(next - 1).last().copied().unwrap_or_default());
-                }
-                if next == rows.end {
-                    break;
-                }
-            }
-            let row_pose = self.next_pose(line, block, next);
-            next += 1;
-            if let RowPose::Posed { pose, .. } = &row_pose {
-                self.start_path_follower(line, pose, rows.end - next);
-            } else {
-                line.path_follower = None;
-            }
-            row_poses.push(row_pose);
-        }
+        let mut path = std::mem::replace(&mut line.path, RowPath::new(None));
+        let (first, count) = (block.first + rows.start, rows.len());
+        let values = block.values_from(rows.start, rows.end);
+        let row_poses = Vec::with_capacity(count);
+        let mut handler = LineHandler { context: self, line, first, starts_line: false, row_poses };
+        path.follow(values, count, &mut handler);
+        let row_poses = handler.row_poses;
+        line.path = path;
         row_poses
-    }
-
-    /// Prepares the path follower from a pose, if enough rows are left and the number of followers built on the
-    /// line is below the limit.
-    fn start_path_follower(&self, line: &mut LineContinuation, pose: &Pose, left: usize) {
-        if line.path_follower.as_mut().is_some_and(|following| following.restart(pose)) {
-            return;
-        }
-        line.path_follower = None;
-        if left >= FOLLOWED_ROWS
-            && line.followers_built < MOST_PATH_FOLLOWERS
-            && self.batch_evaluator.is_none()
-        {
-            line.followers_built += 1;
-            let following = PathFollower::from(&self.prepared, &self.row_layout, &self.contact, pose);
-            line.path_follower = following.map(Box::new);
-        }
     }
 
     /// Evaluates rows, given by their numbers in the block with their poses.
@@ -243,7 +251,10 @@ impl SweepContext<'_> {
         for (at, i) in rows.enumerate() {
             let Some((mass, error)) = batch_results.mass(at) else {
                 let mut line = LineContinuation::new(self.distance_measure, None, None);
-                let row_pose = self.next_pose(&mut line, block, i);
+                let row_pose = match self.pose_row(&mut line, block.first + i, block.values(i), None) {
+                    Ok(pose) => RowPose::Posed { pose, first: true },
+                    Err(outcome) => outcome,
+                };
                 self.evaluate_row(&mut portion, block, i, row_pose, None, convert);
                 continue;
             };

@@ -1,7 +1,8 @@
 //! Evaluation of one contact at many rows of positions, with loops closed along one branch. Rows are handed out
 //! in order and are not stored.
 
-use crate::checks::finding::{Finding, FindingSubject};
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::evaluation::random_rows::RandomRows;
 use crate::model::loading::Model;
@@ -262,7 +263,7 @@ fn continuation_finding(prepared: &PreparedQuestion, continuation: Continuation)
         }
         Continuation::Independent => "each row starts from the first closed pose: rows are independent",
     };
-    Some(Finding::note("rows-followed", FindingSubject::Result, message))
+    Some(Finding::about_result(FindingKind::RowsFollowed, message))
 }
 
 /// Finding with the number of rows that were not tried, and the reason.
@@ -272,5 +273,5 @@ fn skipped_rows_finding(untried: SkippedRows) -> Finding {
         "{count} row(s) were not tried, row {first} the first: they are at least as far away as the end of the \
          reachable range found by row {found_by} (the error of that row states the reason)"
     );
-    Finding::note("rows-not-tried", FindingSubject::Result, message)
+    Finding::about_result(FindingKind::RowsNotTried, message)
 }

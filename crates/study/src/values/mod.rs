@@ -1,4 +1,5 @@
-//! Numbers and positions with units as text.
+//! Numbers and positions with units as text; excerpts of texts for messages.
 
+pub(crate) mod message_text;
 pub(crate) mod position;
 pub(crate) mod value;

@@ -1,7 +1,7 @@
 //! Rank decision for the rows of the caller's A.
 
 use crate::mobility::{Rank, Redundancy, decide_rank, singular_values};
-use crate::model::partition::Partition;
+use crate::model::structure::partition::Partition;
 use crate::tolerances::{REDUNDANCY_LIMIT, ROW_NOISE};
 use nalgebra::DMatrix;
 

@@ -1,0 +1,4 @@
+//! Help texts.
+
+pub(super) mod examples;
+pub(super) mod short_help;

@@ -1,0 +1,184 @@
+//! Contacts, with links given by name.
+
+use crate::conversion::arrays::triple;
+use crate::conversion::errors::input;
+use percuss::nalgebra::Vector3;
+use percuss::{Contact as Resolved, Direction, Frame, Mechanism};
+use pyo3::prelude::*;
+use pyo3::types::PyAny;
+
+/// Contact(link, point, normal=None, *, against=None, toward=None, normal_frame="link", turning=False)
+/// --
+///
+/// Contact between a point of a link and another link or the ground.
+///
+/// link: the contact link. point: (3,) m, in its frame. normal: (3,), out of the contact link into the other side; its
+/// length does not matter. against: the other link; None: the ground. toward: (link, point), instead of normal: the
+/// normal points from the contact towards that point (m, in that link's frame). normal_frame: "link": the normal turns
+/// with the contact link; "world"; "against". turning: True if the line of toward may turn: a spring, a damper, a rod.
+#[pyclass(frozen, eq, module = "percuss")]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contact {
+    /// The contact link.
+    #[pyo3(get)]
+    pub link: String,
+    /// The other link; None: the ground.
+    #[pyo3(get)]
+    pub against: Option<String>,
+    point: [f64; 3],
+    normal: NormalGiven,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum NormalGiven {
+    Along([f64; 3], Frame),
+    Toward(String, [f64; 3]),
+    /// Toward a point, along a line that may turn.
+    TurningToward(String, [f64; 3]),
+}
+
+/// Parses a frame name.
+pub fn frame(name: &str, what: &str) -> PyResult<Frame> {
+    match name {
+        "link" => Ok(Frame::Link),
+        "world" => Ok(Frame::World),
+        "against" => Ok(Frame::Against),
+        _ => Err(input(format_args!("{what} is \"{name}\"; expected \"link\", \"world\" or \"against\""))),
+    }
+}
+
+/// Name of a frame in Python.
+fn name(frame: Frame) -> &'static str {
+    match frame {
+        Frame::Link => "link",
+        Frame::World => "world",
+        Frame::Against => "against",
+    }
+}
+
+#[pymethods]
+impl Contact {
+    #[new]
+    #[pyo3(signature = (link, point, normal=None, *, against=None, toward=None, normal_frame="link", turning=false))]
+    fn new(
+        link: String,
+        point: &Bound<'_, PyAny>,
+        normal: Option<&Bound<'_, PyAny>>,
+        against: Option<String>,
+        toward: Option<(String, Bound<'_, PyAny>)>,
+        normal_frame: &str,
+        turning: bool,
+    ) -> PyResult<Self> {
+        let normal = match (normal, toward) {
+            (Some(_), None) if turning => {
+                return Err(input("turning is of toward: a given normal does not turn with a line"));
+            }
+            (Some(normal), None) => {
+                NormalGiven::Along(triple(normal, "normal")?, frame(normal_frame, "normal_frame")?)
+            }
+            (None, Some((link, point))) => {
+                let point = triple(&point, "point of toward")?;
+                if turning {
+                    NormalGiven::TurningToward(link, point)
+                } else {
+                    NormalGiven::Toward(link, point)
+                }
+            }
+            _ => return Err(input("give one of normal and toward")),
+        };
+        Ok(Self { link, against, point: triple(point, "point")?, normal })
+    }
+
+    /// The contact point in the contact link's frame, m.
+    #[getter]
+    fn point(&self) -> (f64, f64, f64) {
+        self.point.into()
+    }
+
+    /// The normal as given; None if toward is given.
+    #[getter]
+    fn normal(&self) -> Option<(f64, f64, f64)> {
+        match &self.normal {
+            NormalGiven::Along(normal, _) => Some((*normal).into()),
+            NormalGiven::Toward(..) | NormalGiven::TurningToward(..) => None,
+        }
+    }
+
+    /// The link and the point (m, its frame) that the normal points to; None if normal is given.
+    #[getter]
+    fn toward(&self) -> Option<(String, (f64, f64, f64))> {
+        match &self.normal {
+            NormalGiven::Along(..) => None,
+            NormalGiven::Toward(link, point) | NormalGiven::TurningToward(link, point) => {
+                Some((link.clone(), (*point).into()))
+            }
+        }
+    }
+
+    /// True if the line of toward may turn: a spring, a damper, a rod.
+    #[getter]
+    fn turning(&self) -> bool {
+        matches!(self.normal, NormalGiven::TurningToward(..))
+    }
+
+    /// "link", "world" or "against".
+    #[getter]
+    fn normal_frame(&self) -> &'static str {
+        match &self.normal {
+            NormalGiven::Along(_, frame) => name(*frame),
+            NormalGiven::Toward(..) | NormalGiven::TurningToward(..) => name(Frame::Link),
+        }
+    }
+
+    /// Arguments for the constructor, so that contacts can be sent to other processes.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+        let py = slf.py();
+        let contact = slf.get();
+        let package = py.import("percuss")?;
+        let arguments = (
+            contact.link.clone(),
+            contact.point(),
+            contact.normal(),
+            contact.against.clone(),
+            contact.toward(),
+            contact.normal_frame(),
+            contact.turning(),
+        );
+        Ok((package.getattr("_contact")?, arguments.into_pyobject(py)?.into_any()))
+    }
+
+    fn __repr__(&self) -> String {
+        let normal = match &self.normal {
+            NormalGiven::Along(normal, Frame::Link) => format!("normal={normal:?}"),
+            NormalGiven::Along(normal, frame) => {
+                format!("normal={normal:?}, normal_frame=\"{}\"", name(*frame))
+            }
+            NormalGiven::Toward(link, point) => format!("toward=(\"{link}\", {point:?})"),
+            NormalGiven::TurningToward(link, point) => {
+                format!("toward=(\"{link}\", {point:?}), turning=True")
+            }
+        };
+        let against = self.against.as_ref().map_or_else(String::new, |link| format!(", against=\"{link}\""));
+        format!("Contact(\"{}\", point={:?}, {normal}{against})", self.link, self.point)
+    }
+}
+
+impl Contact {
+    /// Resolves the link names in a mechanism.
+    pub fn resolve(&self, mechanism: &Mechanism) -> PyResult<Resolved> {
+        let find = |name: &str| mechanism.find_link(name).map_err(input);
+        let normal = match &self.normal {
+            NormalGiven::Along(normal, frame) => Direction::Along(Vector3::from(*normal), *frame),
+            NormalGiven::Toward(link, point) => Direction::Toward(find(link)?, Vector3::from(*point)),
+            NormalGiven::TurningToward(link, point) => {
+                Direction::TurningToward(find(link)?, Vector3::from(*point))
+            }
+        };
+        Ok(Resolved {
+            link: find(&self.link)?,
+            against: self.against.as_deref().map(find).transpose()?,
+            point: self.point.into(),
+            normal,
+        })
+    }
+}

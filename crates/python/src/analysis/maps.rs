@@ -1,0 +1,141 @@
+//! m̄ of many contacts of a link at one pose.
+
+use crate::analysis::pose::Pose;
+use crate::analysis::response::{status, value};
+use crate::conversion::arrays::{float64_matrix, shape, triple};
+use crate::conversion::errors::input;
+use crate::conversion::labels::AXES;
+use crate::conversion::threads::detached;
+use numpy::ndarray::ArrayView2;
+use numpy::{PyArray1, PyUntypedArrayMethods};
+use percuss::nalgebra::Vector3;
+use percuss::{ContactColumns, ContactMap, ContactStatus, MapAnswers};
+use pyo3::prelude::*;
+use pyo3::types::{PyAny, PyDict};
+
+/// Number of contacts between two checks for Ctrl-C.
+const PORTION: usize = 1 << 18;
+
+/// m̄ (kg), its error (kg), status code.
+pub type Answers<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>);
+
+/// Status code of an outcome.
+pub fn code(status: ContactStatus) -> u8 {
+    match status {
+        ContactStatus::Finite => 0,
+        ContactStatus::Immovable => 1,
+        ContactStatus::Massless => 2,
+        ContactStatus::Unanswered => 3,
+    }
+}
+
+/// Contact map: Φ of a link about `centre`, for contacts within the radius `reach` (m).
+fn contact_map_about<'a>(
+    pose: &'a Pose,
+    link: &str,
+    against: Option<&str>,
+    centre: Vector3<f64>,
+    reach: f64,
+) -> PyResult<ContactMap<'a>> {
+    let mechanism = &pose.model.read.mechanism;
+    let link = mechanism.find_link(link).map_err(input)?;
+    let against = against.map(|link| mechanism.find_link(link)).transpose().map_err(input)?;
+    pose.pose.contact_map(link, against, centre, reach).map_err(input)
+}
+
+/// The three columns of an (N, 3) array.
+fn columns(values: ArrayView2<'_, f64>) -> [Vec<f64>; 3] {
+    [0, 1, 2].map(|axis| values.column(axis).iter().copied().collect())
+}
+
+/// Refuses entries that are not finite.
+fn check_finite(values: ArrayView2<'_, f64>, what: &str) -> PyResult<()> {
+    match values.indexed_iter().find(|(_, x)| !x.is_finite()) {
+        Some(((row, axis), bad)) => {
+            Err(input(format_args!("{what}[{row}, {axis}] is {bad}; expected finite numbers")))
+        }
+        None => Ok(()),
+    }
+}
+
+/// m̄ of many contacts of a link.
+pub fn contact_map<'py>(
+    py: Python<'py>,
+    pose: &Pose,
+    link: &str,
+    points: &Bound<'py, PyAny>,
+    normals: &Bound<'py, PyAny>,
+    against: Option<&str>,
+) -> PyResult<Answers<'py>> {
+    let points = float64_matrix(points, "points", "(N, 3)", &AXES, "")?;
+    let normals = float64_matrix(normals, "normals", "(N, 3)", &AXES, "")?;
+    let count = points.shape()[0];
+    for (what, array) in [("points", &points), ("normals", &normals)] {
+        if array.shape() != [count, 3] {
+            let expected = if what == "points" { "(N, 3)".to_owned() } else { shape(&[count, 3]) };
+            return Err(input(format_args!(
+                "{what} has shape {}; expected {expected}",
+                shape(array.shape())
+            )));
+        }
+        check_finite(array.as_array(), what)?;
+    }
+    let (points, normals) = (columns(points.as_array()), columns(normals.as_array()));
+    // Φ refers to the middle of a box around the points; error bounds hold for contacts in this box.
+    let minimum = |axis: usize| points[axis].iter().copied().reduce(f64::min).unwrap_or(0.0);
+    let most = |axis: usize| points[axis].iter().copied().reduce(f64::max).unwrap_or(0.0);
+    let centre = Vector3::from_fn(|axis, _| 0.5 * (minimum(axis) + most(axis)));
+    let reach = Vector3::from_fn(|axis, _| 0.5 * (most(axis) - minimum(axis))).norm();
+    let map = py.detach(|| contact_map_about(pose, link, against, centre, reach))?;
+    let (mut masses, mut errors) = (vec![0.0; count], vec![0.0; count]);
+    let mut statuses = vec![ContactStatus::Finite; count];
+    for first in (0..count).step_by(PORTION) {
+        let rows = first..count.min(first + PORTION);
+        let part = |all: &[Vec<f64>; 3]| [0, 1, 2].map(|axis| all[axis][rows.clone()].to_vec());
+        let (points, normals) = (part(&points), part(&normals));
+        let mut answers = MapAnswers {
+            masses: &mut masses[rows.clone()],
+            errors: &mut errors[rows.clone()],
+            statuses: &mut statuses[rows.clone()],
+        };
+        let contacts = ContactColumns {
+            points: [&points[0], &points[1], &points[2]],
+            normals: [&normals[0], &normals[1], &normals[2]],
+        };
+        detached(py, || map.fill_answers(contacts, &mut answers))?.map_err(input)?;
+        py.check_signals()?;
+    }
+    for ((mass, error), status) in masses.iter_mut().zip(&mut errors).zip(&statuses) {
+        // Errors of a map are relative.
+        *error *= *mass;
+        if *status != ContactStatus::Finite {
+            (*mass, *error) = (f64::NAN, f64::NAN);
+        }
+    }
+    let codes = statuses.into_iter().map(code).collect();
+    Ok((PyArray1::from_vec(py, masses), PyArray1::from_vec(py, errors), PyArray1::from_vec(py, codes)))
+}
+
+/// Directions along which m̄ is stationary at a point.
+pub fn principal_masses<'py>(
+    py: Python<'py>,
+    pose: &Pose,
+    link: &str,
+    point: &Bound<'py, PyAny>,
+    against: Option<&str>,
+) -> PyResult<Option<Vec<Bound<'py, PyDict>>>> {
+    let point = Vector3::from(triple(point, "point")?);
+    let found = py.detach(|| {
+        PyResult::Ok(contact_map_about(pose, link, against, point, 0.0)?.principal_masses(&point))
+    })?;
+    let Some(found) = found else { return Ok(None) };
+    let one = |principal: percuss::PrincipalMass| {
+        let record = PyDict::new(py);
+        record.set_item("effective_mass", value(principal.mass))?;
+        record.set_item("status", status(principal.mass))?;
+        record.set_item("error", principal.error)?;
+        record.set_item("direction", PyArray1::from_slice(py, principal.direction.as_slice()))?;
+        Ok(record)
+    };
+    found.into_iter().map(one).collect::<PyResult<_>>().map(Some)
+}

@@ -1,0 +1,109 @@
+//! Models: mechanisms from URDF, and their loading functions.
+
+use crate::conversion::errors;
+use percuss::study::Model as Read;
+use percuss::{Accept, DEFAULT_MAX_SIZE, LoadOptions, Source};
+use pyo3::prelude::*;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// A joint of a model.
+#[pyclass(frozen, get_all, module = "percuss")]
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// Name of the joint.
+    pub name: String,
+    /// "fixed", "revolute", "continuous", "prismatic", "planar", "spherical" or "floating".
+    pub kind: &'static str,
+    /// Parent link.
+    pub parent: String,
+    /// Child link.
+    pub child: String,
+    /// Least and greatest position, rad or m; None without limits.
+    pub limits: Option<(f64, f64)>,
+    /// Name of the joint that a mimic joint follows; None for other joints.
+    pub mimics: Option<String>,
+    /// Range of the joint's entries in the position vector: first index, and last index plus one.
+    pub positions: (usize, usize),
+}
+
+#[pymethods]
+impl Joint {
+    fn __repr__(&self) -> String {
+        format!("<Joint \"{}\": {}, \"{}\" to \"{}\">", self.name, self.kind, self.parent, self.child)
+    }
+}
+
+/// Mechanism read from a file. Immutable, so that threads can share it.
+#[pyclass(frozen, module = "percuss")]
+#[derive(Clone, Debug)]
+pub struct Model {
+    pub read: Arc<Read>,
+    /// Source text and accepted findings; `None` if the model does not come from URDF.
+    pub source: Option<Arc<(Source, Vec<String>)>>,
+}
+
+impl Model {
+    /// Wraps a model and issues its warnings.
+    pub fn new(py: Python<'_>, read: Read) -> PyResult<Self> {
+        errors::warn(py, &read.diagnostics)?;
+        Ok(Self { read: Arc::new(read), source: None })
+    }
+
+    /// Loads a model from a source and issues its warnings.
+    fn of(py: Python<'_>, source: Source, accept: Vec<String>) -> PyResult<Self> {
+        let options = options(&accept)?;
+        let read = py.detach(|| Read::from_source(&source, &options)).map_err(errors::load)?;
+        Ok(Self { source: Some(Arc::new((source, accept))), ..Self::new(py, read)? })
+    }
+}
+
+/// Load options for the names of accepted findings.
+fn options(accept: &[String]) -> PyResult<LoadOptions> {
+    let mut accepted = Accept::default();
+    for word in accept {
+        match word.as_str() {
+            "indefinite-inertia" => accepted.indefinite_inertia = true,
+            "implausible-inertia" => accepted.implausible_inertia = true,
+            _ => {
+                return Err(errors::input(format_args!(
+                    "accept: \"{word}\"; known are \"indefinite-inertia\" and \"implausible-inertia\""
+                )));
+            }
+        }
+    }
+    Ok(LoadOptions { accept: accepted })
+}
+
+/// Reads a URDF file, closed loops and couplings included.
+///
+/// accept: findings that are accepted: "indefinite-inertia", "implausible-inertia". max_size: size limit in bytes;
+/// larger files are refused. Warnings go through `warnings` (ModelWarning); the model's diagnostics hold warnings and
+/// notes. Raises LoadError, with every error of the file.
+#[pyfunction]
+#[pyo3(signature = (path, *, accept=Vec::new(), max_size=DEFAULT_MAX_SIZE))]
+pub fn load(py: Python<'_>, path: PathBuf, accept: Vec<String>, max_size: u64) -> PyResult<Model> {
+    let path = path.to_string_lossy();
+    if path.trim_start().starts_with('<') {
+        return Err(errors::input("path is URDF text; percuss.loads reads text"));
+    }
+    Model::of(py, Source::read(&path, max_size).map_err(errors::load)?, accept)
+}
+
+/// Reads URDF from text. name replaces the file name in messages. Other parameters as for load.
+#[pyfunction]
+#[pyo3(signature = (text, *, name="<text>", accept=Vec::new()))]
+pub fn loads(py: Python<'_>, text: &str, name: &str, accept: Vec<String>) -> PyResult<Model> {
+    if !text.contains('<') && !text.trim().is_empty() {
+        return Err(errors::input(format_args!(
+            "text is {text:?}, without an element; expected URDF text: percuss.load reads files"
+        )));
+    }
+    Model::of(py, Source::from_text(name, text), accept)
+}
+
+/// Rebuilds a pickled model in another process.
+#[pyfunction]
+pub fn model_of_bytes(py: Python<'_>, bytes: Vec<u8>, name: String, accept: Vec<String>) -> PyResult<Model> {
+    Model::of(py, Source { name, bytes }, accept)
+}

@@ -1,0 +1,179 @@
+//! Python methods of a model: names, and construction of systems, assemblies and poses.
+
+use crate::analysis::model::{Joint, Model};
+use crate::analysis::pose::Pose;
+use crate::analysis::system::{Assembly, System, position_names};
+use crate::conversion::diagnostic::Diagnostic;
+use crate::conversion::errors;
+use percuss::study::Changes;
+use percuss::{JointKind, write_urdf};
+use pyo3::prelude::*;
+use pyo3::types::{PyAny, PyDict};
+use std::collections::BTreeMap;
+
+/// Reconstructor and its arguments, for pickle.
+type Rebuilt<'py> = (Bound<'py, PyAny>, (Vec<u8>, String, Vec<String>));
+
+#[pymethods]
+impl Model {
+    /// The mechanism's name.
+    #[getter]
+    fn name(&self) -> &str {
+        self.read.mechanism.name()
+    }
+
+    /// Names of the links, in the order of the file.
+    #[getter]
+    fn links(&self) -> Vec<&str> {
+        self.read.mechanism.links().iter().map(|link| link.name()).collect()
+    }
+
+    /// The joints, in the order of the file, which is also the order of their positions.
+    #[getter]
+    fn joints(&self) -> Vec<Joint> {
+        let mechanism = &self.read.mechanism;
+        let mut first = 0;
+        let link = |id| mechanism.link(id).name().to_owned();
+        let of = |joint: &percuss::Joint| {
+            let positions = (first, first + joint.kind().positions());
+            first = positions.1;
+            Joint {
+                name: joint.name().to_owned(),
+                kind: joint.kind().name(),
+                parent: link(joint.parent()),
+                child: link(joint.child()),
+                limits: joint.limits().map(|limits| (limits.lower, limits.upper)),
+                mimics: joint.mimic().map(|mimic| mechanism.joint(mimic.master).name().to_owned()),
+                positions,
+            }
+        };
+        mechanism.joints().iter().map(of).collect()
+    }
+
+    /// Names of the loop closures and couplings.
+    #[getter]
+    fn closures(&self) -> Vec<&str> {
+        let mechanism = &self.read.mechanism;
+        let couplings = mechanism.couplings().iter().map(|coupling| coupling.name());
+        mechanism.closures().iter().map(|closure| closure.name()).chain(couplings).collect()
+    }
+
+    /// Names of the contacts.
+    #[getter]
+    fn contacts(&self) -> Vec<&str> {
+        self.read.mechanism.contacts().iter().map(|contact| contact.name()).collect()
+    }
+
+    /// Number of positions of a configuration: the positions of all joints together.
+    #[getter]
+    pub fn position_count(&self) -> usize {
+        self.read.mechanism.joints().iter().map(|joint| joint.kind().positions()).sum()
+    }
+
+    /// Names of the positions, in order: the joint's name, or JOINT[0], JOINT[1], … for a joint with several positions.
+    #[getter]
+    fn position_names(&self) -> Vec<String> {
+        position_names(&self.read.mechanism)
+    }
+
+    /// Total mass, kg.
+    #[getter]
+    fn total_mass(&self) -> f64 {
+        self.read.mechanism.total_mass()
+    }
+
+    /// Warnings and notes, in the order of the file.
+    #[getter]
+    fn diagnostics(&self) -> Vec<Diagnostic> {
+        self.read.diagnostics.iter().cloned().map(Diagnostic).collect()
+    }
+
+    /// The mechanism as URDF.
+    fn to_urdf(&self) -> String {
+        write_urdf(&self.read.mechanism)
+    }
+
+    /// Names of the hardpoints that `changed` can move; empty unless the model comes from a sheet.
+    #[getter]
+    fn hardpoints(&self) -> Vec<String> {
+        self.read.hardpoints().to_vec()
+    }
+
+    /// Copy of the model with changes, added to earlier changes. link_mass: link to mass in kg; the moments about the
+    /// centre of mass scale in proportion. link_com: link to centre of mass, (3,) m in the link's frame; the moments
+    /// about the centre of mass stay as they are. move: hardpoint of a sheet to displacement, (3,) m, sheet's axes.
+    #[pyo3(signature = (*, link_mass=BTreeMap::new(), link_com=BTreeMap::new(), r#move=BTreeMap::new()))]
+    fn changed(
+        &self,
+        py: Python<'_>,
+        link_mass: BTreeMap<String, f64>,
+        link_com: BTreeMap<String, [f64; 3]>,
+        r#move: BTreeMap<String, [f64; 3]>,
+    ) -> PyResult<Self> {
+        let changes = Changes {
+            link_mass: link_mass.into_iter().collect(),
+            link_com: link_com.into_iter().collect(),
+            moves: r#move.into_iter().collect(),
+        };
+        let read = py.detach(|| self.read.with_changes(&changes)).map_err(errors::design)?;
+        Model::new(py, read)
+    }
+
+    /// The mechanism under conditions.
+    ///
+    /// base: "fixed" or "floating". lock: joints that are locked. armature: joint to inertia (kg·m² or kg), one value,
+    /// or one for each velocity of the joint. hold: points that are held, (link, point) or (link, point, normal): point
+    /// (3,) m in the link's frame, normal (3,) in the root link's axes; without a normal, the point is held in all
+    /// directions.
+    #[pyo3(signature = (*, base="fixed", lock=Vec::new(), armature=None, hold=Vec::new()))]
+    fn system(
+        &self,
+        base: &str,
+        lock: Vec<String>,
+        armature: Option<&Bound<'_, PyDict>>,
+        hold: Vec<Bound<'_, PyAny>>,
+    ) -> PyResult<System> {
+        System::new(self, base, lock, armature, hold)
+    }
+
+    /// Assembles the loops with every joint free and a fixed base: system().assemble(guess).
+    #[pyo3(signature = (guess=None))]
+    fn assemble(&self, py: Python<'_>, guess: Option<&Bound<'_, PyDict>>) -> PyResult<Assembly> {
+        System::unconstrained(self)?.assemble(py, guess)
+    }
+
+    /// The pose at a configuration with every joint free and a fixed base: system().pose(…).
+    #[pyo3(signature = (q=None, *, guess=None, base_pose=None, other_assembly=false))]
+    fn pose(
+        &self,
+        py: Python<'_>,
+        q: Option<&Bound<'_, PyAny>>,
+        guess: Option<&Bound<'_, PyDict>>,
+        base_pose: Option<&Bound<'_, PyAny>>,
+        other_assembly: bool,
+    ) -> PyResult<Pose> {
+        System::unconstrained(self)?.pose(py, q, guess, base_pose, other_assembly)
+    }
+
+    /// Pickles a model as its source text; a model from hardpoints is pickled as URDF.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Rebuilt<'py>> {
+        let (bytes, accept) = match self.source.as_deref() {
+            Some((source, accept)) => (source.bytes.clone(), accept.clone()),
+            None => (self.to_urdf().into_bytes(), Vec::new()),
+        };
+        let name = self.read.inputs.first().map_or_else(|| "<text>".to_owned(), |input| input.path.clone());
+        Ok((py.import("percuss")?.getattr("_model")?, (bytes, name, accept)))
+    }
+
+    fn __repr__(&self) -> String {
+        let mechanism = &self.read.mechanism;
+        let moving = mechanism.joints().iter().filter(|joint| joint.kind() != JointKind::Fixed).count();
+        format!(
+            "<Model \"{}\": {} links, {moving} movable joints, {} closures, {} kg>",
+            mechanism.name(),
+            mechanism.links().len(),
+            self.closures().len(),
+            mechanism.total_mass()
+        )
+    }
+}

@@ -1,0 +1,328 @@
+//! Motions of a mechanism at a pose: the travel of a point, accelerations under forces, the rate of m̄.
+
+use crate::analysis::contact::Contact;
+use crate::analysis::model::Model;
+use crate::analysis::pose::Pose;
+use crate::analysis::system::{configuration, numbers};
+use crate::conversion::arrays::{list, triple};
+use crate::conversion::errors::{self, input};
+use numpy::PyArray1;
+use percuss::nalgebra::{Matrix3, Vector3};
+use percuss::spatial::Twist;
+use percuss::spatial::dual::Dual64;
+use percuss::{
+    Accelerations as Found, EffectiveMass, JointId, Mechanism, PointForce, ResponseError, RouteError,
+    Travel as Moved,
+};
+use pyo3::prelude::*;
+use pyo3::types::{PyAny, PyDict};
+use std::sync::Arc;
+
+/// Largest relative residual of A v for admissible velocities, as a fraction of the sum of the terms' sizes: the
+/// rounding of single precision, in which users may have stored the velocities.
+const RESIDUAL_TOLERANCE: f64 = 1e-6;
+
+/// Travel of a point along a direction, measured from the point's position at a pose. Immutable, so that threads can
+/// share it.
+#[pyclass(frozen, module = "percuss")]
+#[derive(Clone, Debug)]
+pub struct Travel {
+    model: Model,
+    travel: Moved,
+}
+
+impl Travel {
+    /// Refuses a pose of another model than that of the travel.
+    fn check_model(&self, pose: &Pose) -> PyResult<()> {
+        match Arc::ptr_eq(&pose.model.read.mechanism, &self.model.read.mechanism) {
+            true => Ok(()),
+            false => Err(input(format_args!(
+                "the pose is of another model (\"{}\"); expected one of the model of the pose that the travel begins at (\"{}\")",
+                pose.model.read.mechanism.name(),
+                self.model.read.mechanism.name()
+            ))),
+        }
+    }
+}
+
+#[pymethods]
+impl Travel {
+    /// pose: the starting pose. link, point: (3,) m, link's frame. direction: (3,), world axes; its length does not
+    /// matter.
+    #[new]
+    fn new(
+        pose: &Pose,
+        link: &str,
+        point: &Bound<'_, PyAny>,
+        direction: &Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
+        let on = pose.model.read.mechanism.find_link(link).map_err(input)?;
+        let (point, direction) = (triple(point, "point")?, triple(direction, "direction")?);
+        let travel = Moved::new(&pose.pose, on, point.into(), direction.into()).map_err(errors::travel)?;
+        Ok(Self { model: pose.model.clone(), travel })
+    }
+
+    /// The link of the point.
+    #[getter]
+    fn link(&self) -> &str {
+        self.model.read.mechanism.link(self.travel.link()).name()
+    }
+
+    /// The point, m, link's frame; (3,).
+    #[getter]
+    fn point<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.travel.point().as_slice())
+    }
+
+    /// Unit vector, world axes; (3,).
+    #[getter]
+    fn direction<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.travel.direction().copied().unwrap_or_default().as_slice())
+    }
+
+    /// Displacement of the point at a pose of the same model, m.
+    fn displacement(&self, pose: &Pose) -> PyResult<f64> {
+        self.check_model(pose)?;
+        Ok(self.travel.displacement(&pose.pose))
+    }
+
+    /// ds/dq at a pose: displacement per motion of a driving joint, m/rad or m/m. The loops stay closed and other
+    /// drivers are at rest. None at a change point, at a dead centre of the joint, and for a joint that cannot drive.
+    fn rate(&self, pose: &Pose, joint: &str) -> PyResult<Option<f64>> {
+        self.check_model(pose)?;
+        let joint = self.model.read.mechanism.find_joint(joint).map_err(input)?;
+        Ok(self.travel.rate(&pose.pose, joint))
+    }
+
+    /// The joint that turns furthest with the point at a pose, among the joints that can drive the point. Joints in set
+    /// are excluded. Raises NoAnswerError if no joint moves the point.
+    #[pyo3(signature = (pose, *, set=Vec::new()))]
+    fn driver(&self, pose: &Pose, set: Vec<String>) -> PyResult<String> {
+        self.check_model(pose)?;
+        let mechanism = &self.model.read.mechanism;
+        let taken = set.iter().map(|joint| mechanism.find_joint(joint)).collect::<Result<Vec<_>, _>>();
+        let taken = taken.map_err(input)?;
+        let driver =
+            self.travel.driver(&pose.pose, &|joint| taken.contains(&joint)).map_err(errors::travel)?;
+        Ok(mechanism.joint(driver).name().to_owned())
+    }
+
+    /// The pose with a given displacement of the point (m), followed from the pose start along its branch. driver: the
+    /// joint that moves; None: the result of `driver`. q: positions of other driving joints, as for Model.pose; None:
+    /// all at zero. Raises NoAnswerError beyond the range in which the displacement is monotonic; the message gives the
+    /// nearest reachable value.
+    #[pyo3(signature = (start, displacement, *, driver=None, q=None))]
+    fn pose(
+        &self,
+        py: Python<'_>,
+        start: &Pose,
+        displacement: f64,
+        driver: Option<&str>,
+        q: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Pose> {
+        self.check_model(start)?;
+        let mechanism = &self.model.read.mechanism;
+        let others = configuration(mechanism, q.map(|q| q.as_any()), None)?;
+        let driver = match driver {
+            Some(name) => name.to_owned(),
+            None => self.driver(start, q.map_or(Ok(Vec::new()), |q| q.keys().extract())?)?,
+        };
+        let driver = mechanism.find_joint(&driver).map_err(input)?;
+        if !displacement.is_finite() {
+            return Err(input(format_args!("displacement is {displacement}; expected a finite number, m")));
+        }
+        let pose = py.detach(|| self.travel.pose(&start.pose, &others, driver, displacement));
+        Ok(Pose { pose: pose.map_err(errors::travel)?, ..start.clone() })
+    }
+
+    fn __repr__(&self) -> String {
+        let (point, along) = (self.travel.point(), self.travel.direction().copied().unwrap_or_default());
+        format!(
+            "<Travel of [{}, {}, {}] of \"{}\" along [{}, {}, {}]>",
+            point.x,
+            point.y,
+            point.z,
+            self.link(),
+            along.x,
+            along.y,
+            along.z
+        )
+    }
+}
+
+/// Velocities of all joints, joint by joint, from a dict of some joints. Mimic joints follow; other joints are at rest.
+fn velocities(mechanism: &Mechanism, given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<Vec<f64>>> {
+    let mut all: Vec<Vec<f64>> =
+        mechanism.joints().iter().map(|joint| vec![0.0; joint.kind().dofs()]).collect();
+    for (name, values) in numbers(given, "velocity")? {
+        let id = mechanism.find_joint(&name).map_err(input)?;
+        let joint = mechanism.joint(id);
+        if let Some(mimic) = joint.mimic() {
+            let master = mechanism.joint(mimic.master).name();
+            return Err(input(format_args!(
+                "velocity of \"{name}\": it follows \"{master}\"; give the velocity of \"{master}\" instead"
+            )));
+        }
+        if values.len() != all[id.index()].len() {
+            let expected = all[id.index()].len();
+            return Err(input(format_args!(
+                "velocity of \"{name}\" has {} numbers; expected {expected}",
+                values.len()
+            )));
+        }
+        if let Some(bad) = values.iter().find(|x| !x.is_finite()) {
+            return Err(input(format_args!("velocity of \"{name}\" has {bad}; expected finite numbers")));
+        }
+        all[id.index()] = values;
+    }
+    for (number, joint) in mechanism.joints().iter().enumerate() {
+        if let Some(mimic) = joint.mimic() {
+            all[number] = all[mimic.master.index()].iter().map(|rate| mimic.multiplier * rate).collect();
+        }
+    }
+    Ok(all)
+}
+
+/// Twist from six numbers: angular, then linear.
+fn twist(given: Option<&Bound<'_, PyAny>>, what: &str) -> PyResult<Twist<f64>> {
+    let Some(given) = given else { return Ok(Twist::zero()) };
+    let values = list(given, what)?;
+    let [a, b, c, x, y, z] = values[..] else {
+        return Err(input(format_args!("{what} has {} numbers; expected 6", values.len())));
+    };
+    if let Some(bad) = values.iter().find(|x| !x.is_finite()) {
+        return Err(input(format_args!("{what} has {bad}; expected finite numbers")));
+    }
+    Ok(Twist::new(Vector3::new(a, b, c), Vector3::new(x, y, z)))
+}
+
+/// dm̄/dt, kg/s, at joint velocities; `None` unless finite.
+pub fn effective_mass_rate(
+    py: Python<'_>,
+    pose: &Pose,
+    contact: &Contact,
+    given: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Option<f64>> {
+    let mechanism = &pose.model.read.mechanism;
+    let contact = contact.resolve(mechanism)?;
+    let velocities = velocities(mechanism, given)?;
+    refuse_opening(pose, &velocities)?;
+    let rates = pose.system.position_rates(pose.pose.positions(), &velocities).map_err(input)?;
+    let positions: Vec<Dual64> =
+        pose.pose.positions().iter().zip(&rates).map(|(q, rate)| Dual64::new(*q, *rate)).collect();
+    py.detach(|| {
+        let mut over = match pose.pose.workspace_over::<Dual64>(&contact) {
+            Ok(over) => over,
+            Err(ResponseError::Route(RouteError::MasslessMotion)) => return Ok(None),
+            Err(error) => return Err(errors::response(error)),
+        };
+        let response = pose.pose.respond(&contact).map_err(errors::response)?;
+        let EffectiveMass::Finite(mass) = response.effective_mass else { return Ok(None) };
+        over.set_positions(&positions).map_err(input)?;
+        // m̄ = 1/x: dm̄ = −m̄² dx.
+        Ok(Some(-mass * mass * over.inverse_effective_mass().eps))
+    })
+}
+
+/// Refuses velocities of locked joints, and velocities that open the loops: A v ≠ 0.
+fn refuse_opening(pose: &Pose, velocities: &[Vec<f64>]) -> PyResult<()> {
+    let mechanism = &pose.model.read.mechanism;
+    let moves = |joint: &JointId| velocities[joint.index()].iter().any(|rate| *rate != 0.0);
+    if let Some(joint) = mechanism.joint_ids().find(|joint| moves(joint) && pose.system.is_locked(*joint)) {
+        let name = mechanism.joint(joint).name();
+        return Err(input(format_args!("velocity of \"{name}\": it is locked; expected 0")));
+    }
+    let rows = pose.pose.constraint_matrix();
+    let order = pose.system.coordinate_joints();
+    let rate = |column: usize| match order[column] {
+        (Some(joint), number) => velocities[joint.index()][number],
+        (None, _) => 0.0,
+    };
+    for row in rows.row_iter() {
+        let terms = || row.iter().enumerate().map(|(column, x)| x * rate(column));
+        let (sum, size) = (terms().sum::<f64>(), terms().map(f64::abs).sum::<f64>());
+        if sum.abs() > RESIDUAL_TOLERANCE * size {
+            return Err(input(
+                "velocities: with these the loops open (A v is not 0); give the rates of all joints of the loops, such as \
+                 Response.joint_velocities",
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Accelerations of a moving mechanism.
+#[pyclass(frozen, module = "percuss")]
+#[derive(Clone, Debug)]
+pub struct Accelerations {
+    pose: Pose,
+    found: Found,
+}
+
+#[pymethods]
+impl Accelerations {
+    /// Rates of the velocities of each movable joint, by joint name: rad/s², m/s²; (1,), or one entry per velocity of
+    /// the joint.
+    #[getter]
+    fn joints<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let by_name = PyDict::new(py);
+        for (joint, rates) in self.pose.model.read.mechanism.joints().iter().zip(&self.found.joints) {
+            if !rates.is_empty() {
+                by_name.set_item(joint.name(), PyArray1::from_slice(py, rates))?;
+            }
+        }
+        Ok(by_name)
+    }
+
+    /// Acceleration of a point (m, link's frame) of a link, m/s²; (3,). Axes of the root link or of the world, as for
+    /// Pose.link_frame.
+    #[pyo3(signature = (link, point, *, frame=None))]
+    fn point<'py>(
+        &self,
+        py: Python<'py>,
+        link: &str,
+        point: &Bound<'py, PyAny>,
+        frame: Option<&str>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let link = self.pose.model.read.mechanism.find_link(link).map_err(input)?;
+        let point = Vector3::from(triple(point, "point")?);
+        let found = self.pose.pose.point_acceleration(&self.found, link, &point).map_err(errors::route)?;
+        Ok(PyArray1::from_slice(py, (self.pose.axes(frame)? * found).as_slice()))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Accelerations of \"{}\">", self.pose.model.read.mechanism.name())
+    }
+}
+
+/// Accelerations at a pose under gravity and forces: (link, point, force). axes: rotation from the root link's axes to
+/// the axes of the given vectors.
+pub fn accelerations(
+    py: Python<'_>,
+    pose: &Pose,
+    given: Option<&Bound<'_, PyDict>>,
+    base: Option<&Bound<'_, PyAny>>,
+    gravity: Option<&Bound<'_, PyAny>>,
+    forces: &[Bound<'_, PyAny>],
+    axes: &Matrix3<f64>,
+) -> PyResult<Accelerations> {
+    let mechanism = &pose.model.read.mechanism;
+    let velocities = velocities(mechanism, given)?;
+    let in_root = |vector: Vector3<f64>| axes.tr_mul(&vector);
+    let base = twist(base, "base")?;
+    let base = Twist::new(in_root(base.angular), in_root(base.linear));
+    let gravity = gravity.map(|gravity| triple(gravity, "gravity")).transpose()?.unwrap_or_default();
+    let gravity = in_root(gravity.into());
+    let force = |given: &Bound<'_, PyAny>| {
+        let (link, point, force): (String, Bound<'_, PyAny>, Bound<'_, PyAny>) =
+            given.extract().map_err(|_| input("forces: expected (link, point, force) of each"))?;
+        PyResult::Ok(PointForce {
+            link: mechanism.find_link(&link).map_err(input)?,
+            point: triple(&point, "point of forces")?.into(),
+            force: in_root(triple(&force, "force")?.into()),
+        })
+    };
+    let forces: Vec<PointForce> = forces.iter().map(force).collect::<PyResult<_>>()?;
+    let found = py.detach(|| pose.pose.accelerations(&velocities, &base, &gravity, &forces));
+    Ok(Accelerations { pose: pose.clone(), found: found.map_err(errors::route)? })
+}

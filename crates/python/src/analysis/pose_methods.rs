@@ -1,0 +1,269 @@
+//! Python methods of a pose.
+
+use crate::analysis::contact::Contact;
+use crate::analysis::maps::{Answers, contact_map, principal_masses};
+use crate::analysis::model::Model;
+use crate::analysis::motion::{Accelerations, accelerations, effective_mass_rate};
+use crate::analysis::pose::Pose;
+use crate::analysis::response::{Response, route_choice};
+use crate::conversion::arrays::{matrix, triple};
+use crate::conversion::diagnostic::Diagnostic;
+use crate::conversion::errors::{self, input};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use percuss::LocatedContact;
+use percuss::nalgebra::{DMatrix, Matrix3, Vector3};
+use pyo3::prelude::*;
+use pyo3::types::{PyAny, PyDict};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+impl Pose {
+    /// The contact resolved at this pose.
+    fn located(&self, contact: &Contact) -> PyResult<LocatedContact> {
+        self.pose.locate(&contact.resolve(&self.model.read.mechanism)?).map_err(input)
+    }
+}
+
+#[pymethods]
+impl Pose {
+    /// The model.
+    #[getter]
+    fn model(&self) -> Model {
+        self.model.clone()
+    }
+
+    /// Positions of all joints, concatenated in the order of the file; (p,).
+    #[getter]
+    fn positions<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.pose.positions())
+    }
+
+    /// Position of each movable joint, by joint name; (1,), or one entry per position of the joint.
+    #[getter]
+    fn joints<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let (by_name, mechanism) = (PyDict::new(py), &self.model.read.mechanism);
+        for id in mechanism.joint_ids() {
+            let joint = mechanism.joint(id);
+            if joint.kind().positions() > 0 {
+                by_name.set_item(joint.name(), PyArray1::from_slice(py, self.pose.joint(id)))?;
+            }
+        }
+        Ok(by_name)
+    }
+
+    /// Degrees of freedom at this pose; a floating base counts 6.
+    #[getter]
+    fn degrees_of_freedom(&self) -> usize {
+        self.pose.degrees_of_freedom()
+    }
+
+    /// True if branches cross at this pose.
+    #[getter]
+    fn is_singular(&self) -> bool {
+        self.pose.rank().singular
+    }
+
+    /// Largest closure error of all loops, m; None without loops.
+    #[getter]
+    fn closure_residual(&self) -> Option<f64> {
+        self.pose.loops().map(|loops| loops.residual)
+    }
+
+    /// Findings about the pose, as in reports of the command line: joints outside their limits, loops open as drawn,
+    /// another assembly mode, an unclear rank.
+    #[getter]
+    fn findings(&self, py: Python<'_>) -> Vec<Diagnostic> {
+        let found = py.detach(|| percuss::study::pose_findings(&self.system, &self.pose));
+        found.into_iter().map(Diagnostic).collect()
+    }
+
+    /// The frame of a link in the root link's frame (frame="root") or in the world (frame="world"), homogeneous; (4,
+    /// 4). frame may be omitted if the pose has no base_pose: both frames are then the same.
+    #[pyo3(signature = (link, *, frame=None))]
+    fn link_frame<'py>(
+        &self,
+        py: Python<'py>,
+        link: &str,
+        frame: Option<&str>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let own = self.pose.link(self.model.read.mechanism.find_link(link).map_err(input)?);
+        // The pose stores link frames in the world.
+        let frame = self.frame(frame)? * (self.pose.base().inverse() * own);
+        let mut values = Vec::with_capacity(16);
+        for row in 0..3 {
+            values.extend(frame.rotation.row(row).iter());
+            values.push(frame.translation[row]);
+        }
+        values.extend([0.0, 0.0, 0.0, 1.0]);
+        PyArray1::from_vec(py, values).reshape([4, 4])
+    }
+
+    /// M over the coordinates, kg, kg·m, kg·m²; (n, n), armatures included.
+    fn mass_matrix<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        matrix(py, &self.pose.mass_matrix())
+    }
+
+    /// A: Jacobian of closures, couplings and held points over the coordinates; (m, n).
+    fn constraint_matrix<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        matrix(py, &self.pose.constraint_matrix())
+    }
+
+    /// j: closing speed of the gap at unit rates, m, 1; (n,).
+    fn contact_row<'py>(&self, py: Python<'py>, contact: &Contact) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        Ok(PyArray1::from_vec(py, self.pose.contact_row(&self.located(contact)?)))
+    }
+
+    /// Jacobian of a point (m, link's frame) over the coordinates, m, 1; (3, n). Axes of the root link or of the world, as for
+    /// link_frame.
+    #[pyo3(signature = (link, point, *, frame=None))]
+    fn point_jacobian<'py>(
+        &self,
+        py: Python<'py>,
+        link: &str,
+        point: &Bound<'py, PyAny>,
+        frame: Option<&str>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let link = self.model.read.mechanism.find_link(link).map_err(input)?;
+        let rows = self.pose.point_jacobian(link, &Vector3::from(triple(point, "point")?));
+        let turned = self.axes(frame)? * rows;
+        matrix(py, &DMatrix::from_column_slice(3, turned.ncols(), turned.as_slice()))
+    }
+
+    /// Φ = J M⁻¹ Jᵀ of both sides of a contact at its point, constraints included; (12, 12), 1/kg and so on. Rows: six
+    /// for the contact link (angular, then linear), six for the other side. 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂). Axes
+    /// of the root link or of the world, as for link_frame.
+    #[pyo3(signature = (contact, *, frame=None))]
+    fn inverse_operational_inertia<'py>(
+        &self,
+        py: Python<'py>,
+        contact: &Contact,
+        frame: Option<&str>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (located, axes) = (self.located(contact)?, self.axes(frame)?);
+        let phi = self.pose.inverse_operational_inertia(&located).map_err(errors::route)?;
+        let mut turned = phi.matrix().clone_owned();
+        for (row, column) in (0..12).step_by(3).flat_map(|row| (0..12).step_by(3).map(move |c| (row, c))) {
+            let block: Matrix3<f64> = turned.fixed_view::<3, 3>(row, column).into_owned();
+            turned.fixed_view_mut::<3, 3>(row, column).copy_from(&(axes * block * axes.transpose()));
+        }
+        let rows: Vec<f64> = turned.transpose().as_slice().to_vec();
+        PyArray1::from_vec(py, rows).reshape([12, 12])
+    }
+
+    /// m̄ of many contacts of a link with the ground or with another link: points (N, 3) m and normals (N, 3), out of
+    /// the link, of any nonzero length, in the link's frame. Costs some nanoseconds per contact, by Φ about the middle
+    /// of the points. Returns effective_mass (N,) kg, NaN unless finite; error (N,) kg, NaN if unknown; status (N,)
+    /// uint8: 0 finite, 1 immovable, 2 massless, 3 no answer.
+    #[pyo3(signature = (link, points, normals, *, against=None))]
+    fn contact_map<'py>(
+        &self,
+        py: Python<'py>,
+        link: &str,
+        points: &Bound<'py, PyAny>,
+        normals: &Bound<'py, PyAny>,
+        against: Option<&str>,
+    ) -> PyResult<Answers<'py>> {
+        contact_map(py, self, link, points, normals, against)
+    }
+
+    /// The three directions along which m̄ is stationary among all directions at a point (3,) m of a link, lightest
+    /// first, as dicts: "effective_mass" (kg; None unless finite), "status", "error" (kg) and "direction" (a unit
+    /// vector, link's frame, (3,)). None if a mass has no answer.
+    #[pyo3(signature = (link, point, *, against=None))]
+    fn principal_masses<'py>(
+        &self,
+        py: Python<'py>,
+        link: &str,
+        point: &Bound<'py, PyAny>,
+        against: Option<&str>,
+    ) -> PyResult<Option<Vec<Bound<'py, PyDict>>>> {
+        principal_masses(py, self, link, point, against)
+    }
+
+    /// dm̄/dt at a contact, kg/s, at joint velocities: a dict of joints to rates (rad/s, m/s). Joints without an entry
+    /// are at rest; mimics follow. For loops, all moving joints must be given: velocities that open loops are refused.
+    /// Velocities of a Response are admissible. Exact to rounding, by dual numbers. None unless m̄ is finite.
+    fn effective_mass_rate(
+        &self,
+        py: Python<'_>,
+        contact: &Contact,
+        velocities: &Bound<'_, PyDict>,
+    ) -> PyResult<Option<f64>> {
+        effective_mass_rate(py, self, contact, Some(velocities))
+    }
+
+    /// Accelerations of a tree at joint velocities (a dict; other joints are at rest), base (6,): the twist of a
+    /// floating root (angular, linear), gravity (3,) m/s², zero by default, and forces: a list of (link, point (3,) m
+    /// in the link's frame, force (3,) N). base, gravity and forces have the axes of the root link or of the world, as
+    /// for link_frame. Raises InputError with loops, mimics or held points.
+    #[pyo3(signature = (velocities=None, *, base=None, gravity=None, forces=Vec::new(), frame=None))]
+    #[allow(clippy::too_many_arguments, reason = "what acts on the mechanism")]
+    fn accelerations(
+        &self,
+        py: Python<'_>,
+        velocities: Option<&Bound<'_, PyDict>>,
+        base: Option<&Bound<'_, PyAny>>,
+        gravity: Option<&Bound<'_, PyAny>>,
+        forces: Vec<Bound<'_, PyAny>>,
+        frame: Option<&str>,
+    ) -> PyResult<Accelerations> {
+        let vectors = base.is_some() || gravity.is_some() || !forces.is_empty();
+        let axes = if vectors { self.axes(frame)? } else { Matrix3::identity() };
+        accelerations(py, self, velocities, base, gravity, &forces, &axes)
+    }
+
+    /// The pose after a motion along v* of a response at this pose until the gap has closed by a distance (m; negative:
+    /// opened), with the loops closed again: exact to second order. None if the loops do not close there, or if nothing
+    /// moves.
+    fn advanced_along(&self, py: Python<'_>, response: &Response, distance: f64) -> PyResult<Option<Self>> {
+        if !Arc::ptr_eq(&response.model.read.mechanism, &self.model.read.mechanism) {
+            return Err(input("the response is of another model; expected one of this pose"));
+        }
+        if !distance.is_finite() {
+            return Err(input(format_args!("distance is {distance}; expected a finite number")));
+        }
+        let pose = py.detach(|| self.pose.advanced_along(&response.response, distance));
+        Ok(pose.map(|pose| Self { pose, ..self.clone() }))
+    }
+
+    /// Joints outside their limits: joint to (position, (lower, upper)), rad or m.
+    fn outside_limits(&self) -> BTreeMap<String, (f64, (f64, f64))> {
+        let name = |joint| self.model.read.mechanism.joint(joint).name().to_owned();
+        let outside = self.pose.outside_limits();
+        outside.map(|(joint, at, limits)| (name(joint), (at, (limits.lower, limits.upper)))).collect()
+    }
+
+    /// Rank report of A at this pose: "rank"; "gap", the least gap between counted singular values and those taken as
+    /// zero (None without rows); "is_clear"; "is_singular".
+    fn rank<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let (report, rank) = (PyDict::new(py), self.pose.rank());
+        report.set_item("rank", rank.rank)?;
+        report.set_item("gap", rank.gap)?;
+        report.set_item("is_clear", rank.clear)?;
+        report.set_item("is_singular", rank.singular)?;
+        Ok(report)
+    }
+
+    /// m̄ at a contact, and the quantities derived from it. route: "auto", "dense" (O(n³)) or "articulated" (O(n)).
+    #[pyo3(signature = (contact, *, route="auto"))]
+    fn respond(&self, py: Python<'_>, contact: &Contact, route: &str) -> PyResult<Response> {
+        let (contact, route) = (contact.resolve(&self.model.read.mechanism)?, route_choice(route)?);
+        let response = py.detach(|| self.pose.respond_by_route(&contact, route)).map_err(errors::response)?;
+        Ok(Response {
+            model: self.model.clone(),
+            system: self.system.clone(),
+            pose: self.pose.clone(),
+            contact,
+            response,
+        })
+    }
+
+    fn __repr__(&self) -> String {
+        let singular = if self.is_singular() { ", singular" } else { "" };
+        format!(
+            "<Pose of \"{}\": {} degrees of freedom{singular}>",
+            self.model.read.mechanism.name(),
+            self.pose.degrees_of_freedom()
+        )
+    }
+}

@@ -1,0 +1,105 @@
+//! Suspensions from sheets, tables and files of hardpoints.
+
+use crate::analysis::model::Model;
+use crate::conversion::errors::{self, input};
+use percuss::mechanism::near_names;
+use percuss::study::{DiagnosticRecord, Model as Read};
+use percuss::suspension::{
+    ImportOptions, LengthUnit, Rack, Side, TemplateOptions, VehicleAxes, Wheel, import, template_names,
+    template_sheet,
+};
+use percuss::{DEFAULT_MAX_SIZE, Source};
+use pyo3::prelude::*;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Parses the name of a length unit.
+fn unit(name: &str) -> PyResult<LengthUnit> {
+    let error = || input(format_args!("unit is \"{name}\"; expected \"m\", \"cm\", \"mm\" or \"in\""));
+    LengthUnit::from_name(name).ok_or_else(error)
+}
+
+/// Parses the name of vehicle axes.
+fn axes(name: &str) -> PyResult<VehicleAxes> {
+    match name {
+        "iso" => Ok(VehicleAxes::Iso),
+        "adams" => Ok(VehicleAxes::Adams),
+        _ => Err(input(format_args!("axes is \"{name}\"; expected \"iso\" or \"adams\""))),
+    }
+}
+
+/// Parses the name of a side.
+fn side(name: &str) -> PyResult<Side> {
+    match name {
+        "left" => Ok(Side::Left),
+        "right" => Ok(Side::Right),
+        "both" => Ok(Side::Both),
+        _ => Err(input(format_args!("side is \"{name}\"; expected \"left\", \"right\" or \"both\""))),
+    }
+}
+
+/// Reads a sheet (TOML), a table of hardpoints (CSV, XLSX) or a suspension file of Chrono::Vehicle (JSON).
+///
+/// side: "left", "right" or "both". unit: "m", "cm", "mm", "in"; axes: "iso", "adams"; template: values that the file
+/// does not state. wheel: (mass kg, (Ixx, Iyy, Izz) kg·m² about its centre, radius m or None). rack_mass: mass of a
+/// sliding rack, kg. move: hardpoints of a sheet that are moved: name to (3,) m, in the sheet's own axes. allow_outside:
+/// the sheet may name a table of points outside its folder. Warnings and errors as for load.
+#[pyfunction]
+#[pyo3(signature = (path, *, side=None, unit=None, axes=None, template=None, wheel=None, rack_mass=None, r#move=None, allow_outside=false))]
+#[allow(clippy::too_many_arguments, clippy::type_complexity, reason = "the options of the command")]
+pub fn load_suspension(
+    py: Python<'_>,
+    path: PathBuf,
+    side: Option<&str>,
+    unit: Option<&str>,
+    axes: Option<&str>,
+    template: Option<String>,
+    wheel: Option<(f64, [f64; 3], Option<f64>)>,
+    rack_mass: Option<f64>,
+    r#move: Option<std::collections::BTreeMap<String, [f64; 3]>>,
+    allow_outside: bool,
+) -> PyResult<Model> {
+    let options = ImportOptions {
+        unit: unit.map(self::unit).transpose()?,
+        axes: axes.map(self::axes).transpose()?,
+        side: side.map(self::side).transpose()?,
+        template,
+        moves: r#move.unwrap_or_default().into_iter().collect(),
+        wheel: wheel.map(|(mass, inertia, radius)| Wheel { mass, inertia, radius }),
+        rack: rack_mass.map(|mass| Rack::Sliding { mass }),
+        allow_outside,
+        ..ImportOptions::default()
+    };
+    let source = Source::read(&path.to_string_lossy(), DEFAULT_MAX_SIZE).map_err(errors::load)?;
+    let imported = py.detach(|| import(&source, &options)).map_err(errors::load)?;
+    let diagnostics: Vec<DiagnosticRecord> = imported.diagnostics.into_iter().map(Into::into).collect();
+    let shapes = vec![Vec::new(); imported.mechanism.links().len()];
+    let read = Read {
+        mechanism: Arc::new(imported.mechanism),
+        inputs: vec![percuss::study::Input::from_source(&source)],
+        shapes: Arc::new(shapes),
+        diagnostics,
+        origin: percuss::study::Origin::default(),
+    };
+    Model::new(py, read)
+}
+
+/// Templates of sheets: name, title.
+#[pyfunction]
+pub fn suspension_templates() -> Vec<(&'static str, &'static str)> {
+    template_names()
+}
+
+/// Empty sheet of a template, to fill in: TOML text.
+#[pyfunction]
+#[pyo3(signature = (name, *, unit="mm", axes="iso"))]
+pub fn suspension_template(name: &str, unit: &str, axes: &str) -> PyResult<String> {
+    let options = TemplateOptions { unit: self::unit(unit)?, axes: self::axes(axes)? };
+    template_sheet(name, &options).ok_or_else(|| {
+        let names = template_names();
+        let near = near_names(name, names.iter().map(|(name, _)| *name));
+        let near = near.first().map_or_else(String::new, |near| format!("; did you mean {near}?"));
+        let known: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
+        input(format_args!("no template is named \"{name}\"{near} There are: {}", known.join(", ")))
+    })
+}

@@ -1,0 +1,87 @@
+//! Dampers for a given restitution, simulator parameters, and the available laws, simulators and body regions.
+
+use crate::analysis::model::Model;
+use crate::conversion::errors::{self, input};
+use crate::conversion::threads::detached;
+use crate::questions::question::{Conditions, Damping, GivenContact};
+use crate::questions::reports::json;
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use percuss::contact::exports::Tool;
+use percuss::contact::{BodyRegion, Law};
+use percuss::study::{self, JointStop, StopEnd};
+use pyo3::prelude::*;
+
+/// Damper for an effective mass, kg.
+#[pyfunction]
+pub fn damp_mass(mass: f64, damping: Damping) -> PyResult<String> {
+    json(&study::damp(&damping.question()?, mass).map_err(errors::study)?)
+}
+
+/// Damper for a contact of a model, or for a stop of a joint: (joint, None, "lower" or "upper").
+#[pyfunction]
+pub fn damp(
+    py: Python<'_>,
+    model: &Model,
+    contact: Option<GivenContact<'_>>,
+    stop: Option<(String, Option<String>)>,
+    conditions: Conditions<'_>,
+    damping: Damping,
+) -> PyResult<String> {
+    let damping = damping.question()?;
+    let report = match (contact, stop) {
+        (Some(contact), None) => {
+            let question = conditions.question_at(&model.read.mechanism, &contact)?;
+            detached(py, || study::damp_contact(&model.read, &question, &damping))?
+        }
+        (None, Some((joint, end))) => {
+            let end = match end.as_deref() {
+                None => None,
+                Some("lower") => Some(StopEnd::Lower),
+                Some("upper") => Some(StopEnd::Upper),
+                Some(other) => {
+                    return Err(input(format_args!("end is \"{other}\"; expected \"lower\" or \"upper\"")));
+                }
+            };
+            let (question, stop) = (conditions.question()?, JointStop { joint, end });
+            detached(py, || study::damp_stop(&model.read, &stop, question, &damping))?
+        }
+        _ => return Err(input("give one of contact and stop")),
+    };
+    json(&report.map_err(errors::study)?)
+}
+
+/// Time (s), penetration (m), its rate (m/s) and force (N) during an impact; (samples, 4).
+#[pyfunction]
+pub fn impact_history<'py>(
+    py: Python<'py>,
+    mass: f64,
+    damping: Damping,
+    samples: usize,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let found = study::impact_history(&damping.question()?, mass, samples).map_err(input)?;
+    let flat: Vec<f64> = found
+        .iter()
+        .flat_map(|sample| [sample.time, sample.penetration, sample.rate, sample.force])
+        .collect();
+    PyArray1::from_vec(py, flat).reshape([found.len(), 4])
+}
+
+/// Contact laws: name, title, formula, source, exactness, need for the impact speed.
+#[pyfunction]
+pub fn laws() -> Vec<(&'static str, &'static str, &'static str, &'static str, bool, bool)> {
+    let of =
+        |law: Law| (law.name(), law.title(), law.formula(), law.source(), law.is_exact(), law.needs_speed());
+    Law::ALL.into_iter().map(of).collect()
+}
+
+/// Simulators: name, title.
+#[pyfunction]
+pub fn tools() -> Vec<(&'static str, &'static str)> {
+    Tool::ALL.into_iter().map(|tool| (tool.name(), tool.facts().title)).collect()
+}
+
+/// Body regions: name, title, mass (kg), stiffness (N/m).
+#[pyfunction]
+pub fn regions() -> Vec<(&'static str, &'static str, f64, f64)> {
+    BodyRegion::all().iter().map(|r| (r.name, r.title, r.mass, r.stiffness)).collect()
+}

@@ -1,0 +1,5 @@
+//! Questions and reports of the command line.
+
+pub(crate) mod damping;
+pub(crate) mod question;
+pub(crate) mod reports;

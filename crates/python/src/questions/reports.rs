@@ -1,0 +1,349 @@
+//! Reports of the command line as JSON text; the Python package converts them to dicts.
+
+use crate::analysis::maps::code;
+use crate::analysis::model::Model;
+use crate::conversion::errors::{self, input};
+use crate::conversion::threads::detached;
+use crate::questions::question::{Conditions, Damping, GivenContact, optional_rows, rows};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use percuss::DEFAULT_MAX_SIZE;
+use percuss::study::{
+    self, MapLinks, MapQuestion, MapShapes, MassQuestion, Names, SafeSpeedQuestion, Sampling, SkinFacets,
+    StatedLimits, StudyError, StudyFile, StudySafeSpeed, Sweep, Tolerance,
+};
+use pyo3::prelude::*;
+use pyo3::types::{PyAny, PyDict};
+use serde::Serialize;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+/// A report as JSON.
+pub fn json(report: &impl Serialize) -> PyResult<String> {
+    serde_json::to_string(report).map_err(errors::no_answer)
+}
+
+/// Evaluates `answer` for a contact of a model under conditions and returns the report as JSON.
+fn contact_report<R: Serialize + Send>(
+    py: Python<'_>,
+    model: &Model,
+    contact: GivenContact<'_>,
+    conditions: &Conditions<'_>,
+    answer: impl FnOnce(&study::Model, &MassQuestion) -> Result<R, StudyError> + Send,
+) -> PyResult<String> {
+    let question = conditions.question_at(&model.read.mechanism, &contact)?;
+    json(&detached(py, || answer(&model.read, &question))?.map_err(errors::study)?)
+}
+
+/// Summary of a model.
+#[pyfunction]
+pub fn check(py: Python<'_>, model: &Model) -> PyResult<String> {
+    json(&detached(py, || study::check(&model.read))?.map_err(errors::study)?)
+}
+
+/// Report on one contact of a model, with the damper if damping is given.
+#[pyfunction]
+pub fn mass_report(
+    py: Python<'_>,
+    model: &Model,
+    contact: GivenContact<'_>,
+    conditions: Conditions<'_>,
+    damping: Option<Damping>,
+) -> PyResult<String> {
+    let damping = damping.map(|damping| damping.question()).transpose()?;
+    contact_report(py, model, contact, &conditions, |model, question| match &damping {
+        Some(damping) => study::mass_with_damper(model, question, damping),
+        None => study::mass(model, question),
+    })
+}
+
+/// Sensitivity of the mass of a contact to the model's parameters; null if the contact has no finite mass.
+#[pyfunction]
+pub fn explain(
+    py: Python<'_>,
+    model: &Model,
+    contact: GivenContact<'_>,
+    conditions: Conditions<'_>,
+) -> PyResult<String> {
+    contact_report(py, model, contact, &conditions, study::explain)
+}
+
+/// Variation of the mass of a contact within tolerances; null if the contact has no finite mass. samples: their number
+/// and seed.
+#[pyfunction]
+pub fn tolerate(
+    py: Python<'_>,
+    model: &Model,
+    contact: GivenContact<'_>,
+    conditions: Conditions<'_>,
+    tolerance: &str,
+    samples: Option<(usize, u64)>,
+) -> PyResult<String> {
+    let tolerance = Tolerance::parse(tolerance).map_err(input)?;
+    let sampling = samples.map(|(count, seed)| Sampling { count, seed });
+    contact_report(py, model, contact, &conditions, |model, question| {
+        study::tolerance_report(model, question, tolerance, sampling)
+    })
+}
+
+/// Report on a contact at many rows of positions.
+#[pyfunction]
+pub fn sweep_report<'py>(
+    py: Python<'py>,
+    model: &Model,
+    contact: GivenContact<'_>,
+    conditions: Conditions<'py>,
+    vary: Option<Vec<Bound<'py, PyAny>>>,
+    input: Option<(String, Vec<String>)>,
+    random: Option<(usize, u64)>,
+) -> PyResult<String> {
+    let question = conditions.question_at(&model.read.mechanism, &contact)?;
+    let source = rows(vary, input, random)?;
+    let sweep = || Sweep::new(&model.read, &question, source);
+    let report = run_watched(py, &model.read, sweep)?;
+    json(&report)
+}
+
+/// Runs a sweep; stops on Ctrl-C.
+fn run_watched<'a>(
+    py: Python<'_>,
+    model: &study::Model,
+    sweep: impl FnOnce() -> Result<Sweep<'a>, StudyError> + Send,
+) -> PyResult<study::SweepReport> {
+    let mut interrupted = None;
+    let report = detached(py, || {
+        let sweep = sweep()?;
+        let heading = sweep.heading().clone();
+        let mut rows = Vec::new();
+        let end = sweep.run(&mut |row| {
+            rows.push(row);
+            if rows.len() % 64 == 0 {
+                interrupted = Python::attach(|py| py.check_signals()).err();
+            }
+            if interrupted.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })?;
+        let diagnostics = model.diagnostics.iter().cloned().chain(end.diagnostics).collect();
+        Ok(study::SweepReport { heading, rows, diagnostics })
+    })?;
+    match interrupted {
+        Some(interrupt) => Err(interrupt),
+        None => report.map_err(errors::study),
+    }
+}
+
+/// Facets of a link as arrays.
+fn facets<'py>(py: Python<'py>, skin: &SkinFacets) -> PyResult<Bound<'py, PyDict>> {
+    let count = skin.facets.len();
+    let records: Vec<_> = skin.records().collect();
+    let triples = |of: &dyn Fn(&study::FacetRecord<'_>) -> [f64; 3]| -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let flat: Vec<f64> = records.iter().flat_map(of).collect();
+        PyArray1::from_vec(py, flat).reshape([count, 3])
+    };
+    let arrays = PyDict::new(py);
+    arrays.set_item("points", triples(&|record| record.point_link)?)?;
+    arrays.set_item("normals", triples(&|record| record.normal_link)?)?;
+    arrays.set_item("points_world", triples(&|record| record.point_world)?)?;
+    let numbers = |of: &dyn Fn(&study::FacetRecord<'_>) -> f64| {
+        PyArray1::from_vec(py, records.iter().map(of).collect())
+    };
+    arrays.set_item("area", numbers(&|record| record.area))?;
+    arrays.set_item("effective_mass", numbers(&|record| record.effective_mass.unwrap_or(f64::NAN)))?;
+    arrays.set_item("error", numbers(&|record| record.effective_mass_error.unwrap_or(f64::NAN)))?;
+    let codes = skin.statuses.iter().map(|status| code(*status));
+    arrays.set_item("status", PyArray1::from_vec(py, codes.collect()))?;
+    Ok(arrays)
+}
+
+/// Maps of links: the report, the facets of each link as arrays, the picture as SVG.
+#[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "the question of a map")]
+pub fn map_report<'py>(
+    py: Python<'py>,
+    model: &Model,
+    conditions: Conditions<'py>,
+    against: Option<String>,
+    links: Option<Vec<String>>,
+    shapes: &str,
+    edge: Option<f64>,
+    packages: Vec<(String, PathBuf)>,
+) -> PyResult<(String, Bound<'py, PyDict>, String)> {
+    let mut question = MapQuestion::all(conditions.question()?);
+    question.conditions.against = against;
+    if let Some(links) = links {
+        question.links = MapLinks::Named(links);
+    }
+    question.shapes = match shapes {
+        "auto" => MapShapes::Auto,
+        "collision" => MapShapes::Collision,
+        "visual" => MapShapes::Visual,
+        _ => {
+            return Err(input(format_args!(
+                "shapes is \"{shapes}\"; expected \"auto\", \"collision\" or \"visual\""
+            )));
+        }
+    };
+    (question.edge, question.packages) = (edge, packages);
+    let answer = detached(py, || study::map(&model.read, &question))?.map_err(errors::study)?;
+    let by_link = PyDict::new(py);
+    for skin in &answer.skins {
+        by_link.set_item(&skin.link, facets(py, skin)?)?;
+    }
+    let picture = detached(py, || percuss_cli::map_skin(&answer).to_svg())?;
+    Ok((json(&answer.report)?, by_link, picture))
+}
+
+/// Report on directions at a point.
+#[pyfunction]
+pub fn map_point_report(
+    py: Python<'_>,
+    model: &Model,
+    contact: GivenContact<'_>,
+    conditions: Conditions<'_>,
+    directions: usize,
+) -> PyResult<String> {
+    contact_report(py, model, contact, &conditions, |model, question| {
+        study::map_point(model, question, directions)
+    })
+}
+
+/// Python class `percuss._reports._SafeSpeed`.
+#[derive(FromPyObject)]
+pub struct SpeedQuestion {
+    region: Option<String>,
+    force: Option<f64>,
+    pressure: Option<f64>,
+    area: Option<f64>,
+    energy: Option<f64>,
+    momentum: Option<f64>,
+    load: f64,
+    directions: Vec<[f64; 3]>,
+    worst: bool,
+}
+
+/// Safe speeds of a contact of a robot, as a list: at its pose, or at the slowest row of positions; or in each of
+/// several world directions, the worst direction last.
+#[pyfunction]
+#[allow(clippy::too_many_arguments, clippy::type_complexity, reason = "the question of a safe speed")]
+pub fn safe_speed(
+    py: Python<'_>,
+    model: &Model,
+    contact: GivenContact<'_>,
+    conditions: Conditions<'_>,
+    speed: SpeedQuestion,
+    vary: Option<Vec<Bound<'_, PyAny>>>,
+    input: Option<(String, Vec<String>)>,
+    random: Option<(usize, u64)>,
+) -> PyResult<String> {
+    let SpeedQuestion { region, force, pressure, area, energy, momentum, load, directions, worst } = speed;
+    let limit = StatedLimits { force, pressure, area, energy, momentum }.one().map_err(errors::input)?;
+    let rows = optional_rows(vary, input, random)?;
+    let asked_for = SafeSpeedQuestion { region, limit, load };
+    contact_report(py, model, contact, &conditions, |model, question| {
+        let contact = question.clone();
+        StudySafeSpeed { contact, limit_question: asked_for, directions, worst_direction: worst, rows }
+            .reports(model)
+    })
+}
+
+/// Python class `percuss.Design`.
+#[derive(FromPyObject)]
+pub struct Design<'py> {
+    name: String,
+    model: Bound<'py, Model>,
+    contact: GivenContact<'py>,
+    conditions: Conditions<'py>,
+}
+
+/// Compares several designs by one question, at the same rows of positions if rows are given.
+#[pyfunction]
+#[allow(clippy::type_complexity, reason = "where rows come from")]
+pub fn compare(
+    py: Python<'_>,
+    designs: Vec<Design<'_>>,
+    vary: Option<Vec<Bound<'_, PyAny>>>,
+    input: Option<(String, Vec<String>)>,
+    random: Option<(usize, u64)>,
+) -> PyResult<String> {
+    let source = optional_rows(vary, input, random)?;
+    let design = |design: &Design<'_>| {
+        let model = &design.model.get().read;
+        PyResult::Ok(study::Design {
+            name: design.name.clone(),
+            model: study::Model::clone(model),
+            question: design.conditions.question_at(&model.mechanism, &design.contact)?,
+            rows: source.clone(),
+        })
+    };
+    let designs: Vec<study::Design> = designs.iter().map(design).collect::<PyResult<_>>()?;
+    comparison_json(py, &designs)
+}
+
+/// Compares the designs of a study file: its model under a name, then its variants.
+#[pyfunction]
+pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<String> {
+    let path = path.to_string_lossy().into_owned();
+    let study = detached(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
+    errors::warn(py, &study.model.diagnostics)?;
+    comparison_json(py, &study.designs(name))
+}
+
+/// Compares designs and returns the report as JSON.
+fn comparison_json(py: Python<'_>, designs: &[study::Design]) -> PyResult<String> {
+    let report = detached(py, || study::compare(designs))?;
+    json(&report.map_err(|error| input(error.message(Names::Fields)))?)
+}
+
+/// JSON schema of study files.
+#[pyfunction]
+pub fn study_schema() -> PyResult<String> {
+    json(study::study_schema())
+}
+
+/// Initial study file for a model, which the file refers to by a path.
+#[pyfunction]
+pub fn starting_study(py: Python<'_>, model: &Model, path: PathBuf) -> PyResult<String> {
+    let path = path.to_string_lossy();
+    detached(py, || study::starting_study(&model.read, &path))?.map_err(errors::study)
+}
+
+/// Runs a study and returns the report of its sweep, or of its contact if the study has no sweep.
+#[pyfunction]
+pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
+    let path = path.to_string_lossy().into_owned();
+    let study = detached(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
+    errors::warn(py, &study.model.diagnostics)?;
+    match (&study.question, &study.sweep) {
+        (Some(question), Some(sweep)) => {
+            let rows = sweep.rows.clone();
+            json(&run_watched(py, &study.model, || Sweep::new(&study.model, question, rows))?)
+        }
+        (Some(question), None) => {
+            let report = detached(py, || match &study.damping {
+                Some(damping) => study::mass_with_damper(&study.model, question, &damping.question),
+                None => study::mass(&study.model, question),
+            })?;
+            json(&report.map_err(errors::study)?)
+        }
+        (None, _) => run_without_contact(py, &study),
+    }
+}
+
+/// Runs a study without a contact: a stop, a map, a safe speed.
+fn run_without_contact(py: Python<'_>, study: &StudyFile) -> PyResult<String> {
+    if let Some(study::StudyDamping { question, stop: Some((stop, conditions)), .. }) = &study.damping {
+        let report = detached(py, || study::damp_stop(&study.model, stop, conditions.clone(), question))?;
+        return json(&report.map_err(errors::study)?);
+    }
+    match (study.map.as_ref().map(|map| &map.question), &study.safe_speed) {
+        (Some(study::StudyMapQuestion::Surfaces(question)), _) => {
+            json(&detached(py, || study::map(&study.model, question))?.map_err(errors::study)?.report)
+        }
+        (Some(study::StudyMapQuestion::Directions(question, count)), _) => {
+            let report = detached(py, || study::map_point(&study.model, question, *count))?;
+            json(&report.map_err(errors::study)?)
+        }
+        (None, Some(contact_report)) => {
+            json(&detached(py, || contact_report.reports(&study.model))?.map_err(errors::study)?)
+        }
+        (None, None) => Err(errors::input("the study contains no question")),
+    }
+}

@@ -1,0 +1,129 @@
+//! Kinds of findings: stable code, severity and scope of each.
+
+use percuss_mechanism::Severity;
+
+/// Poses for which a finding holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FindingScope {
+    /// All poses of the model with the same contact.
+    Model,
+    /// All poses of a branch.
+    Branch,
+    /// One pose; determined by the joint positions alone.
+    Positions,
+    /// One pose; determined by its contact response, or by the way in which the pose was found.
+    Pose,
+    /// A report, not a single row.
+    Report,
+}
+
+impl FindingScope {
+    /// True if the finding holds for all poses of a branch.
+    pub fn covers_branch(self) -> bool {
+        match self {
+            Self::Model | Self::Branch => true,
+            Self::Positions | Self::Pose | Self::Report => false,
+        }
+    }
+}
+
+/// Declares the kinds with their codes, severities and scopes. The order of the kinds is the order of the findings in a report.
+macro_rules! finding_kinds {
+    ($($kind:ident = $code:literal, $severity:ident, $scope:ident;)*) => {
+        /// Kind of a finding.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        pub(crate) enum FindingKind {
+            $($kind,)*
+        }
+
+        impl FindingKind {
+            /// All kinds.
+            #[cfg(test)]
+            const ALL: &[Self] = &[$(Self::$kind,)*];
+
+            /// Code, usual severity and scope.
+            const fn properties(self) -> (&'static str, Severity, FindingScope) {
+                match self {
+                    $(Self::$kind => ($code, Severity::$severity, FindingScope::$scope),)*
+                }
+            }
+        }
+    };
+}
+
+finding_kinds! {
+    BaseNotGiven = "base-not-given", Warning, Pose;
+    DefaultDistance = "default-distance", Note, Report;
+    DrawnOpen = "drawn-open", Warning, Model;
+    DriverOffZero = "driver-off-zero", Warning, Branch;
+    DriversChosen = "drivers-chosen", Note, Branch;
+    ExportsOwnLaw = "exports-own-law", Note, Report;
+    FarFromGuess = "far-from-guess", Warning, Pose;
+    FarPoint = "far-point", Warning, Model;
+    HoldPulls = "hold-pulls", Warning, Pose;
+    HoldUndetermined = "hold-undetermined", Note, Pose;
+    ImmovableMechanism = "immovable-mechanism", Note, Pose;
+    ImmovableRobot = "immovable-robot", Warning, Report;
+    IndefiniteMassMatrix = "indefinite-mass-matrix", Warning, Pose;
+    InexactLoops = "inexact-loops", Warning, Model;
+    MassDrifts = "mass-drifts", Warning, Report;
+    MasslessMotions = "massless-motions", Note, Pose;
+    MasslessToRounding = "massless-to-rounding", Warning, Pose;
+    NearlyImmovable = "nearly-immovable", Warning, Pose;
+    NoAnswer = "no-answer", Warning, Pose;
+    NoDamper = "no-damper", Warning, Report;
+    NotFinite = "not-finite", Warning, Pose;
+    NotUnitQuaternion = "not-unit-quaternion", Warning, Pose;
+    OffTarget = "off-target", Warning, Branch;
+    OpenLoops = "open-loops", Warning, Pose;
+    OtherAssembly = "other-assembly", Warning, Pose;
+    OutsideLimits = "outside-limits", Warning, Positions;
+    PenetrationUnreachable = "penetration-unreachable", Warning, Report;
+    PointConverted = "point-converted", Note, Pose;
+    PoseOfAnotherFile = "pose-of-another-file", Warning, Report;
+    ReversedAxis = "reversed-axis", Note, Model;
+    RigidLoops = "rigid-loops", Warning, Model;
+    RowsFollowed = "rows-followed", Note, Report;
+    RowsNotTried = "rows-not-tried", Note, Report;
+    RowsUnanswered = "rows-unanswered", Warning, Report;
+    RowsWithoutSpeed = "rows-without-speed", Warning, Report;
+    ShapeNotDrawn = "shape-not-drawn", Note, Report;
+    SingularPose = "singular-pose", Warning, Pose;
+    SmallRows = "small-rows", Warning, Report;
+    StandardTooFast = "standard-too-fast", Warning, Report;
+    UncertainMass = "uncertain-mass", Warning, Pose;
+    UnclearRank = "unclear-rank", Warning, Model;
+    UnclearRankHere = "unclear-rank-here", Warning, Pose;
+    UndeterminedMotion = "undetermined-motion", Note, Pose;
+    UnknownError = "unknown-error", Warning, Pose;
+    UnusedGuess = "unused-guess", Warning, Pose;
+    WeaklyConstrained = "weakly-constrained", Warning, Model;
+}
+
+impl FindingKind {
+    /// Stable short name.
+    pub const fn code(self) -> &'static str {
+        self.properties().0
+    }
+
+    /// Usual severity of a finding of this kind.
+    pub const fn severity(self) -> Severity {
+        self.properties().1
+    }
+
+    /// Poses for which a finding of this kind holds.
+    pub const fn scope(self) -> FindingScope {
+        self.properties().2
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::FindingKind;
+
+    /// Reports list findings in alphabetic order of their codes, and no code occurs twice.
+    #[test]
+    fn codes_ascend() {
+        assert!(FindingKind::ALL.is_sorted_by(|a, b| a < b && a.code() < b.code()));
+    }
+}

@@ -1,0 +1,53 @@
+//! Joint limits of rows given by the positions of all joints, without poses.
+
+use crate::checks::finding::{Finding, FindingSubject};
+use crate::checks::finding_kind::FindingKind;
+use percuss_dynamics::Pose;
+use percuss_mechanism::{JointId, Limits, Mechanism};
+
+/// Limited joints, each with the index of its position.
+#[derive(Debug)]
+pub(crate) struct LimitedJoints(Vec<(JointId, usize, Limits)>);
+
+impl LimitedJoints {
+    /// Limited joints of a mechanism.
+    pub fn of(mechanism: &Mechanism) -> Self {
+        let mut next = 0;
+        let limited = mechanism.joint_ids().filter_map(|id| {
+            let joint = mechanism.joint(id);
+            let index = next;
+            next += joint.kind().positions();
+            let limits = joint.limits().filter(|_| joint.kind().positions() == 1)?;
+            Some((id, index, limits))
+        });
+        Self(limited.collect())
+    }
+
+    /// Findings about joints outside their limits. `position`: position with a given index.
+    pub fn findings(
+        &self,
+        mechanism: &Mechanism,
+        position: impl Fn(usize) -> f64,
+    ) -> impl Iterator<Item = Finding> {
+        self.0.iter().filter_map(move |&(joint, index, limits)| {
+            let value = position(index);
+            Pose::is_outside(value, limits).then(|| joint_limit_finding(mechanism, joint, value, limits))
+        })
+    }
+}
+
+/// Finding for a joint outside its limits.
+pub(crate) fn joint_limit_finding(
+    mechanism: &Mechanism,
+    joint: JointId,
+    value: f64,
+    limits: Limits,
+) -> Finding {
+    let message = format!(
+        "joint \"{}\" is at {value}, outside its limits {} to {}",
+        mechanism.joint(joint).name(),
+        limits.lower,
+        limits.upper
+    );
+    Finding::new(FindingKind::OutsideLimits, FindingSubject::Joint(joint), message)
+}

@@ -1,0 +1,26 @@
+//! Links at the wheels, by the names that the suspension importer gives.
+
+use percuss_mechanism::{LinkId, Mechanism};
+
+/// Link names given by the suspension importer; their vertical motion is the wheel travel.
+const WHEEL_POINTS: [&str; 2] = ["wheel_centre", "contact_patch"];
+/// Suffixes of the sides in names of the importer.
+const SIDES: [&str; 2] = ["_left", "_right"];
+
+/// Wheel points; only those on the side of the contact link if the link name ends in a side.
+pub(crate) fn wheel_points(mechanism: &Mechanism, contact_link: &str) -> Vec<LinkId> {
+    WHEEL_POINTS.iter().flat_map(|point| links_of_side(mechanism, point, contact_link)).collect()
+}
+
+/// Wheel centres; only those on the side of the contact if its name ends in a side.
+pub(crate) fn wheel_centres(mechanism: &Mechanism, contact: &str) -> Vec<LinkId> {
+    links_of_side(mechanism, WHEEL_POINTS[0], contact)
+}
+
+/// Links with a name of the importer and the ending of a side; only those on the side in which `name` ends, if any.
+fn links_of_side(mechanism: &Mechanism, link: &str, name: &str) -> Vec<LinkId> {
+    let side = SIDES.into_iter().find(|side| name.ends_with(side));
+    let sides = SIDES.into_iter().filter(|known| side.is_none_or(|side| side == *known));
+    let names = [""].into_iter().chain(sides).map(|end| format!("{link}{end}"));
+    names.filter_map(|name| mechanism.find_link(&name).ok()).collect()
+}

@@ -1,0 +1,277 @@
+//! Comparison of one question over several designs: the result of each design and the difference from the
+//! first.
+
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
+use crate::evaluation::status::Status;
+use crate::model::loading::{Input, Model};
+use crate::model::record::DiagnosticRecord;
+use crate::question::error::StudyError;
+use crate::question::field::Names;
+use crate::question::mass_question::MassQuestion;
+use crate::question::row_source::RowSource;
+use crate::question::varied_values::VariedColumn;
+use crate::reports::answer_mass::mass;
+use crate::sweep::sweep_rows::sweep_report;
+use serde::Serialize;
+
+/// Model and question of a design.
+#[derive(Clone, Debug)]
+pub struct Design {
+    /// Name of the design.
+    pub name: String,
+    /// The model.
+    pub model: Model,
+    /// Question; equal for all designs except for the changes of the design.
+    pub question: MassQuestion,
+    /// Rows of positions, if any.
+    pub rows: Option<RowSource>,
+}
+
+/// Report of `percuss compare`, as JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct ComparisonReport {
+    /// `percuss.compare/1`.
+    pub schema: &'static str,
+    /// Version of percuss.
+    pub percuss: &'static str,
+    /// Results of the designs; the first is the reference.
+    pub designs: Vec<DesignRecord>,
+    /// Varied columns; empty without rows.
+    pub varied: Vec<VariedColumn>,
+    /// Rows with the values of all designs.
+    pub rows: Vec<ComparisonRow>,
+    /// Findings about all designs.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Result of a design at the pose of the question.
+#[derive(Clone, Debug, Serialize)]
+pub struct DesignRecord {
+    /// Name of the design.
+    pub name: String,
+    /// Input files of the design.
+    pub inputs: Vec<Input>,
+    /// Kind of result; null without a result.
+    pub status: Option<Status>,
+    /// m̄, kg; null unless finite.
+    pub effective_mass: Option<f64>,
+    /// Error bound of m̄, kg.
+    pub effective_mass_error: Option<f64>,
+    /// Difference from m̄ of the first design, per cent of the first.
+    pub difference_percent: Option<f64>,
+    /// Smallest and largest difference over the rows, per cent.
+    pub difference_range_percent: Option<[f64; 2]>,
+    /// Links with the largest shares of m̄, and the shares.
+    pub most: Vec<(String, f64)>,
+    /// Reason for a missing result.
+    pub error: Option<String>,
+}
+
+/// Row of the comparison with the values of all designs.
+#[derive(Clone, Debug, Serialize)]
+pub struct ComparisonRow {
+    /// Number of the row, from 0.
+    pub row: usize,
+    /// The varied numbers, rad or m.
+    pub varied: Vec<f64>,
+    /// m̄ of each design, kg; null without a finite result.
+    pub effective_mass: Vec<Option<f64>>,
+    /// Difference of each design from the first, per cent.
+    pub difference_percent: Vec<Option<f64>>,
+}
+
+/// Largest number of links listed per design.
+const MAX_LISTED_LINKS: usize = 3;
+
+/// Error of a comparison.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CompareError {
+    /// Fewer than two designs.
+    #[error("{count} design(s); expected two at least: files, or a study with [[variant]]")]
+    TooFew {
+        /// Number of designs.
+        count: usize,
+    },
+    /// Rows differ between designs.
+    #[error(
+        "\"{first}\" and \"{other}\" have different rows ({why}); expected the same range in all designs, or no \
+         range at all"
+    )]
+    OtherRows {
+        /// The first design.
+        first: String,
+        /// Design with the different rows.
+        other: String,
+        /// Difference between the rows.
+        why: String,
+    },
+    /// Invalid question for a design.
+    #[error("\"{design}\": {source}")]
+    Question {
+        /// The design.
+        design: String,
+        /// Cause.
+        source: StudyError,
+    },
+}
+
+impl CompareError {
+    /// Message with the names of `names`: flags, study keys or fields.
+    pub fn message(&self, names: Names) -> String {
+        match self {
+            CompareError::Question { design, source } => format!("\"{design}\": {}", source.message(names)),
+            other => other.to_string(),
+        }
+    }
+}
+
+/// Compares designs.
+///
+/// # Errors
+/// [`CompareError`]: fewer than two designs, an invalid question for a design, or different rows. A design with
+/// a valid question but without a result is no error: `DesignRecord::error` holds the reason.
+pub fn compare(designs: &[Design]) -> Result<ComparisonReport, CompareError> {
+    if designs.len() < 2 {
+        return Err(CompareError::TooFew { count: designs.len() });
+    }
+    let mut diagnostics = Vec::new();
+    let mut records = Vec::new();
+    for design in designs {
+        records.push(record(design, &mut diagnostics)?);
+    }
+    let first = records[0].effective_mass;
+    for other in &mut records[1..] {
+        other.difference_percent = difference(first, other.effective_mass);
+    }
+    let (varied, rows) = rows(designs, &mut diagnostics)?;
+    for (i, record) in records.iter_mut().enumerate().skip(1) {
+        let differences = rows.iter().filter_map(|row: &ComparisonRow| row.difference_percent[i]);
+        record.difference_range_percent = differences.fold(None, |range, x| {
+            let [least, greatest] = range.unwrap_or([x, x]);
+            Some([least.min(x), greatest.max(x)])
+        });
+    }
+    Ok(ComparisonReport {
+        schema: "percuss.compare/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        designs: records,
+        varied,
+        rows,
+        diagnostics,
+    })
+}
+
+/// Relative difference, per cent of the first value; `None` if the first value is zero or either is missing.
+fn difference(first: Option<f64>, other: Option<f64>) -> Option<f64> {
+    let (first, other) = (first?, other?);
+    (first > 0.0).then(|| 100.0 * (other - first) / first)
+}
+
+/// Result of a design at its pose; its findings are added to `diagnostics`. Error: an invalid question.
+fn record(design: &Design, diagnostics: &mut Vec<DiagnosticRecord>) -> Result<DesignRecord, CompareError> {
+    let mut record = DesignRecord {
+        name: design.name.clone(),
+        inputs: design.model.inputs.clone(),
+        status: None,
+        effective_mass: None,
+        effective_mass_error: None,
+        difference_percent: None,
+        difference_range_percent: None,
+        most: Vec::new(),
+        error: None,
+    };
+    match mass(&design.model, &design.question) {
+        Ok(report) => {
+            record.inputs = report.inputs;
+            record.status = Some(report.status);
+            record.effective_mass = report.effective_mass;
+            record.effective_mass_error = report.effective_mass_error;
+            let shares = report.bodies.into_iter().filter_map(|body| Some((body.link, body.share?)));
+            record.most = shares.filter(|(_, share)| *share > 0.0).collect();
+            record.most.sort_by(|a, b| b.1.total_cmp(&a.1));
+            record.most.truncate(MAX_LISTED_LINKS);
+            merge_diagnostics(diagnostics, report.diagnostics, &design.name);
+        }
+        Err(error) if error.has_no_result() => {
+            record.error = Some(error.message(design.question.names));
+        }
+        Err(source) => return Err(CompareError::Question { design: design.name.clone(), source }),
+    }
+    Ok(record)
+}
+
+/// Adds the findings of a design without duplicates. The message of a finding without a file gets the design's
+/// name as a prefix.
+fn merge_diagnostics(all: &mut Vec<DiagnosticRecord>, found: Vec<DiagnosticRecord>, design: &str) {
+    for mut finding in found {
+        if finding.path.is_none() {
+            finding.message = format!("\"{design}\": {}", finding.message);
+        }
+        if !all.contains(&finding) {
+            all.push(finding);
+        }
+    }
+}
+
+/// Results of all designs over their ranges, row by row.
+fn rows(
+    designs: &[Design],
+    diagnostics: &mut Vec<DiagnosticRecord>,
+) -> Result<(Vec<VariedColumn>, Vec<ComparisonRow>), CompareError> {
+    let other = |design: &Design, why: &str| CompareError::OtherRows {
+        first: designs[0].name.clone(),
+        other: design.name.clone(),
+        why: why.to_owned(),
+    };
+    let mut varied = Vec::new();
+    let mut rows: Vec<ComparisonRow> = Vec::new();
+    for (number, design) in designs.iter().enumerate() {
+        let Some(source) = &design.rows else {
+            match rows.is_empty() {
+                true => continue,
+                false => return Err(other(design, "it has no range")),
+            }
+        };
+        if number > 0 && rows.is_empty() {
+            return Err(other(design, "the first has no range"));
+        }
+        let report = sweep_report(&design.model, &design.question, source)
+            .map_err(|source| CompareError::Question { design: design.name.clone(), source })?;
+        let of_rows = report.diagnostics.into_iter().filter(|d| d.path.is_none()).collect();
+        merge_diagnostics(diagnostics, of_rows, &design.name);
+        let missing = || report.rows.iter().filter_map(|row| Some((row.row, row.error.as_ref()?)));
+        if let Some((row, why)) = missing().next() {
+            let message = format!(
+                "{} of {} rows have no result; the first, row {row}: {why}",
+                missing().count(),
+                report.rows.len()
+            );
+            let warning = Finding::about_result(FindingKind::RowsUnanswered, message).into();
+            merge_diagnostics(diagnostics, vec![warning], &design.name);
+        }
+        if number == 0 {
+            varied.clone_from(&report.heading.varied);
+        } else if varied != report.heading.varied {
+            return Err(other(design, "they vary other things"));
+        } else if rows.len() != report.rows.len() {
+            return Err(other(design, "the numbers of rows differ"));
+        }
+        for (i, row) in report.rows.into_iter().enumerate() {
+            let values = row.varied.values().to_vec();
+            if number == 0 {
+                let (effective_mass, difference_percent) = (vec![row.effective_mass], vec![None]);
+                rows.push(ComparisonRow { row: i, varied: values, effective_mass, difference_percent });
+                continue;
+            }
+            if rows[i].varied != values {
+                return Err(other(design, "their values differ"));
+            }
+            let against = rows[i].effective_mass[0];
+            rows[i].effective_mass.push(row.effective_mass);
+            rows[i].difference_percent.push(difference(against, row.effective_mass));
+        }
+    }
+    Ok((varied, rows))
+}

@@ -1,0 +1,88 @@
+//! Effective masses at all named contacts of a model.
+
+use crate::model::loading::{Input, Model};
+use crate::model::record::DiagnosticRecord;
+use crate::question::damping_question::DampingQuestion;
+use crate::question::error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::question::mass_question::MassQuestion;
+use crate::reports::answer_mass::{mass, mass_with_damper};
+use crate::reports::mass_report::MassReport;
+use serde::Serialize;
+
+/// Effective masses at all named contacts, as JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct ContactListReport {
+    /// `percuss.contacts/1`.
+    pub schema: &'static str,
+    /// Version of percuss.
+    pub percuss: &'static str,
+    /// Input files.
+    pub inputs: Vec<Input>,
+    /// The contacts, in the order of the model.
+    pub contacts: Vec<ListedContact>,
+    /// Findings about the file and the results; a finding about one contact begins with its name.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Named contact with its result.
+#[derive(Clone, Debug, Serialize)]
+pub struct ListedContact {
+    /// Name.
+    pub name: String,
+    /// `stop`, `spring`, `damper`, `patch` or `other`.
+    pub kind: &'static str,
+    /// Result; null if the contact has none.
+    pub report: Option<MassReport>,
+    /// Reason for a missing result.
+    pub problem: Option<String>,
+}
+
+/// Evaluates all named contacts of a model under the conditions of a question.
+///
+/// # Errors
+/// [`StudyError`]: a model without named contacts; invalid conditions. A contact without a result, such as a stop that
+/// the mechanism does not reach, is a row of the list.
+pub fn contact_list(
+    model: &Model,
+    conditions: &MassQuestion,
+    damping: Option<&DampingQuestion>,
+) -> Result<ContactListReport, StudyError> {
+    let contacts = model.mechanism.contacts();
+    if contacts.is_empty() {
+        return Err(StudyError::input(Field::At, Fault::NoNamedContacts));
+    }
+    let mut diagnostics = model.diagnostics.clone();
+    let mut listed = Vec::with_capacity(contacts.len());
+    for contact in contacts {
+        let question = MassQuestion { at: Some(contact.name().to_owned()), ..conditions.clone() };
+        let answer = match damping {
+            Some(damping) => mass_with_damper(model, &question, damping),
+            None => mass(model, &question),
+        };
+        let (report, problem) = match answer {
+            Ok(mut report) => {
+                let of_contact = std::mem::take(&mut report.diagnostics).into_iter();
+                for found in of_contact.filter(|found| !model.diagnostics.contains(found)) {
+                    let message = format!("{}: {}", contact.name(), found.message);
+                    let found = DiagnosticRecord { message, ..found };
+                    if !diagnostics.contains(&found) {
+                        diagnostics.push(found);
+                    }
+                }
+                (Some(report), None)
+            }
+            Err(error) if error.has_no_result() => (None, Some(error.message(question.names))),
+            Err(error) => return Err(error),
+        };
+        let name = contact.name().to_owned();
+        listed.push(ListedContact { name, kind: contact.kind().name(), report, problem });
+    }
+    Ok(ContactListReport {
+        schema: "percuss.contacts/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: model.inputs.clone(),
+        contacts: listed,
+        diagnostics,
+    })
+}

@@ -1,0 +1,211 @@
+//! Drawing of a mechanism at the pose of a result: position, share of m̄ and velocity of each link.
+
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
+use crate::evaluation::prepared_question::{EvaluatedQuestion, compile, configuration};
+use crate::model::loading::{Input, Model};
+use crate::model::record::DiagnosticRecord;
+use crate::pose::pose_solver;
+use crate::question::error::StudyError;
+use crate::question::mass_question::MassQuestion;
+use crate::thresholds::FACETS;
+use percuss_dynamics::{ContactResponse, PointVelocity, Pose};
+use percuss_formats::{DEFAULT_MAX_MESH_SIZE, MeshFolders, Purpose, Shape, Surface};
+use percuss_mechanism::{LinkId, Mechanism};
+use percuss_spatial::Vector3;
+use percuss_suspension::WheelCircle;
+use std::path::Path;
+
+/// Drawing of a link; coordinates in the world frame, m.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnLink {
+    /// Name of the link.
+    pub name: String,
+    /// Share of the effective mass; `None` unless the mass is finite.
+    pub share: Option<f64>,
+    /// Lines from the mean of the link's characteristic points to each of the points: joints, loop frames,
+    /// centre of mass, and contact point if the link is in contact. Two points give one line.
+    pub lines: Vec<[[f64; 3]; 2]>,
+    /// Centre of mass; `None` without mass.
+    pub com: Option<[f64; 3]>,
+    /// Triangles of the shapes, world frame, m; empty if the model has no shape or the shape is unreadable.
+    pub facets: Vec<[[f64; 3]; 3]>,
+    /// Velocity v* of the centre of mass relative to the ground, m/s per unit closing speed; `None` if not
+    /// determined.
+    pub velocity: Option<[f64; 3]>,
+}
+
+/// Drawing of a mechanism at the pose of a result, and findings about the shapes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DrawnMechanism {
+    /// Links with lines or triangles.
+    pub links: Vec<DrawnLink>,
+    /// Wheels of an imported suspension, world frame, m.
+    pub wheels: Vec<WheelCircle>,
+    /// Mesh files.
+    pub meshes: Vec<Input>,
+    /// Shapes that are not drawn, with the reason.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Largest extent of a shape of the root link, as a multiple of the characteristic length. A larger shape is
+/// taken for the surroundings (a floor, a hall) and is not drawn.
+const FAR_SHAPE: f64 = 5.0;
+
+/// Reader of the shapes of links, with the number of triangles left (`room`).
+struct ShapeReader<'a> {
+    model: &'a Model,
+    folders: MeshFolders,
+    triangles_left: usize,
+    drawing: DrawnMechanism,
+}
+
+impl ShapeReader<'_> {
+    /// Triangles of a link in the world frame, from `<visual>`, otherwise from `<collision>`.
+    fn link_triangles(&mut self, link: LinkId, pose: &Pose) -> Vec<[[f64; 3]; 3]> {
+        let all = self.model.shapes.get(link.index()).map_or(&[][..], Vec::as_slice);
+        let of = |purpose| all.iter().filter(move |shape: &&Shape| shape.purpose == purpose);
+        let any_visual = of(Purpose::Visual).next().is_some();
+        let shapes = of(if any_visual { Purpose::Visual } else { Purpose::Collision });
+        let surface = match Surface::read(shapes, &self.folders, DEFAULT_MAX_MESH_SIZE) {
+            Ok(surface) => surface,
+            Err(error) => {
+                self.add_omitted_shape(link, error.to_string());
+                return Vec::new();
+            }
+        };
+        // A floor would shrink the mechanism to a small part of the drawing.
+        let far = FAR_SHAPE * self.model.mechanism.characteristic_length();
+        let reach = surface.bounds().map_or(0.0, |(centre, radius)| centre.norm() + radius);
+        if link == self.model.mechanism.root() && reach > far {
+            self.add_omitted_shape(link, format!("it reaches {reach:.3} m, far beyond the mechanism"));
+            return Vec::new();
+        }
+        for file in surface.files() {
+            let input = Input::from_file(file);
+            self.drawing.meshes.extend(input.filter(|input| !self.drawing.meshes.contains(input)));
+        }
+        // Infinite edge length: as few triangles as possible.
+        match surface.facets(f64::INFINITY, self.triangles_left) {
+            Ok(facets) => {
+                self.triangles_left -= facets.len();
+                let frame = pose.link(link);
+                facets.iter().map(|facet| facet.corners.map(|corner| frame.point(&corner).into())).collect()
+            }
+            Err(error) => {
+                self.add_omitted_shape(link, error.to_string());
+                Vec::new()
+            }
+        }
+    }
+
+    /// Records a shape that is not drawn, with the reason.
+    fn add_omitted_shape(&mut self, link: LinkId, why: String) {
+        let link = self.model.mechanism.link(link).name();
+        let message = format!("link \"{link}\" is drawn without its shape: {why}");
+        self.drawing.diagnostics.push(Finding::about_result(FindingKind::ShapeNotDrawn, message).into());
+    }
+}
+
+/// Drawing of an evaluated question: every link with lines or triangles.
+pub(crate) fn draw_evaluated(evaluated: &EvaluatedQuestion) -> DrawnMechanism {
+    let EvaluatedQuestion { prepared, pose, result: answer, .. } = evaluated;
+    draw_pose(prepared.model, pose, Some(&answer.response))
+}
+
+/// Drawing of the mechanism at the pose of a question; the contact is ignored.
+///
+/// # Errors
+/// [`StudyError`]: unknown names, loops that do not close, a travel that is not reachable.
+pub fn draw_mechanism(model: &Model, question: &MassQuestion) -> Result<DrawnMechanism, StudyError> {
+    let system = compile(&model.mechanism, question, None)?;
+    let question = &*question.resolve_contact(&model.mechanism)?;
+    let pose = pose_solver::pose(&system, &configuration(&model.mechanism, question)?, question)?;
+    Ok(draw_pose(model, &pose, None))
+}
+
+/// Drawing of a mechanism at a pose; with a response, also velocities and shares.
+fn draw_pose(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> DrawnMechanism {
+    let mechanism = &model.mechanism;
+    let shares = response.and_then(|response| response.contributions.as_ref());
+    let mut points: Vec<Vec<Vector3<f64>>> = vec![Vec::new(); mechanism.links().len()];
+    for joint in mechanism.joints() {
+        // The joint frame coincides with the child's frame.
+        let at = pose.link(joint.child()).point(&Vector3::zeros());
+        points[joint.child().index()].push(at);
+        let before = pose.link(joint.parent()).point(&joint.origin().point(&Vector3::zeros()));
+        points[joint.parent().index()].push(before);
+    }
+    for closure in mechanism.closures() {
+        for end in [closure.predecessor(), closure.successor()] {
+            let Some(link) = end.link else { continue };
+            let at = pose.link(link).point(&end.frame.point(&Vector3::zeros()));
+            points[link.index()].push(at);
+        }
+    }
+    if let Some(contact) = response.map(|response| &response.contact) {
+        points[contact.link.index()].push(contact.point_world);
+        if let Some(against) = contact.against {
+            points[against.index()].push(contact.point_world);
+        }
+    }
+    let of_link = |id: LinkId| {
+        let link = mechanism.link(id);
+        let inertial = link.inertial().filter(|inertial| inertial.mass > 0.0);
+        let com = inertial.map(|inertial| pose.link(id).point(&inertial.com));
+        let mut ends = points[id.index()].clone();
+        ends.extend(com);
+        let middle = ends.iter().sum::<Vector3<f64>>() / ends.len().max(1) as f64;
+        let mut lines: Vec<[[f64; 3]; 2]> = match ends[..] {
+            [a, b] => vec![[a.into(), b.into()]],
+            _ => ends.iter().map(|end| [middle.into(), (*end).into()]).collect(),
+        };
+        lines.retain(|[a, b]| a != b);
+        let velocity = response.zip(inertial).and_then(|(response, inertial)| {
+            match pose.point_velocity_over_ground(response, id, &inertial.com)? {
+                PointVelocity::Known(v) => Some(pose.base().vector(&v).into()),
+                PointVelocity::Undetermined => None,
+            }
+        });
+        DrawnLink {
+            name: link.name().to_owned(),
+            share: shares.and_then(|s| s.links.get(id.index()).copied()),
+            lines,
+            facets: Vec::new(),
+            com: com.map(Into::into),
+            velocity,
+        }
+    };
+    // A fixed root link is the ground.
+    let is_drawn = |id: &LinkId| *id != mechanism.root() || shares.is_some_and(|s| s.links[id.index()] > 0.0);
+    let path = model.inputs.first().map_or("", |input| &input.path);
+    let folders = MeshFolders::of_model(Path::new(path), Vec::new());
+    let mut shapes =
+        ShapeReader { model, folders, triangles_left: FACETS, drawing: DrawnMechanism::default() };
+    shapes.drawing.wheels = mechanism.link_ids().filter_map(|id| wheel(mechanism, pose, id)).collect();
+    for id in mechanism.link_ids() {
+        let facets = shapes.link_triangles(id, pose);
+        let mut link = of_link(id);
+        if !is_drawn(&id) {
+            link.lines.clear();
+        }
+        if !(link.lines.is_empty() && facets.is_empty()) {
+            shapes.drawing.links.push(DrawnLink { facets, ..link });
+        }
+    }
+    shapes.drawing
+}
+
+/// Circle of a wheel, if the link has the name that the suspension importer gives to wheels. The circle lies
+/// about the bearing axis and passes through the lowest point at the design position.
+fn wheel(mechanism: &Mechanism, pose: &Pose, link: LinkId) -> Option<WheelCircle> {
+    let side = mechanism.link(link).name().strip_prefix("wheel_centre")?;
+    let patch = mechanism.find_link(&format!("contact_patch{side}")).ok()?;
+    let bearing = mechanism.joint(mechanism.find_joint(&format!("spin{side}")).ok()?);
+    let at = |link: LinkId| pose.link(link).point(&Vector3::zeros());
+    let axis = pose.link(bearing.child()).vector(bearing.axis());
+    let spoke = at(patch) - at(link);
+    let radius = (spoke - axis * axis.dot(&spoke)).norm();
+    let is_one = radius > 0.0 && radius.is_finite();
+    is_one.then(|| WheelCircle { centre: at(link).into(), axis: axis.into(), radius: Some(radius) })
+}

@@ -1,0 +1,109 @@
+//! Motion ratios: speed of a wheel or of a given point per closing speed of the contact.
+
+use crate::evaluation::prepared_question::EvaluatedQuestion;
+use crate::evaluation::wheel_points::wheel_points;
+use crate::question::error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::question::mass_question::RatioPoint;
+use crate::thresholds::{INVERSE_RATIO_TOLERANCE, SHORTEST_DIRECTION};
+use nalgebra::Vector3;
+use percuss_dynamics::{Contact, ContactResponse, Direction, EffectiveMass, Frame, PointVelocity, Pose};
+use percuss_mechanism::LinkId;
+use serde::Serialize;
+
+/// Motion ratio of a point relative to the contact, in the motion v*.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MotionRatioRecord {
+    /// Link of the point: `wheel_centre` or `contact_patch` if the model has these links, or the requested
+    /// link.
+    pub link: String,
+    /// The point in the link's frame, m.
+    pub point: [f64; 3],
+    /// Direction of the speed, a unit vector in world axes.
+    pub direction: [f64; 3],
+    /// Speed of the point along the direction per unit closing speed of the contact; negative for motion
+    /// against the direction.
+    pub wheel_per_contact: f64,
+    /// Inverse ratio; null if the point does not move.
+    pub contact_per_wheel: Option<f64>,
+    /// True if every motion of the mechanism has this ratio; otherwise the ratio holds for the motion v* only.
+    pub one_travel: bool,
+}
+
+/// Motion ratios of a result: of the requested points, and of the wheel if the ratio holds for every motion.
+///
+/// r = d · v_P per unit closing speed in v*. Let r′ be the speed of the contact per unit speed of the point in
+/// the response of a contact at the point. r holds for every motion if r r′ = 1; r r′ is the squared cosine
+/// between both motions in the metric of M.
+pub(crate) fn motion_ratios(
+    evaluated: &EvaluatedQuestion,
+    given: &[RatioPoint],
+) -> Result<Vec<MotionRatioRecord>, StudyError> {
+    let mechanism = &evaluated.prepared.model.mechanism;
+    let response = evaluated.result.mechanism_response();
+    let mut found = Vec::new();
+    for ratio_point in given {
+        let link = mechanism.find_link(&ratio_point.link);
+        let link = link.map_err(|error| StudyError::input(Field::RatioAt, error))?;
+        let (point, direction) = (Vector3::from(ratio_point.point), Vector3::from(ratio_point.direction));
+        if !(direction.norm() > SHORTEST_DIRECTION && direction.norm().is_finite()) {
+            return Err(StudyError::input(Field::RatioAt, Fault::NoRatioDirection));
+        }
+        found.extend(ratio(evaluated, response, link, point, direction.normalize()));
+    }
+    for link in wheel_points(mechanism, &evaluated.prepared.question.link) {
+        let ratio = ratio(evaluated, response, link, Vector3::zeros(), Vector3::z());
+        found.extend(ratio.filter(|ratio| ratio.one_travel));
+    }
+    Ok(found)
+}
+
+/// Motion ratio of a point along a direction; `None` if the velocity is undetermined.
+fn ratio(
+    evaluated: &EvaluatedQuestion,
+    response: &ContactResponse,
+    link: LinkId,
+    point: Vector3<f64>,
+    direction: Vector3<f64>,
+) -> Option<MotionRatioRecord> {
+    let pose = &evaluated.pose;
+    if response.singular_pose {
+        return None;
+    }
+    let wheel_per_contact = speed(pose, response, link, &point, &direction)?;
+    let own = Contact {
+        link,
+        against: evaluated.contact.against,
+        point,
+        normal: Direction::Along(direction, Frame::World),
+    };
+    let inverse = pose.respond(&own).ok().filter(|own| !own.singular_pose).and_then(|own| {
+        let EffectiveMass::Finite(_) = own.effective_mass else { return None };
+        let contact = &response.contact;
+        speed(pose, &own, contact.link, &contact.point_link, &contact.normal_world)
+    });
+    let one_travel =
+        inverse.is_some_and(|inverse| (wheel_per_contact * inverse - 1.0).abs() <= INVERSE_RATIO_TOLERANCE);
+    Some(MotionRatioRecord {
+        link: pose.mechanism().link(link).name().to_owned(),
+        point: point.into(),
+        direction: direction.into(),
+        wheel_per_contact,
+        contact_per_wheel: (wheel_per_contact != 0.0).then(|| 1.0 / wheel_per_contact),
+        one_travel,
+    })
+}
+
+/// Speed of a point along a world direction in a response, relative to the other side of the contact.
+fn speed(
+    pose: &Pose,
+    response: &ContactResponse,
+    link: LinkId,
+    point: &Vector3<f64>,
+    direction: &Vector3<f64>,
+) -> Option<f64> {
+    match pose.point_velocity(response, link, point)? {
+        PointVelocity::Known(v) => Some(pose.base().vector(&v).dot(direction)),
+        PointVelocity::Undetermined => None,
+    }
+}

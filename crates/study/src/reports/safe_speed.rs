@@ -1,0 +1,435 @@
+//! Safe speed of a robot that may hit a person, with the effective mass instead of the standard's M/2 + m_L.
+
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
+use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion, PreparedQuestion};
+use crate::model::loading::{Input, Model};
+use crate::model::record::DiagnosticRecord;
+use crate::pose::positions::Positions;
+use crate::question::error::StudyError;
+use crate::question::field::Field;
+use crate::question::mass_question::{MassQuestion, Normal};
+use crate::question::row_source::RowSource;
+use crate::sweep::sweep_rows::Sweep;
+use percuss_contact::{BodyRegion, ContactLawError, SafeSpeed, TransientContact, standard_robot_mass};
+use percuss_dynamics::{Base, EffectiveMass, Frame};
+use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
+use serde::Serialize;
+use std::ops::ControlFlow;
+
+/// Limit of the impact, taken by the user from the applicable edition of the standard.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Limit {
+    /// Largest force, N.
+    Force(f64),
+    /// Largest pressure, Pa, and contact area, m².
+    Pressure(f64, f64),
+    /// Largest energy of the impact, J.
+    Energy(f64),
+    /// Largest exchanged momentum, N·s.
+    Momentum(f64),
+}
+
+/// Limit values as given; exactly one limit is required.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StatedLimits {
+    /// Largest force, N.
+    pub force: Option<f64>,
+    /// Largest pressure, Pa; with area.
+    pub pressure: Option<f64>,
+    /// Contact area, m²; with pressure.
+    pub area: Option<f64>,
+    /// Largest energy of the impact, J.
+    pub energy: Option<f64>,
+    /// Largest exchanged momentum, N·s.
+    pub momentum: Option<f64>,
+}
+
+/// Error: no limit, several limits, or an incomplete limit.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "one limit is required: force, pressure with area, energy or momentum, from the edition of the standard that applies to you; \
+     given: {}",
+    if given.is_empty() { "none".to_owned() } else { given.join(" and ") }
+)]
+pub struct LimitError {
+    /// Names of the given values.
+    pub given: Vec<&'static str>,
+}
+
+impl StatedLimits {
+    /// The given limit.
+    ///
+    /// # Errors
+    /// [`LimitError`]: no limit, several limits, a pressure without an area or an area without a pressure.
+    pub fn one(&self) -> Result<Limit, LimitError> {
+        match (self.force, self.pressure, self.area, self.energy, self.momentum) {
+            (Some(force), None, None, None, None) => Ok(Limit::Force(force)),
+            (None, Some(pressure), Some(area), None, None) => Ok(Limit::Pressure(pressure, area)),
+            (None, None, None, Some(energy), None) => Ok(Limit::Energy(energy)),
+            (None, None, None, None, Some(momentum)) => Ok(Limit::Momentum(momentum)),
+            (force, pressure, area, energy, momentum) => {
+                let numbers = [
+                    ("force", force),
+                    ("pressure", pressure),
+                    ("area", area),
+                    ("energy", energy),
+                    ("momentum", momentum),
+                ];
+                let given = numbers.iter().filter(|(_, number)| number.is_some()).map(|(name, _)| *name);
+                Err(LimitError { given: given.collect() })
+            }
+        }
+    }
+}
+
+/// Body region hit by the robot, and the limit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SafeSpeedQuestion {
+    /// Name of the body region; `None` for a body that cannot move (a person held against a wall), with an
+    /// energy or momentum limit only.
+    pub region: Option<String>,
+    /// Limit of the impact.
+    pub limit: Limit,
+    /// Load including the tool, if not part of the model, kg.
+    pub load: f64,
+}
+
+/// Speed for one mass of the robot.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct SpeedRecord {
+    /// Robot mass m_R, kg: the effective mass plus its error bound, or the largest limit along the branches at
+    /// a singular pose. Null if the robot is immovable.
+    pub robot_mass: Option<f64>,
+    /// μ = 1/(1/m_H + 1/m_R), kg; null if neither side can move.
+    pub reduced_mass: Option<f64>,
+    /// Largest relative speed, m/s.
+    pub speed: f64,
+}
+
+/// Report of `percuss safe-speed`, as JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct SafeSpeedReport {
+    /// `percuss.safe-speed/2`.
+    pub schema: &'static str,
+    /// Version of percuss.
+    pub percuss: &'static str,
+    /// Input files.
+    pub inputs: Vec<Input>,
+    /// Body region; null for a body that cannot move.
+    pub region: Option<String>,
+    /// Effective mass of the region, kg.
+    pub region_mass: Option<f64>,
+    /// Stiffness of the region, N/m.
+    pub region_stiffness: Option<f64>,
+    /// Note about uncertain values of the region.
+    pub region_note: Option<String>,
+    /// Limited quantity: `force`, `pressure`, `energy` or `momentum`.
+    pub limited_by: &'static str,
+    /// Largest force, N, at the speed for the standard's mass; null without a region.
+    pub force: Option<f64>,
+    /// Energy of the impact, J, at the speed for the standard's mass.
+    pub energy: f64,
+    /// Speed for the standard's mass M/2 + m_L; without a region for the full moving mass, M + m_L.
+    pub standard: SpeedRecord,
+    /// Speed for the effective mass at the contact.
+    pub reflected: SpeedRecord,
+    /// Contact normal, out of the robot, world axes.
+    pub normal_world: [f64; 3],
+    /// M: mass of all links that can move, kg.
+    pub moving_mass: f64,
+    /// m_L: load, kg.
+    pub load: f64,
+    /// Slowest row, if there are rows of positions.
+    pub along: Option<AlongRecord>,
+    /// Findings.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Slowest row of a list of positions.
+#[derive(Clone, Debug, Serialize)]
+pub struct AlongRecord {
+    /// Number of rows.
+    pub rows: usize,
+    /// Number of rows without a speed: unreachable poses, singular poses, contacts without an upper bound of
+    /// m̄.
+    pub unanswered: usize,
+    /// First row without a speed.
+    pub first_unanswered: Option<usize>,
+    /// Row with the smallest speed, from 0.
+    pub row: usize,
+    /// Speed in this row.
+    pub slowest: SpeedRecord,
+    /// Joint positions in this row.
+    pub pose: Positions,
+}
+
+/// Safe speed of a contact of a robot.
+///
+/// # Errors
+/// [`StudyError`], as for `mass`; limits out of range, an unknown region, a massless contact, a mass without an
+/// upper bound.
+pub fn safe_speed(
+    model: &Model,
+    question: &MassQuestion,
+    limit_question: &SafeSpeedQuestion,
+) -> Result<SafeSpeedReport, StudyError> {
+    let region = limit_question.region.as_deref().map(BodyRegion::from_name).transpose()?;
+    if region.is_none() && matches!(limit_question.limit, Limit::Force(_) | Limit::Pressure(..)) {
+        return Err(StudyError::NoRegion);
+    }
+    let question = &*question.resolve_contact(&model.mechanism)?;
+    if question.against.is_some() || question.against_mass.is_some() {
+        return Err(StudyError::PersonIsOtherSide);
+    }
+    let bare = EvaluatedQuestion::new(model, question)?;
+    let moving_mass = moving_mass(&bare);
+    let loaded =
+        if limit_question.load > 0.0 { Some(model_with_load(&bare, limit_question.load)?) } else { None };
+    let evaluated = loaded.as_ref().map_or(Ok(bare), |model| EvaluatedQuestion::new(model, question))?;
+    let speed = |robot_mass: Option<f64>| safe_speed_record(region, limit_question.limit, robot_mass);
+    let by_standard = standard_robot_mass(moving_mass, limit_question.load)?;
+    // Without a region the standard has no formula; the full moving mass at the speed of the contact is used.
+    let by_standard = if region.is_some() { by_standard } else { moving_mass + limit_question.load };
+    let (standard, safe) = speed(Some(by_standard))?;
+    let mut diagnostics = model.diagnostics.clone();
+    diagnostics.extend(evaluated.result.findings.iter().cloned().map(DiagnosticRecord::from));
+    let (reflected, _) = match largest_possible_mass(&evaluated.result)? {
+        EffectiveMass::Finite(m) => speed(Some(m))?,
+        EffectiveMass::Immovable => {
+            let message = "the robot is immovable along this direction: only the mass of the person counts";
+            diagnostics.push(Finding::about_result(FindingKind::ImmovableRobot, message).into());
+            speed(None)?
+        }
+        EffectiveMass::Massless => return Err(StudyError::NoMass),
+    };
+    if reflected.speed < standard.speed {
+        let message = format!(
+            "the standard's mass allows {:.3} m/s, the effective mass only {:.3} m/s: the mass {} is too small here",
+            standard.speed,
+            reflected.speed,
+            if region.is_some() { "M/2 + m_L" } else { "M + m_L" }
+        );
+        diagnostics.push(Finding::about_result(FindingKind::StandardTooFast, message).into());
+    }
+    Ok(SafeSpeedReport {
+        schema: "percuss.safe-speed/2",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: evaluated.prepared.inputs(),
+        region: region.map(|region| region.name.to_owned()),
+        region_mass: region.map(|region| region.mass),
+        region_stiffness: region.map(|region| region.stiffness),
+        region_note: region.and_then(|region| region.note.map(str::to_owned)),
+        limited_by: match limit_question.limit {
+            Limit::Force(_) => "force",
+            Limit::Pressure(..) => "pressure",
+            Limit::Energy(_) => "energy",
+            Limit::Momentum(_) => "momentum",
+        },
+        force: safe.map(|safe| safe.force).filter(|force| force.is_finite()),
+        energy: safe.map_or(0.0, |safe| safe.energy),
+        standard,
+        reflected,
+        normal_world: evaluated.result.response.contact.normal_world.into(),
+        moving_mass,
+        load: limit_question.load,
+        along: None,
+        diagnostics,
+    })
+}
+
+/// Safe speed for a robot mass, kg; `None` for an immovable robot.
+fn safe_speed_record(
+    region: Option<&BodyRegion>,
+    limit: Limit,
+    robot_mass: Option<f64>,
+) -> Result<(SpeedRecord, Option<SafeSpeed>), ContactLawError> {
+    let contact = match (robot_mass, region) {
+        (Some(mass), Some(region)) => TransientContact::new(region, mass)?,
+        (None, Some(region)) => TransientContact::immovable(region),
+        (Some(mass), None) => TransientContact::against_fixed_body(mass)?,
+        (None, None) => {
+            return Ok((SpeedRecord { robot_mass, reduced_mass: None, speed: 0.0 }, None));
+        }
+    };
+    let safe = match limit {
+        Limit::Force(force) => contact.speed_for_force(force),
+        Limit::Pressure(pressure, area) => contact.speed_for_pressure(pressure, area),
+        Limit::Energy(energy) => contact.speed_for_energy(energy),
+        Limit::Momentum(momentum) => contact.speed_for_momentum(momentum),
+    }?;
+    let reduced_mass = Some(contact.reduced_mass());
+    Ok((SpeedRecord { robot_mass, reduced_mass, speed: safe.speed }, Some(safe)))
+}
+
+/// Safe speed in several world directions, and in the worst direction if `worst`.
+///
+/// The worst direction is the direction with the largest effective mass at the point, one of the axes with
+/// stationary m̄ (docs/reference/FORMULAS.md, F36).
+///
+/// # Errors
+/// [`StudyError`], as for [`safe_speed`].
+pub fn safe_speed_directions(
+    model: &Model,
+    question: &MassQuestion,
+    limit_question: &SafeSpeedQuestion,
+    directions: &[[f64; 3]],
+    worst: bool,
+) -> Result<Vec<SafeSpeedReport>, StudyError> {
+    let question = &*question.resolve_contact(&model.mechanism)?;
+    let mut all = directions.to_vec();
+    if worst {
+        all.push(worst_direction(model, question)?);
+    }
+    let of_direction = |direction: &[f64; 3]| {
+        let (normal, normal_frame) = (Normal::Along(*direction), Frame::World);
+        safe_speed(model, &MassQuestion { normal, normal_frame, ..question.clone() }, limit_question)
+    };
+    all.iter().map(of_direction).collect()
+}
+
+/// Safe speed over rows of positions: the slowest row. The rest of the report refers to the question's own
+/// pose. The mass of a row is m̄ plus its error bound.
+///
+/// # Errors
+/// [`StudyError`], as for [`safe_speed`] and for a sweep; no row with a speed.
+pub fn safe_speed_along(
+    model: &Model,
+    question: &MassQuestion,
+    limit_question: &SafeSpeedQuestion,
+    source: &RowSource,
+) -> Result<SafeSpeedReport, StudyError> {
+    let mut report = safe_speed(model, question, limit_question)?;
+    let region = limit_question.region.as_deref().map(BodyRegion::from_name).transpose()?;
+    let bare = EvaluatedQuestion::new(model, question)?;
+    let loaded =
+        if limit_question.load > 0.0 { Some(model_with_load(&bare, limit_question.load)?) } else { None };
+    let (mut slowest, mut failed): (Option<AlongRecord>, _) = (None, None);
+    let (mut unanswered, mut first_unanswered) = (0, None);
+    let sweep = Sweep::new(loaded.as_ref().unwrap_or(model), question, source)?;
+    let inputs = sweep.heading().inputs.clone();
+    let end = sweep.run(&mut |row| {
+        let mass = match (row.status, row.effective_mass.zip(row.effective_mass_error)) {
+            ("finite", Some((m, error))) if row.singular_pose == Some(false) => Some(m + error),
+            ("immovable", _) if row.singular_pose == Some(false) => None,
+            _ => {
+                unanswered += 1;
+                first_unanswered.get_or_insert(row.row);
+                return ControlFlow::Continue(());
+            }
+        };
+        match safe_speed_record(region, limit_question.limit, mass) {
+            Ok((speed, _)) if slowest.as_ref().is_none_or(|s| speed.speed < s.slowest.speed) => {
+                let (row, pose) = (row.row, row.pose);
+                let (rows, unanswered, first_unanswered) = (0, 0, None);
+                slowest = Some(AlongRecord { rows, unanswered, first_unanswered, row, slowest: speed, pose });
+            }
+            Ok(_) => {}
+            Err(error) => {
+                failed = Some(error);
+                return ControlFlow::Break(());
+            }
+        }
+        ControlFlow::Continue(())
+    })?;
+    if let Some(error) = failed {
+        return Err(error.into());
+    }
+    let slowest = slowest.ok_or(StudyError::MassUnknown)?;
+    report.along = Some(AlongRecord { rows: end.rows, unanswered, first_unanswered, ..slowest });
+    report.inputs = inputs;
+    report.diagnostics.extend(end.diagnostics);
+    if unanswered > 0 {
+        let message = format!(
+            "{unanswered} of {} rows have no speed, the first is row {}: the result does not cover them",
+            end.rows,
+            first_unanswered.unwrap_or_default()
+        );
+        report.diagnostics.push(Finding::about_result(FindingKind::RowsWithoutSpeed, message).into());
+    }
+    Ok(report)
+}
+
+/// Direction of the largest effective mass at the contact point, world axes.
+fn worst_direction(model: &Model, question: &MassQuestion) -> Result<[f64; 3], StudyError> {
+    let any = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question.clone() };
+    let prepared = PreparedQuestion::new(model, &any)?;
+    let pose = prepared.pose()?;
+    let contact = prepared.contact_at(&pose);
+    let map = pose.contact_map(contact.link, contact.against, contact.point, 0.0);
+    let map = map.map_err(|error| StudyError::input(Field::Point, error))?;
+    let weight = |mass: &EffectiveMass| match mass {
+        EffectiveMass::Finite(m) => *m,
+        EffectiveMass::Immovable => f64::INFINITY,
+        EffectiveMass::Massless => 0.0,
+    };
+    let principal = map.principal_masses(&contact.point);
+    let greatest = principal.iter().flatten().max_by(|a, b| weight(&a.mass).total_cmp(&weight(&b.mass)));
+    let greatest = greatest.ok_or(StudyError::MassUnknown)?;
+    Ok(pose.link(contact.link).vector(&greatest.direction).into())
+}
+
+/// Upper bound of the mass in the motions from the pose; a smaller mass would allow too high a speed. At a
+/// singular pose m̄ is only a lower bound, so the result is the largest limit along the branches.
+fn largest_possible_mass(answer: &ContactResult) -> Result<EffectiveMass, StudyError> {
+    let response = &answer.response;
+    if response.singular_pose {
+        let limits = &answer.limits;
+        let weight = |mass: &EffectiveMass| match mass {
+            EffectiveMass::Finite(m) => *m,
+            EffectiveMass::Immovable => f64::INFINITY,
+            EffectiveMass::Massless => 0.0,
+        };
+        let greatest = answer
+            .complete_branch_limits()
+            .and_then(|all| all.iter().max_by(|a, b| weight(a).total_cmp(&weight(b))));
+        return greatest.copied().ok_or_else(|| StudyError::LargestMassUnknown {
+            limits: limits.limits.clone(),
+            complete: limits.complete && !limits.continuous,
+        });
+    }
+    match (response.effective_mass, response.effective_mass_error()) {
+        (EffectiveMass::Finite(m), Some(error)) => Ok(EffectiveMass::Finite(m + error)),
+        (EffectiveMass::Finite(_), None) => Err(StudyError::MassUnknown),
+        (mass @ (EffectiveMass::Immovable | EffectiveMass::Massless), _) => Ok(mass),
+    }
+}
+
+/// Model with the load as a point mass at the contact, fixed to the contact link.
+fn model_with_load(bare: &EvaluatedQuestion, load: f64) -> Result<Model, StudyError> {
+    let model = bare.prepared.model;
+    let mechanism = &model.mechanism;
+    let at = bare.contact.point;
+    let name = (0..).map(|i| format!("load{i}")).find(|name| mechanism.find_link(name).is_err());
+    let name = name.unwrap_or_default();
+    let contact_link = mechanism.link(bare.contact.link).name();
+    let builder =
+        mechanism.to_builder().link(LinkDescription::new(&name, Inertial::point(load, at.into()))).joint(
+            JointDescription::new(format!("{name} on {contact_link}"), JointKind::Fixed, contact_link, &name),
+        );
+    let built = builder.build().map_err(|_| ContactLawError::OutOfRange {
+        what: "load, kg",
+        got: load,
+        valid: "a finite number, 0 or above",
+    })?;
+    Ok(Model { mechanism: built.mechanism.into(), ..model.clone() })
+}
+
+/// Mass of the links that can move: all links with a movable, unlocked joint between the link and the root, or
+/// all links with a floating base.
+fn moving_mass(evaluated: &EvaluatedQuestion) -> f64 {
+    let prepared = &evaluated.prepared;
+    let mechanism: &Mechanism = &prepared.model.mechanism;
+    let moves = |link: &LinkId| {
+        let above = std::iter::successors(mechanism.parent_joint(*link), |joint| {
+            mechanism.parent_joint(mechanism.joint(*joint).parent())
+        });
+        let floats = prepared.question.base == Base::Floating;
+        floats
+            || above
+                .into_iter()
+                .any(|joint| mechanism.joint(joint).kind().dofs() > 0 && !prepared.system.is_locked(joint))
+    };
+    let mass = |link: LinkId| mechanism.link(link).inertial().map_or(0.0, |i| i.mass);
+    mechanism.link_ids().filter(moves).map(mass).sum()
+}

@@ -1,0 +1,315 @@
+//! Variation of an effective mass within tolerances of masses, centres of mass, armatures and hardpoints: to
+//! first order, and by random samples.
+
+use crate::evaluation::random_rows::RandomStream;
+use crate::model::changes::Changes;
+use crate::model::loading::Model;
+use crate::question::error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::question::mass_question::MassQuestion;
+use crate::reports::explain::{Explanation, changed_mass, explain};
+use crate::thresholds::SAMPLES;
+use percuss_units::{Dimension, Quantity};
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Tolerances of the parts of a model. Each number varies independently by at most the tolerance to either
+/// side.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Tolerance {
+    /// Mass of each link, relative; the moments of inertia change in proportion.
+    pub mass: f64,
+    /// Each coordinate of the centre of mass of each link, m.
+    pub com: f64,
+    /// Armature of each joint, relative.
+    pub armature: f64,
+    /// Each coordinate of each hardpoint of a sheet, m.
+    pub point: f64,
+}
+
+/// Error in the text of a tolerance.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "\"{part}\": {why}; expected mass=2%, com=1mm, armature=10%, point=0.5mm, or several of them between commas"
+)]
+pub struct ToleranceError {
+    /// Part of the text with the error.
+    pub part: String,
+    /// Cause.
+    pub why: String,
+}
+
+/// Parameters of random sampling.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sampling {
+    /// Number of samples.
+    pub count: usize,
+    /// Seed of the random numbers.
+    pub seed: u64,
+}
+
+/// Variation of m̄ within tolerances.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ToleranceReport {
+    /// m̄, kg.
+    pub effective_mass: f64,
+    /// Tolerances.
+    pub tolerance: Tolerance,
+    /// First-order variation of m̄, kg: root sum square of the effects of all numbers at their limits, for
+    /// independent numbers.
+    pub root_sum_square: f64,
+    /// First-order variation of m̄, kg: sum of the absolute effects of all numbers at their limits.
+    pub worst_case: f64,
+    /// Root sum square of each kind of number, kg.
+    pub parts: ToleranceParts,
+    /// Random samples, if requested.
+    pub samples: Option<SampleRecord>,
+}
+
+/// First-order variation of m̄ due to each kind of number, kg, as root sum square.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct ToleranceParts {
+    /// Masses of links.
+    pub mass: f64,
+    /// Centres of mass.
+    pub com: f64,
+    /// Armatures.
+    pub armature: f64,
+    /// Hardpoints.
+    pub point: f64,
+}
+
+/// m̄ of designs with random deviations, uniform between the limits.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct SampleRecord {
+    /// Number of samples with a finite m̄.
+    pub count: usize,
+    /// Number of samples without a finite m̄.
+    pub unanswered: usize,
+    /// The seed.
+    pub seed: u64,
+    /// Mean, kg.
+    pub mean: f64,
+    /// Standard deviation, kg.
+    pub standard_deviation: f64,
+    /// Smallest m̄, kg.
+    pub least: f64,
+    /// Largest m̄, kg.
+    pub greatest: f64,
+    /// 2.5th percentile, kg.
+    pub percentile_2_5: f64,
+    /// 97.5th percentile, kg.
+    pub percentile_97_5: f64,
+}
+
+impl Tolerance {
+    /// Reads comma-separated tolerances: `mass=2%,point=0.5mm`.
+    ///
+    /// # Errors
+    /// [`ToleranceError`] with the invalid part and the expected form.
+    pub fn parse(text: &str) -> Result<Self, ToleranceError> {
+        let mut tolerance = Self::default();
+        let mut given: Vec<&str> = Vec::new();
+        for part in text.split(',') {
+            let wrong = |why: String| ToleranceError { part: part.to_owned(), why };
+            let (what, value) = part.split_once('=').ok_or_else(|| wrong("no = in it".into()))?;
+            let what = what.trim();
+            let ratio = || Dimension::Ratio.parse(value).map(|m| m.value).map_err(|e| wrong(e.to_string()));
+            let length = || {
+                Quantity::parse(value)
+                    .and_then(|q| q.in_dimension(Dimension::Length, value))
+                    .map_err(|e| wrong(e.to_string()))
+            };
+            let (place, value) = match what {
+                "mass" => (&mut tolerance.mass, ratio()?),
+                "com" => (&mut tolerance.com, length()?),
+                "armature" => (&mut tolerance.armature, ratio()?),
+                "point" => (&mut tolerance.point, length()?),
+                _ => return Err(wrong(format!("\"{what}\" has no tolerance"))),
+            };
+            if given.contains(&what) {
+                return Err(wrong("it is given twice".into()));
+            }
+            if value < 0.0 || (matches!(what, "mass" | "armature") && value >= 1.0) {
+                return Err(wrong("not a tolerance: it is below 0, or 100 % or more".into()));
+            }
+            *place = value;
+            given.push(what);
+        }
+        Ok(tolerance)
+    }
+}
+
+/// Variation of m̄ at a contact within tolerances; `None` if m̄ is not finite or the pose is singular.
+///
+/// # Errors
+/// [`StudyError`], as for `mass`; a tolerance of hardpoints for a model without hardpoints; a number of samples
+/// out of range.
+pub fn tolerance_report(
+    model: &Model,
+    question: &MassQuestion,
+    tolerance: Tolerance,
+    sampling: Option<Sampling>,
+) -> Result<Option<ToleranceReport>, StudyError> {
+    if tolerance.point > 0.0 && model.hardpoints().is_empty() {
+        let path = model.inputs.first().map_or_else(String::new, |input| input.path.clone());
+        return Err(StudyError::input(Field::Tolerance, Fault::NoSheet { path }));
+    }
+    if let Some(Sampling { count, .. }) = sampling.filter(|s| !SAMPLES.contains(&s.count)) {
+        return Err(StudyError::input(Field::Samples, Fault::Samples { count }));
+    }
+    let Some(explanation) = explain(model, question)? else { return Ok(None) };
+    let rates = MassDeviations::from_explanation(model, question, &explanation, tolerance);
+    let root = |rates: &[f64]| rates.iter().map(|r| r * r).sum::<f64>().sqrt();
+    let all = rates.concatenated();
+    Ok(Some(ToleranceReport {
+        effective_mass: explanation.effective_mass,
+        tolerance,
+        root_sum_square: root(&all),
+        worst_case: all.iter().map(|r| r.abs()).sum(),
+        parts: ToleranceParts {
+            mass: root(&rates.mass),
+            com: root(&rates.com),
+            armature: root(&rates.armature),
+            point: root(&rates.point),
+        },
+        samples: sampling
+            .and_then(|options| sample_masses(model, question, &explanation, tolerance, options)),
+    }))
+}
+
+/// Effect of each number at its limit on m̄, kg.
+struct MassDeviations {
+    mass: Vec<f64>,
+    com: Vec<f64>,
+    armature: Vec<f64>,
+    point: Vec<f64>,
+}
+
+impl MassDeviations {
+    /// First-order deviations of m̄: each sensitivity times its tolerance.
+    fn from_explanation(
+        model: &Model,
+        question: &MassQuestion,
+        explanation: &Explanation,
+        tolerance: Tolerance,
+    ) -> Self {
+        let coms = explanation.links.iter().filter_map(|link| link.per_metre_of_com).flatten();
+        let rotors = explanation.rotors.iter().flat_map(|rotor| {
+            let own = armature(model, question, &rotor.joint, rotor.per_armature.len());
+            own.into_iter().zip(rotor.per_armature.clone()).map(|(own, rate)| own * rate)
+        });
+        let points = explanation.points.iter().filter_map(|point| point.per_metre).flatten();
+        Self {
+            mass: explanation.links.iter().map(|l| l.per_kilogram * l.mass * tolerance.mass).collect(),
+            com: coms.map(|rate| rate * tolerance.com).collect(),
+            armature: rotors.map(|rate| rate * tolerance.armature).collect(),
+            point: points.map(|rate| rate * tolerance.point).collect(),
+        }
+    }
+
+    /// All deviations in one list.
+    fn concatenated(&self) -> Vec<f64> {
+        [&self.mass, &self.com, &self.armature, &self.point].into_iter().flatten().copied().collect()
+    }
+}
+
+/// Armature of a joint, one value per velocity.
+fn armature(model: &Model, question: &MassQuestion, joint: &str, velocities: usize) -> Vec<f64> {
+    let options = question.armature.iter().find(|(name, _)| name == joint).map(|(_, values)| values.clone());
+    let own = || {
+        let id = model.mechanism.find_joint(joint).ok()?;
+        Some(model.mechanism.joint(id).armature().to_vec())
+    };
+    match options.or_else(own).as_deref() {
+        None | Some([]) => vec![0.0; velocities],
+        Some([one]) => vec![*one; velocities],
+        Some(several) => several.to_vec(),
+    }
+}
+
+/// Statistics of m̄ of random designs within the tolerances; `None` if no design has a finite mass.
+fn sample_masses(
+    model: &Model,
+    question: &MassQuestion,
+    explanation: &Explanation,
+    tolerance: Tolerance,
+    options: Sampling,
+) -> Option<SampleRecord> {
+    let of_sample = |number: usize| {
+        let mut uniform = RandomStream::new(options.seed, number as u64);
+        let mut off = |most: f64| most * (2.0 * uniform.next() - 1.0);
+        let mut moved = Changes::default();
+        if tolerance.point > 0.0 {
+            let points = model.hardpoints().iter();
+            moved.moves =
+                points.map(|point| (point.clone(), [(); 3].map(|()| off(tolerance.point)))).collect();
+        }
+        // A centre of mass is fixed in the vehicle, but the link frame moves with a hardpoint. Hence the
+        // centres of mass are read from the model with the hardpoints moved.
+        let model = &model.with_changes(&moved).ok()?;
+        let mut changes = Changes::default();
+        for link in &explanation.links {
+            changes.link_mass.push((link.link.clone(), link.mass * (1.0 + off(tolerance.mass))));
+            if tolerance.com > 0.0 {
+                let id = model.mechanism.find_link(&link.link).ok()?;
+                let com = model.mechanism.link(id).inertial()?.com;
+                let com = [com.x, com.y, com.z].map(|x| x + off(tolerance.com));
+                changes.link_com.push((link.link.clone(), com));
+            }
+        }
+        let mut question = question.clone();
+        for rotor in &explanation.rotors {
+            let own = armature(model, &question, &rotor.joint, rotor.per_armature.len());
+            if own.iter().any(|value| *value > 0.0) {
+                let values = own.iter().map(|value| value * (1.0 + off(tolerance.armature))).collect();
+                question.armature.retain(|(joint, _)| *joint != rotor.joint);
+                question.armature.push((rotor.joint.clone(), values));
+            }
+        }
+        changed_mass(model, &question, &changes)
+    };
+    let masses: Vec<Option<f64>> = (0..options.count).into_par_iter().map(of_sample).collect();
+    let mut found: Vec<f64> = masses.into_iter().flatten().collect();
+    found.sort_by(f64::total_cmp);
+    let (&least, &greatest) = (found.first()?, found.last()?);
+    let count = found.len() as f64;
+    let mean = found.iter().sum::<f64>() / count;
+    let square = found.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (count - 1.0).max(1.0);
+    let at = |part: f64| found[((count - 1.0) * part).round() as usize];
+    Some(SampleRecord {
+        count: found.len(),
+        unanswered: options.count - found.len(),
+        seed: options.seed,
+        mean,
+        standard_deviation: square.sqrt(),
+        least,
+        greatest,
+        percentile_2_5: at(0.025),
+        percentile_97_5: at(0.975),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tolerances_are_read_or_refused() {
+        let read = Tolerance::parse("mass=2%, point=0.5mm,com=1e-3,armature=0.1").unwrap();
+        assert_eq!(read, Tolerance { mass: 0.02, com: 1e-3, armature: 0.1, point: 0.5e-3 });
+        for text in [
+            "",
+            "mass",
+            "mass=",
+            "mass=2kg",
+            "mass=-1%",
+            "mass=100%",
+            "point=2%",
+            "mass=1%,mass=2%",
+            "girth=1",
+        ] {
+            assert!(Tolerance::parse(text).is_err(), "{text}");
+        }
+    }
+}
