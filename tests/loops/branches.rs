@@ -2,7 +2,8 @@
 //! refused.
 //!
 //! `PERCUSS_FAMILY=10000 cargo test --workspace --test loops -- --nocapture every_row` takes that many linkages. Of
-//! each kind, every tenth is also swept with 601 rows, and every hundredth with 6,001.
+//! each kind, every tenth is also swept with 601 rows, and every hundredth with 6,001. `PERCUSS_SEED=N` takes one of
+//! them, with all rows.
 
 use percuss_dynamics::{AssemblyError, Contact, DrivenPath};
 use percuss_mechanism::JointId;
@@ -181,13 +182,16 @@ fn judged(mut case: Branching, range: Option<[f64; 2]>, counts: &[usize]) -> See
 fn every_row_lies_on_the_branch_it_began_on() {
     let asked: Option<u64> = std::env::var("PERCUSS_FAMILY").ok().and_then(|count| count.parse().ok());
     let count = asked.unwrap_or(COUNT);
+    let only: Option<u64> = std::env::var("PERCUSS_SEED").ok().and_then(|seed| seed.parse().ok());
     let own = |thread: u64| -> Vec<(u64, Seen)> {
         let seeds = (0..count).filter(move |seed| (seed / BRANCHING_KINDS) % 2 == thread);
+        let seeds = seeds.filter(|seed| only.is_none_or(|only| *seed == only));
         let judged = |seed| {
             let mut case = branching(seed);
             case.label = format!("seed {seed}, {}", case.label);
             // The kinds change with the seed: six neighbours have one of each.
             let long = match (seed / BRANCHING_KINDS) % 100 {
+                _ if only.is_some() => 2,
                 0 if asked.is_some() => 2,
                 k if asked.is_some() && k % 10 == 0 => 1,
                 _ => 0,

@@ -174,3 +174,68 @@ fn stops_of_every_sheet_touch_and_survive_the_import() {
     // Ten sheets with one side and three axles with both; two stops on each side.
     assert_eq!(stops, 2 * 10 + 4 * 3);
 }
+
+/// Heave and roll move each wheel by the sum and the difference, at one pose and in a sweep.
+#[test]
+fn wheels_heave_and_roll() {
+    let mass = |line: &str| number(&json(&format!("mass {line} --format json")), "effective_mass");
+    let axle = "models/suspensions/solid-axle-panhard.toml --at spring_left";
+    let travel = |left: f64, right: f64| {
+        let of = |side: &str, by: f64| format!("--travel wheel_centre_{side}:0,0,0:0,0,1={by}");
+        mass(&format!("{axle} {} {}", of("left", left), of("right", right)))
+    };
+    for (heave, roll) in [(0.03, 0.0), (0.0, 0.02), (0.02, -0.01), (-0.04, 0.015)] {
+        let found = mass(&format!("{axle} --heave {heave} --roll {roll}"));
+        let expected = travel(heave + roll, heave - roll);
+        assert!((found / expected - 1.0).abs() < 1e-10, "{heave} {roll}: {found}, {expected}");
+    }
+    // Rows of a sweep are the single poses, in any order.
+    for (motion, from, to) in [("heave", -0.05, 0.05), ("roll", 0.03, -0.03)] {
+        let rows = percuss(&format!("sweep {axle} --{motion} {from}:{to}:5"));
+        assert_eq!(rows.code, 0, "{}", rows.stderr);
+        let by_name = percuss(&format!("sweep {axle} --vary {motion}={from}:{to}:5"));
+        assert_eq!(rows.stdout, by_name.stdout);
+        let mut lines = rows.stdout.lines();
+        let column = lines.next().expect("a header").split(',').position(|name| name == "effective_mass");
+        for line in lines {
+            let cells: Vec<&str> = line.split(',').collect();
+            let single = mass(&format!("{axle} --{motion} {}", cells[1]));
+            let row: f64 = cells[column.expect("a column")].parse().expect("a mass");
+            assert!((row / single - 1.0).abs() < 1e-10, "{motion} {}: {row}, {single}", cells[1]);
+        }
+    }
+    let corner = "models/suspensions/double-wishbone.toml --at spring";
+    let by_point = mass(&format!("{corner} --travel wheel_centre:0,0,0:0,0,1=25mm"));
+    assert_eq!(mass(&format!("{corner} --wheel-travel 25mm")), by_point);
+    assert_eq!(mass(&format!("{corner} --heave 25mm")), by_point);
+    refused(&format!("mass {corner} --roll 1mm"), &["roll", "both sides"]);
+    refused(&format!("mass {axle} --wheel-travel 1mm"), &["wheel-travel", "heave", "roll"]);
+    refused(&format!("mass {corner} --heave 0:1:2"), &["--heave", "percuss sweep"]);
+    refused(&format!("mass {corner} --heave 1deg"), &["--heave"]);
+    refused(
+        "mass models/four_bar.urdf --link coupler --point 0,0,0 --normal 0,1,0 --heave 1mm",
+        &["wheel_centre"],
+    );
+    refused(&format!("sweep {corner} --heave 1mm"), &["no range"]);
+    refused(&format!("mass {corner} --steer 1mm"), &["rack"]);
+}
+
+/// The damper for the mass at the touch, in an impact with the mass over the penetration. The bar of these tests has the
+/// equation of motion of its angle; `crates/contact/tests/varying_mass.rs` integrates it.
+#[test]
+fn the_impact_over_the_stroke_follows_the_mass() {
+    let folder = Scratch::new("contacts-stroke");
+    let bar = folder.write("bar.urdf", BAR);
+    let damp = json(&format!(
+        "damp --mass-from {bar} --at plane --restitution 0.5 --stiffness 2e4 --speed 3 --format json"
+    ));
+    let stroke = &damp["over_stroke"];
+    // m̄ = I / (L cos q)² with sin q = −(0.2 + δ)/L.
+    let depth = number(stroke, "max_penetration");
+    let sine = (0.2 + depth) / LENGTH;
+    let expected = INERTIA / (LENGTH * LENGTH * (1.0 - sine * sine));
+    let found = number(stroke, "mass_at_max_penetration");
+    assert!((found / expected - 1.0).abs() < 1e-4, "{stroke}, {expected}");
+    assert!(found > 1.02 * number(&damp, "effective_mass"), "the mass grows: {stroke}");
+    assert!((number(stroke, "restitution") - 0.5).abs() > 1e-4, "a constant mass would give 0.5: {stroke}");
+}

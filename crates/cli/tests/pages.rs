@@ -37,7 +37,7 @@ const PAGES: [(&str, usize); 31] = [
     ("docs/reference/SUSPENSIONS.md", 1),
     ("docs/tutorials/ROBOT_ARM.md", 7),
     ("docs/tutorials/SIMULATOR.md", 7),
-    ("docs/tutorials/SUSPENSION.md", 10),
+    ("docs/tutorials/SUSPENSION.md", 11),
 ];
 
 #[test]

@@ -69,6 +69,9 @@ pub(crate) const SINGULAR_VALUES_LIMIT: usize = 160;
 pub(crate) const CLOSED: f64 = 1e-12;
 /// Largest residual, relative to the group's size, that is accepted as rounding of a file: three decimals.
 pub(crate) const ROUNDING: f64 = 1e-3;
+/// Largest residual, relative to the group's size, of a pose in which the file draws the group closed: a file that is
+/// rounded more is drawn open.
+pub(crate) const DRAWN_CLOSED: f64 = 10.0 * ROUNDING;
 /// Largest misfit of a rounded file's loops at other poses, as a multiple of the measured inexactness.
 pub(crate) const ROUNDED: f64 = 10.0;
 /// Largest residual of a pose near the first one in the search for the generic rank, as a multiple of the inexactness
@@ -312,6 +315,8 @@ pub(crate) const ADVANCE_CORRECTIONS: usize = 8;
 pub(crate) const SAME_POSE: f64 = 1e-5;
 /// Number of seeded starts before a group fails to close.
 pub(crate) const FIRST_STARTS: u64 = 24;
+/// Number of starts of a group with independent rows that is nearly, but not exactly, closed at the best of them.
+pub(crate) const MOST_FIRST_STARTS: u64 = 10 * FIRST_STARTS;
 /// Largest work of these starts: rows times the squared number of a group's coordinates. All starts up to 65 coordinates
 /// with three times as many rows.
 pub(crate) const FIRST_STARTS_WORK: u64 = 20_000_000;

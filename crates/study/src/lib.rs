@@ -49,6 +49,7 @@ pub use question::field::{Field, Names};
 pub use question::given_travel::{GivenTravel, GivenTravelError};
 pub use question::map_question::{MapLinks, MapQuestion, MapShapes};
 pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
+pub use question::moved::{Moved, WheelMotion};
 pub use question::pose_file::{GivenPose, GivenPoseError};
 pub use question::row_source::{PositionFile, RowSource};
 pub use question::table_error::{TableError, TableFault};

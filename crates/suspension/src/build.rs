@@ -51,13 +51,21 @@ pub(super) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
         let (kind, normal, gap) = match section {
             "bump_stop" | "rebound_stop" => {
                 let stop = design.stops.get(section).cloned().unwrap_or_default();
-                let normal = match stop.direction.map(|direction| frames::unit(direction)) {
+                let normal = match stop.direction.map(|direction| frames::unit(direction / direction.amax()))
+                {
                     None => line,
                     Some(direction) => {
                         findings.unwrap_geometry(direction, &stop.spot, "the direction of the stop is zero")
                     }
                 };
                 let gap = stop.gap.unwrap_or_else(|| normal.dot(&(above - at)));
+                if gap < 0.0 {
+                    let message = format!(
+                        "the gap is {:.2} mm: the parts overlap as drawn, or the direction points away from the stop",
+                        1e3 * gap
+                    );
+                    findings.warning("overlapping-stop", &stop.spot, message);
+                }
                 (ContactKind::Stop, ContactNormal::Fixed(normal), Some(gap))
             }
             "spring" => (ContactKind::Spring, ContactNormal::Toward(Vector3::zeros()), None),
@@ -75,6 +83,14 @@ fn add_damper_stops(design: &Design, corner: &mut Corner, findings: &mut Finding
         |name: &str| SEATS.iter().any(|(key, [seat, _])| *key == name && design.point(seat).is_some());
     let damper = ["damper", "shock"].into_iter().find(|name| has_points(name));
     for (section, stop) in design.stops.iter().filter(|(section, _)| !has_points(section)) {
+        if stop.direction.is_some() {
+            let message = format!(
+                "the stop has no points: it is on the damper and acts along it; remove the direction, or give {section}_pad and \
+                 {section}"
+            );
+            findings.error("conflict", &stop.spot, message);
+            continue;
+        }
         let Some(gap) = stop.gap else { continue };
         let seats = SEATS.iter().find(|(key, _)| Some(*key) == damper);
         let Some((_, seats)) = seats else {

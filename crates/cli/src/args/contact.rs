@@ -2,14 +2,15 @@
 
 use super::headings::{ADDITIONAL, CONDITIONS, CONTACT, POSE};
 use super::value_parsers::{
-    armature, estimate, hold, kilograms, line, normal, point, position, ratio_at, travel,
+    armature, edge, estimate, hold, kilograms, line, normal, point, position, ratio_at, travel,
 };
 use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_dynamics::{Base, Frame};
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::{
-    EstimateQuestion, GivenPose, GivenPosition, GivenTravel, Hold, MassQuestion, Names, Normal, RatioPoint,
+    EstimateQuestion, GivenPose, GivenPosition, GivenTravel, Hold, MassQuestion, Moved, Names, Normal,
+    RatioPoint, Vary, WheelMotion,
 };
 
 /// Frame of the contact point and the normal.
@@ -124,6 +125,18 @@ pub struct ContactArgs {
     /// --set pose, as with sweep --vary travel. Give the flag once for each driven point.
     #[arg(long, value_name = "LINK:X,Y,Z:DX,DY,DZ=DISTANCE", value_parser = travel, help_heading = POSE)]
     pub travel: Vec<GivenTravel>,
+    /// Upward travel of the wheel: a length, or in a sweep FROM:TO:COUNT.
+    #[arg(long, value_name = "DISTANCE", allow_hyphen_values = true, help_heading = POSE)]
+    pub wheel_travel: Option<String>,
+    /// Equal upward travel of both wheels.
+    #[arg(long, value_name = "DISTANCE", allow_hyphen_values = true, help_heading = POSE)]
+    pub heave: Option<String>,
+    /// Opposite travel: the left wheel up, the right wheel down.
+    #[arg(long, value_name = "DISTANCE", allow_hyphen_values = true, help_heading = POSE)]
+    pub roll: Option<String>,
+    /// Position of the rack of a suspension with a sliding rack; short for --set rack=DISTANCE.
+    #[arg(long, value_name = "DISTANCE", allow_hyphen_values = true, help_heading = POSE)]
+    pub steer: Option<String>,
     /// Complete configuration: output of --format json, or JSON with a position for each joint. --set and --guess
     /// override it.
     #[arg(long, value_name = "FILE.json", help_heading = POSE)]
@@ -171,9 +184,51 @@ impl ContactArgs {
         })
     }
 
-    /// Converts the flags to a question.
+    /// Converts the flags to a question about one pose.
     pub fn question(&self) -> Result<MassQuestion, Failure> {
+        if let Some(range) = self.ranges()?.first() {
+            return Err(Failure::bad_input(format!(
+                "--{}: a range FROM:TO:COUNT is for percuss sweep; give one length",
+                range.name()
+            )));
+        }
+        self.question_of_rows()
+    }
+
+    /// Converts the flags to a question whose rows are given apart; ranges are left out.
+    pub fn question_of_rows(&self) -> Result<MassQuestion, Failure> {
         Self::require(Some(self))?.conditions()
+    }
+
+    /// Motions of the wheels with their flags.
+    fn wheel_motions(&self) -> impl Iterator<Item = (WheelMotion, &String)> {
+        let given = [
+            (WheelMotion::WheelTravel, &self.wheel_travel),
+            (WheelMotion::Heave, &self.heave),
+            (WheelMotion::Roll, &self.roll),
+        ];
+        given.into_iter().filter_map(|(motion, text)| Some((motion, text.as_ref()?)))
+    }
+
+    /// Ranges given by --wheel-travel, --heave and --roll.
+    pub fn ranges(&self) -> Result<Vec<Vary>, Failure> {
+        let ranges = self.wheel_motions().filter(|(_, text)| text.contains(':'));
+        let range = |(motion, text): (WheelMotion, &String)| {
+            Vary::parse(&format!("{}={text}", motion.name()))
+                .map_err(|error| Failure::bad_input(format!("--{}: {error}", motion.name())))
+        };
+        ranges.map(range).collect()
+    }
+
+    /// Travels given by --wheel-travel, --heave and --roll.
+    fn wheel_travels(&self) -> Result<Vec<GivenTravel>, Failure> {
+        let lengths = self.wheel_motions().filter(|(_, text)| !text.contains(':'));
+        let travel = |(motion, text): (WheelMotion, &String)| {
+            let distance =
+                edge(text).map_err(|error| Failure::bad_input(format!("--{}: {error}", motion.name())))?;
+            Ok(GivenTravel { moved: Moved::Wheels(motion), distance })
+        };
+        lengths.map(travel).collect()
     }
 
     /// Converts the flags to a question; link, point and normal may be missing.
@@ -184,6 +239,12 @@ impl ContactArgs {
             // `question` has checked that one of the two is present.
             (None, normal) => Normal::Along(normal.unwrap_or_default()),
         };
+        let rack = |text: &String| {
+            GivenPosition::parse(text)
+                .map(|position| ("rack".to_owned(), position))
+                .map_err(|error| Failure::bad_input(format!("--steer: {error}")))
+        };
+        let steer = self.steer.as_ref().map(rack).transpose()?;
         let pose = |path: &String| {
             GivenPose::read(path, DEFAULT_MAX_SIZE).map_err(|e| Failure::bad_input(format!("--pose: {e}")))
         };
@@ -197,10 +258,10 @@ impl ContactArgs {
             normal_frame: self.normal_frame.unwrap_or(self.frame).into(),
             against: self.against.clone(),
             against_mass: self.against_mass,
-            set: self.set.clone(),
+            set: self.set.iter().cloned().chain(steer).collect(),
             guess: self.guess.clone(),
             pose: self.pose.as_ref().map(pose).transpose()?,
-            travel: self.travel.clone(),
+            travel: self.travel.iter().cloned().chain(self.wheel_travels()?).collect(),
             lock: self.lock.clone(),
             hold: self.hold.clone(),
             armature: self.armature.clone(),

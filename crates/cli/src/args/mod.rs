@@ -219,7 +219,7 @@ pub struct SweepArgs {
         long,
         value_name = "JOINT=FROM:TO:COUNT",
         value_parser = Vary::parse,
-        required_unless_present_any = ["input", "random"],
+        required_unless_present_any = ["input", "random", "wheel_travel", "heave", "roll"],
         help_heading = ROWS
     )]
     pub vary: Vec<Vary>,
@@ -287,7 +287,18 @@ impl SweepArgs {
                 RowSource::File(PositionFile { path: path.clone(), ignore, max_size })
             }
             (None, Some(count)) => RowSource::Random { count, seed: self.seed.unwrap_or_default() },
-            (None, None) => RowSource::Grid(self.vary.clone()),
+            (None, None) => {
+                // A travel is the last range.
+                let mut ranges = self.vary.clone();
+                ranges.extend(self.contact.ranges()?);
+                if ranges.is_empty() {
+                    return Err(Failure::bad_input(
+                        "no range is given: --vary JOINT=FROM:TO:COUNT, or a motion of the wheels such as --heave \
+                         -80mm:80mm:33",
+                    ));
+                }
+                RowSource::Grid(ranges)
+            }
         })
     }
 }

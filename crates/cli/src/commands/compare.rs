@@ -76,8 +76,10 @@ fn designs_of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
 
 /// Designs of models with the contact given by flags.
 fn designs_of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
-    let question = ContactArgs::require(args.contact.as_ref())?.question()?;
-    let rows = (!args.vary.is_empty()).then(|| RowSource::Grid(args.vary.clone()));
+    let contact = ContactArgs::require(args.contact.as_ref())?;
+    let (question, mut ranges) = (contact.question_of_rows()?, args.vary.clone());
+    ranges.extend(contact.ranges()?);
+    let rows = (!ranges.is_empty()).then_some(RowSource::Grid(ranges));
     let design = |(path, name): (&String, String)| {
         let (question, rows) = (question.clone(), rows.clone());
         Ok(Design { name, model: args.reading.load(path)?, question, rows })

@@ -20,7 +20,7 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     run_sweep(
         &model,
-        &args.contact.question()?,
+        &args.contact.question_of_rows()?,
         &args.source()?,
         &SweepOutput {
             output: args.output.as_deref(),

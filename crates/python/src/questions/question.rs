@@ -7,8 +7,8 @@ use crate::conversion::errors::input;
 use percuss::contact::Separation;
 use percuss::contact::exports::Tool;
 use percuss::study::{
-    DampingQuestion, EstimateQuestion, GivenPose, GivenPosition, GivenTravel, Hold, MassQuestion, Normal,
-    Quantity, RatioPoint, RowSource, UPWARDS, Varied, Vary,
+    DampingQuestion, EstimateQuestion, GivenPose, GivenPosition, GivenTravel, Hold, MassQuestion, Moved,
+    Normal, Quantity, RatioPoint, RowSource, UPWARDS, Varied, Vary,
 };
 use percuss::{DEFAULT_MAX_SIZE, Mechanism};
 use pyo3::prelude::*;
@@ -78,7 +78,7 @@ fn travel(given: &Bound<'_, PyAny>) -> PyResult<GivenTravel> {
     let direction = triple(&direction, "direction of travel")?;
     let distance =
         Quantity::number(distance).map_err(|error| input(format_args!("distance of travel: {error}")))?;
-    Ok(GivenTravel { link, point, direction, distance: distance.value })
+    Ok(GivenTravel { moved: Moved::Point { link, point, direction }, distance: distance.value })
 }
 
 /// Reads the file of joint positions.

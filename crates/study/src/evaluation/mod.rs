@@ -5,4 +5,3 @@ pub(crate) mod named_contact;
 pub(crate) mod prepared_question;
 pub(crate) mod random_rows;
 pub(crate) mod status;
-pub(crate) mod wheel_points;

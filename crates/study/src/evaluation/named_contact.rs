@@ -1,7 +1,7 @@
 //! Named contact of a result: its gap and the travel of the wheels.
 
 use crate::evaluation::prepared_question::EvaluatedQuestion;
-use crate::evaluation::wheel_points::wheel_centres;
+use crate::model::wheel_points::wheel_centres;
 use crate::pose::touch::touching_stops;
 use crate::question::error::StudyError;
 use crate::thresholds::TOUCH_TOLERANCE;

@@ -4,3 +4,4 @@ pub(crate) mod changes;
 pub(crate) mod loading;
 pub(crate) mod record;
 pub(crate) mod sheet;
+pub(crate) mod wheel_points;

@@ -4,7 +4,7 @@ use percuss_dynamics::Configuration;
 use percuss_mechanism::JointId;
 
 /// Driving joint and the requested configuration of the other joints.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Driver {
     pub joint: JointId,
     pub configuration: Configuration,

@@ -1,6 +1,7 @@
 //! The pose of a question: driving joints, travels, reachable range, positions in reports.
 
 pub(crate) mod driver;
+pub(crate) mod joined_travels;
 pub(crate) mod point_travel;
 pub(crate) mod pose_solver;
 pub(crate) mod positions;

@@ -1,19 +1,21 @@
 //! Travel of a point as the varied quantity of a sweep: the driving joint, and the consequence of an
 //! unreachable row.
 
+use crate::model::wheel_points::sliding_rack;
 use crate::pose::driver::Driver;
+use crate::pose::joined_travels::JoinedTravels;
 use crate::pose::unreachable_range::{UnreachableExtent, UnreachedRow};
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::{Field, Names, assembly_error_message};
+use crate::question::moved::MovedPoint;
 use crate::thresholds::{
     DEAD_CENTRE_APPROACH, LEAST_ADVANCE, LEAST_POINT_RATE, OTHER_DRIVERS, TRAVEL_STAGES,
 };
-use nalgebra::Vector3;
 use percuss_dynamics::{Configuration, ContactResponse, Gap, PointVelocity, Pose, System, TravelError};
-use percuss_mechanism::{JointId, JointKind, LinkId};
+use percuss_mechanism::{JointId, JointKind};
 
 /// Travel of a point from its starting pose.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct PointTravel {
     travel: percuss_dynamics::Travel,
     /// Starting pose.
@@ -22,6 +24,9 @@ pub(crate) struct PointTravel {
     field: Field,
     /// Set joints; these cannot drive the travel.
     set: Vec<JointId>,
+    /// Travels that are solved with this one, itself first, and their displacements at a unit of it; `None` for a single
+    /// point.
+    joined: Option<(JoinedTravels, Vec<f64>)>,
 }
 
 /// Stage of a travel: pose, driving joint, and requested configuration of the other joints.
@@ -53,15 +58,36 @@ impl PointTravel {
         system: &System,
         base: &Configuration,
         field: Field,
-        link: LinkId,
-        point: Vector3<f64>,
-        direction: Vector3<f64>,
+        moved: &MovedPoint,
         is_set: &dyn Fn(JointId) -> bool,
     ) -> Result<(Self, Driver), StudyError> {
         let start = system.pose(base)?;
-        let travel = percuss_dynamics::Travel::new(&start, link, point, direction);
+        let travel = percuss_dynamics::Travel::new(&start, moved.link, moved.point, moved.direction);
         let travel = travel.map_err(|error| refuse(field, error))?;
         Self::with_driver(system, base, field, (start, travel), is_set)
+    }
+
+    /// Travel of several points that move together, in the ratio of their distances, and the driver of the first.
+    pub fn joined(
+        system: &System,
+        base: &Configuration,
+        field: Field,
+        moved: &[MovedPoint],
+        is_set: &dyn Fn(JointId) -> bool,
+    ) -> Result<(Self, Driver), StudyError> {
+        let (mut first, driver) = Self::new(system, base, field, &moved[0], is_set)?;
+        if moved.len() > 1 {
+            let (mut travels, mut drivers) = (vec![first.travel.clone()], vec![driver.joint]);
+            for other in &moved[1..] {
+                let is_taken = |joint| is_set(joint) || drivers.contains(&joint);
+                let (travel, driver) = Self::new(system, base, field, other, &is_taken)?;
+                travels.push(travel.travel);
+                drivers.push(driver.joint);
+            }
+            let ratios = moved.iter().map(|point| point.distance / moved[0].distance).collect();
+            first.joined = Some((JoinedTravels { travels, drivers, set: first.set.clone() }, ratios));
+        }
+        Ok((first, driver))
     }
 
     /// Travel towards a stop, and the driver.
@@ -76,7 +102,8 @@ impl PointTravel {
         Self::with_driver(system, base, Field::At, (start, travel), is_set)
     }
 
-    /// Travel from its starting pose, and the driver.
+    /// Travel from its starting pose, and the driver. The rack of a suspension stays where it is, unless nothing else moves
+    /// the point.
     fn with_driver(
         system: &System,
         base: &Configuration,
@@ -84,9 +111,24 @@ impl PointTravel {
         (start, travel): (Pose, percuss_dynamics::Travel),
         is_set: &dyn Fn(JointId) -> bool,
     ) -> Result<(Self, Driver), StudyError> {
-        let joint = travel.driver(&start, is_set).map_err(|error| refuse(field, error))?;
-        let set = system.mechanism().joint_ids().filter(|joint| is_set(*joint)).collect();
-        Ok((Self { travel, start, field, set }, Driver { joint, configuration: base.clone() }))
+        let mechanism = system.mechanism();
+        let set: Vec<JointId> = mechanism.joint_ids().filter(|joint| is_set(*joint)).collect();
+        let with_rack_held = || {
+            let rack = sliding_rack(mechanism).filter(|rack| !set.contains(rack))?;
+            let joint = travel.driver(&start, &|joint| joint == rack || is_set(joint)).ok()?;
+            let mut configuration = base.clone();
+            configuration.set(mechanism.joint(rack).name(), start.joint(rack)).ok()?;
+            let set = set.iter().copied().chain([rack]).collect();
+            Some((set, Driver { joint, configuration }))
+        };
+        let (set, driver) = match with_rack_held() {
+            Some(held) => held,
+            None => {
+                let joint = travel.driver(&start, is_set).map_err(|error| refuse(field, error))?;
+                (set, Driver { joint, configuration: base.clone() })
+            }
+        };
+        Ok((Self { travel, start, field, set, joined: None }, driver))
     }
 
     /// Pose with the requested displacement of the point (m), on the branch of the last pose.
@@ -97,6 +139,17 @@ impl PointTravel {
         requested: f64,
         names: Names,
     ) -> Result<Result<Pose, UnreachedRow>, StudyError> {
+        if let Some((joined, ratios)) = &self.joined {
+            let requested: Vec<f64> = ratios.iter().map(|ratio| ratio * requested).collect();
+            return match joined.pose(&driver.configuration, last, &requested, names) {
+                Ok(pose) => Ok(Ok(pose)),
+                Err(StudyError::TravelNotReached { why, .. }) => {
+                    let extent = UnreachableExtent::ProbablyBeyond(self.travel.displacement(last));
+                    Ok(Err(UnreachedRow { reason: why, extent }))
+                }
+                Err(error) => Err(error),
+            };
+        }
         let error = match self.travel.pose(last, &driver.configuration, driver.joint, requested) {
             Ok(pose) => return Ok(Ok(pose)),
             Err(error) => error,
@@ -219,19 +272,14 @@ impl PointTravel {
         if drivers(&pose) == expected { Ok(pose) } else { Err(self.travel.displacement(&stage.pose)) }
     }
 
-    /// Driver of the travel at a pose, other than `others`.
-    pub fn select_driver(&self, pose: &Pose, others: &[JointId]) -> Option<JointId> {
-        self.travel.driver(pose, &|joint| others.contains(&joint)).ok()
+    /// Travel of the point.
+    pub fn travel(&self) -> &percuss_dynamics::Travel {
+        &self.travel
     }
 
     /// Joints that cannot drive the travel.
     pub fn set(&self) -> &[JointId] {
         &self.set
-    }
-
-    /// Rate of the displacement per joint rate, m/rad or m/m; `None` if not determined.
-    pub fn rate(&self, pose: &Pose, driver: JointId) -> Option<f64> {
-        self.travel.rate(pose, driver)
     }
 
     /// Displacement of the point at a pose, m.
@@ -241,6 +289,10 @@ impl PointTravel {
 
     /// Speed of the point along its direction per unit closing speed of the contact.
     pub fn motion_ratio(&self, pose: &Pose, response: &ContactResponse) -> Option<f64> {
+        // The motion of the impact is no motion of several points together.
+        if self.joined.is_some() {
+            return None;
+        }
         match pose.point_velocity(response, self.travel.link(), self.travel.point())? {
             PointVelocity::Known(v) => Some(pose.base().vector(&v).dot(self.travel.direction()?).abs()),
             PointVelocity::Undetermined => None,

@@ -1,23 +1,23 @@
 //! Pose of a question: joints at their set positions, then the travels.
 
 use crate::pose::driver::Driver;
+use crate::pose::joined_travels::JoinedTravels;
 use crate::pose::point_travel::PointTravel;
 use crate::pose::touch::touching_stops;
 use crate::pose::unreachable_range::UnreachedRow;
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
-use crate::question::given_travel::GivenTravel;
 use crate::question::mass_question::MassQuestion;
-use crate::thresholds::{HALVINGS, LEAST_PART, OTHER_DRIVERS, TRAVEL_PARTS, TRAVEL_ROUNDS, TRAVEL_TOLERANCE};
-use nalgebra::{DMatrix, DVector, Vector3};
+use crate::question::moved::{Moved, MovedPoint};
+use crate::thresholds::{HALVINGS, NEAREST_HALVINGS, SAME_START};
 use percuss_dynamics::{Configuration, Gap, Pose, System, TravelError};
-use percuss_mechanism::JointId;
+use percuss_mechanism::{JointId, Mechanism, NamedContact};
 
 /// Pose of a question.
 ///
-/// A stop is brought to the touch, see [`touching_stops`]. The driver of a travel is selected among the joints that are neither set nor drivers of another travel, by
-/// the rule of `percuss_dynamics::Travel::driver`; a sweep over a travel uses the same rule. A travel starts at
-/// the pose of the set joints. Several travels are solved together by Newton's method.
+/// A stop is brought to the touch, see [`touching_stops`]. The driver of a travel is selected among the joints that are
+/// neither set nor drivers of another travel, by the rule of `percuss_dynamics::Travel::driver`; a sweep over a travel uses
+/// the same rule. A travel starts at the pose of the set joints. Several travels are solved together by Newton's method.
 ///
 /// # Errors
 /// [`StudyError`]: loops that do not close, an invalid travel, or an unreachable travel.
@@ -31,35 +31,103 @@ pub(crate) fn pose(
     let mut driven: Vec<JointId> =
         question.set.iter().filter_map(|(name, _)| mechanism.find_joint(name).ok()).collect();
     let mut travels = Vec::new();
-    for given in &question.travel {
-        let travel = DrivenTravel::new(system, configuration, given, &driven)?;
+    for point in moved_points(mechanism, question)? {
+        let travel = DrivenTravel::new(system, configuration, &point, &driven)?;
         driven.push(travel.driver.joint);
         travels.push(travel);
     }
     let stops = touching_stops(mechanism, question, &start)?;
-    for (_, gap) in &stops {
+    if let [(stop, _), ..] = &stops[..] {
+        return touch_pose(system, configuration, question, &driven, (stop.name(), &stops), start);
+    }
+    solve_all(&travels, &start, question.names)
+}
+
+/// Pose with the displacements of all travels.
+fn solve_all(travels: &[DrivenTravel], start: &Pose, names: Names) -> Result<Pose, StudyError> {
+    match travels {
+        [] => Ok(start.clone()),
+        [alone] => alone.solve_pose(start.clone(), names),
+        [first, ..] => {
+            let drivers = travels.iter().map(|travel| travel.driver.joint).collect();
+            let distances: Vec<f64> = travels.iter().map(|travel| travel.distance).collect();
+            let set = first.travel.set().to_vec();
+            let travels = travels.iter().map(|travel| travel.travel.travel().clone()).collect();
+            // The configuration of the first travel holds the rack.
+            JoinedTravels { travels, drivers, set }.pose(
+                &first.driver.configuration,
+                start,
+                &distances,
+                names,
+            )
+        }
+    }
+}
+
+/// Pose at which stops touch. `driven`: joints that are set.
+fn touch_pose(
+    system: &System,
+    configuration: &Configuration,
+    question: &MassQuestion,
+    driven: &[JointId],
+    (name, stops): (&str, &[(&NamedContact, Gap)]),
+    start: Pose,
+) -> Result<Pose, StudyError> {
+    let gap = stops[0].1.at(&start);
+    let not_reached = |nearest, why| StudyError::StopNotReached { name: name.to_owned(), gap, nearest, why };
+    let mut driven = driven.to_vec();
+    let mut travels = Vec::new();
+    for (_, gap) in stops {
         match DrivenTravel::toward_stop(system, configuration, gap, &driven) {
             Ok(travel) => {
                 driven.push(travel.driver.joint);
                 travels.push(travel);
             }
-            // All joints that move the stop are set: the question is about this pose.
-            Err(StudyError::Input { fault, .. }) if is_immobile(&fault) => {}
+            Err(StudyError::Input { fault, .. }) if is_immobile(&fault) => {
+                // All joints that move the stop are set: the question is about this pose.
+                if DrivenTravel::toward_stop(system, configuration, gap, &[]).is_ok() {
+                    return Ok(start);
+                }
+                let why =
+                    "no joint with a single position moves it; give a massless rod of the suspension a mass";
+                return Err(not_reached(None, why.to_owned()));
+            }
             Err(error) => return Err(error),
         }
     }
-    let reached = match &travels[..] {
-        [] => Ok(start.clone()),
-        [alone] => alone.solve_pose(start.clone(), question),
-        several => solve_travels(system, configuration, several, start.clone(), question.names),
+    // Pose with a part of the gaps closed, on the branch of the start: the way back leads to the start.
+    let with_part = |part: f64, from: &Pose| -> Result<Pose, StudyError> {
+        let scaled: Vec<DrivenTravel> = travels.iter().map(|travel| travel.part(part)).collect();
+        let pose = solve_all(&scaled, from, question.names)?;
+        let back: Vec<DrivenTravel> = travels.iter().map(|travel| travel.part(0.0)).collect();
+        let returned = solve_all(&back, &pose, question.names)?;
+        let is_same = is_same_pose(&returned, &start);
+        is_same.then_some(pose).ok_or_else(|| StudyError::TravelNotReached {
+            why: "the gap has a minimum on the way".to_owned(),
+            nearest: None,
+        })
     };
-    match (reached, &stops[..]) {
-        (Err(StudyError::TravelNotReached { why, nearest }), [(stop, gap), ..]) => {
-            let (name, gap) = (stop.name().to_owned(), gap.at(&start));
-            Err(StudyError::StopNotReached { name, gap, nearest, why })
+    match with_part(1.0, &start) {
+        Err(StudyError::TravelNotReached { why, .. }) => {
+            let (mut low, mut high) = (0.0, 1.0);
+            let mut from = start.clone();
+            for _ in 0..NEAREST_HALVINGS {
+                let middle = 0.5 * (low + high);
+                match with_part(middle, &from) {
+                    Ok(pose) => (low, from) = (middle, pose),
+                    Err(_) => high = middle,
+                }
+            }
+            Err(not_reached(Some(low * gap), why))
         }
-        (reached, _) => reached,
+        reached => reached,
     }
+}
+
+/// True if all positions of two poses agree, within the tolerance of travels.
+fn is_same_pose(one: &Pose, other: &Pose) -> bool {
+    let pairs = one.positions().iter().zip(other.positions());
+    pairs.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) <= SAME_START
 }
 
 /// True if no free joint moves the point of a travel.
@@ -67,120 +135,23 @@ fn is_immobile(fault: &Fault) -> bool {
     matches!(fault, Fault::Travel(TravelError::NothingMoves { .. }))
 }
 
-/// Pose at which several travels have the requested displacements. Newton's method on all drivers, with
-/// intermediate targets.
-fn solve_travels(
-    system: &System,
-    configuration: &Configuration,
-    travels: &[DrivenTravel],
-    start: Pose,
-    names: Names,
-) -> Result<Pose, StudyError> {
-    let within = TRAVEL_TOLERANCE * system.mechanism().characteristic_length();
-    let mut drivers: Vec<JointId> = travels.iter().map(|travel| travel.driver.joint).collect();
-    let mut at = positions(&start, &drivers);
-    let mut pose = move_drivers(system, configuration, &drivers, &start, &at)?;
-    let (mut reached, mut part, mut changes) = (0.0, 1.0 / TRAVEL_PARTS, 0);
-    while reached < 1.0 {
-        let to = f64::min(reached + part, 1.0);
-        match solve_travel_fraction(system, configuration, travels, &drivers, (&pose, &at), to, within) {
-            Ok((next, there)) => {
-                (pose, at, reached) = (next, there, to);
-                part *= 2.0;
-            }
-            Err(_) if part < LEAST_PART && changes < OTHER_DRIVERS => {
-                // A driver may be at a dead centre; other drivers continue from this pose.
-                changes = if reached > 0.0 { changes + 1 } else { OTHER_DRIVERS };
-                let Some(others) = select_drivers(travels, &pose) else { continue };
-                let there = positions(&pose, &others);
-                if let Ok(same) = move_drivers(system, configuration, &others, &pose, &there) {
-                    (drivers, at, pose, part) = (others, there, same, 1.0 / TRAVEL_PARTS);
-                }
-            }
-            Err(error) if part < LEAST_PART => {
-                let why = match error {
-                    Some(StudyError::Assembly(error)) if error.is_bad_input() => return Err(error.into()),
-                    Some(error) => format!(" ({})", error.message(names)),
-                    None => String::new(),
-                };
-                let percent = (100.0 * reached).floor();
-                return Err(StudyError::TravelNotReached {
-                    why: format!("the travels cannot be reached together; reached: {percent} %{why}"),
-                    nearest: None,
-                });
-            }
-            Err(_) => part *= 0.5,
-        }
-    }
-    Ok(pose)
-}
-
-/// Pose at the fraction `part` of the displacements, and the positions of the drivers. `Err(None)` if Newton's
-/// method does not converge to `within` (m).
-#[allow(clippy::type_complexity, reason = "read in one place")]
-fn solve_travel_fraction(
-    system: &System,
-    configuration: &Configuration,
-    travels: &[DrivenTravel],
-    drivers: &[JointId],
-    (from, at): (&Pose, &[f64]),
-    part: f64,
-    within: f64,
-) -> Result<(Pose, Vec<f64>), Option<StudyError>> {
-    let (mut pose, mut at, count) = (from.clone(), at.to_vec(), travels.len());
-    for _ in 0..TRAVEL_ROUNDS {
-        let missing = travels.iter().map(|t| part * t.distance - t.travel.displacement(&pose));
-        let missing = DVector::from_iterator(count, missing);
-        if missing.amax() <= within {
-            return Ok((pose, at));
-        }
-        let mut rates = DMatrix::zeros(count, count);
-        for (i, travel) in travels.iter().enumerate() {
-            for (j, driver) in drivers.iter().enumerate() {
-                rates[(i, j)] = travel.travel.rate(&pose, *driver).ok_or(None)?;
+/// Points of the travels of a question. A wheel that heaves and rolls moves by the sum.
+fn moved_points(mechanism: &Mechanism, question: &MassQuestion) -> Result<Vec<MovedPoint>, StudyError> {
+    let mut all: Vec<(bool, MovedPoint)> = Vec::new();
+    for given in &question.travel {
+        let is_wheel = matches!(given.moved, Moved::Wheels(_));
+        for point in given.moved.points(mechanism, Field::Travel, given.distance)? {
+            match all.iter_mut().find(|(of_wheel, known)| *of_wheel && is_wheel && known.link == point.link) {
+                Some((_, known)) => known.distance += point.distance,
+                None => all.push((is_wheel, point)),
             }
         }
-        let step =
-            rates.lu().solve(&missing).filter(|step| step.iter().all(|x| x.is_finite())).ok_or(None)?;
-        at.iter_mut().zip(step.iter()).for_each(|(at, step)| *at += step);
-        pose = move_drivers(system, configuration, drivers, &pose, &at).map_err(Some)?;
     }
-    Err(None)
-}
-
-/// Pose with the drivers at given positions, on the branch of the pose `from`.
-fn move_drivers(
-    system: &System,
-    configuration: &Configuration,
-    drivers: &[JointId],
-    from: &Pose,
-    at: &[f64],
-) -> Result<Pose, StudyError> {
-    let mut set = configuration.clone().without_guesses();
-    for (driver, value) in drivers.iter().zip(at) {
-        set.set(system.mechanism().joint(*driver).name(), &[*value])
-            .map_err(|error| StudyError::input(Field::Travel, error))?;
-    }
-    Ok(system.pose_from(from, &set)?)
-}
-
-/// Positions of joints with one position each.
-fn positions(pose: &Pose, joints: &[JointId]) -> Vec<f64> {
-    joints.iter().map(|joint| pose.joint(*joint)[0]).collect()
-}
-
-/// Drivers of the travels, selected at a pose; a joint drives one travel at most, and set joints drive none.
-fn select_drivers(travels: &[DrivenTravel], pose: &Pose) -> Option<Vec<JointId>> {
-    // The drivers of the first travel exclude the set joints only.
-    let set = travels.first()?.travel.set();
-    let mut drivers = Vec::new();
-    for travel in travels {
-        drivers.push(travel.travel.select_driver(pose, &[set, &drivers].concat())?);
-    }
-    Some(drivers)
+    Ok(all.into_iter().map(|(_, point)| point).collect())
 }
 
 /// Travel and the joint that drives the travel.
+#[derive(Clone)]
 struct DrivenTravel {
     travel: PointTravel,
     driver: Driver,
@@ -191,17 +162,12 @@ impl DrivenTravel {
     fn new(
         system: &System,
         base: &Configuration,
-        given: &GivenTravel,
+        moved: &MovedPoint,
         driven: &[JointId],
     ) -> Result<Self, StudyError> {
-        let link = system.mechanism().find_link(&given.link);
-        let link = link.map_err(|error| StudyError::input(Field::Travel, error))?;
-        let [point, direction] = [given.point, given.direction].map(Vector3::from);
-        let (travel, driver) =
-            PointTravel::new(system, base, Field::Travel, link, point, direction, &|joint| {
-                driven.contains(&joint)
-            })?;
-        Ok(Self { travel, driver, distance: given.distance })
+        let is_set = |joint| driven.contains(&joint);
+        let (travel, driver) = PointTravel::new(system, base, Field::Travel, moved, &is_set)?;
+        Ok(Self { travel, driver, distance: moved.distance })
     }
 
     /// Travel that closes the gap of a stop.
@@ -217,14 +183,19 @@ impl DrivenTravel {
         Ok(Self { travel, driver, distance })
     }
 
+    /// Travel by a part of the distance.
+    fn part(&self, part: f64) -> Self {
+        Self { distance: part * self.distance, ..self.clone() }
+    }
+
     /// Pose with the requested displacement of the point, through intermediate poses if the displacement
     /// exceeds the work limit.
-    fn solve_pose(&self, from: Pose, question: &MassQuestion) -> Result<Pose, StudyError> {
+    fn solve_pose(&self, from: Pose, names: Names) -> Result<Pose, StudyError> {
         let mut pose = from;
         let mut parts = 0;
         let mut to = self.distance;
         loop {
-            match self.travel.pose_at_displacement(&self.driver, &pose, to, question.names)? {
+            match self.travel.pose_at_displacement(&self.driver, &pose, to, names)? {
                 Ok(reached) if to == self.distance => return Ok(reached),
                 Ok(reached) => {
                     pose = reached;

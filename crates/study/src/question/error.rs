@@ -220,6 +220,14 @@ pub enum Fault {
     /// Invalid travel, or a travel without a driving joint.
     #[error(transparent)]
     Travel(#[from] TravelError),
+    /// Motion of the wheels that the model does not have.
+    #[error("{motion}: {why}")]
+    WheelMotion {
+        /// Name of the motion.
+        motion: &'static str,
+        /// Reason and remedy.
+        why: &'static str,
+    },
     /// Fault of a pose file.
     #[error(transparent)]
     PoseFile(#[from] GivenPoseError),

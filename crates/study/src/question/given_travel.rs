@@ -1,19 +1,16 @@
-//! Travel that drives the pose of a question: a point, a direction, and a displacement.
+//! Travel that drives the pose of a question: a moved point or wheel, and a displacement.
 
+use crate::question::moved::{Moved, WheelMotion};
 use crate::question::vary::{Varied, Vary, split};
 use percuss_units::{Dimension, Quantity, QuantityError, parse_triple};
 
-/// Requested displacement of a point of a link along a direction, measured from the point's position at the set
-/// joint positions. A sweep over a travel varies the same quantity.
+/// Requested displacement of a point along a direction, or of the wheels, measured from the position at the set joint
+/// positions. A sweep over a travel varies the same quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenTravel {
-    /// The link.
-    pub link: String,
-    /// The point, m, link's frame.
-    pub point: [f64; 3],
-    /// Direction, world axes, of any length.
-    pub direction: [f64; 3],
-    /// Displacement of the point, m.
+    /// Moved point or wheels.
+    pub moved: Moved,
+    /// Displacement, m.
     pub distance: f64,
 }
 
@@ -22,7 +19,10 @@ pub struct GivenTravel {
 #[non_exhaustive]
 pub enum GivenTravelError {
     /// Missing parts.
-    #[error("expected LINK:X,Y,Z:DX,DY,DZ=DISTANCE, such as spindle:0,0,0:0,0,1=60mm")]
+    #[error(
+        "expected LINK:X,Y,Z:DX,DY,DZ=DISTANCE, such as spindle:0,0,0:0,0,1=60mm, or wheel-travel=60mm, heave=60mm, \
+         roll=20mm"
+    )]
     Form,
     /// Invalid point, direction or distance.
     #[error(transparent)]
@@ -30,27 +30,32 @@ pub enum GivenTravelError {
 }
 
 impl GivenTravel {
-    /// Reads `LINK:X,Y,Z:DX,DY,DZ=DISTANCE`; a prefix `travel:` is allowed, as in `--vary`.
+    /// Reads `LINK:X,Y,Z:DX,DY,DZ=DISTANCE`, with an optional prefix `travel:` as in `--vary`, or `MOTION=DISTANCE` with
+    /// the name of a [`WheelMotion`].
     ///
     /// # Errors
     /// [`GivenTravelError`] with the cause and the expected form.
     pub fn parse(text: &str) -> Result<Self, GivenTravelError> {
         let (along, distance) = text.rsplit_once('=').ok_or(GivenTravelError::Form)?;
-        let along = along.strip_prefix("travel:").unwrap_or(along);
-        let (link, point, direction) = split(along).ok_or(GivenTravelError::Form)?;
-        Ok(Self {
-            link: link.to_owned(),
-            point: parse_triple(point, Dimension::Length)?,
-            direction: parse_triple(direction, Dimension::Plain)?,
-            distance: Quantity::parse(distance)?.in_dimension(Dimension::Length, distance)?,
-        })
+        let moved = match WheelMotion::from_name(along) {
+            Some(motion) => Moved::Wheels(motion),
+            None => {
+                let along = along.strip_prefix("travel:").unwrap_or(along);
+                let (link, point, direction) = split(along).ok_or(GivenTravelError::Form)?;
+                Moved::Point {
+                    link: link.to_owned(),
+                    point: parse_triple(point, Dimension::Length)?,
+                    direction: parse_triple(direction, Dimension::Plain)?,
+                }
+            }
+        };
+        Ok(Self { moved, distance: Quantity::parse(distance)?.in_dimension(Dimension::Length, distance)? })
     }
 
     /// Range with one value, for the rows of a grid.
     pub(crate) fn as_range(&self) -> Vary {
-        let Self { link, point, direction, distance } = self.clone();
-        let at = Quantity { value: distance, dimension: Some(Dimension::Length) };
-        Vary { quantity: Varied::Travel { link, point, direction }, from: at, to: at, count: 1 }
+        let at = Quantity { value: self.distance, dimension: Some(Dimension::Length) };
+        Vary { quantity: Varied::Travel(self.moved.clone()), from: at, to: at, count: 1 }
     }
 }
 
@@ -61,14 +66,14 @@ mod tests {
     #[test]
     fn a_travel_is_read_from_the_right() {
         let travel = GivenTravel::parse("a:b=c:1mm,0,0:0,0,-1=-60mm").unwrap();
-        let expected = GivenTravel {
-            link: "a:b=c".into(),
-            point: [0.001, 0.0, 0.0],
-            direction: [0.0, 0.0, -1.0],
-            distance: -0.06,
-        };
+        let moved = |link: &str, point, direction| Moved::Point { link: link.into(), point, direction };
+        let expected =
+            GivenTravel { moved: moved("a:b=c", [0.001, 0.0, 0.0], [0.0, 0.0, -1.0]), distance: -0.06 };
         assert_eq!(travel, expected);
-        assert_eq!(GivenTravel::parse("travel:w:0,0,0:0,0,1=0.01").unwrap().link, "w");
+        let point = GivenTravel::parse("travel:w:0,0,0:0,0,1=0.01").unwrap().moved;
+        assert_eq!(point, moved("w", [0.0; 3], [0.0, 0.0, 1.0]));
+        let heave = GivenTravel::parse("heave=-2cm").unwrap();
+        assert_eq!(heave, GivenTravel { moved: Moved::Wheels(WheelMotion::Heave), distance: -0.02 });
         for text in ["", "w", "w=1", "w:0,0,0=1", ":0,0,0:0,0,1=1"] {
             assert_eq!(GivenTravel::parse(text), Err(GivenTravelError::Form), "{text}");
         }

@@ -6,6 +6,7 @@ pub(crate) mod field;
 pub(crate) mod given_travel;
 pub(crate) mod map_question;
 pub(crate) mod mass_question;
+pub(crate) mod moved;
 pub(crate) mod pose_file;
 pub(crate) mod refusal;
 pub(crate) mod row_source;

@@ -1,5 +1,6 @@
 //! Ranges of a sweep: the varied quantity and its values.
 
+use crate::question::moved::{Moved, WheelMotion};
 use crate::thresholds::ROWS;
 use percuss_units::{Dimension, Quantity, QuantityError, parse_triple};
 
@@ -8,16 +9,8 @@ use percuss_units::{Dimension, Quantity, QuantityError, parse_triple};
 pub enum Varied {
     /// Driving joint with one position.
     Joint(String),
-    /// Displacement of a point (m, link's frame) of a link along a direction (world axes), relative to the pose
-    /// of the set joints.
-    Travel {
-        /// The link.
-        link: String,
-        /// The point.
-        point: [f64; 3],
-        /// Direction, of any length.
-        direction: [f64; 3],
-    },
+    /// Displacement of a point of a link along a direction, or of the wheels, relative to the pose of the set joints.
+    Travel(Moved),
 }
 
 /// Range of evenly spaced values, including both ends.
@@ -39,7 +32,8 @@ pub struct Vary {
 pub enum VaryError {
     /// Missing parts.
     #[error(
-        "wanted JOINT=FROM:TO:COUNT, such as hinge=-30deg:30deg:61, or travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT"
+        "wanted JOINT=FROM:TO:COUNT, such as hinge=-30deg:30deg:61, travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT, or \
+         wheel-travel, heave or roll=FROM:TO:COUNT"
     )]
     Form,
     /// COUNT is not a whole number.
@@ -60,7 +54,8 @@ pub enum VaryError {
 }
 
 impl Vary {
-    /// Reads `JOINT=FROM:TO:COUNT` or `travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT`.
+    /// Reads `JOINT=FROM:TO:COUNT`, `travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT`, or the name of a [`WheelMotion`] in place
+    /// of a joint.
     ///
     /// # Errors
     /// [`VaryError`] with the cause and the expected form.
@@ -73,18 +68,19 @@ impl Vary {
             return Err(VaryError::Count { count });
         }
         let (first, last) = (Quantity::parse(from)?, Quantity::parse(to)?);
-        let what = match what.strip_prefix("travel:") {
-            None if what.is_empty() => return Err(VaryError::Form),
-            None => Varied::Joint(what.to_owned()),
-            Some(rest) => {
+        let what = match (what.strip_prefix("travel:"), WheelMotion::from_name(what)) {
+            (None, None) if what.is_empty() => return Err(VaryError::Form),
+            (None, None) => Varied::Joint(what.to_owned()),
+            (None, Some(motion)) => Varied::Travel(Moved::Wheels(motion)),
+            (Some(rest), _) => {
                 let (link, point, direction) = split(rest).ok_or(VaryError::Form)?;
                 first.in_dimension(Dimension::Length, from)?;
                 last.in_dimension(Dimension::Length, to)?;
-                Varied::Travel {
+                Varied::Travel(Moved::Point {
                     link: link.to_owned(),
                     point: parse_triple(point, Dimension::Length)?,
                     direction: parse_triple(direction, Dimension::Plain)?,
-                }
+                })
             }
         };
         Ok(Self { quantity: what, from: first, to: last, count })
@@ -94,7 +90,7 @@ impl Vary {
     pub fn name(&self) -> String {
         match &self.quantity {
             Varied::Joint(joint) => joint.clone(),
-            Varied::Travel { link, .. } => format!("travel:{link}"),
+            Varied::Travel(moved) => moved.name(),
         }
     }
 

@@ -10,6 +10,7 @@ use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::given_travel::GivenTravel;
 use crate::question::mass_question::{Hold, MassQuestion};
+use crate::question::moved::Moved;
 use crate::reports::assumptions::Assumptions;
 use crate::reports::explain::Explanation;
 use crate::reports::motion_ratio::MotionRatioRecord;
@@ -76,13 +77,15 @@ pub struct ConditionsRecord {
 /// A travel that drove the pose.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TravelRecord {
-    /// The link.
-    pub link: String,
-    /// The point in the link's frame, m.
-    pub point: [f64; 3],
-    /// The direction in world axes, as given.
-    pub direction: [f64; 3],
-    /// Displacement of the point, m.
+    /// `point`, or the motion of the wheels: `wheel-travel`, `heave`, `roll`.
+    pub motion: &'static str,
+    /// The link; null for a motion of the wheels, as are the next two.
+    pub link: Option<String>,
+    /// The point, m, link's frame.
+    pub point: Option<[f64; 3]>,
+    /// Direction, world axes.
+    pub direction: Option<[f64; 3]>,
+    /// Displacement, m.
     pub distance: f64,
 }
 
@@ -99,8 +102,19 @@ pub struct HoldRecord {
 
 impl From<GivenTravel> for TravelRecord {
     fn from(given: GivenTravel) -> Self {
-        let GivenTravel { link, point, direction, distance } = given;
-        Self { link, point, direction, distance }
+        let distance = given.distance;
+        match given.moved {
+            Moved::Point { link, point, direction } => Self {
+                motion: "point",
+                link: Some(link),
+                point: Some(point),
+                direction: Some(direction),
+                distance,
+            },
+            Moved::Wheels(motion) => {
+                Self { motion: motion.name(), link: None, point: None, direction: None, distance }
+            }
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Motion ratios: speed of a wheel or of a given point per closing speed of the contact.
 
 use crate::evaluation::prepared_question::EvaluatedQuestion;
-use crate::evaluation::wheel_points::wheel_points;
+use crate::model::wheel_points::wheel_points;
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::RatioPoint;

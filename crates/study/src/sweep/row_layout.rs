@@ -5,12 +5,12 @@ use crate::pose::driver::Driver;
 use crate::pose::point_travel::PointTravel;
 use crate::question::error::{Fault, StudyError};
 use crate::question::field::Field;
+use crate::question::moved::{Moved, MovedPoint};
 use crate::question::varied_values::VariedColumn;
 use crate::question::vary::{Varied, Vary};
 use crate::values::position::position_dimension;
-use nalgebra::Vector3;
 use percuss_dynamics::{Configuration, System};
-use percuss_mechanism::{JointId, LinkId};
+use percuss_mechanism::JointId;
 use percuss_units::Dimension;
 use std::ops::Range;
 use std::sync::Arc;
@@ -40,9 +40,8 @@ struct LayoutJoint {
 /// Travel that starts at the pose of the joints set before.
 #[derive(Debug)]
 struct LayoutTravel {
-    link: LinkId,
-    point: Vector3<f64>,
-    direction: Vector3<f64>,
+    /// Moved points; the distances are those at a unit of the travel.
+    points: Vec<MovedPoint>,
     /// Set joints; these cannot drive the travel.
     set: Vec<JointId>,
 }
@@ -63,21 +62,22 @@ impl RowLayout {
                     }
                     joints.push(joint);
                 }
-                Varied::Travel { .. } if number + 1 < ranges.len() => {
+                // A joint of the model has precedence over a motion of the wheels.
+                Varied::Travel(Moved::Wheels(motion)) if mechanism.find_joint(motion.name()).is_ok() => {
+                    joints.push(single_joint(prepared, motion.name())?);
+                }
+                Varied::Travel(_) if number + 1 < ranges.len() => {
                     return Err(refuse(Fault::TravelNotLast { name: vary.name() }));
                 }
-                Varied::Travel { link, point, direction } => {
-                    let link = mechanism.find_link(link).map_err(|error| refuse(error.into()))?;
-                    travel = Some((link, Vector3::from(*point), Vector3::from(*direction)));
-                }
+                Varied::Travel(moved) => travel = Some(moved.points(mechanism, Field::Vary, 1.0)?),
             }
         }
         let mut setting = Self::from_joints(prepared, &joints, Field::Vary);
-        if let Some((link, point, direction)) = travel {
+        if let Some(points) = travel {
             let by_question =
                 prepared.question.set.iter().filter_map(|(set, _)| mechanism.find_joint(set).ok());
             let set = joints.into_iter().chain(by_question).collect();
-            setting.travel = Some(LayoutTravel { link, point, direction, set });
+            setting.travel = Some(LayoutTravel { points, set });
             let column = VariedColumn {
                 name: ranges.last().map_or_else(String::new, Vary::name),
                 unit: "m",
@@ -178,8 +178,7 @@ impl RowLayout {
         let Some(along) = &self.travel else { return Ok(None) };
         let base = self.configuration(values, false)?;
         let is_set = |joint: JointId| along.set.contains(&joint);
-        PointTravel::new(system, &base, self.field, along.link, along.point, along.direction, &is_set)
-            .map(Some)
+        PointTravel::joined(system, &base, self.field, &along.points, &is_set).map(Some)
     }
 
     /// Largest displacement of a joint of a row from the positions `from`, rad or m, over joints with one

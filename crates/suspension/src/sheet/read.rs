@@ -516,7 +516,7 @@ impl SheetReader<'_> {
             let gap = self.scalar(&format!("{section}.gap"), Quantity::Length(frame.unit));
             let key = format!("{section}.direction");
             let direction = self.entries.numbers(self.findings, &key, Quantity::Component, &[3]);
-            let spot = gap.iter().map(|(_, spot)| spot).chain(direction.iter().map(|(_, spot)| spot)).next();
+            let spot = direction.iter().map(|(_, spot)| spot).chain(gap.iter().map(|(_, spot)| spot)).next();
             let Some(spot) = spot.cloned() else { continue };
             let mirror = if points_side == Side::Right { -1.0 } else { 1.0 };
             let direction = direction.map(|(values, _)| {

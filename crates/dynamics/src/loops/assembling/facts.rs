@@ -8,9 +8,9 @@ use crate::loops::closing::{Correction, Directions, Linearised};
 use crate::mobility::{Drivers, Generic, Rank, independent_rows, rank_of_rows};
 use crate::model::{Group, Model};
 use crate::tolerances::{
-    CLOSED, CONVERGED_STEP, DEPARTURES, FARTHEST, FEWEST_FIRST_STARTS, FIRST_STARTS, FIRST_STARTS_ASIDE,
-    FIRST_STARTS_WORK, GENERIC_POSES, GENERIC_POSES_ENOUGH, LARGE_GROUP, OTHER_POSE_RESIDUAL, ROUNDING,
-    SAME_POSE,
+    CLOSED, CONVERGED_STEP, DEPARTURES, DRAWN_CLOSED, FARTHEST, FEWEST_FIRST_STARTS, FIRST_STARTS,
+    FIRST_STARTS_ASIDE, FIRST_STARTS_WORK, GENERIC_POSES, GENERIC_POSES_ENOUGH, LARGE_GROUP,
+    MOST_FIRST_STARTS, OTHER_POSE_RESIDUAL, ROUNDING, SAME_POSE,
 };
 use percuss_mechanism::{ClosureKind, JointId};
 
@@ -212,7 +212,12 @@ impl Model {
         let (rows, columns) = (group.rows as u64, group.coordinates.len() as u64);
         let affordable = FIRST_STARTS_WORK / (columns * columns * rows.max(columns)).max(1);
         let starts = affordable.clamp(FEWEST_FIRST_STARTS, FIRST_STARTS);
-        for attempt in 0..starts {
+        let mut may_be_rounded: Option<bool> = None;
+        for attempt in 0..MOST_FIRST_STARTS {
+            // Poses that are nearly closed by chance need more starts.
+            if attempt >= starts && (starts < FIRST_STARTS || may_be_rounded.unwrap_or(true)) {
+                break;
+            }
             // Without declared drivers the second attempt is the first one again.
             if attempt == 1 && advised.len() == all.len() {
                 continue;
@@ -238,6 +243,7 @@ impl Model {
             // If the residual is within the rounding of a file, no search elsewhere is needed.
             if (attempt >= 1 || advised.len() == all.len())
                 && best.as_ref().is_some_and(|(_, b)| b.residual <= allowed)
+                && *may_be_rounded.get_or_insert_with(|| self.may_be_rounded(kinematics, group, &start))
             {
                 break;
             }
@@ -253,6 +259,21 @@ impl Model {
         }
         let cut = (starts < FIRST_STARTS).then_some((starts, FIRST_STARTS, group.coordinates.len()));
         Err(AssemblyError::DoesNotClose { loops, residual: correction.residual, allowed, cut })
+    }
+
+    /// True if a small residual of a group can come from the rounding of its file: the file draws the group nearly closed,
+    /// or its rows are dependent. Otherwise a small residual is a pose that is nearly closed by chance, such as the end of
+    /// a branch. Leaves the group at `start`, its positions as drawn.
+    fn may_be_rounded(&self, kinematics: &mut Kinematics<f64>, group: &Group, start: &[f64]) -> bool {
+        self.restore_group(kinematics, group, start);
+        if self.group_residual(kinematics, group).0 <= DRAWN_CLOSED * group.size {
+            return true;
+        }
+        self.perturb(kinematics, group, FIRST_STARTS_ASIDE[0], 2000);
+        let mut rows = GroupRows::default();
+        rows.fill(self, group, kinematics);
+        self.restore_group(kinematics, group, start);
+        rank_of_rows(&rows, group, group.floor_for(0.0)).rank < group.rows
     }
 
     /// Searches closed poses around the first closed pose for the generic rank. First the poses are found, then the

@@ -1,9 +1,11 @@
 //! Links at the wheels, by the names that the suspension importer gives.
 
-use percuss_mechanism::{LinkId, Mechanism};
+use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
 
 /// Link names given by the suspension importer; their vertical motion is the wheel travel.
 const WHEEL_POINTS: [&str; 2] = ["wheel_centre", "contact_patch"];
+/// Joint of the rack of an imported suspension.
+const RACK: &str = "rack";
 /// Suffixes of the sides in names of the importer.
 const SIDES: [&str; 2] = ["_left", "_right"];
 
@@ -23,4 +25,10 @@ fn links_of_side(mechanism: &Mechanism, link: &str, name: &str) -> Vec<LinkId> {
     let sides = SIDES.into_iter().filter(|known| side.is_none_or(|side| side == *known));
     let names = [""].into_iter().chain(sides).map(|end| format!("{link}{end}"));
     names.filter_map(|name| mechanism.find_link(&name).ok()).collect()
+}
+
+/// Rack of an imported suspension, if it slides.
+pub(crate) fn sliding_rack(mechanism: &Mechanism) -> Option<JointId> {
+    let rack = mechanism.find_joint(RACK).ok()?;
+    (mechanism.joint(rack).kind() == JointKind::Prismatic).then_some(rack)
 }

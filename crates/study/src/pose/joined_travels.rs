@@ -1,0 +1,153 @@
+//! Pose at which several travels have requested displacements at once.
+
+use crate::question::error::StudyError;
+use crate::question::field::{Field, Names};
+use crate::thresholds::{LEAST_PART, OTHER_DRIVERS, TRAVEL_PARTS, TRAVEL_ROUNDS, TRAVEL_TOLERANCE};
+use nalgebra::{DMatrix, DVector};
+use percuss_dynamics::{Configuration, Pose, Travel};
+use percuss_mechanism::JointId;
+
+/// Travels that are solved together.
+#[derive(Clone, Debug)]
+pub(crate) struct JoinedTravels {
+    pub travels: Vec<Travel>,
+    /// A driver for each travel, at the starting pose.
+    pub drivers: Vec<JointId>,
+    /// Set joints; these cannot drive.
+    pub set: Vec<JointId>,
+}
+
+/// Poses between a start and the requested displacements.
+struct Progress {
+    drivers: Vec<JointId>,
+    /// Positions of the drivers.
+    at: Vec<f64>,
+    pose: Pose,
+}
+
+impl JoinedTravels {
+    /// Pose with the requested displacements (m), on the branch of `start`. Newton's method on all drivers, with
+    /// intermediate targets.
+    ///
+    /// # Errors
+    /// [`StudyError::TravelNotReached`] with the percentage reached.
+    pub fn pose(
+        &self,
+        configuration: &Configuration,
+        start: &Pose,
+        requested: &[f64],
+        names: Names,
+    ) -> Result<Pose, StudyError> {
+        let begin: Vec<f64> = self.travels.iter().map(|travel| travel.displacement(start)).collect();
+        let drivers = self.drivers.clone();
+        let at = positions(start, &drivers);
+        let pose = move_drivers(configuration, &drivers, start, &at)?;
+        let mut progress = Progress { drivers, at, pose };
+        let (mut reached, mut part, mut changes) = (0.0, 1.0 / TRAVEL_PARTS, 0);
+        while reached < 1.0 {
+            let to = f64::min(reached + part, 1.0);
+            let between = |(begin, end): (&f64, &f64)| begin + to * (end - begin);
+            let targets: Vec<f64> = begin.iter().zip(requested).map(between).collect();
+            match self.solve(configuration, &progress, &targets) {
+                Ok((pose, at)) => {
+                    (progress.pose, progress.at, reached) = (pose, at, to);
+                    part *= 2.0;
+                }
+                Err(_) if part < LEAST_PART && changes < OTHER_DRIVERS => {
+                    // A driver may be at a dead centre; other drivers continue from this pose.
+                    changes = if reached > 0.0 { changes + 1 } else { OTHER_DRIVERS };
+                    let Some(drivers) = self.select_drivers(&progress.pose) else { continue };
+                    let at = positions(&progress.pose, &drivers);
+                    if let Ok(pose) = move_drivers(configuration, &drivers, &progress.pose, &at) {
+                        progress = Progress { drivers, at, pose };
+                        part = 1.0 / TRAVEL_PARTS;
+                    }
+                }
+                Err(error) if part < LEAST_PART => {
+                    let why = match error {
+                        Some(StudyError::Assembly(error)) if error.is_bad_input() => return Err(error.into()),
+                        Some(error) => format!(" ({})", error.message(names)),
+                        None => String::new(),
+                    };
+                    let percent = (100.0 * reached).floor();
+                    return Err(StudyError::TravelNotReached {
+                        why: format!("the travels cannot be reached together; reached: {percent} %{why}"),
+                        nearest: None,
+                    });
+                }
+                Err(_) => part *= 0.5,
+            }
+        }
+        Ok(progress.pose)
+    }
+
+    /// Pose with the displacements `targets`, and the positions of the drivers. `Err(None)` if Newton's method does not
+    /// converge.
+    fn solve(
+        &self,
+        configuration: &Configuration,
+        from: &Progress,
+        targets: &[f64],
+    ) -> Result<(Pose, Vec<f64>), Option<StudyError>> {
+        let within = TRAVEL_TOLERANCE * from.pose.mechanism().characteristic_length();
+        let (mut pose, mut at, count) = (from.pose.clone(), from.at.clone(), targets.len());
+        let mut reached = None;
+        for _ in 0..TRAVEL_ROUNDS {
+            let missing = self.travels.iter().zip(targets).map(|(t, target)| target - t.displacement(&pose));
+            let missing = DVector::from_iterator(count, missing);
+            // One more step removes what the tolerance leaves.
+            if missing.amax() <= within && (reached.is_some() || missing.amax() == 0.0) {
+                return Ok((pose, at));
+            }
+            if missing.amax() <= within {
+                reached = Some((pose.clone(), at.clone()));
+            }
+            let mut rates = DMatrix::zeros(count, count);
+            for (i, travel) in self.travels.iter().enumerate() {
+                for (j, driver) in from.drivers.iter().enumerate() {
+                    let Some(rate) = travel.rate(&pose, *driver) else { return reached.ok_or(None) };
+                    rates[(i, j)] = rate;
+                }
+            }
+            let step = rates.lu().solve(&missing).filter(|step| step.iter().all(|x| x.is_finite()));
+            let Some(step) = step else { return reached.ok_or(None) };
+            at.iter_mut().zip(step.iter()).for_each(|(at, step)| *at += step);
+            pose = match (move_drivers(configuration, &from.drivers, &pose, &at), &mut reached) {
+                (Ok(pose), _) => pose,
+                (Err(_), Some(_)) => break,
+                (Err(error), None) => return Err(Some(error)),
+            };
+        }
+        reached.ok_or(None)
+    }
+
+    /// Drivers of the travels at a pose; a joint drives one travel at most, and set joints drive none.
+    fn select_drivers(&self, pose: &Pose) -> Option<Vec<JointId>> {
+        let mut drivers = Vec::new();
+        for travel in &self.travels {
+            let taken = [&self.set[..], &drivers].concat();
+            drivers.push(travel.driver(pose, &|joint| taken.contains(&joint)).ok()?);
+        }
+        Some(drivers)
+    }
+}
+
+/// Pose with the drivers at given positions, on the branch of the pose `from`.
+fn move_drivers(
+    configuration: &Configuration,
+    drivers: &[JointId],
+    from: &Pose,
+    at: &[f64],
+) -> Result<Pose, StudyError> {
+    let mut set = configuration.clone().without_guesses();
+    for (driver, value) in drivers.iter().zip(at) {
+        set.set(from.mechanism().joint(*driver).name(), &[*value])
+            .map_err(|error| StudyError::input(Field::Travel, error))?;
+    }
+    Ok(from.assembly().pose_from(from, &set)?)
+}
+
+/// Positions of joints with one position each.
+fn positions(pose: &Pose, joints: &[JointId]) -> Vec<f64> {
+    joints.iter().map(|joint| pose.joint(*joint)[0]).collect()
+}
