@@ -77,6 +77,14 @@ class Wheel:
 
 
 @dataclass
+class StopKeys:
+    """Keys of a stop's section; a stop whose points are missing is on the damper and has a gap."""
+
+    gap: float | None = None
+    direction: np.ndarray | None = None
+
+
+@dataclass
 class Car:
     template: str
     points: dict
@@ -86,6 +94,8 @@ class Car:
     axle_inertia: float
     rack_slides: bool
     rack_mass: float
+    # Keys of bump_stop and rebound_stop.
+    stops: dict = field(default_factory=dict)
 
 
 @dataclass
@@ -108,11 +118,25 @@ class Joint:
 
 
 @dataclass
+class Stop:
+    """A stop: pad on a moving link, face on the chassis, unit vector from pad to face (`None`: on the damper, along the line
+    of its ends), gap at the design position. `extends`: it limits the extension of the damper."""
+
+    link: str
+    pad: np.ndarray
+    face: np.ndarray
+    direction: np.ndarray | None
+    gap: float
+    extends: bool = False
+
+
+@dataclass
 class Built:
     bodies: dict = field(default_factory=dict)
     joints: list = field(default_factory=list)
     # Frames of the command: body and position.
     frames: dict = field(default_factory=dict)
+    stops: dict = field(default_factory=dict)
 
 
 def turned_about(axis, angle):
@@ -205,6 +229,21 @@ class Side:
             if self.has(seat):
                 self.frame(seat, self.car.on[what], self.point(seat))
                 self.frame(on_chassis, CHASSIS, self.point(on_chassis))
+
+        for what in ("bump_stop", "rebound_stop"):
+            self.stop(what, self.car.stops.get(what, StopKeys()))
+
+    def stop(self, what, keys):
+        on_damper = not self.has(what)
+        part, pad, face = ("damper", "damper_seat", "damper_chassis_seat") if on_damper else (what, f"{what}_pad", what)
+        if on_damper and keys.gap is None:
+            return
+        pad, face, link = self.point(pad), self.point(face), self.name(self.car.on[part])
+        direction = None
+        if not on_damper:
+            direction = unit(face - pad if keys.direction is None else self.mirror @ keys.direction)
+        gap = direction @ (face - pad) if keys.gap is None else keys.gap
+        self.built.stops[what + self.ending] = Stop(link, pad, face, direction, gap, on_damper and what == "rebound_stop")
 
     def anti_roll_bar(self):
         if self.has("anti_roll_bar_outer"):

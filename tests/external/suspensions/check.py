@@ -8,7 +8,8 @@ stops and the seats: percuss with the sheet; a URDF+ file of the same car, with 
 axes; and a program that shares neither code nor method with percuss (velocities of all bodies, every joint as rows).
 The last two interpret a sheet by docs/reference/SUSPENSIONS.md. Mobilities are compared too, and hardpoints moved by --move,
 masses and centres of mass given by --link-mass and --link-com. With both sides built, each left contact has the same
-mass as the right contact if the car is symmetric.
+mass as the right contact if the car is symmetric. Named contacts (`--at`) are compared in named_contacts.py, with stops at
+the pose of the touch (touch.py).
 """
 
 import argparse
@@ -23,6 +24,7 @@ import numpy as np
 
 from cars import AXLES, CARRIERS, CHASSIS, build
 from mechanics import Independent, Twin
+from named_contacts import Tally, compare_named_contacts
 from sheets import example, random_build, random_car, random_spelling, to_sheet, written
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -46,6 +48,7 @@ class Checker:
     def __init__(self, percuss, folder):
         self.percuss, self.folder = percuss, folder
         self.passed, self.failed, self.worst, self.worst_mirrored = 0, 0, 0.0, 0.0
+        self.stops = Tally()
 
     def run(self, *words):
         done = subprocess.run([self.percuss, *words], capture_output=True, text=True, encoding="utf-8")
@@ -186,22 +189,34 @@ def main():
     with tempfile.TemporaryDirectory() as temporary:
         folder = args.keep or Path(temporary)
         folder.mkdir(exist_ok=True)
-        checker = Checker(args.percuss, folder)
+        checker, templates = Checker(args.percuss, folder), 0
         for number, template in enumerate(sorted(CARRIERS)):
             if args.template not in (None, template):
                 continue
             path = ROOT / "models/suspensions" / f"{template}.toml"
+            templates += 1
             rng = np.random.default_rng([args.seed, number])
             plain = ("mm", "kg m2", False, False)
-            compare(checker, example(path), plain, "both" if template in AXLES else "left", rng, f"{template}-example")
+            which = "both" if template in AXLES else "left"
+            for against in (compare, compare_named_contacts):
+                against(checker, example(path), plain, which, rng, f"{template}-example")
             for case in range(args.count):
                 car = random_car(rng, path)
                 which = random_build(rng, template)
-                compare(checker, car, random_spelling(rng), which, rng, f"{template}-{case}")
+                spelling = random_spelling(rng)
+                for against in (compare, compare_named_contacts):
+                    against(checker, car, spelling, which, rng, f"{template}-{case}")
                 changed(checker, car, random_spelling(rng), which, rng, f"{template}-{case}-changed")
                 if template not in AXLES and case < 3:
                     mirrored(checker, car, random_spelling(rng), rng, f"{template}-{case}-mirrored")
     print(f"suspensions: off by at most {checker.worst:.1e}; left from right by {checker.worst_mirrored:.1e}")
+    print(f"suspensions: {checker.stops.text()}")
+    # Each example has two stops; most random cars have two.
+    touched, least = checker.stops.touched(), templates * (2 + args.count)
+    checker.verdict(touched >= least, f"{touched} stops at the touch, at least {least} are expected")
+    if args.count >= 4 and not args.template:
+        every = [*checker.stops.kinds.values(), checker.stops.not_reached, checker.stops.remaining]
+        checker.verdict(min(every) > 0, "every kind of stop, and stops that cannot be reached, must be compared")
     print(f"suspensions: {checker.passed} passed, {checker.failed} failed")
     sys.exit(checker.failed > 0 or checker.passed == 0)
 

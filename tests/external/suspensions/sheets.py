@@ -4,7 +4,7 @@ import tomllib
 
 import numpy as np
 
-from cars import AXLES, CARRIERS, MIRROR, RODS, SHARED, SHARED_BODIES, Car, Given, Wheel
+from cars import AXLES, CARRIERS, MIRROR, RODS, SHARED, SHARED_BODIES, Car, Given, StopKeys, Wheel, unit
 
 # One unit of the sheet in metres.
 LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
@@ -15,6 +15,7 @@ PAIRS = {
     "damper": ("damper_seat", "damper_chassis_seat"),
     "rebound_stop": ("rebound_stop_pad", "rebound_stop"),
 }
+STOPS = ("bump_stop", "rebound_stop")
 BAR = ("anti_roll_bar_outer", "anti_roll_bar_inner", "drop_link_bar", "drop_link_end")
 
 
@@ -49,6 +50,7 @@ def example(path):
         0.0,
         False,
         2.5,
+        {name: StopKeys(1e-3 * sheet[name]["gap"]) for name in STOPS},
     )
 
 
@@ -58,6 +60,23 @@ def random_inertia(rng, size):
     second = directions.T @ directions
     inertia = np.trace(second) * np.eye(3) - second
     return inertia * size / np.trace(inertia)
+
+
+def random_stop(rng, car, name):
+    """Keys of a stop: on the damper, with its own points, with a gap, with a direction near the line of its points."""
+    pad, face = f"{name}_pad", name
+    gap = rng.uniform(0.005, 0.04)
+    if "damper" in car.on and rng.integers(4) == 0:
+        for end in (pad, face):
+            car.points.pop(end, None)
+        car.on.pop(name, None)
+        car.stops[name] = StopKeys(gap)
+    elif name in car.on:
+        line = car.points[face] - car.points[pad]
+        direction = line + 0.3 * np.linalg.norm(line) * rng.uniform(-1, 1, size=3)
+        # Only the direction of the vector counts.
+        direction = unit(direction) * rng.choice([1.0, rng.uniform(0.2, 50)])
+        car.stops[name] = StopKeys(gap if rng.integers(3) else None, direction if rng.integers(2) else None)
 
 
 def random_car(rng, path):
@@ -101,6 +120,9 @@ def random_car(rng, path):
             del car.on[what]
             for end in ends:
                 del car.points[end]
+    car.stops = {}
+    for name in STOPS:
+        random_stop(rng, car, name)
     if rng.integers(3) == 0:
         for end in BAR:
             del car.points[end]
@@ -166,9 +188,17 @@ def written(car, spelling, build):
             text.append(f"axle_inertia = {float(car.axle_inertia / INERTIAS[inertia_unit])!r}")
         if name in car.on:
             text.append(f'on = "{car.on[name]}"')
-    for what, link in car.on.items():
-        if what not in car.bodies:
-            text += ["", f"[{what}]", f'on = "{link}"']
+    for what in [*car.on, *(name for name in car.stops if name not in car.on)]:
+        if what in car.bodies:
+            continue
+        text += ["", f"[{what}]"]
+        if what in car.on:
+            text.append(f'on = "{car.on[what]}"')
+        keys = car.stops.get(what, StopKeys())
+        if keys.gap is not None:
+            text.append(f"gap = {float(keys.gap / LENGTHS[length])!r}")
+        if keys.direction is not None:
+            text.append(f"direction = {triple(turned(False) @ keys.direction)}")
     wheel = car.wheel
     text += ["", "[wheel]", f"mass = {float(wheel.mass)!r}", f"inertia = {moments(wheel.inertia)}"]
     text += [f"radius = {float(wheel.radius / LENGTHS[length])!r}"]
