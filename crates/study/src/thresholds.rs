@@ -56,8 +56,8 @@ pub(crate) const TRAVEL_TOLERANCE: f64 = 1e-11;
 /// Largest difference of positions (rad or m) after the way to a stop and back, if both are on one branch: the square root of
 /// the tolerance of travels, for a pose near a minimum of the gap.
 pub(crate) const SAME_START: f64 = 1e-6;
-/// Halvings of the gap in the search for the nearest pose to a stop that is not reached: four digits.
-pub(crate) const NEAREST_HALVINGS: usize = 14;
+/// Halvings of the gap in the search for the nearest pose to a stop that is not reached: six digits.
+pub(crate) const NEAREST_HALVINGS: usize = 20;
 /// Largest gap at which a stop touches, in characteristic lengths: the tolerance of several travels, with a margin.
 pub(crate) const TOUCH_TOLERANCE: f64 = 1e-10;
 /// Largest number of Newton steps for several travels: from a near pose some five steps are needed.

@@ -26,7 +26,7 @@ const WITHOUT_FLAG: [(&str, &str); 2] = [
 ];
 
 /// The keys of flags that all commands share.
-const SHARED: [(&str, &str); 51] = [
+const SHARED: [(&str, &str); 55] = [
     ("model", "model.path"),
     ("mass_from", "model.path"),
     ("accept", "model.accept"),
@@ -34,6 +34,10 @@ const SHARED: [(&str, &str); 51] = [
     ("link_com", "model.link_com"),
     ("moves", "model.move"),
     ("at", "contact.at"),
+    ("wheel_travel", "pose.travel"),
+    ("heave", "pose.travel"),
+    ("roll", "pose.travel"),
+    ("steer", "pose.set"),
     ("link", "contact.link"),
     ("point", "contact.point"),
     ("normal", "contact.normal"),
