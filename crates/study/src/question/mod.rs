@@ -2,6 +2,7 @@
 
 pub(crate) mod damping_question;
 pub(crate) mod error;
+pub(crate) mod fault;
 pub(crate) mod field;
 pub(crate) mod given_travel;
 pub(crate) mod map_question;
