@@ -50,7 +50,11 @@ impl PenetrationPath<'_> {
         let mut error = None;
         let mut masses = vec![(0.0, at.mass)];
         while done < depth {
-            step = step.min(depth - done).min(LARGEST_PENETRATION * depth);
+            step = step.min(LARGEST_PENETRATION * depth);
+            // No tiny last step: its error would be rounding only.
+            if step > (1.0 - LEAST_PENETRATION) * (depth - done) {
+                step = depth - done;
+            }
             match self.step_with_error_control(&at, step) {
                 Ok(next) => {
                     at = next;
