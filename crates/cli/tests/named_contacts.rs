@@ -123,6 +123,19 @@ fn damp_and_studies_take_named_contacts() {
     refused(&format!("run {both}"), &["contact.at", "remove link"]);
 }
 
+/// A left and a right stop on one joint: the joint closes the gap of the contact of the question, and no gap is left open.
+#[test]
+fn one_joint_drives_the_stops_of_both_sides() {
+    let folder = Scratch::new("contacts-sides");
+    let both = BAR.replace("\"plane\"", "\"stop_left\"").replace("\"line\"", "\"stop_right\"");
+    let bar = folder.write("bar.urdf", &both);
+    let plane = json(&format!("mass {bar} --at stop_left --format json"));
+    assert_eq!(plane["named_contact"]["brought_to_touch"], true, "{plane}");
+    assert!(number(&plane["named_contact"], "gap").abs() < 1e-12);
+    let line = json(&format!("mass {bar} --at stop_right --format json"));
+    assert_eq!(line["named_contact"]["brought_to_touch"], true, "{line}");
+}
+
 /// For every shipped sheet and stop: the gap is closed, the mass is that of the same contact given by link, point and
 /// normal at the same positions, and the imported URDF gives the same.
 #[test]

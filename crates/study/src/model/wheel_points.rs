@@ -7,7 +7,7 @@ const WHEEL_POINTS: [&str; 2] = ["wheel_centre", "contact_patch"];
 /// Joint of the rack of an imported suspension.
 const RACK: &str = "rack";
 /// Suffixes of the sides in names of the importer.
-const SIDES: [&str; 2] = ["_left", "_right"];
+pub(crate) const SIDES: [&str; 2] = ["_left", "_right"];
 
 /// Wheel points; only those on the side of the contact link if the link name ends in a side.
 pub(crate) fn wheel_points(mechanism: &Mechanism, contact_link: &str) -> Vec<LinkId> {
@@ -27,8 +27,9 @@ fn links_of_side(mechanism: &Mechanism, link: &str, name: &str) -> Vec<LinkId> {
     names.filter_map(|name| mechanism.find_link(&name).ok()).collect()
 }
 
-/// Rack of an imported suspension, if it slides.
+/// Rack of an imported suspension, if it slides; other models may have a joint of this name.
 pub(crate) fn sliding_rack(mechanism: &Mechanism) -> Option<JointId> {
     let rack = mechanism.find_joint(RACK).ok()?;
-    (mechanism.joint(rack).kind() == JointKind::Prismatic).then_some(rack)
+    let slides = mechanism.joint(rack).kind() == JointKind::Prismatic;
+    (slides && !wheel_centres(mechanism, "").is_empty()).then_some(rack)
 }

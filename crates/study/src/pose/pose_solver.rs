@@ -75,24 +75,28 @@ fn touch_pose(
 ) -> Result<Pose, StudyError> {
     let gap = stops[0].1.at(&start);
     let not_reached = |nearest, why| StudyError::StopNotReached { name: name.to_owned(), gap, nearest, why };
-    let mut driven = driven.to_vec();
-    let mut travels = Vec::new();
+    let toward =
+        |gap: &Gap, driven: &[JointId]| match DrivenTravel::toward_stop(system, configuration, gap, driven) {
+            Ok(travel) => Ok(Some(travel)),
+            Err(StudyError::Input { fault, .. }) if is_immobile(&fault) => Ok(None),
+            Err(error) => Err(error),
+        };
+    let mut taken = driven.to_vec();
+    let mut travels: Vec<DrivenTravel> = Vec::new();
     for (_, gap) in stops {
-        match DrivenTravel::toward_stop(system, configuration, gap, &driven) {
-            Ok(travel) => {
-                driven.push(travel.driver.joint);
+        match toward(gap, &taken)? {
+            Some(travel) => {
+                taken.push(travel.driver.joint);
                 travels.push(travel);
             }
-            Err(StudyError::Input { fault, .. }) if is_immobile(&fault) => {
-                // All joints that move the stop are set: the question is about this pose.
-                if DrivenTravel::toward_stop(system, configuration, gap, &[]).is_ok() {
-                    return Ok(start);
-                }
-                let why =
-                    "no joint with a single position moves it; give a massless rod of the suspension a mass";
+            // The joint that drives the first stop moves this one too.
+            None if !travels.is_empty() => {}
+            // All joints that move the stop are set: the question is about this pose.
+            None if toward(gap, &[])?.is_some() => return Ok(start),
+            None => {
+                let why = "no joint with a single position moves it (in a suspension, give one of the massless rods a mass)";
                 return Err(not_reached(None, why.to_owned()));
             }
-            Err(error) => return Err(error),
         }
     }
     // Pose with a part of the gaps closed, on the branch of the start: the way back leads to the start.
@@ -124,7 +128,7 @@ fn touch_pose(
     }
 }
 
-/// True if all positions of two poses agree, within the tolerance of travels.
+/// True if all positions of two poses agree, rad or m, within [`SAME_START`].
 fn is_same_pose(one: &Pose, other: &Pose) -> bool {
     let pairs = one.positions().iter().zip(other.positions());
     pairs.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) <= SAME_START

@@ -1,12 +1,10 @@
 //! Pose at which a stop touches.
 
+use crate::model::wheel_points::SIDES;
 use crate::question::error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use percuss_dynamics::{Gap, Pose};
 use percuss_mechanism::{Mechanism, NamedContact};
-
-/// Endings of the names of both sides of a vehicle.
-const SIDES: [[&str; 2]; 2] = [["_left", "_right"], ["_right", "_left"]];
 
 /// Stops that touch at the pose of a question, with their gaps: the stop of the question and, on a vehicle with both
 /// sides, the same stop of the other side, because both wheels move up together. Empty if the contact of the question
@@ -26,9 +24,8 @@ pub(crate) fn touching_stops<'m>(
 }
 
 /// Contact of the same name on the other side of the vehicle.
-pub(crate) fn other_side<'m>(mechanism: &'m Mechanism, contact: &NamedContact) -> Option<&'m NamedContact> {
-    let name = SIDES
-        .into_iter()
-        .find_map(|[own, other]| Some(format!("{}{other}", contact.name().strip_suffix(own)?)))?;
-    mechanism.find_contact(&name).ok()
+fn other_side<'m>(mechanism: &'m Mechanism, contact: &NamedContact) -> Option<&'m NamedContact> {
+    let [left, right] = SIDES;
+    let other = |own: &str, other: &str| Some(format!("{}{other}", contact.name().strip_suffix(own)?));
+    mechanism.find_contact(&other(left, right).or_else(|| other(right, left))?).ok()
 }

@@ -177,14 +177,15 @@ fn stop_not_reached(name: &str, gap: f64, nearest: Option<f64>, why: &str, names
     let shown = 1e3 * gap;
     let why = match nearest {
         Some(nearest) => {
-            format!("it closes by {:.2} mm only, and {:.2} mm remain", 1e3 * nearest, 1e3 * (gap - nearest))
+            let [nearest, remaining] = [nearest, gap - nearest].map(|length| 1e3 * length);
+            format!(
+                "it closes by {nearest:.2} mm only, and {remaining:.2} mm remain; give a travel{travel} for the mass at another \
+                 pose"
+            )
         }
         None => why.to_owned(),
     };
-    format!(
-        "the stop \"{name}\" with a gap of {shown:.2} mm cannot be reached: {why}; give a travel{travel} for the mass at \
-         another pose"
-    )
+    format!("the stop \"{name}\" with a gap of {shown:.2} mm cannot be reached: {why}")
 }
 
 /// Message: another side is given in a question about a person.
