@@ -225,9 +225,9 @@ fn every_row_lies_on_the_branch_it_began_on() {
     total.lost.iter().take(20).for_each(|line| println!("lost: {line}"));
     assert!(total.wrong.is_empty(), "{} of {} rows", total.wrong.len(), total.rows);
     assert!(total.lost.len() * 1000 <= total.rows, "{} of {} rows", total.lost.len(), total.rows);
-    // Ranges go beyond the limits of the mechanism.
+    // Ranges go beyond the limits of the mechanism; of a single one, nearly all rows may lie there.
     assert!(
-        total.answered * 5 > total.rows * 2 && total.in_lanes > 150,
+        only.is_some() || total.answered * 5 > total.rows * 2 && total.in_lanes > 150,
         "{} {}",
         total.answered,
         total.in_lanes
@@ -243,6 +243,31 @@ fn loops_that_are_nearly_closed_by_chance_are_not_taken_for_rounded() {
         assert!(wrong.is_empty() && lost.is_empty(), "seed {seed}: {wrong:?} {lost:?}");
         assert!(answered > 100, "seed {seed}: {answered} rows");
     }
+}
+
+/// A platform whose driver reverses twice within 1e-3 rad, at the end of the branch: both points beside the two reversals have
+/// the same driver direction and the same orientation.
+#[test]
+fn a_step_does_not_pass_over_two_reversals_of_the_driver() {
+    let mut case = branching(6082);
+    let end = case.ends[0];
+    let rig = Rig::new(std::mem::replace(&mut case.linkage, linkage::parallelogram()));
+    let mut compared = 0;
+    for ratio in [0.9, 0.5, 0.1, 0.03, 0.01] {
+        let mut pose = rig.closed();
+        let mut beyond_end = 0.03;
+        while beyond_end > 1e-5 {
+            let value = end + beyond_end;
+            pose =
+                rig.move_drivers(&pose, &[value]).unwrap_or_else(|error| panic!("{ratio} {value}: {error}"));
+            let [(_, expected)] = &case.at(value).expect("a closed pose")[..] else { panic!("one ball") };
+            let far = position_distance(&pose.positions()[1..], expected);
+            assert!(far < SAME, "{ratio} {value}: off by {far:e}");
+            compared += 1;
+            beyond_end *= ratio;
+        }
+    }
+    assert!(compared > 90, "{compared}");
 }
 
 #[test]

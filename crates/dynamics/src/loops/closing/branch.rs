@@ -363,21 +363,22 @@ impl<'a> DriverPath<'a> {
     }
 
     /// True if the drivers do not reverse twice between two points with the same driver direction. The slope in the
-    /// middle of a cubic through both points is 3/2 of the mean slope minus a quarter of the sum of the end slopes.
+    /// middle of a cubic through both points is 3/2 of the mean slope minus a quarter of the sum of the end slopes. The
+    /// mean slope is negative if the drivers have moved back although they advance at both points.
     fn keeps_direction(&self, here: &BranchPoint, point: &BranchPoint) -> bool {
         let n = self.unknown.len();
-        let (first, last) = (here.tangent[n], point.tangent[n]);
-        let ahead = (point.travelled - here.travelled).signum();
-        let least = f64::min(ahead * first, ahead * last);
+        let ahead = here.tangent[n].signum();
+        let (first, last) = (ahead * here.tangent[n], ahead * point.tangent[n]);
+        let least = f64::min(first, last);
         if least <= 0.0 {
             return true;
         }
-        let gone = point.travelled - here.travelled;
+        let gone = ahead * (point.travelled - here.travelled);
         let before = self.model.group_positions(self.group, &here.q);
         let moved = self.model.displacement_from(self.group, &before, &point.q);
         let square: f64 = self.unknown.iter().map(|&at| (moved[at] * self.group.lengths[at]).powi(2)).sum();
-        let mean = gone.abs() / (square + gone * gone).sqrt();
-        1.5 * mean - 0.25 * ahead * (first + last) >= LEAST_MIDDLE_SLOPE * least
+        let mean = gone / (square + gone * gone).sqrt();
+        1.5 * mean - 0.25 * (first + last) >= LEAST_MIDDLE_SLOPE * least
     }
 
     /// Steps directly from a point to the target; only dependent coordinates are corrected.
