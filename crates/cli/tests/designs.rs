@@ -100,7 +100,7 @@ fn a_study_changes_its_model_and_its_variants_change_that() {
     }
     for (of_model, variants, words) in [
         ("link_mass = { bub = 4 }", "", ["model: ", "\"bub\""]),
-        ("link_mass = { bob = \"4 m\" }", "", ["link \"bob\"", "mass"]),
+        ("link_mass = { bob = \"4 m\" }", "", ["model.link_mass.bob", "mass"]),
         ("move = { ball = [0, 0, 1] }", "", ["model: ", "without hardpoints"]),
         ("", "[[variant]]\nlink_mass = { bob = 1 }", ["name", "missing"]),
         ("", "[[variant]]\nname = \"a\"\nlink_mas = { bob = 1 }", ["link_mas", "link_mass"]),

@@ -42,7 +42,7 @@ fn the_effective_mass_stands_beside_the_standards() {
 #[test]
 fn limits_are_the_users() {
     for (flags, words) in [
-        ("--region chest", "either --force N or --pressure"),
+        ("--region chest", "--force (N), --pressure"),
         ("--region chest --force 0", "a finite number above 0"),
         ("--region chest --force -3", "a finite number above 0"),
         ("--region chest --force 280 --load -1", "load"),

@@ -128,7 +128,10 @@ fn keys_of_other_tables_and_of_no_table_say_what_there_is() {
         ),
         ("[contact]\nlink = 3\n[model]\npath = \"x\"\n", ":2: error: contact.link: invalid type"),
         ("[model]\npath = \"x\"\n[model]\n", ":3: error: not TOML: "),
-        ("[model]\npath = \"models/four_bar.urdf\"\n[damping]\n", ":3: error: damping: missing field"),
+        (
+            "[model]\npath = \"models/four_bar.urdf\"\n[damping]\n",
+            ":3: error: damping: restitution is missing",
+        ),
     ] {
         let path = folder.write("study.toml", text);
         let outcome = percuss(&format!("run {path}"));

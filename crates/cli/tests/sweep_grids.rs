@@ -97,11 +97,11 @@ fn invalid_grids_are_refused() {
         (format!("{ARM} --vary elbow=0:1:3 --random 3"), "cannot be used with"),
         (format!("{ARM} --vary elbow=0:1:3 --input x.csv"), "cannot be used with"),
         (format!("{ARM} --vary elbow=0:1:3 --threads 0"), "--threads"),
-        (format!("{ARM} --vary elbow=0:1:3 --ignore x"), "--ignore removes columns of --input"),
+        (format!("{ARM} --vary elbow=0:1:3 --ignore x"), "--ignore: it removes columns of --input"),
         (format!("{ARM} --random 0"), "0 random rows"),
         (format!("{ARM} --random 3 --seed=-1"), "--seed"),
         (format!("{ARM} --seed 3"), "--vary"),
-        (format!("{ARM} --vary elbow=0:1:3 --seed 3"), "--seed requires --random"),
+        (format!("{ARM} --vary elbow=0:1:3 --seed 3"), "--seed: it requires --random"),
     ] {
         let outcome = percuss(&format!("sweep {line}"));
         assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{line}: {}", outcome.stderr);

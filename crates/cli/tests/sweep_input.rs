@@ -221,8 +221,8 @@ fn a_study_has_files_and_random_positions_too() {
     for (sweep, words) in [
         ("random = 5\ninput = \"path.csv\"", "sweep: give one of vary, input and random"),
         ("output = \"x.csv\"", "sweep: give one of vary, input and random"),
-        ("vary = \"crank_hinge=0:1:3\"\nseed = 1", "seed requires random"),
-        ("vary = \"crank_hinge=0:1:3\"\nignore = \"t\"", "ignore removes columns of input"),
+        ("vary = \"crank_hinge=0:1:3\"\nseed = 1", "sweep.seed: it requires random"),
+        ("vary = \"crank_hinge=0:1:3\"\nignore = \"t\"", "sweep.ignore: it removes columns of input"),
         ("input = \"path.csv\"", "sweep.input: "),
         ("input = \"path.csv\"", "leave the column out (sweep.ignore)"),
     ] {

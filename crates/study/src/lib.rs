@@ -51,6 +51,7 @@ pub use question::map_question::{MapLinks, MapQuestion, MapShapes};
 pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 pub use question::moved::{Moved, WheelMotion};
 pub use question::pose_file::{GivenPose, GivenPoseError};
+pub use question::refusal::InvalidKey;
 pub use question::row_source::{PositionFile, RowSource};
 pub use question::table_error::{TableError, TableFault};
 pub use question::varied_values::{VariedColumn, VariedValues};
@@ -76,13 +77,28 @@ pub use reports::tolerance::{
 };
 pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
 pub use study_file::keys::{StudyKeys, UnknownKey};
-pub use study_file::map::{StudyMap, StudyMapQuestion};
-pub use study_file::mass::StudyMass;
-pub use study_file::safe_speed::StudySafeSpeed;
 pub use study_file::schema::{study_keys, study_schema};
 pub use study_file::starter::starting_study;
-pub use study_file::sweep::{StudyFigure, StudyTable, TableUnit};
+pub use study_file::tables::contact::{
+    BaseName, ConditionsTable, ContactTable, FrameName, PoseTable, QuestionTables,
+};
+pub use study_file::tables::damping::{DampingTable, LawName, SeparationName, Tools};
+#[cfg(feature = "flags")]
+pub use study_file::tables::headings;
+pub use study_file::tables::map::{MapTable, StudyMap, StudyMapQuestion};
+pub use study_file::tables::mass::{GivenTolerance, MassTable, StudyMass};
+pub use study_file::tables::model::{Acceptable, ModelTable};
+pub use study_file::tables::safe_speed::{SafeSpeedTable, StudySafeSpeed};
+pub use study_file::tables::sweep::{
+    AxisLimits, DecimalSign, StudyFigure, StudyTable, SweepTable, TableUnit,
+};
 pub use study_file::variant::Variant;
 pub use sweep::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
 pub use sweep::sweep_rows::{Sweep, sweep, sweep_report};
+#[cfg(feature = "flags")]
+pub use values::named::point_shift;
 pub use values::position::GivenPosition;
+pub use values::quantities::{
+    Area, Energy, Force, Length, LinkPoint, Mass, Momentum, Plain, Point, PositiveMass, Pressure, Ratio,
+    Speed, Stiffness, Time, Vector,
+};

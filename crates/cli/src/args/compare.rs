@@ -2,11 +2,10 @@
 
 use super::contact::ContactArgs;
 use super::format::MassFormat;
-use super::headings::{OUTPUT, POSE};
 use super::model::ReadingArgs;
-use super::{FigureArgs, TableArgs};
 use clap::Args;
-use percuss_study::Vary;
+use percuss_study::headings::{OUTPUT, POSE};
+use percuss_study::{StudyFigure, StudyTable, Vary};
 
 /// Flags of `percuss compare`.
 #[derive(Debug, Args)]
@@ -22,20 +21,20 @@ pub struct CompareArgs {
     /// Range in every model, as in sweep.
     ///
     /// JOINT=FROM:TO:COUNT or travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT. A study contains its own range.
-    #[arg(long, value_name = "JOINT=FROM:TO:COUNT", value_parser = Vary::parse, help_heading = POSE)]
+    #[arg(long, value_name = "JOINT=FROM:TO:COUNT", help_heading = POSE)]
     pub vary: Vec<Vary>,
     /// Figure or table of the results over the range.
     #[arg(long, short, value_name = "FILE.svg|.png|.pdf|.csv|.xlsx|.json", help_heading = OUTPUT)]
     pub output: Option<String>,
     #[command(flatten)]
-    pub table: TableArgs,
+    pub table: StudyTable,
     #[command(flatten)]
-    pub figure: FigureArgs,
+    pub figure: StudyFigure,
     #[command(flatten)]
     pub writing: super::WritingArgs,
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = MassFormat::Text, help_heading = OUTPUT)]
     pub format: MassFormat,
     #[command(flatten)]
-    pub contact: Option<ContactArgs>,
+    pub contact: ContactArgs,
 }

@@ -1,10 +1,11 @@
 //! Flags of `percuss import` and `percuss template`.
 
-use super::headings::OUTPUT;
-use super::value_parsers::{kilograms, metres, moments, point_shift};
+use super::value_parsers::{kilograms, metres, moments};
 use super::writing::WritingArgs;
 use clap::{Args, ValueEnum};
 use percuss_formats::DEFAULT_MAX_SIZE;
+use percuss_study::headings::OUTPUT;
+use percuss_study::{Point, point_shift};
 
 /// Side of the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -105,7 +106,7 @@ pub struct ImportArgs {
         allow_hyphen_values = true,
         help_heading = CAR
     )]
-    pub moves: Vec<(String, [f64; 3])>,
+    pub moves: Vec<(String, Point)>,
     /// Refuse files larger than this many bytes.
     #[arg(long, default_value_t = DEFAULT_MAX_SIZE, value_name = "BYTES", help_heading = FILE)]
     pub max_size: u64,

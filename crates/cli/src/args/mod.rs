@@ -4,40 +4,32 @@ mod compare;
 mod contact;
 mod damping;
 mod format;
-mod headings;
 mod help;
 mod import;
 mod map;
 mod model;
 #[cfg(test)]
 mod study_keys_tests;
-mod table;
 mod value_parsers;
 mod writing;
 
 pub use compare::CompareArgs;
 pub use contact::ContactArgs;
-pub use damping::{DampArgs, DampingArgs, SafeSpeedArgs};
+pub use damping::{DampArgs, SafeSpeedArgs};
 pub use format::{CheckFormat, MassFormat};
 pub use help::short_help::{requested_command, short_help};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
 pub use map::MapArgs;
 pub use model::ModelArgs;
-pub use table::{FigureArgs, TableArgs};
 pub use writing::WritingArgs;
 
 use crate::terminal::failure::Failure;
-use clap::builder::Resettable;
 use clap::{Args, CommandFactory, Parser, Subcommand};
-use headings::{ADDITIONAL, ANSWER, OUTPUT};
 use help::examples;
 use percuss_formats::DEFAULT_MAX_SIZE;
-use percuss_study::{PositionFile, RowSource, Sampling, Vary};
-pub use value_parsers::ToleranceArg;
-use value_parsers::{kilograms, tolerance_argument};
-
-/// Heading of the flags that select the rows of a sweep.
-const ROWS: &str = "Rows";
+use percuss_study::headings::{ANSWER, OUTPUT};
+use percuss_study::{DampingTable, MassTable, RowSource, StudyFigure, StudyTable, SweepTable};
+use std::path::Path;
 
 /// The effective mass of a mechanism at a contact.
 ///
@@ -54,25 +46,14 @@ pub struct Cli {
 }
 
 impl Cli {
-    /// Command line. The contact is optional in commands that also accept a mass or a list of studies.
+    /// Command line, without the flags of a contact that do not apply to a map.
     pub fn definition() -> clap::Command {
-        let optional = |argument: clap::Arg| match argument.get_id().as_str() {
-            "at" | "link" | "point" | "normal" => {
-                argument.required(false).required_unless_present(Resettable::Reset)
-            }
-            _ => argument,
-        };
         let hidden = |argument: clap::Arg| match argument.get_id().as_str() {
             "normal" | "along_line" | "turning_normal" | "normal_frame" | "estimate" => argument.hide(true),
             _ => argument,
         };
-        ["damp", "safe-speed", "compare"]
-            .into_iter()
-            // Fixed name: on Windows the file name has an extension.
-            .fold(Self::command().bin_name("percuss"), |cli, name| {
-                cli.mut_subcommand(name, |c| c.mut_args(optional))
-            })
-            .mut_subcommand("map", |c| c.mut_args(hidden))
+        // Fixed name: on Windows the file name has an extension.
+        Self::command().bin_name("percuss").mut_subcommand("map", |c| c.mut_args(hidden))
     }
 }
 
@@ -166,41 +147,13 @@ pub struct MassArgs {
     pub model: ModelArgs,
     #[command(flatten)]
     pub contact: ContactArgs,
-    /// Compare with this effective mass (kg); exit 1 if different.
-    #[arg(long, value_name = "KG", value_parser = kilograms, help_heading = ANSWER)]
-    pub expect: Option<f64>,
-    /// Tolerances: mass=2%,com=1mm,point=1mm,armature=10%.
-    ///
-    /// Tolerances of the model's data, and their effect on the effective mass: masses and armatures in percent,
-    /// centres of mass and hardpoints of a sheet as lengths. A single number is the relative tolerance of --expect
-    /// (default 1e-9).
-    #[arg(long, value_name = "PART=VALUE,…", value_parser = tolerance_argument, help_heading = ADDITIONAL)]
-    pub tolerance: Vec<ToleranceArg>,
-    /// Number of random designs within --tolerance, in addition to the first-order estimate.
-    #[arg(long, value_name = "COUNT", requires = "tolerance", help_heading = ADDITIONAL)]
-    pub samples: Option<usize>,
-    /// Random seed of --samples; default 0.
-    #[arg(long, value_name = "NUMBER", requires = "samples", help_heading = ADDITIONAL)]
-    pub seed: Option<u64>,
-    /// Show sensitivities, and the most effective changes.
-    ///
-    /// Derivatives of the effective mass with respect to each link's mass and centre of mass, each armature and each
-    /// hardpoint of a sheet, and the changes that reduce the effective mass most.
-    #[arg(long, help_heading = ADDITIONAL)]
-    pub explain: bool,
+    #[command(flatten)]
+    pub requests: MassTable,
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = MassFormat::Text, help_heading = ANSWER)]
     pub format: MassFormat,
     #[command(flatten)]
-    pub damping: DampingArgs,
-}
-
-impl MassArgs {
-    /// Options of the random designs; `None` without --samples.
-    pub fn sampling(&self) -> Option<Sampling> {
-        let seed = self.seed.unwrap_or_default();
-        self.samples.map(|count| Sampling { count, seed })
-    }
+    pub damping: DampingTable,
 }
 
 /// Flags of `percuss sweep`.
@@ -210,50 +163,12 @@ pub struct SweepArgs {
     pub model: ModelArgs,
     #[command(flatten)]
     pub contact: ContactArgs,
-    /// Range of a joint, or of the travel of a point.
-    ///
-    /// The varied quantity is a driving joint, or the travel of a point: travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT,
-    /// point in m in the link frame, direction in world axes. Several --vary make a grid of all combinations; the
-    /// first range varies slowest. A travel must be the last range.
-    #[arg(
-        long,
-        value_name = "JOINT=FROM:TO:COUNT",
-        value_parser = Vary::parse,
-        required_unless_present_any = ["input", "random", "wheel_travel", "heave", "roll"],
-        help_heading = ROWS
-    )]
-    pub vary: Vec<Vary>,
-    /// Positions from a file, row by row.
-    ///
-    /// The rows are followed as a path. Each joint has a column (JOINT[0], JOINT[1], … if the joint has several
-    /// numbers). A unit other than SI follows the name: "elbow [deg]". - reads the standard input.
-    #[arg(
-        long,
-        value_name = "FILE.csv|.parquet",
-        conflicts_with_all = ["vary", "random"],
-        help_heading = ROWS
-    )]
-    pub input: Option<String>,
-    /// Ignore a column of --input.
-    #[arg(long, value_name = "COLUMN", help_heading = ROWS)]
-    pub ignore: Vec<String>,
-    /// Number of random positions within joint limits.
-    ///
-    /// Joints given by --set keep their positions.
-    #[arg(long, value_name = "COUNT", conflicts_with = "vary", help_heading = ROWS)]
-    pub random: Option<usize>,
-    /// Random seed of --random; default 0. The numbers are the same on every machine.
-    #[arg(long, value_name = "NUMBER", help_heading = ROWS)]
-    pub seed: Option<u64>,
-    /// .csv .xlsx .parquet .json .jsonl .svg .png .pdf
-    ///
-    /// Output file; the extension selects the format. Default: CSV on the standard output.
-    #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
-    pub output: Option<String>,
     #[command(flatten)]
-    pub table: TableArgs,
+    pub sweep: SweepTable,
     #[command(flatten)]
-    pub figure: FigureArgs,
+    pub table: StudyTable,
+    #[command(flatten)]
+    pub figure: StudyFigure,
     #[command(flatten)]
     pub writing: WritingArgs,
     /// Number of threads; default: the number of processors. Results do not depend on it.
@@ -269,37 +184,18 @@ pub struct SweepArgs {
 impl SweepArgs {
     /// Source of the rows.
     pub fn source(&self) -> Result<RowSource, Failure> {
-        // clap does not check `requires` if another flag conflicts with the required one.
-        if self.input.is_none() && !self.ignore.is_empty() {
-            return Err(Failure::bad_input("--ignore removes columns of --input; give that file"));
+        if self.sweep.input.as_deref() == Some("-") && self.model.model == "-" {
+            return Err(Failure::bad_input(
+                "--input -: the model is already read from the standard input; give a file name for one of the two",
+            ));
         }
-        if self.random.is_none() && self.seed.is_some() {
-            return Err(Failure::bad_input("--seed requires --random COUNT"));
+        let (sweep, ranges) = (&self.sweep, self.contact.ranges()?);
+        if sweep.input.is_none() && sweep.random.is_none() && sweep.vary.is_empty() && ranges.is_empty() {
+            return Err(Failure::bad_input(
+                "no range is given: --vary JOINT=FROM:TO:COUNT, or a motion of the wheels such as --heave -80mm:80mm:33",
+            ));
         }
-        Ok(match (&self.input, self.random) {
-            (Some(path), _) => {
-                if path == "-" && self.model.model == "-" {
-                    return Err(Failure::bad_input(
-                        "--input -: the model is already read from the standard input; give a file name for one of the two",
-                    ));
-                }
-                let (ignore, max_size) = (self.ignore.clone(), self.model.reading.max_size);
-                RowSource::File(PositionFile { path: path.clone(), ignore, max_size })
-            }
-            (None, Some(count)) => RowSource::Random { count, seed: self.seed.unwrap_or_default() },
-            (None, None) => {
-                // A travel is the last range.
-                let mut ranges = self.vary.clone();
-                ranges.extend(self.contact.ranges()?);
-                if ranges.is_empty() {
-                    return Err(Failure::bad_input(
-                        "no range is given: --vary JOINT=FROM:TO:COUNT, or a motion of the wheels such as --heave \
-                         -80mm:80mm:33",
-                    ));
-                }
-                RowSource::Grid(ranges)
-            }
-        })
+        Ok(sweep.source(ranges, Path::new(""), self.model.reading.max_size)?)
     }
 }
 

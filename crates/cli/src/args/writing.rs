@@ -1,7 +1,7 @@
 //! Flags of the writing of files.
 
-use super::headings::OUTPUT;
 use clap::Args;
+use percuss_study::headings::OUTPUT;
 
 /// Flags of the writing of files.
 #[derive(Debug, Args)]

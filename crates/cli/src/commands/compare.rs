@@ -1,6 +1,6 @@
 //! Command `percuss compare`, and the variants of a study.
 
-use crate::args::{CompareArgs, ContactArgs, MassFormat};
+use crate::args::{CompareArgs, MassFormat};
 use crate::files::csv::{self, Cell};
 use crate::files::output::{record_input, write_file};
 use crate::files::table_style::{ColumnUnit, TableStyle};
@@ -11,8 +11,8 @@ use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::wrap_message;
 use percuss_render::{Figure, Panel, Series, Style};
 use percuss_study::{
-    CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Dimension, Names, RowSource,
-    StudyFigure, StudyFile, compare,
+    AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Dimension, Names,
+    RowSource, StudyFigure, StudyFile, compare,
 };
 use std::fmt::Write as _;
 use std::path::Path;
@@ -36,8 +36,8 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
     let names = if studies[0] { Names::Keys } else { Names::Flags };
     let output = ComparisonOutput {
         output: args.output.as_deref(),
-        table: args.table.style(),
-        figure: &args.figure.figure(),
+        table: TableStyle::from_study(&args.table),
+        figure: &args.figure,
         format: args.format,
         strict: args.reading.strict,
     };
@@ -46,9 +46,7 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
 
 /// Designs of studies, with their variants.
 fn designs_of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
-    if args.contact.as_ref().is_some_and(|contact| contact.link.is_some() || contact.at.is_some())
-        || !args.vary.is_empty()
-    {
+    if args.contact.contact.link.is_some() || args.contact.contact.at.is_some() || !args.vary.is_empty() {
         return Err(Failure::bad_input(
             "--link, --point, --vary and similar flags apply to models and sheets; a study contains its own \
              contact and range",
@@ -76,9 +74,8 @@ fn designs_of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
 
 /// Designs of models with the contact given by flags.
 fn designs_of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
-    let contact = ContactArgs::require(args.contact.as_ref())?;
-    let (question, mut ranges) = (contact.question_of_rows()?, args.vary.clone());
-    ranges.extend(contact.ranges()?);
+    let (question, mut ranges) = (args.contact.question_of_rows()?, args.vary.clone());
+    ranges.extend(args.contact.ranges()?);
     let rows = (!ranges.is_empty()).then_some(RowSource::Grid(ranges));
     let design = |(path, name): (&String, String)| {
         let (question, rows) = (question.clone(), rows.clone());
@@ -292,11 +289,15 @@ pub fn figure(report: &ComparisonReport, requested: &StudyFigure) -> Result<Figu
     let first = report.designs.first().map_or("", |design| &design.name);
     Ok(Figure {
         title: requested.title.clone().unwrap_or_else(|| "Effective mass of designs".into()),
-        x_limits: requested.x_limits,
+        x_limits: requested.x_limits.map(AxisLimits::ends),
         subtitle: report.designs.iter().map(|d| d.name.clone()).collect::<Vec<_>>().join(", "),
         x_label: format!("{} ({unit})", varied.name),
         panels: vec![
-            Panel { y_label: "m̄ (kg)".into(), series: masses, y_limits: requested.y_limits },
+            Panel {
+                y_label: "m̄ (kg)".into(),
+                series: masses,
+                y_limits: requested.y_limits.map(AxisLimits::ends),
+            },
             Panel {
                 y_label: format!("difference from {first} (%)"),
                 series: differences,

@@ -1,6 +1,6 @@
 //! `percuss damp`, and the damper in the output of an effective mass.
 
-use crate::args::{CheckFormat, ContactArgs, DampArgs};
+use crate::args::{CheckFormat, DampArgs};
 use crate::files::output::{record_input, write_file};
 use crate::terminal::escape;
 use crate::terminal::explanation::named_contact;
@@ -13,8 +13,8 @@ use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
 use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
 use percuss_study::contact::{Law, Sample};
 use percuss_study::{
-    DampingQuestion, DampingReport, ExportRecord, MassQuestion, StudyDamping, StudyFile, damp, damp_contact,
-    damp_stop, impact_history,
+    DampingQuestion, DampingReport, ExportRecord, StudyDamping, StudyFile, damp, damp_contact, damp_stop,
+    impact_history,
 };
 use std::fmt::Write;
 use std::path::Path;
@@ -39,22 +39,21 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     if args.limit.is_none() {
         args.damping.check_units(&question, false)?;
     }
-    let report = match (args.mass, &args.mass_from, &args.contact) {
-        (Some(mass), None, None) => damp(&question, mass)?,
-        (None, Some(path), contact) => match &args.limit {
+    let contact = &args.contact;
+    let report = match (args.mass, &args.mass_from) {
+        (Some(mass), None) if !contact.is_given() => damp(&question, mass.0)?,
+        (None, Some(path)) => match &args.limit {
             Some(stop) => {
                 let model = args.reading.load(path)?;
                 args.damping.check_units(&question, stop.motion(&model)? == StopMotion::Turn)?;
-                let conditions = contact.as_ref().map(ContactArgs::conditions).transpose()?;
-                let conditions = conditions.unwrap_or_else(MassQuestion::without_contact);
-                damp_stop(&model, stop, conditions, &question)?
+                damp_stop(&model, stop, contact.conditions()?, &question)?
             }
             None => {
-                let contact = ContactArgs::require(contact.as_ref())?;
-                damp_contact(&args.reading.load(path)?, &contact.question()?, &question)?
+                let of_contact = contact.question()?;
+                damp_contact(&args.reading.load(path)?, &of_contact, &question)?
             }
         },
-        (Some(_), ..) => {
+        (Some(_), _) => {
             return Err(Failure::bad_input(
                 "--link, --point and similar flags require --mass-from MODEL; they do not apply to --mass",
             ));

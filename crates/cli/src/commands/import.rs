@@ -42,7 +42,7 @@ fn options(args: &ImportArgs) -> ImportOptions {
         unit: args.unit.map(unit),
         axes: args.axes.map(axes),
         template: args.template.clone(),
-        moves: args.moves.clone(),
+        moves: args.moves.iter().map(|(name, shift)| (name.clone(), shift.0)).collect(),
         side: args.side.map(|side| match side {
             SideArg::Left => Side::Left,
             SideArg::Right => Side::Right,

@@ -18,16 +18,13 @@ use std::fmt::Write;
 
 /// Runs the command.
 pub fn run(args: &MapArgs) -> Result<(), Failure> {
-    args.check()?;
-    let (formats, strict) = (formats(&args.output)?, args.model.reading.strict);
+    let map = args.map()?;
+    let (formats, strict) = (formats(&map.outputs)?, args.model.reading.strict);
     use_threads(args.threads);
     args.writing.apply();
     let model = args.model.load()?;
-    let question = match args.directions {
-        Some(count) => StudyMapQuestion::Directions(args.contact.conditions()?, count),
-        None => StudyMapQuestion::Surfaces(args.question()?),
-    };
-    show(&model, &question, &MapOutput { formats, table: args.table.style(), format: args.format, strict })
+    let table = TableStyle::from_study(&map.table);
+    show(&model, &map.question, &MapOutput { formats, table, format: args.format, strict })
 }
 
 /// Output options of a map.

@@ -1,6 +1,6 @@
 //! Command `percuss mass`.
 
-use crate::args::{MassArgs, MassFormat, ToleranceArg};
+use crate::args::{MassArgs, MassFormat};
 use crate::commands::contact_list;
 use crate::files::csv;
 use crate::terminal::escape::line;
@@ -19,14 +19,13 @@ use std::fmt::Write;
 /// Runs the command.
 pub fn run(args: &MassArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
-    let (of_expected, of_parts) = tolerances(args)?;
-    let expected = args.expect.map(|mass| Expected { mass, tolerance: of_expected });
+    let requests = args.requests.options()?;
     let damping = args.damping.question()?;
     if let Some(question) = &damping {
         args.damping.check_units(question, false)?;
     }
-    if args.contact.at.as_deref() == Some(ALL_CONTACTS) && model.mechanism.find_contact(ALL_CONTACTS).is_err()
-    {
+    let is_list = args.contact.contact.at.as_deref() == Some(ALL_CONTACTS);
+    if is_list && model.mechanism.find_contact(ALL_CONTACTS).is_err() {
         return show_all_contacts(args, &model, damping.as_ref());
     }
     show(
@@ -34,7 +33,7 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
         &args.contact.question()?,
         damping.as_ref(),
         args.format,
-        &MassRequests { expected, explain: args.explain, tolerance: of_parts, sampling: args.sampling() },
+        &MassRequests::from_study(&requests),
         args.model.reading.strict,
     )
 }
@@ -49,9 +48,9 @@ fn show_all_contacts(
     damping: Option<&DampingQuestion>,
 ) -> Result<(), Failure> {
     let single = [
-        ("--expect", args.expect.is_some()),
-        ("--explain", args.explain),
-        ("--tolerance", !args.tolerance.is_empty()),
+        ("--expect", args.requests.expect.is_some()),
+        ("--explain", args.requests.explain),
+        ("--tolerance", !args.requests.tolerance.is_empty()),
     ];
     if let Some((flag, _)) = single.into_iter().find(|(_, is_given)| *is_given) {
         return Err(Failure::bad_input(format!("{flag}: it is about one contact; give its name by --at")));
@@ -96,34 +95,6 @@ impl MassRequests {
     pub fn check_expected(&self, report: &MassReport) -> Result<(), Failure> {
         self.expected.map_or(Ok(()), |e| compare(report, e.mass, e.tolerance))
     }
-}
-
-/// Tolerance of --expect, and tolerances of the model's parts.
-fn tolerances(args: &MassArgs) -> Result<(f64, Option<Tolerance>), Failure> {
-    let (mut of_expected, mut of_parts) = (None, None);
-    for given in &args.tolerance {
-        let twice = match given {
-            ToleranceArg::OfExpected(relative) => of_expected.replace(*relative).is_some(),
-            ToleranceArg::OfParts(parts) => of_parts.replace(*parts).is_some(),
-        };
-        if twice {
-            return Err(Failure::bad_input(
-                "--tolerance: given twice for the same quantity; write mass=2%,point=0.5mm as one",
-            ));
-        }
-    }
-    if of_expected.is_some() && args.expect.is_none() {
-        return Err(Failure::bad_input(
-            "--tolerance: a single number requires --expect; write tolerances of the model's data as \
-             mass=2%,point=0.5mm",
-        ));
-    }
-    if args.samples.is_some() && of_parts.is_none() {
-        return Err(Failure::bad_input(
-            "--samples: sampling requires tolerances; give --tolerance mass=2%,point=0.5mm",
-        ));
-    }
-    Ok((of_expected.unwrap_or(limits::DEFAULT_TOLERANCE), of_parts))
 }
 
 /// Expected value, with its relative tolerance.

@@ -1,16 +1,14 @@
 //! Command `percuss safe-speed`.
 
-use crate::args::{CheckFormat, ContactArgs, SafeSpeedArgs};
+use crate::args::{CheckFormat, SafeSpeedArgs};
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, triple};
 use crate::terminal::wrap;
 use percuss_study::contact::BodyRegion;
-use percuss_study::{
-    Limit, PositionFile, RowSource, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, StatedLimits,
-    StudySafeSpeed,
-};
+use percuss_study::{SafeSpeedReport, SpeedRecord};
+use std::path::Path;
 
 /// Runs the command.
 pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
@@ -22,25 +20,17 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
             "a model and --region, the region of the body that the robot hits, are required",
         ));
     };
-    let limit = limit_from_flags(args)?;
-    let model = args.reading.load(path)?;
-    let requested = SafeSpeedQuestion { region: args.region.clone(), limit, load: args.load };
-    let contact = if args.direction.is_empty() && !args.worst_direction {
-        ContactArgs::require(args.contact.as_ref())?.question()?
-    } else {
-        let contact =
-            args.contact.as_ref().filter(|contact| contact.link.is_some() && contact.point.is_some());
-        let contact = contact.ok_or_else(|| {
-            Failure::bad_input("--direction: --link LINK and --point X,Y,Z are required too")
-        })?;
+    let (safe_speed, contact) = (&args.safe_speed, &args.contact);
+    let question = if safe_speed.has_directions() {
+        if contact.contact.link.is_none() || contact.contact.point.is_none() {
+            return Err(Failure::bad_input("--direction: --link LINK and --point X,Y,Z are required too"));
+        }
         contact.conditions()?
+    } else {
+        contact.question()?
     };
-    let rows = args.input.as_ref().map(|path| {
-        let (ignore, max_size) = (args.ignore.clone(), args.reading.max_size);
-        RowSource::File(PositionFile { path: path.clone(), ignore, max_size })
-    });
-    let (directions, worst_direction) = (args.direction.clone(), args.worst_direction);
-    let study = StudySafeSpeed { contact, limit_question: requested, directions, worst_direction, rows };
+    let study = safe_speed.safe_speed(&question, Path::new(""), args.reading.max_size)?;
+    let model = args.reading.load(path)?;
     show(&study.reports(&model)?, args.format, args.reading.strict)
 }
 
@@ -64,18 +54,6 @@ pub fn show(reports: &[SafeSpeedReport], format: CheckFormat, strict: bool) -> R
         CheckFormat::Json => write_json(slowest),
         CheckFormat::Text => write_out(&(text(slowest) + &directions(reports) + DISCLAIMER)),
     }
-}
-
-/// The one limit given by the flags. Error: none, or several.
-fn limit_from_flags(args: &SafeSpeedArgs) -> Result<Limit, Failure> {
-    let SafeSpeedArgs { force, pressure, area, energy, momentum, .. } = *args;
-    // The argument parser already refuses several limits.
-    StatedLimits { force, pressure, area, energy, momentum }.one().map_err(|_| {
-        Failure::bad_input(
-            "one limit is required: either --force N or --pressure N/cm² with --area cm² of the region, --energy J, or \
-             --momentum N·s, from the edition of the standard that applies to you",
-        )
-    })
 }
 
 pub const DISCLAIMER: &str = "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of\n\

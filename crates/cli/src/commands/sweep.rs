@@ -23,9 +23,9 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
         &args.contact.question_of_rows()?,
         &args.source()?,
         &SweepOutput {
-            output: args.output.as_deref(),
-            table: args.table.style(),
-            figure: &args.figure.figure(),
+            output: args.sweep.output.as_deref(),
+            table: TableStyle::from_study(&args.table),
+            figure: &args.figure,
             strict: args.model.reading.strict,
         },
     )

@@ -1,6 +1,6 @@
 //! Units of a table, and number of significant digits.
 
-use percuss_study::{Dimension, StudyTable, TableUnit};
+use percuss_study::{DecimalSign, Dimension, StudyTable, TableUnit};
 
 /// Unit of lengths in a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -44,7 +44,7 @@ const ZERO_POSITION: f64 = 1e-14;
 impl TableStyle {
     /// Creates the style of a study; for two units of one kind, the last counts.
     pub fn from_study(table: &StudyTable) -> Self {
-        let mut style = Self { comma: table.comma, ..Self::default() };
+        let mut style = Self { comma: table.decimal == DecimalSign::Comma, ..Self::default() };
         for unit in &table.units {
             style.names_units = true;
             match unit {

@@ -4,7 +4,9 @@ use crate::terminal::failure::Failure;
 use crate::terminal::text::short_number;
 use indicatif::ProgressBar;
 use percuss_render::{Figure, Mark, Panel, Series, Style};
-use percuss_study::{Continuation, Dimension, MassQuestion, StudyFigure, Sweep, SweepEnd, VariedColumn};
+use percuss_study::{
+    AxisLimits, Continuation, Dimension, MassQuestion, StudyFigure, Sweep, SweepEnd, VariedColumn,
+};
 use std::ops::ControlFlow;
 
 /// Points of a curve: the varied number in the unit of the axis, and the value if any.
@@ -102,7 +104,11 @@ pub fn sweep_figure(
     if alone && is_drawn(&estimates) {
         first.push(series(&estimate_name(question), Style::Dashed, estimates));
     }
-    let mut panels = vec![Panel { y_label: "m̄ (kg)".into(), series: first, y_limits: requested.y_limits }];
+    let mut panels = vec![Panel {
+        y_label: "m̄ (kg)".into(),
+        series: first,
+        y_limits: requested.y_limits.map(AxisLimits::ends),
+    }];
     if alone && is_drawn(&ratios) {
         let of = if question.estimate.is_some() { "A over contact" } else { "travel over contact" };
         let ratio = series(of, Style::Line, ratios);
@@ -114,7 +120,7 @@ pub fn sweep_figure(
     }
     let figure = Figure {
         title: requested.title.clone().unwrap_or_else(|| format!("Effective mass at {}", heading.link)),
-        x_limits: requested.x_limits,
+        x_limits: requested.x_limits.map(AxisLimits::ends),
         subtitle: heading.inputs.first().map_or_else(String::new, |input| input.path.clone()),
         x_label: if unit.is_empty() { varied.name.clone() } else { format!("{} ({unit})", varied.name) },
         panels,

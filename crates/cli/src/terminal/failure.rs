@@ -7,7 +7,9 @@ use percuss_formats::LoadError;
 use percuss_render::RenderError;
 use percuss_study::contact::ContactLawError;
 use percuss_study::contact::exports::ExportError;
-use percuss_study::{DesignError, DiagnosticRecord, Names, StudyError, StudyFileError, StudyKeys};
+use percuss_study::{
+    DesignError, DiagnosticRecord, InvalidKey, Names, StudyError, StudyFileError, StudyKeys,
+};
 use std::io::{self, Write};
 
 /// Failure of a command.
@@ -82,6 +84,12 @@ impl Failure {
             let _ = writeln!(stderr, "{}", wrap::wrap_message(&escape::line(&line)));
         }
         code
+    }
+}
+
+impl From<InvalidKey> for Failure {
+    fn from(error: InvalidKey) -> Self {
+        Failure::bad_input(error.message(Names::Flags))
     }
 }
 

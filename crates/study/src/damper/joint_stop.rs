@@ -10,6 +10,7 @@ use percuss_contact::exports::StopMotion;
 use percuss_dynamics::Frame;
 use percuss_mechanism::{Joint, JointKind};
 use serde::Serialize;
+use std::str::FromStr;
 
 /// End of the range of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -41,12 +42,10 @@ pub struct StopRecord {
     pub motion: StopMotion,
 }
 
-impl JointStop {
+impl FromStr for JointStop {
+    type Err = String;
     /// Reads `JOINT`, `JOINT:lower` or `JOINT:upper`.
-    ///
-    /// # Errors
-    /// Message with the expected form.
-    pub fn parse(text: &str) -> Result<Self, String> {
+    fn from_str(text: &str) -> Result<Self, String> {
         let (joint, end) = match text.rsplit_once(':') {
             Some((joint, "lower")) => (joint, Some(StopEnd::Lower)),
             Some((joint, "upper")) => (joint, Some(StopEnd::Upper)),
@@ -57,7 +56,9 @@ impl JointStop {
             _ => Ok(JointStop { joint: joint.to_owned(), end }),
         }
     }
+}
 
+impl JointStop {
     /// Motion of the joint into the stop.
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 use crate::question::moved::{Moved, WheelMotion};
 use crate::question::vary::{Varied, Vary, split};
 use percuss_units::{Dimension, Quantity, QuantityError, parse_triple};
+use std::str::FromStr;
 
 /// Requested displacement of a point along a direction, or of the wheels, measured from the position at the set joint
 /// positions. A sweep over a travel varies the same quantity.
@@ -27,6 +28,13 @@ pub enum GivenTravelError {
     /// Invalid point, direction or distance.
     #[error(transparent)]
     Number(#[from] QuantityError),
+}
+
+impl FromStr for GivenTravel {
+    type Err = GivenTravelError;
+    fn from_str(text: &str) -> Result<Self, GivenTravelError> {
+        Self::parse(text)
+    }
 }
 
 impl GivenTravel {

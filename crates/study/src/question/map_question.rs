@@ -2,6 +2,8 @@
 
 use crate::question::mass_question::MassQuestion;
 use percuss_formats::DEFAULT_MAX_MESH_SIZE;
+use schemars::JsonSchema;
+use serde::Deserialize;
 use std::path::PathBuf;
 
 /// Selection of links.
@@ -14,9 +16,11 @@ pub enum MapLinks {
 }
 
 /// Selection of the shapes that form the surface of a link.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
 pub enum MapShapes {
-    /// `<collision>`; `<visual>` for links without collision shapes.
+    /// `<collision>`; `<visual>` for links without `<collision>`.
     #[default]
     Auto,
     /// `<collision>`.

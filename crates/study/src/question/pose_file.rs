@@ -101,7 +101,7 @@ const MAX_LISTED_JOINTS: usize = 6;
 #[derive(Deserialize)]
 struct ReportText {
     #[serde(deserialize_with = "value::positions")]
-    pose: BTreeMap<String, GivenPosition>,
+    pose: Vec<(String, GivenPosition)>,
     #[serde(default)]
     inputs: Vec<InputRecordText>,
 }
@@ -113,7 +113,7 @@ struct InputRecordText {
 }
 
 #[derive(Deserialize)]
-struct JointPositionsText(#[serde(deserialize_with = "value::positions")] BTreeMap<String, GivenPosition>);
+struct JointPositionsText(#[serde(deserialize_with = "value::positions")] Vec<(String, GivenPosition)>);
 
 /// Check that no JSON object repeats a key. The parser would keep the last value of a repeated key without a message.
 struct UniqueKeys;
@@ -217,6 +217,7 @@ impl GivenPose {
             return Err(none("it names no joint"));
         }
         let sha256 = hexadecimal(&Sha256::digest(&source.bytes));
+        let positions = positions.into_iter().collect();
         Ok(Self { input: Input { path, sha256 }, positions, source_model: of_model })
     }
 

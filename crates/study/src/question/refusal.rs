@@ -1,15 +1,46 @@
-//! Invalid values of a study file.
+//! Invalid value of a table of a question.
 
-/// Invalid value of a study file: key and reason.
-#[derive(Debug)]
-pub(crate) struct InvalidKey {
+use crate::question::field::Names;
+
+/// Invalid value of a table: key and reason.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{}", self.message(Names::Fields))]
+pub struct InvalidKey {
+    /// Key with the name of its table, such as `damping.law`, or the name of the table.
     pub key: &'static str,
+    /// Reason and remedy; names of other keys of the table are in backquotes.
     pub reason: String,
 }
 
 impl InvalidKey {
     /// Refusal of a key with its reason.
-    pub fn new(key: &'static str, why: impl Into<String>) -> Self {
+    pub(crate) fn new(key: &'static str, why: impl Into<String>) -> Self {
         Self { key, reason: why.into() }
     }
+
+    /// Reason with the names of flags, or with the names of keys.
+    pub fn reason(&self, names: Names) -> String {
+        let name = |(i, part): (usize, &str)| match names {
+            Names::Flags if i % 2 == 1 => flag(part),
+            _ => part.to_owned(),
+        };
+        self.reason.split('`').enumerate().map(name).collect()
+    }
+
+    /// Message with the name of the flag, the key or the field.
+    pub fn message(&self, names: Names) -> String {
+        let reason = self.reason(names);
+        match (names, self.key.rsplit_once('.')) {
+            (Names::Keys, _) => format!("{}: {reason}", self.key),
+            (Names::Flags, Some((_, "file"))) => format!("--pose: {reason}"),
+            (Names::Flags, Some((_, key))) => format!("{}: {reason}", flag(key)),
+            (Names::Fields, Some((_, key))) => format!("{key}: {reason}"),
+            (Names::Flags | Names::Fields, None) => reason,
+        }
+    }
+}
+
+/// Flag of a key.
+fn flag(key: &str) -> String {
+    format!("--{}", key.replace('_', "-"))
 }

@@ -3,6 +3,7 @@
 use crate::question::moved::{Moved, WheelMotion};
 use crate::thresholds::ROWS;
 use percuss_units::{Dimension, Quantity, QuantityError, parse_triple};
+use std::str::FromStr;
 
 /// Varied quantity.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +52,13 @@ pub enum VaryError {
     /// Invalid end of the range, point or direction.
     #[error(transparent)]
     Number(#[from] QuantityError),
+}
+
+impl FromStr for Vary {
+    type Err = VaryError;
+    fn from_str(text: &str) -> Result<Self, VaryError> {
+        Self::parse(text)
+    }
 }
 
 impl Vary {

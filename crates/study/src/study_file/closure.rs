@@ -1,8 +1,7 @@
 //! A closure in a study file.
 
 use crate::question::refusal::InvalidKey;
-use crate::values::value::{self, NumberOrText, Triple};
-use nalgebra::Vector3;
+use crate::values::quantities::{Angles, Length, Point, Vector};
 use percuss_mechanism::{ClosureDescription, ClosureKind};
 use percuss_spatial::{Transform, rotation_from_rpy};
 use schemars::JsonSchema;
@@ -20,35 +19,25 @@ pub(crate) struct ClosureText {
     /// The first link.
     pub predecessor: String,
     /// Origin of the loop's frame in the first link, m.
-    #[serde(default, deserialize_with = "value::lengths")]
-    #[schemars(with = "Option<Triple>")]
-    pub predecessor_xyz: [f64; 3],
+    #[serde(default)]
+    pub predecessor_xyz: Point,
     /// Axes of the loop's frame: roll, pitch, yaw, rad.
-    #[serde(default, deserialize_with = "value::angles")]
-    #[schemars(with = "Option<Triple>")]
-    pub predecessor_rpy: [f64; 3],
+    #[serde(default)]
+    pub predecessor_rpy: Angles,
     /// The second link.
     pub successor: String,
     /// Origin of the loop's frame in the second link, m.
-    #[serde(default, deserialize_with = "value::lengths")]
-    #[schemars(with = "Option<Triple>")]
-    pub successor_xyz: [f64; 3],
+    #[serde(default)]
+    pub successor_xyz: Point,
     /// Axes of the loop's frame: roll, pitch, yaw, rad.
-    #[serde(default, deserialize_with = "value::angles")]
-    #[schemars(with = "Option<Triple>")]
-    pub successor_rpy: [f64; 3],
+    #[serde(default)]
+    pub successor_rpy: Angles,
     /// The axis, in the first frame.
-    #[serde(default, deserialize_with = "value::plain")]
-    #[schemars(with = "Option<Triple>")]
-    pub axis: Option<[f64; 3]>,
+    pub axis: Option<Vector>,
     /// The second axis of a universal loop, in the second frame.
-    #[serde(default, deserialize_with = "value::plain")]
-    #[schemars(with = "Option<Triple>")]
-    pub axis2: Option<[f64; 3]>,
+    pub axis2: Option<Vector>,
     /// The distance of a rod, m; default: the distance with all joints at 0.
-    #[serde(default, deserialize_with = "value::length")]
-    #[schemars(with = "Option<NumberOrText>")]
-    pub distance: Option<f64>,
+    pub distance: Option<Length>,
 }
 
 /// Names of the kinds of loops.
@@ -67,13 +56,13 @@ impl ClosureText {
                 format!("\"{}\"; known are {}", self.kind, known.join(", ")),
             ));
         };
-        let frame = |xyz: [f64; 3], rpy| Transform::new(rotation_from_rpy(rpy), xyz.into());
+        let frame = |xyz: Point, rpy: Angles| Transform::new(rotation_from_rpy(rpy.0), xyz.0.into());
         let mut closure = ClosureDescription::new(&self.name, kind, &self.predecessor, &self.successor);
         closure.predecessor_frame = frame(self.predecessor_xyz, self.predecessor_rpy);
         closure.successor_frame = frame(self.successor_xyz, self.successor_rpy);
-        closure.axis = self.axis.map_or(closure.axis, Vector3::from);
-        closure.axis2 = self.axis2.map_or(closure.axis2, Vector3::from);
-        closure.distance = self.distance;
+        closure.axis = self.axis.map_or(closure.axis, |axis| axis.0.into());
+        closure.axis2 = self.axis2.map_or(closure.axis2, |axis| axis.0.into());
+        closure.distance = self.distance.map(|length| length.0);
         Ok(closure)
     }
 }

@@ -7,7 +7,7 @@ use crate::damper::joint_stop::JointStop;
 use crate::model::loading::{Input, Model, Origin};
 use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::is_study;
-use crate::question::damping_question::{DampingQuestion, check_units};
+use crate::question::damping_question::DampingQuestion;
 use crate::question::error::StudyError;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
@@ -16,19 +16,20 @@ use crate::question::row_source::RowSource;
 use crate::reports::compare::Design;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::keys::{StudyKeys, UnknownKey};
-use crate::study_file::map::StudyMap;
-use crate::study_file::mass::StudyMass;
-use crate::study_file::safe_speed::StudySafeSpeed;
-use crate::study_file::sweep::{StudyFigure, StudyTable};
-use crate::study_file::text::{ModelText, StudyText};
-use crate::study_file::variant::{Variant, VariantModels, changes};
+use crate::study_file::tables::damping::DampingTable;
+use crate::study_file::tables::map::StudyMap;
+use crate::study_file::tables::mass::StudyMass;
+use crate::study_file::tables::safe_speed::StudySafeSpeed;
+use crate::study_file::tables::sweep::{StudyFigure, StudyTable};
+use crate::study_file::text::StudyText;
+use crate::study_file::variant::{Variant, VariantModels};
 use crate::thresholds::{
     LARGEST_STUDY, LARGEST_VARIANTS, LONGEST_LINE_SHOWN, MOST_VARIANT_LINKS, MOST_VARIANTS,
 };
 use crate::values::message_text::truncate_for_message;
 use percuss_contact::exports::StopMotion;
 use percuss_formats::{LoadError, LoadOptions, Source};
-use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind, Subject};
+use percuss_mechanism::{BuildError, ClosureDescription, ClosureKind, Subject};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -225,7 +226,7 @@ struct StudyReader<'a> {
 impl StudyReader<'_> {
     /// Error of the study file for an invalid key.
     fn invalid_key_error(&self, refusal: InvalidKey) -> StudyFileError {
-        self.value(refusal.key, refusal.key, refusal.reason)
+        self.value(refusal.key, refusal.key, refusal.reason(Names::Keys))
     }
 
     /// Error of an invalid value; `place`: path of the key that gives the line.
@@ -259,19 +260,10 @@ impl StudyReader<'_> {
         let max_size = self.max_size;
         let folder = Path::new(self.path).parent().unwrap_or(Path::new(""));
         let refused = |refusal| self.invalid_key_error(refusal);
-        let mut accept = Accept::default();
-        for word in &study.model.accept {
-            match word.as_str() {
-                "indefinite-inertia" => accept.indefinite_inertia = true,
-                "implausible-inertia" => accept.implausible_inertia = true,
-                _ => {
-                    let why =
-                        format!("\"{word}\"; known are \"indefinite-inertia\" and \"implausible-inertia\"");
-                    return Err(self.value("model.accept", "model.accept", why));
-                }
-            }
+        if let Some(missing) = study.damping.as_ref().and_then(DampingTable::missing) {
+            return Err(self.value("damping", "damping", format!("{missing} is missing")));
         }
-        let options = LoadOptions { accept };
+        let options = LoadOptions { accept: study.model.accepted() };
         let model = self.model(study, source, folder, &options)?;
         let question = study.question(folder, max_size).map_err(refused)?;
         let variants = self.variants(study, &model, &question, folder, &options)?;
@@ -279,9 +271,9 @@ impl StudyReader<'_> {
         let sweep = match &study.sweep {
             None => None,
             Some(text) => Some(StudySweep {
-                rows: text.source(folder, max_size).map_err(refused)?,
+                rows: text.source(Vec::new(), folder, max_size).map_err(refused)?,
                 output: text.output.as_ref().map(place),
-                table: text.table().map_err(refused)?,
+                table: text.table(),
                 figure: text.figure(),
             }),
         };
@@ -402,10 +394,7 @@ impl StudyReader<'_> {
         let model_path = folder.join(&study.model.path);
         let mut model = Model::load(&model_path.to_string_lossy(), self.max_size, options)?;
         model.inputs.push(Input::from_source(source));
-        let ModelText { link_mass, link_com, moves, .. } = &study.model;
-        model = model
-            .with_changes(&changes(link_mass, link_com, moves))
-            .map_err(|error| self.design(None, error))?;
+        model = model.with_changes(&study.model.changes()).map_err(|error| self.design(None, error))?;
         if study.closure.is_empty() {
             return Ok(model);
         }
@@ -426,11 +415,11 @@ impl StudyReader<'_> {
     ) -> Result<Option<StudyDamping>, StudyFileError> {
         let Some(text) = &study.damping else { return Ok(None) };
         let question = text.question().map_err(|refusal| self.invalid_key_error(refusal))?;
-        let stop = text.stop().map_err(|refusal| self.invalid_key_error(refusal))?;
+        let Some(question) = question else { return Ok(None) };
+        let stop = text.limit.clone();
         let motion = stop.as_ref().map(|stop| stop.motion(model)).transpose();
         let turns = motion.map_err(|error| self.study_error(&error))? == Some(StopMotion::Turn);
-        check_units(&question, text.stiffness, text.speed, turns)
-            .map_err(|error| self.study_error(&error))?;
+        text.check_units(&question, turns).map_err(|error| self.study_error(&error))?;
         Ok(Some(StudyDamping {
             question,
             stop: stop.map(|stop| (stop, conditions.clone())),

@@ -51,7 +51,14 @@ pub(crate) fn properties(schema: &Value) -> Option<&Map<String, Value>> {
     schema.get("properties").and_then(Value::as_object)
 }
 
-/// Removes null, which TOML lacks: an optional key is simply absent.
+/// True for null, an empty list or an empty table.
+fn is_empty(value: &Value) -> bool {
+    value.is_null()
+        || value.as_array().is_some_and(Vec::is_empty)
+        || value.as_object().is_some_and(Map::is_empty)
+}
+
+/// Removes null, which TOML lacks: an optional key is simply absent. Empty defaults say no more.
 fn remove_null(schema: &mut Value) {
     let is_null = |value: &Value| value.get("type").is_some_and(|t| t == "null") || value == "null";
     match schema {
@@ -70,7 +77,7 @@ fn remove_null(schema: &mut Value) {
                     }
                 }
             }
-            map.retain(|key, value| !(key == "default" && value.is_null()));
+            map.retain(|key, value| key != "default" || !is_empty(value));
             map.values_mut().for_each(remove_null);
         }
         Value::Array(list) => list.iter_mut().for_each(remove_null),

@@ -4,8 +4,10 @@ use crate::checks::design_variant::DesignError;
 use crate::model::changes::Changes;
 use crate::model::loading::{Input, Model};
 use crate::question::mass_question::MassQuestion;
+use crate::study_file::tables::model::{masses, points};
 use crate::values::position::GivenPosition;
-use crate::values::value::{self, NumberOrText, OneOrMany, PositionText, Triple};
+use crate::values::quantities::{Mass, Point};
+use crate::values::value::{self, OneOrMany, PositionText};
 use percuss_formats::{LoadError, LoadOptions};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -21,25 +23,25 @@ pub(crate) struct VariantText {
     /// File of another model in place of the study's model.
     pub model: Option<String>,
     /// Masses by link, kg, in place of those in [model].
-    #[serde(default, deserialize_with = "value::masses")]
-    #[schemars(with = "BTreeMap<String, NumberOrText>")]
-    pub link_mass: BTreeMap<String, f64>,
+    #[serde(default, deserialize_with = "value::by_name")]
+    #[schemars(with = "BTreeMap<String, Mass>")]
+    pub link_mass: Vec<(String, Mass)>,
     /// Centres of mass by link, m.
-    #[serde(default, deserialize_with = "value::places")]
-    #[schemars(with = "BTreeMap<String, Triple>")]
-    pub link_com: BTreeMap<String, [f64; 3]>,
+    #[serde(default, deserialize_with = "value::by_name")]
+    #[schemars(with = "BTreeMap<String, Point>")]
+    pub link_com: Vec<(String, Point)>,
     /// Displacements of hardpoints of a sheet, m.
-    #[serde(default, rename = "move", deserialize_with = "value::places")]
-    #[schemars(with = "BTreeMap<String, Triple>")]
-    pub moves: BTreeMap<String, [f64; 3]>,
+    #[serde(default, rename = "move", deserialize_with = "value::by_name")]
+    #[schemars(with = "BTreeMap<String, Point>")]
+    pub moves: Vec<(String, Point)>,
     /// Armatures by joint.
     #[serde(default, deserialize_with = "value::armatures")]
-    #[schemars(with = "BTreeMap<String, OneOrMany>")]
-    pub armature: BTreeMap<String, Vec<f64>>,
+    #[schemars(with = "BTreeMap<String, OneOrMany<f64>>")]
+    pub armature: Vec<(String, Vec<f64>)>,
     /// Positions of driving joints.
     #[serde(default, deserialize_with = "value::positions")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
-    pub set: BTreeMap<String, GivenPosition>,
+    pub set: Vec<(String, GivenPosition)>,
 }
 
 /// Variant of a study.
@@ -77,17 +79,10 @@ impl<'a> VariantModels<'a> {
     }
 }
 
-/// Changes of a model from the entries of a study.
-pub(crate) fn changes(
-    link_mass: &BTreeMap<String, f64>,
-    link_com: &BTreeMap<String, [f64; 3]>,
-    moves: &BTreeMap<String, [f64; 3]>,
-) -> Changes {
-    /// Entries of a map in the order of their names.
-    fn list<T: Clone>(map: &BTreeMap<String, T>) -> Vec<(String, T)> {
-        map.iter().map(|(name, value)| (name.clone(), value.clone())).collect()
-    }
-    Changes { link_mass: list(link_mass), link_com: list(link_com), moves: list(moves) }
+/// Replaces the entries of a list that have the same name, and adds the others.
+fn replace_by_name<T: Clone>(list: &mut Vec<(String, T)>, entries: &[(String, T)]) {
+    list.retain(|(name, _)| !entries.iter().any(|(other, _)| other == name));
+    list.extend_from_slice(entries);
 }
 
 impl VariantText {
@@ -109,12 +104,14 @@ impl VariantText {
                 other
             }
         };
-        let model = other.with_changes(&changes(&self.link_mass, &self.link_com, &self.moves))?;
+        let model = other.with_changes(&Changes {
+            link_mass: masses(&self.link_mass),
+            link_com: points(&self.link_com),
+            moves: points(&self.moves),
+        })?;
         let mut question = question.clone();
-        question.armature.retain(|(joint, _)| !self.armature.contains_key(joint));
-        question.armature.extend(self.armature.iter().map(|(joint, values)| (joint.clone(), values.clone())));
-        question.set.retain(|(joint, _)| !self.set.contains_key(joint));
-        question.set.extend(self.set.iter().map(|(joint, position)| (joint.clone(), position.clone())));
+        replace_by_name(&mut question.armature, &self.armature);
+        replace_by_name(&mut question.set, &self.set);
         Ok(Variant { name: self.name.clone(), model, question })
     }
 }

@@ -1,5 +1,8 @@
 //! Numbers and positions with units as text; excerpts of texts for messages.
 
 pub(crate) mod message_text;
+#[cfg(feature = "flags")]
+pub(crate) mod named;
 pub(crate) mod position;
+pub(crate) mod quantities;
 pub(crate) mod value;

@@ -3,6 +3,7 @@
 
 use percuss_mechanism::JointKind;
 use percuss_units::{Dimension, Quantity, QuantityError};
+use std::str::FromStr;
 
 /// Position of a joint, in the layout of the joint's kind.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,6 +11,13 @@ pub struct GivenPosition {
     values: Vec<Quantity>,
     /// Text as typed, for reports only.
     text: String,
+}
+
+impl FromStr for GivenPosition {
+    type Err = QuantityError;
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        Self::parse(text)
+    }
 }
 
 impl GivenPosition {

@@ -1,4 +1,4 @@
-//! Headings in the help that several commands share.
+//! Headings in the help of the command line, under which the flags of several tables appear.
 
 /// Link, point and normal.
 pub const CONTACT: &str = "Contact";
@@ -16,3 +16,13 @@ pub const READING: &str = "Reading";
 pub const ANSWER: &str = "Result";
 /// Output files.
 pub const OUTPUT: &str = "Output";
+/// Restitution, stiffness and law of a damper.
+pub const DAMPER: &str = "Damper";
+/// Rows of a sweep.
+pub const ROWS: &str = "Rows";
+/// Surfaces and directions of a map.
+pub const SURFACE: &str = "Surface or directions";
+/// Body region and limit of a safe speed.
+pub const LIMIT: &str = "Person and limit";
+/// Directions and positions of a safe speed.
+pub const WHICH: &str = "Directions, positions";

@@ -1,0 +1,334 @@
+//! Tables of a question about a contact: contact, pose, conditions. The command line has a flag for each key.
+
+#[cfg(feature = "flags")]
+use super::headings::{ADDITIONAL, CONDITIONS, CONTACT, POSE};
+use crate::question::field::{Field, Names};
+use crate::question::given_travel::GivenTravel;
+use crate::question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint};
+use crate::question::pose_file::GivenPose;
+use crate::question::refusal::InvalidKey;
+#[cfg(feature = "flags")]
+use crate::values::named;
+use crate::values::position::GivenPosition;
+use crate::values::quantities::{LinkPoint, Point, PositiveMass, Vector};
+use crate::values::value::{self, OneOrMany, PositionText, Words};
+use percuss_dynamics::{Base, Frame};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Frame of a contact point or a normal.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
+pub enum FrameName {
+    /// Frame of the contact link.
+    #[default]
+    Link,
+    /// Frame of the root link at its reference pose.
+    World,
+    /// Frame of the other link.
+    Against,
+}
+
+impl From<FrameName> for Frame {
+    fn from(frame: FrameName) -> Self {
+        match frame {
+            FrameName::Link => Frame::Link,
+            FrameName::World => Frame::World,
+            FrameName::Against => Frame::Against,
+        }
+    }
+}
+
+/// Motion of the root link.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
+pub enum BaseName {
+    /// Fixed to the ground.
+    #[default]
+    Fixed,
+    /// Free to move.
+    Floating,
+}
+
+impl From<BaseName> for Base {
+    fn from(base: BaseName) -> Self {
+        match base {
+            BaseName::Fixed => Base::Fixed,
+            BaseName::Floating => Base::Floating,
+        }
+    }
+}
+
+/// Contact of a question.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[serde(deny_unknown_fields, default)]
+pub struct ContactTable {
+    /// Named contact of the model, such as bump_stop; a stop is brought to the touch. mass --at all: a table.
+    ///
+    /// Suspension sheets name their stops, spring and damper seats and contact patches; a URDF does so by <contact>. The
+    /// mechanism moves until the gap of a stop is closed, unless a travel or a file gives the pose. On a vehicle with
+    /// both sides, both stops touch.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "NAME",
+            conflicts_with_all = ["link", "point", "normal", "along_line", "normal_frame", "against"],
+            help_heading = CONTACT
+        )
+    )]
+    pub at: Option<String>,
+    /// Contact link.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK", help_heading = CONTACT))]
+    pub link: Option<String>,
+    /// Contact point (m).
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, help_heading = CONTACT)
+    )]
+    pub point: Option<Point>,
+    /// Contact normal, out of the contact link.
+    ///
+    /// The normal points into the other body. Its length and its sign do not affect the effective mass.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "X,Y,Z",
+            allow_hyphen_values = true,
+            conflicts_with = "along_line",
+            help_heading = CONTACT
+        )
+    )]
+    pub normal: Option<Vector>,
+    /// Instead of a normal: towards a point of a link.
+    ///
+    /// The normal points from the contact point towards this point of a link (m, in the frame of that link). Use it
+    /// for the line of a spring, or for a stop near the design pose. For a stop over a travel, use a normal.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK:X,Y,Z", help_heading = CONTACT))]
+    pub along_line: Option<LinkPoint>,
+    /// Allow the line to rotate: a spring, a damper or a rod.
+    ///
+    /// Otherwise, a pose is refused if the line has rotated by more than 5° relative to the other body since
+    /// the design pose (all joints at 0), because the line is then no longer the normal of a stop. A line shorter
+    /// than a tenth of its length in the design pose is always refused.
+    #[cfg_attr(feature = "flags", arg(long, requires = "along_line", help_heading = CONTACT))]
+    pub turning_normal: bool,
+    /// Frame of the point and the normal; default: link.
+    ///
+    /// Applies to both. A point given in another frame is converted to the link frame once, at the set pose with
+    /// all varied joints at 0, and then moves with the link. A normal stays constant in the given frame.
+    #[cfg_attr(feature = "flags", arg(long, value_enum, help_heading = CONTACT))]
+    pub frame: Option<FrameName>,
+    /// Frame of the normal, if different from the frame of the point.
+    #[cfg_attr(feature = "flags", arg(long, value_enum, help_heading = CONTACT))]
+    pub normal_frame: Option<FrameName>,
+    /// Other link in contact; default: the ground.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK", help_heading = CONTACT))]
+    pub against: Option<String>,
+    /// Mass (kg) of a free body as the other side of the contact.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "KG",
+            allow_hyphen_values = true,
+            conflicts_with = "against",
+            help_heading = CONTACT
+        )
+    )]
+    pub against_mass: Option<PositiveMass>,
+    /// Classical estimate, shown with the result.
+    ///
+    /// The total mass of these links is reduced to the contact by the motion ratio of point A (m, frame of the first
+    /// link; default: its origin). The ratio uses the full speed of A, or its component along a direction (world
+    /// axes).
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", help_heading = ADDITIONAL)
+    )]
+    pub estimate: Option<EstimateQuestion>,
+    /// Motion ratio at this point (m, link frame), along a direction (world axes; default z).
+    ///
+    /// The ratio relates the speed of the point to the closing speed of the contact. If the model has a wheel and one
+    /// degree of freedom, the ratios of the wheel centre and the contact patch are always shown.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "LINK:X,Y,Z[:DX,DY,DZ]", help_heading = ADDITIONAL)
+    )]
+    pub ratio_at: Vec<RatioPoint>,
+}
+
+/// Pose of a question.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[serde(deny_unknown_fields, default)]
+pub struct PoseTable {
+    /// Position of a driving joint (m, rad; 30deg, 5mm).
+    ///
+    /// Driving joints without a position are at 0. Spherical: w,x,y,z; planar: x,y,angle; floating: x,y,z,w,x,y,z.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position, help_heading = POSE)
+    )]
+    #[serde(deserialize_with = "value::positions")]
+    #[schemars(with = "BTreeMap<String, PositionText>")]
+    pub set: Vec<(String, GivenPosition)>,
+    /// Initial guess of a joint that depends on other joints through loops; selects the assembly mode.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position, help_heading = POSE)
+    )]
+    #[serde(deserialize_with = "value::positions")]
+    #[schemars(with = "BTreeMap<String, PositionText>")]
+    pub guess: Vec<(String, GivenPosition)>,
+    /// Move the mechanism until a point has this travel.
+    ///
+    /// The point of a link (m, link frame) moves by DISTANCE along a direction (world axes) from its position in the
+    /// set pose, as in a sweep over a travel. Give one travel for each driven point.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "LINK:X,Y,Z:DX,DY,DZ=DISTANCE", help_heading = POSE)
+    )]
+    #[serde(deserialize_with = "value::words")]
+    #[schemars(with = "Option<Words>")]
+    pub travel: Vec<GivenTravel>,
+    /// Complete configuration: output of --format json, or JSON with a position for each joint. Set positions and
+    /// guesses override it.
+    #[cfg_attr(feature = "flags", arg(long = "pose", id = "pose", value_name = "FILE.json", help_heading = POSE))]
+    pub file: Option<String>,
+}
+
+/// Conditions of a question.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[serde(deny_unknown_fields, default)]
+pub struct ConditionsTable {
+    /// Lock a joint at its position.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT", help_heading = CONDITIONS))]
+    pub lock: Vec<String>,
+    /// Rotor inertia reflected to a joint (kg·m² or kg): one value, or one value per velocity, separated by commas.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_armature, help_heading = CONDITIONS)
+    )]
+    #[serde(deserialize_with = "value::armatures")]
+    #[schemars(with = "BTreeMap<String, OneOrMany<f64>>")]
+    pub armature: Vec<(String, Vec<f64>)>,
+    /// Root link fixed or floating; default: fixed.
+    #[cfg_attr(feature = "flags", arg(long, value_enum, help_heading = CONDITIONS))]
+    pub base: Option<BaseName>,
+}
+
+impl ContactTable {
+    /// First missing part of the contact.
+    pub fn missing(&self) -> Option<&'static str> {
+        if self.at.is_some() {
+            return None;
+        }
+        let normal = self.normal.is_some() || self.along_line.is_some();
+        let parts = [
+            ("link", self.link.is_some()),
+            ("point", self.point.is_some()),
+            ("normal or along_line", normal),
+        ];
+        parts.into_iter().find(|(_, is_there)| !is_there).map(|(part, _)| part)
+    }
+
+    /// True if the contact has no own data: no name, link, point, normal or frame.
+    pub fn is_empty(&self) -> bool {
+        self.at.is_none() && self.has_no_geometry()
+    }
+
+    /// True without link, point, normal and frame.
+    fn has_no_geometry(&self) -> bool {
+        let Self { link, point, normal, along_line, turning_normal, frame, normal_frame, .. } = self;
+        link.is_none()
+            && point.is_none()
+            && normal.is_none()
+            && along_line.is_none()
+            && !turning_normal
+            && frame.is_none()
+            && normal_frame.is_none()
+    }
+}
+
+/// Tables of a question about a contact.
+#[derive(Clone, Copy, Debug)]
+pub struct QuestionTables<'a> {
+    /// Contact.
+    pub contact: &'a ContactTable,
+    /// Pose.
+    pub pose: &'a PoseTable,
+    /// Conditions.
+    pub conditions: &'a ConditionsTable,
+    /// Held points.
+    pub hold: &'a [Hold],
+}
+
+impl QuestionTables<'_> {
+    /// Converts the tables to a question; the contact may be incomplete. Paths are relative to `folder`; a pose file
+    /// has at most `max_size` bytes.
+    ///
+    /// # Errors
+    /// [`InvalidKey`]: keys that exclude each other, or an unreadable file of positions.
+    pub fn question(&self, folder: &Path, max_size: u64, names: Names) -> Result<MassQuestion, InvalidKey> {
+        let Self { contact, pose, conditions, hold } = *self;
+        let read = |file: &String| {
+            // The standard input and absolute paths are kept.
+            let path = folder.join(file);
+            GivenPose::read(&path.to_string_lossy(), max_size)
+                .map_err(|error| InvalidKey::new(Field::Pose.key(), error.to_string()))
+        };
+        let normal = match (&contact.along_line, contact.normal) {
+            (None, _) if contact.turning_normal => {
+                return Err(InvalidKey::new("contact.turning_normal", "it requires `along_line`"));
+            }
+            (Some(line), None) if contact.turning_normal => {
+                Normal::TurningToward(line.link.clone(), line.point.0)
+            }
+            (Some(line), None) => Normal::Toward(line.link.clone(), line.point.0),
+            (None, normal) => Normal::Along(normal.unwrap_or_default().0),
+            (Some(_), Some(_)) => {
+                return Err(InvalidKey::new("contact", "give either `normal` or `along_line`"));
+            }
+        };
+        if contact.at.is_some() && (!contact.has_no_geometry() || contact.against.is_some()) {
+            let why = "it names a contact of the model: remove `link`, `point`, `normal`, `along_line`, `frame` and `against`";
+            return Err(InvalidKey::new("contact.at", why));
+        }
+        if contact.against.is_some() && contact.against_mass.is_some() {
+            return Err(InvalidKey::new("contact", "give either `against` or `against_mass`"));
+        }
+        if contact.estimate.as_ref().is_some_and(|estimate| estimate.links.is_empty()) {
+            return Err(InvalidKey::new("contact.estimate.links", "it is empty; name at least one link"));
+        }
+        let frame = contact.frame.unwrap_or_default();
+        Ok(MassQuestion {
+            at: contact.at.clone(),
+            link: contact.link.clone().unwrap_or_default(),
+            point: contact.point.unwrap_or_default().0,
+            normal,
+            frame: frame.into(),
+            normal_frame: contact.normal_frame.unwrap_or(frame).into(),
+            against: contact.against.clone(),
+            against_mass: contact.against_mass.map(|mass| mass.0),
+            set: pose.set.clone(),
+            guess: pose.guess.clone(),
+            pose: pose.file.as_ref().map(read).transpose()?,
+            travel: pose.travel.clone(),
+            lock: conditions.lock.clone(),
+            hold: hold.to_vec(),
+            armature: conditions.armature.clone(),
+            base: conditions.base.unwrap_or_default().into(),
+            estimate: contact.estimate.clone(),
+            ratio_at: contact.ratio_at.clone(),
+            names,
+        })
+    }
+}

@@ -1,0 +1,172 @@
+//! Map table of a study file.
+
+#[cfg(feature = "flags")]
+use super::headings::{OUTPUT, READING, SURFACE};
+use crate::question::map_question::{MapLinks, MapQuestion, MapShapes};
+use crate::question::mass_question::MassQuestion;
+use crate::question::refusal::InvalidKey;
+use crate::study_file::tables::sweep::{DecimalSign, StudyTable, TableUnit, path_in};
+#[cfg(feature = "flags")]
+use crate::values::named;
+use crate::values::quantities::{Length, Point};
+use crate::values::value::{self, Words};
+use percuss_formats::DEFAULT_MAX_MESH_SIZE;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Map requested by a study.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StudyMap {
+    /// Surfaces or directions.
+    pub question: StudyMapQuestion,
+    /// Output files.
+    pub outputs: Vec<String>,
+    /// Style of the tables.
+    pub table: StudyTable,
+}
+
+/// Kind of a map.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StudyMapQuestion {
+    /// The surfaces of links.
+    Surfaces(MapQuestion),
+    /// This number of directions at the point of a question.
+    Directions(MassQuestion, usize),
+}
+
+/// Surfaces or directions of a map, and its files. The command line takes the link and the point from the contact.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[serde(deny_unknown_fields, default)]
+pub struct MapTable {
+    /// Links to map; default: the contact's link.
+    #[cfg_attr(feature = "flags", arg(skip))]
+    #[serde(deserialize_with = "value::words")]
+    #[schemars(with = "Option<Words>")]
+    pub link: Vec<String>,
+    /// Map every link with a shape.
+    ///
+    /// Links that cannot be mapped are skipped and listed.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, conflicts_with_all = ["link", "point"], help_heading = SURFACE)
+    )]
+    pub all: bool,
+    /// With directions: the point, m, in the link's frame; default: the contact point.
+    #[cfg_attr(feature = "flags", arg(skip))]
+    pub point: Option<Point>,
+    /// Number of directions at a point.
+    ///
+    /// Maps the directions at one point instead of the surface, and adds the principal directions (the belted
+    /// ellipsoid).
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "COUNT", requires = "point", help_heading = SURFACE)
+    )]
+    pub directions: Option<usize>,
+    /// Shapes of the URDF that form the surface.
+    #[cfg_attr(feature = "flags", arg(long, value_enum, default_value_t, help_heading = SURFACE))]
+    pub shapes: MapShapes,
+    /// Longest edge of a facet (m).
+    ///
+    /// Default: 1/60 of the size of the link. Triangles of meshes are divided, never merged.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "M", help_heading = SURFACE))]
+    pub edge: Option<Length>,
+    /// Folder of a ROS package with meshes.
+    ///
+    /// Used for mesh names of the form package://NAME/…. Otherwise ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and the parent
+    /// folders of the model are searched.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "NAME=FOLDER", value_parser = named::package, help_heading = SURFACE)
+    )]
+    #[serde(deserialize_with = "value::by_name")]
+    #[schemars(with = "BTreeMap<String, String>")]
+    pub package: Vec<(String, String)>,
+    /// Refuse mesh files larger than this many bytes.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, default_value_t = DEFAULT_MAX_MESH_SIZE, value_name = "BYTES", help_heading = READING)
+    )]
+    #[serde(default = "default_max_mesh_size")]
+    pub max_mesh_size: u64,
+    /// .ply .glb .gltf .png .svg .pdf .csv .json
+    ///
+    /// Output file; several are possible. PLY and glTF contain the effective mass as a property; pictures show two
+    /// sides.
+    #[cfg_attr(feature = "flags", arg(long, short, value_name = "FILE", help_heading = OUTPUT))]
+    #[serde(deserialize_with = "value::words")]
+    #[schemars(with = "Option<Words>")]
+    pub output: Vec<String>,
+    /// Units of the lengths in CSV; column names then contain the units.
+    #[cfg_attr(feature = "flags", arg(skip))]
+    #[serde(deserialize_with = "value::words")]
+    #[schemars(with = "Option<Words>")]
+    pub unit: Vec<TableUnit>,
+    /// The decimal sign in CSV.
+    #[cfg_attr(feature = "flags", arg(skip))]
+    pub decimal: DecimalSign,
+}
+
+/// Default of the `max_mesh_size` key.
+fn default_max_mesh_size() -> u64 {
+    DEFAULT_MAX_MESH_SIZE
+}
+
+impl MapTable {
+    /// Converts the table to a map. The contact of the study may be incomplete.
+    ///
+    /// # Errors
+    /// [`InvalidKey`]: no link, or keys that exclude each other.
+    pub fn map(&self, contact: &MassQuestion, folder: &Path) -> Result<StudyMap, InvalidKey> {
+        let refuse = |key, why: &str| Err(InvalidKey::new(key, why));
+        let of_contact = Some(contact.link.clone()).filter(|link| !link.is_empty());
+        let links = if self.link.is_empty() { of_contact.into_iter().collect() } else { self.link.clone() };
+        if self.all && !self.link.is_empty() {
+            return refuse("map", "give either `link` or `all`");
+        }
+        if links.is_empty() && !self.all {
+            return refuse("map", "give a link (`link`), or `all` for every link");
+        }
+        let mut conditions = contact.clone();
+        conditions.estimate = None;
+        let question = match self.directions {
+            Some(count) => {
+                let [link] = &links[..] else {
+                    return refuse(
+                        "map.directions",
+                        "directions apply to a point of one link; give one `link`",
+                    );
+                };
+                if self.all {
+                    return refuse("map.directions", "directions apply to a point of one link; remove `all`");
+                }
+                if self.point.is_none() && !self.link.is_empty() {
+                    return refuse("map.directions", "directions require a point; give `point`");
+                }
+                conditions.link.clone_from(link);
+                conditions.point = self.point.map_or(contact.point, |point| point.0);
+                StudyMapQuestion::Directions(conditions, count)
+            }
+            None if self.point.is_some() => {
+                let why = "not used for a surface; add `directions` to map the directions at this point";
+                return refuse("map.point", why);
+            }
+            None => StudyMapQuestion::Surfaces(MapQuestion {
+                conditions,
+                links: if self.all { MapLinks::All } else { MapLinks::Named(links) },
+                shapes: self.shapes,
+                edge: self.edge.map(|edge| edge.0),
+                packages: self.package.iter().map(|(name, path)| (name.clone(), folder.join(path))).collect(),
+                max_mesh_size: self.max_mesh_size,
+            }),
+        };
+        Ok(StudyMap {
+            question,
+            outputs: self.output.iter().map(|output| path_in(folder, output)).collect(),
+            table: StudyTable { units: self.unit.clone(), decimal: self.decimal },
+        })
+    }
+}

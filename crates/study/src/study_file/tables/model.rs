@@ -1,0 +1,113 @@
+//! Model table of a study file.
+
+#[cfg(feature = "flags")]
+use super::headings::{CHANGES, READING};
+use crate::model::changes::Changes;
+#[cfg(feature = "flags")]
+use crate::values::named;
+use crate::values::quantities::{Mass, Point};
+use crate::values::value;
+use percuss_mechanism::Accept;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// Finding that is accepted in a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
+#[serde(rename_all = "kebab-case")]
+pub enum Acceptable {
+    /// Inertias with a negative principal moment.
+    IndefiniteInertia,
+    /// Inertias far too large for the size of the links.
+    ImplausibleInertia,
+}
+
+/// Model of a question, with changes.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[serde(deny_unknown_fields)]
+pub struct ModelTable {
+    /// A URDF, or a suspension's sheet or table.
+    #[cfg_attr(feature = "flags", arg(skip))]
+    pub path: String,
+    /// Change the mass of a link (kg).
+    ///
+    /// The moments of inertia about the centre of mass are scaled by the same factor.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "LINK=KG",
+            value_parser = named::link_mass,
+            allow_hyphen_values = true,
+            help_heading = CHANGES
+        )
+    )]
+    #[serde(default, deserialize_with = "value::by_name")]
+    #[schemars(with = "BTreeMap<String, Mass>")]
+    pub link_mass: Vec<(String, Mass)>,
+    /// Change the centre of mass of a link (m, link frame).
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "LINK=X,Y,Z",
+            value_parser = named::link_com,
+            allow_hyphen_values = true,
+            help_heading = CHANGES
+        )
+    )]
+    #[serde(default, deserialize_with = "value::by_name")]
+    #[schemars(with = "BTreeMap<String, Point>")]
+    pub link_com: Vec<(String, Point)>,
+    /// Shift a hardpoint of a suspension sheet (m; 5mm).
+    ///
+    /// The shift is in the axes of the sheet; numbers without a unit are in m.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long = "move",
+            value_name = "POINT=X,Y,Z",
+            value_parser = named::point_shift,
+            allow_hyphen_values = true,
+            help_heading = CHANGES
+        )
+    )]
+    #[serde(default, rename = "move", deserialize_with = "value::by_name")]
+    #[schemars(with = "BTreeMap<String, Point>")]
+    pub moves: Vec<(String, Point)>,
+    /// Accept a model in spite of this finding.
+    #[cfg_attr(feature = "flags", arg(long, value_enum, value_name = "FINDING", help_heading = READING))]
+    #[serde(default)]
+    pub accept: Vec<Acceptable>,
+}
+
+/// Entries of a table of points.
+pub(crate) fn points(table: &[(String, Point)]) -> Vec<(String, [f64; 3])> {
+    table.iter().map(|(name, point)| (name.clone(), point.0)).collect()
+}
+
+/// Entries of a table of masses.
+pub(crate) fn masses(table: &[(String, Mass)]) -> Vec<(String, f64)> {
+    table.iter().map(|(name, mass)| (name.clone(), mass.0)).collect()
+}
+
+impl ModelTable {
+    /// Accepted findings.
+    pub fn accepted(&self) -> Accept {
+        Accept {
+            indefinite_inertia: self.accept.contains(&Acceptable::IndefiniteInertia),
+            implausible_inertia: self.accept.contains(&Acceptable::ImplausibleInertia),
+        }
+    }
+
+    /// Changes to the model.
+    pub fn changes(&self) -> Changes {
+        Changes {
+            link_mass: masses(&self.link_mass),
+            link_com: points(&self.link_com),
+            moves: points(&self.moves),
+        }
+    }
+}

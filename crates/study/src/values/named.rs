@@ -1,0 +1,49 @@
+//! Values of flags with a name: `NAME=VALUE`.
+
+use crate::values::position::GivenPosition;
+use crate::values::quantities::{Mass, Point};
+use percuss_units::Dimension;
+use std::fmt::Display;
+use std::str::FromStr;
+
+/// `NAME=VALUE` of a flag, split at the last equals sign.
+fn named<T: FromStr<Err: Display>>(text: &str, expected: &str) -> Result<(String, T), String> {
+    match text.rsplit_once('=') {
+        Some((name, value)) if !name.is_empty() && !value.is_empty() => {
+            Ok((name.to_owned(), value.parse().map_err(|error: T::Err| error.to_string())?))
+        }
+        _ => Err(format!("expected {expected}")),
+    }
+}
+
+/// `JOINT=VALUE` of a flag: position of a joint, with optional units.
+pub fn joint_position(text: &str) -> Result<(String, GivenPosition), String> {
+    named(text, "JOINT=VALUE, such as elbow=30deg")
+}
+
+/// `JOINT=VALUES` of a flag: reflected inertias separated by commas.
+pub fn joint_armature(text: &str) -> Result<(String, Vec<f64>), String> {
+    let (joint, values): (String, String) = named(text, "JOINT=VALUE, such as elbow=0.3")?;
+    let values = percuss_units::parse_list(&values, |_| Dimension::Plain).map_err(|e| e.to_string())?;
+    Ok((joint, values))
+}
+
+/// `LINK=KG` of a flag.
+pub fn link_mass(text: &str) -> Result<(String, Mass), String> {
+    named(text, "LINK=KG, such as upright=10kg")
+}
+
+/// `LINK=X,Y,Z` of a flag.
+pub fn link_com(text: &str) -> Result<(String, Point), String> {
+    named(text, "LINK=X,Y,Z, such as upright=0,20mm,0")
+}
+
+/// `POINT=X,Y,Z` of a flag: hardpoint and displacement.
+pub fn point_shift(text: &str) -> Result<(String, Point), String> {
+    named(text, "POINT=X,Y,Z, such as lower_ball=0,0,5mm")
+}
+
+/// `NAME=FOLDER` of a flag.
+pub fn package(text: &str) -> Result<(String, String), String> {
+    named(text, "NAME=FOLDER, such as ur_description=/opt/ros/share/ur_description")
+}
