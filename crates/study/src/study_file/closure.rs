@@ -1,6 +1,6 @@
 //! A closure in a study file.
 
-use crate::question::refusal::InvalidKey;
+use crate::question::errors::refusal::InvalidKey;
 use crate::values::value::{self, NumberOrText, Triple};
 use nalgebra::Vector3;
 use percuss_mechanism::{ClosureDescription, ClosureKind};

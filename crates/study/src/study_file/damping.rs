@@ -2,7 +2,7 @@
 
 use crate::damper::joint_stop::JointStop;
 use crate::question::damping_question::DampingQuestion;
-use crate::question::refusal::InvalidKey;
+use crate::question::errors::refusal::InvalidKey;
 use crate::values::value::{self, NumberOrText, Words};
 use percuss_contact::exports::Tool;
 use percuss_contact::{Law, Separation};

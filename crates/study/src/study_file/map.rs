@@ -1,8 +1,8 @@
 //! Map table of a study file.
 
+use crate::question::errors::refusal::InvalidKey;
 use crate::question::map_question::{MapLinks, MapQuestion, MapShapes};
 use crate::question::mass_question::MassQuestion;
-use crate::question::refusal::InvalidKey;
 use crate::study_file::sweep::{StudyTable, TableKeyNames, parse_table_style};
 use crate::values::value::{self, NumberOrText, Triple, Words};
 use percuss_formats::DEFAULT_MAX_MESH_SIZE;

@@ -1,6 +1,6 @@
 //! Options of a study for its contact, in addition to the effective mass.
 
-use crate::question::refusal::InvalidKey;
+use crate::question::errors::refusal::InvalidKey;
 use crate::reports::tolerance::{Sampling, Tolerance};
 use crate::values::value::{self, NumberOrText};
 use schemars::JsonSchema;

@@ -1,8 +1,8 @@
 //! Sweep table of a study file, and the style of tables and figures.
 
-use crate::question::refusal::InvalidKey;
+use crate::question::errors::refusal::InvalidKey;
 use crate::question::row_source::{PositionFile, RowSource};
-use crate::question::vary::Vary;
+use crate::question::travel::vary::Vary;
 use crate::values::value::{self, Words};
 use schemars::JsonSchema;
 use serde::Deserialize;

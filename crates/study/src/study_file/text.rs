@@ -1,10 +1,10 @@
 //! Text of a study file: all keys. The doc comments are the descriptions in the JSON schema.
 
+use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Names;
-use crate::question::given_travel::GivenTravel;
 use crate::question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 use crate::question::pose_file::GivenPose;
-use crate::question::refusal::InvalidKey;
+use crate::question::travel::given_travel::GivenTravel;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::damping::DampingText;
 use crate::study_file::map::MapText;
