@@ -4,6 +4,6 @@
 # cargo takes it once.
 if [ "$1" = rustc ]; then
   shift
-  exec cargo build --workspace --test header "$@" # with --locked
+  exec cargo build --workspace --test capi "$@" # with --locked
 fi
 exec cargo "$@"

@@ -295,7 +295,7 @@ def main():
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--seed", type=int, default=1)
     args = parser.parse_args()
-    source = (ROOT / "crates/contact/src/body_region.rs").read_text()
+    source = (ROOT / "crates/contact/src/transient_contact/body_region.rs").read_text()
     rows = re.findall(r'region\(\s*"([^"]+)",\s*"[^"]+",\s*([\d.e]+),\s*([\d.e]+),', source)
     regions = [{"name": name, "mass": float(mass), "stiffness": float(k)} for name, mass, k in rows]
     assert len(regions) == 12, "the table of regions has another layout"

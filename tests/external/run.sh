@@ -3,7 +3,9 @@
 # and, by engines.sh, in other engines), suspensions and designs, reference files. README.md says what and how.
 # Needs python3 and, the first time, the network.
 #   run.sh [--prepare] [--tested] [OPTION...]
-#     --prepare: only installs the other programs      --tested: uses the programs built by `cargo test --workspace`
+#     --prepare: only installs the other programs
+#     --tested: takes percuss-probe and percuss-reference from `cargo test --workspace`, and the command from
+#     `cargo build --release`
 #     further options go to compare.py (--only NAME, --update-ledger, …)
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -38,14 +40,17 @@ cargo fetch --quiet --locked --target "$host" --manifest-path "$here/contact/hea
 "$here/packages.sh"
 [ -z "$prepare_only" ] || exit 0
 
+# The command is optimised: the checks call it some thousand times.
+percuss=$target/release/percuss
 if [ -n "$tested" ]; then
   programs=$target/debug
+  cargo build --locked --quiet --release
 else
   programs=$target/release
   cargo build --locked --quiet --release -p percuss-tests --bins -p percuss-cli --features percuss-cli/full
 fi
-for program in percuss percuss-probe percuss-reference; do
-  [ -x "$programs/$program" ] || { echo "$programs/$program is missing: the tests of the workspace build it"; exit 1; }
+for program in "$percuss" "$programs/percuss-probe" "$programs/percuss-reference"; do
+  [ -x "$program" ] || { echo "$program is missing: the tests of the workspace build it"; exit 1; }
 done
 export PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 output=$(mktemp -d)
@@ -65,13 +70,13 @@ check() {
   } &
 }
 # The longest first.
-check engines "$here/engines.sh" "$programs/percuss"
-check contacts env PYTHONPATH="$here" "$drake/bin/python" "$here/contact/check.py" --percuss "$programs/percuss"
-check suspensions "$venv/bin/python" "$here/suspensions/check.py" --percuss "$programs/percuss" --count 4
-check integrators env PYTHONPATH="$here" "$venv/bin/python" "$here/contact/integrators.py" --percuss "$programs/percuss"
+check suspensions "$venv/bin/python" "$here/suspensions/check.py" --percuss "$percuss" --count 4
 check robots "$venv/bin/python" "$here/compare.py" --probe "$programs/percuss-probe" "$@"
-check designs "$venv/bin/python" "$here/designs.py" --percuss "$programs/percuss" --count 30
-check linkages "$venv/bin/python" "$here/loops.py" --percuss "$programs/percuss"
+check engines "$here/engines.sh" "$percuss"
+check integrators env PYTHONPATH="$here" "$venv/bin/python" "$here/contact/integrators.py" --percuss "$percuss"
+check contacts env PYTHONPATH="$here" "$drake/bin/python" "$here/contact/check.py" --percuss "$percuss"
+check designs "$venv/bin/python" "$here/designs.py" --percuss "$percuss" --count 30
+check linkages "$venv/bin/python" "$here/loops.py" --percuss "$percuss"
 # The shipped models: route A against the oracle's route C.
 check shipped_models "$programs/percuss-reference" "shipped models" models/*.urdf
 # Reference files of the loop dialect, where they are at hand: beside the repository, or where PERCUSS_REFERENCE says.

@@ -275,8 +275,8 @@ fn every_file_is_right_in_everything() {
     ALL.report(ALL_RIGHT, COUNT as usize);
 }
 
-/// Prints a file of the family: `PERCUSS_FAMILY="17 6" cargo test -p percuss-tests --test families -- --ignored
-/// --nocapture write` prints number 17 with 6 decimals (without decimals: the exact file), and its contacts.
+/// Prints a file of the family: `PERCUSS_FAMILY="17 6" cargo test --workspace --test suites -- --ignored
+/// --nocapture write_one` prints number 17 with 6 decimals (without decimals: the exact file), and its contacts.
 #[test]
 #[ignore = "prints a file"]
 fn write_one() {

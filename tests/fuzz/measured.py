@@ -1,6 +1,6 @@
 """Runs a command, appends its processor time, peak memory and exit code to a table, and ends with the same exit code.
 
-    PERCUSS_UNDER="python3 tests/fuzz/measured.py TABLE" cargo test --locked --workspace --test bounded -- --test-threads=1
+    PERCUSS_UNDER="python3 tests/fuzz/measured.py TABLE" cargo test --locked --workspace --test cli bounded -- --test-threads=1
 
 The tests of bounded files then run the command below this script. With PERCUSS_PROGRAM another build of percuss runs instead, for
 example target/release/percuss.

@@ -1,7 +1,6 @@
 //! Many configurations at once: each lane agrees with a pose within the errors stated by both, and is bitwise equal to
 //! a single configuration for every instruction set.
 
-use crate::UNSTATED;
 use nalgebra::Vector3;
 use percuss_dynamics::{
     Base, Batch, BatchAnswer, BatchError, BatchPositions, Conditions, Contact, Direction, EffectiveMass,
@@ -13,6 +12,7 @@ use percuss_mechanism::{
 use percuss_oracle::zoo;
 use percuss_spatial::lanes::Instructions;
 use percuss_spatial::{Matrix3, Transform, rotation_about};
+use percuss_tests::judge::UNSTATED;
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -1,6 +1,6 @@
 //! Frequency and reasons of the automatic choice of the dense route instead of the recursion.
 //!
-//! `cargo test -p percuss-tests --test identities -- --ignored --nocapture fallbacks` prints the table.
+//! `cargo test --workspace --test suites -- --ignored --nocapture fallbacks` prints the table.
 
 use percuss_dynamics::{EffectiveMass, ResponseError, Route, RouteChoice, RouteError};
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};

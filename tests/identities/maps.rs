@@ -1,10 +1,10 @@
 //! Contacts by Φ agree with individual responses of the pose: the same status, and m̄ within the errors stated by both.
 
-use crate::UNSTATED;
 use nalgebra::Vector3;
 use percuss_dynamics::{Contact, ContactColumns, ContactMap, ContactStatus, EffectiveMass, MapAnswers, Pose};
 use percuss_mechanism::LinkId;
 use percuss_spatial::lanes::Instructions;
+use percuss_tests::judge::UNSTATED;
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::collections::BTreeMap;

@@ -2,7 +2,6 @@
 //! a massless contact. Results are bitwise equal, except for the SIMD kernels (trees of hinges and slides, linkages of
 //! few degrees of freedom), which agree within the stated error.
 
-use crate::UNSTATED;
 use nalgebra::{UnitQuaternion, Vector3};
 use percuss_dynamics::{
     Conditions, Contact, DenseReason, Direction, EffectiveMass, Frame, Pose, ResponseError, System,
@@ -12,6 +11,7 @@ use percuss_mechanism::{
     MechanismBuilder,
 };
 use percuss_spatial::{Matrix3, Transform};
+use percuss_tests::judge::UNSTATED;
 use percuss_tests::subjects::{of_linkages, of_trees};
 use std::collections::BTreeMap;
 

@@ -1,7 +1,7 @@
 //! Branches close to each other: every row of a sweep is on its starting branch, for any spacing of the rows, or is
 //! refused.
 //!
-//! `PERCUSS_FAMILY=10000 cargo test --workspace --test loops -- --nocapture every_row` takes that many linkages. Of
+//! `PERCUSS_FAMILY=10000 cargo test --workspace --test suites -- --nocapture every_row` takes that many linkages. Of
 //! each kind, every tenth is also swept with 601 rows, and every hundredth with 6,001. `PERCUSS_SEED=N` takes one of
 //! them, with all rows.
 

@@ -1,7 +1,7 @@
 //! Families of trees and linkages compared with 96 digits: no error stated by lanes or poses is exceeded.
 //!
-//! The short version runs with the suite. `PERCUSS_ROWS=100000 cargo test --workspace --test precision
-//! by_definition -- --nocapture` tests that number of rows of every family.
+//! The short version runs with the suite. `PERCUSS_ROWS=100000 cargo test --workspace --test suites --
+//! --nocapture by_definition` tests that number of rows of every family.
 
 use super::definition::{Closure, Exact, Joint, Link, Outcome, Touch};
 use super::wide::Wide;

@@ -6,6 +6,10 @@ use percuss_dynamics::{ContactResponse, EffectiveMass, Pose};
 /// terms of M a thousand times as large.
 pub const NEAR: f64 = 1e-9;
 
+/// Largest relative difference of two results without a stated error: these are near a singular pose or a massless
+/// motion, where six digits are left.
+pub const UNSTATED: f64 = 1e-6;
+
 /// Rounding per unit of the condition of M: one elimination step for each of some hundred coordinates.
 const PER_CONDITION: f64 = 1e-14;
 /// Lower limit of the tolerance, for well-conditioned problems.

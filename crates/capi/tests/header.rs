@@ -1,13 +1,12 @@
 //! The checked-in header matches the sources; the library exports the listed symbols and no others.
 //!
-//! `PERCUSS_UPDATE=1 cargo test -p percuss-capi --test header` rewrites both files.
+//! `PERCUSS_UPDATE=1 cargo test -p percuss-capi --test capi` rewrites both files.
 
+use crate::built::folder;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-
-mod built;
 
 fn crate_folder() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -94,7 +93,7 @@ fn assert_same_text(path: &Path, expected: &str) {
     let found = fs::read_to_string(path).unwrap_or_default();
     assert!(
         found == expected,
-        "{} is not what the sources say; PERCUSS_UPDATE=1 cargo test -p percuss-capi --test header writes it anew",
+        "{} is not what the sources say; PERCUSS_UPDATE=1 cargo test -p percuss-capi --test capi writes it anew",
         path.display()
     );
 }
@@ -136,7 +135,7 @@ fn the_exports_are_those_of_the_list() {
         println!("the shared library's own table is read on Linux only");
         return;
     }
-    let library: PathBuf = built::folder().join("libpercuss_c.so");
+    let library: PathBuf = folder().join("libpercuss_c.so");
     let output = Command::new("nm").args(["-D", "--defined-only"]).arg(&library).output();
     let output = output.expect("nm, of the binutils that come with a C compiler");
     assert!(output.status.success(), "nm {}: {}", library.display(), String::from_utf8_lossy(&output.stderr));

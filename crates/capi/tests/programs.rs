@@ -4,13 +4,10 @@
 //! Needs a C compiler (`CC`, else cc) and a C++ compiler (`CXX`, else c++); the tests fail without them. Programs are
 //! linked with the installed libraries (`packaging/install.sh`).
 
-#![cfg(unix)]
-
+use crate::built::folder;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
-
-mod built;
 
 fn crate_folder() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -46,7 +43,7 @@ fn prefix() -> &'static Path {
         let prefix = Path::new(env!("CARGO_TARGET_TMPDIR")).join("prefix");
         let mut install = Command::new("sh");
         install.arg(crate_folder().join("packaging/install.sh"));
-        run(install.arg("--prefix").arg(&prefix).arg("--libraries").arg(built::folder()));
+        run(install.arg("--prefix").arg(&prefix).arg("--libraries").arg(folder()));
         prefix
     })
 }

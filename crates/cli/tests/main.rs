@@ -1,37 +1,73 @@
 //! The command, run as a program.
 
-mod bounded;
-mod columns;
-mod crossings;
-mod damp;
-mod designs;
-mod frames;
-mod hostile_names;
-mod import;
-mod init;
-mod input_rules;
-mod loops;
-mod malformed;
-mod map;
-mod mass;
-mod models;
-mod named_contacts;
-mod outputs;
-mod own_suspension;
-mod pages;
-mod questions;
-mod report;
-mod run;
-mod safe_speed;
-mod sizes;
-mod special_files;
-mod study_keys;
+/// A contact at one pose, on several designs, or all over a link.
+mod contacts {
+    mod frames;
+    mod map;
+    mod mass;
+    mod named_contacts;
+    mod questions;
+}
+
+/// Closed linkages.
+mod linkages {
+    mod crossings;
+    mod driving_joints;
+    mod travel_ends;
+}
+
+/// Results that need a contact law.
+mod impacts {
+    mod damp;
+    mod designs;
+    mod safe_speed;
+}
+
+/// `percuss sweep`.
+mod sweep {
+    mod grids;
+    mod input;
+    mod output;
+    mod parquet;
+    mod rows;
+}
+
+/// Study files.
+mod study {
+    mod init;
+    mod keys;
+    mod report;
+    mod run;
+}
+
+/// Suspensions from sheets of hardpoints.
+mod suspensions {
+    mod import;
+    mod own_suspension;
+}
+
+/// Files that are written or replaced.
+mod files {
+    mod outputs;
+    mod special_files;
+    mod tables;
+    mod windows;
+}
+
+/// Bad, hostile and large input.
+mod limits {
+    mod bounded;
+    mod hostile_names;
+    mod input_rules;
+    mod malformed;
+    mod sizes;
+}
+
+/// Pages, models and help texts of the repository.
+mod documentation {
+    mod columns;
+    mod models;
+    mod pages;
+}
+
 mod support;
-mod sweep;
-mod sweep_grids;
-mod sweep_input;
-mod sweep_parquet;
-mod sweep_rows;
-mod tables;
-mod travel_ends;
-mod windows;

@@ -32,7 +32,6 @@
 //! # Ok::<(), percuss_contact::ContactLawError>(())
 //! ```
 
-mod body_region;
 mod contact;
 mod damper;
 mod error;
@@ -40,14 +39,12 @@ pub mod exports;
 mod impact;
 mod laws;
 mod limits;
-mod quadrature;
 mod separation;
 mod solutions;
 mod trajectory;
 mod transient_contact;
 mod varying_mass;
 
-pub use body_region::BodyRegion;
 pub use contact::CompliantContact;
 pub use damper::Damper;
 pub use error::ContactLawError;
@@ -55,5 +52,5 @@ pub use impact::{Impact, Sample};
 pub use laws::{Alias, ApproximationError, Law};
 pub use separation::Separation;
 pub use solutions::{hunt_crossley, kelvin_voigt};
-pub use transient_contact::{SafeSpeed, TransientContact, standard_robot_mass};
+pub use transient_contact::{BodyRegion, SafeSpeed, TransientContact, standard_robot_mass};
 pub use varying_mass::{VaryingMassImpact, impact_with_varying_mass};

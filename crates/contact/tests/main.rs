@@ -1,17 +1,25 @@
 //! Contact laws and exports.
 
+/// The laws of one spring and one damper.
+mod closed_forms {
+    mod durations;
+    mod history;
+    mod hunt_crossley;
+    mod integration;
+    mod kelvin_voigt;
+}
+
+/// Parameters for simulators.
+mod exports {
+    mod measured;
+    mod snippets;
+    mod stops;
+}
+
 mod conditions;
-mod durations;
 mod errors;
-mod exports;
 mod extremes;
-mod history;
-mod hunt_crossley;
-mod integration;
-mod kelvin_voigt;
 mod laws;
-mod measured;
-mod stops;
 mod support;
 mod transient_contact;
 mod varying_mass;

@@ -38,6 +38,6 @@ pub use meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles
 pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
 pub use reading::diagnostic::{Diagnostic, LoadError};
 pub use reading::source::{DEFAULT_MAX_SIZE, Source};
-pub use urdf::elements::shape::{Purpose, Shape, Solid};
+pub use urdf::elements::shapes::shape::{Purpose, Shape, Solid};
 pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded, load, load_file};
 pub use urdf::write::{Comments, write_urdf, write_urdf_with};

@@ -3,7 +3,7 @@
 use crate::axis::unit;
 use crate::checks::check::Check;
 use crate::checks::{closures, contacts, inertias};
-use crate::name_mark::NameMark;
+use crate::names::name_mark::NameMark;
 use crate::problem::{Accept, Problem, Severity, Subject};
 use crate::{
     ClosureDescription, ClosureKind, ContactDescription, CouplingDescription, Geometry, Inertial, Joint,

@@ -7,29 +7,23 @@
 mod axis;
 mod builder;
 mod checks;
-mod closure;
-mod contact;
 mod describe;
-mod description;
-mod inertial;
-mod joint;
+mod elements;
 mod limits;
-mod link;
 mod mechanism;
-mod name_mark;
 mod names;
 mod problem;
 mod tree;
 
 pub use builder::{BuildError, Built, MechanismBuilder};
-pub use closure::{Closure, ClosureId, ClosureKind, Coupling, LoopFrame};
-pub use contact::{ContactDescription, ContactKind, ContactNormal, NamedContact};
-pub use description::{
+pub use elements::closure::{Closure, ClosureId, ClosureKind, Coupling, LoopFrame};
+pub use elements::contact::{ContactDescription, ContactKind, ContactNormal, NamedContact};
+pub use elements::description::{
     ClosureDescription, CouplingDescription, JointDescription, LinkDescription, MimicDescription,
 };
-pub use inertial::Inertial;
-pub use joint::{Joint, JointId, JointKind, Limits, Mimic};
-pub use link::{Geometry, Link, LinkId};
+pub use elements::inertial::Inertial;
+pub use elements::joint::{Joint, JointId, JointKind, Limits, Mimic};
+pub use elements::link::{Geometry, Link, LinkId};
 pub use mechanism::Mechanism;
 pub use names::{NameKind, UnknownName, near_names};
 pub use problem::{Accept, Problem, Severity, Subject};

@@ -14,24 +14,19 @@
 //! `spring_chassis_seat`, and so on. Important joints are `spin` (the wheel bearing) and `rack` (fixed, unless
 //! [`Rack::Sliding`]). Every template has mobility 2 per side: travel and spin.
 
-mod build;
 mod chrono;
 mod corner;
-mod design;
-mod drawing;
 mod findings;
-mod frames;
 mod limits;
 mod options;
 mod sheet;
-mod spindle;
 mod text;
 mod understood;
 mod units;
 
 use chrono::{ChronoTemplate, Reader, Section};
+pub use corner::drawing::{Line, WheelCircle};
 use corner::{Annotations, CHASSIS, Corner, RACK};
-pub use drawing::{Line, WheelCircle};
 use findings::{Findings, Spot};
 pub use options::{ImportOptions, Rack, Side, Wheel};
 use percuss_formats::reading::LONGEST_NAME;

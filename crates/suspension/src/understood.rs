@@ -1,8 +1,8 @@
 //! Summary of a suspension file, for comparison with the design.
 
-use super::drawing::{Drawing, Line, WheelCircle};
 use super::options::{Side, Wheel};
 use super::units::VehicleAxes;
+use crate::corner::drawing::{Drawing, Line, WheelCircle};
 use percuss_mechanism::Mechanism;
 use percuss_units::LengthUnit;
 

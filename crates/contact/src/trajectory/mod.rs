@@ -12,11 +12,12 @@
 
 mod dissipative;
 mod oscillator;
+mod quadrature;
 
 pub(crate) use dissipative::Dissipative;
 pub(crate) use oscillator::Oscillator;
 
-use crate::quadrature::from_singular_end;
+use quadrature::from_singular_end;
 
 /// Dimensionless state at one instant of an impact.
 #[derive(Clone, Copy, Debug)]

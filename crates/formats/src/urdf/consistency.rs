@@ -1,9 +1,9 @@
 //! Checks between elements: transmissions of joints, references by name, loops.
 
 use crate::reading::report::Report;
-use crate::urdf::elements::joint;
+use crate::urdf::elements::joints::joint;
+use crate::urdf::elements::joints::transmission;
 use crate::urdf::elements::nodes::Nodes;
-use crate::urdf::elements::transmission;
 use crate::urdf::loops::{LoopChecks, find_loop_closing_joints};
 use crate::urdf::references::{self, Suggestions};
 use crate::urdf::texts::Texts;

@@ -1,6 +1,6 @@
 //! Conversion of checked texts to values. Numbers are checked earlier, where their positions are known.
 
-use crate::urdf::elements::joint::JointText;
+use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::link::{InertialText, LinkText};
 use crate::urdf::elements::numbers::parse_numbers;
 use nalgebra::Matrix3;

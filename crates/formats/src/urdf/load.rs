@@ -7,7 +7,7 @@ use crate::urdf::consistency;
 use crate::urdf::descriptions;
 use crate::urdf::elements::dialect::ROBOT;
 use crate::urdf::elements::nodes::Nodes;
-use crate::urdf::elements::shape::{Shape, link_shapes};
+use crate::urdf::elements::shapes::shape::{Shape, link_shapes};
 use crate::urdf::elements::survey::{check_element, report_xacro_elements};
 use crate::urdf::texts::Texts;
 use crate::{DEFAULT_MAX_SIZE, Diagnostic, LoadError, Source};

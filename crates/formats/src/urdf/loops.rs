@@ -4,7 +4,7 @@
 use crate::reading::limits::MAX_COUPLING_STEPS;
 use crate::reading::report::{Place, Report, quoted, shortened};
 use crate::urdf::elements::closure::link_tags;
-use crate::urdf::elements::joint::JointText;
+use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::elements::survey::child;
 use crate::urdf::references::{Suggestions, index_by_name};

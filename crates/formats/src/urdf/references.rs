@@ -3,7 +3,7 @@
 
 use crate::reading::limits::{MAX_CANDIDATES, MAX_MIMIC_CHAIN, MAX_SUGGESTIONS};
 use crate::reading::report::{Place, Report, shortened};
-use crate::urdf::elements::joint::JointText;
+use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::link::LinkText;
 use crate::urdf::elements::survey::child;
 use percuss_mechanism::{Problem, near_names};

@@ -3,9 +3,9 @@
 use crate::reading::report::Report;
 use crate::urdf::elements::closure;
 use crate::urdf::elements::contact;
-use crate::urdf::elements::gazebo_joint::{GazeboJointReader, ZeroPoseFrames};
-use crate::urdf::elements::joint;
-use crate::urdf::elements::joint::JointText;
+use crate::urdf::elements::joints::gazebo_joint::{GazeboJointReader, ZeroPoseFrames};
+use crate::urdf::elements::joints::joint;
+use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::link;
 use crate::urdf::elements::link::LinkText;
 use crate::urdf::elements::nodes::Nodes;

@@ -1,7 +1,7 @@
 //! Findings of the builder, and validation of numbers and names.
 
-use crate::description::{JointDescription, LinkDescription};
-use crate::joint::Limits;
+use crate::elements::description::{JointDescription, LinkDescription};
+use crate::elements::joint::Limits;
 use crate::limits;
 use crate::names::near_names;
 use crate::problem::{Problem, Severity, Subject};

@@ -2,7 +2,7 @@
 
 use crate::axis::unit;
 use crate::checks::check::Check;
-use crate::closure::{Closure, ClosureKind, Coupling, LoopFrame};
+use crate::elements::closure::{Closure, ClosureKind, Coupling, LoopFrame};
 use crate::limits;
 use crate::problem::{Problem, Subject};
 use crate::{

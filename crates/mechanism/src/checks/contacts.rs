@@ -2,7 +2,7 @@
 
 use crate::axis::unit;
 use crate::checks::check::Check;
-use crate::contact::{ContactDescription, ContactNormal, NamedContact};
+use crate::elements::contact::{ContactDescription, ContactNormal, NamedContact};
 use crate::limits;
 use crate::problem::{Problem, Subject};
 use crate::{LinkDescription, Mechanism};

@@ -2,7 +2,7 @@
 
 use crate::model::changes::Changes;
 use crate::model::loading::Model;
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use percuss_formats::LoadError;
 use percuss_mechanism::{BuildError, Inertial, LinkDescription, Mechanism, Problem, Severity, Subject};

@@ -2,7 +2,7 @@
 
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
 use crate::thresholds::LIFT_OFF_SPEED;
 use nalgebra::Vector3;

@@ -4,7 +4,7 @@ use crate::checks::findings::collect_pose_findings;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
 use percuss_dynamics::{Base, Conditions, System};
 use percuss_mechanism::{Geometry, Mechanism};

@@ -16,7 +16,7 @@ use crate::evaluation::status::Status;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
 use crate::question::damping_question::DampingQuestion;
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::{DIFFERENCE, SAME_LIMIT, STROKES, WARNED_MASS_DRIFT};

@@ -9,7 +9,7 @@ use crate::evaluation::named_contact::NamedContactRecord;
 use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
 use crate::question::damping_question::DampingQuestion;
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use percuss_contact::exports::{Options, Request};
 use percuss_contact::{
     CompliantContact, ContactLawError, Damper, Law, Sample, Separation, VaryingMassImpact,

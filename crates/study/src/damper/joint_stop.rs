@@ -1,7 +1,7 @@
 //! Stop of a joint, as a contact between the two links of the joint.
 
 use crate::model::loading::Model;
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::values::position::GivenPosition;

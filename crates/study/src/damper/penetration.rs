@@ -9,7 +9,7 @@
 //! 1993, §II.4). The loops are closed after each step.
 
 use crate::evaluation::prepared_question::PreparedQuestion;
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use crate::thresholds::{
     FIRST_PENETRATION, LARGEST_PENETRATION, LEAST_PENETRATION, PENETRATION_GROWTH, PENETRATION_MASS,
     PENETRATION_MOTION,

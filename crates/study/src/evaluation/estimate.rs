@@ -1,6 +1,6 @@
 //! Classical estimate m_K / l̄² for comparison with the exact value.
 
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::EstimateQuestion;
 use crate::thresholds::{LARGEST_COORDINATE, SHORTEST_DIRECTION};

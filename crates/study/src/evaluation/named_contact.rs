@@ -3,7 +3,7 @@
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::wheel_points::wheel_centres;
 use crate::pose::touch::touching_stops;
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use crate::thresholds::TOUCH_TOLERANCE;
 use percuss_dynamics::{Gap, Pose};
 use percuss_mechanism::LinkId;

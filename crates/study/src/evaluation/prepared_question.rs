@@ -10,7 +10,7 @@ use crate::checks::held_contact::HeldContact;
 use crate::evaluation::estimate::{EstimateRecord, PreparedEstimate};
 use crate::model::loading::{Input, Model};
 use crate::pose::pose_solver;
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::question::pose_file::{GivenPose, GivenPoseError};

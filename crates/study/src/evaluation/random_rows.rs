@@ -2,7 +2,7 @@
 //! depend on other rows.
 
 use crate::evaluation::prepared_question::PreparedQuestion;
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use percuss_mechanism::{JointId, JointKind};
 use rand_chacha::ChaCha8Rng;

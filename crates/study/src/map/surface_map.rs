@@ -10,7 +10,7 @@ use crate::map::map_report::{
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::map_question::{MapLinks, MapQuestion, MapShapes};
 use crate::question::mass_question::{MassQuestion, Normal};

@@ -1,6 +1,6 @@
 //! Pose at which several travels have requested displacements at once.
 
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
 use crate::thresholds::{LEAST_PART, OTHER_DRIVERS, TRAVEL_PARTS, TRAVEL_ROUNDS, TRAVEL_TOLERANCE};
 use nalgebra::{DMatrix, DVector};

@@ -5,9 +5,9 @@ use crate::model::wheel_points::sliding_rack;
 use crate::pose::driver::Driver;
 use crate::pose::joined_travels::JoinedTravels;
 use crate::pose::unreachable_range::{UnreachableExtent, UnreachedRow};
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names, assembly_error_message};
-use crate::question::moved::MovedPoint;
+use crate::question::travel::moved::MovedPoint;
 use crate::thresholds::{
     DEAD_CENTRE_APPROACH, LEAST_ADVANCE, LEAST_POINT_RATE, OTHER_DRIVERS, TRAVEL_STAGES,
 };

@@ -1,7 +1,7 @@
 //! Pose at which a stop touches.
 
 use crate::model::wheel_points::SIDES;
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use percuss_dynamics::{Gap, Pose};
 use percuss_mechanism::{Mechanism, NamedContact};

@@ -1,6 +1,6 @@
 //! Input of a damper design.
 
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use percuss_contact::exports::{Options, Tool};
 use percuss_contact::{ContactLawError, Law, Separation};

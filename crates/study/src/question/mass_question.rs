@@ -1,10 +1,10 @@
 //! Question about a contact of a model, in terms of names. The fields correspond to the flags of `percuss
 //! mass`.
 
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
-use crate::question::given_travel::GivenTravel;
 use crate::question::pose_file::GivenPose;
+use crate::question::travel::given_travel::GivenTravel;
 use crate::values::position::GivenPosition;
 use crate::values::quantities::{self, Point, Vector};
 use percuss_dynamics::{Base, Contact, Direction, Frame};

@@ -1,6 +1,6 @@
 //! Source of the rows of a sweep.
 
-use crate::question::vary::Vary;
+use crate::question::travel::vary::Vary;
 
 /// Source of the rows of a sweep.
 #[derive(Clone, Debug, PartialEq)]

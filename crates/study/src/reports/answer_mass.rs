@@ -7,7 +7,7 @@ use crate::evaluation::named_contact::named_contact;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
 use crate::question::damping_question::DampingQuestion;
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::drawing::{DrawnMechanism, draw_evaluated};
 use crate::reports::mass_report::MassReport;

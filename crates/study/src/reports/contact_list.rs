@@ -3,7 +3,7 @@
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::damping_question::DampingQuestion;
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::answer_mass::{mass, mass_with_damper};

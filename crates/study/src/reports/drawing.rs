@@ -6,7 +6,7 @@ use crate::evaluation::prepared_question::{EvaluatedQuestion, compile, configura
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::pose_solver;
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::FACETS;
 use percuss_dynamics::{ContactResponse, PointVelocity, Pose};

@@ -8,7 +8,7 @@
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::changes::Changes;
 use crate::model::loading::Model;
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::{LISTED_CHANGES, POINT_STEP};
 use nalgebra::Vector3;

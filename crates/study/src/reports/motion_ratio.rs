@@ -2,7 +2,7 @@
 
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::wheel_points::wheel_points;
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::RatioPoint;
 use crate::thresholds::{INVERSE_RATIO_TOLERANCE, SHORTEST_DIRECTION};

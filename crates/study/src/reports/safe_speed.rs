@@ -6,7 +6,7 @@ use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion, Pre
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::Positions;
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::question::row_source::RowSource;

@@ -4,7 +4,7 @@
 use crate::evaluation::random_rows::RandomStream;
 use crate::model::changes::Changes;
 use crate::model::loading::Model;
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::explain::{Explanation, changed_mass, explain};

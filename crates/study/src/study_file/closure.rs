@@ -1,6 +1,6 @@
 //! A closure in a study file.
 
-use crate::question::refusal::InvalidKey;
+use crate::question::errors::refusal::InvalidKey;
 use crate::values::quantities::{Angles, Length, Point, Vector};
 use percuss_mechanism::{ClosureDescription, ClosureKind};
 use percuss_spatial::{Transform, rotation_from_rpy};

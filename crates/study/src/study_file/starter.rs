@@ -3,7 +3,7 @@
 use crate::checks::model_check::{CheckReport, JointRecord, check};
 use crate::evaluation::status::Status;
 use crate::model::loading::Model;
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::reports::answer_mass::mass;

@@ -1,8 +1,8 @@
 //! Text of a study file: all tables. The doc comments are the descriptions in the JSON schema and in the help of the flags.
 
+use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Names;
 use crate::question::mass_question::{Hold, MassQuestion};
-use crate::question::refusal::InvalidKey;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::tables::contact::{ConditionsTable, ContactTable, PoseTable, QuestionTables};
 use crate::study_file::tables::damping::DampingTable;

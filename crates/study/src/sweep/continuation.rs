@@ -4,7 +4,7 @@
 use crate::pose::driver::Driver;
 use crate::pose::point_travel::PointTravel;
 use crate::pose::unreachable_range::{UnreachableExtent, UnreachableRange, UnreachedRow};
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names, assembly_error_message};
 use crate::sweep::followed_rows::PathFindings;
 use crate::sweep::row_layout::RowLayout;

@@ -9,8 +9,8 @@ use crate::checks::finding::FindingTally;
 use crate::pose::driver::Driver;
 use crate::pose::point_travel::PointTravel;
 use crate::pose::unreachable_range::{SkippedRows, UnreachableRange};
-use crate::question::error::StudyError;
-use crate::question::varied_values::VariedValues;
+use crate::question::errors::question_error::StudyError;
+use crate::question::travel::varied_values::VariedValues;
 use crate::sweep::continuation::{LineContinuation, StepLimit, min_limit};
 use crate::sweep::row_blocks::{RowBlock, RowReader};
 use crate::sweep::sweep_context::{

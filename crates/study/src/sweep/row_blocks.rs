@@ -1,9 +1,9 @@
 //! Numbers of the rows of a sweep, in order, one block at a time.
 
 use crate::evaluation::random_rows::RandomRows;
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
-use crate::question::vary::EvenlySpacedValues;
+use crate::question::travel::vary::EvenlySpacedValues;
 use crate::sweep::continuation::DistanceMeasure;
 use crate::tables::trajectory::Trajectory;
 

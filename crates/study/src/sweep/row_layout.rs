@@ -3,11 +3,11 @@
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::pose::driver::Driver;
 use crate::pose::point_travel::PointTravel;
-use crate::question::error::{Fault, StudyError};
+use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
-use crate::question::moved::{Moved, MovedPoint};
-use crate::question::varied_values::VariedColumn;
-use crate::question::vary::{Varied, Vary};
+use crate::question::travel::moved::{Moved, MovedPoint};
+use crate::question::travel::varied_values::VariedColumn;
+use crate::question::travel::vary::{Varied, Vary};
 use crate::values::position::position_dimension;
 use percuss_dynamics::{Configuration, System};
 use percuss_mechanism::JointId;

@@ -3,7 +3,7 @@
 use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
-use crate::question::varied_values::{VariedColumn, VariedValues};
+use crate::question::travel::varied_values::{VariedColumn, VariedValues};
 use serde::Serialize;
 use std::sync::Arc;
 

@@ -1,7 +1,7 @@
 //! Columns of a position file: joint, component and unit of each column.
 
 use crate::evaluation::prepared_question::PreparedQuestion;
-use crate::question::table_error::{TableError, TableFault};
+use crate::question::errors::table_error::{TableError, TableFault};
 use crate::values::position::position_dimension;
 use percuss_mechanism::{JointId, Mechanism};
 use percuss_units::{Dimension, Unit};

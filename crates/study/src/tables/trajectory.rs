@@ -3,8 +3,8 @@
 
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::model::loading::Input;
+use crate::question::errors::table_error::{TableError, TableFault};
 use crate::question::row_source::PositionFile;
-use crate::question::table_error::{TableError, TableFault};
 use crate::tables::columns::{Columns, check_separator};
 use crate::thresholds::{GRID_ROWS, LARGEST_COORDINATE};
 use percuss_dynamics::{AssemblyError, Configuration};

@@ -1,14 +1,14 @@
 //! Reads a corner from a file of Chrono::Vehicle according to its template.
 
-use super::super::build::build;
-use super::super::corner::{Body, Corner};
-use super::super::design::{Design, GivenBody};
-use super::super::findings::Spot;
-use super::super::frames;
-use super::super::spindle::Spindle;
 use super::reader::{Reader, Section};
 use super::sections::{MASS, SectionBody, VISUAL_KEYS, read_body, read_inertia};
 use super::template::{ChronoTemplate, InertiaAxes, Notation, PlaneRule, SectionRule};
+use crate::corner::build::build;
+use crate::corner::design::{Design, GivenBody};
+use crate::corner::frames;
+use crate::corner::spindle::Spindle;
+use crate::corner::{Body, Corner};
+use crate::findings::Spot;
 use percuss_spatial::{Matrix3, Vector3};
 use std::collections::BTreeMap;
 

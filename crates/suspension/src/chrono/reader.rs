@@ -1,10 +1,10 @@
 //! Typed access to the keys of a file; every finding has its key path and its position.
 
-use super::super::findings::{Findings, Spot};
-use super::super::text::offset_of;
-use super::super::units::{Frame, check_size};
 use super::json::{Array, Object};
+use crate::findings::{Findings, Spot};
 use crate::limits::MAX_KEYS;
+use crate::text::offset_of;
+use crate::units::{Frame, check_size};
 use percuss_formats::Diagnostic;
 use percuss_formats::reading::{quoted, shortened};
 use percuss_mechanism::near_names;

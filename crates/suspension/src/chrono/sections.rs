@@ -1,13 +1,13 @@
 //! Bodies and spindle in the sections of a file of Chrono::Vehicle.
 
-use super::super::corner::Body;
-use super::super::findings::Spot;
-use super::super::frames;
-use super::super::options::ImportOptions;
-use super::super::spindle::Spindle;
-use super::super::units::VehicleAxes;
 use super::reader::{Reader, Section};
 use super::template::Notation;
+use crate::corner::Body;
+use crate::corner::frames;
+use crate::corner::spindle::Spindle;
+use crate::findings::Spot;
+use crate::options::ImportOptions;
+use crate::units::VehicleAxes;
 use percuss_spatial::{Matrix3, Vector3};
 
 /// Keys that affect only the visualisation.

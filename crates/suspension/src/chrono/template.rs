@@ -1,6 +1,6 @@
 //! Templates of Chrono::Vehicle, as read from their data files.
 
-use super::super::design::Part;
+use crate::corner::design::Part;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;

@@ -1,11 +1,11 @@
 //! Builds the corner of a sheet.
 
-use super::super::build::{self, Built};
-use super::super::corner::Body;
-use super::super::design::GivenBody;
-use super::super::findings::Findings;
-use super::super::spindle::Spindle;
 use super::read::Sheet;
+use crate::corner::Body;
+use crate::corner::build::{self, Built};
+use crate::corner::design::GivenBody;
+use crate::corner::spindle::Spindle;
+use crate::findings::Findings;
 use percuss_spatial::Matrix3;
 
 /// Builds the corner of a sheet; reports points that determine no axis or line.

@@ -1,8 +1,8 @@
 //! All templates of sheets and the descriptions of their keys, read from the data files in `templates`. Reading,
 //! building, writing and the tables of the documentation use these data.
 
-use super::super::design::{Part, SEATS, is_central};
 use super::template::{Keys, Template};
+use crate::corner::design::{Part, SEATS, is_central};
 use std::sync::LazyLock;
 
 /// Texts of the data files, in the order of the list of templates.

@@ -1,8 +1,8 @@
 //! Keys and values of a sheet or table, independent of the file format: numbers with units, texts, points.
 
-use super::super::findings::{Findings, Spot};
-use super::super::units::Frame;
+use crate::findings::{Findings, Spot};
 use crate::limits::MAX_SHEET_KEYS;
+use crate::units::Frame;
 use percuss_formats::reading::{quoted, shortened};
 use percuss_mechanism::near_names;
 use percuss_spatial::Vector3;

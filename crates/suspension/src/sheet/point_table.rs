@@ -2,10 +2,10 @@
 //!
 //! A sheet may come from somebody else, and messages quote the table: no other folder is read unless the user allows it.
 
-use super::super::findings::Findings;
-use super::super::options::ImportOptions;
 use super::entries::Entries;
 use super::table;
+use crate::findings::Findings;
+use crate::options::ImportOptions;
 use percuss_formats::reading::quoted;
 use percuss_formats::{DEFAULT_MAX_SIZE, Source};
 use std::fs;

@@ -1,16 +1,16 @@
 //! Reader of the entries of a sheet according to its template.
 
-use super::super::design::{Design, GivenBody, Part, STOPS, Stop};
-use super::super::findings::{Findings, Spot};
-use super::super::options::{ImportOptions, Rack, Side, Wheel};
-use super::super::units::{Frame, VehicleAxes, check_size};
 use super::catalogue;
 use super::entries::{Cell, Entries, Quantity};
 use super::point_table::{self, Files};
 use super::template::{ExampleBody, Shape, Template, symmetric_matrix};
 use super::{table, toml_text};
 use crate::corner;
+use crate::corner::design::{Design, GivenBody, Part, STOPS, Stop};
+use crate::findings::{Findings, Spot};
 use crate::limits::MAX_SHEET_KEYS;
+use crate::options::{ImportOptions, Rack, Side, Wheel};
+use crate::units::{Frame, VehicleAxes, check_size};
 use percuss_formats::Source;
 use percuss_formats::reading::LONGEST_NAME;
 use percuss_formats::reading::{cut, quoted};

@@ -5,10 +5,10 @@
 //! a unit (`x [mm]`), defines these columns; columns with other names are ignored. The unit applies to the points of the
 //! table, and by default to all lengths. Rows that begin with # are comments.
 
-use super::super::findings::{Findings, Spot};
 use super::entries::{Cell, Entries, TableRow, parse_number};
 #[cfg(feature = "xlsx")]
 use super::workbook;
+use crate::findings::{Findings, Spot};
 use crate::limits::{MAX_SHEET_KEYS, MAX_TABLE_COLUMNS};
 use percuss_formats::reading::{quoted, shortened};
 use percuss_units::LengthUnit;

@@ -1,6 +1,6 @@
 //! Template of a sheet, as read from its data file in `templates`.
 
-use super::super::design::Part;
+use crate::corner::design::Part;
 use percuss_spatial::Matrix3;
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! Reader of the entries of a sheet in TOML.
 
-use super::super::findings::{Findings, Spot};
 use super::entries::{Cell, Entries};
+use crate::findings::{Findings, Spot};
 use crate::limits::MAX_SHEET_BYTES;
 use percuss_formats::reading::LONGEST_NAME;
 use percuss_formats::reading::shortened;

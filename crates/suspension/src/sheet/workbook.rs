@@ -3,8 +3,8 @@
 //! Limits are checked before the library reads the workbook. The library allocates memory for the counts stated in a workbook,
 //! and copies a cell format for every cell style that refers to the format.
 
-use super::super::findings::Spot;
 use super::entries::{Cell, TableRow};
+use crate::findings::Spot;
 use crate::limits::workbook::{
     MAX_CELL_FORMAT_BYTES, MAX_CELL_FORMATS, MAX_TABLE_TEXT_BYTES, MAX_UNPACKED_BYTES, MAX_WORKBOOK_BYTES,
     MAX_WORKBOOK_PARTS, MAX_WORKSHEET_CELLS,

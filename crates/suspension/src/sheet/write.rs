@@ -1,10 +1,10 @@
 //! Writer of sheets to fill in, and of the tables in the documentation.
 
-use super::super::design::Part;
-use super::super::units::VehicleAxes;
 use super::catalogue::{description_of, keys, templates};
 use super::table::HEAD;
 use super::template::{Shape, Template, symmetric_matrix};
+use crate::corner::design::Part;
+use crate::units::VehicleAxes;
 use percuss_spatial::Vector3;
 use percuss_units::LengthUnit;
 use std::fmt::Write;

@@ -2,7 +2,7 @@
 
 use crate::reading::limits::MIN_AXIS_COMPONENT;
 use crate::reading::report::{Place, Report, quoted};
-use crate::urdf::elements::joint::read_link_name;
+use crate::urdf::elements::joints::joint::read_link_name;
 use crate::urdf::elements::link::read_name;
 use crate::urdf::elements::numbers::{required_number, required_numbers};
 use crate::urdf::elements::origin::{self, Origin};

@@ -11,7 +11,7 @@
 //! ```
 
 use crate::reading::report::{Place, Report, quoted};
-use crate::urdf::elements::joint::read_link_name;
+use crate::urdf::elements::joints::joint::read_link_name;
 use crate::urdf::elements::link::read_name;
 use crate::urdf::elements::numbers::{optional_numbers, parse_numbers, required_number, required_numbers};
 use crate::urdf::elements::survey::child;

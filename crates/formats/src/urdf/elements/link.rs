@@ -2,9 +2,9 @@
 
 use crate::reading::limits::LONGEST_NAME;
 use crate::reading::report::{Place, Report, shortened};
-use crate::urdf::elements::geometry;
 use crate::urdf::elements::numbers::{optional_numbers, required_numbers};
 use crate::urdf::elements::origin::{self, Origin};
+use crate::urdf::elements::shapes::geometry;
 use crate::urdf::elements::survey::child;
 use percuss_mechanism::{Geometry, Problem};
 use roxmltree::Node;

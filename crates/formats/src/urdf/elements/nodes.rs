@@ -3,7 +3,7 @@
 use crate::reading::limits::MAX_ELEMENTS_PER_KIND;
 use crate::reading::report::{Place, Report};
 use crate::urdf::elements::closure;
-use crate::urdf::elements::gazebo_joint::fixes_root_to_world;
+use crate::urdf::elements::joints::gazebo_joint::fixes_root_to_world;
 use crate::urdf::elements::survey::{child, children, is_gazebo_joint};
 use percuss_mechanism::{Problem, Subject};
 use roxmltree::Node;

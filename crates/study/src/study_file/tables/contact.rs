@@ -2,11 +2,11 @@
 
 #[cfg(feature = "flags")]
 use super::headings::{ADDITIONAL, CONDITIONS, CONTACT, POSE};
+use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::{Field, Names};
-use crate::question::given_travel::GivenTravel;
 use crate::question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint};
 use crate::question::pose_file::GivenPose;
-use crate::question::refusal::InvalidKey;
+use crate::question::travel::given_travel::GivenTravel;
 #[cfg(feature = "flags")]
 use crate::values::named;
 use crate::values::position::GivenPosition;

@@ -4,8 +4,8 @@
 use super::headings::DAMPER;
 use crate::damper::joint_stop::JointStop;
 use crate::question::damping_question::{DampingQuestion, check_units};
-use crate::question::error::StudyError;
-use crate::question::refusal::InvalidKey;
+use crate::question::errors::question_error::StudyError;
+use crate::question::errors::refusal::InvalidKey;
 use crate::values::quantities::{Plain, PositiveMass, Ratio, Speed, Stiffness, Time};
 use crate::values::value::{self, Words};
 use percuss_contact::exports::{ExportError, Tool};

@@ -2,9 +2,9 @@
 
 #[cfg(feature = "flags")]
 use super::headings::{OUTPUT, READING, SURFACE};
+use crate::question::errors::refusal::InvalidKey;
 use crate::question::map_question::{MapLinks, MapQuestion, MapShapes};
 use crate::question::mass_question::MassQuestion;
-use crate::question::refusal::InvalidKey;
 use crate::study_file::tables::sweep::{DecimalSign, StudyTable, TableUnit, path_in};
 #[cfg(feature = "flags")]
 use crate::values::named;

@@ -2,7 +2,7 @@
 
 #[cfg(feature = "flags")]
 use super::headings::{ADDITIONAL, ANSWER};
-use crate::question::refusal::InvalidKey;
+use crate::question::errors::refusal::InvalidKey;
 use crate::reports::tolerance::{Sampling, Tolerance};
 use crate::values::quantities::PositiveMass;
 use crate::values::value::{NumberOrText, OneOrMany};

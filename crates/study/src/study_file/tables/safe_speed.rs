@@ -3,9 +3,9 @@
 #[cfg(feature = "flags")]
 use super::headings::{LIMIT, WHICH};
 use crate::model::loading::Model;
-use crate::question::error::StudyError;
+use crate::question::errors::question_error::StudyError;
+use crate::question::errors::refusal::InvalidKey;
 use crate::question::mass_question::MassQuestion;
-use crate::question::refusal::InvalidKey;
 use crate::question::row_source::{PositionFile, RowSource};
 use crate::reports::safe_speed::{
     SafeSpeedQuestion, SafeSpeedReport, StatedLimits, safe_speed, safe_speed_along, safe_speed_directions,

@@ -2,9 +2,9 @@
 
 #[cfg(feature = "flags")]
 use super::headings::{OUTPUT, ROWS};
-use crate::question::refusal::InvalidKey;
+use crate::question::errors::refusal::InvalidKey;
 use crate::question::row_source::{PositionFile, RowSource};
-use crate::question::vary::Vary;
+use crate::question::travel::vary::Vary;
 use crate::values::value::{self, Words};
 use schemars::JsonSchema;
 use serde::Deserialize;

@@ -1,0 +1,11 @@
+//! The C interface: its functions called from Rust, the header, and programs in C and C++.
+
+mod calls;
+
+// Miri starts no other program.
+#[cfg(not(miri))]
+mod built;
+#[cfg(not(miri))]
+mod header;
+#[cfg(all(unix, not(miri)))]
+mod programs;

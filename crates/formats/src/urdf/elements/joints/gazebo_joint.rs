@@ -1,0 +1,328 @@
+//! SDF `<joint>` in a `<gazebo>` of the robot: an additional joint that closes a loop.
+//!
+//! SDF gives the joint frame relative to the child link. The frame on the parent link follows from the pose with all
+//! joints at 0, in which the loop is therefore closed. Source: SDFormat 1.11, joint.sdf, and sdformat's
+//! `parser_urdf.cc`, which copies the element into the model.
+
+use crate::reading::limits::{MIN_AXIS_COMPONENT, OBLIQUE_PINS, QUATERNION_NORM_TOLERANCE};
+use crate::reading::report::{Place, Report, quoted};
+use crate::urdf::elements::joints::joint::JointText;
+use crate::urdf::elements::link::read_name;
+use crate::urdf::elements::numbers::parse_numbers;
+use crate::urdf::elements::survey::{child, refuse_gazebo_joint as refuse};
+use percuss_mechanism::{ClosureDescription, ClosureKind, Problem};
+use percuss_spatial::{Transform, Vector3, rotation_from_quaternion, rotation_from_rpy};
+use roxmltree::Node;
+use std::collections::HashMap;
+
+/// SDF name of the model frame, which coincides with the root link's frame.
+const MODEL: &str = "__model__";
+const WORLD: &str = "world";
+
+/// True for a joint between the world and the root link: the joint fixes the model to the world and closes no loop. A joint
+/// of this kind that is not fixed is an error, because the root would move.
+pub(crate) fn fixes_root_to_world(
+    node: Node<'_, '_>,
+    is_root: impl Fn(&str) -> bool,
+    report: &mut Report,
+) -> bool {
+    let [parent, child] =
+        ["parent", "child"].map(|tag| child(node, tag).map(element_text).unwrap_or_default());
+    let root = match (parent.trim_ascii(), child.trim_ascii()) {
+        (WORLD, root) | (root, WORLD) => root,
+        _ => return false,
+    };
+    if !is_root(root) {
+        return false;
+    }
+    if node.attribute("type") == Some("fixed") {
+        report.note("gazebo-joint", Place::Element(node), || {
+            format!("the joint fixes the root link {} to the world, as a fixed base does", quoted(root))
+        });
+    } else {
+        refuse(node, report, || {
+            format!(
+                "it moves the root link {} on the world; make it a <joint> from a link \"world\" without mass",
+                quoted(root)
+            )
+        });
+    }
+    true
+}
+
+/// Frames of links and tree joints relative to the root link, with all joints at 0.
+pub(crate) struct ZeroPoseFrames<'a> {
+    links: HashMap<&'a str, Transform<f64>>,
+    /// Child link of each tree joint. The SDF frame of a URDF joint is the frame of its child.
+    children: HashMap<&'a str, &'a str>,
+}
+
+impl<'a> ZeroPoseFrames<'a> {
+    /// Computes the frames of all child links of `joints`; each frame is computed once.
+    pub fn new(joints: &[JointText<'a>]) -> Self {
+        // The first joint to a link belongs to the tree; later joints to the same link close loops.
+        let mut above: HashMap<&str, &JointText<'a>> = HashMap::new();
+        for joint in joints {
+            above.entry(joint.child).or_insert(joint);
+        }
+        let tree = || {
+            joints
+                .iter()
+                .filter(|joint| above.get(joint.child).is_some_and(|first| std::ptr::eq(*first, *joint)))
+        };
+        let mut links = HashMap::new();
+        for joint in tree() {
+            let mut path = Vec::new();
+            let mut current = joint.child;
+            // The builder reports cycles of links; the length bound ends the walk.
+            while let Some(joint) = above.get(current)
+                && !links.contains_key(current)
+                && path.len() <= joints.len()
+            {
+                path.push(*joint);
+                current = joint.parent;
+            }
+            let mut frame = links.get(current).copied().unwrap_or_else(Transform::identity);
+            for joint in path.into_iter().rev() {
+                frame = frame * joint.origin.transform();
+                links.insert(joint.child, frame);
+            }
+        }
+        Self { links, children: tree().map(|joint| (joint.name, joint.child)).collect() }
+    }
+
+    /// X_rl, link to root link. Identity for the root link (no parent joint) and for the world.
+    fn link_frame(&self, link: &str) -> Transform<f64> {
+        self.links.get(link).copied().unwrap_or_else(Transform::identity)
+    }
+
+    /// X_rf of the model, a link or a tree joint; `None` for an unknown name.
+    fn named_frame(&self, frame: &str, links: &HashMap<&str, usize>) -> Option<Transform<f64>> {
+        match self.children.get(frame) {
+            _ if frame == MODEL => Some(Transform::identity()),
+            _ if links.contains_key(frame) => Some(self.link_frame(frame)),
+            Some(child) => Some(self.link_frame(child)),
+            None => None,
+        }
+    }
+}
+
+/// Reads SDF joints as closures.
+pub(crate) struct GazeboJointReader<'f, 'a> {
+    pub zero_pose: &'f ZeroPoseFrames<'a>,
+    /// Index of each link by name.
+    pub links: &'f HashMap<&'a str, usize>,
+}
+
+impl<'a> GazeboJointReader<'_, 'a> {
+    /// Description of the closure, with finite numbers.
+    pub fn read_closure<'i: 'a>(&self, node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
+        let name = read_name(node, report).to_owned();
+        let kind = read_joint_type(node, report);
+        let [predecessor, successor] = ["parent", "child"].map(|tag| read_link_name(node, tag, report));
+        let x_rc = self.zero_pose.link_frame(&successor);
+        let x_rj = self.read_joint_frame(node, &x_rc, report);
+        let kind_with_axis = kind.filter(|kind| kind.has_axis());
+        let axis = self.read_axis(node, "axis", &x_rj, kind_with_axis, report);
+        let universal = kind.filter(|kind| *kind == ClosureKind::Universal);
+        let axis2 = self.read_axis(node, "axis2", &x_rj, universal, report);
+        if universal.is_some() && axis.normalize().dot(&axis2.normalize()).abs() > OBLIQUE_PINS {
+            refuse(node, report, || {
+                "the two axes of a universal joint are at right angles here; these are not".to_owned()
+            });
+        }
+        if let Some(kind) = kind {
+            report.note("gazebo-joint", Place::Element(node), || {
+                format!(
+                    "the joint inside <gazebo> is read as a {} loop, placed on {} and held by {} as drawn",
+                    kind.name(),
+                    quoted(&successor),
+                    quoted(&predecessor)
+                )
+            });
+        }
+        ClosureDescription {
+            name,
+            kind: kind.unwrap_or(ClosureKind::Fixed),
+            predecessor_frame: self.zero_pose.link_frame(&predecessor).inverse() * x_rj,
+            predecessor,
+            successor_frame: x_rc.inverse() * x_rj,
+            successor,
+            axis,
+            axis2,
+            distance: None,
+        }
+    }
+
+    /// X_rj. The pose is relative to the child link (X_rc) unless another frame is named.
+    fn read_joint_frame<'i: 'a>(
+        &self,
+        node: Node<'a, 'i>,
+        x_rc: &Transform<f64>,
+        report: &mut Report,
+    ) -> Transform<f64> {
+        let Some(pose) = child(node, "pose") else { return *x_rc };
+        let base = pose.attribute("relative_to").or_else(|| pose.attribute("frame"));
+        let base = self.frame_or_default(pose, base, x_rc, report);
+        let text = element_text(pose);
+        let format = pose.attribute("rotation_format").unwrap_or("euler_rpy").trim_ascii();
+        let degrees = pose.attribute("degrees").is_some_and(|text| parse_boolean(pose, text, report));
+        let relative = match format {
+            _ if text.trim_ascii().is_empty() => Some(Transform::identity()),
+            "euler_rpy" => {
+                parse_element_numbers::<6>(pose, &text, report).map(|[x, y, z, roll, pitch, yaw]| {
+                    let unit = |angle: f64| if degrees { angle.to_radians() } else { angle };
+                    Transform::new(rotation_from_rpy([roll, pitch, yaw].map(unit)), [x, y, z].into())
+                })
+            }
+            "quat_xyzw" if !degrees => {
+                parse_element_numbers::<7>(pose, &text, report).and_then(|[x, y, z, a, b, c, w]| {
+                    let norm = [a, b, c, w].iter().map(|c| c * c).sum::<f64>().sqrt();
+                    if (norm - 1.0).abs() > QUATERNION_NORM_TOLERANCE || norm.is_nan() {
+                        refuse(pose, report, || {
+                            format!("the quaternion x y z w has norm {norm}; a unit quaternion is expected")
+                        });
+                        return None;
+                    }
+                    let rotation = rotation_from_quaternion([w, a, b, c].map(|c| c / norm));
+                    Some(Transform::new(rotation, [x, y, z].into()))
+                })
+            }
+            other => {
+                refuse(pose, report, || {
+                    format!(
+                        "rotation_format={}: euler_rpy, or quat_xyzw without degrees, is expected",
+                        quoted(other)
+                    )
+                });
+                None
+            }
+        };
+        base * relative.unwrap_or_else(Transform::identity)
+    }
+
+    /// X_rf, named frame to root link; `default` if there is no name or the name is unknown.
+    fn frame_or_default(
+        &self,
+        node: Node<'_, '_>,
+        named: Option<&str>,
+        default: &Transform<f64>,
+        report: &mut Report,
+    ) -> Transform<f64> {
+        let Some(frame) = named.map(str::trim_ascii).filter(|frame| !frame.is_empty()) else {
+            return *default;
+        };
+        self.zero_pose.named_frame(frame, self.links).unwrap_or_else(|| {
+            refuse(node, report, || {
+                format!(
+                    "the frame {} is not known; expected {MODEL}, or the name of a link or of a joint of the tree",
+                    quoted(frame)
+                )
+            });
+            *default
+        })
+    }
+
+    /// Axis in the joint frame. The default of SDF is 0 0 1.
+    fn read_axis<'i: 'a>(
+        &self,
+        node: Node<'a, 'i>,
+        tag: &'static str,
+        x_rj: &Transform<f64>,
+        kind: Option<ClosureKind>,
+        report: &mut Report,
+    ) -> Vector3<f64> {
+        let Some(element) = child(node, tag) else {
+            if let Some(kind) = kind.filter(|_| tag == "axis2") {
+                refuse(node, report, || format!("a {} joint has no <{tag}>", kind.name()));
+            } else if let Some(kind) = kind {
+                report.note("default-axis", Place::Element(node), || {
+                    format!("the {} joint has no <{tag}>: 0 0 1 is taken, as SDF says", kind.name())
+                });
+            }
+            return Vector3::z();
+        };
+        let old = child(element, "use_parent_model_frame");
+        let in_model_frame = old.is_some_and(|old| parse_boolean(old, &element_text(old), report));
+        let given = child(element, "xyz");
+        let expressed_in = given.and_then(|xyz| xyz.attribute("expressed_in"));
+        if in_model_frame && expressed_in.is_some() {
+            refuse(element, report, || {
+                "<use_parent_model_frame> and expressed_in are both given; leave one of them out".to_owned()
+            });
+        }
+        let frame = if in_model_frame { Some(MODEL) } else { expressed_in };
+        let x_rf = self.frame_or_default(given.unwrap_or(element), frame, x_rj, report);
+        let axis = given.and_then(|xyz| parse_element_numbers::<3>(xyz, &element_text(xyz), report));
+        let axis: Vector3<f64> = axis.map_or_else(Vector3::z, Into::into);
+        if kind.is_some() && axis.amax() < MIN_AXIS_COMPONENT {
+            let problem = Problem::ZeroAxis;
+            report.add(problem.severity(), problem.code(), Place::Element(element), || problem.to_string());
+        }
+        x_rj.inverse_vector(&x_rf.vector(&axis))
+    }
+}
+
+/// Kind of closure for the SDF joint type; `None` if invalid.
+fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
+    let read = [
+        ("revolute", ClosureKind::Revolute),
+        ("continuous", ClosureKind::Revolute),
+        ("prismatic", ClosureKind::Prismatic),
+        ("ball", ClosureKind::Spherical),
+        ("universal", ClosureKind::Universal),
+        ("fixed", ClosureKind::Fixed),
+    ];
+    let given = node.attribute("type").unwrap_or_default();
+    let kind = read.iter().find(|(word, _)| *word == given).map(|(_, kind)| *kind);
+    if kind.is_none() {
+        refuse(node, report, || {
+            format!("its type is {}; {} are read", quoted(given), read.map(|(word, _)| word).join(", "))
+        });
+    }
+    kind
+}
+
+/// Link name in the text of a child element; empty if absent.
+fn read_link_name<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> String {
+    let element = child(node, tag);
+    let name = element.map(element_text).unwrap_or_default();
+    let name = name.trim_ascii();
+    if name.is_empty() {
+        refuse(element.unwrap_or(node), report, || {
+            format!("it has no <{tag}>LINK</{tag}>, with the link's name as text")
+        });
+    }
+    name.to_owned()
+}
+
+/// Text of an element, without comments.
+fn element_text(node: Node<'_, '_>) -> String {
+    node.children().filter(Node::is_text).filter_map(|text| text.text()).collect()
+}
+
+/// Boolean value in SDF notation; false for another text.
+fn parse_boolean(node: Node<'_, '_>, text: &str, report: &mut Report) -> bool {
+    match text.trim_ascii() {
+        "true" | "True" | "TRUE" | "1" => true,
+        "false" | "False" | "FALSE" | "0" | "" => false,
+        other => {
+            refuse(node, report, || format!("{} is neither true nor false", quoted(other)));
+            false
+        }
+    }
+}
+
+/// Parses the N numbers in the text of an element; `None` if invalid.
+fn parse_element_numbers<const N: usize>(
+    node: Node<'_, '_>,
+    text: &str,
+    report: &mut Report,
+) -> Option<[f64; N]> {
+    let values = parse_numbers::<N>(text);
+    if let Err(defect) = &values {
+        report
+            .error("bad-number", Place::Element(node), || format!("{}: {defect}", quoted(text.trim_ascii())));
+    }
+    values.ok()
+}

@@ -1,0 +1,190 @@
+//! Parser of `<joint>`: kind, links, origin, axis, limits, armature, mimic.
+
+use crate::reading::report::{Place, Report, quoted};
+use crate::urdf::elements::joints::armature;
+use crate::urdf::elements::link::read_name;
+use crate::urdf::elements::numbers::{optional_numbers, report_missing_attribute, required_numbers};
+use crate::urdf::elements::origin::{self, Origin};
+use crate::urdf::elements::survey::child;
+use percuss_mechanism::{JointKind, Severity, near_names};
+use roxmltree::Node;
+
+/// Checked `<joint>`: every number is valid.
+pub(crate) struct JointText<'a> {
+    pub name: &'a str,
+    pub kind: JointKind,
+    pub parent: &'a str,
+    pub child: &'a str,
+    pub origin: Origin<'a>,
+    /// Three valid numbers.
+    pub axis: &'a str,
+    /// Lower and upper limit: one valid number each, rad or m.
+    pub limits: Option<[&'a str; 2]>,
+    /// Empty, one value, or one value per velocity; kg·m² or kg.
+    pub armature: Vec<f64>,
+    pub mimic: Option<MimicText<'a>>,
+    /// Recommended role: `true` to drive the mechanism, `false` to follow; `None` without a recommendation.
+    pub independent: Option<bool>,
+}
+
+/// Checked `<mimic>`.
+pub(crate) struct MimicText<'a> {
+    pub joint: &'a str,
+    /// One valid number.
+    pub multiplier: &'a str,
+    /// One valid number, rad or m.
+    pub offset: &'a str,
+}
+
+/// Default axis of URDF.
+const DEFAULT_AXIS: &str = "1 0 0";
+
+pub(crate) fn read_joint<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> JointText<'a> {
+    let name = read_name(node, report);
+    let kind = read_joint_type(node, report);
+    JointText {
+        name,
+        kind: kind.unwrap_or(JointKind::Fixed),
+        parent: read_link_name(node, "parent", report),
+        child: read_link_name(node, "child", report),
+        origin: origin::read_origin(node, report),
+        axis: read_axis(node, kind, report),
+        limits: read_limits(node, kind, report),
+        armature: armature::read_joint_armature(node, report),
+        mimic: child(node, "mimic").and_then(|n| read_mimic(n, kind, report)),
+        independent: read_independent(node, report),
+    }
+}
+
+/// Kind of a joint; `None` if invalid.
+fn read_joint_type(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind> {
+    let names = || JointKind::ALL.map(JointKind::name);
+    let Some(text) = node.attribute("type") else {
+        report.error("missing-attribute", Place::Element(node), || {
+            format!("<joint> has no attribute \"type\"; it is one of {}", names().join(", "))
+        });
+        return None;
+    };
+    let kind = JointKind::ALL.into_iter().find(|k| k.name() == text);
+    if kind.is_none() {
+        report.error("unknown-joint-type", Place::Attribute(node, "type"), || {
+            let guess = near_names(text, names())
+                .first()
+                .map(|n| format!(" (did you mean \"{n}\"?)"))
+                .unwrap_or_default();
+            format!("the joint type {} is unknown{guess}; it is one of {}", quoted(text), names().join(", "))
+        });
+    }
+    kind
+}
+
+/// True for a recommended driving joint. Upper or lower case: URDF+ files contain `true`, `True` and `TRUE`.
+fn read_independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
+    let text = node.attribute("independent")?;
+    let word = text.trim_ascii();
+    let value = [true, false].into_iter().find(|value| word.eq_ignore_ascii_case(&value.to_string()));
+    if value.is_none() {
+        report.warning("bad-flag", Place::Attribute(node, "independent"), || {
+            format!("independent={}: true or false is expected; ignored", quoted(text))
+        });
+    }
+    value
+}
+
+/// Warns about a joint that is declared dependent in a file without loops and couplings: the joint moves freely here.
+/// The caller excludes files with loops or couplings, in which the dependence follows from the mobility of the
+/// mechanism.
+pub(crate) fn warn_if_dependence_is_ignored<'a, 'i: 'a>(
+    joint: &JointText<'a>,
+    node: Node<'a, 'i>,
+    report: &mut Report,
+) {
+    let moves = joint.kind.dofs() > 0;
+    if moves && joint.independent == Some(false) && child(node, "mimic").is_none() {
+        let place = Place::Attribute(node, "independent");
+        report.add_once(Severity::Warning, "unbound-joint", String::new(), place, || {
+            "the joint is declared dependent, but nothing in the file binds it; it moves freely".to_owned()
+        });
+    }
+}
+
+/// Attribute `link` of a child element; empty if absent.
+pub(crate) fn read_link_name<'a, 'i: 'a>(
+    node: Node<'a, 'i>,
+    tag: &'static str,
+    report: &mut Report,
+) -> &'a str {
+    let Some(element) = child(node, tag) else {
+        report.error("missing-element", Place::Element(node), || {
+            let parent = node.tag_name().name();
+            format!("<{parent}> has no <{tag}>; it needs <{tag} link=\"...\"/>")
+        });
+        return "";
+    };
+    element.attribute("link").unwrap_or_else(|| {
+        report_missing_attribute(element, "link", report);
+        ""
+    })
+}
+
+/// Text of the axis, in the joint frame; the default of URDF if `<axis>` is absent.
+fn read_axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &mut Report) -> &'a str {
+    match child(node, "axis") {
+        Some(axis) => required_numbers::<3>(axis, "xyz", DEFAULT_AXIS, report),
+        None => {
+            if let Some(kind) = kind.filter(|k| k.has_axis()) {
+                report.note("default-axis", Place::Element(node), || {
+                    format!("the {} joint has no <axis>: {DEFAULT_AXIS} is taken, as URDF says", kind.name())
+                });
+            }
+            DEFAULT_AXIS
+        }
+    }
+}
+
+/// Lower and upper position limit; `None` if `<limit>` gives neither. A `<limit>` with only effort and speed does not fix the
+/// joint at zero.
+fn read_limits<'a, 'i: 'a>(
+    node: Node<'a, 'i>,
+    kind: Option<JointKind>,
+    report: &mut Report,
+) -> Option<[&'a str; 2]> {
+    let limit = child(node, "limit").filter(|n| n.has_attribute("lower") || n.has_attribute("upper"));
+    let Some(limit) = limit else {
+        if let Some(kind @ (JointKind::Revolute | JointKind::Prismatic)) = kind {
+            report.note("no-limits", Place::Element(node), || {
+                format!("the {} joint has no position limits", kind.name())
+            });
+        }
+        return None;
+    };
+    let unlimited = |name| {
+        let text: Option<&str> = limit.attribute(name);
+        text.is_some_and(|t| t.trim_ascii().parse::<f64>().is_ok_and(f64::is_infinite))
+    };
+    if unlimited("lower") || unlimited("upper") {
+        report.warning("no-limits", Place::Element(limit), || {
+            "an infinite limit is none: the joint is taken as without position limits".to_owned()
+        });
+        return None;
+    }
+    Some(["lower", "upper"].map(|name| optional_numbers::<1>(limit, name, "0", report)))
+}
+
+/// `None`, with a warning, for a fixed joint.
+fn read_mimic<'a>(node: Node<'a, '_>, kind: Option<JointKind>, report: &mut Report) -> Option<MimicText<'a>> {
+    let joint = node.attribute("joint").unwrap_or_else(|| {
+        report_missing_attribute(node, "joint", report);
+        ""
+    });
+    let multiplier = optional_numbers::<1>(node, "multiplier", "1", report);
+    let offset = optional_numbers::<1>(node, "offset", "0", report);
+    if kind == Some(JointKind::Fixed) {
+        // Reduced robot models often fix a joint and keep its other elements.
+        report.warning("fixed-mimic", Place::Element(node), || {
+            "the joint is fixed; its <mimic> is ignored".to_owned()
+        });
+        return None;
+    }
+    Some(MimicText { joint, multiplier, offset })
+}

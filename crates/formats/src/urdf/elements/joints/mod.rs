@@ -1,0 +1,6 @@
+//! Joints, and the armatures of their motors.
+
+pub(crate) mod armature;
+pub(crate) mod gazebo_joint;
+pub(crate) mod joint;
+pub(crate) mod transmission;

@@ -1,0 +1,4 @@
+//! Shapes of links, and their extent.
+
+pub(crate) mod geometry;
+pub(crate) mod shape;

@@ -1,0 +1,380 @@
+//! Faults of the parts of a question.
+
+use crate::question::errors::table_error::TableError;
+use crate::question::field::{Field, Names, assembly_error_message, contact_error_message};
+use crate::question::pose_file::GivenPoseError;
+use crate::thresholds::{
+    DIRECTIONS, GRID_ROWS, LARGEST_COORDINATE, LEAST_EDGE, LEAST_OTHER_MASS, ROWS, SAMPLES,
+    SHORTEST_DIRECTION,
+};
+use percuss_dynamics::{AssemblyError, ConditionsError, ConfigurationError, ContactError, TravelError};
+use percuss_formats::{MeshError, SurfaceError};
+use percuss_mechanism::{JointKind, UnknownName};
+use percuss_units::QuantityError;
+
+/// Fault of one part of a question.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Fault {
+    /// Unknown name.
+    #[error(transparent)]
+    UnknownName(#[from] UnknownName),
+    /// Model without named contacts.
+    #[error(
+        "the model names no contact; a suspension sheet names its stops, springs and dampers, a URDF names contacts by \
+         <contact> elements; give link, point and normal instead"
+    )]
+    NoNamedContacts,
+    /// Invalid position.
+    #[error(transparent)]
+    Configuration(#[from] ConfigurationError),
+    /// Invalid lock, held contact or armature.
+    #[error(transparent)]
+    Conditions(#[from] ConditionsError),
+    /// Floating root link without mass.
+    #[error("{}", massless_base(link, Names::Fields))]
+    MasslessBase {
+        /// Root link.
+        link: String,
+    },
+    /// Invalid contact.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// Number in the wrong unit.
+    #[error("joint \"{joint}\": {source}")]
+    Position {
+        /// Joint.
+        joint: String,
+        /// Cause.
+        source: QuantityError,
+    },
+    /// Invalid mass of the other body.
+    #[error(
+        "the other body's mass is {mass:e} kg; expected a finite number above 0 ({LEAST_OTHER_MASS:e} at least)"
+    )]
+    OtherMass {
+        /// Given mass, kg.
+        mass: f64,
+    },
+    /// Link listed twice in the estimate.
+    #[error("the estimate names link \"{link}\" twice; name it once")]
+    EstimateTwice {
+        /// Link.
+        link: String,
+    },
+    /// Point of the estimate that is not finite or is too large.
+    #[error(
+        "the estimate's point has a component {value:e}; expected a finite number of at most {LARGEST_COORDINATE:e}"
+    )]
+    EstimatePoint {
+        /// Component, m.
+        value: f64,
+    },
+    /// Direction of the estimate without length.
+    #[error("the estimate's direction has length {length:e}; expected at least {SHORTEST_DIRECTION:e}")]
+    EstimateDirection {
+        /// Length of the direction.
+        length: f64,
+    },
+    /// Joint stop of a joint without exactly one position.
+    #[error("joint \"{joint}\" is {}; expected a revolute, continuous or prismatic joint: only these have a \
+        stop", kind.name())]
+    NoStop {
+        /// Joint.
+        joint: String,
+        /// Kind of the joint.
+        kind: JointKind,
+    },
+    /// Joint without limits.
+    #[error(
+        "joint \"{joint}\" has no <limit>; omit the end of the range and set the joint to the position of \
+        the stop"
+    )]
+    NoLimit {
+        /// Joint.
+        joint: String,
+    },
+    /// Range in the wrong unit.
+    #[error(transparent)]
+    Range(QuantityError),
+    /// Number of rows out of range.
+    #[error("{count} rows; {} to {} are possible", ROWS.start(), ROWS.end())]
+    Rows {
+        /// Given number of rows.
+        count: usize,
+    },
+    /// Varied joint with more or fewer than one position.
+    #[error("\"{joint}\": a {} joint has no single position to vary", kind.name())]
+    NoSinglePosition {
+        /// Joint.
+        joint: String,
+        /// Kind of the joint.
+        kind: JointKind,
+    },
+    /// Varied joint that mimics another joint.
+    #[error("\"{joint}\": it mimics \"{master}\"; vary that")]
+    VariedMimic {
+        /// Joint.
+        joint: String,
+        /// Master joint.
+        master: String,
+    },
+    /// Varied joint that is set as well.
+    #[error("{}", varied_is_set(joint, Names::Fields))]
+    VariedIsSet {
+        /// Joint.
+        joint: String,
+    },
+    /// Joint with two ranges.
+    #[error("\"{joint}\" is varied twice; give it one range")]
+    VariedTwice {
+        /// Joint.
+        joint: String,
+    },
+    /// Travel that is not the last range, that is, not the fastest.
+    #[error(
+        "\"{name}\" is not the last of the ranges; a travel starts from the joint positions of the pose, so it \
+         must vary fastest: give it last, and only once"
+    )]
+    TravelNotLast {
+        /// Name of the travel's column.
+        name: String,
+    },
+    /// Too many combinations of a grid.
+    #[error("the ranges have {count} combinations; {} are possible at most", GRID_ROWS)]
+    Combinations {
+        /// Number of combinations.
+        count: u128,
+    },
+    /// Number of random rows out of range.
+    #[error("{count} random rows; 1 to {GRID_ROWS} are possible")]
+    RandomRows {
+        /// Given number of rows.
+        count: usize,
+    },
+    /// No free joint to sample: all joints are set or dependent.
+    #[error("no joint can be sampled: all movable joints are set, or depend on other joints")]
+    NothingToSample,
+    /// Joint without limits to sample between.
+    #[error("{}", no_limits(joint, *kind, Names::Fields))]
+    NothingToSampleBetween {
+        /// Joint.
+        joint: String,
+        /// Kind of the joint.
+        kind: JointKind,
+    },
+    /// Link without a surface.
+    #[error("link \"{link}\" has no shape that can be used: no <collision> and no <visual> with a geometry")]
+    NoShape {
+        /// Link.
+        link: String,
+    },
+    /// Mapped link that is the other side of the contact.
+    #[error("link \"{link}\" is the other side")]
+    OtherSide {
+        /// Link.
+        link: String,
+    },
+    /// Unreadable mesh.
+    #[error("link \"{link}\": {source}")]
+    Mesh {
+        /// Link.
+        link: String,
+        /// Cause.
+        source: MeshError,
+    },
+    /// Map without any link.
+    #[error("no link has a surface that can be mapped: {reasons}")]
+    NothingToMap {
+        /// Reasons for the first links.
+        reasons: String,
+    },
+    /// Longest edge out of range.
+    #[error("the longest edge is {edge} m; expected a number of at least {LEAST_EDGE:e} m")]
+    Edge {
+        /// Given edge, m.
+        edge: f64,
+    },
+    /// Too many facets.
+    #[error("link \"{link}\": {source}")]
+    Facets {
+        /// Link.
+        link: String,
+        /// Cause.
+        source: SurfaceError,
+    },
+    /// Number of directions out of range.
+    #[error("{count} directions; {} to {} are possible", DIRECTIONS.start(), DIRECTIONS.end())]
+    Directions {
+        /// Given number of directions.
+        count: usize,
+    },
+    /// Fault of a file of positions.
+    #[error(transparent)]
+    Table(#[from] Box<TableError>),
+    /// Invalid travel, or a travel without a driving joint.
+    #[error(transparent)]
+    Travel(#[from] TravelError),
+    /// Motion of the wheels that the model does not have.
+    #[error("{motion}: {why}")]
+    WheelMotion {
+        /// Name of the motion.
+        motion: &'static str,
+        /// Reason and remedy.
+        why: &'static str,
+    },
+    /// Fault of a pose file.
+    #[error(transparent)]
+    PoseFile(#[from] GivenPoseError),
+    /// Invalid mass of a link.
+    #[error("link \"{link}\": {mass:e} kg; expected a finite mass of 0 or more")]
+    LinkMass {
+        /// Link.
+        link: String,
+        /// Given mass, kg.
+        mass: f64,
+    },
+    /// Centre of mass for a link without mass.
+    #[error("link \"{link}\" has no mass, so that no centre of mass can be set; give it a mass first")]
+    NoMassToMove {
+        /// Link.
+        link: String,
+    },
+    /// Centre of mass that is not finite.
+    #[error("link \"{link}\": the centre of mass has a component {value:e}; expected finite numbers")]
+    LinkCom {
+        /// Link.
+        link: String,
+        /// Component, m.
+        value: f64,
+    },
+    /// Changes that give no valid mechanism.
+    #[error("the changed model is invalid: {message}")]
+    NoMechanism {
+        /// Message of the builder.
+        message: String,
+    },
+    /// Moved hardpoint of a model without hardpoints.
+    #[error(
+        "{path} is a URDF without hardpoints; give the suspension sheet (.toml, .csv, .xlsx) instead, or move \
+         the joints' <origin> in the file"
+    )]
+    NoSheet {
+        /// File of the model.
+        path: String,
+    },
+    /// Direction of a motion ratio without length.
+    #[error("the direction has no length; expected a vector such as 0,0,1")]
+    NoRatioDirection,
+    /// Number of samples out of range.
+    #[error("{count} samples; {} to {} are possible", SAMPLES.start(), SAMPLES.end())]
+    Samples {
+        /// Given number of samples.
+        count: usize,
+    },
+    /// Travel of the pose together with rows that exclude a travel: a varied travel, a file, random positions
+    /// or a second travel.
+    #[error(
+        "a travel of the pose can be combined with ranges of joints only, not with a varied travel, a file of \
+         positions, random positions, or another travel"
+    )]
+    TravelExcludedByRows,
+    /// Unit of a linear spring for a nonlinear spring.
+    #[error(
+        "its unit is that of a linear spring; with the exponent {exponent} a plain number in N/m^{exponent} is expected \
+         (1 N/mm^{exponent} is {:e} N/m^{exponent})",
+        1e3_f64.powf(*exponent)
+    )]
+    UnitOfLinearSpring {
+        /// Exponent of the spring.
+        exponent: f64,
+    },
+    /// Unit of rotation for a translation, or the reverse.
+    #[error(
+        "its unit is not that of {}; expected {expected}",
+        if *turns { "a joint that turns" } else { "what does not turn" }
+    )]
+    UnitOfMotion {
+        /// True for a rotation.
+        turns: bool,
+        /// Expected unit.
+        expected: &'static str,
+    },
+    /// Varied joint that depends on other joints.
+    #[error(transparent)]
+    Dependent(Box<AssemblyError>),
+    /// Point in a frame that requires a reference pose, and the reference pose is unreachable.
+    #[error("{}", no_reference_pose(source, Names::Fields))]
+    NoReferencePose {
+        /// Cause.
+        source: AssemblyError,
+    },
+}
+
+impl Fault {
+    /// Message with the names of `names`: flags, study keys or fields.
+    pub(crate) fn message(&self, names: Names) -> String {
+        match self {
+            Fault::VariedIsSet { joint } => varied_is_set(joint, names),
+            Fault::NoReferencePose { source } => no_reference_pose(source, names),
+            Fault::Table(error) => error.message(names),
+            Fault::NothingToSampleBetween { joint, kind } => no_limits(joint, *kind, names),
+            Fault::Dependent(error) => assembly_error_message(error, names),
+            Fault::Contact(error) => contact_error_message(error, names),
+            Fault::MasslessBase { link } => massless_base(link, names),
+            Fault::Travel(TravelError::Assembly(error)) => assembly_error_message(error, names),
+            other => other.to_string(),
+        }
+    }
+}
+
+/// Message: a floating root link without mass.
+fn massless_base(link: &str, names: Names) -> String {
+    let given = match names {
+        Names::Fields => String::new(),
+        Names::Flags => format!(" (--link-mass {link}=KG)"),
+        Names::Keys => format!(" (model.link_mass: {link} = KG)"),
+    };
+    format!(
+        "the root link \"{link}\" has no mass; a floating root link needs a mass: set its mass{given}, or use a \
+         fixed base"
+    )
+}
+
+/// Message: a joint is varied and set.
+fn varied_is_set(joint: &str, names: Names) -> String {
+    format!("\"{joint}\": it is already set{}; use only one of the two", Field::Set.hint(names))
+}
+
+/// Message: a joint without limits cannot have random positions.
+fn no_limits(joint: &str, kind: JointKind, names: Names) -> String {
+    let (set, vary) = (Field::Set.hint(names), Field::Vary.hint(names));
+    let what = match kind {
+        JointKind::Planar | JointKind::Floating => "has no limits",
+        JointKind::Fixed
+        | JointKind::Revolute
+        | JointKind::Continuous
+        | JointKind::Prismatic
+        | JointKind::Spherical => "has no <limit>",
+    };
+    let remedy = if kind.positions() == 1 {
+        format!("give it a <limit>, set it{set}, or vary ranges instead of random positions{vary}")
+    } else {
+        format!("set it{set}")
+    };
+    format!("joint \"{joint}\" is {} and {what} to sample between; {remedy}", kind.name())
+}
+
+/// Message: no pose for the conversion of a contact point.
+fn no_reference_pose(source: &AssemblyError, names: Names) -> String {
+    let how = match names {
+        Names::Fields => "",
+        Names::Flags => " (--frame link)",
+        Names::Keys => " (contact.frame = \"link\")",
+    };
+    let why = assembly_error_message(source, names);
+    format!(
+        "a point in this frame is converted to the frame of the contact link with the varied joint at 0, but \
+         this pose cannot be reached ({why}); give the point in the frame of the contact link{how}"
+    )
+}

@@ -1,0 +1,6 @@
+//! Errors in questions.
+
+pub(crate) mod fault;
+pub(crate) mod question_error;
+pub(crate) mod refusal;
+pub(crate) mod table_error;

@@ -1,0 +1,241 @@
+//! Errors of a question: the cause and the flag or key at fault.
+
+pub use crate::question::errors::fault::Fault;
+use crate::question::field::{Field, Names, assembly_error_message};
+use percuss_contact::ContactLawError;
+use percuss_contact::exports::ExportError;
+use percuss_dynamics::{AssemblyError, EffectiveMass, ResponseError, RouteError};
+
+/// Error of a question. [`message`](Self::message) uses the names of flags or study keys, depending on the
+/// source of the question.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum StudyError {
+    /// Invalid part of a question.
+    #[error("{}: {fault}", field.name_in(Names::Fields))]
+    Input {
+        /// Part of the question.
+        field: Field,
+        /// Fault.
+        fault: Box<Fault>,
+    },
+    /// Loops that do not close, or do not close at the requested positions.
+    #[error(transparent)]
+    Assembly(#[from] AssemblyError),
+    /// Travel that ends before the requested displacement.
+    #[error("{}: {why}", Field::Travel.name_in(Names::Fields))]
+    TravelNotReached {
+        /// Reason, and the reachable displacement.
+        why: String,
+        /// Nearest displacement found, m, if a single travel is requested.
+        nearest: Option<f64>,
+    },
+    /// Stop that the mechanism cannot reach.
+    #[error("{}", stop_not_reached(name, *gap, *nearest, why, Names::Fields))]
+    StopNotReached {
+        /// Name of the stop.
+        name: String,
+        /// Gap as drawn, m.
+        gap: f64,
+        /// Largest closing of the gap, m, if known.
+        nearest: Option<f64>,
+        /// Reason.
+        why: String,
+    },
+    /// Invalid mass matrix.
+    #[error(transparent)]
+    Route(#[from] RouteError),
+    /// Other error of the dynamics.
+    #[error(transparent)]
+    Response(ResponseError),
+    /// Restitution, stiffness or speed out of range, or a restitution out of the range of the law.
+    #[error(transparent)]
+    Damping(#[from] ContactLawError),
+    /// Simulator that does not support the contact.
+    #[error(transparent)]
+    Export(Box<ExportError>),
+    /// Safe speed of a question with another side (link or free body); the other side must be the person.
+    #[error("{}", person_is_other_side_message(Names::Fields))]
+    PersonIsOtherSide,
+    /// Force or pressure limit without a body region.
+    #[error("{}", missing_region_message(Names::Fields))]
+    NoRegion,
+    /// Safe speed of a contact without mass.
+    #[error("{}", missing_mass_message(Names::Fields))]
+    NoMass,
+    /// Safe speed of a contact with an unknown error of m̄.
+    #[error(
+        "the error of the effective mass is unknown: near this pose the effective mass is not finite; no safe \
+         speed can be stated"
+    )]
+    MassUnknown,
+    /// Safe speed at a singular pose without a known upper bound of m̄.
+    #[error(
+        "the pose is singular and the largest effective mass of the robot is unknown: {}; the effective mass is \
+         a lower bound, which would permit too high a speed; use poses near this one",
+        branch_limits_text(limits, *complete)
+    )]
+    LargestMassUnknown {
+        /// Limits of m̄ along the branches found.
+        limits: Vec<EffectiveMass>,
+        /// True if there is no sign of further branches.
+        complete: bool,
+    },
+    /// Damper at a singular pose with different masses on different branches.
+    #[error(
+        "the pose is singular: no damper gives the same restitution on every branch: {}; use a nearby pose on \
+         the required branch, or compute the damper for the mass of that branch",
+        branch_limits_text(limits, *complete)
+    )]
+    BranchMassesDiffer {
+        /// Limits of m̄ along the branches found, including the other body.
+        limits: Vec<EffectiveMass>,
+        /// True if there is no sign of further branches.
+        complete: bool,
+    },
+    /// Damper of a contact without a finite mass.
+    #[error("the contact is {status}: a damper for a restitution does not exist")]
+    NoDamper {
+        /// `immovable` or `massless`.
+        status: &'static str,
+    },
+}
+
+impl StudyError {
+    /// Error about one part of the question.
+    pub(crate) fn input(field: Field, fault: impl Into<Fault>) -> Self {
+        StudyError::Input { field, fault: Box::new(fault.into()) }
+    }
+
+    /// Invalid part of the question, if the error concerns one part.
+    pub fn field(&self) -> Option<Field> {
+        match self {
+            StudyError::Input { field, .. } => Some(*field),
+            _ => None,
+        }
+    }
+
+    /// Replaces an error about a dependent joint by a fault of the `Vary` field if the joint is varied, not
+    /// set.
+    pub(crate) fn into_varied_fault(self, is_varied: impl Fn(&str) -> bool) -> Self {
+        match self {
+            StudyError::Assembly(error @ AssemblyError::Dependent { .. }) => match &error {
+                AssemblyError::Dependent { joint, .. } if is_varied(joint) => {
+                    StudyError::input(Field::Vary, Fault::Dependent(Box::new(error)))
+                }
+                _ => StudyError::Assembly(error),
+            },
+            other => other,
+        }
+    }
+
+    /// True if the question is valid but has no result (exit code 1, not 2).
+    pub fn has_no_result(&self) -> bool {
+        match self {
+            StudyError::NoDamper { .. }
+            | StudyError::BranchMassesDiffer { .. }
+            | StudyError::LargestMassUnknown { .. }
+            | StudyError::MassUnknown
+            | StudyError::NoMass
+            | StudyError::TravelNotReached { .. }
+            | StudyError::StopNotReached { .. }
+            | StudyError::Route(_) => true,
+            StudyError::Assembly(error) => !error.is_bad_input(),
+            _ => false,
+        }
+    }
+
+    /// Message with the names of `names`: flags, study keys or fields.
+    pub fn message(&self, names: Names) -> String {
+        match self {
+            StudyError::Input { field, fault } => {
+                format!("{}: {}", field.name_in(names), fault.message(names))
+            }
+            StudyError::Assembly(error @ AssemblyError::Dependent { .. }) if names != Names::Fields => {
+                format!("{}: {}", Field::Set.name_in(names), assembly_error_message(error, names))
+            }
+            StudyError::Assembly(error) => assembly_error_message(error, names),
+            StudyError::TravelNotReached { why, .. } => format!("{}: {why}", Field::Travel.name_in(names)),
+            StudyError::StopNotReached { name, gap, nearest, why } => {
+                stop_not_reached(name, *gap, *nearest, why, names)
+            }
+            StudyError::PersonIsOtherSide => person_is_other_side_message(names),
+            StudyError::NoMass => missing_mass_message(names),
+            StudyError::NoRegion => missing_region_message(names),
+            other => other.to_string(),
+        }
+    }
+}
+
+/// Message: the mechanism cannot reach a stop.
+fn stop_not_reached(name: &str, gap: f64, nearest: Option<f64>, why: &str, names: Names) -> String {
+    let travel = match names {
+        Names::Fields => "",
+        Names::Flags => " (--travel)",
+        Names::Keys => " (pose.travel)",
+    };
+    let shown = 1e3 * gap;
+    let why = match nearest {
+        Some(nearest) => {
+            let [nearest, remaining] = [nearest, gap - nearest].map(|length| 1e3 * length);
+            format!(
+                "it closes by {nearest:.2} mm only, and {remaining:.2} mm remain; give a travel{travel} for the mass at another \
+                 pose"
+            )
+        }
+        None => why.to_owned(),
+    };
+    format!("the stop \"{name}\" with a gap of {shown:.2} mm cannot be reached: {why}")
+}
+
+/// Message: another side is given in a question about a person.
+fn person_is_other_side_message(names: Names) -> String {
+    let [against, mass] = [Field::Against, Field::AgainstMass].map(|field| field.name_in(names));
+    format!("the other side is the person: leave {against} and {mass} out")
+}
+
+/// Message: a limit of force or pressure without a body region.
+fn missing_region_message(names: Names) -> String {
+    let region = match names {
+        Names::Flags => "--region",
+        Names::Fields | Names::Keys => "region",
+    };
+    format!(
+        "a limit of force or pressure requires a region of the body: give {region}; without a region, give an \
+         energy or a momentum"
+    )
+}
+
+/// Message: a massless contact without a load.
+fn missing_mass_message(names: Names) -> String {
+    let load = match names {
+        Names::Flags => "--load",
+        Names::Fields | Names::Keys => "load",
+    };
+    format!("the contact is massless: every speed is permitted; give the load, if any, by {load}")
+}
+
+/// Limits of m̄ along the branches, as text.
+fn branch_limits_text(limits: &[EffectiveMass], complete: bool) -> String {
+    let limit = |limit: &EffectiveMass| match limit {
+        EffectiveMass::Finite(m) => format!("{m} kg"),
+        EffectiveMass::Immovable => "immovable".into(),
+        EffectiveMass::Massless => "massless".into(),
+    };
+    if limits.is_empty() {
+        return "no branch with a mass was found".into();
+    }
+    let all = limits.iter().map(limit).collect::<Vec<_>>().join(", ");
+    let more = if complete { "" } else { ", and there may be more" };
+    format!("along its branches it is {all}{more}")
+}
+
+impl From<ResponseError> for StudyError {
+    fn from(error: ResponseError) -> Self {
+        match error {
+            ResponseError::Contact(error) => StudyError::input(Field::from_contact_error(&error), error),
+            ResponseError::Route(error) => StudyError::Route(error),
+            other => StudyError::Response(other),
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! Moved part of a travel: a point, or the wheels of a vehicle.
+
+use crate::model::wheel_points::wheel_centres;
+use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::field::Field;
+use nalgebra::Vector3;
+use percuss_mechanism::{LinkId, Mechanism};
+
+/// Motion of the wheel centres of a vehicle, upwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WheelMotion {
+    /// Travel of the only wheel.
+    WheelTravel,
+    /// Equal travel of all wheels.
+    Heave,
+    /// Opposite travel: the left wheel up, the right wheel down.
+    Roll,
+}
+
+impl WheelMotion {
+    /// All motions.
+    pub const ALL: [WheelMotion; 3] = [WheelMotion::WheelTravel, WheelMotion::Heave, WheelMotion::Roll];
+
+    /// Name in flags and studies.
+    pub fn name(self) -> &'static str {
+        match self {
+            WheelMotion::WheelTravel => "wheel-travel",
+            WheelMotion::Heave => "heave",
+            WheelMotion::Roll => "roll",
+        }
+    }
+
+    /// Motion with this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|motion| motion.name() == name)
+    }
+
+    /// Wheel centres, each with its travel at a unit of the motion.
+    fn wheels(self, mechanism: &Mechanism) -> Result<Vec<(LinkId, f64)>, Fault> {
+        let wheels = wheel_centres(mechanism, "");
+        let fault = |why: &'static str| Fault::WheelMotion { motion: self.name(), why };
+        let is_right = |wheel: &LinkId| mechanism.link(*wheel).name().ends_with("_right");
+        match (self, wheels.len()) {
+            (_, 0) => Err(fault("the model has no link named wheel_centre, as imported suspensions have")),
+            (WheelMotion::WheelTravel, 2..) => Err(fault(
+                "the model has two wheels: give heave (both alike), roll (left up, right down), or the travel of one, \
+                 wheel_centre_left:0,0,0:0,0,1=DISTANCE",
+            )),
+            (WheelMotion::Roll, 1) => Err(fault("the model has one wheel; roll needs both sides")),
+            (WheelMotion::WheelTravel | WheelMotion::Heave, _) => {
+                Ok(wheels.into_iter().map(|wheel| (wheel, 1.0)).collect())
+            }
+            (WheelMotion::Roll, _) => Ok(wheels
+                .into_iter()
+                .map(|wheel| (wheel, if is_right(&wheel) { -1.0 } else { 1.0 }))
+                .collect()),
+        }
+    }
+}
+
+/// Moved part of a travel.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Moved {
+    /// Point of a link along a direction.
+    Point {
+        /// The link.
+        link: String,
+        /// The point, m, link's frame.
+        point: [f64; 3],
+        /// Direction, world axes, of any length.
+        direction: [f64; 3],
+    },
+    /// Wheel centres.
+    Wheels(WheelMotion),
+}
+
+/// Point of a link with its displacement.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MovedPoint {
+    pub link: LinkId,
+    /// The point, m, link's frame.
+    pub point: Vector3<f64>,
+    /// Direction, world axes.
+    pub direction: Vector3<f64>,
+    /// Displacement, m.
+    pub distance: f64,
+}
+
+impl Moved {
+    /// Name of the column of a sweep.
+    pub fn name(&self) -> String {
+        match self {
+            Moved::Point { link, .. } => format!("travel:{link}"),
+            Moved::Wheels(motion) => motion.name().to_owned(),
+        }
+    }
+
+    /// Points that move, with their displacements.
+    pub(crate) fn points(
+        &self,
+        mechanism: &Mechanism,
+        field: Field,
+        distance: f64,
+    ) -> Result<Vec<MovedPoint>, StudyError> {
+        match self {
+            Moved::Point { link, point, direction } => {
+                let link = mechanism.find_link(link).map_err(|error| StudyError::input(field, error))?;
+                let [point, direction] = [*point, *direction].map(Vector3::from);
+                Ok(vec![MovedPoint { link, point, direction, distance }])
+            }
+            Moved::Wheels(motion) => {
+                let wheels = motion.wheels(mechanism).map_err(|fault| StudyError::input(field, fault))?;
+                let moved = |(link, factor)| MovedPoint {
+                    link,
+                    point: Vector3::zeros(),
+                    direction: Vector3::z(),
+                    distance: factor * distance,
+                };
+                Ok(wheels.into_iter().map(moved).collect())
+            }
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! Data for the construction of one corner: hardpoints, bodies and the steps that build links, joints and loops.
+
+use super::Body;
+use crate::findings::Spot;
+use percuss_formats::reading::shortened;
+use percuss_spatial::Vector3;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// Step in building a mechanism. The link name `SECTION.on` stands for the link chosen in the file. A `comment`
+/// describes the link in the model; without it, the comment names the point of the link frame.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "lowercase")]
+pub(crate) enum Part {
+    /// Link on a hinge through two points; the link frame is at the first. `outer`: end of the arm in the drawing;
+    /// without it, the first ball joint, rod or wheel on the link.
+    Hinge {
+        link: String,
+        parent: String,
+        points: [String; 2],
+        comment: Option<String>,
+        outer: Option<String>,
+    },
+    /// Link on a hinge parallel to the vehicle's x axis.
+    Swivel { link: String, parent: String, at: String },
+    /// Link on a ball joint. `outer`: other end in the drawing of a link on the chassis; without it, the wheel centre.
+    Ball {
+        link: String,
+        joint: String,
+        parent: String,
+        at: String,
+        comment: Option<String>,
+        outer: Option<String>,
+    },
+    /// Link constrained only by its closures.
+    Free { link: String, at: String, comment: Option<String>, joint_comment: Option<String> },
+    /// Free body of the axle, with its frame half way between the wheels.
+    Axle,
+    /// Link fixed to another.
+    Fixed { link: String, on: String, at: String },
+    /// Spindle and wheel.
+    Wheel { on: String },
+    /// Link between two points: a massless rod or a body. An end: link and point.
+    Rod {
+        link: String,
+        ends: [(String, String); 2],
+        comment: Option<String>,
+        massless_comment: Option<String>,
+    },
+    /// Strut on a universal joint at the top; slides along its axis.
+    Strut {
+        link: String,
+        on: String,
+        line: [String; 2],
+        comment: Option<String>,
+        #[serde(default)]
+        undrawn: bool,
+    },
+    /// Ball joint that closes a loop.
+    Close { joint: String, links: [String; 2], at: String },
+}
+
+/// Mass and inertia of a link as given in a file.
+#[derive(Clone, Debug)]
+pub(crate) enum GivenBody {
+    /// Complete body, in metres and the axes of ISO 8855.
+    Body(Body),
+    /// A slender rod of this mass, kg.
+    Rod(f64, Spot),
+}
+
+/// Data of the left side, and of the parts common to both sides, in metres and the axes of ISO 8855.
+#[derive(Default)]
+pub(crate) struct Design {
+    /// Construction steps, parents first.
+    pub parts: Vec<&'static Part>,
+    /// True if both sides are on one axle.
+    pub axle: bool,
+    /// Hardpoints with their positions in the file.
+    pub points: BTreeMap<&'static str, (Vector3<f64>, Spot)>,
+    /// Bodies by link.
+    pub bodies: BTreeMap<&'static str, GivenBody>,
+    /// Pins of universal joints by link: fixed in the parent, fixed in the link. Without them, the first pin is
+    /// normal to the link and to the vehicle's x axis.
+    pub pins: BTreeMap<&'static str, [Vector3<f64>; 2]>,
+    /// Links with spring, damper or bar mounts, by section.
+    pub on: BTreeMap<&'static str, (String, Spot)>,
+    /// Gap and direction of stops, as given in the file, by section.
+    pub stops: BTreeMap<&'static str, Stop>,
+    /// True if a massless rod without length is left to the checks of the mechanism.
+    pub unchecked_rods: bool,
+    /// Comment of each hinge in the model.
+    pub hinge_comment: &'static str,
+}
+
+/// Gap and direction of a stop, as given in the file.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Stop {
+    /// Gap at the design position, m; without it, the distance of the two points along the normal.
+    pub gap: Option<f64>,
+    /// Direction from the pad to the stop; without it, the line between the two points.
+    pub direction: Option<Vector3<f64>>,
+    /// Position in the file.
+    pub spot: Spot,
+}
+
+/// Sections of stops.
+pub(crate) const STOPS: [&str; 2] = ["bump_stop", "rebound_stop"];
+
+/// Optional pairs of points between two bodies: section, points. A pair is given or left out as a whole.
+pub(crate) const SEATS: [(&str, [&str; 2]); 5] = [
+    ("spring", ["spring_seat", "spring_chassis_seat"]),
+    ("damper", ["damper_seat", "damper_chassis_seat"]),
+    // Name of Chrono for a damper.
+    ("shock", ["shock_seat", "shock_chassis_seat"]),
+    ("bump_stop", ["bump_stop_pad", "bump_stop"]),
+    ("rebound_stop", ["rebound_stop_pad", "rebound_stop"]),
+];
+
+impl Design {
+    /// Position of a point; `None` if the file does not contain the point.
+    pub fn point(&self, key: &str) -> Option<Vector3<f64>> {
+        self.points.get(key).map(|(at, _)| *at)
+    }
+
+    /// Place of a point in the file; the key alone if the file does not contain the point.
+    pub fn spot(&self, key: &str) -> Spot {
+        self.points
+            .get(key)
+            .map_or_else(|| Spot { path: Some(shortened(key)), ..Spot::default() }, |(_, spot)| spot.clone())
+    }
+}
+
+/// True if a hardpoint belongs to the axle as a whole, not to one side.
+pub(crate) fn is_central(axle: bool, point: &str) -> bool {
+    axle && ["middle_link", "panhard", "watt"].iter().any(|start| point.starts_with(start))
+}

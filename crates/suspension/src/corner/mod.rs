@@ -1,0 +1,457 @@
+//! Corner of a vehicle under construction. All positions are those of the design position.
+
+pub(crate) mod build;
+pub(crate) mod design;
+pub(crate) mod drawing;
+pub(crate) mod frames;
+pub(crate) mod spindle;
+
+use crate::findings::{Findings, Spot};
+use crate::limits::MAX_DISTANCE_FROM_JOINTS;
+use drawing::{Drawing, rounded};
+use percuss_formats::Comments;
+use percuss_mechanism::{
+    ClosureDescription, ClosureKind, ContactDescription, ContactKind, ContactNormal, Inertial,
+    JointDescription, JointKind, LinkDescription, MechanismBuilder,
+};
+use percuss_spatial::{Matrix3, Vector3};
+use std::collections::HashMap;
+
+/// Root link.
+pub(crate) const CHASSIS: &str = "chassis";
+/// Link with the inner ends of the tie rods.
+pub(crate) const RACK: &str = "rack";
+
+/// Name of the ground as the other side of a contact.
+pub(crate) const GROUND: &str = "world";
+
+/// Mass and inertia of a link, in the vehicle frame at the design position.
+#[derive(Clone, Debug)]
+pub(crate) struct Body {
+    /// Mass, kg.
+    pub mass: f64,
+    /// Centre of mass, m.
+    pub com: Vector3<f64>,
+    /// Inertia about the centre of mass, in the vehicle's axes, kg·m².
+    pub about_com: Matrix3<f64>,
+    /// Position in the file.
+    pub spot: Spot,
+}
+
+/// Links, joints and closures of the left side; [`mirrored`](Self::mirrored) creates the right side.
+///
+/// At the design position, the axes of every link are parallel to the vehicle's. A link frame is therefore given by a
+/// point, and joint origins and loop frames are differences of points.
+#[derive(Clone, Debug)]
+pub(crate) struct Corner {
+    links: Vec<LinkDescription>,
+    joints: Vec<JointDescription>,
+    closures: Vec<ClosureDescription>,
+    contacts: Vec<ContactDescription>,
+    /// Origin of each link frame in the vehicle frame, m.
+    origins: HashMap<String, Vector3<f64>>,
+    comments: Comments,
+    spots: HashMap<String, Spot>,
+    /// Pairs of seat frames: on the moving link, on the chassis.
+    seat_pairs: Vec<[&'static str; 2]>,
+    /// Links common to both sides; their names have no suffix.
+    shared: Vec<&'static str>,
+    /// Drawing of the corner.
+    pub drawing: Drawing,
+}
+
+impl Corner {
+    /// Creates a corner with only the chassis, at the origin of the vehicle frame.
+    pub fn new() -> Self {
+        Self {
+            links: Vec::new(),
+            joints: Vec::new(),
+            closures: Vec::new(),
+            contacts: Vec::new(),
+            origins: HashMap::from([(CHASSIS.to_owned(), Vector3::zeros())]),
+            comments: Comments::default(),
+            spots: HashMap::new(),
+            seat_pairs: Vec::new(),
+            shared: vec![CHASSIS, RACK],
+            drawing: Drawing::default(),
+        }
+    }
+
+    /// Marks a link as common to both sides and sets its frame. The link itself is added by this corner or by
+    /// another.
+    pub fn mark_shared(&mut self, link: &'static str, at: Vector3<f64>) {
+        self.shared.push(link);
+        self.origins.insert(link.to_owned(), at);
+    }
+
+    /// True for a link common to both sides.
+    fn is_shared(&self, link: &str) -> bool {
+        self.shared.contains(&link)
+    }
+
+    /// Origin of the rack frame, if set.
+    pub fn rack_origin(&self) -> Option<Vector3<f64>> {
+        self.origins.get(RACK).copied()
+    }
+
+    /// Sets the rack frame to the midpoint between the inner ends of the two tie rods; `end` is one of them.
+    pub fn set_rack_origin(&mut self, end: Vector3<f64>) {
+        self.origins.insert(RACK.to_owned(), Vector3::new(end.x, 0.0, end.z));
+    }
+
+    /// Origin of a link frame in the vehicle frame, m.
+    fn origin(&self, link: &str) -> Vector3<f64> {
+        self.origins.get(link).copied().unwrap_or_default()
+    }
+
+    /// Adds a link with its frame at the point `at`.
+    pub fn add_link(
+        &mut self,
+        name: &str,
+        at: Vector3<f64>,
+        body: Option<&Body>,
+        comment: impl Into<String>,
+    ) {
+        let mut link = LinkDescription::massless(name);
+        if let Some(body) = body {
+            link.inertial = Some(Inertial { mass: body.mass, com: body.com - at, about_com: body.about_com });
+            self.spots.insert(name.to_owned(), body.spot.clone());
+        }
+        self.links.push(link);
+        self.origins.insert(name.to_owned(), at);
+        self.comments.links.insert(name.to_owned(), comment.into());
+    }
+
+    /// Adds a joint at the child frame; `axis` is in the vehicle's axes.
+    pub fn add_joint(
+        &mut self,
+        (name, kind): (&str, JointKind),
+        [parent, child]: [&str; 2],
+        axis: Vector3<f64>,
+        spot: &Spot,
+        comment: impl Into<String>,
+    ) {
+        let at = self.origin(child) - self.origin(parent);
+        let joint = JointDescription::new(name, kind, parent, child).at(at.into());
+        self.joints.push(if kind.has_axis() { joint.axis(axis.into()) } else { joint });
+        self.spots.insert(name.to_owned(), spot.clone());
+        self.comments.joints.insert(name.to_owned(), comment.into());
+    }
+
+    /// Adds a massless link fixed to another, for contacts and measurements.
+    pub fn add_frame(&mut self, name: &'static str, on: &str, at: Vector3<f64>, comment: impl Into<String>) {
+        self.links.push(LinkDescription::massless(name));
+        self.joints.push(
+            JointDescription::new(format!("{name}_fixed"), JointKind::Fixed, on, name)
+                .at((at - self.origin(on)).into()),
+        );
+        self.origins.insert(name.to_owned(), at);
+        self.comments.links.insert(name.to_owned(), comment.into());
+    }
+
+    /// Adds the two seats of a spring or damper: on the moving link and on the chassis.
+    pub fn add_seats(
+        &mut self,
+        [seat, chassis_seat]: [&'static str; 2],
+        on: &str,
+        [at, at_chassis]: [Vector3<f64>; 2],
+    ) {
+        self.add_frame(seat, on, at, String::new());
+        self.add_frame(chassis_seat, CHASSIS, at_chassis, String::new());
+        self.seat_pairs.push([seat, chassis_seat]);
+        let name = seat.trim_end_matches("_seat").trim_end_matches("_pad");
+        self.drawing.add_line(name, [at, at_chassis]);
+    }
+
+    /// Adds a named contact between the origins of two link frames; the normal is in the frame of the second.
+    pub fn add_contact(
+        &mut self,
+        (name, kind): (&str, ContactKind),
+        [link, against]: [&str; 2],
+        normal: ContactNormal,
+        gap: Option<f64>,
+    ) {
+        self.contacts.push(ContactDescription {
+            name: name.to_owned(),
+            kind,
+            link: link.to_owned(),
+            point: Vector3::zeros(),
+            against: against.to_owned(),
+            normal,
+            gap,
+        });
+    }
+
+    /// Adds a closure at a point; `axis` is in the vehicle's axes.
+    pub fn add_closure(
+        &mut self,
+        (name, kind): (&str, ClosureKind),
+        [predecessor, successor]: [&str; 2],
+        at: Vector3<f64>,
+        axis: Vector3<f64>,
+        (spot, comment): (&Spot, &str),
+    ) {
+        let (p, s) = (at - self.origin(predecessor), at - self.origin(successor));
+        let closure = ClosureDescription::new(name, kind, predecessor, successor)
+            .at(p.into(), s.into())
+            .axis(axis.into());
+        self.push_closure(closure, spot, comment);
+    }
+
+    /// Adds a massless rod with a ball joint at each end. Its length is the distance of the points.
+    pub fn add_rod(
+        &mut self,
+        name: &str,
+        [predecessor, successor]: [&str; 2],
+        [a, b]: [Vector3<f64>; 2],
+        (spot, comment): (&Spot, &str),
+    ) {
+        let (p, s) = (a - self.origin(predecessor), b - self.origin(successor));
+        let closure = ClosureDescription::new(name, ClosureKind::Distance, predecessor, successor)
+            .at(p.into(), s.into())
+            .distance((b - a).norm());
+        self.push_closure(closure, spot, comment);
+        self.drawing.add_rod(name, [a, b], spot);
+    }
+
+    /// Adds a closure of cylindrical kind: translation along the axis and rotation about the axis are free.
+    pub fn add_sliding_closure(
+        &mut self,
+        name: &str,
+        links: [&str; 2],
+        at: Vector3<f64>,
+        axis: Vector3<f64>,
+        spot: &Spot,
+    ) {
+        let comment = "slides and turns along its line";
+        self.add_closure((name, ClosureKind::Cylindrical), links, at, axis, (spot, comment));
+    }
+
+    /// Adds a closure with its position in the file and its comment.
+    fn push_closure(&mut self, closure: ClosureDescription, spot: &Spot, comment: &str) {
+        self.spots.insert(closure.name.clone(), spot.clone());
+        self.comments.closures.insert(closure.name.clone(), comment.to_owned());
+        self.closures.push(closure);
+    }
+
+    /// Sets the position in the file for a link without values of its own.
+    pub fn set_spot(&mut self, name: &str, spot: Spot) {
+        self.spots.insert(name.to_owned(), spot);
+    }
+
+    /// Warns about implausible positions of points and centres of mass.
+    pub fn check(&self, findings: &mut Findings) {
+        let has_warned = self.drawing.check(findings);
+        let moving = self.origins.keys().filter(|name| ![CHASSIS, RACK].contains(&name.as_str()));
+        let mut moving: Vec<&String> = moving.collect();
+        moving.sort();
+        for link in moving {
+            self.check_link(link, has_warned, findings);
+        }
+    }
+
+    /// Warns about points far away from all joints of the link: seats, the centre of mass, and, if the link has more
+    /// than two joints, a joint far from the others. Warnings about joints are omitted if `has_warned`, because the
+    /// drawing check has reported their points.
+    fn check_link(&self, link: &str, has_warned: bool, findings: &mut Findings) {
+        let origin = self.origin(link);
+        let (mut joints, mut seats) = (Vec::new(), Vec::new());
+        // A floating joint does not locate the link.
+        if self.joints.iter().any(|joint| joint.child == link && joint.kind != JointKind::Floating) {
+            joints.push((link, origin));
+        }
+        for joint in self.joints.iter().filter(|joint| joint.parent == link) {
+            let place = (joint.child.as_str(), origin + joint.origin.translation);
+            let list = if joint.kind == JointKind::Fixed { &mut seats } else { &mut joints };
+            list.push(place);
+        }
+        for closure in &self.closures {
+            for (of, frame) in [
+                (&closure.predecessor, &closure.predecessor_frame),
+                (&closure.successor, &closure.successor_frame),
+            ] {
+                if of == link {
+                    joints.push((closure.name.as_str(), origin + frame.translation));
+                }
+            }
+        }
+        let distance_from_others = |i: usize| {
+            let others = joints.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, (_, at))| at);
+            distance_from_box(&joints[i].1, others)
+        };
+        // A rod has two joints; the drawing check covers its length.
+        let outliers: Vec<usize> = (0..joints.len())
+            .filter(|i| joints.len() > 2 && distance_from_others(*i) > 2.0 * MAX_DISTANCE_FROM_JOINTS)
+            .collect();
+        let near: Vec<Vector3<f64>> = joints
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| !outliers.contains(i))
+            .map(|(_, (_, at))| *at)
+            .collect();
+        let mut warn = |code: &'static str, of: &str, subject: String, at: &Vector3<f64>, distance: f64| {
+            let [x, y, z] = [at.x, at.y, at.z].map(rounded);
+            let message = format!(
+                "{subject} at ({x}, {y}, {z}) m (x forward, y left, z up) is {} m away from the joints of {link}: left from \
+                 another vehicle, in other axes or another unit?",
+                rounded(distance)
+            );
+            findings.warning(code, &self.spots.get(of).cloned().unwrap_or_default(), message);
+        };
+        for (name, at) in outliers.into_iter().filter(|_| !has_warned).map(|i| joints[i]) {
+            warn("astray-point", name, format!("the joint of {name}"), &at, distance_from_box(&at, &near));
+        }
+        for (name, at) in seats {
+            let distance = distance_from_box(&at, &near);
+            if distance > MAX_DISTANCE_FROM_JOINTS {
+                warn("astray-point", name, name.to_owned(), &at, distance);
+            }
+        }
+        let inertial_of_link =
+            self.links.iter().find(|known| known.name == link).and_then(|known| known.inertial.as_ref());
+        if let Some(inertial) = inertial_of_link.filter(|inertial| inertial.mass > 0.0) {
+            let at = origin + inertial.com;
+            let distance = distance_from_box(&at, &near);
+            if distance > MAX_DISTANCE_FROM_JOINTS {
+                warn("astray-com", link, format!("the centre of mass of {link}"), &at, distance);
+            }
+        }
+    }
+
+    /// Mirror image in the vehicle's middle plane, y → −y. Mirrored motions have equal joint coordinates.
+    ///
+    /// With S = diag(1, −1, 1): points p → S p; inertias I → S I S; sliding axes a → S a; rotation axes
+    /// a → −S a (a rotation R becomes S R S).
+    pub fn mirrored(&self) -> Corner {
+        let point = |p: &Vector3<f64>| Vector3::new(p.x, flip(p.y), p.z);
+        let rotation_axis = |a: &Vector3<f64>| Vector3::new(flip(a.x), a.y, flip(a.z));
+        // The frame of a shared link keeps its origin o: relative to o, S p is at S p − o, not at S (p − o).
+        let origin_shift = |link: &str| {
+            if self.is_shared(link) {
+                Vector3::new(0.0, -2.0 * self.origin(link).y, 0.0)
+            } else {
+                Vector3::zeros()
+            }
+        };
+        let mut corner = self.clone();
+        for link in &mut corner.links {
+            if let Some(inertial) = &mut link.inertial {
+                inertial.com = point(&inertial.com);
+                for (row, column) in [(0, 1), (1, 0), (1, 2), (2, 1)] {
+                    inertial.about_com[(row, column)] = flip(inertial.about_com[(row, column)]);
+                }
+            }
+        }
+        for joint in &mut corner.joints {
+            joint.origin.translation = point(&joint.origin.translation) + origin_shift(&joint.parent);
+            joint.axis = match joint.kind {
+                JointKind::Prismatic => point(&joint.axis),
+                JointKind::Fixed
+                | JointKind::Revolute
+                | JointKind::Continuous
+                | JointKind::Planar
+                | JointKind::Spherical
+                | JointKind::Floating => rotation_axis(&joint.axis),
+            };
+        }
+        for closure in &mut corner.closures {
+            for (frame, link) in [
+                (&mut closure.predecessor_frame, &closure.predecessor),
+                (&mut closure.successor_frame, &closure.successor),
+            ] {
+                frame.translation = point(&frame.translation) + origin_shift(link);
+            }
+            // The axis of a closure is a line without a sense.
+            closure.axis = rotation_axis(&closure.axis);
+            closure.axis2 = rotation_axis(&closure.axis2);
+        }
+        for contact in &mut corner.contacts {
+            if let ContactNormal::Fixed(normal) = &mut contact.normal {
+                *normal = point(normal);
+            }
+        }
+        let unshared_origins = corner.origins.iter_mut().filter(|(link, _)| !self.is_shared(link));
+        unshared_origins.for_each(|(_, at)| *at = point(at));
+        corner.drawing = self.drawing.mirrored();
+        corner
+    }
+
+    /// Adds the corner to a mechanism, and its comments and file positions to `annotations`. Names of unshared links get
+    /// the suffix.
+    pub fn add_to(
+        self,
+        suffix: &str,
+        mut builder: MechanismBuilder,
+        annotations: &mut Annotations,
+    ) -> MechanismBuilder {
+        let shared = self.shared;
+        let suffixed =
+            |name: &str| if shared.contains(&name) { name.to_owned() } else { format!("{name}{suffix}") };
+        let mut comments = self.comments;
+        for [seat, chassis_seat] in self.seat_pairs {
+            let line = self.origins[chassis_seat] - self.origins[seat];
+            let (length, [x, y, z]) = (line.norm(), (line / line.norm()).into());
+            let direction = format!("line {x:.12} {y:.12} {z:.12}, {length:.6} m at the design position");
+            comments.links.insert(
+                seat.to_owned(),
+                format!("the moving seat; to {}: {direction}", suffixed(chassis_seat)),
+            );
+            comments
+                .links
+                .insert(chassis_seat.to_owned(), format!("the seat on the chassis, over {}", suffixed(seat)));
+        }
+        for (from, into) in [
+            (comments.links, &mut annotations.comments.links),
+            (comments.joints, &mut annotations.comments.joints),
+            (comments.closures, &mut annotations.comments.closures),
+        ] {
+            into.extend(from.into_iter().map(|(name, text)| (suffixed(&name), text)));
+        }
+        annotations.spots.extend(self.spots.into_iter().map(|(name, spot)| (suffixed(&name), spot)));
+        for mut link in self.links {
+            link.name = suffixed(&link.name);
+            builder = builder.link(link);
+        }
+        for mut joint in self.joints {
+            for name in [&mut joint.name, &mut joint.parent, &mut joint.child] {
+                *name = suffixed(name);
+            }
+            builder = builder.joint(joint);
+        }
+        for mut closure in self.closures {
+            for name in [&mut closure.name, &mut closure.predecessor, &mut closure.successor] {
+                *name = suffixed(name);
+            }
+            builder = builder.closure(closure);
+        }
+        for mut contact in self.contacts {
+            contact.name = format!("{}{suffix}", contact.name);
+            contact.link = suffixed(&contact.link);
+            if contact.against != GROUND {
+                contact.against = suffixed(&contact.against);
+            }
+            builder = builder.contact(contact);
+        }
+        builder
+    }
+}
+
+/// Distance (m) of a point from the axis-aligned bounding box of other points; 0 inside.
+fn distance_from_box<'p>(at: &Vector3<f64>, others: impl IntoIterator<Item = &'p Vector3<f64>>) -> f64 {
+    let mut others = others.into_iter();
+    let Some(first) = others.next() else { return 0.0 };
+    let (low, high) = others.fold((*first, *first), |(low, high), at| (low.inf(at), high.sup(at)));
+    (at - at.sup(&low).inf(&high)).norm()
+}
+
+/// Returns −x, and 0 for 0.
+fn flip(x: f64) -> f64 {
+    0.0 - x
+}
+
+/// Comments and file positions by name.
+#[derive(Default)]
+pub(crate) struct Annotations {
+    pub comments: Comments,
+    pub spots: HashMap<String, Spot>,
+}
