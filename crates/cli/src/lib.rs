@@ -50,7 +50,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::SafeSpeed(args) => commands::safe_speed::run(args),
         Command::Run(args) => commands::run::run(args),
         Command::Init(args) => commands::init::run(args),
-        Command::Schema => commands::init::schema(),
+        Command::Schema { format } => commands::init::schema(*format),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(*shell, &mut Cli::definition(), "percuss", &mut script);

@@ -77,7 +77,7 @@ pub use reports::tolerance::{
 };
 pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
 pub use study_file::keys::{StudyKeys, UnknownKey};
-pub use study_file::schema::{study_keys, study_schema};
+pub use study_file::schema::{study_key_page, study_keys, study_schema};
 pub use study_file::starter::starting_study;
 pub use study_file::tables::contact::{
     BaseName, ConditionsTable, ContactTable, FrameName, PoseTable, QuestionTables,

@@ -56,12 +56,16 @@ pub(crate) const TRAVEL_TOLERANCE: f64 = 1e-11;
 /// Largest difference of positions (rad or m) after the way to a stop and back, if both are on one branch: the square root of
 /// the tolerance of travels, for a pose near a minimum of the gap.
 pub(crate) const SAME_START: f64 = 1e-6;
-/// Halvings of the gap in the search for the nearest pose to a stop that is not reached: six digits.
-pub(crate) const NEAREST_HALVINGS: usize = 20;
+/// Halvings of the gap in the search for the nearest pose to a stop that is not reached: 2 µm of a gap of 0.1 m.
+pub(crate) const NEAREST_HALVINGS: usize = 16;
+/// Least part of the way in one step of this search: each halving starts at the nearest pose known.
+pub(crate) const LEAST_PART_OF_HALVING: f64 = 0.1;
 /// Largest gap at which a stop touches, in characteristic lengths: the tolerance of several travels, with a margin.
 pub(crate) const TOUCH_TOLERANCE: f64 = 1e-10;
 /// Largest number of Newton steps for several travels: from a near pose some five steps are needed.
 pub(crate) const TRAVEL_ROUNDS: usize = 12;
+/// Largest ratio of the distances from the targets after and before a step of Newton's method.
+pub(crate) const LARGEST_RETREAT: f64 = 2.0;
 /// Number of parts in which several travels are first divided.
 pub(crate) const TRAVEL_PARTS: f64 = 4.0;
 /// Least part of several travels in one step: a travel of 0.1 m in steps of 0.1 mm.

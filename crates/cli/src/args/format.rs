@@ -21,3 +21,12 @@ pub enum MassFormat {
     /// One row with a header, in the columns of a sweep.
     Csv,
 }
+
+/// Formats of `percuss schema`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SchemaFormat {
+    /// JSON schema for editors and programs.
+    Json,
+    /// Page of all keys for people.
+    Markdown,
+}

@@ -16,7 +16,7 @@ mod writing;
 pub use compare::CompareArgs;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, SafeSpeedArgs};
-pub use format::{CheckFormat, MassFormat};
+pub use format::{CheckFormat, MassFormat, SchemaFormat};
 pub use help::short_help::{requested_command, short_help};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
 pub use map::MapArgs;
@@ -121,7 +121,11 @@ pub enum Command {
     Init(Box<InitArgs>),
     /// Print the JSON schema of studies, for editors and programs: every key with its meaning.
     #[command(after_help = "Example:\n  percuss schema > study.schema.json")]
-    Schema,
+    Schema {
+        /// JSON schema, or a page of all keys.
+        #[arg(long, value_enum, default_value_t = SchemaFormat::Json)]
+        format: SchemaFormat,
+    },
     /// Print a completion script for a shell.
     #[command(after_help = "Examples:\n  percuss completions bash\n  percuss completions zsh > _percuss")]
     Completions {

@@ -1,11 +1,11 @@
 //! Commands `percuss init` and `percuss schema`: initial studies, and the schema of studies.
 
-use crate::args::InitArgs;
+use crate::args::{InitArgs, SchemaFormat};
 use crate::files::output::{record_input, write_file};
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_out, write_unescaped};
 use crate::terminal::text::shell_quoted;
-use percuss_study::{starting_study, study_schema};
+use percuss_study::{starting_study, study_key_page, study_schema};
 use std::path::Path;
 
 /// Writes a study of a model.
@@ -42,8 +42,11 @@ pub fn run(args: &InitArgs) -> Result<(), Failure> {
     }
 }
 
-/// Prints the JSON schema of studies.
-pub fn schema() -> Result<(), Failure> {
+/// Prints the JSON schema of studies, or the page of their keys.
+pub fn schema(format: SchemaFormat) -> Result<(), Failure> {
+    if format == SchemaFormat::Markdown {
+        return write_unescaped(study_key_page().as_bytes());
+    }
     let text = serde_json::to_string_pretty(study_schema());
     let text = text.map_err(|error| Failure::NoAnswer(format!("the schema has no JSON form: {error}")))?;
     write_unescaped((text + "\n").as_bytes())

@@ -2,7 +2,7 @@
 
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
-use crate::thresholds::{LEAST_PART, OTHER_DRIVERS, TRAVEL_PARTS, TRAVEL_ROUNDS, TRAVEL_TOLERANCE};
+use crate::thresholds::{LARGEST_RETREAT, OTHER_DRIVERS, TRAVEL_PARTS, TRAVEL_ROUNDS, TRAVEL_TOLERANCE};
 use nalgebra::{DMatrix, DVector};
 use percuss_dynamics::{Configuration, Pose, Travel};
 use percuss_mechanism::JointId;
@@ -15,6 +15,8 @@ pub(crate) struct JoinedTravels {
     pub drivers: Vec<JointId>,
     /// Set joints; these cannot drive.
     pub set: Vec<JointId>,
+    /// Least part of the way in one step.
+    pub least_part: f64,
 }
 
 /// Poses between a start and the requested displacements.
@@ -53,7 +55,7 @@ impl JoinedTravels {
                     (progress.pose, progress.at, reached) = (pose, at, to);
                     part *= 2.0;
                 }
-                Err(_) if part < LEAST_PART && changes < OTHER_DRIVERS => {
+                Err(_) if part < self.least_part && changes < OTHER_DRIVERS => {
                     // A driver may be at a dead centre; other drivers continue from this pose.
                     changes = if reached > 0.0 { changes + 1 } else { OTHER_DRIVERS };
                     let Some(drivers) = self.select_drivers(&progress.pose) else { continue };
@@ -63,7 +65,7 @@ impl JoinedTravels {
                         part = 1.0 / TRAVEL_PARTS;
                     }
                 }
-                Err(error) if part < LEAST_PART => {
+                Err(error) if part < self.least_part => {
                     let why = match error {
                         Some(StudyError::Assembly(error)) if error.is_bad_input() => return Err(error.into()),
                         Some(error) => format!(" ({})", error.message(names)),
@@ -91,10 +93,15 @@ impl JoinedTravels {
     ) -> Result<(Pose, Vec<f64>), Option<StudyError>> {
         let within = TRAVEL_TOLERANCE * from.pose.mechanism().characteristic_length();
         let (mut pose, mut at, count) = (from.pose.clone(), from.at.clone(), targets.len());
-        let mut reached = None;
+        let (mut reached, mut largest) = (None, f64::INFINITY);
         for _ in 0..TRAVEL_ROUNDS {
             let missing = self.travels.iter().zip(targets).map(|(t, target)| target - t.displacement(&pose));
             let missing = DVector::from_iterator(count, missing);
+            // Newton's method that leads away from the targets is not continued.
+            if missing.amax() > largest {
+                return reached.ok_or(None);
+            }
+            largest = LARGEST_RETREAT * missing.amax().max(within);
             // One more step removes what the tolerance leaves.
             if missing.amax() <= within && (reached.is_some() || missing.amax() == 0.0) {
                 return Ok((pose, at));

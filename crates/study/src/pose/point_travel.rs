@@ -9,7 +9,7 @@ use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names, assembly_error_message};
 use crate::question::travel::moved::MovedPoint;
 use crate::thresholds::{
-    DEAD_CENTRE_APPROACH, LEAST_ADVANCE, LEAST_POINT_RATE, OTHER_DRIVERS, TRAVEL_STAGES,
+    DEAD_CENTRE_APPROACH, LEAST_ADVANCE, LEAST_PART, LEAST_POINT_RATE, OTHER_DRIVERS, TRAVEL_STAGES,
 };
 use percuss_dynamics::{Configuration, ContactResponse, Gap, PointVelocity, Pose, System, TravelError};
 use percuss_mechanism::{JointId, JointKind};
@@ -85,7 +85,10 @@ impl PointTravel {
                 drivers.push(driver.joint);
             }
             let ratios = moved.iter().map(|point| point.distance / moved[0].distance).collect();
-            first.joined = Some((JoinedTravels { travels, drivers, set: first.set.clone() }, ratios));
+            first.joined = Some((
+                JoinedTravels { travels, drivers, set: first.set.clone(), least_part: LEAST_PART },
+                ratios,
+            ));
         }
         Ok((first, driver))
     }

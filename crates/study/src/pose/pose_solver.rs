@@ -9,7 +9,7 @@ use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::MassQuestion;
 use crate::question::travel::moved::{Moved, MovedPoint};
-use crate::thresholds::{HALVINGS, NEAREST_HALVINGS, SAME_START};
+use crate::thresholds::{HALVINGS, LEAST_PART, LEAST_PART_OF_HALVING, NEAREST_HALVINGS, SAME_START};
 use percuss_dynamics::{Configuration, Gap, Pose, System, TravelError};
 use percuss_mechanism::{JointId, Mechanism, NamedContact};
 
@@ -40,11 +40,16 @@ pub(crate) fn pose(
     if let [(stop, _), ..] = &stops[..] {
         return touch_pose(system, configuration, question, &driven, (stop.name(), &stops), start);
     }
-    solve_all(&travels, &start, question.names)
+    solve_all(&travels, &start, LEAST_PART, question.names)
 }
 
-/// Pose with the displacements of all travels.
-fn solve_all(travels: &[DrivenTravel], start: &Pose, names: Names) -> Result<Pose, StudyError> {
+/// Pose with the displacements of all travels. `least_part`: least part of the way of several travels in one step.
+fn solve_all(
+    travels: &[DrivenTravel],
+    start: &Pose,
+    least_part: f64,
+    names: Names,
+) -> Result<Pose, StudyError> {
     match travels {
         [] => Ok(start.clone()),
         [alone] => alone.solve_pose(start.clone(), names),
@@ -54,7 +59,7 @@ fn solve_all(travels: &[DrivenTravel], start: &Pose, names: Names) -> Result<Pos
             let set = first.travel.set().to_vec();
             let travels = travels.iter().map(|travel| travel.travel.travel().clone()).collect();
             // The configuration of the first travel holds the rack.
-            JoinedTravels { travels, drivers, set }.pose(
+            JoinedTravels { travels, drivers, set, least_part }.pose(
                 &first.driver.configuration,
                 start,
                 &distances,
@@ -100,24 +105,24 @@ fn touch_pose(
         }
     }
     // Pose with a part of the gaps closed, on the branch of the start: the way back leads to the start.
-    let with_part = |part: f64, from: &Pose| -> Result<Pose, StudyError> {
+    let with_part = |part: f64, from: &Pose, least_part: f64| -> Result<Pose, StudyError> {
         let scaled: Vec<DrivenTravel> = travels.iter().map(|travel| travel.part(part)).collect();
-        let pose = solve_all(&scaled, from, question.names)?;
+        let pose = solve_all(&scaled, from, least_part, question.names)?;
         let back: Vec<DrivenTravel> = travels.iter().map(|travel| travel.part(0.0)).collect();
-        let returned = solve_all(&back, &pose, question.names)?;
+        let returned = solve_all(&back, &pose, LEAST_PART, question.names)?;
         let is_same = is_same_pose(&returned, &start);
         is_same.then_some(pose).ok_or_else(|| StudyError::TravelNotReached {
             why: "the gap has a minimum on the way".to_owned(),
             nearest: None,
         })
     };
-    match with_part(1.0, &start) {
+    match with_part(1.0, &start, LEAST_PART) {
         Err(StudyError::TravelNotReached { why, .. }) => {
             let (mut low, mut high) = (0.0, 1.0);
             let mut from = start.clone();
             for _ in 0..NEAREST_HALVINGS {
                 let middle = 0.5 * (low + high);
-                match with_part(middle, &from) {
+                match with_part(middle, &from, LEAST_PART_OF_HALVING) {
                     Ok(pose) => (low, from) = (middle, pose),
                     Err(_) => high = middle,
                 }

@@ -40,6 +40,66 @@ pub fn study_keys() -> Vec<String> {
     found
 }
 
+/// Page of all keys in Markdown: a table for each table of a study, with the kind of each value and its meaning.
+pub fn study_key_page() -> String {
+    let mut page = String::from(
+        "# Keys of studies\n\nEach key of a study file, as `percuss schema --format markdown` prints it. Lengths are in m, angles in \
+         rad, masses in kg, or text\nwith a unit (`\"350 mm\"`). [STUDIES.md](STUDIES.md) has an example.\n",
+    );
+    let tables = properties(study_schema()).into_iter().flatten();
+    for (table, of_table) in tables {
+        let name = if kind(of_table) == "list" { format!("[[{table}]]") } else { format!("[{table}]") };
+        page +=
+            &format!("\n## {name}\n\n{}\n\n| key | value | meaning |\n|---|---|---|\n", meaning(of_table));
+        for known in alternatives(of_table).into_iter().filter_map(entries) {
+            for (key, of_key) in known {
+                page += &format!("| `{key}` | {} | {} |\n", kind(of_key), meaning(of_key));
+            }
+        }
+    }
+    page
+}
+
+/// Keys of a table, or of the tables of a list.
+fn entries(schema: &Value) -> Option<&Map<String, Value>> {
+    properties(schema).or_else(|| properties(schema.get("items")?))
+}
+
+/// Description of a key without line breaks, escaped for a table.
+fn meaning(schema: &Value) -> String {
+    let words = schema.get("description").and_then(Value::as_str).unwrap_or_default();
+    let one_line = words.split_whitespace().collect::<Vec<_>>().join(" ");
+    one_line.replace('|', "\\|").replace('<', "\\<")
+}
+
+/// Kind of a value: the possible words, or its type.
+fn kind(schema: &Value) -> String {
+    let words: Vec<String> = alternatives(schema)
+        .into_iter()
+        .flat_map(|one| {
+            let words = one.get("enum").and_then(Value::as_array).into_iter().flatten();
+            words.chain(one.get("const"))
+        })
+        .filter_map(|word| Some(format!("`{}`", word.as_str()?)))
+        .collect();
+    if !words.is_empty() {
+        return words.join(", ");
+    }
+    let mut kinds: Vec<&str> = alternatives(schema)
+        .into_iter()
+        .filter_map(|one| match one.get("type")?.as_str()? {
+            "array" => Some("list"),
+            "object" => Some("table"),
+            "string" => Some("text"),
+            "boolean" => Some("true or false"),
+            "integer" => Some("whole number"),
+            other => Some(other),
+        })
+        .collect();
+    kinds.dedup();
+    kinds.join(" or ")
+}
+
 /// Schema and its alternatives.
 pub(crate) fn alternatives(schema: &Value) -> Vec<&Value> {
     let of = |word: &str| schema.get(word).and_then(Value::as_array).into_iter().flatten();
@@ -95,6 +155,20 @@ mod tests {
         let fresh = serde_json::to_string_pretty(study_schema()).unwrap() + "\n";
         let kept = std::fs::read_to_string(file).unwrap_or_default();
         assert!(kept == fresh, "docs/study.schema.json is not what `percuss schema` prints; write it again");
+    }
+
+    #[test]
+    fn the_page_of_keys_is_fresh_and_names_every_key() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/reference/STUDY_KEYS.md");
+        let kept = std::fs::read_to_string(file).unwrap_or_default();
+        assert!(
+            kept == study_key_page(),
+            "docs/reference/STUDY_KEYS.md is not what `percuss schema --format markdown` prints; write it again"
+        );
+        for key in study_keys().iter().filter(|key| key.matches('.').count() == 1) {
+            let (_, name) = key.split_once('.').expect("one dot");
+            assert!(kept.contains(&format!("| `{name}` |")), "{key}");
+        }
     }
 
     #[test]
