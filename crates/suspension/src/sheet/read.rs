@@ -4,11 +4,11 @@ use super::catalogue;
 use super::entries::{Cell, Entries, Quantity};
 use super::point_table::{self, Files};
 use super::template::{ExampleBody, Shape, Template, symmetric_matrix};
-use super::{table, toml_text};
+use super::{adams, aliases, table, toml_text};
 use crate::corner;
 use crate::corner::design::{Design, GivenBody, Part, STOPS, Stop};
 use crate::findings::{Findings, Spot};
-use crate::limits::MAX_SHEET_KEYS;
+use crate::limits::{MAX_SHEET_KEYS, MAX_SHIFT};
 use crate::options::{ImportOptions, Rack, Side, Wheel};
 use crate::units::{Frame, VehicleAxes, check_size};
 use percuss_formats::Source;
@@ -34,6 +34,10 @@ pub(in super::super) struct Sheet {
     pub toe: f64,
     /// Inertia that the axle adds to the spindle about the spin axis, kg·m².
     pub axle_inertia: f64,
+    /// Side that the points describe.
+    pub points_side: Side,
+    /// Body of the chassis.
+    pub chassis: Option<corner::Body>,
 }
 
 /// Reads a sheet; `None` after an error in the report.
@@ -44,13 +48,29 @@ pub(in super::super) fn read(
     findings: &mut Findings,
     files: &mut Files,
 ) -> Option<Sheet> {
-    let mut entries = Entries::default();
+    let (mut entries, mut is_table) = (Entries::default(), true);
     files.push((source.name.clone(), text.to_owned()));
     if table::is_workbook(&source.bytes) {
-        table::read_workbook(&source.bytes, 0, &mut entries, findings);
+        table::read_workbook(&source.bytes, 0, options.worksheet.as_deref(), &mut entries, findings);
+    } else if adams::is_subsystem(text) {
+        refuse_points_only(findings, source, options);
+        return None;
     } else if source.name.ends_with(".csv") || table::looks_like_table(text) {
         table::read_text(text, 0, &mut entries, findings);
-    } else if !toml_text::read(text, &mut entries, findings) {
+    } else {
+        is_table = false;
+        if !toml_text::read(text, &mut entries, findings) {
+            return None;
+        }
+    }
+    let is_worksheet_given = options.worksheet.is_some() || entries.has("worksheet");
+    if is_worksheet_given && !entries.has("points") && !table::is_workbook(&source.bytes) {
+        let message =
+            "a worksheet is given, and the file is no workbook and names no table of points".to_owned();
+        findings.error("conflict", &Spot::default(), message);
+    }
+    if is_table && !findings.has_errors() && has_points_only(&entries) {
+        refuse_points_only(findings, source, options);
         return None;
     }
     point_table::read(source, options, &mut entries, findings, files);
@@ -71,11 +91,33 @@ pub(in super::super) fn read(
     sheet.filter(|_| !findings.has_errors())
 }
 
+/// True for a plain table of points, without a template and properties of bodies.
+fn has_points_only(entries: &Entries) -> bool {
+    let bodies = catalogue::keys().bodies.iter().map(|(key, _)| &**key);
+    let is_headless = !["template", "points"].iter().any(|key| entries.has(key));
+    is_headless
+        && entries.has_section("points")
+        && !bodies.chain(["wheel"]).any(|body| entries.has_section(body))
+}
+
+/// Refuses a table without masses, with the way to use the table.
+fn refuse_points_only(findings: &mut Findings, source: &Source, options: &ImportOptions) {
+    let file = source.name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let template = options.template.as_deref().unwrap_or("TEMPLATE");
+    let list = if options.template.is_none() { " (percuss template --list)" } else { "" };
+    let message = format!(
+        "the file has hardpoints and no masses. Write a sheet by `percuss template {template} -o my.toml`{list}, enter the \
+         masses, and replace its section [points] by points = {} at the head of the sheet",
+        quoted(file)
+    );
+    findings.error("missing-key", &Spot::default(), message);
+}
+
 /// All keys of a template.
 pub(super) fn keys_of(template: &Template) -> Vec<String> {
     let mut keys: Vec<String> = table::HEAD.iter().map(|key| (*key).to_owned()).collect();
     keys.extend(template.points.iter().map(|(key, _)| format!("points.{key}")));
-    for (body, _) in &template.bodies {
+    for body in template.bodies.iter().map(|(body, _)| &**body).chain([corner::CHASSIS]) {
         keys.extend(["mass", "com", "inertia"].map(|key| format!("{body}.{key}")));
     }
     keys.push("spindle.axle_inertia".to_owned());
@@ -136,11 +178,14 @@ impl SheetReader<'_> {
         let inertia_unit = self.inertia_unit();
         let (template, unit, axes, points_side) = (template?, unit?, axes?, points_side?);
         let frame = Frame { unit, axes };
+        self.entries.set_known_keys(keys_of(template));
+        aliases::rename_points(template, self.entries, self.findings);
         let name = name.filter(|n| !n.is_empty()).unwrap_or_else(|| template.name.clone());
         let name = if name.len() > LONGEST_NAME { cut(&name, LONGEST_NAME / 4) } else { name };
         let side = self.side(template, points_side);
         let points = self.points(template, frame, points_side);
         let bodies = self.bodies(template, frame, points_side, inertia_unit);
+        let chassis = self.chassis(template, frame, points_side, inertia_unit);
         let wheel = self.wheel(frame, inertia_unit);
         let camber = self.angle("wheel.camber");
         let toe = self.angle("wheel.toe");
@@ -160,7 +205,20 @@ impl SheetReader<'_> {
             hinge_comment: "about the line through its two points, first to second",
             ..Design::default()
         };
-        let mut sheet = Sheet { template, name, frame, side, rack, design, wheel, camber, toe, axle_inertia };
+        let mut sheet = Sheet {
+            template,
+            name,
+            frame,
+            side,
+            rack,
+            design,
+            wheel,
+            camber,
+            toe,
+            axle_inertia,
+            points_side,
+            chassis,
+        };
         self.apply_moves(&mut sheet);
         Some(sheet)
     }
@@ -179,7 +237,7 @@ impl SheetReader<'_> {
             (None, None) => {
                 if !self.findings.has_errors() {
                     let message = format!(
-                        "the key is missing; a template is expected, in the file or by --template: {}",
+                        "the key is missing; a template is expected, in the file or by `percuss import … --template NAME`: {}",
                         template_names().join(", ")
                     );
                     let spot = Spot { path: Some("template".to_owned()), ..Spot::default() };
@@ -227,8 +285,9 @@ impl SheetReader<'_> {
             (None, Some(flag)) => Some(flag),
             (None, None) => {
                 if !self.entries.has(key) {
-                    let message =
-                        format!("the key is missing; {choices} is expected, in the file or by --{key}");
+                    let message = format!(
+                        "the key is missing; {choices} is expected, in the file or by `percuss import … --{key}`"
+                    );
                     self.findings.error("missing-key", &spot, message);
                 }
                 None
@@ -379,6 +438,24 @@ impl SheetReader<'_> {
         bodies
     }
 
+    /// Reads the body of the chassis, if the sheet has one.
+    fn chassis(
+        &mut self,
+        template: &Template,
+        frame: Frame,
+        points_side: Side,
+        inertia_unit: &'static Unit,
+    ) -> Option<corner::Body> {
+        if !self.entries.has_section(corner::CHASSIS) {
+            return None;
+        }
+        let key = (corner::CHASSIS, Shape::Optional);
+        match self.body(template, key, frame, points_side, inertia_unit)? {
+            GivenBody::Body(body) => Some(body),
+            GivenBody::Rod(..) => None,
+        }
+    }
+
     /// Reads one body, mirrored to the left side; `None` if it is absent or invalid.
     fn body(
         &mut self,
@@ -412,8 +489,9 @@ impl SheetReader<'_> {
             None if self.entries.has(&com_key) => return None,
             None => None,
         };
-        let is_central =
-            template.axle && ["axle", "middle_link", "panhard_rod"].contains(&key) || key.starts_with("watt");
+        let is_central = template.axle && ["axle", "middle_link", "panhard_rod"].contains(&key)
+            || key.starts_with("watt")
+            || key == corner::CHASSIS;
         let is_mirrored = points_side == Side::Right && !is_central;
         // NaN: the default for a spindle is the wheel centre, which is computed later. A massless body needs no centre of mass.
         let com = match com {
@@ -554,6 +632,16 @@ impl SheetReader<'_> {
                 by.y = 0.0 - by.y;
             }
             match sheet.design.points.iter_mut().find(|(key, _)| **key == name) {
+                Some(_) if by.amax() > MAX_SHIFT => {
+                    let shift = by.amax();
+                    let message = format!(
+                        "the point {} is moved by {shift} m; at most {MAX_SHIFT} m are expected. A number without a unit is in m, \
+                         also if the sheet is in {}: write {shift}mm for millimetres (--move)",
+                        quoted(name),
+                        sheet.frame.unit.name()
+                    );
+                    self.findings.error("wrong-unit", &Spot::default(), message);
+                }
                 Some((_, (at, _))) => *at += by,
                 None => {
                     let near = near_names(name, sheet.design.points.keys().copied());
