@@ -13,7 +13,7 @@ use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
-use crate::question::vary::Varied;
+use crate::question::travel::vary::Varied;
 use crate::reports::compare::Design;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::keys::{StudyKeys, UnknownKey};
