@@ -42,6 +42,7 @@ mod study {
 
 /// Suspensions from sheets of hardpoints.
 mod suspensions {
+    mod daily_use;
     mod import;
     mod own_suspension;
 }

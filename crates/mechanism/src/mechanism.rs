@@ -2,8 +2,8 @@
 
 use crate::tree::Tree;
 use crate::{
-    Closure, ClosureId, Coupling, Joint, JointId, Link, LinkId, NameKind, NamedContact, UnknownName,
-    near_names,
+    Closure, ClosureId, Coupling, Joint, JointId, JointKind, Link, LinkId, NameKind, NamedContact,
+    UnknownName, near_names,
 };
 use std::collections::HashMap;
 
@@ -154,10 +154,9 @@ impl Mechanism {
     /// # Errors
     /// [`UnknownName`] with similar names.
     pub fn find_link(&self, name: &str) -> Result<LinkId, UnknownName> {
-        self.link_by_name.get(name).copied().ok_or_else(|| UnknownName {
-            kind: NameKind::Link,
-            name: name.to_owned(),
-            near: near_names(name, self.links.iter().map(Link::name)),
+        self.link_by_name.get(name).copied().ok_or_else(|| {
+            let links = (NameKind::Link, self.links.iter().map(Link::name).collect());
+            UnknownName::new(name, &[links, self.contact_names()])
         })
     }
 
@@ -166,10 +165,14 @@ impl Mechanism {
     /// # Errors
     /// [`UnknownName`] with similar names.
     pub fn find_joint(&self, name: &str) -> Result<JointId, UnknownName> {
-        self.joint_by_name.get(name).copied().ok_or_else(|| UnknownName {
-            kind: NameKind::Joint,
-            name: name.to_owned(),
-            near: near_names(name, self.joints.iter().map(Joint::name)),
+        self.joint_by_name.get(name).copied().ok_or_else(|| {
+            // Fixed joints have no position to name.
+            let movable = self.joints.iter().filter(|joint| joint.kind() != JointKind::Fixed);
+            let near = near_names(name, self.joints.iter().map(Joint::name));
+            UnknownName {
+                near,
+                ..UnknownName::new(name, &[(NameKind::Joint, movable.map(Joint::name).collect())])
+            }
         })
     }
 
@@ -178,11 +181,13 @@ impl Mechanism {
     /// # Errors
     /// [`UnknownName`] with similar names.
     pub fn find_contact(&self, name: &str) -> Result<&NamedContact, UnknownName> {
-        self.contacts.iter().find(|contact| contact.name == name).ok_or_else(|| UnknownName {
-            kind: NameKind::Contact,
-            name: name.to_owned(),
-            near: near_names(name, self.contacts.iter().map(NamedContact::name)),
-        })
+        let found = self.contacts.iter().find(|contact| contact.name == name);
+        found.ok_or_else(|| UnknownName::new(name, &[self.contact_names()]))
+    }
+
+    /// Names of the contacts.
+    fn contact_names(&self) -> (NameKind, Vec<&str>) {
+        (NameKind::Contact, self.contacts.iter().map(NamedContact::name).collect())
     }
 
     /// Total mass of all links, kg.

@@ -283,6 +283,8 @@ def test_a_table_of_points_is_in_the_folder_of_its_sheet(tmp_path: Path) -> None
     with pytest.raises(percuss.LoadError, match="allow_outside"):
         percuss.load_suspension(sheet)
     assert "upright" in percuss.load_suspension(sheet, allow_outside=True).links
+    with pytest.raises(percuss.LoadError, match="nowhere"):
+        percuss.load_suspension(sheet, allow_outside=True, worksheet="nowhere")
 
 
 def test_suspension_options_and_templates() -> None:

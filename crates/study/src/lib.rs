@@ -37,7 +37,7 @@ pub use map::map_report::{
 pub use map::point_map::{DirectionMass, PointMapReport, map_point};
 pub use map::surface_map::map;
 pub use model::changes::Changes;
-pub use model::loading::{Input, Model, Origin};
+pub use model::loading::{Input, Model, Origin, SheetPoint};
 pub use model::record::DiagnosticRecord;
 pub use model::sheet::Sheet;
 pub use percuss_tables::FormatFault;

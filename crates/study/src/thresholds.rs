@@ -87,6 +87,14 @@ pub(crate) const INVERSE_RATIO_TOLERANCE: f64 = 1e-9;
 
 // Findings about results.
 
+/// Ratio of the changed mass of a link to its former mass, and to the mass of all other links, that causes a warning: the
+/// number is probably in grams.
+pub(crate) const MAX_MASS_RATIO: f64 = 50.0;
+/// Least number of turning joints of a robot arm, whose drives usually have rotors with gears.
+pub(crate) const ROBOT_JOINTS: usize = 4;
+/// Travel that is too long for a mechanism in metres, m: an unreached travel gets a hint about its unit.
+pub(crate) const LONG_TRAVEL: f64 = 1.0;
+
 /// Distance of a contact point from the origin of its link, relative to the reach of the link, that causes a finding. Parts
 /// attached to a link protrude by at most the size of the link.
 pub(crate) const FAR_POINT: f64 = 3.0;

@@ -16,6 +16,7 @@
 
 mod chrono;
 mod corner;
+mod encoding;
 mod findings;
 mod limits;
 mod options;
@@ -26,7 +27,8 @@ mod units;
 
 use chrono::{ChronoTemplate, Reader, Section};
 pub use corner::drawing::{Line, WheelCircle};
-use corner::{Annotations, CHASSIS, Corner, RACK};
+use corner::{Annotations, Body, CHASSIS, Corner, RACK};
+use encoding::Decoded;
 use findings::{Findings, Spot};
 pub use options::{ImportOptions, Rack, Side, Wheel};
 use percuss_formats::reading::LONGEST_NAME;
@@ -73,23 +75,36 @@ pub struct Imported {
 pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, LoadError> {
     let mut report = Report::default();
     if sheet::is_workbook(&source.bytes) {
-        return import_sheet(source, "", options);
+        return import_sheet(source, "", None, options);
     }
     let text = decode(source, &mut report);
-    let Some(text) = text else {
+    let Some(Decoded { text, note }) = text else {
         return Err(LoadError { diagnostics: report.finish(&source.name, "") });
     };
+    let text = &*text;
     // JSON begins with a brace, or with a comment in Chrono's files. The JSON reader reports XML as such.
     let is_json = text.trim_ascii_start().starts_with(['{', '/', '<']);
     if is_json || source.name.ends_with(".json") {
-        import_chrono(source, text, options, report)
+        match source.text(&mut report) {
+            Some(text) => import_chrono(source, text, options, report),
+            None => Err(LoadError { diagnostics: report.finish(&source.name, "") }),
+        }
     } else {
-        import_sheet(source, text, options)
+        import_sheet(source, text, note, options)
     }
 }
 
-fn import_sheet(source: &Source, text: &str, options: &ImportOptions) -> Result<Imported, LoadError> {
+/// Imports a sheet; `encoding_note`: note about the encoding of the text.
+fn import_sheet(
+    source: &Source,
+    text: &str,
+    encoding_note: Option<String>,
+    options: &ImportOptions,
+) -> Result<Imported, LoadError> {
     let (mut findings, mut files) = (Findings::default(), sheet::Files::new());
+    if let Some(note) = encoding_note {
+        findings.note("windows-1252", &Spot::default(), note);
+    }
     check_options(&mut findings, options);
     let imported = sheet::read(source, text, options, &mut findings, &mut files).and_then(|sheet| {
         let built = sheet::build(&sheet, &mut findings)?;
@@ -105,6 +120,7 @@ fn import_sheet(source: &Source, text: &str, options: &ImportOptions) -> Result<
             wheel: sheet.wheel,
             frame: sheet.frame,
             points: sheet.design.points.keys().map(|name| (*name).to_owned()).collect(),
+            chassis: sheet.chassis.clone(),
         };
         build_mechanism(&mut findings, built.left, built.middle, &facts, source, options)
     });
@@ -147,7 +163,7 @@ fn import_chrono(
 }
 
 /// Decodes the bytes as text; `None` after an error. Empty and binary files get messages that name the formats of suspensions.
-fn decode<'s>(source: &'s Source, report: &mut Report) -> Option<&'s str> {
+fn decode<'s>(source: &'s Source, report: &mut Report) -> Option<Decoded<'s>> {
     let is_utf16 = [&b"\xFF\xFE"[..], b"\xFE\xFF"].iter().any(|mark| source.bytes.starts_with(mark));
     if source.bytes.trim_ascii().is_empty() {
         report.error("empty-file", Place::File, || {
@@ -159,8 +175,10 @@ fn decode<'s>(source: &'s Source, report: &mut Report) -> Option<&'s str> {
             "this is not a text file (it has zero bytes); a sheet (TOML), a table or JSON in UTF-8 is expected".to_owned()
         });
         None
+    } else if is_utf16 {
+        source.text(report).map(|text| Decoded { text: text.into(), note: None })
     } else {
-        source.text(report)
+        Some(encoding::decode(&source.bytes))
     }
 }
 
@@ -174,6 +192,8 @@ struct SuspensionFacts<'d> {
     wheel: Option<Wheel>,
     frame: Frame,
     points: Vec<String>,
+    /// Body of the chassis; `None` for a massless root link.
+    chassis: Option<Body>,
 }
 
 /// Reads a file of Chrono::Vehicle and builds its mechanism; `None` after an error in the report.
@@ -217,6 +237,7 @@ fn read_chrono(
         wheel: options.wheel,
         frame: reader.frame,
         points: Vec::new(),
+        chassis: None,
     };
     build_mechanism(reader, corner, None, &facts, source, options)
 }
@@ -230,7 +251,10 @@ fn build_mechanism(
     source: &Source,
     options: &ImportOptions,
 ) -> Option<(Mechanism, Comments, Understood)> {
-    corner.check(findings);
+    corner.check(findings, facts.frame.unit);
+    if findings.has_errors() {
+        return None;
+    }
     let drawing = corner.drawing.clone();
     let middle_drawing = middle.as_ref().map(|m| m.drawing.clone());
     let (builder, annotations) = assemble(findings, corner, middle, facts);
@@ -329,11 +353,16 @@ fn assemble(
     facts: &SuspensionFacts<'_>,
 ) -> (MechanismBuilder, Annotations) {
     let mut annotations = Annotations::default();
-    let mut builder = MechanismBuilder::new(facts.name).link(LinkDescription::massless(CHASSIS));
-    annotations
-        .comments
-        .links
-        .insert(CHASSIS.to_owned(), "the vehicle's frame; its own mass is not given".to_owned());
+    let (chassis, comment) = match &facts.chassis {
+        None => (LinkDescription::massless(CHASSIS), "the vehicle's frame; its own mass is not given"),
+        Some(Body { mass, com, about_com, spot }) => {
+            annotations.spots.insert(CHASSIS.to_owned(), spot.clone());
+            let inertial = Inertial { mass: *mass, com: *com, about_com: *about_com };
+            (LinkDescription::new(CHASSIS, inertial), "the vehicle's frame, with the body's mass")
+        }
+    };
+    let mut builder = MechanismBuilder::new(facts.name).link(chassis);
+    annotations.comments.links.insert(CHASSIS.to_owned(), comment.to_owned());
     match (corner.rack_origin(), facts.rack) {
         (Some(at), rack) => builder = add_rack(builder, at, rack, &mut annotations),
         (None, Rack::Sliding { .. }) => {

@@ -14,6 +14,10 @@ pub(crate) const MAX_VEHICLE_EXTENT: f64 = 20.0;
 /// Lower bound of the largest hardpoint coordinate of a vehicle, m. A vehicle in metres that is read in millimetres is below
 /// this bound; a soapbox car is above.
 pub(crate) const MIN_VEHICLE_EXTENT: f64 = 0.02;
+/// Lower bound of the track of a vehicle that carries a person, m; a vehicle in another unit is often below.
+pub(crate) const MIN_TRACK: f64 = 0.4;
+/// Tracks of usual vehicles, m: a unit that gives such a track is suggested in place of a wrong one.
+pub(crate) const USUAL_TRACKS: std::ops::RangeInclusive<f64> = 0.8..=3.0;
 /// Sine of the largest angle between directions that count as parallel and span no plane: smaller than any angle that a
 /// hardpoint file resolves.
 pub(crate) const MAX_PARALLEL_SINE: f64 = 1e-9;
@@ -35,6 +39,8 @@ pub(crate) const MAX_ACROSS_MIDDLE_PLANE: f64 = 0.05;
 pub(crate) const MAX_LENGTH_RATIO: f64 = 2.5;
 /// Smallest length, m, of a link that is reported for this ratio: ratios between short links are no sign of an error.
 pub(crate) const MIN_REPORTED_LENGTH: f64 = 0.6;
+/// Largest displacement of a hardpoint between variants, m: a larger one is a number in another unit.
+pub(crate) const MAX_SHIFT: f64 = 0.3;
 /// Longest plausible control arm or link of a corner, m.
 pub(crate) const MAX_ARM_LENGTH: f64 = 1.8;
 /// Largest plausible distance of a centre of mass or a spring mount from the box around the joints of its link, m. A larger
@@ -56,6 +62,8 @@ pub(crate) mod workbook {
     pub(crate) const MAX_CELL_FORMATS: usize = 1 << 17;
     /// Upper bound of the number of cell formats times the length of the longest element in their part, bytes.
     pub(crate) const MAX_CELL_FORMAT_BYTES: usize = 64 << 20;
+    /// Largest index of a shared formula; spreadsheet programs number them from 0 in each worksheet.
+    pub(crate) const MAX_SHARED_FORMULAS: usize = 1 << 16;
     /// Largest total size of the texts in the cells that are read, bytes: a name and remarks per row.
     pub(crate) const MAX_TABLE_TEXT_BYTES: usize = 16 << 20;
     /// Largest number of visited cells of a worksheet.

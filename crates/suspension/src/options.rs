@@ -55,6 +55,8 @@ pub struct ImportOptions {
     pub rack: Option<Rack>,
     /// Template for a table without a template name.
     pub template: Option<String>,
+    /// Worksheet of a workbook; `None`: the worksheet named in the sheet, or the first one.
+    pub worksheet: Option<String>,
     /// Moved hardpoints of a sheet: name and displacement, m, in the axes of the sheet.
     pub moves: Vec<(String, [f64; 3])>,
     /// Findings that the user accepts.

@@ -1,7 +1,7 @@
 //! Vehicle axes, with their names in files and flags, and the frame of a file.
 
 use super::findings::{Findings, Spot};
-use crate::limits::{MAX_VEHICLE_EXTENT, MIN_VEHICLE_EXTENT};
+use crate::limits::{MAX_ARM_LENGTH, MAX_VEHICLE_EXTENT, MIN_TRACK, MIN_VEHICLE_EXTENT, USUAL_TRACKS};
 use percuss_spatial::{Matrix3, Vector3};
 use percuss_units::LengthUnit;
 
@@ -79,23 +79,69 @@ impl Frame {
 pub(super) fn check_size(findings: &mut Findings, far: f64, spot: &Spot, unit: LengthUnit) {
     let (size, name) = (unit.of_metres(far), unit.name());
     if far > MAX_VEHICLE_EXTENT {
-        let remedy = match unit {
-            LengthUnit::Metre => "if the file is in millimetres, give --unit mm",
-            LengthUnit::Centimetre | LengthUnit::Millimetre | LengthUnit::Inch => {
-                "give the file's unit by --unit"
-            }
-        };
+        let other = if unit == LengthUnit::Metre { "mm" } else { "another unit" };
         let message = format!(
-            "a coordinate of {size} {name}, read in {name}: no hardpoint lies {far} m out. {remedy}; if only this \
-             number is wrong, correct it"
+            "a coordinate of {size} {name}, read in {name}: no hardpoint lies {far} m out. If the file is in {other}, \
+             {}; if only this number is wrong, correct it",
+            unit_remedy(if unit == LengthUnit::Metre { "mm" } else { "UNIT" })
         );
         findings.error("wrong-unit", spot, message);
     } else if far < MIN_VEHICLE_EXTENT {
         let message = format!(
             "the coordinate farthest from the vehicle's origin is {size} {name}, read in {name}: no vehicle is so \
-             small. If the file is in metres, give --unit m"
+             small. If the file is in metres, {}",
+            unit_remedy("m")
         );
         findings.error("wrong-unit", spot, message);
+    }
+}
+
+/// Remedy for lengths in another unit than stated, valid for sheets, tables and files of Chrono.
+fn unit_remedy(unit: &str) -> String {
+    format!(
+        "write unit = \"{unit}\" in the sheet, or import a file without a unit by `percuss import … --unit {unit}`"
+    )
+}
+
+/// Checks the size of a corner: `track` is the distance of both wheel centres, `link` the median length of the links, m. Long
+/// links are refused; a very small track is a warning, because the vehicle may be a model.
+pub(super) fn check_proportions(
+    findings: &mut Findings,
+    track: f64,
+    link: Option<f64>,
+    spot: &Spot,
+    unit: LengthUnit,
+) {
+    let stated = unit.name();
+    let fitting = LengthUnit::ALL.into_iter().filter(|other| {
+        let in_other = other.to_metres(unit.of_metres(track));
+        *other != unit && USUAL_TRACKS.contains(&in_other)
+    });
+    let fitting: Vec<String> = fitting
+        .map(|other| {
+            let in_other = 1e3 * other.to_metres(unit.of_metres(track));
+            format!("{} (track {in_other:.0} mm)", other.name())
+        })
+        .collect();
+    let remedy = match &fitting[..] {
+        [] => format!("Check the unit; {}", unit_remedy("UNIT")),
+        [first, ..] => {
+            let unit = first.split(' ').next().unwrap_or_default();
+            format!("Is the file in {}? Then {}", fitting.join(" or "), unit_remedy(unit))
+        }
+    };
+    if let Some(link) = link.filter(|link| *link > MAX_ARM_LENGTH) {
+        let message = format!(
+            "read in {stated}, the track is {track:.2} m and the links have a median length of {link:.2} m; no suspension is \
+             so large. {remedy}"
+        );
+        findings.error("wrong-unit", spot, message);
+    } else if track < MIN_TRACK && !fitting.is_empty() {
+        let message = format!(
+            "read in {stated}, the track is only {:.0} mm; that is a model of a vehicle. {remedy}",
+            1e3 * track
+        );
+        findings.warning("small-track", spot, message);
     }
 }
 

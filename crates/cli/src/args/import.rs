@@ -77,6 +77,11 @@ pub struct ImportArgs {
     /// Required if the table does not name its template (percuss template --list).
     #[arg(long, value_name = "NAME", help_heading = FILE)]
     pub template: Option<String>,
+    /// Worksheet of a workbook; default: the first one.
+    ///
+    /// A workbook that a sheet names as its table of points is meant too.
+    #[arg(long, value_name = "NAME", help_heading = FILE)]
+    pub worksheet: Option<String>,
     /// Side to build: left, right, both.
     ///
     /// Default: the side given in the sheet, otherwise left.
@@ -122,7 +127,6 @@ pub struct ImportArgs {
 #[derive(Debug, Args)]
 pub struct TemplateArgs {
     /// Name of the template; --list shows all.
-    #[arg(required_unless_present = "list")]
     pub name: Option<String>,
     /// List the templates.
     #[arg(long, conflicts_with = "name")]

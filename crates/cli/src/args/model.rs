@@ -11,7 +11,7 @@ use percuss_study::{Changes, Model, ModelTable};
 pub struct ModelArgs {
     /// URDF file, or a suspension sheet or table.
     ///
-    /// - reads a URDF from the standard input. A sheet or table (.toml, .csv, .xlsx, .json) is read as by `percuss import`.
+    /// - reads a URDF from the standard input. A sheet or table (.toml, .csv, .xlsx, .xlsm, .json) is read as by `percuss import`.
     pub model: String,
     #[command(flatten)]
     pub reading: ReadingArgs,
@@ -40,7 +40,8 @@ impl ModelArgs {
 impl ReadingArgs {
     /// Reads a model.
     pub fn load(&self, path: &str) -> Result<Model, Failure> {
-        let model = Model::load(path, self.max_size, &self.options())?;
+        let worksheet = self.changes.worksheet.as_deref();
+        let model = Model::load_worksheet(path, self.max_size, &self.options(), worksheet)?;
         let changes = self.changes();
         if changes.is_empty() { Ok(model) } else { Ok(model.with_changes(&changes)?) }
     }

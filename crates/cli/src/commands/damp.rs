@@ -170,7 +170,12 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     } else {
         format!("error {:+.4}: this law is an approximation", achieved - e)
     };
-    facts.push(("restitution", format!("{} (required {}, {off})", number(achieved), number(e))));
+    let weight = if report.exports.values().any(|export| export.weight_prevents_rebound) {
+        "; without gravity: the weight along the normal leaves almost no rebound. Use a faster impact or a stiffer contact"
+    } else {
+        ""
+    };
+    facts.push(("restitution", format!("{} (required {}, {off}){weight}", number(achieved), number(e))));
     let metric = |value: Option<f64>, scale: f64, unit: &str| {
         value.map(|v| scale * v).filter(|v| v.is_finite()).map(|v| format!("{} {unit}", number(v)))
     };

@@ -42,6 +42,7 @@ fn options(args: &ImportArgs) -> ImportOptions {
         unit: args.unit.map(unit),
         axes: args.axes.map(axes),
         template: args.template.clone(),
+        worksheet: args.worksheet.clone(),
         moves: args.moves.iter().map(|(name, shift)| (name.clone(), shift.0)).collect(),
         side: args.side.map(|side| match side {
             SideArg::Left => Side::Left,

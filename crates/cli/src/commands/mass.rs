@@ -117,6 +117,7 @@ pub fn show(
         Some(damping) => mass_with_damper(model, question, damping)?,
         None => mass(model, question)?,
     };
+    report.point_in_sheet = model.point_in_sheet(&report.contact.point_world);
     requested.add_to(&mut report, model, question)?;
     write_diagnostics(&report.diagnostics, strict)?;
     let unanswered = requested.explain && report.explanation.is_none()
@@ -227,6 +228,9 @@ fn estimate_text(record: &EstimateRecord) -> String {
     out
 }
 
+/// Text for a robot arm without rotor inertias.
+pub const NO_ROTORS: &str = "none given; geared drives make a robot heavier (--armature JOINT=KG·M²)";
+
 /// Conditions of the result.
 pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
     let contact = &report.contact;
@@ -258,10 +262,20 @@ pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
             "in the world",
             format!("point {} m, normal {}", triple(&contact.point_world), triple(&contact.normal_world)),
         ),
+    ]);
+    facts.extend(report.point_in_sheet.map(|at| {
+        let rounded = at.point.map(|x| (x * 1e6).round() / 1e6 + 0.0);
+        let text = format!("point {} {}, axes {}", triple(&rounded), at.unit.name(), at.axes.name());
+        ("in the sheet", format!("{text} ({})", at.axes.words()))
+    }));
+    facts.extend([
         ("against", against),
         ("base", assumed.base.clone()),
         ("free joints", list(&assumed.free)),
     ]);
+    if assumed.lacks_rotors {
+        facts.push(("rotor inertias", NO_ROTORS.to_owned()));
+    }
     if !assumed.mimics.is_empty() {
         facts.push(("following joints", list(&assumed.mimics)));
     }

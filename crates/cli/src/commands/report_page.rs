@@ -99,7 +99,7 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
 
 /// Runs the sweep of a study: its table, its end, and its picture.
 fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<SweepSection, Failure> {
-    let question = study.question.as_ref().unwrap_or(&study.conditions);
+    let question = &study.question_of_rows(study.question.as_ref().unwrap_or(&study.conditions));
     let sweep = Sweep::new(&study.model, question, &requested.rows)?;
     let table =
         SweepTable::new(sweep.heading(), &study.model.mechanism, TableStyle::from_study(&requested.table));

@@ -13,7 +13,8 @@ use crate::commands::sweep::SweepOutput;
 use crate::files::output::record_input;
 use crate::files::table_style::TableStyle;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::note;
+use crate::terminal::report::{note, write_out};
+use crate::terminal::wrap::fact_line;
 use percuss_study::{MassQuestion, Names, RowSource, StudyFile, StudyMap, StudyMass};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -138,9 +139,29 @@ fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Re
     match &study.sweep {
         Some(sweep) => {
             let written = SweepOutput { output, table, figure: &figure, strict };
-            sweep::run_sweep(&study.model, question, &sweep.rows, &written)
+            let of_rows = study.question_of_rows(question);
+            if of_rows.travel.len() < question.travel.len() {
+                note("[pose] travel applies to the contact at its pose; the rows vary the travel themselves");
+            }
+            sweep::run_sweep(&study.model, &of_rows, &sweep.rows, &written)?;
+            // Without a file the rows are on the standard output, which is one table.
+            if output.is_some() { write_main_number(study, question) } else { Ok(()) }
         }
         None => run_mass(study, question, MassFormat::Text, strict),
+    }
+}
+
+/// Writes the effective mass at the pose of the study, below a sweep that is written to a file.
+fn write_main_number(study: &StudyFile, question: &MassQuestion) -> Result<(), Failure> {
+    match percuss_study::mass(&study.model, question) {
+        Ok(report) => {
+            let value = format!("{}, at the pose of the study", mass::headline(&report));
+            write_out(&fact_line("effective mass", &value))
+        }
+        Err(error) => {
+            note(&format!("no effective mass at the pose of the study: {}", error.message(Names::Keys)));
+            Ok(())
+        }
     }
 }
 

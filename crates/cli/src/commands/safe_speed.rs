@@ -1,6 +1,7 @@
 //! Command `percuss safe-speed`.
 
 use crate::args::{CheckFormat, SafeSpeedArgs};
+use crate::commands::mass::NO_ROTORS;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
@@ -117,6 +118,9 @@ pub fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
     let force = report.force.map_or_else(String::new, |force| format!("force {} N, ", number(force)));
     fact("at that", format!("{force}energy {} J, limited by {}", number(report.energy), report.limited_by));
     fact("robot", format!("{} kg that move, load {} kg", number(report.moving_mass), number(report.load)));
+    if report.lacks_rotors {
+        fact("rotor inertias", NO_ROTORS.to_owned());
+    }
     facts
 }
 

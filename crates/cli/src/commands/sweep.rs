@@ -10,7 +10,10 @@ use crate::pictures::sweep_figure::sweep_figure;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{warn, write_diagnostics};
 use indicatif::{ProgressBar, ProgressStyle};
-use percuss_study::{MassQuestion, Model, RowSource, StudyFigure, Sweep, SweepEnd};
+use percuss_mechanism::JointKind;
+use percuss_study::{
+    MassQuestion, Model, Quantity, RowSource, StudyFigure, Sweep, SweepEnd, TableUnit, Varied,
+};
 use std::path::Path;
 
 /// Runs the command.
@@ -18,6 +21,7 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     use_threads(args.threads);
     args.writing.apply();
     let model = args.model.load()?;
+    warn_plain_angles(args, &model);
     run_sweep(
         &model,
         &args.contact.question_of_rows()?,
@@ -29,6 +33,27 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
             strict: args.model.reading.strict,
         },
     )
+}
+
+/// Warns about ranges of turning joints without a unit beside `--unit deg`, which is the unit of the output only.
+fn warn_plain_angles(args: &SweepArgs, model: &Model) {
+    if !args.table.units.contains(&TableUnit::Degree) {
+        return;
+    }
+    for vary in &args.sweep.vary {
+        let Varied::Joint(name) = &vary.quantity else { continue };
+        let turns = model.mechanism.find_joint(name).is_ok_and(|id| {
+            matches!(model.mechanism.joint(id).kind(), JointKind::Revolute | JointKind::Continuous)
+        });
+        let is_plain = |end: Quantity| end.dimension.is_none() && end.value != 0.0;
+        if turns && (is_plain(vary.from) || is_plain(vary.to)) {
+            warn(&format!(
+                "--vary {name}: numbers without a unit are in rad; --unit deg is the unit of the table. For degrees write \
+                 {name}={}deg:{}deg:{}",
+                vary.from.value, vary.to.value, vary.count
+            ));
+        }
+    }
 }
 
 /// Sets the number of threads, including the calling thread; the default is the number of processors.

@@ -13,6 +13,14 @@ use std::path::Path;
 /// Runs the command.
 pub fn run(args: &TemplateArgs) -> Result<(), Failure> {
     let Some(name) = &args.name else {
+        if !args.list {
+            let names = template_names();
+            let known: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
+            return Err(Failure::bad_input(format!(
+                "the name of a template is expected: {}; percuss template --list describes them",
+                known.join(", ")
+            )));
+        }
         let row = |(name, title)| wrap_hanging(&format!("{name:<24} {title}"), 25) + "\n";
         let rows = template_names().into_iter().map(row);
         return write_out(&rows.collect::<String>());

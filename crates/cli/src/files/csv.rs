@@ -19,6 +19,9 @@ pub const FIXED_COLUMNS: [&str; 7] = [
     "estimate_error_percent",
 ];
 
+/// Column of a contact with a gap, after the fixed columns.
+const GAP_COLUMN: &str = "gap";
+
 /// Formats a single result as the row of a sweep over the drivers.
 pub fn mass_row(report: &MassReport, drivers: &[String]) -> String {
     let estimate = report.estimate.as_ref();
@@ -93,6 +96,14 @@ impl SweepTable {
             (true, "closure_residual") => format!("{name}_{}", style.unit("m").name),
             _ => name.to_owned(),
         }));
+        if heading.has_gap {
+            let unit = style.unit("m").name;
+            header.push(if style.names_units {
+                format!("{GAP_COLUMN}_{unit}")
+            } else {
+                GAP_COLUMN.to_owned()
+            });
+        }
         let mut other_units = Vec::new();
         let mut others: Vec<Range<usize>> = Vec::new();
         let mut first = 0;
@@ -122,7 +133,8 @@ impl SweepTable {
         Self { header: header_line, names: header, others, count, style, varied_units, other_units }
     }
 
-    /// Column names: the row, the varied numbers, `status`, six more columns of the result, and the other joints.
+    /// Column names: the row, the varied numbers, `status`, six more columns of the result, the gap of a
+    /// contact with a gap, and the other joints.
     #[cfg_attr(not(feature = "tables"), allow(dead_code))]
     pub fn names(&self) -> &[String] {
         &self.names
@@ -157,6 +169,9 @@ impl SweepTable {
         push_number(&mut text, row.motion_ratio);
         push_number(&mut text, row.estimate);
         push_number(&mut text, row.estimate_error_percent);
+        if let Some(gap) = row.gap {
+            push_number(&mut text, gap);
+        }
         let numbers = row.pose.numbers();
         for run in &self.others {
             match numbers.get(run.clone()) {
@@ -188,6 +203,7 @@ impl SweepTable {
             Cell::from_value(row.estimate.map(|m| style.number(m, None))),
             Cell::from_value(row.estimate_error_percent.map(|e| few(e, 6))),
         ]);
+        cells.extend(row.gap.map(|gap| Cell::from_value(gap.map(|gap| scaled(gap, &length)))));
         let others = self.other_numbers(row).zip(&self.other_units);
         cells.extend(others.map(|(value, unit)| Cell::from_value(value.map(|value| scaled(value, unit)))));
         cells

@@ -31,11 +31,15 @@ pub fn short_number(x: f64) -> String {
     number(rounded)
 }
 
-/// Formats one digit, rounded up: for upper bounds.
+/// Formats one digit, rounded up: for upper bounds. Two digits for a number slightly above a power of ten: 1.1e-3, not 2e-3.
 pub fn upper_bound(x: f64) -> String {
     let nearest = format!("{x:.0e}");
     let above = || {
         let (digit, exponent) = nearest.split_once('e')?;
+        let two_digits = format!("1.1e{exponent}");
+        if digit == "1" && two_digits.parse().is_ok_and(|bound: f64| x <= bound) {
+            return Some(two_digits);
+        }
         let above: f64 = format!("{}e{exponent}", digit.parse::<u8>().ok()? + 1).parse().ok()?;
         Some(format!("{above:.0e}"))
     };
@@ -161,8 +165,14 @@ mod tests {
 
     #[test]
     fn a_bound_is_never_less_than_what_it_bounds() {
-        let cases =
-            [(1e-13, "1e-13"), (1.4e-13, "2e-13"), (1.6e-13, "2e-13"), (9.4e-14, "1e-13"), (0.0, "0e0")];
+        let cases = [
+            (1e-13, "1e-13"),
+            (1.4e-13, "2e-13"),
+            (1.6e-13, "2e-13"),
+            (9.4e-14, "1e-13"),
+            (0.0, "0e0"),
+            (1.0000000000000937e-3, "1.1e-3"),
+        ];
         for (x, shown) in cases {
             assert_eq!(upper_bound(x), shown);
         }

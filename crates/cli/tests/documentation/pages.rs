@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Every page, with the number of its commands.
-const PAGES: [(&str, usize); 31] = [
+const PAGES: [(&str, usize); 32] = [
     ("README.md", 4),
     ("docs/INTRODUCTION.md", 1),
     ("docs/SUMMARY.md", 0),
@@ -34,6 +34,7 @@ const PAGES: [(&str, usize); 31] = [
     ("docs/reference/PYTHON_NAMES.md", 0),
     ("docs/reference/SIMULATORS.md", 2),
     ("docs/reference/STUDIES.md", 2),
+    ("docs/reference/STUDY_KEYS.md", 0),
     ("docs/reference/SUSPENSIONS.md", 1),
     ("docs/tutorials/ROBOT_ARM.md", 7),
     ("docs/tutorials/SIMULATOR.md", 7),

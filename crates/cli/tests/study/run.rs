@@ -106,8 +106,11 @@ fn paths_are_relative_to_the_study() {
         )
     };
     let path = folder.write("inner/study.toml", &text("rows.csv"));
+    let number_at_pose = percuss(&format!("run {path} --format text")).stdout;
     let outcome = percuss(&format!("run {path}"));
-    assert_eq!((outcome.code, outcome.stdout.as_str()), (0, ""), "{}", outcome.stderr);
+    // The rows are in the file; the main number is on stdout.
+    let number = format!("{}, at the pose of the study\n", number_at_pose.lines().next().unwrap_or_default());
+    assert_eq!((outcome.code, outcome.stdout), (0, number), "{}", outcome.stderr);
     assert_eq!(Sweep::read(&std::fs::read_to_string(folder.path("inner/rows.csv")).unwrap()).rows.len(), 4);
     for (output, words) in [
         ("rows.xls", ".csv, .xlsx, .json, .jsonl, .parquet, .svg, .png or .pdf"),

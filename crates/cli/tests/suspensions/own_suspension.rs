@@ -7,11 +7,12 @@ use std::fs;
 use std::path::Path;
 
 /// Runs the command in a folder, with the given arguments.
-fn run(folder: &Scratch, words: &[&str]) -> Outcome {
+pub(super) fn run(folder: &Scratch, words: &[&str]) -> Outcome {
     command(words).current_dir(folder.path("")).output().expect("it runs").into()
 }
 
-fn done(folder: &Scratch, words: &[&str]) -> String {
+/// Output of a command that succeeds.
+pub(super) fn done(folder: &Scratch, words: &[&str]) -> String {
     let outcome = run(folder, words);
     assert_eq!(outcome.code, 0, "{words:?}: {}", outcome.stderr);
     outcome.stdout
@@ -32,6 +33,7 @@ fn stop(side: &str) -> Vec<String> {
     flags
 }
 
+/// Words of a command followed by flags.
 fn with<'w>(words: &[&'w str], more: &'w [String]) -> Vec<&'w str> {
     words.iter().copied().chain(more.iter().map(String::as_str)).collect()
 }

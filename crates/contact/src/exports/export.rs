@@ -30,6 +30,8 @@ pub struct Export {
     pub assumptions: Vec<String>,
     /// Limitations of the tool.
     pub cannot: Vec<&'static str>,
+    /// True if with gravity along the normal there is almost no rebound; an assumption contains the numbers.
+    pub weight_prevents_rebound: bool,
 }
 
 /// Greatest penetration of an impact.
@@ -92,6 +94,7 @@ impl Export {
             missing: Vec::new(),
             assumptions: Vec::new(),
             cannot: Vec::new(),
+            weight_prevents_rebound: false,
         }
     }
 

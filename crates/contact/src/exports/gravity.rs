@@ -34,6 +34,7 @@ pub(super) fn add_assumption(request: &Request, export: &mut Export) {
     } else {
         "with gravity there is almost no rebound: use a faster impact or a stiffer contact".to_owned()
     };
+    export.weight_prevents_rebound = loss >= e / 3.0 && loss > accuracy;
     export.add_assumption(format!(
         "No gravity along the normal during the impact: at 9.81 m/s² the weight reduces e by about 1.2·ln(1/e)·g/(v·ω) = {loss:.1e}; {consequence}."
     ));

@@ -2,6 +2,7 @@
 
 use crate::analysis::pose::Pose;
 use crate::kinematics::contact::{Contact, Direction, Frame};
+use crate::kinematics::frames::Kinematics;
 use crate::model::Model;
 use nalgebra::Vector3;
 use percuss_mechanism::{ContactNormal, LinkId, NamedContact};
@@ -57,12 +58,34 @@ impl Gap {
 
     /// Gap at a pose of the same mechanism, m; negative for a penetration.
     pub fn at(&self, pose: &Pose) -> f64 {
-        let here = self.point_on_other(pose);
+        self.of_point(&self.point_on_other(pose))
+    }
+
+    /// Gap for a position of the contact point in the frame of the other side.
+    fn of_point(&self, here: &Vector3<f64>) -> f64 {
         match &self.normal {
-            ContactNormal::Fixed(normal) => self.touch - normal.dot(&here),
+            ContactNormal::Fixed(normal) => self.touch - normal.dot(here),
             ContactNormal::Toward(point) => (point - here).norm() - self.touch,
             ContactNormal::Away(point) => self.touch - (point - here).norm(),
         }
+    }
+
+    /// Gap at given positions of all joints, in joint order, m. The base of `pose`, a pose of the same mechanism, has no
+    /// influence.
+    pub fn at_positions(&self, pose: &Pose, positions: &[f64]) -> f64 {
+        let model = pose.assembly.pose_model();
+        let mut kinematics = Kinematics::new(model);
+        let mut first = 0;
+        for range in &model.joint_q {
+            let end = first + range.len();
+            if let Some(values) = positions.get(first..end) {
+                kinematics.q[range.clone()].copy_from_slice(values);
+            }
+            first = end;
+        }
+        kinematics.refill(model);
+        let point = self.point_on_other_in(model, &kinematics);
+        self.of_point(&point)
     }
 
     /// The contact link.
@@ -77,7 +100,10 @@ impl Gap {
 
     /// Contact point in the frame of the other side, m.
     fn point_on_other(&self, pose: &Pose) -> Vector3<f64> {
-        let (model, kinematics) = (pose.assembly.pose_model(), &pose.kinematics);
+        self.point_on_other_in(pose.assembly.pose_model(), &pose.kinematics)
+    }
+
+    fn point_on_other_in(&self, model: &Model, kinematics: &Kinematics<f64>) -> Vector3<f64> {
         let at = kinematics.link_frame(model, self.link).point(&self.point);
         kinematics.link_frame(model, self.other).inverse_point(&at)
     }

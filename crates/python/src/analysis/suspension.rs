@@ -43,9 +43,10 @@ fn side(name: &str) -> PyResult<Side> {
 /// side: "left", "right" or "both". unit: "m", "cm", "mm", "in"; axes: "iso", "adams"; template: values that the file
 /// does not state. wheel: (mass kg, (Ixx, Iyy, Izz) kg·m² about its centre, radius m or None). rack_mass: mass of a
 /// sliding rack, kg. move: hardpoints of a sheet that are moved: name to (3,) m, in the sheet's own axes. allow_outside:
-/// the sheet may name a table of points outside its folder. Warnings and errors as for load.
+/// the sheet may name a table of points outside its folder. worksheet: worksheet of a workbook, by default the first.
+/// Warnings and errors as for load.
 #[pyfunction]
-#[pyo3(signature = (path, *, side=None, unit=None, axes=None, template=None, wheel=None, rack_mass=None, r#move=None, allow_outside=false))]
+#[pyo3(signature = (path, *, side=None, unit=None, axes=None, template=None, wheel=None, rack_mass=None, r#move=None, allow_outside=false, worksheet=None))]
 #[allow(clippy::too_many_arguments, clippy::type_complexity, reason = "the options of the command")]
 pub fn load_suspension(
     py: Python<'_>,
@@ -58,6 +59,7 @@ pub fn load_suspension(
     rack_mass: Option<f64>,
     r#move: Option<std::collections::BTreeMap<String, [f64; 3]>>,
     allow_outside: bool,
+    worksheet: Option<String>,
 ) -> PyResult<Model> {
     let options = ImportOptions {
         unit: unit.map(self::unit).transpose()?,
@@ -68,6 +70,7 @@ pub fn load_suspension(
         wheel: wheel.map(|(mass, inertia, radius)| Wheel { mass, inertia, radius }),
         rack: rack_mass.map(|mass| Rack::Sliding { mass }),
         allow_outside,
+        worksheet,
         ..ImportOptions::default()
     };
     let source = Source::read(&path.to_string_lossy(), DEFAULT_MAX_SIZE).map_err(errors::load)?;

@@ -2,10 +2,12 @@
 
 use crate::model::changes::Changes;
 use crate::model::loading::Model;
+use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
+use crate::thresholds::MAX_MASS_RATIO;
 use percuss_formats::LoadError;
-use percuss_mechanism::{BuildError, Inertial, LinkDescription, Mechanism, Problem, Severity, Subject};
+use percuss_mechanism::{BuildError, Inertial, Link, LinkDescription, Mechanism, Problem, Severity, Subject};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -31,8 +33,8 @@ impl Model {
         let all = self.origin.changes.and(changes);
         let (mut model, to_do) = match (&changes.moves[..], self.origin.sheet.as_deref()) {
             ([], _) => (self.clone(), changes),
-            (_, Some((sheet, _))) => {
-                let model = Model::from_sheet(sheet, &all.moves, self.inputs.clone())?;
+            (_, Some(origin)) => {
+                let model = Model::from_sheet(&origin.sheet, &all.moves, self.inputs.clone())?;
                 let model = model.with_closures_of(self)?;
                 (model, &all)
             }
@@ -42,7 +44,9 @@ impl Model {
             }
         };
         if !(to_do.link_mass.is_empty() && to_do.link_com.is_empty()) {
-            model.mechanism = Arc::new(with_changed_inertia(&model.mechanism, to_do)?);
+            let changed = with_changed_inertia(&model.mechanism, to_do)?;
+            model.diagnostics.extend(implausible_masses(&model.mechanism, &changed));
+            model.mechanism = Arc::new(changed);
         }
         model.origin.closures.clone_from(&self.origin.closures);
         model.origin.changes = all;
@@ -62,7 +66,7 @@ impl Model {
 
     /// Names of the hardpoints of the sheet; empty for a URDF.
     pub fn hardpoints(&self) -> &[String] {
-        self.origin.sheet.as_deref().map_or(&[], |(_, points)| points)
+        self.origin.sheet.as_deref().map_or(&[], |origin| &origin.points)
     }
 }
 
@@ -78,6 +82,33 @@ fn build_error_as_fault(field: Field) -> impl Fn(BuildError) -> StudyError {
             .map_or_else(|| error.to_string(), |(subject, problem)| format!("{subject}: {problem}"));
         StudyError::input(field, Fault::NoMechanism { message })
     }
+}
+
+/// Warnings for links whose mass was changed to a large multiple of the mass of all other links.
+fn implausible_masses(before: &Mechanism, after: &Mechanism) -> Vec<DiagnosticRecord> {
+    let mass = |link: &Link| link.inertial().map_or(0.0, |inertial| inertial.mass);
+    let total = after.total_mass();
+    let pairs = before.links().iter().zip(after.links());
+    let grown = pairs.filter_map(|(old, new)| {
+        let (old, own) = (mass(old), mass(new));
+        let others = total - own;
+        let is_implausible = own > MAX_MASS_RATIO * others.max(f64::MIN_POSITIVE) && own > MAX_MASS_RATIO * old;
+        (is_implausible && old > 0.0 && others > 0.0).then(|| DiagnosticRecord {
+            severity: Severity::Warning,
+            code: "implausible-mass",
+            path: None,
+            line: None,
+            column: None,
+            element: None,
+            message: format!(
+                "link \"{}\" is changed from {old} kg to {own} kg; all other links together have {:.3} kg. A number without a \
+                 unit is in kg: for grams write {own}g",
+                new.name(),
+                others
+            ),
+        })
+    });
+    grown.collect()
 }
 
 /// Mechanism with changed masses and centres of mass.

@@ -3,7 +3,8 @@
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
 use percuss_dynamics::Pose;
-use percuss_mechanism::{JointId, Limits, Mechanism};
+use percuss_mechanism::{JointId, JointKind, Limits, Mechanism};
+use std::f64::consts::TAU;
 
 /// Limited joints, each with the index of its position.
 #[derive(Debug)]
@@ -43,8 +44,15 @@ pub(crate) fn joint_limit_finding(
     value: f64,
     limits: Limits,
 ) -> Finding {
+    let turns = matches!(mechanism.joint(joint).kind(), JointKind::Revolute | JointKind::Continuous);
+    // No joint with limits turns more than once: the number is probably in degrees.
+    let hint = if turns && value.abs() > TAU {
+        format!("; the position is in rad: for degrees write {}deg", (value * 1e9).round() / 1e9)
+    } else {
+        String::new()
+    };
     let message = format!(
-        "joint \"{}\" is at {value}, outside its limits {} to {}",
+        "joint \"{}\" is at {value}, outside its limits {} to {}{hint}",
         mechanism.joint(joint).name(),
         limits.lower,
         limits.upper

@@ -8,7 +8,7 @@ use crate::values::position::GivenPosition;
 use nalgebra::Vector3;
 use percuss_contact::exports::StopMotion;
 use percuss_dynamics::Frame;
-use percuss_mechanism::{Joint, JointKind};
+use percuss_mechanism::{Joint, JointKind, near_names};
 use serde::Serialize;
 use std::str::FromStr;
 
@@ -51,6 +51,15 @@ impl FromStr for JointStop {
             Some((joint, "upper")) => (joint, Some(StopEnd::Upper)),
             _ => (text, None),
         };
+        // The colon of a misspelled end is followed by a short word; names of joints may contain colons.
+        if let Some((joint, word)) = text.rsplit_once(':').filter(|_| end.is_none())
+            && !near_names(word, ["lower", "upper"]).is_empty()
+        {
+            let near = near_names(word, ["lower", "upper"]).concat();
+            return Err(format!(
+                "\"{word}\" is no end of the range; did you mean {joint}:{near}? The ends are lower and upper"
+            ));
+        }
         match joint {
             "" => Err("expected JOINT, JOINT:lower or JOINT:upper, such as elbow:upper".into()),
             _ => Ok(JointStop { joint: joint.to_owned(), end }),

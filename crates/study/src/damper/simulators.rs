@@ -38,6 +38,9 @@ pub struct ExportRecord {
     pub missing: Vec<&'static str>,
     /// Assumptions for the requested restitution.
     pub assumptions: Vec<String>,
+    /// True if with gravity along the normal there is almost no rebound.
+    #[serde(skip)]
+    pub weight_prevents_rebound: bool,
     /// Limitations of the tool.
     pub cannot: Vec<&'static str>,
     /// Documentation and source files used as sources.
@@ -68,6 +71,7 @@ impl ExportRecord {
             missing: export.missing.clone(),
             assumptions: export.assumptions.clone(),
             cannot: export.cannot.clone(),
+            weight_prevents_rebound: export.weight_prevents_rebound,
             sources: facts.sources,
             error: None,
         }
@@ -93,6 +97,7 @@ impl ExportRecord {
             missing: Vec::new(),
             assumptions: Vec::new(),
             cannot: Vec::new(),
+            weight_prevents_rebound: false,
             sources: facts.sources,
             error: Some(error.to_string()),
         }

@@ -3,9 +3,10 @@
 use crate::model::changes::Changes;
 use crate::model::record::DiagnosticRecord;
 use crate::model::sheet::Sheet;
+use nalgebra::Vector3;
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Shape, Source, load};
 use percuss_mechanism::{ClosureDescription, Mechanism};
-use percuss_suspension::Imported;
+use percuss_suspension::{Imported, LengthUnit, VehicleAxes};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::path::Path;
@@ -61,22 +62,63 @@ pub struct Model {
 /// Origin of a model, for building design variants.
 #[derive(Clone, Debug, Default)]
 pub struct Origin {
-    /// Sheet of the suspension before any moves, and the names of its hardpoints; `None` for a URDF.
-    pub(crate) sheet: Option<Arc<(Sheet, Vec<String>)>>,
+    /// Sheet of the suspension before any moves; `None` for a URDF.
+    pub(crate) sheet: Option<Arc<OriginSheet>>,
     /// Changes applied.
     pub(crate) changes: Changes,
     /// Loops added by a study.
     pub(crate) closures: Vec<ClosureDescription>,
 }
 
+/// Sheet of a model, with facts from its import.
+#[derive(Debug)]
+pub(crate) struct OriginSheet {
+    pub sheet: Sheet,
+    /// Names of the hardpoints.
+    pub points: Vec<String>,
+    pub unit: LengthUnit,
+    pub axes: VehicleAxes,
+}
+
+/// Point in the unit and the axes of a suspension sheet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SheetPoint {
+    /// Coordinates in the unit.
+    pub point: [f64; 3],
+    /// Unit of the sheet.
+    pub unit: LengthUnit,
+    /// Axes of the sheet.
+    pub axes: VehicleAxes,
+}
+
 impl Model {
+    /// A point of the world (m) in the unit and the axes of the model's suspension sheet; `None` for a URDF.
+    pub fn point_in_sheet(&self, point_world: &[f64; 3]) -> Option<SheetPoint> {
+        let OriginSheet { unit, axes, .. } = *self.origin.sheet.as_deref()?;
+        let point = axes.to_iso(Vector3::from(*point_world)).map(|x| unit.of_metres(x));
+        Some(SheetPoint { point: point.into(), unit, axes })
+    }
+
     /// Reads a URDF file, or a suspension's sheet, table or JSON as in `percuss import`. The file extension
     /// selects the format; `-` is a URDF on the standard input. `max_size`: largest file size, bytes.
     ///
     /// # Errors
     /// [`LoadError`] with all findings; errors have their file positions.
     pub fn load(path: &str, max_size: u64, options: &LoadOptions) -> Result<Self, LoadError> {
-        Self::from_source(&Source::read(path, max_size)?, options)
+        Self::load_worksheet(path, max_size, options, None)
+    }
+
+    /// Reads a file as [`load`](Self::load); `worksheet`: worksheet of a workbook, the first one if `None`.
+    ///
+    /// # Errors
+    /// [`LoadError`], as for [`load`](Self::load); a worksheet for a file that is no workbook.
+    pub fn load_worksheet(
+        path: &str,
+        max_size: u64,
+        options: &LoadOptions,
+        worksheet: Option<&str>,
+    ) -> Result<Self, LoadError> {
+        Self::read_source(&Source::read(path, max_size)?, options, worksheet)
     }
 
     /// Reads a URDF or a suspension's sheet from memory.
@@ -84,8 +126,16 @@ impl Model {
     /// # Errors
     /// [`LoadError`], as for [`load`](Self::load).
     pub fn from_source(source: &Source, options: &LoadOptions) -> Result<Self, LoadError> {
+        Self::read_source(source, options, None)
+    }
+
+    fn read_source(
+        source: &Source,
+        options: &LoadOptions,
+        worksheet: Option<&str>,
+    ) -> Result<Self, LoadError> {
         let input = Input::from_source(source);
-        if let Some(sheet) = Sheet::from_source(source, options.accept) {
+        if let Some(sheet) = Sheet::from_source(source, options.accept, worksheet) {
             if sheet.is_study() {
                 return Err(LoadError::of_file(&source.name, "study", A_STUDY));
             }
@@ -95,6 +145,10 @@ impl Model {
                 model.inputs.push(Input::from_source(&Source::read(table, DEFAULT_MAX_SIZE)?));
             }
             return Ok(model);
+        }
+        if let Some(worksheet) = worksheet {
+            let message = format!("the worksheet \"{worksheet}\" is given, and the file is no workbook");
+            return Err(LoadError::of_file(&source.name, "conflict", &message));
         }
         let loaded = load(source, options)?;
         Ok(Self {
@@ -122,7 +176,9 @@ impl Model {
         inputs: Vec<Input>,
     ) -> Result<(Self, Vec<String>), LoadError> {
         let Imported { mechanism, understood, diagnostics, inputs: files, .. } = sheet.import(moves)?;
-        let sheet = Some(Arc::new((sheet.clone(), understood.points)));
+        let (sheet, points) = (sheet.clone(), understood.points);
+        let sheet = OriginSheet { sheet, points, unit: understood.unit, axes: understood.axes };
+        let sheet = Some(Arc::new(sheet));
         let model = Self {
             shapes: Arc::new(vec![Vec::new(); mechanism.links().len()]),
             mechanism: Arc::new(mechanism),

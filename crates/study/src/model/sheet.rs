@@ -14,7 +14,7 @@ pub struct Sheet {
 }
 
 /// File name extensions of suspension files.
-const SHEETS: [&str; 4] = ["toml", "csv", "xlsx", "json"];
+const SHEETS: [&str; 6] = ["toml", "csv", "xlsx", "xlsm", "json", "sub"];
 
 /// True if a file is a study: TOML with a table `model`.
 pub(crate) fn is_study(source: &Source) -> bool {
@@ -25,10 +25,11 @@ pub(crate) fn is_study(source: &Source) -> bool {
 
 impl Sheet {
     /// Source as a sheet; `None` if the file name has no extension of a sheet.
-    pub(crate) fn from_source(source: &Source, accept: Accept) -> Option<Self> {
+    pub(crate) fn from_source(source: &Source, accept: Accept, worksheet: Option<&str>) -> Option<Self> {
         let ending = Path::new(&source.name).extension()?.to_str()?;
         let is_sheet = SHEETS.iter().any(|known| ending.eq_ignore_ascii_case(known));
-        let options = ImportOptions { accept, ..ImportOptions::default() };
+        let worksheet = worksheet.map(str::to_owned);
+        let options = ImportOptions { accept, worksheet, ..ImportOptions::default() };
         is_sheet.then(|| Self { source: source.clone(), options })
     }
 

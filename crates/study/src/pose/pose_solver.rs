@@ -9,7 +9,9 @@ use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::MassQuestion;
 use crate::question::travel::moved::{Moved, MovedPoint};
-use crate::thresholds::{HALVINGS, LEAST_PART, LEAST_PART_OF_HALVING, NEAREST_HALVINGS, SAME_START};
+use crate::thresholds::{
+    HALVINGS, LEAST_PART, LEAST_PART_OF_HALVING, LONG_TRAVEL, NEAREST_HALVINGS, SAME_START,
+};
 use percuss_dynamics::{Configuration, Gap, Pose, System, TravelError};
 use percuss_mechanism::{JointId, Mechanism, NamedContact};
 
@@ -216,9 +218,18 @@ impl DrivenTravel {
                 }
                 Err(UnreachedRow { reason: why, extent }) => {
                     let nearest = extent.nearest();
+                    let why = why + &unit_hint(self.distance);
                     return Err(StudyError::TravelNotReached { why, nearest });
                 }
             }
         }
     }
+}
+
+/// Hint for an unreached travel that is too long for a number in metres.
+fn unit_hint(distance: f64) -> String {
+    if distance.abs() < LONG_TRAVEL {
+        return String::new();
+    }
+    format!("; a number without a unit is in m: for millimetres write {distance}mm")
 }

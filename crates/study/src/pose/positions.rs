@@ -98,6 +98,19 @@ impl Positions {
         self.values.get(self.layout.joints[at].range.clone())
     }
 
+    /// Positions of all joints in joint order, 0 for the joints without a degree of freedom; empty without a pose.
+    pub(crate) fn in_joint_order(&self) -> Vec<f64> {
+        let joints = &self.layout.joints;
+        let count = joints.iter().map(|joint| joint.column + joint.range.len()).max().unwrap_or(0);
+        let mut all = vec![0.0; if self.values.is_empty() { 0 } else { count }];
+        for joint in joints {
+            if let Some(values) = self.values.get(joint.range.clone()) {
+                all[joint.column..joint.column + values.len()].copy_from_slice(values);
+            }
+        }
+        all
+    }
+
     /// Number of joints with a position.
     pub fn len(&self) -> usize {
         self.iter().count()

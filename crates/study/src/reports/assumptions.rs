@@ -1,7 +1,9 @@
 //! Assumptions of a result in readable form: base, locks, mimics, drivers.
 
 use crate::evaluation::prepared_question::PreparedQuestion;
+use crate::thresholds::ROBOT_JOINTS;
 use percuss_dynamics::{Base, Pose};
+use percuss_mechanism::JointKind;
 
 /// Assumptions of a result, for text output; not part of the JSON.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,6 +20,21 @@ pub struct Assumptions {
     pub set: Vec<String>,
     /// Joints that drive loops.
     pub drivers: Vec<String>,
+    /// True for a robot arm without any rotor inertia: geared drives would make it heavier.
+    pub lacks_rotors: bool,
+}
+
+/// True if a mechanism without loops has several turning joints and neither the model nor the question gives an armature.
+pub(crate) fn lacks_rotors(prepared: &PreparedQuestion) -> bool {
+    let mechanism = prepared.system.mechanism();
+    let turning = mechanism.joints().iter().filter(|joint| {
+        matches!(joint.kind(), JointKind::Revolute | JointKind::Continuous) && joint.mimic().is_none()
+    });
+    let has_armature = mechanism.joints().iter().any(|joint| joint.armature().iter().any(|x| *x != 0.0));
+    mechanism.closures().is_empty()
+        && turning.count() >= ROBOT_JOINTS
+        && !has_armature
+        && prepared.question.armature.is_empty()
 }
 
 impl Assumptions {
@@ -35,6 +52,7 @@ impl Assumptions {
             drivers: pose.loops().map_or_else(Vec::new, |l| {
                 l.drivers.iter().map(|id| mechanism.joint(*id).name().to_owned()).collect()
             }),
+            lacks_rotors: lacks_rotors(prepared),
             ..Assumptions::default()
         };
         for id in mechanism.joint_ids() {

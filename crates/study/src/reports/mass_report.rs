@@ -6,6 +6,7 @@ use crate::evaluation::named_contact::NamedContactRecord;
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
 use crate::evaluation::status::Status;
 use crate::model::loading::Input;
+use crate::model::loading::SheetPoint;
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::mass_question::{Hold, MassQuestion};
@@ -188,6 +189,9 @@ pub struct MassReport {
     pub contact: ContactRecord,
     /// Named contact; null for a contact given by link, point and normal.
     pub named_contact: Option<NamedContactRecord>,
+    /// Contact point in the unit and the axes of the suspension sheet, for text; `None` for a URDF.
+    #[serde(skip)]
+    pub point_in_sheet: Option<SheetPoint>,
     /// Conditions of the question.
     pub conditions: ConditionsRecord,
     /// Joints that drive the loops.
@@ -291,6 +295,7 @@ impl MassReport {
                 normal_link: response.contact.normal_link.into(),
             },
             named_contact: None,
+            point_in_sheet: None,
             conditions: ConditionsRecord::of(&prepared.question),
             drivers: assumptions.drivers.clone(),
             assembly_modes: pose.loops().map_or_else(Vec::new, |l| l.modes.clone()),

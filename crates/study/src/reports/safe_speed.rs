@@ -10,6 +10,7 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::question::row_source::RowSource;
+use crate::reports::assumptions::lacks_rotors;
 use crate::sweep::sweep_rows::Sweep;
 use percuss_contact::{BodyRegion, ContactLawError, SafeSpeed, TransientContact, standard_robot_mass};
 use percuss_dynamics::{Base, EffectiveMass, Frame};
@@ -110,6 +111,9 @@ pub struct SpeedRecord {
 /// Report of `percuss safe-speed`, as JSON.
 #[derive(Clone, Debug, Serialize)]
 pub struct SafeSpeedReport {
+    /// True for a robot arm without any rotor inertia, for text.
+    #[serde(skip)]
+    pub lacks_rotors: bool,
     /// `percuss.safe-speed/2`.
     pub schema: &'static str,
     /// Version of percuss.
@@ -213,6 +217,7 @@ pub fn safe_speed(
         diagnostics.push(Finding::about_result(FindingKind::StandardTooFast, message).into());
     }
     Ok(SafeSpeedReport {
+        lacks_rotors: lacks_rotors(&evaluated.prepared),
         schema: "percuss.safe-speed/2",
         percuss: env!("CARGO_PKG_VERSION"),
         inputs: evaluated.prepared.inputs(),

@@ -13,6 +13,7 @@ use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
+use crate::question::travel::vary::Varied;
 use crate::reports::compare::Design;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::keys::{StudyKeys, UnknownKey};
@@ -168,6 +169,19 @@ fn parse_error(path: &str, keys: &StudyKeys, text: &str, error: &toml::de::Error
 }
 
 impl StudyFile {
+    /// Question of the rows of the sweep: that of the contact, without the travel of the pose if the rows vary a travel.
+    pub fn question_of_rows(&self, question: &MassQuestion) -> MassQuestion {
+        let varies_travel = self.sweep.as_ref().is_some_and(|sweep| match &sweep.rows {
+            RowSource::Grid(ranges) => ranges.iter().any(|vary| matches!(vary.quantity, Varied::Travel(_))),
+            RowSource::File(_) | RowSource::Random { .. } => false,
+        });
+        let mut question = question.clone();
+        if varies_travel {
+            question.travel.clear();
+        }
+        question
+    }
+
     /// Reads a study and its model (path relative to the folder of the study). At most `max_size` bytes each.
     ///
     /// # Errors
@@ -392,7 +406,9 @@ impl StudyReader<'_> {
         options: &LoadOptions,
     ) -> Result<Model, StudyFileError> {
         let model_path = folder.join(&study.model.path);
-        let mut model = Model::load(&model_path.to_string_lossy(), self.max_size, options)?;
+        let worksheet = study.model.worksheet.as_deref();
+        let mut model =
+            Model::load_worksheet(&model_path.to_string_lossy(), self.max_size, options, worksheet)?;
         model.inputs.push(Input::from_source(source));
         model = model.with_changes(&study.model.changes()).map_err(|error| self.design(None, error))?;
         if study.closure.is_empty() {

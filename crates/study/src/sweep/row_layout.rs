@@ -193,7 +193,10 @@ impl RowLayout {
 fn single_joint(prepared: &PreparedQuestion, name: &str) -> Result<JointId, StudyError> {
     let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
     let mechanism = prepared.system.mechanism();
-    let joint = mechanism.find_joint(name).map_err(|error| refuse(error.into()))?;
+    let joint = mechanism.find_joint(name).map_err(|error| match mechanism.find_link(name) {
+        Ok(_) => refuse(Fault::VariedLink { link: name.to_owned() }),
+        Err(_) => refuse(error.into()),
+    })?;
     let found = mechanism.joint(joint);
     if found.kind().positions() != 1 {
         return Err(refuse(Fault::NoSinglePosition { joint: name.to_owned(), kind: found.kind() }));

@@ -15,7 +15,7 @@ use crate::sweep::followed_rows::{FollowedRow, PathFindings};
 use crate::sweep::row_blocks::RowBlock;
 use crate::sweep::row_layout::RowLayout;
 use crate::sweep::sweep_report::{SweepHeading, SweepRow};
-use percuss_dynamics::{Contact, DrivenPath, Pose, RowAnswer, RowHandler, RowPath};
+use percuss_dynamics::{Contact, DrivenPath, Gap, Pose, RowAnswer, RowHandler, RowPath};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -30,6 +30,8 @@ pub(crate) struct SweepContext<'a> {
     pub heading: SweepHeading,
     /// Number of a row that measures the distance along a line.
     pub distance_measure: DistanceMeasure,
+    /// Gap of the named contact, with the pose as drawn.
+    pub gap: Option<(Gap, Pose)>,
     /// SIMD evaluation, if rows need no poses.
     pub batch_evaluator: Option<BatchEvaluator>,
 }
@@ -289,6 +291,7 @@ impl SweepContext<'_> {
             motion_ratio: None,
             estimate: None,
             estimate_error_percent: None,
+            gap: self.gap.as_ref().map(|(gap, drawn)| Some(gap.at_positions(drawn, &pose.in_joint_order()))),
             pose,
             error: None,
         }
@@ -320,6 +323,7 @@ impl SweepContext<'_> {
             motion_ratio,
             estimate: estimate.and_then(|e| e.estimate),
             estimate_error_percent: estimate.and_then(|e| e.error_percent),
+            gap: self.gap.as_ref().map(|(gap, _)| Some(gap.at(pose))),
             pose: Positions::from_pose(&self.heading.joints, pose),
             error: None,
         }
@@ -344,6 +348,7 @@ impl SweepContext<'_> {
             motion_ratio: None,
             estimate: None,
             estimate_error_percent: None,
+            gap: self.gap.as_ref().map(|_| None),
             pose: Positions::none(&self.heading.joints),
             error: Some(error),
         }

@@ -40,6 +40,9 @@ pub struct SweepHeading {
     /// Joints of the pose of each row.
     #[serde(skip)]
     pub joints: Arc<PoseLayout>,
+    /// True if the contact is a named contact with a gap; the rows then contain it.
+    #[serde(skip)]
+    pub has_gap: bool,
 }
 
 /// A row of a sweep.
@@ -65,6 +68,10 @@ pub struct SweepRow {
     pub estimate: Option<f64>,
     /// Difference of the estimate from m̄, per cent.
     pub estimate_error_percent: Option<f64>,
+    /// Gap of the named contact at the pose of the row, m, negative for a penetration; null without a pose. The key is absent
+    /// for a contact without a gap.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gap: Option<Option<f64>>,
     /// Position of every movable joint; empty if the pose was not reached.
     pub pose: Positions,
     /// Reason for a missing result.

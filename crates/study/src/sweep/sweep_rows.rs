@@ -24,6 +24,7 @@ use crate::sweep::sweep_context::SweepContext;
 use crate::sweep::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
 use crate::tables::trajectory::Trajectory;
 use crate::thresholds::{GRID_ROWS, ROWS};
+use percuss_dynamics::Gap;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -125,6 +126,14 @@ impl<'a> Sweep<'a> {
         };
         let about_point = prepared
             .converted_point_finding(&contact, &format!("where {} is 0", setting.varied_description()));
+        let gap = match prepared.question.named_contact(&model.mechanism)? {
+            // The gap depends on the drawing only; a model that does not close as drawn has no rows either.
+            Some(contact) => {
+                let drawn = prepared.system.pose(&prepared.system.configuration()).ok();
+                drawn.and_then(|pose| Some((Gap::new(&pose, contact)?, pose)))
+            }
+            None => None,
+        };
         let heading = SweepHeading {
             schema: "percuss.sweep/2",
             percuss: env!("CARGO_PKG_VERSION"),
@@ -134,6 +143,7 @@ impl<'a> Sweep<'a> {
             seed,
             link: prepared.question.link.clone(),
             joints: PoseLayout::new(&model.mechanism),
+            has_gap: gap.is_some(),
         };
         let (along, lanes) = (rows.distance_measure(), BatchEvaluator::new(&prepared, &setting, &contact));
         let context = SweepContext {
@@ -143,6 +153,7 @@ impl<'a> Sweep<'a> {
             contact,
             heading,
             distance_measure: along,
+            gap,
             batch_evaluator: lanes,
         };
         Ok(Self { context, rows, point_finding: about_point })

@@ -90,20 +90,18 @@ impl Drawing {
         for (name, at, spot) in self.points.iter().filter(|_| !most_are_across) {
             if is_across(at) {
                 let message = format!(
-                    "{}: a point at y = {} m is on the other side of the vehicle than the wheel (y = {} m): mirrored, \
-                     or the wrong sign? {}",
+                    "{}: a point {} m from the middle plane is on the other side of the vehicle than the wheel ({} m from \
+                     it): change the sign of its y, or correct the point. {}",
                     name,
-                    rounded(at.y),
-                    rounded(wheel.centre[1]),
+                    rounded(at.y.abs()),
+                    rounded(wheel.centre[1].abs()),
                     self.lengths_text()
                 );
                 findings.warning("mirrored-point", spot, message);
                 has_warned = true;
             }
         }
-        let mut sorted: Vec<f64> = self.arms.iter().map(|arm| arm.length).collect();
-        sorted.sort_by(f64::total_cmp);
-        let Some(median) = sorted.get(sorted.len() / 2) else { return has_warned };
+        let Some(median) = self.median_length() else { return has_warned };
         for arm in &self.arms {
             let is_disproportionate = arm.length > MAX_LENGTH_RATIO * median
                 && arm.length > MIN_REPORTED_LENGTH
@@ -120,6 +118,13 @@ impl Drawing {
             }
         }
         has_warned
+    }
+
+    /// Median of the lengths of the links, m; `None` without links.
+    pub fn median_length(&self) -> Option<f64> {
+        let mut sorted: Vec<f64> = self.arms.iter().map(|arm| arm.length).collect();
+        sorted.sort_by(f64::total_cmp);
+        sorted.get(sorted.len() / 2).copied()
     }
 
     /// List of all lengths, for messages.

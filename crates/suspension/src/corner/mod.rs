@@ -8,6 +8,7 @@ pub(crate) mod spindle;
 
 use crate::findings::{Findings, Spot};
 use crate::limits::MAX_DISTANCE_FROM_JOINTS;
+use crate::units::check_proportions;
 use drawing::{Drawing, rounded};
 use percuss_formats::Comments;
 use percuss_mechanism::{
@@ -15,6 +16,7 @@ use percuss_mechanism::{
     JointDescription, JointKind, LinkDescription, MechanismBuilder,
 };
 use percuss_spatial::{Matrix3, Vector3};
+use percuss_units::LengthUnit;
 use std::collections::HashMap;
 
 /// Root link.
@@ -240,7 +242,16 @@ impl Corner {
     }
 
     /// Warns about implausible positions of points and centres of mass.
-    pub fn check(&self, findings: &mut Findings) {
+    pub fn check(&self, findings: &mut Findings, unit: LengthUnit) {
+        if let Some(wheel) = self.drawing.wheels.first() {
+            let track = 2.0 * wheel.centre[1].abs();
+            let spot = self.spots.get("spin").cloned().unwrap_or_default();
+            check_proportions(findings, track, self.drawing.median_length(), &spot, unit);
+        }
+        // Lengths in a wrong unit explain all other findings.
+        if findings.has_errors() {
+            return;
+        }
         let has_warned = self.drawing.check(findings);
         let moving = self.origins.keys().filter(|name| ![CHASSIS, RACK].contains(&name.as_str()));
         let mut moving: Vec<&String> = moving.collect();

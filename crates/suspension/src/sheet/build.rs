@@ -5,8 +5,10 @@ use crate::corner::Body;
 use crate::corner::build::{self, Built};
 use crate::corner::design::GivenBody;
 use crate::corner::spindle::Spindle;
-use crate::findings::Findings;
-use percuss_spatial::Matrix3;
+use crate::findings::{Findings, Spot};
+use crate::options::Side;
+use crate::units::VehicleAxes;
+use percuss_spatial::{Matrix3, Vector3};
 
 /// Builds the corner of a sheet; reports points that determine no axis or line.
 pub(in super::super) fn build(sheet: &Sheet, findings: &mut Findings) -> Option<Built> {
@@ -27,12 +29,59 @@ fn spindle(sheet: &Sheet, findings: &mut Findings) -> Spindle {
         }
     };
     if at.y <= 0.0 && !findings.has_errors() {
-        let message = format!(
-            "the wheel's centre is at y = {} m, seen from the side that the points describe: 0 or the other side. \
-             side = \"left\" or \"right\" says which it is, axes which way y points",
-            at.y
-        );
-        findings.error("wrong-side", &spot, message);
+        findings.error("wrong-side", &spot, wrong_side_message(sheet, at.y));
     }
     Spindle::new(findings, body, at, [sheet.camber, sheet.toe], sheet.axle_inertia, sheet.wheel)
+}
+
+/// Message for a wheel at `y` ≤ 0 (m) on the side that the points describe, with the key to change: `axes` if the front points
+/// are behind the rear ones too, `side` if the other points are on the same side as the wheel, or else the sign of y.
+fn wrong_side_message(sheet: &Sheet, y: f64) -> String {
+    let (unit, axes) = (sheet.frame.unit, sheet.frame.axes);
+    let is_left = sheet.points_side == Side::Left;
+    let (stated, other) = if is_left { ("left", "right") } else { ("right", "left") };
+    let sign = if is_left == (axes == VehicleAxes::Iso) { 1.0 } else { -1.0 };
+    let given = sign * unit.of_metres(y);
+    if y == 0.0 {
+        return format!(
+            "y = 0: the wheel's centre is in the middle plane of the vehicle; enter half of the track, in {}",
+            unit.name()
+        );
+    }
+    let points = || sheet.design.points.iter().filter(|(key, _)| **key != "wheel_centre");
+    let lateral = || points().filter(|(key, (at, _))| !sheet.template.is_central(key) && at.y != 0.0);
+    let across = lateral().filter(|(_, (at, _))| at.y < 0.0).count();
+    let is_reversed = |(key, (front, _)): (&&str, &(Vector3<f64>, Spot))| {
+        let back = sheet.design.point(&format!("{}_back", key.strip_suffix("_front")?))?;
+        Some(front.x < back.x)
+    };
+    let reversed: Vec<bool> = points().filter_map(is_reversed).collect();
+    let axes_remedy = || {
+        let others = VehicleAxes::ALL.into_iter().filter(|known| *known != axes);
+        let list: Vec<String> =
+            others.map(|known| format!("axes = \"{}\" ({})", known.name(), known.words())).collect();
+        list.join(" or ")
+    };
+    let remedy = if 2 * across < lateral().count() {
+        format!("only this point is there: change the sign of its y to {}", -given)
+    } else if reversed.is_empty() {
+        format!(
+            "the other points are there too: write side = \"{other}\", or, if x and y point the other way, {}",
+            axes_remedy()
+        )
+    } else if 2 * reversed.iter().filter(|is_reversed| **is_reversed).count() > reversed.len() {
+        format!(
+            "the other points are there too, and front points are behind rear ones: write {}",
+            axes_remedy()
+        )
+    } else {
+        format!("the other points are there too: write side = \"{other}\"")
+    };
+    format!(
+        "y = {given} {} is on the {other} side of the vehicle in the axes \"{}\" ({}), and the points describe the {stated} \
+         side (key side); {remedy}",
+        unit.name(),
+        axes.name(),
+        axes.words()
+    )
 }

@@ -14,15 +14,18 @@ pub(super) enum Cell {
     Number(f64),
     Text(String),
     Switch(bool),
+    /// Cell of a workbook without a usable value; the text contains its address, the reason and the remedy.
+    Unreadable(String),
 }
 
 impl Cell {
     /// Text of the value for a message.
-    fn to_text(&self) -> String {
+    pub fn to_text(&self) -> String {
         match self {
             Cell::Number(x) => format!("{x}"),
             Cell::Text(text) => quoted(text),
             Cell::Switch(x) => format!("{x}"),
+            Cell::Unreadable(reason) => reason.clone(),
         }
     }
 }
@@ -47,6 +50,8 @@ pub(super) struct Entry {
 #[derive(Default)]
 pub(super) struct Entries {
     list: Vec<Entry>,
+    /// Keys of the template; empty before the template is known.
+    known: Vec<String>,
 }
 
 /// Quantity of a number.
@@ -94,7 +99,7 @@ impl Quantity {
                 let (digits, unit) = percuss_units::split(text);
                 (parse_number(digits)?, unit)
             }
-            Cell::Switch(_) => return None,
+            Cell::Switch(_) | Cell::Unreadable(_) => return None,
         };
         let value = match (self, unit) {
             (Quantity::Length(default), "") => default.to_metres(number),
@@ -158,13 +163,25 @@ impl Entries {
         self.list.iter().filter(|e| !e.used)
     }
 
-    /// Reports a missing key, with similar keys of the sheet.
+    /// Gives a key another name.
+    pub fn rename(&mut self, key: &str, new_key: &str) {
+        if let Some(entry) = self.list.iter_mut().find(|e| e.key == key) {
+            entry.key = new_key.to_owned();
+        }
+    }
+
+    /// Sets the keys that the template has; only other keys are suggested in place of a missing key.
+    pub fn set_known_keys(&mut self, keys: Vec<String>) {
+        self.known = keys;
+    }
+
+    /// Reports a missing key, with the most similar key of the sheet that the template does not have.
     pub fn missing(&self, findings: &mut Findings, key: &str, expected: &str) {
         let mut message = format!("the key is missing; {expected} is expected");
-        let near = near_names(key, self.unread().map(|e| e.key.as_str()));
-        if !near.is_empty() {
-            let near: Vec<String> = near.iter().map(|n| quoted(n)).collect();
-            message.push_str(&format!("; there is {}", near.join(", ")));
+        let unknown =
+            self.unread().map(|e| e.key.as_str()).filter(|key| !self.known.iter().any(|k| k == key));
+        if let Some(near) = near_names(key, unknown).first() {
+            message.push_str(&format!("; is {} this key, misspelled?", quoted(near)));
         }
         let spot = Spot { path: Some(shortened(key)), ..Spot::default() };
         findings.error("missing-key", &spot, message);

@@ -4,6 +4,8 @@
 //! to the template, `build` builds its corner, and `write` writes the sheet to fill in and the tables of the
 //! documentation.
 
+mod adams;
+mod aliases;
 mod build;
 mod catalogue;
 mod entries;

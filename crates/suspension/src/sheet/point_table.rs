@@ -2,10 +2,12 @@
 //!
 //! A sheet may come from somebody else, and messages quote the table: no other folder is read unless the user allows it.
 
-use super::entries::Entries;
-use super::table;
-use crate::findings::Findings;
+use super::entries::{Cell, Entries};
+use super::{adams, catalogue, table};
+use crate::encoding;
+use crate::findings::{Findings, Spot};
 use crate::options::ImportOptions;
+use crate::units::VehicleAxes;
 use percuss_formats::reading::quoted;
 use percuss_formats::{DEFAULT_MAX_SIZE, Source};
 use std::fs;
@@ -51,21 +53,65 @@ pub(super) fn read(
             return;
         }
     };
+    let worksheet = entries.text(findings, "worksheet", "the name of a worksheet");
+    let worksheet = options.worksheet.clone().or(worksheet.map(|(name, _)| name));
     if table::is_workbook(&read.bytes) {
         files.push((path, String::new()));
-        table::read_workbook(&read.bytes, 1, entries, findings);
+        table::read_workbook(&read.bytes, 1, worksheet.as_deref(), entries, findings);
         return;
     }
-    match std::str::from_utf8(read.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&read.bytes)) {
-        Ok(text) => {
-            table::read_text(text, 1, entries, findings);
-            files.push((path, text.to_owned()));
-        }
-        Err(_) => {
-            let message = format!("the table {} is no UTF-8 text and no XLSX workbook", quoted(&path));
-            findings.error("not-utf-8", &spot, message);
-        }
+    if let Some(worksheet) = worksheet {
+        let message = format!(
+            "the worksheet {} is given, and the table {} is no workbook",
+            quoted(&worksheet),
+            quoted(&path)
+        );
+        findings.error("conflict", &spot, message);
+        return;
     }
+    if read.bytes.contains(&0) {
+        let message = format!("the table {} is no text and no XLSX workbook", quoted(&path));
+        findings.error("not-utf-8", &spot, message);
+        return;
+    }
+    let decoded = encoding::decode(&read.bytes);
+    if let Some(note) = decoded.note {
+        findings.note("windows-1252", &Spot { file: 1, ..Spot::default() }, note);
+    }
+    let text = decoded.text;
+    if adams::is_subsystem(&text) {
+        read_subsystem(&text, options, entries, findings, &spot);
+    } else {
+        table::read_text(&text, 1, entries, findings);
+    }
+    files.push((path, text.into_owned()));
+}
+
+/// Reads the hardpoints of a subsystem of Adams/Car in the axes of the sheet.
+fn read_subsystem(
+    text: &str,
+    options: &ImportOptions,
+    entries: &mut Entries,
+    findings: &mut Findings,
+    spot: &Spot,
+) {
+    let word =
+        |entries: &mut Entries, key: &str| match entries.find(key).as_ref().map(|(cells, _)| &cells[..]) {
+            Some([Cell::Text(word)]) => Some(word.trim().to_owned()),
+            _ => None,
+        };
+    if word(entries, "side").is_some_and(|side| side == "right") {
+        let message = "a subsystem of Adams/Car describes the left side: write side = \"left\", and build = \"right\" for \
+                       the right side";
+        findings.error("conflict", spot, message.to_owned());
+        return;
+    }
+    let axes = options.axes.or_else(|| VehicleAxes::from_name(&word(entries, "axes")?)).unwrap_or_default();
+    if axes != VehicleAxes::Adams {
+        let message = "the axes of Adams/Car (x backward, y right, z up) are converted to those of the sheet";
+        findings.note("adams-axes", &Spot { file: 1, ..Spot::default() }, message.to_owned());
+    }
+    adams::read(text, 1, axes, entries, findings);
 }
 
 /// True if a file is in a folder or below it, links resolved.
@@ -75,4 +121,26 @@ fn is_inside(folder: &Path, file: &Path) -> bool {
         (Ok(folder), Ok(file)) => file.starts_with(folder),
         _ => false,
     }
+}
+
+/// True for a plain table of points, without a template and properties of bodies.
+pub(super) fn has_points_only(entries: &Entries) -> bool {
+    let bodies = catalogue::keys().bodies.iter().map(|(key, _)| &**key);
+    let is_headless = !["template", "points"].iter().any(|key| entries.has(key));
+    is_headless
+        && entries.has_section("points")
+        && !bodies.chain(["wheel"]).any(|body| entries.has_section(body))
+}
+
+/// Refuses a table without masses, with the way to use the table.
+pub(super) fn refuse_points_only(findings: &mut Findings, source: &Source, options: &ImportOptions) {
+    let file = source.name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let template = options.template.as_deref().unwrap_or("TEMPLATE");
+    let list = if options.template.is_none() { " (percuss template --list)" } else { "" };
+    let message = format!(
+        "the file has hardpoints and no masses. Write a sheet by `percuss template {template} -o my.toml`{list}, enter the \
+         masses, and replace its section [points] by points = {} at the head of the sheet",
+        quoted(file)
+    );
+    findings.error("missing-key", &Spot::default(), message);
 }

@@ -3,12 +3,12 @@
 use super::catalogue;
 use super::entries::{Cell, Entries, Quantity};
 use super::point_table::{self, Files};
-use super::template::{ExampleBody, Shape, Template, symmetric_matrix};
-use super::{table, toml_text};
+use super::template::{Shape, Template, symmetric_matrix};
+use super::{adams, aliases, table, toml_text};
 use crate::corner;
-use crate::corner::design::{Design, GivenBody, Part, STOPS, Stop};
+use crate::corner::design::{Design, GivenBody, STOPS, Stop};
 use crate::findings::{Findings, Spot};
-use crate::limits::MAX_SHEET_KEYS;
+use crate::limits::MAX_SHIFT;
 use crate::options::{ImportOptions, Rack, Side, Wheel};
 use crate::units::{Frame, VehicleAxes, check_size};
 use percuss_formats::Source;
@@ -34,6 +34,10 @@ pub(in super::super) struct Sheet {
     pub toe: f64,
     /// Inertia that the axle adds to the spindle about the spin axis, kg·m².
     pub axle_inertia: f64,
+    /// Side that the points describe.
+    pub points_side: Side,
+    /// Body of the chassis.
+    pub chassis: Option<corner::Body>,
 }
 
 /// Reads a sheet; `None` after an error in the report.
@@ -44,13 +48,29 @@ pub(in super::super) fn read(
     findings: &mut Findings,
     files: &mut Files,
 ) -> Option<Sheet> {
-    let mut entries = Entries::default();
+    let (mut entries, mut is_table) = (Entries::default(), true);
     files.push((source.name.clone(), text.to_owned()));
     if table::is_workbook(&source.bytes) {
-        table::read_workbook(&source.bytes, 0, &mut entries, findings);
+        table::read_workbook(&source.bytes, 0, options.worksheet.as_deref(), &mut entries, findings);
+    } else if adams::is_subsystem(text) {
+        point_table::refuse_points_only(findings, source, options);
+        return None;
     } else if source.name.ends_with(".csv") || table::looks_like_table(text) {
         table::read_text(text, 0, &mut entries, findings);
-    } else if !toml_text::read(text, &mut entries, findings) {
+    } else {
+        is_table = false;
+        if !toml_text::read(text, &mut entries, findings) {
+            return None;
+        }
+    }
+    let is_worksheet_given = options.worksheet.is_some() || entries.has("worksheet");
+    if is_worksheet_given && !entries.has("points") && !table::is_workbook(&source.bytes) {
+        let message =
+            "a worksheet is given, and the file is no workbook and names no table of points".to_owned();
+        findings.error("conflict", &Spot::default(), message);
+    }
+    if is_table && !findings.has_errors() && point_table::has_points_only(&entries) {
+        point_table::refuse_points_only(findings, source, options);
         return None;
     }
     point_table::read(source, options, &mut entries, findings, files);
@@ -60,7 +80,7 @@ pub(in super::super) fn read(
     let sheet = SheetReader { entries: &mut entries, findings, options }.read_sheet();
     for entry in entries.unread() {
         let spot = &entry.spot;
-        let known = sheet.as_ref().map(|s| keys_of(s.template)).unwrap_or_default();
+        let known = sheet.as_ref().map(|s| catalogue::keys_of(s.template)).unwrap_or_default();
         let near = near_names(&entry.key, known.iter().map(String::as_str));
         let near = near.first().map_or_else(String::new, |n| format!("; did you mean {}?", quoted(n)));
         let message = format!("the key {} is not known to this template{near}", quoted(&entry.key));
@@ -69,53 +89,6 @@ pub(in super::super) fn read(
         }
     }
     sheet.filter(|_| !findings.has_errors())
-}
-
-/// All keys of a template.
-pub(super) fn keys_of(template: &Template) -> Vec<String> {
-    let mut keys: Vec<String> = table::HEAD.iter().map(|key| (*key).to_owned()).collect();
-    keys.extend(template.points.iter().map(|(key, _)| format!("points.{key}")));
-    for (body, _) in &template.bodies {
-        keys.extend(["mass", "com", "inertia"].map(|key| format!("{body}.{key}")));
-    }
-    keys.push("spindle.axle_inertia".to_owned());
-    keys.extend(["mass", "inertia", "radius", "camber", "toe"].map(|key| format!("wheel.{key}")));
-    keys.extend(template.on.iter().map(|(section, _)| format!("{section}.on")));
-    keys.extend(STOPS.iter().flat_map(|section| ["gap", "direction"].map(|key| format!("{section}.{key}"))));
-    if template.has_rack() {
-        keys.extend(["mass", "slides"].map(|key| format!("rack.{key}")));
-    }
-    debug_assert!(keys.len() < MAX_SHEET_KEYS);
-    keys
-}
-
-impl Template {
-    /// True if the template has tie rods.
-    pub fn has_rack(&self) -> bool {
-        self.point("tie_rod_inner").is_some()
-    }
-
-    /// Links to which springs and similar parts can be attached.
-    pub fn holders(&self) -> impl Iterator<Item = &str> {
-        let is_holder = |(key, body): &&(String, ExampleBody)| {
-            let is_made = |part: &Part| match part {
-                Part::Rod { .. } | Part::Wheel { .. } => false,
-                Part::Hinge { link, .. }
-                | Part::Swivel { link, .. }
-                | Part::Ball { link, .. }
-                | Part::Free { link, .. }
-                | Part::Fixed { link, .. }
-                | Part::Strut { link, .. } => link == key,
-                Part::Axle => key == "axle",
-                Part::Close { .. } => false,
-            };
-            let is_body_of_rod = |part: &Part| {
-                matches!(part, Part::Rod { link, .. } if link == key) && body.shape == Shape::Any
-            };
-            self.parts.iter().any(|part| is_made(part) || is_body_of_rod(part))
-        };
-        self.bodies.iter().filter(is_holder).map(|(key, _)| &**key)
-    }
 }
 
 /// Reads the entries of a sheet, with the options of the import.
@@ -136,11 +109,14 @@ impl SheetReader<'_> {
         let inertia_unit = self.inertia_unit();
         let (template, unit, axes, points_side) = (template?, unit?, axes?, points_side?);
         let frame = Frame { unit, axes };
+        self.entries.set_known_keys(catalogue::keys_of(template));
+        aliases::rename_points(template, self.entries, self.findings);
         let name = name.filter(|n| !n.is_empty()).unwrap_or_else(|| template.name.clone());
         let name = if name.len() > LONGEST_NAME { cut(&name, LONGEST_NAME / 4) } else { name };
         let side = self.side(template, points_side);
         let points = self.points(template, frame, points_side);
         let bodies = self.bodies(template, frame, points_side, inertia_unit);
+        let chassis = self.chassis(template, frame, points_side, inertia_unit);
         let wheel = self.wheel(frame, inertia_unit);
         let camber = self.angle("wheel.camber");
         let toe = self.angle("wheel.toe");
@@ -160,7 +136,20 @@ impl SheetReader<'_> {
             hinge_comment: "about the line through its two points, first to second",
             ..Design::default()
         };
-        let mut sheet = Sheet { template, name, frame, side, rack, design, wheel, camber, toe, axle_inertia };
+        let mut sheet = Sheet {
+            template,
+            name,
+            frame,
+            side,
+            rack,
+            design,
+            wheel,
+            camber,
+            toe,
+            axle_inertia,
+            points_side,
+            chassis,
+        };
         self.apply_moves(&mut sheet);
         Some(sheet)
     }
@@ -179,7 +168,7 @@ impl SheetReader<'_> {
             (None, None) => {
                 if !self.findings.has_errors() {
                     let message = format!(
-                        "the key is missing; a template is expected, in the file or by --template: {}",
+                        "the key is missing; a template is expected, in the file or by `percuss import … --template NAME`: {}",
                         template_names().join(", ")
                     );
                     let spot = Spot { path: Some("template".to_owned()), ..Spot::default() };
@@ -227,8 +216,9 @@ impl SheetReader<'_> {
             (None, Some(flag)) => Some(flag),
             (None, None) => {
                 if !self.entries.has(key) {
-                    let message =
-                        format!("the key is missing; {choices} is expected, in the file or by --{key}");
+                    let message = format!(
+                        "the key is missing; {choices} is expected, in the file or by `percuss import … --{key}`"
+                    );
                     self.findings.error("missing-key", &spot, message);
                 }
                 None
@@ -379,6 +369,24 @@ impl SheetReader<'_> {
         bodies
     }
 
+    /// Reads the body of the chassis, if the sheet has one.
+    fn chassis(
+        &mut self,
+        template: &Template,
+        frame: Frame,
+        points_side: Side,
+        inertia_unit: &'static Unit,
+    ) -> Option<corner::Body> {
+        if !self.entries.has_section(corner::CHASSIS) {
+            return None;
+        }
+        let key = (corner::CHASSIS, Shape::Optional);
+        match self.body(template, key, frame, points_side, inertia_unit)? {
+            GivenBody::Body(body) => Some(body),
+            GivenBody::Rod(..) => None,
+        }
+    }
+
     /// Reads one body, mirrored to the left side; `None` if it is absent or invalid.
     fn body(
         &mut self,
@@ -412,8 +420,9 @@ impl SheetReader<'_> {
             None if self.entries.has(&com_key) => return None,
             None => None,
         };
-        let is_central =
-            template.axle && ["axle", "middle_link", "panhard_rod"].contains(&key) || key.starts_with("watt");
+        let is_central = template.axle && ["axle", "middle_link", "panhard_rod"].contains(&key)
+            || key.starts_with("watt")
+            || key == corner::CHASSIS;
         let is_mirrored = points_side == Side::Right && !is_central;
         // NaN: the default for a spindle is the wheel centre, which is computed later. A massless body needs no centre of mass.
         let com = match com {
@@ -554,6 +563,16 @@ impl SheetReader<'_> {
                 by.y = 0.0 - by.y;
             }
             match sheet.design.points.iter_mut().find(|(key, _)| **key == name) {
+                Some(_) if by.amax() > MAX_SHIFT => {
+                    let shift = by.amax();
+                    let message = format!(
+                        "the point {} is moved by {shift} m; at most {MAX_SHIFT} m are expected. A number without a unit is in m, \
+                         also if the sheet is in {}: write {shift}mm for millimetres (--move)",
+                        quoted(name),
+                        sheet.frame.unit.name()
+                    );
+                    self.findings.error("wrong-unit", &Spot::default(), message);
+                }
                 Some((_, (at, _))) => *at += by,
                 None => {
                     let near = near_names(name, sheet.design.points.keys().copied());

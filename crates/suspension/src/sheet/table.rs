@@ -1,21 +1,29 @@
-//! Reader of hardpoint tables: CSV (comma, semicolon or tab; decimal point or comma) or the first sheet of an XLSX workbook.
+//! Reader of hardpoint tables: CSV (comma, semicolon or tab; decimal point or comma) or a worksheet of an XLSX workbook.
 //!
 //! A row contains a key and its values: `lower_ball; 5; 720; 180`. Keys other than points contain the section,
-//! `lower_arm.mass; 4.2`; keys of the head have no section, `unit; mm`. A first row with the names x, y and z, optionally with
+//! `lower_arm.mass; 4.2`; keys of the head have no section, `unit; mm`. A header with the names x, y and z, optionally with
 //! a unit (`x [mm]`), defines these columns; columns with other names are ignored. The unit applies to the points of the
-//! table, and by default to all lengths. Rows that begin with # are comments.
+//! table, and by default to all lengths. Titles may precede the header or the first key. Rows that begin with # are comments.
 
+use super::catalogue::{self, HEAD};
 use super::entries::{Cell, Entries, TableRow, parse_number};
 #[cfg(feature = "xlsx")]
 use super::workbook;
+use crate::corner::design::STOPS;
 use crate::findings::{Findings, Spot};
 use crate::limits::{MAX_SHEET_KEYS, MAX_TABLE_COLUMNS};
 use percuss_formats::reading::{quoted, shortened};
 use percuss_units::LengthUnit;
 
-/// Keys of the head; any other key without a section is a point.
-pub(super) const HEAD: [&str; 8] =
-    ["template", "name", "unit", "inertia_unit", "axes", "side", "build", "points"];
+/// Largest number of title rows.
+const MAX_TITLE_ROWS: usize = 20;
+
+/// Names of the columns of coordinates in headers, also those that Adams/Car writes.
+const COLUMNS: [[&str; 4]; 3] = [
+    ["x", "loc_x", "x_value", "loc x"],
+    ["y", "loc_y", "y_value", "loc y"],
+    ["z", "loc_z", "z_value", "loc z"],
+];
 
 /// True if the bytes begin like an XLSX workbook (a ZIP archive).
 pub(in super::super) fn is_workbook(bytes: &[u8]) -> bool {
@@ -30,11 +38,29 @@ pub(super) fn looks_like_table(text: &str) -> bool {
     })
 }
 
+/// Separator of the columns, from the first line with a header, a key of the head or numbers: a title may contain a comma.
+fn separator_of(text: &str) -> char {
+    const SEPARATORS: [char; 3] = [';', '\t', ','];
+    let lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let of_table = lines.clone().take(MAX_TITLE_ROWS + 1).find_map(|line| {
+        SEPARATORS.into_iter().find(|separator| {
+            let cells: Vec<Cell> = line.split(*separator).map(|cell| Cell::Text(cell.to_owned())).collect();
+            let is_number = |cell: &&Cell| matches!(cell, Cell::Text(text) if parse_number(text).is_some());
+            let is_of_head =
+                cells.len() > 1 && matches!(&cells[0], Cell::Text(text) if HEAD.contains(&text.trim()));
+            is_of_head
+                || find_columns(&cells).is_some()
+                || cells.iter().skip(1).filter(is_number).count() >= 3
+        })
+    });
+    let of_first =
+        || lines.clone().next().and_then(|line| SEPARATORS.into_iter().find(|c| line.contains(*c)));
+    of_table.or_else(of_first).unwrap_or(';')
+}
+
 /// Reads CSV; `file`: index of the file among the files of the import.
 pub(super) fn read_text(text: &str, file: usize, entries: &mut Entries, findings: &mut Findings) {
-    let first = text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with('#'));
-    let separator = first.and_then(|line| [';', '\t', ','].into_iter().find(|c| line.contains(*c)));
-    let separator = separator.unwrap_or(';');
+    let separator = separator_of(text);
     let mut reader = csv::ReaderBuilder::new()
         .delimiter(separator as u8)
         .comment(Some(b'#'))
@@ -80,16 +106,40 @@ pub(super) fn read_text(text: &str, file: usize, entries: &mut Entries, findings
     add_rows(rows, entries, findings);
 }
 
-/// Reads the first sheet of a workbook; `file`: index of the file among the files of the import.
-pub(super) fn read_workbook(bytes: &[u8], file: usize, entries: &mut Entries, findings: &mut Findings) {
+/// Reads a worksheet of a workbook, the first one without a name; `file`: index of the file among the files of the import.
+pub(super) fn read_workbook(
+    bytes: &[u8],
+    file: usize,
+    worksheet: Option<&str>,
+    entries: &mut Entries,
+    findings: &mut Findings,
+) {
     #[cfg(feature = "xlsx")]
-    match workbook::rows(bytes, file) {
-        Ok(rows) => add_rows(rows, entries, findings),
+    match workbook::worksheet(bytes, file, worksheet) {
+        Ok(found) => {
+            let had_errors = findings.has_errors();
+            add_rows(found.rows, entries, findings);
+            if worksheet.is_none() && !found.others.is_empty() {
+                let spot = Spot { file, ..Spot::default() };
+                let message = format!(
+                    "the workbook has {} worksheets; the first one, {}, is read, and not {}. To read another one: \
+                     --worksheet NAME, or the key worksheet of a sheet",
+                    found.others.len() + 1,
+                    quoted(&found.name),
+                    workbook::list_of(&found.others)
+                );
+                if findings.has_errors() && !had_errors {
+                    findings.error("first-worksheet", &spot, message);
+                } else {
+                    findings.note("first-worksheet", &spot, message);
+                }
+            }
+        }
         Err(error) => findings.error(error.code, &Spot { file, ..Spot::default() }, error.message),
     }
     #[cfg(not(feature = "xlsx"))]
     {
-        let (_, _) = (bytes, entries);
+        let (_, _, _) = (bytes, entries, worksheet);
         let message = "this is an XLSX workbook, and this build does not read XLSX: save the table as CSV, or build it with the \
                        feature \"tables\" (`cargo build --release --features tables`)";
         findings.error("not-built-in", &Spot { file, ..Spot::default() }, message.to_owned());
@@ -104,10 +154,24 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
             matches!(row.cells.first(), Some(Cell::Text(text)) if text.trim_start().starts_with('#'));
         !comment && !row.cells.iter().all(is_blank)
     });
+    let mut rows: Vec<TableRow> = rows.collect();
+    let titles = title_rows(&rows);
+    if let Some(last) = titles.checked_sub(1).and_then(|last| rows.get(last)) {
+        let text = rows[0].cells.iter().find(|cell| !is_blank(cell)).map_or_else(String::new, Cell::to_text);
+        let message = if titles == 1 {
+            format!("the row {text} is taken as a title; it has no key and no numbers")
+        } else {
+            format!(
+                "the first {titles} rows, from {text}, are taken as titles; they have no key and no numbers"
+            )
+        };
+        findings.note("title-row", &last.spot.clone(), message);
+    }
+    rows.drain(..titles);
     let mut columns: Option<[usize; 3]> = None;
     let mut points_unit: Option<(String, Spot)> = None;
-    for (i, row) in rows.enumerate() {
-        if i == 0
+    for row in rows {
+        if columns.is_none()
             && let Some((found, unit)) = find_columns(&row.cells)
         {
             columns = Some(found);
@@ -126,8 +190,9 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
         }
         let key = match row.cells.first() {
             Some(Cell::Text(text)) if !text.trim().is_empty() => text.trim().to_owned(),
-            _ => {
-                let message = "the row's first cell is no name; name, x, y, z are expected".to_owned();
+            first => {
+                let found = first.map_or_else(|| "nothing".to_owned(), Cell::to_text);
+                let message = format!("the row begins with {found}, no name; name, x, y, z are expected");
                 findings.error("wrong-type", &row.spot, message);
                 continue;
             }
@@ -156,12 +221,37 @@ fn add_rows(rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findings)
     }
 }
 
+/// Number of title rows before the header or the first key. A title has no number, and its first cell is no key.
+fn title_rows(rows: &[TableRow]) -> usize {
+    let is_title = |row: &&TableRow| {
+        let filled = |cell: &&Cell| !matches!(cell, Cell::Text(text) if text.trim().is_empty());
+        let is_value = |cell: &Cell| !matches!(cell, Cell::Text(text) if parse_number(text).is_none());
+        let first = match row.cells.iter().find(filled) {
+            Some(Cell::Text(text)) => text.trim(),
+            _ => return false,
+        };
+        let is_key = HEAD.contains(&first)
+            || catalogue::keys().points.iter().any(|(key, _)| key == first)
+            || first.split_once('.').is_some_and(|(section, _)| is_section(section));
+        let has_values = row.cells.iter().any(is_value);
+        find_columns(&row.cells).is_none() && !is_key && !has_values
+    };
+    let titles = rows.iter().take(MAX_TITLE_ROWS).take_while(is_title).count();
+    if titles < rows.len() { titles } else { 0 }
+}
+
+/// True for the name of a section of a sheet.
+fn is_section(name: &str) -> bool {
+    let is_body = || catalogue::keys().bodies.iter().any(|(key, _)| key == name);
+    ["points", "wheel", "rack", "spring", "damper"].contains(&name) || STOPS.contains(&name) || is_body()
+}
+
 /// Gives a number the unit of its column, unless the number has a unit.
 fn append_unit(cell: &mut Cell, unit: &str) {
     let with_unit = match &*cell {
         Cell::Number(x) => format!("{x} {unit}"),
         Cell::Text(text) if parse_number(text).is_some() => format!("{} {unit}", text.trim()),
-        Cell::Text(_) | Cell::Switch(_) => return,
+        Cell::Text(_) | Cell::Switch(_) | Cell::Unreadable(_) => return,
     };
     *cell = Cell::Text(with_unit);
 }
@@ -177,7 +267,7 @@ fn find_columns(cells: &[Cell]) -> Option<([usize; 3], Option<String>)> {
             None => (text.as_str(), ""),
         };
         let name = name.trim().to_ascii_lowercase();
-        let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) else { continue };
+        let Some(axis) = COLUMNS.iter().position(|names| names.contains(&&*name)) else { continue };
         columns[axis].get_or_insert(i);
         // Different units of the columns give a text that is no valid unit.
         match &unit {

@@ -102,3 +102,32 @@ pub(super) fn symmetric_matrix(values: &[f64]) -> Matrix3<f64> {
     let [xx, yy, zz, xy, xz, yz] = [0, 1, 2, 3, 4, 5].map(at);
     Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
 }
+
+impl Template {
+    /// True if the template has tie rods.
+    pub fn has_rack(&self) -> bool {
+        self.point("tie_rod_inner").is_some()
+    }
+
+    /// Links to which springs and similar parts can be attached.
+    pub fn holders(&self) -> impl Iterator<Item = &str> {
+        let is_holder = |(key, body): &&(String, ExampleBody)| {
+            let is_made = |part: &Part| match part {
+                Part::Rod { .. } | Part::Wheel { .. } => false,
+                Part::Hinge { link, .. }
+                | Part::Swivel { link, .. }
+                | Part::Ball { link, .. }
+                | Part::Free { link, .. }
+                | Part::Fixed { link, .. }
+                | Part::Strut { link, .. } => link == key,
+                Part::Axle => key == "axle",
+                Part::Close { .. } => false,
+            };
+            let is_body_of_rod = |part: &Part| {
+                matches!(part, Part::Rod { link, .. } if link == key) && body.shape == Shape::Any
+            };
+            self.parts.iter().any(|part| is_made(part) || is_body_of_rod(part))
+        };
+        self.bodies.iter().filter(is_holder).map(|(key, _)| &**key)
+    }
+}

@@ -1,4 +1,4 @@
-//! Reader of the first sheet of an XLSX workbook, in bounded memory.
+//! Reader of one sheet of an XLSX workbook, in bounded memory.
 //!
 //! Limits are checked before the library reads the workbook. The library allocates memory for the counts stated in a workbook,
 //! and copies a cell format for every cell style that refers to the format.
@@ -6,12 +6,12 @@
 use super::entries::{Cell, TableRow};
 use crate::findings::Spot;
 use crate::limits::workbook::{
-    MAX_CELL_FORMAT_BYTES, MAX_CELL_FORMATS, MAX_TABLE_TEXT_BYTES, MAX_UNPACKED_BYTES, MAX_WORKBOOK_BYTES,
-    MAX_WORKBOOK_PARTS, MAX_WORKSHEET_CELLS,
+    MAX_CELL_FORMAT_BYTES, MAX_CELL_FORMATS, MAX_SHARED_FORMULAS, MAX_TABLE_TEXT_BYTES, MAX_UNPACKED_BYTES,
+    MAX_WORKBOOK_BYTES, MAX_WORKBOOK_PARTS, MAX_WORKSHEET_CELLS,
 };
 use crate::limits::{MAX_SHEET_KEYS, MAX_TABLE_COLUMNS};
 use calamine::{DataRef, Reader, Xlsx};
-use percuss_formats::reading::{cut, shortened};
+use percuss_formats::reading::{cut, quoted, shortened};
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
 
@@ -20,17 +20,27 @@ const MAX_ROW_DIGITS: usize = 7;
 /// Letters of the last column, XFD, with a dollar sign for each half of the reference.
 const MAX_COLUMN_LETTERS: usize = 5;
 
+/// Remedy for a number that a spreadsheet program has changed to a date.
+const DATE_REMEDY: &str = ": format the cell as a number and enter the number again";
+
 /// Error of a workbook, with the code of its finding.
 pub(super) struct WorkbookError {
     pub code: &'static str,
     pub message: String,
 }
 
-/// Rows of the first sheet; `file`: index of the file among the files of the import.
+/// Rows of a worksheet, with the names of the other worksheets.
+pub(super) struct Worksheet {
+    pub name: String,
+    pub others: Vec<String>,
+    pub rows: Vec<TableRow>,
+}
+
+/// Reads the worksheet of the given name, or the first one; `file`: index of the file among the files of the import.
 ///
 /// # Errors
-/// A workbook above a limit, or invalid.
-pub(super) fn rows(bytes: &[u8], file: usize) -> Result<Vec<TableRow>, WorkbookError> {
+/// A workbook above a limit, or invalid; an unknown worksheet.
+pub(super) fn worksheet(bytes: &[u8], file: usize, wanted: Option<&str>) -> Result<Worksheet, WorkbookError> {
     if bytes.len() > MAX_WORKBOOK_BYTES {
         let message = format!(
             "a workbook of {} bytes; at most {MAX_WORKBOOK_BYTES} are read: keep only the table in it",
@@ -38,22 +48,67 @@ pub(super) fn rows(bytes: &[u8], file: usize) -> Result<Vec<TableRow>, WorkbookE
         );
         return Err(WorkbookError { code: "too-large-file", message });
     }
-    check_workbook(bytes).and_then(|()| read_rows(bytes, file)).map_err(|reason| WorkbookError {
+    let unreadable = |reason: String| WorkbookError {
         code: "not-table",
         message: format!("no XLSX workbook that can be read: {reason}"),
-    })
+    };
+    check_workbook(bytes).map_err(unreadable)?;
+    let mut workbook: Xlsx<_> =
+        Xlsx::new(Cursor::new(bytes)).map_err(|error| unreadable(shortened(&error.to_string())))?;
+    let names = workbook.sheet_names();
+    let name = match wanted {
+        None => names.first().cloned().ok_or_else(|| unreadable("it has no sheet".to_owned()))?,
+        Some(wanted) => match names.iter().find(|name| name.trim() == wanted.trim()) {
+            Some(name) => name.clone(),
+            None => {
+                let message = format!(
+                    "no worksheet is named {}; the workbook has: {}",
+                    quoted(wanted),
+                    list_of(&names)
+                );
+                return Err(WorkbookError { code: "unknown-worksheet", message });
+            }
+        },
+    };
+    let rows = read_rows(&mut workbook, &name, file).map_err(unreadable)?;
+    let others = names.into_iter().filter(|other| *other != name).collect();
+    Ok(Worksheet { name, others, rows })
+}
+
+/// List of names of worksheets for messages, at most twenty.
+pub(super) fn list_of(names: &[String]) -> String {
+    let list: Vec<String> = names.iter().take(20).map(|name| quoted(name)).collect();
+    format!("{}{}", list.join(", "), if names.len() > 20 { ", …" } else { "" })
+}
+
+/// True for no value and for an empty text.
+fn is_blank(value: &DataRef<'_>) -> bool {
+    match value {
+        DataRef::Empty => true,
+        DataRef::String(text) => text.is_empty(),
+        DataRef::SharedString(text) => text.is_empty(),
+        _ => false,
+    }
+}
+
+/// Address of a cell, `C12`, from the indices of its row and column.
+fn address(row: u32, column: u32) -> String {
+    let (mut letters, mut rest) = (Vec::new(), column + 1);
+    while rest > 0 {
+        letters.insert(0, char::from(b'A' + ((rest - 1) % 26) as u8));
+        rest = (rest - 1) / 26;
+    }
+    format!("{}{}", letters.into_iter().collect::<String>(), row + 1)
 }
 
 /// Reads the rows cell by cell: memory for the range of the whole sheet would depend on the farthest cell.
-fn read_rows(bytes: &[u8], file: usize) -> Result<Vec<TableRow>, String> {
+fn read_rows(workbook: &mut Xlsx<Cursor<&[u8]>>, name: &str, file: usize) -> Result<Vec<TableRow>, String> {
     let shortened_text = |error: calamine::XlsxError| shortened(&error.to_string());
-    let mut workbook: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(shortened_text)?;
-    let name = workbook.sheet_names().first().cloned().ok_or_else(|| "it has no sheet".to_owned())?;
-    let mut reader = workbook.worksheet_cells_reader(&name).map_err(shortened_text)?;
+    let mut reader = workbook.worksheet_cells_reader(name).map_err(shortened_text)?;
     let mut rows: Vec<TableRow> = Vec::new();
     let (mut current, mut count, mut text_bytes) = (None, 0usize, 0usize);
-    while let Some(cell) = reader.next_cell().map_err(shortened_text)? {
-        let (row, column) = cell.get_position();
+    while let Some(cell) = reader.next_cell_with_formula_metadata().map_err(shortened_text)? {
+        let (row, column) = cell.pos;
         count += 1;
         if count > MAX_WORKSHEET_CELLS || rows.len() > MAX_SHEET_KEYS {
             return Err(format!("more than {MAX_SHEET_KEYS} rows or {MAX_WORKSHEET_CELLS} cells"));
@@ -62,19 +117,31 @@ fn read_rows(bytes: &[u8], file: usize) -> Result<Vec<TableRow>, String> {
         if column as usize >= MAX_TABLE_COLUMNS {
             continue;
         }
-        let value = match cell.get_value() {
+        let at = || address(row, column);
+        let value = match &cell.value {
+            // Some programs write an empty text in place of the value.
+            value if cell.formula.is_some() && is_blank(value) => Cell::Unreadable(format!(
+                "cell {} has a formula without a stored value (open the workbook in a spreadsheet program and save it, \
+                 or enter the number)",
+                at()
+            )),
             DataRef::Empty => continue,
             DataRef::Int(x) => Cell::Number(*x as f64),
             DataRef::Float(x) => Cell::Number(*x),
             DataRef::Bool(x) => Cell::Switch(*x),
-            DataRef::Error(error) => Cell::Text(format!("{error:?}")),
-            DataRef::String(text) | DataRef::DateTimeIso(text) | DataRef::DurationIso(text) => {
-                Cell::Text(text.clone())
+            DataRef::Error(error) => Cell::Unreadable(format!("cell {} has the error {error}", at())),
+            DataRef::DateTimeIso(text) | DataRef::DurationIso(text) => {
+                Cell::Unreadable(format!("cell {} is a date or a time, {}{DATE_REMEDY}", at(), quoted(text)))
             }
+            DataRef::String(text) => Cell::Text(text.clone()),
             DataRef::SharedString(text) => Cell::Text((*text).to_owned()),
-            DataRef::DateTime(date) => Cell::Text(format!("the date {}", date.as_f64())),
+            DataRef::DateTime(date) => Cell::Unreadable(format!(
+                "cell {} is a date or a time (day {}){DATE_REMEDY}",
+                at(),
+                date.as_f64()
+            )),
         };
-        if let Cell::Text(text) = &value {
+        if let Cell::Text(text) | Cell::Unreadable(text) = &value {
             text_bytes += text.len();
         }
         // Many cells may refer to one shared text.
@@ -83,7 +150,7 @@ fn read_rows(bytes: &[u8], file: usize) -> Result<Vec<TableRow>, String> {
         }
         if current != Some(row) {
             current = Some(row);
-            let path = Some(format!("{}, row {}", cut(&name, 40), row + 1));
+            let path = Some(format!("{}, row {}", cut(name, 40), row + 1));
             rows.push(TableRow { cells: Vec::new(), spot: Spot { path, at: None, file } });
         }
         if let Some(last) = rows.last_mut() {
@@ -122,6 +189,7 @@ fn check_workbook(bytes: &[u8]) -> Result<(), String> {
         check_stated_counts(&part)?;
         if name.contains("worksheets") {
             check_cell_references(&part)?;
+            check_shared_formulas(&part)?;
         }
         if name.ends_with("styles.xml") {
             check_cell_formats(&part)?;
@@ -133,18 +201,32 @@ fn check_workbook(bytes: &[u8]) -> Result<(), String> {
 /// Refuses a count of texts that the part cannot hold: a text has more than one byte.
 fn check_stated_counts(part: &[u8]) -> Result<(), String> {
     for rest in after_each(part, b"uniqueCount") {
-        let digits = rest.trim_ascii_start().strip_prefix(b"=").unwrap_or_default().trim_ascii_start();
-        let digits = digits.strip_prefix(b"\"").or_else(|| digits.strip_prefix(b"'")).unwrap_or_default();
-        let digits: Vec<u8> = digits.iter().copied().take_while(u8::is_ascii_digit).collect();
-        // Zeros before the number do not make it larger.
-        let stated_count = digits
-            .iter()
-            .fold(0_usize, |sum, digit| sum.saturating_mul(10).saturating_add(usize::from(digit - b'0')));
+        let stated_count = attribute_value(rest);
         if stated_count > part.len() {
             return Err(format!("it states {stated_count} shared texts in a part of {} bytes", part.len()));
         }
     }
     Ok(())
+}
+
+/// Refuses indices of shared formulas above a limit: the library allocates an entry for each smaller index.
+fn check_shared_formulas(part: &[u8]) -> Result<(), String> {
+    for rest in after_each(part, b"si") {
+        let index = attribute_value(rest);
+        if index > MAX_SHARED_FORMULAS {
+            return Err(format!("it has the shared formula {index}; at most {MAX_SHARED_FORMULAS} are read"));
+        }
+    }
+    Ok(())
+}
+
+/// Value of an attribute from the text after its name, saturated; 0 without a number. Zeros before the number do not make it
+/// larger.
+fn attribute_value(rest: &[u8]) -> usize {
+    let digits = rest.trim_ascii_start().strip_prefix(b"=").unwrap_or_default().trim_ascii_start();
+    let digits = digits.strip_prefix(b"\"").or_else(|| digits.strip_prefix(b"'")).unwrap_or_default();
+    let digits = digits.iter().take_while(|byte| byte.is_ascii_digit());
+    digits.fold(0, |sum: usize, digit| sum.saturating_mul(10).saturating_add(usize::from(digit - b'0')))
 }
 
 /// Refuses cell references beyond the last cell of a sheet, XFD1048576: the library multiplies their letters and digits

@@ -1,8 +1,9 @@
 //! Writer of sheets to fill in, and of the tables in the documentation.
 
+use super::catalogue::HEAD;
 use super::catalogue::{description_of, keys, templates};
-use super::table::HEAD;
 use super::template::{Shape, Template, symmetric_matrix};
+use crate::corner::CHASSIS;
 use crate::corner::design::Part;
 use crate::units::VehicleAxes;
 use percuss_spatial::Vector3;
@@ -234,6 +235,7 @@ pub fn template_keys() -> String {
         "the side that the points describe: left where it is missing, or right",
         "what is built: left, right or both; the side of the points where it is missing",
         "in the place of the section `[points]`: a table's name, from the sheet's folder",
+        "of the table of points if it is a workbook: the worksheet's name; the first one where it is missing",
     ];
     for (key, meaning) in HEAD.iter().zip(head) {
         row(key, meaning, "all");
@@ -256,7 +258,7 @@ pub fn template_keys() -> String {
         row(
             &of_body,
             &format!("{meaning}{remark}"),
-            &of(&|t| t.bodies.iter().any(|(known, _)| known == key)),
+            &of(&|t| key == CHASSIS || t.bodies.iter().any(|(known, _)| known == key)),
         );
     }
     row("spindle.axle_inertia", "of the drive shaft about the axis of spin, added to the spindle's", "all");

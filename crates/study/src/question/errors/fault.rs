@@ -111,6 +111,15 @@ pub enum Fault {
         /// Kind of the joint.
         kind: JointKind,
     },
+    /// Link in place of a varied joint.
+    #[error(
+        "\"{link}\" is a link, and no joint; a point of a link is moved by travel:{link}:0,0,0:0,0,1=FROM:TO:COUNT, the wheels of \
+         a suspension by wheel-travel=FROM:TO:COUNT"
+    )]
+    VariedLink {
+        /// Link.
+        link: String,
+    },
     /// Varied joint that mimics another joint.
     #[error("\"{joint}\": it mimics \"{master}\"; vary that")]
     VariedMimic {
@@ -336,8 +345,8 @@ fn massless_base(link: &str, names: Names) -> String {
         Names::Keys => format!(" (model.link_mass: {link} = KG)"),
     };
     format!(
-        "the root link \"{link}\" has no mass; a floating root link needs a mass: set its mass{given}, or use a \
-         fixed base"
+        "the root link \"{link}\" has no mass; a floating root link needs a mass: set its mass{given}, write mass, com and \
+         inertia in a section [{link}] of a suspension sheet, or use a fixed base"
     )
 }
 

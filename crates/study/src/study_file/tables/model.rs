@@ -31,6 +31,9 @@ pub struct ModelTable {
     /// A URDF, or a suspension's sheet or table.
     #[cfg_attr(feature = "flags", arg(skip))]
     pub path: String,
+    /// Worksheet of a workbook; default: the first one.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", help_heading = READING))]
+    pub worksheet: Option<String>,
     /// Change the mass of a link (kg).
     ///
     /// The moments of inertia about the centre of mass are scaled by the same factor.

@@ -1,0 +1,203 @@
+//! Mistakes and questions of every day about a suspension, with their answers.
+
+use super::own_suspension::{done, run};
+use crate::support;
+use crate::support::{Scratch, Sweep};
+use serde_json::Value;
+use std::fs;
+
+/// Asserts that a command is refused, or has no result, with these words in its message.
+#[track_caller]
+fn fails(folder: &Scratch, code: i32, words: &[&str], expected: &[&str]) {
+    let outcome = run(folder, words);
+    assert_eq!(outcome.code, code, "{words:?}: {}{}", outcome.stdout, outcome.stderr);
+    for word in expected {
+        assert!(outcome.stderr.contains(word), "{words:?}: {word} is not in {}", outcome.stderr);
+    }
+}
+
+/// Mistakes of every day are answered with the remedy.
+#[test]
+fn mistakes_are_answered_with_the_remedy() {
+    let folder = Scratch::new("own-remedies");
+    fails(&folder, 2, &["template"], &["double-wishbone, ", "--list"]);
+    done(&folder, &["template", "double-wishbone", "-o", "my.toml"]);
+    let at_stop = ["mass", "my.toml", "--at", "bump_stop"];
+    let link = ["mass", "my.toml", "--link", "zzz", "--point", "0,0,0", "--normal", "0,0,1"];
+    fails(&folder, 2, &link, &["there are the links", "\"lower_arm\"", "the contacts", "\"bump_stop\""]);
+    fails(&folder, 2, &["mass", "my.toml", "--at", "zzz"], &["there are the contacts", "\"contact_patch\""]);
+    let travel = ["--travel", "wheel_centre:0,0,0:0,0,1=50"];
+    fails(&folder, 1, &[&at_stop[..], &travel].concat(), &["in m", "write 50mm"]);
+    let shift = ["--move", "lower_ball=0,0,5"];
+    fails(&folder, 2, &[&at_stop[..], &shift].concat(), &["moved by 5 m", "write 5mm", "in mm"]);
+    done(&folder, &[&at_stop[..], &["--move", "lower_ball=0,0,5mm"]].concat());
+    let heavy = run(&folder, &[&at_stop[..], &["--link-mass", "wheel=16500"]].concat());
+    assert!(heavy.code == 0 && heavy.stderr.contains("write 16500g"), "{}", heavy.stderr);
+    let vary = ["sweep", "my.toml", "--at", "bump_stop", "--vary", "wheel_centre=-50mm:50mm:5"];
+    fails(&folder, 2, &vary, &["is a link", "travel:wheel_centre:0,0,0:0,0,1=", "wheel-travel="]);
+    fails(
+        &folder,
+        2,
+        &[&at_stop[..], &["--base", "floating"]].concat(),
+        &["[chassis]", "--link-mass chassis=KG"],
+    );
+    let text = fs::read_to_string(folder.path("my.toml")).unwrap();
+    let chassis = "[chassis]\nmass = 1200\ncom = [-1200, 0, 500]\ninertia = [400, 1500, 1600]\n\n[lower_arm]";
+    folder.write("floating.toml", &text.replace("[lower_arm]", chassis));
+    done(&folder, &["mass", "floating.toml", "--at", "bump_stop", "--base", "floating"]);
+}
+
+/// Messages about numbers without a unit on a robot arm.
+#[test]
+fn numbers_without_a_unit_get_a_hint() {
+    let arm = support::root().join("models/six_r_arm.urdf").to_string_lossy().into_owned();
+    let folder = Scratch::new("own-units");
+    let contact = ["--link", "tool", "--point", "0.08,0,0", "--normal", "0,0,-1"];
+    let mass = run(&folder, &[&["mass", &arm], &contact[..], &["--set", "shoulder=-40"]].concat());
+    assert!(mass.stderr.contains("in rad: for degrees write -40deg"), "{}", mass.stderr);
+    assert!(mass.stdout.contains("rotor inertias       none given"), "{}", mass.stdout);
+    let with = run(&folder, &[&["mass", &arm], &contact[..], &["--armature", "elbow=0.6"]].concat());
+    assert!(!with.stdout.contains("rotor inertias"), "{}", with.stdout);
+    let vary = |range: &str| {
+        let words = [&["sweep", &arm], &contact[..], &["--vary", range, "--unit", "deg"]].concat();
+        run(&folder, &words).stderr
+    };
+    assert!(vary("elbow=0:1:3").contains("elbow=0deg:1deg:3"));
+    assert!(!vary("elbow=0deg:60deg:3").contains("unit of the table"));
+    let limit =
+        ["damp", "--mass-from", &arm, "--limit", "elbow:uper", "--stiffness", "1e4", "--restitution", "0.3"];
+    fails(&folder, 2, &limit, &["did you mean elbow:upper?", "lower and upper"]);
+    let speed = run(
+        &folder,
+        &[&["safe-speed", &arm], &contact[..], &["--region", "chest", "--force", "280"]].concat(),
+    );
+    assert!(speed.stdout.contains("rotor inertias       none given"), "{}{}", speed.stdout, speed.stderr);
+}
+
+/// A slow impact on a soft contact does not rebound under gravity: the line of the restitution says so.
+#[test]
+fn a_restitution_that_gravity_prevents_is_named_at_the_number() {
+    let folder = Scratch::new("own-gravity");
+    let words = [
+        "damp",
+        "--mass",
+        "10kg",
+        "--stiffness",
+        "1e3",
+        "--restitution",
+        "0.3",
+        "--speed",
+        "0.02",
+        "--for",
+        "mujoco",
+    ];
+    let text = done(&folder, &words).replace("\n                     ", " ");
+    let line = text.lines().find(|line| line.starts_with("restitution")).expect("the restitution");
+    assert!(line.contains("leaves almost no rebound"), "{text}");
+    let fast = done(
+        &folder,
+        &[
+            "damp",
+            "--mass",
+            "10kg",
+            "--stiffness",
+            "1e6",
+            "--restitution",
+            "0.3",
+            "--speed",
+            "5",
+            "--for",
+            "mujoco",
+        ],
+    );
+    assert!(!fast.contains("almost no rebound"), "{fast}");
+}
+
+/// Rows of a sweep at a stop have its gap, with and without poses, in every format; other sweeps have no such column.
+#[test]
+fn rows_at_a_stop_have_its_gap() {
+    let folder = Scratch::new("own-gap");
+    done(&folder, &["template", "double-wishbone", "-o", "my.toml"]);
+    let gap_at = |flags: &[&str]| {
+        let words = [&["mass", "my.toml", "--at", "bump_stop", "--format", "json"], flags].concat();
+        let report: Value = serde_json::from_str(&done(&folder, &words)).unwrap();
+        report["named_contact"]["gap"].as_f64().unwrap()
+    };
+    // Rows that the path follower evaluates without poses, and rows of a travel.
+    for (range, flag, first, last) in [
+        (["--vary", "lower_arm_hinge=-0.1:0.1:9"], "--set", "lower_arm_hinge=-0.1", "lower_arm_hinge=0.1"),
+        (["--wheel-travel", "-40mm:40mm:9"], "--wheel-travel", "-40mm", "40mm"),
+    ] {
+        let sweep = [&["sweep", "my.toml", "--at", "bump_stop"][..], &range].concat();
+        let table = Sweep::read(&done(&folder, &sweep));
+        for (row, at) in [(0, first), (8, last)] {
+            let (found, expected): (f64, f64) =
+                (table.cell(row, "gap").parse().unwrap(), gap_at(&[flag, at]));
+            assert!((found - expected).abs() < 1e-9, "{range:?}, row {row}: {found} and {expected}");
+        }
+        let in_millimetres = done(&folder, &[&sweep[..], &["--unit", "mm"]].concat());
+        assert!(in_millimetres.lines().next().unwrap().contains(",gap_mm,"), "{in_millimetres}");
+        done(&folder, &[&sweep[..], &["-o", "rows.json"]].concat());
+        let report: Value =
+            serde_json::from_str(&fs::read_to_string(folder.path("rows.json")).unwrap()).unwrap();
+        let gap = report["rows"][8]["gap"].as_f64().unwrap();
+        assert!((gap - gap_at(&[flag, last])).abs() < 1e-9);
+        for file in ["rows.parquet", "rows.xlsx", "rows.jsonl"] {
+            done(&folder, &[&sweep[..], &["-o", file]].concat());
+        }
+    }
+    let spring = ["sweep", "my.toml", "--at", "spring", "--wheel-travel", "-40mm:40mm:3"];
+    assert!(!done(&folder, &spring).lines().next().unwrap().contains("gap"));
+}
+
+/// A study prints its main number below a sweep that is written to a file, also with a travel of its pose.
+#[test]
+fn a_study_with_a_sweep_prints_its_main_number() {
+    let folder = Scratch::new("own-sweep-number");
+    done(&folder, &["template", "double-wishbone", "-o", "my.toml"]);
+    let study = "[model]\npath = \"my.toml\"\n[contact]\nat = \"spring\"\n[pose]\ntravel = \"wheel-travel=20mm\"\n\
+                 [sweep]\noutput = \"rows.csv\"\nvary = \"wheel-travel=-30mm:30mm:7\"\n";
+    folder.write("study.toml", study);
+    let outcome = run(&folder, &["run", "study.toml", "--notes"]);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let mass = done(&folder, &["mass", "my.toml", "--at", "spring", "--wheel-travel", "20mm"]);
+    let number = mass.lines().next().unwrap();
+    assert!(outcome.stdout.starts_with(number), "{} and {number}", outcome.stdout);
+    assert!(outcome.stdout.contains("at the pose of the study"), "{}", outcome.stdout);
+    assert!(outcome.stderr.contains("the rows vary the travel"), "{}", outcome.stderr);
+    assert_eq!(fs::read_to_string(folder.path("rows.csv")).unwrap().lines().count(), 8);
+}
+
+/// The contact point is shown in the unit and the axes of the sheet too.
+#[test]
+fn the_contact_point_is_shown_in_the_axes_of_the_sheet() {
+    let folder = Scratch::new("own-axes");
+    done(&folder, &["template", "double-wishbone", "--unit", "in", "--axes", "adams", "-o", "my.toml"]);
+    let text = done(&folder, &["mass", "my.toml", "--at", "spring"]).replace("\n                     ", " ");
+    let line = text.lines().find(|line| line.starts_with("in the sheet")).expect("the line");
+    // The seat of the spring as drawn, [0, 570, 205] mm in the axes of ISO 8855.
+    for part in ["-22.4409", "8.0709", " in, axes adams (x backward, y right, z up)"] {
+        assert!(line.contains(part), "{part}: {line}");
+    }
+}
+
+/// A worksheet of a workbook is chosen by a flag, in every command and in studies.
+#[test]
+fn a_worksheet_is_chosen_by_a_flag() {
+    let folder = Scratch::new("own-worksheet");
+    let points = support::root().join("models/suspensions/double-wishbone-points.xlsx");
+    fs::copy(points, folder.path("car.xlsm")).unwrap();
+    let import = ["import", "car.xlsm", "-o", "car.urdf", "--template", "double-wishbone"];
+    fails(&folder, 2, &import, &["no masses", "points = \"car.xlsm\""]);
+    fails(
+        &folder,
+        2,
+        &[&import[..], &["--worksheet", "Rear"]].concat(),
+        &["no worksheet is named \"Rear\"", "has: \""],
+    );
+    let mass = ["mass", "car.xlsm", "--at", "bump_stop", "--worksheet", "Rear"];
+    fails(&folder, 2, &mass, &["no worksheet is named \"Rear\""]);
+    let study = "[model]\npath = \"car.xlsm\"\nworksheet = \"Rear\"\n[contact]\nat = \"bump_stop\"\n";
+    folder.write("study.toml", study);
+    fails(&folder, 2, &["run", "study.toml"], &["no worksheet is named \"Rear\""]);
+}

@@ -1,0 +1,116 @@
+//! Reader of the hardpoints of a subsystem of Adams/Car (`.sub`, a TeimOrbit file).
+//!
+//! The section `[HARDPOINT]` has a row `'lca_front' 'left/right' -200.0 -400.0 150.0` for each point. Points with the
+//! symmetry `left/right` describe the left side. Lengths are in the unit of the section `[UNITS]`; the axes are those of
+//! Adams/Car: x backward, y right, z up.
+
+use super::entries::{Cell, Entries};
+use crate::findings::{Findings, Spot};
+use crate::limits::MAX_SHEET_KEYS;
+use crate::units::VehicleAxes;
+use percuss_formats::reading::{quoted, shortened};
+use percuss_units::LengthUnit;
+
+/// True if a text is a TeimOrbit file with hardpoints.
+pub(super) fn is_subsystem(text: &str) -> bool {
+    text.lines().any(|line| line.trim().eq_ignore_ascii_case("[HARDPOINT]"))
+        && text.lines().any(|line| line.trim_start().starts_with('{'))
+}
+
+/// Reads the hardpoints, with the unit of the file, in the given axes; `file`: index of the file among those of the import.
+pub(super) fn read(
+    text: &str,
+    file: usize,
+    axes: VehicleAxes,
+    entries: &mut Entries,
+    findings: &mut Findings,
+) {
+    let (mut section, mut unit, mut count, mut offset) = (String::new(), LengthUnit::Millimetre, 0, 0);
+    let mut rows: Vec<(String, [f64; 3], Spot)> = Vec::new();
+    for line in text.split_inclusive('\n') {
+        let at = offset;
+        offset += line.len();
+        let line = line.trim();
+        let spot = |path: &str| Spot { path: Some(shortened(path)), at: Some(at), file };
+        if let Some(name) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+            section = name.to_ascii_uppercase();
+        } else if section == "UNITS"
+            && let Some((key, value)) = line.split_once('=')
+            && key.trim().eq_ignore_ascii_case("LENGTH")
+        {
+            let name = value.trim().trim_matches(['\'', '"', ' ']).to_ascii_lowercase();
+            match unit_of(&name) {
+                Some(known) => unit = known,
+                None => {
+                    let message = format!(
+                        "the unit of length {} is not known; mm, cm, meter or inch is expected",
+                        quoted(&name)
+                    );
+                    findings.error("unknown-word", &spot("UNITS.LENGTH"), message);
+                }
+            }
+        } else if section == "HARDPOINT" && line.starts_with('\'') {
+            count += 1;
+            if count > MAX_SHEET_KEYS {
+                let message = format!("more than {MAX_SHEET_KEYS} hardpoints");
+                findings.error("too-complex", &spot("HARDPOINT"), message);
+                return;
+            }
+            match row(line) {
+                Some((name, at)) => rows.push((name.clone(), at, spot(&name))),
+                None => {
+                    let message = format!(
+                        "{} is no hardpoint; 'NAME' 'left/right' X Y Z is expected",
+                        quoted(&shortened(line))
+                    );
+                    findings.error("wrong-type", &spot("HARDPOINT"), message);
+                }
+            }
+        }
+    }
+    if rows.is_empty() && !findings.has_errors() {
+        let spot = Spot { path: Some("HARDPOINT".to_owned()), at: None, file };
+        findings.error("missing-key", &spot, "the section has no hardpoint".to_owned());
+    }
+    for (name, at, spot) in rows {
+        // Both conventions differ by the signs of x and y.
+        let sign = if axes == VehicleAxes::Adams { 1.0 } else { -1.0 };
+        let [x, y, z] = [sign * at[0] + 0.0, sign * at[1] + 0.0, at[2]];
+        let cells = [x, y, z].map(|x| Cell::Text(format!("{x} {}", unit.name()))).to_vec();
+        entries.add(findings, format!("points.{name}"), cells, spot);
+    }
+}
+
+/// Name and coordinates of a row; `None` for another row.
+fn row(line: &str) -> Option<(String, [f64; 3])> {
+    let mut parts = line.split('\'');
+    let name = parts.nth(1)?.trim().to_owned();
+    let (_, numbers) = (parts.nth(1)?, parts.next()?);
+    let numbers: Vec<f64> = numbers.split_whitespace().map_while(|x| x.parse().ok()).collect();
+    let [x, y, z] = <[f64; 3]>::try_from(numbers.get(..3)?).ok()?;
+    (!name.is_empty() && [x, y, z].iter().all(|x| x.is_finite())).then_some((name, [x, y, z]))
+}
+
+/// Unit of length with a name of Adams.
+fn unit_of(name: &str) -> Option<LengthUnit> {
+    match name {
+        "millimeter" | "millimetre" => Some(LengthUnit::Millimetre),
+        "centimeter" | "centimetre" => Some(LengthUnit::Centimetre),
+        "meter" | "metre" => Some(LengthUnit::Metre),
+        "inch" => Some(LengthUnit::Inch),
+        name => LengthUnit::from_name(name),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_of_adams_are_read() {
+        let line =
+            " 'lca_front                   '  'left/right'   -200.0   -400.0   150.5   'remark'".trim();
+        assert_eq!(row(line), Some(("lca_front".to_owned(), [-200.0, -400.0, 150.5])));
+        assert_eq!(row("'lca_front' 'left/right' -200.0 x 1"), None);
+    }
+}
