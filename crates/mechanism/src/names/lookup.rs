@@ -28,7 +28,7 @@ pub struct UnknownName {
 
 impl UnknownName {
     /// Error for a name without an object; `known`: names of this kind, and other names that the message may list.
-    pub(crate) fn new<'a>(name: &str, known: &[(NameKind, Vec<&'a str>)]) -> Self {
+    pub(crate) fn new(name: &str, known: &[(NameKind, Vec<&str>)]) -> Self {
         let Some((kind, names)) = known.first() else {
             return Self { kind: NameKind::Link, name: name.to_owned(), near: Vec::new(), known: Vec::new() };
         };

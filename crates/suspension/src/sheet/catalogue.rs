@@ -74,6 +74,28 @@ impl Template {
     }
 }
 
+/// Keys of the head; any other key without a section is a point.
+pub(super) const HEAD: [&str; 9] =
+    ["template", "name", "unit", "inertia_unit", "axes", "side", "build", "points", "worksheet"];
+
+/// All keys of a template.
+pub(super) fn keys_of(template: &Template) -> Vec<String> {
+    let mut keys: Vec<String> = HEAD.iter().map(|key| (*key).to_owned()).collect();
+    keys.extend(template.points.iter().map(|(key, _)| format!("points.{key}")));
+    for body in template.bodies.iter().map(|(body, _)| &**body).chain([corner::CHASSIS]) {
+        keys.extend(["mass", "com", "inertia"].map(|key| format!("{body}.{key}")));
+    }
+    keys.push("spindle.axle_inertia".to_owned());
+    keys.extend(["mass", "inertia", "radius", "camber", "toe"].map(|key| format!("wheel.{key}")));
+    keys.extend(template.on.iter().map(|(section, _)| format!("{section}.on")));
+    keys.extend(STOPS.iter().flat_map(|section| ["gap", "direction"].map(|key| format!("{section}.{key}"))));
+    if template.has_rack() {
+        keys.extend(["mass", "slides"].map(|key| format!("rack.{key}")));
+    }
+    debug_assert!(keys.len() < MAX_SHEET_KEYS);
+    keys
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -111,26 +133,4 @@ mod tests {
         }
         assert_eq!(templates().count(), 12);
     }
-}
-
-/// Keys of the head; any other key without a section is a point.
-pub(super) const HEAD: [&str; 9] =
-    ["template", "name", "unit", "inertia_unit", "axes", "side", "build", "points", "worksheet"];
-
-/// All keys of a template.
-pub(super) fn keys_of(template: &Template) -> Vec<String> {
-    let mut keys: Vec<String> = HEAD.iter().map(|key| (*key).to_owned()).collect();
-    keys.extend(template.points.iter().map(|(key, _)| format!("points.{key}")));
-    for body in template.bodies.iter().map(|(body, _)| &**body).chain([corner::CHASSIS]) {
-        keys.extend(["mass", "com", "inertia"].map(|key| format!("{body}.{key}")));
-    }
-    keys.push("spindle.axle_inertia".to_owned());
-    keys.extend(["mass", "inertia", "radius", "camber", "toe"].map(|key| format!("wheel.{key}")));
-    keys.extend(template.on.iter().map(|(section, _)| format!("{section}.on")));
-    keys.extend(STOPS.iter().flat_map(|section| ["gap", "direction"].map(|key| format!("{section}.{key}"))));
-    if template.has_rack() {
-        keys.extend(["mass", "slides"].map(|key| format!("rack.{key}")));
-    }
-    debug_assert!(keys.len() < MAX_SHEET_KEYS);
-    keys
 }
