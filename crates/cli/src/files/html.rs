@@ -8,6 +8,9 @@ use std::fmt::Write;
 /// Largest number of rows of a table that is not split in print.
 const SHORT: usize = 16;
 
+/// Longest word of a cell that is not broken, in characters; longer words would widen the table beyond the page.
+const LONGEST_WORD: usize = 24;
+
 /// Style sheet for screens and for A4 paper.
 const STYLE: &str = "\
 :root{color-scheme:light}*{box-sizing:border-box}\
@@ -22,7 +25,7 @@ p.lead{font-size:1.9rem;font-weight:500;margin:.1rem 0 .3rem}.result td{border-b
 nav{margin:1.2rem 0;columns:2;column-gap:2rem}nav p{margin:.12rem 0;break-inside:avoid}a{color:#0060a0;text-decoration:none}a:hover{text-decoration:underline}\
 table{border-collapse:collapse;width:100%;margin:.4rem 0}td,th{padding:.22rem .9rem .22rem 0;text-align:left;vertical-align:top;\
 border-bottom:1px solid #e6e9ee}th{font-weight:500;border-bottom-color:#b0b7c1}td.number,th.number{text-align:right;font-variant-numeric:tabular-nums}\
-td.number{white-space:nowrap}td.name{width:13rem;color:#5c636e}td.bars{width:45%}td.wrap{white-space:pre-wrap}td,td.wrap,code{overflow-wrap:anywhere}\
+td.number{white-space:nowrap}td.name{width:13rem;color:#5c636e}td.bars{width:45%}td.wrap{white-space:pre-wrap}td.wrap,td.long,th.long,td.name,code{overflow-wrap:anywhere}\
 .bar{display:inline-block;height:.7em;background:#d55e00;print-color-adjust:exact;-webkit-print-color-adjust:exact}\
 pre{background:#f6f7f9;padding:.7rem;white-space:pre-wrap;overflow-wrap:anywhere;font-size:.82rem}\
 table.data{font-size:.9rem;font-variant-numeric:tabular-nums}td.hash{font:.72rem/1.7 monospace}\
@@ -163,7 +166,12 @@ impl Page {
         for (i, row) in rows.iter().enumerate() {
             let tag = if i == 0 { "th" } else { "td" };
             let cell = |(cell, is_number): (&String, &bool)| {
-                let class = if *is_number { " class=\"number\"" } else { "" };
+                let has_long_word = cell.split_whitespace().any(|word| word.chars().count() > LONGEST_WORD);
+                let class = match (is_number, has_long_word) {
+                    (true, _) => " class=\"number\"",
+                    (false, true) => " class=\"long\"",
+                    (false, false) => "",
+                };
                 format!("<{tag}{class}>{}</{tag}>", escape_text(cell))
             };
             let cells: String = row.iter().zip(&is_number).map(cell).collect();

@@ -370,8 +370,13 @@ fn a_stop_has_its_symbols_charts_and_tables() {
         assert!(titles.iter().any(|drawn| drawn.starts_with(title)), "{title} in {titles:?}");
     }
     // The key of the mechanism's picture names joints, loop ends and named contacts.
-    for name in ["lower_ball", "tie_rod_first_pin", "spring (spring)", "damper (damper)", "bump_stop (stop)"]
-    {
+    for name in [
+        "lower_ball",
+        "tie_rod_first_pin, second_pin",
+        "spring (spring)",
+        "damper (damper)",
+        "bump_stop (stop)",
+    ] {
         assert!(drawn[0].contains(name), "{name}");
     }
     // Bars of the histogram: rectangles, and marks.

@@ -7,6 +7,8 @@ use crate::text::{fit_to_width, medium, regular};
 
 /// Height of a row of the key.
 pub(super) const KEY_ROW: f64 = 17.0;
+/// Smallest width of a column: about 25 letters.
+pub(super) const KEY_COLUMN: f64 = 200.0;
 /// Width of the number before a name.
 const NUMBER_WIDTH: f64 = 26.0;
 const NUMBER: Font = medium(12.0);

@@ -2,7 +2,7 @@
 
 use super::Drawing;
 use super::items::{circle_polyline, shading_colour};
-use super::key::{KEY_ROW, draw_key, key_rows};
+use super::key::{KEY_COLUMN, KEY_ROW, draw_key, key_rows};
 use super::numbers::draw_numbers;
 use super::vectors::dot;
 use crate::palette::{GRID, INK, SOFT_INK};
@@ -19,8 +19,8 @@ const ROW_DISTANCE: f64 = 38.0;
 /// Largest height of one row of views, and of two rows together.
 const ONE_ROW: f64 = 430.0;
 const TWO_ROWS: f64 = 700.0;
-/// Smallest width of a view, for its title, and smallest height.
-const SMALLEST: [f64; 2] = [230.0, 52.0];
+/// Smallest width of a view, for its title, and smallest height, for an arrow up or down.
+const SMALLEST: [f64; 2] = [230.0, 124.0];
 /// Margin inside a view, for labels.
 const LABEL_MARGIN: f64 = 26.0;
 
@@ -124,7 +124,8 @@ pub(super) fn layout_drawing(drawing: &Drawing) -> Scene {
     let names: Vec<&str> = drawing.points.iter().map(|point| point.label.as_str()).collect();
     let bottom = if drawing.has_top_view {
         // The key fills the free quarter, and may be longer than the top view.
-        let rows = key_rows(names.len(), ((grid.rows[1] - KEY_ROW) / KEY_ROW) as usize, 2);
+        let most_columns = ((grid.columns[1] / KEY_COLUMN) as usize).clamp(1, 3);
+        let rows = key_rows(names.len(), ((grid.rows[1] - KEY_ROW) / KEY_ROW) as usize, most_columns);
         let area = (second_column, grid.columns[1]);
         let end = draw_key(&mut scene, &names, area, second_row + 4.0, rows);
         end.max(second_row + grid.rows[1])

@@ -38,7 +38,7 @@ pub struct DrawnLink {
 /// Named point of a mechanism: a movable joint or the end of a loop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnPoint {
-    /// Name.
+    /// Name, or several names of parts at one position.
     pub name: String,
     /// Position in the world frame, m.
     pub at: [f64; 3],
@@ -253,7 +253,27 @@ fn named_points(mechanism: &Mechanism, pose: &Pose) -> Vec<DrawnPoint> {
         let points = ends.iter().map(|(link, at)| DrawnPoint { name: name(link), at: (*at).into() });
         points.take(if is_one { 1 } else { 2 }).collect::<Vec<_>>()
     };
-    joints.chain(mechanism.closures().iter().flat_map(of_loop)).collect()
+    let all = joints.chain(mechanism.closures().iter().flat_map(of_loop));
+    merge_points(all, TOUCH_TOLERANCE * mechanism.characteristic_length())
+}
+
+/// Merges points at one position, such as both pins of a universal joint, into one point with both names.
+fn merge_points(points: impl Iterator<Item = DrawnPoint>, tolerance: f64) -> Vec<DrawnPoint> {
+    let mut merged: Vec<DrawnPoint> = Vec::new();
+    for point in points {
+        let at = Vector3::from(point.at);
+        match merged.iter_mut().find(|other| (Vector3::from(other.at) - at).norm() <= tolerance) {
+            Some(other) => {
+                // The prefix up to the last underscore that both names share is written once.
+                let shared = other.name.bytes().zip(point.name.bytes()).take_while(|(a, b)| a == b).count();
+                let start =
+                    point.name.bytes().take(shared).rposition(|byte| byte == b'_').map_or(0, |i| i + 1);
+                other.name += &format!(", {}", &point.name[start..]);
+            }
+            None => merged.push(point),
+        }
+    }
+    merged
 }
 
 /// Element of a named contact; `None` if its ends coincide and it has no direction.
@@ -297,4 +317,23 @@ fn wheel(mechanism: &Mechanism, pose: &Pose, link: LinkId) -> Option<WheelCircle
     let radius = (spoke - axis * axis.dot(&spoke)).norm();
     let is_one = radius > 0.0 && radius.is_finite();
     is_one.then(|| WheelCircle { centre: at(link).into(), axis: axis.into(), radius: Some(radius) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_at_one_position_have_both_names() {
+        let point = |name: &str, x: f64| DrawnPoint { name: name.into(), at: [x, 0.0, 0.0] };
+        let all = [
+            point("rod_first_pin", 0.0),
+            point("é_a", 1.0),
+            point("rod_second_pin", 1e-15),
+            point("ü_a", 1.0),
+        ];
+        let merged = merge_points(all.into_iter(), 1e-9);
+        let names: Vec<&str> = merged.iter().map(|point| point.name.as_str()).collect();
+        assert_eq!(names, ["rod_first_pin, second_pin", "é_a, ü_a"]);
+    }
 }

@@ -85,11 +85,15 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
     page.hashes(inputs.iter().map(|input| (file_name(&input.path), format!("SHA-256 {}", input.sha256))));
     let diagnostics = results.diagnostics();
     // Warnings about results are beside their number.
-    let is_listed = |d: &&DiagnosticRecord| d.path.is_some() || d.severity == Severity::Note;
+    let of_variants = results.compared.iter().flat_map(|compared| &compared.diagnostics);
+    let of_variants: Vec<&DiagnosticRecord> =
+        of_variants.filter(|d| d.path.is_none() && d.severity == Severity::Note).collect();
+    let is_listed =
+        |d: &&DiagnosticRecord| d.path.is_some() || d.severity == Severity::Note && !of_variants.contains(d);
     let listed: Vec<&DiagnosticRecord> = diagnostics.iter().filter(is_listed).collect();
     if !listed.is_empty() {
         page.heading("Notes, and findings about the files");
-        let mut rows = vec![["", "place", "finding"].map(str::to_owned)];
+        let mut rows = vec![["kind", "place", "finding"].map(str::to_owned)];
         rows.extend(listed.into_iter().map(|finding| {
             let file = finding.path.as_deref().map_or_else(|| "result".to_owned(), file_name);
             let line = finding.line.map_or_else(String::new, |line| format!(":{line}"));
@@ -97,6 +101,12 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
             [finding.severity.name().to_owned(), file + &line, element + &finding.message]
         }));
         page.table(&rows);
+    }
+    if !of_variants.is_empty() {
+        page.paragraph(
+            "soft",
+            &format!("{} notes about the variants: percuss compare --notes.", of_variants.len()),
+        );
     }
     if diagnostics.is_empty() {
         page.paragraph("soft", "No warnings and no notes.");
