@@ -6,7 +6,8 @@
 //! svg2pdf, if the crate has its feature `convert`. SVG text stays text, in Roboto if installed and otherwise in the reader's sans-serif; PNG and PDF
 //! use the embedded Roboto, so no installed fonts are needed.
 //!
-//! A [`Drawing`] shows a mechanism in two views. A [`Sheet`] stacks figures with different x axes. A [`Skin`]
+//! A [`Drawing`] shows a mechanism in two or three views. A [`Sheet`] stacks figures with different x axes. A [`Tornado`]
+//! compares the effects of many numbers as bars. A [`Skin`]
 //! is a quantity over facets in space: two views with a colour scale, [`Skin::write_ply`], [`Skin::to_glb`].
 //!
 //! Undrawable data are left out and are never an error: missing values, NaN, infinities and magnitudes above
@@ -46,7 +47,8 @@ mod svg;
 mod text;
 
 pub use backend::{MADE_BY, RenderError};
-pub use drawing::{Drawing, DrawnArrow, DrawnCircle, DrawnFacet, DrawnLine};
+pub use drawing::{Drawing, DrawnArrow, DrawnCircle, DrawnFacet, DrawnLine, DrawnSymbol, SymbolKind};
 pub use figure::sheet::Sheet;
+pub use figure::tornado::{Tornado, TornadoBar};
 pub use figure::{Figure, Mark, Panel, Series, Style};
 pub use skin::{Skin, SkinFacet, SkinMark, SkinPiece};

@@ -1,6 +1,8 @@
 //! Drawings in two views: positions of the items, and random or invalid input.
 
-use percuss_render::{Drawing, DrawnArrow, DrawnCircle, DrawnLine, SkinMark};
+use percuss_render::{
+    Drawing, DrawnArrow, DrawnCircle, DrawnLine, DrawnSymbol, SkinMark, SymbolKind, Tornado, TornadoBar,
+};
 use roxmltree::Document;
 
 fn corner() -> Drawing {
@@ -47,6 +49,76 @@ fn both_views_show_it_at_one_scale() {
     assert!(corner().to_png(1.0).is_ok() && corner().to_pdf().is_ok());
 }
 
+/// Texts of a picture.
+fn texts(svg: &str) -> Vec<String> {
+    let document = Document::parse(svg).expect("well-formed");
+    let texts = document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text());
+    texts.map(str::to_owned).collect()
+}
+
+#[test]
+fn three_views_have_numbers_and_a_key() {
+    let names = ["ball <lower>", "hinge", "spring (spring)"];
+    let at = [[0.0, 0.7, 0.2], [0.0, 0.3, 0.2], [0.0, 0.7, 0.2]];
+    let points = names.iter().zip(at).map(|(name, at)| SkinMark { at, label: (*name).into() }).collect();
+    let kinds = [SymbolKind::Spring, SymbolKind::Damper, SymbolKind::Stop, SymbolKind::Ground];
+    let symbols = kinds.map(|kind| DrawnSymbol {
+        kind,
+        ends: [[0.0, 0.5, 0.2], [0.0, 0.45, 0.6]],
+        normal: [0.0, 0.0, 1.0],
+    });
+    let plain = Drawing { has_top_view: true, points, ..corner() };
+    let svg = plain.to_svg();
+    let shown = texts(&svg);
+    let count = |text: &str| shown.iter().filter(|shown| *shown == text).count();
+    for (i, name) in names.iter().enumerate() {
+        // In each view and in the key.
+        assert_eq!(count(&(i + 1).to_string()), 4, "{shown:?}");
+        assert_eq!(count(name), 1, "{shown:?}");
+    }
+    assert!(shown.iter().any(|text| text.starts_with("from above")), "{shown:?}");
+    // Numbers of different points do not overlap, though two points coincide.
+    let document = Document::parse(&svg).expect("well-formed");
+    let place = |node: roxmltree::Node| {
+        let number = |name: &str| node.attribute(name).and_then(|x| x.parse::<f64>().ok()).expect("a number");
+        (number("x"), number("y"))
+    };
+    let numbers = document.descendants().filter(|n| n.has_tag_name("text"));
+    let numbers: Vec<(f64, f64)> =
+        numbers.filter(|n| ["1", "2", "3"].contains(&n.text().unwrap_or(""))).map(place).collect();
+    for (i, a) in numbers.iter().enumerate() {
+        assert!(numbers[..i].iter().all(|b| (a.0 - b.0).hypot(a.1 - b.1) > 8.0), "{numbers:?}");
+    }
+    // Every symbol adds lines in the three views.
+    for symbol in symbols {
+        let with = Drawing { symbols: vec![symbol], ..plain.clone() }.to_svg();
+        assert!(with.matches("<path").count() >= svg.matches("<path").count() + 2, "{:?}", symbol.kind);
+    }
+    assert!(plain.to_png(1.0).is_ok() && plain.to_pdf().is_ok());
+}
+
+#[test]
+fn a_tornado_has_a_bar_to_both_sides_for_each_number() {
+    let bar =
+        |name: &str, effect: f64| TornadoBar { name: name.into(), effect, value: format!("± {effect}") };
+    let mut chart = Tornado {
+        title: "Effects".into(),
+        directions: ["more".into(), "less".into()],
+        bars: vec![bar("a & b", 2.0), bar("c", -1.0)],
+        ..Tornado::default()
+    };
+    let svg = chart.to_svg();
+    let shown = texts(&svg);
+    for text in ["Effects", "more", "less", "a & b", "c", "± 2", "± -1", "−2", "2"] {
+        assert!(shown.iter().any(|shown| shown == text), "{text} in {shown:?}");
+    }
+    for odd in [f64::NAN, f64::INFINITY, 1e300, 1e-320, 0.0] {
+        chart.bars.push(bar("odd", odd));
+        assert!(Document::parse(&chart.to_svg()).is_ok() && chart.to_png(0.5).is_ok(), "{odd}");
+    }
+    assert!(Document::parse(&Tornado::default().to_svg()).is_ok());
+}
+
 #[test]
 fn random_drawings_are_valid_pictures() {
     let odd = [0.0, f64::NAN, f64::INFINITY, 1e300, -1e-300];
@@ -55,6 +127,12 @@ fn random_drawings_are_valid_pictures() {
             let mut drawing = corner();
             drawing.lines.push(DrawnLine { ends: [[a, b, 0.0], [b, a, 1.0]], intensity: Some(a) });
             drawing.circles.push(DrawnCircle { centre: [a, 0.0, b], axis: [b, a, 0.0], radius: b });
+            drawing.has_top_view = true;
+            drawing.points.push(SkinMark { at: [a, b, 0.0], label: "odd".into() });
+            for kind in [SymbolKind::Spring, SymbolKind::Stop] {
+                let ends = [[a, b, 0.0], [0.0, a, b]];
+                drawing.symbols.push(DrawnSymbol { kind, ends, normal: [b, a, 0.0] });
+            }
             drawing.arrows.push(DrawnArrow { from: [0.0, a, b], vector: [b, a, b], label: String::new() });
             assert!(Document::parse(&drawing.to_svg()).is_ok(), "{a} {b}");
             assert!(drawing.to_png(0.5).is_ok(), "{a} {b}");

@@ -60,7 +60,7 @@ pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing};
 pub use reports::assumptions::Assumptions;
 pub use reports::compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
 pub use reports::contact_list::{ContactListReport, ListedContact, contact_list};
-pub use reports::drawing::{DrawnLink, DrawnMechanism, draw_mechanism};
+pub use reports::drawing::{DrawnElement, DrawnLink, DrawnMechanism, DrawnPoint, draw_mechanism};
 pub use reports::explain::{
     Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
 };
@@ -73,7 +73,8 @@ pub use reports::safe_speed::{
     safe_speed, safe_speed_along, safe_speed_directions,
 };
 pub use reports::tolerance::{
-    SampleRecord, Sampling, Tolerance, ToleranceError, ToleranceParts, ToleranceReport, tolerance_report,
+    SampleRecord, Sampling, Tolerance, ToleranceEffect, ToleranceError, ToleranceParts, ToleranceReport,
+    tolerance_report,
 };
 pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
 pub use study_file::keys::{StudyKeys, UnknownKey};
@@ -88,6 +89,7 @@ pub use study_file::tables::headings;
 pub use study_file::tables::map::{MapTable, StudyMap, StudyMapQuestion};
 pub use study_file::tables::mass::{GivenTolerance, MassTable, StudyMass};
 pub use study_file::tables::model::{Acceptable, ModelTable};
+pub use study_file::tables::report::StudyReport;
 pub use study_file::tables::safe_speed::{SafeSpeedTable, StudySafeSpeed};
 pub use study_file::tables::sweep::{
     AxisLimits, DecimalSign, StudyFigure, StudyTable, SweepTable, TableUnit,

@@ -242,9 +242,25 @@ pub fn export_text(name: &str, export: &ExportRecord) -> String {
     if let Some(error) = &export.error {
         return out + &wrap_hanging(&format!("  cannot: {error}"), 4) + "\n";
     }
-    let mut line = |what: &str, text: &str| {
-        out += &fact_line(&format!("  {what}"), &escape::line(text));
-    };
+    for (name, value) in export_facts(export) {
+        out += &fact_line(&format!("  {name}"), &escape::line(&value));
+    }
+    for snippet in &export.snippets {
+        let _ = writeln!(out, "  {}:", snippet.title);
+        for text in snippet.text.lines() {
+            let _ = writeln!(out, "    {text}");
+        }
+    }
+    if !export.sources.is_empty() {
+        out += &(wrap_hanging(&format!("  sources: {}", export.sources.join("; ")), 4) + "\n");
+    }
+    out
+}
+
+/// Parameters, errors and assumptions of one simulator.
+pub fn export_facts(export: &ExportRecord) -> Vec<(String, String)> {
+    let mut facts = Vec::new();
+    let mut line = |name: &str, text: &str| facts.push((name.to_owned(), text.to_owned()));
     line("integrates", export.law);
     for (name, value) in &export.parameters {
         let unit = export.units.get(name).copied().unwrap_or_default();
@@ -279,16 +295,7 @@ pub fn export_text(name: &str, export: &ExportRecord) -> String {
     for cannot in &export.cannot {
         line("cannot", cannot);
     }
-    for snippet in &export.snippets {
-        let _ = writeln!(out, "  {}:", snippet.title);
-        for text in snippet.text.lines() {
-            let _ = writeln!(out, "    {text}");
-        }
-    }
-    if !export.sources.is_empty() {
-        out += &(wrap_hanging(&format!("  sources: {}", export.sources.join("; ")), 4) + "\n");
-    }
-    out
+    facts
 }
 
 /// Solver and worst error of a measured restitution, in words.

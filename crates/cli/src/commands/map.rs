@@ -196,39 +196,62 @@ fn round_point(p: &[f64; 3]) -> String {
 }
 
 /// Map at a point as text.
-pub fn point_text(report: &PointMapReport) -> String {
+fn point_text(report: &PointMapReport) -> String {
     let mut out = String::new();
-    let point_of = format!("{} at {} m, in the link frame", report.link, triple(&report.point_link));
-    out += &fact_line("point", &point_of);
-    out += &fact_line("in the world", &format!("{} m", triple(&report.point_world)));
+    for (name, value) in point_facts(report) {
+        out += &fact_line(name, &value);
+    }
     out += "\nprincipal effective masses (the belted ellipsoid)\n";
     let mut table = Table::new(["  mass", "direction (link)", "direction (world)"]);
-    for p in &report.principal {
-        table.row([
-            format!("  {}", mass(p)),
-            triple(&p.direction_link.map(round_component)),
-            triple(&p.direction_world.map(round_component)),
-        ]);
+    for [mass, link, world] in principal_rows(report) {
+        table.row([format!("  {mass}"), link, world]);
     }
     out += &table.to_string();
     if report.principal.is_empty() {
         out += "  none: a direction has no result\n";
     }
+    let mut extremes = extreme_facts(report);
+    let (name, count) = extremes.remove(0);
+    let _ = writeln!(out, "\n{name:<20} {count}");
+    for (name, value) in extremes {
+        out += &fact_line(name, &value);
+    }
+    out + "\n1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹.\n\
+           See docs/howto/MAPS.md.\n"
+}
+
+/// Point of a map of directions.
+pub fn point_facts(report: &PointMapReport) -> [(&'static str, String); 2] {
+    let point_of = format!("{} at {} m, in the link frame", report.link, triple(&report.point_link));
+    [("point", point_of), ("in the world", format!("{} m", triple(&report.point_world)))]
+}
+
+/// Principal effective masses, each with its direction in the link and in the world.
+pub fn principal_rows(report: &PointMapReport) -> Vec<[String; 3]> {
+    let row = |p: &DirectionMass| {
+        let [link, world] =
+            [p.direction_link, p.direction_world].map(|direction| triple(&direction.map(round_component)));
+        [mass(p), link, world]
+    };
+    report.principal.iter().map(row).collect()
+}
+
+/// Number of directions, then the smallest and the largest mass.
+pub fn extreme_facts(report: &PointMapReport) -> Vec<(&'static str, String)> {
     let finite = report.directions.iter().filter_map(|d| Some((d.effective_mass?, d)));
     let (mut least, mut most) = (None::<(f64, &DirectionMass)>, None::<(f64, &DirectionMass)>);
     for (m, d) in finite {
         least = least.filter(|(l, _)| *l <= m).or(Some((m, d)));
         most = most.filter(|(l, _)| *l >= m).or(Some((m, d)));
     }
-    let _ = writeln!(out, "\n{:<20} {} uniform over the sphere", "directions", report.directions.len());
+    let mut facts = vec![("directions", format!("{} uniform over the sphere", report.directions.len()))];
     for (name, found) in [("smallest of them", least), ("largest of them", most)] {
         if let Some((m, d)) = found {
             let along = triple(&d.direction_link.map(round_component));
-            out += &fact_line(name, &format!("{} kg along {along} (link)", number(m)));
+            facts.push((name, format!("{} kg along {along} (link)", number(m))));
         }
     }
-    out + "\n1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹.\n\
-           See docs/howto/MAPS.md.\n"
+    facts
 }
 
 /// m̄ of a direction, or its status.

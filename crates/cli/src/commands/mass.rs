@@ -231,8 +231,23 @@ fn estimate_text(record: &EstimateRecord) -> String {
 /// Text for a robot arm without rotor inertias.
 pub const NO_ROTORS: &str = "none given; geared drives make a robot heavier (--armature JOINT=KG·M²)";
 
-/// Conditions of the result.
+/// Contact, conditions, motion ratios and method of the result.
 pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
+    let mut facts = report.named_contact.as_ref().map_or_else(Vec::new, named_contact);
+    facts.extend(conditions(report));
+    facts.extend(report.motion_ratios.iter().map(|ratio| ("motion ratio", motion_ratio(ratio))));
+    facts.push(method(report));
+    facts
+}
+
+/// Method of the result, with its condition number and its error.
+pub fn method(report: &MassReport) -> (&'static str, String) {
+    let condition = report.condition.map_or_else(String::new, |c| format!(", condition {c:.1e}"));
+    ("computed by", format!("{} route{condition}{}", report.route, error_suffix(report)))
+}
+
+/// Contact and conditions of the result.
+pub fn conditions(report: &MassReport) -> Vec<(&'static str, String)> {
     let contact = &report.contact;
     let against = match (report.conditions.against_mass, contact.against.as_deref()) {
         (Some(mass), _) => format!("a free body of {} kg", number(mass)),
@@ -254,15 +269,14 @@ pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
         if text.is_empty() { "none".into() } else { text }
     };
     let assumed = &report.assumptions;
-    let mut facts = report.named_contact.as_ref().map_or_else(Vec::new, named_contact);
-    facts.extend([
+    let mut facts = vec![
         ("contact link", format!("{} at {} m, in the link frame", contact.link, triple(&contact.point_link))),
         ("normal", format!("{}, out of {}", triple(&contact.normal_link), contact.link)),
         (
             "in the world",
             format!("point {} m, normal {}", triple(&contact.point_world), triple(&contact.normal_world)),
         ),
-    ]);
+    ];
     facts.extend(report.point_in_sheet.map(|at| {
         let rounded = at.point.map(|x| (x * 1e6).round() / 1e6 + 0.0);
         let text = format!("point {} {}, axes {}", triple(&rounded), at.unit.name(), at.axes.name());
@@ -311,9 +325,6 @@ pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
             report.branch_limits.iter().map(limit).collect::<Vec<_>>().join(", "),
         ));
     }
-    facts.extend(report.motion_ratios.iter().map(|ratio| ("motion ratio", motion_ratio(ratio))));
-    let condition = report.condition.map_or_else(String::new, |c| format!(", condition {c:.1e}"));
-    facts.push(("computed by", format!("{} route{condition}{}", report.route, error_suffix(report))));
     facts
 }
 

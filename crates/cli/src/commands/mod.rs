@@ -8,7 +8,7 @@ pub(crate) mod import;
 pub(crate) mod init;
 pub(crate) mod map;
 pub(crate) mod mass;
-pub(crate) mod report_page;
+pub(crate) mod report;
 pub(crate) mod run;
 pub(crate) mod safe_speed;
 pub(crate) mod sweep;

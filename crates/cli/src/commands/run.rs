@@ -6,7 +6,7 @@ use crate::commands::damp;
 use crate::commands::map;
 use crate::commands::mass;
 use crate::commands::mass::MassRequests;
-use crate::commands::report_page;
+use crate::commands::report;
 use crate::commands::safe_speed;
 use crate::commands::sweep;
 use crate::commands::sweep::SweepOutput;
@@ -31,7 +31,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     }
     sweep::use_threads(args.threads);
     let result = match (&args.report, args.format) {
-        (Some(path), _) => report_page::write(&study, args, path),
+        (Some(path), _) => report::write(&study, args, path),
         (None, Some(format)) => show_in_format(&study, format, args.strict),
         (None, None) => run_all(&study, args),
     };

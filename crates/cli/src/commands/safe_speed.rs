@@ -63,10 +63,15 @@ pub const DISCLAIMER: &str = "\nAn engineering aid, not a certification. v = F/â
      M/2 + m_L depends neither on the pose nor on the direction. Compare regions and\n\
      limits with the purchased standard.\n";
 
-/// Table of all directions; empty for a single direction.
-pub fn directions(reports: &[SafeSpeedReport]) -> String {
+/// Table of all directions as text; empty for a single direction.
+fn directions(reports: &[SafeSpeedReport]) -> String {
+    direction_table(reports).map_or_else(String::new, |table| format!("\n{table}"))
+}
+
+/// Table of all directions; `None` for a single direction.
+pub fn direction_table(reports: &[SafeSpeedReport]) -> Option<Table<4>> {
     if reports.len() < 2 {
-        return String::new();
+        return None;
     }
     let mut table = Table::new(["direction", "by the standard m/s", "m/s", "kg"]);
     for report in reports {
@@ -74,7 +79,7 @@ pub fn directions(reports: &[SafeSpeedReport]) -> String {
         let (by_standard, speed) = (number(report.standard.speed), number(report.reflected.speed));
         table.row([triple(&report.normal_world), by_standard, speed, mass]);
     }
-    format!("\n{table}")
+    Some(table)
 }
 
 /// Report as text.

@@ -1,5 +1,6 @@
 //! Figures of sweeps, ellipsoids, suspensions and maps.
 
+pub(crate) mod clipping;
 pub(crate) mod ellipsoid;
 pub(crate) mod import_picture;
 pub(crate) mod map_files;

@@ -19,7 +19,7 @@ const MAX_MARKS: usize = 10_000;
 const MAX_CURVES: usize = 7;
 
 /// Scale factor from SI, and unit of the axis for a varied number.
-fn axis_unit(column: &VariedColumn) -> (f64, &'static str) {
+pub fn axis_unit(column: &VariedColumn) -> (f64, &'static str) {
     let unit = match column.unit {
         "m" => Dimension::Length.display_unit(),
         "rad" => Dimension::Angle.display_unit(),

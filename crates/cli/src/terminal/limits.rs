@@ -32,3 +32,22 @@ pub const CELLS_OF_A_GROUP: usize = 1 << 20;
 /// Rows of a row group; readers load one group at a time.
 #[cfg(feature = "tables")]
 pub const ROWS_OF_A_GROUP: std::ops::RangeInclusive<usize> = 1024..=1 << 17;
+/// Numbered points of the picture in a report; more numbers would cover the mechanism.
+pub const NAMED_POINTS: usize = 40;
+/// Bars of a tornado chart: the largest effects, half a page of A4.
+pub const TORNADO_BARS: usize = 16;
+/// Largest number of bins of a histogram: a bin is then wider than ten units of the plot's width.
+pub const HISTOGRAM_BINS: usize = 60;
+/// Rows of a sweep kept for the table of a report; a sweep with more rows is in its CSV file only.
+pub const ROWS_KEPT: usize = 10_000;
+/// Rows of a sweep in the table of a report.
+pub const SWEEP_ROWS_SHOWN: usize = 11;
+/// Smallest number of values of a curve that may be clipped; of fewer values each counts.
+pub const LEAST_CLIPPED: usize = 8;
+/// Part of the values at each end that may be outliers.
+pub const OUTLIERS: f64 = 0.1;
+/// Distance of an outlier from the other values, as a multiple of their spread, above which a curve is clipped: the other
+/// values would take less than a third of the axis.
+pub const OUTLIER_DISTANCE: f64 = 2.2;
+/// Rows of a sweep with the effect of the tolerances in a report; each takes about twelve evaluations per hardpoint.
+pub const TOLERANCE_BARS: usize = 9;

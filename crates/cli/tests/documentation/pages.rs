@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Every page, with the number of its commands.
-const PAGES: [(&str, usize); 32] = [
+const PAGES: [(&str, usize); 33] = [
     ("README.md", 4),
     ("docs/INTRODUCTION.md", 1),
     ("docs/SUMMARY.md", 0),
@@ -23,6 +23,7 @@ const PAGES: [(&str, usize); 32] = [
     ("docs/howto/LOOPS.md", 2),
     ("docs/howto/MAPS.md", 2),
     ("docs/howto/PYTHON.md", 0),
+    ("docs/howto/REPORTS.md", 1),
     ("docs/howto/RUST.md", 0),
     ("docs/howto/STANDALONE.md", 0),
     ("docs/howto/SUSPENSIONS.md", 9),

@@ -50,7 +50,9 @@ fn every_shipped_study_has_a_report() {
             !pictures.is_empty()
                 && pictures.iter().all(|svg| svg.starts_with("<svg") && svg.ends_with("</svg>\n"))
         );
-        assert!(pictures[0].contains("from the front") && pictures[0].contains("from the left"));
+        for view in ["from the front", "from the left", "from above"] {
+            assert!(pictures[0].contains(view), "{study}: {view}");
+        }
         // The accompanying JSON equals the output of the command, and the page contains the mass.
         assert_eq!(fs::read_to_string(html.replace(".html", ".json")).expect("written"), json.stdout);
         let answer: serde_json::Value = serde_json::from_str(&json.stdout).expect("JSON");
@@ -182,13 +184,13 @@ fn the_page_has_all_that_the_study_asks() {
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     let page = fs::read_to_string(folder.path("r.html")).expect("written");
     for words in [
-        "What it depends on",
-        "most per kilogram",
+        "Sensitivities",
+        "1 kg less of finger",
         "root sum square",
-        "<th>difference</th>",
+        "<th class=\"number\">difference</th>",
         "<td>lighter</td>",
         "Over the surface",
-        "<th>smallest kg</th>",
+        "<th class=\"number\">smallest kg</th>",
         "Safe speed",
         "chest: 40 kg",
         // Quoted for the shell; HTML text contains double quotes as entities.
@@ -201,11 +203,12 @@ fn the_page_has_all_that_the_study_asks() {
         assert!(page.contains(words), "{words}");
     }
     let pictures = pictures(&page);
-    assert_eq!(pictures.len(), 4, "the mechanism, the sweep, the variants, the map");
-    // Shapes are pixels below the lines in both views; all else is vector graphics.
-    assert_eq!(pictures[0].matches("<image ").count(), 2);
-    assert!(pictures[1].contains("Over the elbow") && !pictures[1].contains("<image "));
-    assert_eq!(pictures[3].matches("<image ").count(), 2);
+    assert_eq!(pictures.len(), 6, "the mechanism, two tornado charts, the sweep, the variants, the map");
+    // Shapes are pixels below the lines in all views; all else is vector graphics.
+    assert_eq!(pictures[0].matches("<image ").count(), 3);
+    assert!(pictures[1].contains("Effect of 1 kg") && pictures[2].contains("limit of its tolerance"));
+    assert!(pictures[3].contains("Over the elbow") && !pictures[3].contains("<image "));
+    assert_eq!(pictures[5].matches("<image ").count(), 2);
     // The mesh is listed as an input, with the hash of the file.
     let at = page.find("finger.obj").expect("the mesh's name");
     let hash = page[at..].split("SHA-256 ").nth(1).expect("its hash");
@@ -295,4 +298,179 @@ fn wheels_are_drawn() {
     // A closed polyline of about fifty points in each view, ten characters each; the link to the lowest point is a
     // line.
     assert!(with >= without + 1000, "{with} and {without}");
+}
+
+/// Study with all parts about a stop of a suspension.
+const FULL: &str = "models/studies/report.toml";
+
+/// The shipped study with its sheet in a folder of its own; `alter` changes the text of the study.
+fn full_report(name: &str, alter: impl Fn(&str) -> String) -> (Scratch, String) {
+    let folder = Scratch::new(name);
+    fs::copy(root().join("models/suspensions/double-wishbone.toml"), folder.path("my.toml")).expect("copied");
+    let study = fs::read_to_string(root().join(FULL)).expect("there");
+    let study = study
+        .replace("../suspensions/double-wishbone.toml", "my.toml")
+        .replace("samples = 2000", "samples = 60");
+    let study = folder.write("study.toml", &alter(&study));
+    let outcome = percuss(&format!("run {study} --report {}", folder.path("r.html")));
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let page = fs::read_to_string(folder.path("r.html")).expect("written");
+    (folder, page)
+}
+
+/// Position of a text in a page.
+fn position(page: &str, text: &str) -> usize {
+    page.find(text).unwrap_or_else(|| panic!("{text} is not in the page"))
+}
+
+#[test]
+fn the_head_and_the_number_come_before_the_contents() {
+    let (_folder, page) = full_report("report-head", str::to_owned);
+    assert!(page.contains("<h1>Effective mass at the front bump stop</h1>"));
+    let in_order = [
+        "Double wishbone, front left: the figures of an example",
+        "Chassis development, 2026-11-26",
+        "Study study.toml, percuss ",
+        "m̄ = ",
+        "root sum square",
+        "95 % of samples",
+        "numerical error",
+        "bump_stop (stop)",
+        "0, at the touch; 30.00 mm as drawn",
+        "wheel travel",
+        "<nav>",
+        "</nav>",
+        "<h2 id=\"s1\">1. The mechanism at this pose</h2>",
+    ];
+    let found: Vec<usize> = in_order.iter().map(|text| position(&page, text)).collect();
+    assert!(found.is_sorted(), "{found:?}");
+    // Each section is linked once, and each link has its section.
+    let sections = page.matches("<h2 id=\"s").count();
+    assert!(sections > 8 && page.matches("<a href=\"#s").count() == sections, "{sections}");
+    for i in 1..=sections {
+        assert_eq!(page.matches(&format!("<h2 id=\"s{i}\">{i}. ")).count(), 1, "{i}");
+        assert_eq!(page.matches(&format!("<a href=\"#s{i}\">{i}. ")).count(), 1, "{i}");
+    }
+}
+
+#[test]
+fn a_stop_has_its_symbols_charts_and_tables() {
+    let (_folder, page) = full_report("report-stop", str::to_owned);
+    let drawn = pictures(&page);
+    let titles =
+        drawn.iter().map(|svg| svg.split("<title>").nth(1).unwrap_or("").split('<').next().unwrap_or(""));
+    let titles: Vec<&str> = titles.collect();
+    for title in [
+        "Effect of 1 kg more or less of each link",
+        "Effect of 1 mm of each hardpoint",
+        "Effect of each number at the limit of its tolerance",
+        "Effective mass within the tolerances",
+        "Effective mass over the wheel travel",
+    ] {
+        assert!(titles.iter().any(|drawn| drawn.starts_with(title)), "{title} in {titles:?}");
+    }
+    // The key of the mechanism's picture names joints, loop ends and named contacts.
+    for name in [
+        "lower_ball",
+        "tie_rod_first_pin, second_pin",
+        "spring (spring)",
+        "damper (damper)",
+        "bump_stop (stop)",
+    ] {
+        assert!(drawn[0].contains(name), "{name}");
+    }
+    // Bars of the histogram: rectangles, and marks.
+    let histogram = drawn.iter().find(|svg| svg.contains("97.5 %")).expect("the histogram");
+    assert!(histogram.matches("<rect").count() > 6 && histogram.contains("nominal"));
+    for words in [
+        "<td>all at the limit</td>",
+        "<td>hardpoints</td><td>0.5 mm</td>",
+        "<td>stop 20 mm further out</td>",
+        "<th class=\"number\">point per contact</th>",
+        "<td class=\"name\">penetration</td>",
+        "MuJoCo",
+        "Rates of the hardpoints",
+        "<th>travel:wheel_centre (mm)</th>",
+    ] {
+        assert!(page.contains(words), "{words}");
+    }
+    // Only commands and snippets are preformatted.
+    for text in page.split("<pre>").skip(1).filter_map(|rest| rest.split("</pre>").next()) {
+        assert!(text.starts_with("percuss ") || text.contains('<') || text.contains("&lt;"), "{text}");
+    }
+}
+
+#[test]
+fn text_of_the_head_is_escaped_and_optional() {
+    let hostile = "'<script>alert(1)</script>\" onload=\"x\u{202e}'";
+    let alter = |study: &str| {
+        let keys = ["title", "object", "author", "date"];
+        let head: String = keys.iter().map(|key| format!("{key} = {hostile}\n")).collect();
+        let rest = study.split_once("[model]").expect("a model").1;
+        let rest = rest.replace("name = \"lighter lower arm\"", &format!("name = {hostile}"));
+        format!("[report]\n{head}[model]{rest}")
+            .replace("title = \"Effective mass over the wheel travel\"", &format!("title = {hostile}"))
+    };
+    let (_folder, page) = full_report("report-hostile", alter);
+    assert!(page.matches("&lt;script&gt;").count() >= 5);
+    for text in [&page, &pictures(&page).join("")] {
+        assert!(!text.contains("<script") && !text.contains('\u{202e}'));
+    }
+    assert!(!page.contains("\" onload=\""));
+    // Without the table, the contact is the title, and no line of author and date is written.
+    let bare = |study: &str| format!("[model]{}", study.split_once("[model]").expect("a model").1);
+    let (_folder, page) = full_report("report-bare", bare);
+    assert!(
+        page.contains("<h1>Effective mass at bump_stop</h1>")
+            && page.matches("<p class=\"head\">").count() == 1
+    );
+    // A date is a date or a text.
+    let folder = Scratch::new("report-date");
+    let study = folder.write("study.toml", &STUDY.replace("[damping]", "[report]\ndate = 5\n[damping]"));
+    let outcome = percuss(&format!("run {study}"));
+    assert!(outcome.code == 2 && outcome.stderr.contains("report.date"), "{}", outcome.stderr);
+}
+
+/// The pendulum's m̄ grows without bound where the contact moves along the link.
+#[test]
+fn a_curve_with_a_pole_is_clipped_and_the_caption_says_so() {
+    let folder = Scratch::new("report-pole");
+    fs::copy(root().join("models/point_mass_pendulum.urdf"), folder.path("model.urdf")).expect("copied");
+    let sweep = "normal_frame = \"world\"\n[sweep]\nvary = \"hinge=0:1.57:41\"\n";
+    let text = STUDY.split("[damping]").next().expect("the contact").replace("MODEL", "model.urdf") + sweep;
+    let report = |text: &str| {
+        let study = folder.write("study.toml", text);
+        let outcome = percuss(&format!("run {study} --report {}", folder.path("r.html")));
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        fs::read_to_string(folder.path("r.html")).expect("written")
+    };
+    let page = report(&text);
+    let caption = page.split("<figcaption>").filter(|rest| rest.contains("the axis ends at")).count();
+    assert_eq!(caption, 1);
+    assert!(page.contains("of 41 values are larger, the extreme "), "no caption");
+    assert!(!report(&text.replace("1.57:41", "0.5:41")).contains("the axis ends at"));
+}
+
+#[test]
+fn a_warning_is_beside_its_number() {
+    let (folder, page) = full_report("report-warning", str::to_owned);
+    let json = fs::read_to_string(folder.path("r.json")).expect("written");
+    let answer: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let all = answer["diagnostics"].as_array().expect("a list");
+    let messages = |severity: &str| {
+        let of_result = all.iter().filter(|d| d["path"].is_null() && d["severity"] == *severity);
+        let texts: Vec<String> =
+            of_result.map(|d| d["message"].as_str().expect("text").replace('"', "&quot;")).collect();
+        assert!(!texts.is_empty(), "{severity}");
+        texts
+    };
+    let (summary, rest) = page.split_once("<nav>").expect("contents");
+    for warning in messages("warning") {
+        assert!(summary.contains(&format!("<p class=\"warning\">warning: {warning}</p>")), "{warning}");
+    }
+    // Notes are in the last section.
+    let last = rest.rsplit("<h2 ").next().expect("a section");
+    for note in messages("note") {
+        assert!(last.contains(&note) && !summary.contains(&note), "{note}");
+    }
 }

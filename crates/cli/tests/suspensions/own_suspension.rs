@@ -161,7 +161,7 @@ fn from_an_empty_folder_to_a_report() {
             "The sweep",
             "Variants",
             "5 mm higher",
-            "What it depends on",
+            "Sensitivities",
             "The damper",
             "The mechanism at this pose",
         ] {

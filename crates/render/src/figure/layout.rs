@@ -8,7 +8,7 @@ use crate::figure::marks::{MarkStrip, layout_marks};
 use crate::figure::{Figure, Panel, Style};
 use crate::font::Font;
 use crate::palette::{AXIS, Colour, GRID, INK, MINOR_GRID, SOFT_INK, ZERO};
-use crate::scene::{Anchor, Point, Scene, pixel_centre, solid};
+use crate::scene::{Anchor, Item, Point, Scene, pixel_centre, solid};
 use crate::text::{fit_to_width, medium, regular, width};
 
 const WIDTH: f64 = 900.0;
@@ -182,6 +182,8 @@ fn draw_panel(
             let dots = curve::merged_dots(&series.points, point_at);
             let dots = dots.into_iter().filter(|p| !is_clipped || curve::is_inside(*p, inside)).collect();
             scene.dots(dots, DOT, colour);
+        } else if series.style == Style::Bars {
+            draw_bars(scene, &series.points, colour, frame);
         } else {
             let mut curve = curve::polylines(&series.points, point_at);
             if is_clipped {
@@ -195,6 +197,30 @@ fn draw_panel(
     if empty {
         let at = (0.5 * (frame.left + frame.right), frame.top + 0.5 * FRAME);
         scene.text_on_paper("no value to draw".into(), at, SUBTITLE, SOFT_INK);
+    }
+}
+
+/// Draws the bars of a histogram inside the frame, with thin gaps between them.
+fn draw_bars(scene: &mut Scene, points: &[(f64, Option<f64>)], colour: Colour, frame: &Frame) {
+    for pair in points.windows(2) {
+        let (Some(from), Some(to), Some(y)) =
+            (drawable(pair[0].0), drawable(pair[1].0), pair[0].1.and_then(drawable))
+        else {
+            continue;
+        };
+        let at = |x: f64, y: f64| {
+            let (x, y) = frame.point_at(x, y);
+            (x.clamp(frame.left, frame.right), y.clamp(frame.top, frame.bottom()))
+        };
+        let (low, high) = (at(from.min(to), 0.0), at(from.max(to), y));
+        if y != 0.0 && high.0 > low.0 {
+            let gap = (0.1 * (high.0 - low.0)).min(0.5);
+            scene.items.push(Item::Patch {
+                from: (low.0 + gap, low.1.min(high.1)),
+                to: (high.0 - gap, low.1.max(high.1)),
+                colour,
+            });
+        }
     }
 }
 

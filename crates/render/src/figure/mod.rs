@@ -7,6 +7,7 @@ pub(crate) mod layout;
 mod legend;
 mod marks;
 pub(crate) mod sheet;
+pub(crate) mod tornado;
 
 /// Plot with panels one above the other over one shared x axis.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -57,6 +58,8 @@ pub enum Style {
     Dashed,
     /// Unconnected dots, for measurements.
     Dots,
+    /// Filled bars from zero, for histograms: a value extends from its x to the x of the next point.
+    Bars,
 }
 
 /// Labelled position on the x axis, such as a singular pose, a limit or the design position.

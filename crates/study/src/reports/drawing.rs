@@ -8,10 +8,10 @@ use crate::model::record::DiagnosticRecord;
 use crate::pose::pose_solver;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
-use crate::thresholds::FACETS;
-use percuss_dynamics::{ContactResponse, PointVelocity, Pose};
+use crate::thresholds::{FACETS, TOUCH_TOLERANCE};
+use percuss_dynamics::{ContactResponse, Gap, PointVelocity, Pose};
 use percuss_formats::{DEFAULT_MAX_MESH_SIZE, MeshFolders, Purpose, Shape, Surface};
-use percuss_mechanism::{LinkId, Mechanism};
+use percuss_mechanism::{ContactKind, ContactNormal, JointKind, LinkId, Mechanism, NamedContact};
 use percuss_spatial::Vector3;
 use percuss_suspension::WheelCircle;
 use std::path::Path;
@@ -35,6 +35,31 @@ pub struct DrawnLink {
     pub velocity: Option<[f64; 3]>,
 }
 
+/// Named point of a mechanism: a movable joint or the end of a loop.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnPoint {
+    /// Name, or several names of parts at one position.
+    pub name: String,
+    /// Position in the world frame, m.
+    pub at: [f64; 3],
+}
+
+/// Named contact as an element of the drawing: spring, damper, stop or contact patch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnElement {
+    /// Name.
+    pub name: String,
+    /// Kind.
+    pub kind: ContactKind,
+    /// Contact point, and the seat on the other side, world frame, m. If the other side is given by a direction only,
+    /// the second end is at the distance of the gap along the normal.
+    pub ends: [[f64; 3]; 2],
+    /// Unit normal out of the contact link, world axes.
+    pub normal: [f64; 3],
+    /// Gap at this pose, m; 0 at the touch, `None` if the parts always touch.
+    pub gap: Option<f64>,
+}
+
 /// Drawing of a mechanism at the pose of a result, and findings about the shapes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DrawnMechanism {
@@ -42,6 +67,10 @@ pub struct DrawnMechanism {
     pub links: Vec<DrawnLink>,
     /// Wheels of an imported suspension, world frame, m.
     pub wheels: Vec<WheelCircle>,
+    /// Named points: movable joints, then ends of loops.
+    pub points: Vec<DrawnPoint>,
+    /// Named contacts.
+    pub elements: Vec<DrawnElement>,
     /// Mesh files.
     pub meshes: Vec<Input>,
     /// Shapes that are not drawn, with the reason.
@@ -183,6 +212,9 @@ fn draw_pose(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> 
     let mut shapes =
         ShapeReader { model, folders, triangles_left: FACETS, drawing: DrawnMechanism::default() };
     shapes.drawing.wheels = mechanism.link_ids().filter_map(|id| wheel(mechanism, pose, id)).collect();
+    shapes.drawing.points = named_points(mechanism, pose);
+    shapes.drawing.elements =
+        mechanism.contacts().iter().filter_map(|contact| element(mechanism, pose, contact)).collect();
     for id in mechanism.link_ids() {
         let facets = shapes.link_triangles(id, pose);
         let mut link = of_link(id);
@@ -194,6 +226,83 @@ fn draw_pose(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> 
         }
     }
     shapes.drawing
+}
+
+/// Movable joints and ends of loops. A loop with both ends at one point is one point.
+fn named_points(mechanism: &Mechanism, pose: &Pose) -> Vec<DrawnPoint> {
+    let moves = |joint: &&percuss_mechanism::Joint| !matches!(joint.kind(), JointKind::Fixed);
+    let joints = mechanism.joints().iter().filter(moves).map(|joint| DrawnPoint {
+        name: joint.name().to_owned(),
+        at: pose.link(joint.parent()).point(&joint.origin().point(&Vector3::zeros())).into(),
+    });
+    let of_loop = |closure: &percuss_mechanism::Closure| {
+        let ends = [closure.predecessor(), closure.successor()];
+        let at = |end: &percuss_mechanism::LoopFrame| {
+            let point = end.frame.point(&Vector3::zeros());
+            Some((mechanism.link(end.link?).name(), pose.link(end.link?).point(&point)))
+        };
+        let ends: Vec<(&str, Vector3<f64>)> = ends.into_iter().filter_map(at).collect();
+        let is_one = match ends[..] {
+            [(_, a), (_, b)] => (a - b).norm() <= TOUCH_TOLERANCE * mechanism.characteristic_length(),
+            _ => true,
+        };
+        let name = |link: &str| match is_one {
+            true => closure.name().to_owned(),
+            false => format!("{} on {link}", closure.name()),
+        };
+        let points = ends.iter().map(|(link, at)| DrawnPoint { name: name(link), at: (*at).into() });
+        points.take(if is_one { 1 } else { 2 }).collect::<Vec<_>>()
+    };
+    let all = joints.chain(mechanism.closures().iter().flat_map(of_loop));
+    merge_points(all, TOUCH_TOLERANCE * mechanism.characteristic_length())
+}
+
+/// Merges points at one position, such as both pins of a universal joint, into one point with both names.
+fn merge_points(points: impl Iterator<Item = DrawnPoint>, tolerance: f64) -> Vec<DrawnPoint> {
+    let mut merged: Vec<DrawnPoint> = Vec::new();
+    for point in points {
+        let at = Vector3::from(point.at);
+        match merged.iter_mut().find(|other| (Vector3::from(other.at) - at).norm() <= tolerance) {
+            Some(other) => {
+                // The prefix up to the last underscore that both names share is written once.
+                let shared = other.name.bytes().zip(point.name.bytes()).take_while(|(a, b)| a == b).count();
+                let start =
+                    point.name.bytes().take(shared).rposition(|byte| byte == b'_').map_or(0, |i| i + 1);
+                other.name += &format!(", {}", &point.name[start..]);
+            }
+            None => merged.push(point),
+        }
+    }
+    merged
+}
+
+/// Element of a named contact; `None` if its ends coincide and it has no direction.
+fn element(mechanism: &Mechanism, pose: &Pose, contact: &NamedContact) -> Option<DrawnElement> {
+    let other = pose.link(contact.against().unwrap_or(mechanism.root()));
+    let point = pose.link(contact.link()).point(contact.point());
+    let gap = Gap::new(pose, contact).map(|gap| gap.at(pose));
+    let (end, normal) = match contact.normal() {
+        ContactNormal::Fixed(direction) => {
+            let normal = other.vector(direction);
+            (point + normal * gap.unwrap_or_default(), normal)
+        }
+        ContactNormal::Toward(seat) => {
+            let seat = other.point(seat);
+            (seat, seat - point)
+        }
+        ContactNormal::Away(seat) => {
+            let seat = other.point(seat);
+            (seat, point - seat)
+        }
+    };
+    let normal = normal.try_normalize(0.0)?;
+    Some(DrawnElement {
+        name: contact.name().to_owned(),
+        kind: contact.kind(),
+        ends: [point.into(), end.into()],
+        normal: normal.into(),
+        gap,
+    })
 }
 
 /// Circle of a wheel, if the link has the name that the suspension importer gives to wheels. The circle lies
@@ -208,4 +317,23 @@ fn wheel(mechanism: &Mechanism, pose: &Pose, link: LinkId) -> Option<WheelCircle
     let radius = (spoke - axis * axis.dot(&spoke)).norm();
     let is_one = radius > 0.0 && radius.is_finite();
     is_one.then(|| WheelCircle { centre: at(link).into(), axis: axis.into(), radius: Some(radius) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_at_one_position_have_both_names() {
+        let point = |name: &str, x: f64| DrawnPoint { name: name.into(), at: [x, 0.0, 0.0] };
+        let all = [
+            point("rod_first_pin", 0.0),
+            point("é_a", 1.0),
+            point("rod_second_pin", 1e-15),
+            point("ü_a", 1.0),
+        ];
+        let merged = merge_points(all.into_iter(), 1e-9);
+        let names: Vec<&str> = merged.iter().map(|point| point.name.as_str()).collect();
+        assert_eq!(names, ["rod_first_pin, second_pin", "é_a, ü_a"]);
+    }
 }

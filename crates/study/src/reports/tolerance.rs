@@ -64,6 +64,18 @@ pub struct ToleranceReport {
     pub parts: ToleranceParts,
     /// Random samples, if requested.
     pub samples: Option<SampleRecord>,
+    /// First-order effect of each number at its limit, largest first; not part of the JSON.
+    #[serde(skip)]
+    pub effects: Vec<ToleranceEffect>,
+}
+
+/// First-order effect of one number at its limit on m̄.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ToleranceEffect {
+    /// The number, such as `mass of upright` or `lower_ball, z`.
+    pub number: String,
+    /// Change of m̄ if the number is at its upper limit, kg.
+    pub change: f64,
 }
 
 /// First-order variation of m̄ due to each kind of number, kg, as root sum square.
@@ -80,7 +92,7 @@ pub struct ToleranceParts {
 }
 
 /// m̄ of designs with random deviations, uniform between the limits.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SampleRecord {
     /// Number of samples with a finite m̄.
     pub count: usize,
@@ -100,6 +112,9 @@ pub struct SampleRecord {
     pub percentile_2_5: f64,
     /// 97.5th percentile, kg.
     pub percentile_97_5: f64,
+    /// All finite m̄ in ascending order, kg; not part of the JSON.
+    #[serde(skip)]
+    pub masses: Vec<f64>,
 }
 
 impl Tolerance {
@@ -160,13 +175,13 @@ pub fn tolerance_report(
     }
     let Some(explanation) = explain(model, question)? else { return Ok(None) };
     let rates = MassDeviations::from_explanation(model, question, &explanation, tolerance);
-    let root = |rates: &[f64]| rates.iter().map(|r| r * r).sum::<f64>().sqrt();
+    let root = |all: &[ToleranceEffect]| all.iter().map(|e| e.change * e.change).sum::<f64>().sqrt();
     let all = rates.concatenated();
     Ok(Some(ToleranceReport {
         effective_mass: explanation.effective_mass,
         tolerance,
         root_sum_square: root(&all),
-        worst_case: all.iter().map(|r| r.abs()).sum(),
+        worst_case: all.iter().map(|e| e.change.abs()).sum(),
         parts: ToleranceParts {
             mass: root(&rates.mass),
             com: root(&rates.com),
@@ -175,15 +190,23 @@ pub fn tolerance_report(
         },
         samples: sampling
             .and_then(|options| sample_masses(model, question, &explanation, tolerance, options)),
+        effects: largest_first(all),
     }))
 }
 
-/// Effect of each number at its limit on m̄, kg.
+/// Effects without zeros, sorted by magnitude.
+fn largest_first(mut effects: Vec<ToleranceEffect>) -> Vec<ToleranceEffect> {
+    effects.retain(|effect| effect.change != 0.0);
+    effects.sort_by(|a, b| b.change.abs().total_cmp(&a.change.abs()));
+    effects
+}
+
+/// Effect of each number at its limit on m̄, by kind of number.
 struct MassDeviations {
-    mass: Vec<f64>,
-    com: Vec<f64>,
-    armature: Vec<f64>,
-    point: Vec<f64>,
+    mass: Vec<ToleranceEffect>,
+    com: Vec<ToleranceEffect>,
+    armature: Vec<ToleranceEffect>,
+    point: Vec<ToleranceEffect>,
 }
 
 impl MassDeviations {
@@ -194,23 +217,44 @@ impl MassDeviations {
         explanation: &Explanation,
         tolerance: Tolerance,
     ) -> Self {
-        let coms = explanation.links.iter().filter_map(|link| link.per_metre_of_com).flatten();
+        let effect = |number: String, change: f64| ToleranceEffect { number, change };
+        let by_axis = |rates: [f64; 3]| ["x", "y", "z"].into_iter().zip(rates);
+        let masses = explanation.links.iter().map(|link| {
+            let change = link.per_kilogram * link.mass * tolerance.mass;
+            effect(format!("mass of {}", link.link), change)
+        });
+        let coms = explanation.links.iter().filter_map(|link| Some((link, link.per_metre_of_com?)));
+        let coms = coms.flat_map(|(link, rates)| {
+            let of_axis = |(axis, rate)| {
+                effect(format!("centre of mass of {}, {axis}", link.link), rate * tolerance.com)
+            };
+            by_axis(rates).map(of_axis).collect::<Vec<_>>()
+        });
         let rotors = explanation.rotors.iter().flat_map(|rotor| {
             let own = armature(model, question, &rotor.joint, rotor.per_armature.len());
-            own.into_iter().zip(rotor.per_armature.clone()).map(|(own, rate)| own * rate)
+            let changes = own.into_iter().zip(&rotor.per_armature);
+            changes
+                .map(|(own, rate)| {
+                    effect(format!("armature of {}", rotor.joint), own * rate * tolerance.armature)
+                })
+                .collect::<Vec<_>>()
         });
-        let points = explanation.points.iter().filter_map(|point| point.per_metre).flatten();
+        let points = explanation.points.iter().filter_map(|point| Some((point, point.per_metre?)));
+        let points = points.flat_map(|(point, rates)| {
+            let of_axis = |(axis, rate)| effect(format!("{}, {axis}", point.point), rate * tolerance.point);
+            by_axis(rates).map(of_axis).collect::<Vec<_>>()
+        });
         Self {
-            mass: explanation.links.iter().map(|l| l.per_kilogram * l.mass * tolerance.mass).collect(),
-            com: coms.map(|rate| rate * tolerance.com).collect(),
-            armature: rotors.map(|rate| rate * tolerance.armature).collect(),
-            point: points.map(|rate| rate * tolerance.point).collect(),
+            mass: masses.collect(),
+            com: coms.collect(),
+            armature: rotors.collect(),
+            point: points.collect(),
         }
     }
 
     /// All deviations in one list.
-    fn concatenated(&self) -> Vec<f64> {
-        [&self.mass, &self.com, &self.armature, &self.point].into_iter().flatten().copied().collect()
+    fn concatenated(&self) -> Vec<ToleranceEffect> {
+        [&self.mass, &self.com, &self.armature, &self.point].into_iter().flatten().cloned().collect()
     }
 }
 
@@ -287,6 +331,7 @@ fn sample_masses(
         greatest,
         percentile_2_5: at(0.025),
         percentile_97_5: at(0.975),
+        masses: found,
     })
 }
 

@@ -20,6 +20,7 @@ use crate::study_file::keys::{StudyKeys, UnknownKey};
 use crate::study_file::tables::damping::DampingTable;
 use crate::study_file::tables::map::StudyMap;
 use crate::study_file::tables::mass::StudyMass;
+use crate::study_file::tables::report::StudyReport;
 use crate::study_file::tables::safe_speed::StudySafeSpeed;
 use crate::study_file::tables::sweep::{StudyFigure, StudyTable};
 use crate::study_file::text::StudyText;
@@ -56,6 +57,8 @@ pub struct StudyFile {
     pub map: Option<StudyMap>,
     /// Safe speed, if requested.
     pub safe_speed: Option<StudySafeSpeed>,
+    /// Head of the report.
+    pub report: StudyReport,
     /// Folder of the study; paths in the study are relative to this folder.
     pub folder: PathBuf,
     /// Keys with their positions.
@@ -340,6 +343,7 @@ impl StudyReader<'_> {
             sweep,
             map,
             safe_speed,
+            report: study.report.clone(),
             folder: folder.to_owned(),
             keys: self.keys.clone(),
         })

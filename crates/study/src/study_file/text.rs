@@ -9,6 +9,7 @@ use crate::study_file::tables::damping::DampingTable;
 use crate::study_file::tables::map::MapTable;
 use crate::study_file::tables::mass::MassTable;
 use crate::study_file::tables::model::ModelTable;
+use crate::study_file::tables::report::StudyReport;
 use crate::study_file::tables::safe_speed::SafeSpeedTable;
 use crate::study_file::tables::sweep::SweepTable;
 use crate::study_file::variant::VariantText;
@@ -52,6 +53,9 @@ pub(crate) struct StudyText {
     pub map: Option<MapTable>,
     /// Safe speed of the contact if it may hit a person: percuss safe-speed.
     pub safe_speed: Option<SafeSpeedTable>,
+    /// The head of the report: percuss run STUDY.toml --report FILE.html.
+    #[serde(default)]
+    pub report: StudyReport,
 }
 
 impl StudyText {

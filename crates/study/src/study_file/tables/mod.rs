@@ -8,5 +8,6 @@ pub mod headings;
 pub(crate) mod map;
 pub(crate) mod mass;
 pub(crate) mod model;
+pub(crate) mod report;
 pub(crate) mod safe_speed;
 pub(crate) mod sweep;

@@ -1,0 +1,58 @@
+//! Report of a study: one HTML page, accompanied by the result as JSON and the sweep as CSV. The report of a study
+//! without a contact shows the mechanism, its contents, and the other questions of the study.
+
+mod answers;
+mod bands;
+mod contact;
+mod findings;
+mod mechanism;
+mod page;
+mod results;
+mod sensitivity;
+mod sweep;
+
+use crate::args::RunArgs;
+use crate::commands::mass::{MassRequests, headline};
+use crate::files::output::{check_writable, record_input, write_file};
+use crate::terminal::escape;
+use crate::terminal::failure::Failure;
+use crate::terminal::report::{write_diagnostics, write_out};
+use percuss_study::{RowSource, StudyFile, StudySweep};
+use results::StudyResults;
+use std::path::Path;
+
+/// Writes the report of a study.
+pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failure> {
+    let accompanying_file =
+        |ending: &str| Path::new(path).with_extension(ending).to_string_lossy().into_owned();
+    let is_html = Path::new(path).extension().is_some_and(|e| e.eq_ignore_ascii_case("html"));
+    if !is_html {
+        return Err(Failure::bad_input(format!("--report {path}: its name must end in .html")));
+    }
+    study.variants.iter().flat_map(|v| &v.model.inputs).for_each(|input| record_input(&input.path));
+    if let Some(StudySweep { rows: RowSource::File(file), .. }) = &study.sweep {
+        record_input(&file.path);
+    }
+    // The checks precede the computation.
+    let mut files = vec![path.to_owned(), accompanying_file("json")];
+    if study.sweep.is_some() {
+        files.push(accompanying_file("csv"));
+    }
+    files.iter().try_for_each(|file| check_writable(file))?;
+    let answers = StudyResults::from_study(study, args)?;
+    let inputs = answers.inputs();
+    inputs.iter().for_each(|input| record_input(&input.path));
+    let diagnostics = answers.diagnostics();
+    write_diagnostics(&diagnostics, args.strict)?;
+    let page = page::text(&answers, study, args, path, &inputs)?;
+    let json = answers.json()?;
+    write_file(&accompanying_file("json"), json.as_bytes())?;
+    if let Some(sweep) = &answers.sweep {
+        write_file(&accompanying_file("csv"), sweep.csv.as_bytes())?;
+    }
+    write_file(path, page.as_bytes())?;
+    let headline = answers.mass.as_ref().map(|mass| format!("{:<20} {}\n", "effective mass", headline(mass)));
+    let written = format!("{:<20} {}\n", "written", escape::line(&files.join(", ")));
+    write_out(&(headline.unwrap_or_default() + &written))?;
+    answers.mass.map_or(Ok(()), |mass| MassRequests::from_study(&study.mass).check_expected(&mass))
+}

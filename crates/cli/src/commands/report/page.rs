@@ -1,0 +1,132 @@
+//! Text of the report: head, result, sections.
+
+use super::results::{MapResult, StudyResults};
+use super::{answers, contact, mechanism, sensitivity};
+use crate::args::RunArgs;
+use crate::files::html::{Head, Page};
+use crate::terminal::failure::Failure;
+use crate::terminal::text::shell_quoted;
+use percuss_mechanism::Severity;
+use percuss_study::{DiagnosticRecord, Input, StudyFile};
+use std::path::Path;
+
+/// Text of the page of a study; `path` is the page's file.
+pub(super) fn text(
+    results: &StudyResults,
+    study: &StudyFile,
+    args: &RunArgs,
+    path: &str,
+    inputs: &[Input],
+) -> Result<String, Failure> {
+    let mut page = Page::new(&head(results, study, args));
+    if let Some(report) = &results.mass {
+        contact::add_result(report, &study.mass, &mut page);
+    }
+    mechanism::add_mechanism(results, &mut page);
+    if let Some(report) = &results.mass {
+        contact::add_conditions(report, &mut page);
+        contact::add_contributions(report, &mut page);
+        contact::add_estimate(report, &mut page);
+        contact::add_motion_ratios(report, &mut page);
+        sensitivity::add_sensitivities(report, &mut page);
+        sensitivity::add_tolerances(report, &mut page);
+    }
+    if let Some(contents) = &results.contents {
+        mechanism::add_model(contents, &mut page);
+    }
+    if let Some(sweep) = &results.sweep {
+        sweep.add_to(&mut page, &file_name(&Path::new(path).with_extension("csv").to_string_lossy()));
+    }
+    if let Some(compared) = &results.compared {
+        answers::add_variants(compared, study, &mut page);
+    }
+    let damper = results.mass.as_ref().and_then(|report| report.damper.as_ref()).or(results.stop.as_ref());
+    if let (Some(damper), Some(damping)) = (damper, &study.damping) {
+        answers::add_damper(damper, &damping.question, &mut page)?;
+    }
+    match &results.mapped {
+        None => {}
+        Some(MapResult::Surfaces(answer)) => answers::add_surface(answer, &mut page),
+        Some(MapResult::Directions(report)) => answers::add_directions(report, &mut page),
+    }
+    if let Some(reports) = &results.speeds {
+        answers::add_safe_speed(reports, &mut page);
+    }
+    add_basis(results, args, path, inputs, &mut page);
+    Ok(page.finish())
+}
+
+/// Title, object, author and date of a study, and the file.
+fn head(results: &StudyResults, study: &StudyFile, args: &RunArgs) -> Head {
+    let given = &study.report;
+    let default = || match &results.mass {
+        Some(report) => match &report.named_contact {
+            Some(contact) => format!("Effective mass at {}", contact.name),
+            None => format!("Effective mass at {}", report.contact.link),
+        },
+        None => format!("Model {}", study.model.mechanism.name()),
+    };
+    let is_given = |text: &&String| !text.trim().is_empty();
+    let by: Vec<&str> =
+        [&given.author, &given.date].into_iter().flatten().filter(is_given).map(String::as_str).collect();
+    Head {
+        title: given.title.as_ref().filter(is_given).cloned().unwrap_or_else(default),
+        lines: vec![
+            given.object.clone().unwrap_or_default(),
+            by.join(", "),
+            format!("Study {}, percuss {}", file_name(&args.study), env!("CARGO_PKG_VERSION")),
+        ],
+    }
+}
+
+/// Section of the inputs, with the findings about them, the command, and the limits of validity.
+fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input], page: &mut Page) {
+    page.section("Inputs and validity");
+    page.hashes(inputs.iter().map(|input| (file_name(&input.path), format!("SHA-256 {}", input.sha256))));
+    let diagnostics = results.diagnostics();
+    // Warnings about results are beside their number.
+    let of_variants = results.compared.iter().flat_map(|compared| &compared.diagnostics);
+    let of_variants: Vec<&DiagnosticRecord> =
+        of_variants.filter(|d| d.path.is_none() && d.severity == Severity::Note).collect();
+    let is_listed =
+        |d: &&DiagnosticRecord| d.path.is_some() || d.severity == Severity::Note && !of_variants.contains(d);
+    let listed: Vec<&DiagnosticRecord> = diagnostics.iter().filter(is_listed).collect();
+    if !listed.is_empty() {
+        page.heading("Notes, and findings about the files");
+        let mut rows = vec![["kind", "place", "finding"].map(str::to_owned)];
+        rows.extend(listed.into_iter().map(|finding| {
+            let file = finding.path.as_deref().map_or_else(|| "result".to_owned(), file_name);
+            let line = finding.line.map_or_else(String::new, |line| format!(":{line}"));
+            let element = finding.element.as_ref().map_or_else(String::new, |element| format!("{element}: "));
+            [finding.severity.name().to_owned(), file + &line, element + &finding.message]
+        }));
+        page.table(&rows);
+    }
+    if !of_variants.is_empty() {
+        page.paragraph(
+            "soft",
+            &format!("{} notes about the variants: percuss compare --notes.", of_variants.len()),
+        );
+    }
+    if diagnostics.is_empty() {
+        page.paragraph("soft", "No warnings and no notes.");
+    }
+    page.heading("Command");
+    page.paragraph("soft", "In the folder of the study, this command makes the report again:");
+    page.code(&format!(
+        "percuss run {} --report {}",
+        shell_quoted(&file_name(&args.study)),
+        shell_quoted(&file_name(path))
+    ));
+    page.heading("Validity");
+    page.paragraph(
+        "",
+        "Not included: friction, compliance of the links, several impacts at once. Gravity, springs, dampers and \
+         speed have no effect: a finite force does no work in an instantaneous impact.",
+    );
+}
+
+/// File name without its folder.
+fn file_name(path: &str) -> String {
+    Path::new(path).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
+}

@@ -1,0 +1,134 @@
+//! Results of all questions of a study.
+
+use super::sweep::{SweepSection, run_sweep};
+use crate::args::RunArgs;
+use crate::commands::compare;
+use crate::commands::damp;
+use crate::commands::mass::MassRequests;
+use crate::commands::safe_speed;
+use crate::terminal::failure::Failure;
+use percuss_study::{
+    CheckReport, ComparisonReport, DampingReport, DiagnosticRecord, DrawnMechanism, Input, MapAnswer,
+    MassReport, Names, PointMapReport, SafeSpeedReport, StudyFile, StudyMapQuestion, check as check_of,
+    draw_mechanism, map as map_of, map_point, mass_with_drawing,
+};
+
+/// Result of a map.
+pub(super) enum MapResult {
+    Surfaces(Box<MapAnswer>),
+    Directions(Box<PointMapReport>),
+}
+
+/// Results of all questions of a study.
+pub(super) struct StudyResults {
+    pub mass: Option<MassReport>,
+    pub mechanism: DrawnMechanism,
+    /// Contents of the model; only for a study without a contact.
+    pub contents: Option<CheckReport>,
+    /// Damper of a joint stop.
+    pub stop: Option<DampingReport>,
+    pub sweep: Option<SweepSection>,
+    pub compared: Option<ComparisonReport>,
+    pub mapped: Option<MapResult>,
+    pub speeds: Option<Vec<SafeSpeedReport>>,
+}
+
+impl StudyResults {
+    /// Computes the results of all questions of a study.
+    pub fn from_study(study: &StudyFile, args: &RunArgs) -> Result<Self, Failure> {
+        let damping = study.damping.as_ref();
+        let (mass, mechanism, contents) = match &study.question {
+            Some(question) => {
+                let damping = damping.map(|damping| &damping.question);
+                let (mut mass, mechanism) = mass_with_drawing(&study.model, question, damping)?;
+                MassRequests::from_study(&study.mass).add_to(&mut mass, &study.model, question)?;
+                (Some(mass), mechanism, None)
+            }
+            None => (None, draw_mechanism(&study.model, &study.conditions)?, Some(check_of(&study.model)?)),
+        };
+        let stop = damping.filter(|damping| damping.stop.is_some());
+        let stop = stop.map(|damping| damp::study_report(study, damping)).transpose()?;
+        let compared = if study.variants.is_empty() {
+            None
+        } else {
+            let compared = percuss_study::compare(&study.designs(&compare::study_name(&args.study)));
+            Some(compared.map_err(|error| compare::failure(&error, Names::Keys))?)
+        };
+        let mapped = match study.map.as_ref().map(|map| &map.question) {
+            None => None,
+            Some(StudyMapQuestion::Surfaces(requested)) => {
+                Some(MapResult::Surfaces(Box::new(map_of(&study.model, requested)?)))
+            }
+            Some(StudyMapQuestion::Directions(requested, count)) => {
+                Some(MapResult::Directions(Box::new(map_point(&study.model, requested, *count)?)))
+            }
+        };
+        let speeds =
+            study.safe_speed.as_ref().map(|requested| requested.reports(&study.model)).transpose()?;
+        let sweep = study.sweep.as_ref().map(|requested| run_sweep(study, requested)).transpose()?;
+        Ok(Self { mass, mechanism, contents, stop, sweep, compared, mapped, speeds })
+    }
+
+    /// Input files of all results, without duplicates.
+    pub fn inputs(&self) -> Vec<Input> {
+        let sweep = self.sweep.iter().flat_map(|sweep| &sweep.inputs);
+        let compared = self.compared.iter().flat_map(|c| c.designs.iter().flat_map(|design| &design.inputs));
+        let mapped = self.mapped.iter().flat_map(|mapped| match mapped {
+            MapResult::Surfaces(answer) => &answer.report.inputs,
+            MapResult::Directions(report) => &report.inputs,
+        });
+        let speeds = self.speeds.iter().flatten().flat_map(|report| &report.inputs);
+        let own = self.mass.iter().flat_map(|mass| &mass.inputs);
+        let own = own.chain(self.contents.iter().flat_map(|contents| &contents.inputs));
+        let own = own.chain(self.stop.iter().flat_map(|stop| &stop.inputs));
+        let all = own.chain(&self.mechanism.meshes).chain(sweep).chain(compared);
+        let mut each: Vec<Input> = Vec::new();
+        for input in all.chain(mapped).chain(speeds) {
+            if !each.contains(input) {
+                each.push(input.clone());
+            }
+        }
+        each
+    }
+
+    /// Diagnostics of all results, without duplicates.
+    pub fn diagnostics(&self) -> Vec<DiagnosticRecord> {
+        let sweep = self.sweep.iter().flat_map(|sweep| &sweep.end.diagnostics);
+        let compared = self.compared.iter().flat_map(|compared| &compared.diagnostics);
+        let mapped = self.mapped.iter().flat_map(|mapped| match mapped {
+            MapResult::Surfaces(answer) => &answer.report.diagnostics,
+            MapResult::Directions(report) => &report.diagnostics,
+        });
+        let speeds = self.speeds.iter().flatten().flat_map(|report| &report.diagnostics);
+        let own = self.mass.iter().flat_map(|mass| &mass.diagnostics);
+        let own = own.chain(self.contents.iter().flat_map(|contents| &contents.diagnostics));
+        let own = own.chain(self.stop.iter().flat_map(|stop| &stop.diagnostics));
+        let all = own.chain(&self.mechanism.diagnostics).chain(sweep);
+        let mut each: Vec<DiagnosticRecord> = Vec::new();
+        for record in all.chain(compared).chain(mapped).chain(speeds) {
+            if !each.contains(record) {
+                each.push(record.clone());
+            }
+        }
+        each
+    }
+
+    /// JSON of the accompanying file, as with --format json: the result of the contact, otherwise of the stop, map or
+    /// safe speed.
+    pub fn json(&self) -> Result<String, Failure> {
+        let text = match (&self.mass, &self.stop, &self.mapped, &self.speeds) {
+            (Some(mass), ..) => serde_json::to_string_pretty(mass),
+            (None, Some(stop), ..) => serde_json::to_string_pretty(stop),
+            (None, None, Some(MapResult::Surfaces(answer)), _) => {
+                serde_json::to_string_pretty(&answer.report)
+            }
+            (None, None, Some(MapResult::Directions(report)), _) => serde_json::to_string_pretty(report),
+            (None, None, None, Some(reports)) if reports.len() > 1 => serde_json::to_string_pretty(reports),
+            (None, None, None, Some(reports)) => serde_json::to_string_pretty(safe_speed::slowest(reports)),
+            // The parser of studies refuses a study without any question.
+            (None, None, None, None) => serde_json::to_string_pretty(&self.contents),
+        };
+        let text = text.map_err(|error| Failure::NoAnswer(format!("the result has no JSON form: {error}")));
+        text.map(|text| text + "\n")
+    }
+}

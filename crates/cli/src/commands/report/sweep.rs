@@ -1,0 +1,139 @@
+//! Sweep of a study: table, figure and values of some rows.
+
+use super::bands::tolerance_bars;
+use super::findings::add_warnings;
+use crate::files::csv::SweepTable;
+use crate::files::html::Page;
+use crate::files::table_style::TableStyle;
+use crate::pictures::clipping::clip_outliers;
+use crate::pictures::sweep_figure::{axis_unit, sweep_figure};
+use crate::terminal::failure::Failure;
+use crate::terminal::limits;
+use crate::terminal::text::{number, short_number};
+use indicatif::ProgressBar;
+use percuss_study::{Input, StudyFile, StudySweep, Sweep, SweepEnd};
+use std::ops::ControlFlow;
+use std::path::Path;
+
+/// Result of a sweep: table, end, and picture if possible.
+pub(super) struct SweepSection {
+    pub csv: String,
+    pub end: SweepEnd,
+    pub inputs: Vec<Input>,
+    /// Figure and caption, or the reason for no figure.
+    picture: Result<(String, String), &'static str>,
+    least: Option<f64>,
+    greatest: Option<f64>,
+    /// Name of the varied number with its unit, and rows of the table on the page; empty for several varied numbers.
+    column: String,
+    rows: Vec<[String; 3]>,
+}
+
+/// Runs the sweep of a study: its table, its end, and its picture.
+pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<SweepSection, Failure> {
+    let question = &study.question_of_rows(study.question.as_ref().unwrap_or(&study.conditions));
+    let sweep = Sweep::new(&study.model, question, &requested.rows)?;
+    let table =
+        SweepTable::new(sweep.heading(), &study.model.mechanism, TableStyle::from_study(&requested.table));
+    let inputs = sweep.heading().inputs.clone();
+    let varied = match &sweep.heading().varied[..] {
+        [varied] => Some((varied.name.clone(), axis_unit(varied))),
+        _ => None,
+    };
+    let mut csv = table.header().to_owned();
+    let (mut least, mut greatest) = (None::<f64>, None::<f64>);
+    let mut rows: Vec<[String; 3]> = Vec::new();
+    let mut values = Vec::new();
+    let end = sweep.run(&mut |row| {
+        csv += &table.row(&row);
+        if let Some(m) = row.effective_mass {
+            least = Some(least.map_or(m, |l| l.min(m)));
+            greatest = Some(greatest.map_or(m, |g| g.max(m)));
+        }
+        if let Some((_, (scale, _))) = &varied
+            && rows.len() < limits::ROWS_KEPT
+        {
+            let value = row.varied.values().first().copied().unwrap_or_default();
+            values.push(value);
+            let at = scale * value;
+            let mass = row.effective_mass.map_or_else(|| row.status.to_owned(), short_number);
+            rows.push([
+                short_number(at),
+                mass,
+                row.motion_ratio.map_or_else(|| "–".to_owned(), short_number),
+            ]);
+        }
+        ControlFlow::Continue(())
+    })?;
+    let again = Sweep::new(&study.model, question, &requested.rows)?;
+    let picture = match sweep_figure(again, question, &requested.figure, &ProgressBar::hidden()) {
+        Ok((mut figure, _)) => {
+            // A report shows no path of the machine.
+            let model = Path::new(&figure.subtitle).file_name();
+            figure.subtitle = model.map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+            let mut caption = clip_outliers(&mut figure);
+            let scale = varied.as_ref().map_or(1.0, |(_, (scale, _))| *scale);
+            let bars = tolerance_bars(study, &requested.rows, &values, scale)?;
+            if let (Some(bars), Some(panel)) = (bars, figure.panels.first_mut()) {
+                panel.series.push(bars);
+                caption += " The bars are the first-order effect of the tolerances.";
+            }
+            Ok((figure.to_svg(), caption))
+        }
+        // The picture cannot show this sweep; the table contains it.
+        Err(_) => Err(
+            "No picture: a picture shows one range, or one curve for each value of the first of two ranges.",
+        ),
+    };
+    let column = varied.map_or_else(String::new, |(name, (_, unit))| match unit {
+        "" => name,
+        unit => format!("{name} ({unit})"),
+    });
+    Ok(SweepSection { csv, end, inputs, picture, least, greatest, column, rows })
+}
+
+impl SweepSection {
+    /// Adds the section of the sweep; `table` is the name of the CSV file.
+    pub fn add_to(&self, page: &mut Page, table: &str) {
+        page.section("The sweep");
+        match &self.picture {
+            Ok((svg, clipped)) => page.picture(svg, "Effective mass over the varied quantity", clipped),
+            Err(why) => page.paragraph("soft", why),
+        }
+        add_warnings(&self.end.diagnostics, page);
+        if let Some(error) = self.end.first_error.as_ref().filter(|_| self.end.rows_without_result > 0) {
+            page.warning(&format!(
+                "{} rows have no result; the first: {error}",
+                self.end.rows_without_result
+            ));
+        }
+        let mass = |m: Option<f64>| m.map_or("–".to_owned(), |m| format!("{} kg", number(m)));
+        page.facts([
+            ("rows", format!("{}, {} without a result", self.end.rows, self.end.rows_without_result)),
+            ("smallest", mass(self.least)),
+            ("largest", mass(self.greatest)),
+            ("all rows", table.to_owned()),
+        ]);
+        self.add_rows(page);
+    }
+
+    /// Table of evenly distributed rows, with the first and the last. A sweep of more rows than are kept has none.
+    fn add_rows(&self, page: &mut Page) {
+        if self.rows.is_empty() || self.end.rows > self.rows.len() {
+            return;
+        }
+        let last = self.rows.len() - 1;
+        let steps = last.min(limits::SWEEP_ROWS_SHOWN - 1).max(1);
+        let has_ratio = self.rows.iter().any(|row| row[2] != "–");
+        let chosen = (0..=steps.min(last)).map(|i| &self.rows[(i * last + steps / 2) / steps]);
+        if has_ratio {
+            let mut rows = vec![[self.column.as_str(), "m̄ (kg)", "motion ratio"].map(str::to_owned)];
+            rows.extend(chosen.cloned());
+            page.table(&rows);
+        } else {
+            let mut rows = vec![[self.column.as_str(), "m̄ (kg)"].map(str::to_owned)];
+            rows.extend(chosen.map(|[at, mass, _]| [at.clone(), mass.clone()]));
+            page.table(&rows);
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! Ends of the axes of curves that grow without bound near an immovable pose or a limit of the travel.
+
+use crate::terminal::limits;
+use crate::terminal::text::short_number;
+use percuss_render::Figure;
+
+/// Ends each axis without given limits before a few values that would take most of it. Returns the caption: the end of the
+/// axis, and the number and the extreme of the values beyond; empty if nothing is clipped.
+pub fn clip_outliers(figure: &mut Figure) -> String {
+    let mut captions = Vec::new();
+    for panel in figure.panels.iter_mut().filter(|panel| panel.y_limits.is_none()) {
+        let points = panel.series.iter().flat_map(|series| &series.points);
+        let drawn: Vec<(f64, f64)> =
+            points.filter_map(|&(x, y)| Some((x, y?))).filter(|(_, y)| y.is_finite()).collect();
+        let mut values: Vec<f64> = drawn.iter().map(|(_, y)| *y).collect();
+        if values.len() < limits::LEAST_CLIPPED {
+            continue;
+        }
+        values.sort_by(f64::total_cmp);
+        let last = values.len() - 1;
+        let at = |part: f64| values[(part * last as f64).round() as usize];
+        let (low, high) = (at(limits::OUTLIERS), at(1.0 - limits::OUTLIERS));
+        let spread = high - low;
+        let (least, greatest) = (values[0], values[last]);
+        if spread <= 0.0 || !spread.is_finite() {
+            continue;
+        }
+        let beyond = limits::OUTLIER_DISTANCE * spread;
+        let top = if greatest - high > beyond { high + spread } else { greatest };
+        let bottom = if low - least > beyond { low - spread } else { least };
+        let name = panel.y_label.clone();
+        let mut describe = |end: f64, is_beyond: &dyn Fn(f64) -> bool, extreme: f64, sense: &str| {
+            let count = values.iter().filter(|value| is_beyond(**value)).count();
+            let place = drawn.iter().find(|(_, y)| *y == extreme).map_or(0.0, |(x, _)| *x);
+            captions.push(format!(
+                "{name}: the axis ends at {}; {count} of {} values are {sense}, the extreme {} at {} {}.",
+                short_number(end),
+                values.len(),
+                short_number(extreme),
+                figure.x_label,
+                short_number(place)
+            ));
+        };
+        if top < greatest {
+            describe(top, &|value| value > top, greatest, "larger");
+        }
+        if bottom > least {
+            describe(bottom, &|value| value < bottom, least, "smaller");
+        }
+        if top < greatest || bottom > least {
+            let margin = 0.04 * (top - bottom);
+            let low_end = if bottom > least { bottom } else { bottom - margin };
+            panel.y_limits = Some((low_end, if top < greatest { top } else { top + margin }));
+        }
+    }
+    captions.join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use percuss_render::{Panel, Series};
+
+    fn figure(of: impl Fn(f64) -> f64) -> Figure {
+        let points = (0..50).map(|i| 0.02 * f64::from(i)).map(|x| (x, Some(of(x)))).collect();
+        let series = vec![Series { points, ..Series::default() }];
+        let panel = Panel { y_label: "m̄ (kg)".into(), series, ..Panel::default() };
+        Figure { x_label: "angle".into(), panels: vec![panel], ..Figure::default() }
+    }
+
+    #[test]
+    fn a_pole_is_clipped_and_a_smooth_curve_is_not() {
+        let mut pole = figure(|x| 1.0 / (0.981 - x).powi(2));
+        let caption = clip_outliers(&mut pole);
+        let (low, high) = pole.panels[0].y_limits.expect("clipped");
+        assert!(low < 1.1 && high < 1e3, "{low} {high}");
+        assert!(
+            caption.starts_with("m̄ (kg): the axis ends at") && caption.contains("at angle 0.98"),
+            "{caption}"
+        );
+        let mut smooth = figure(|x| 3.0 + (5.0 * x).sin());
+        assert_eq!(clip_outliers(&mut smooth), "");
+        assert_eq!(smooth.panels[0].y_limits, None);
+        let mut constant = figure(|_| 2.0);
+        assert_eq!(clip_outliers(&mut constant), "");
+    }
+}

@@ -1,0 +1,174 @@
+//! Items of a view: facets, lines, circles, arrows and labelled points.
+
+use super::layout::View;
+use super::symbols::draw_symbol;
+use super::vectors::{cross, difference, dot, length};
+use super::{Drawing, DrawnCircle, DrawnLine};
+use crate::palette::{Colour, INK, PAPER, SOFT_INK};
+use crate::raster::Raster;
+use crate::scene::{Item, Point, Scene, solid};
+use crate::text::{fit_to_width, medium, width};
+
+/// Segments per circle.
+const SEGMENTS: usize = 64;
+/// Colours of shading values 0 and 1.
+const SHADING_LOW: Colour = Colour(186, 193, 203);
+const SHADING_HIGH: Colour = Colour(213, 94, 0);
+/// Raster pixels per page unit.
+const PIXELS_PER_UNIT: f64 = 2.0;
+/// Weight of the shading colour on facets. The rest is paper colour, so that lines on top stay visible.
+const SHADING_WEIGHT: f64 = 0.42;
+const BLUE: Colour = Colour(0, 114, 178);
+/// Contact and its normal.
+const CONTACT: Colour = Colour(186, 0, 70);
+
+impl Drawing {
+    /// Rasterises the facets into the rectangle of a view.
+    pub(super) fn draw_facets(
+        &self,
+        scene: &mut Scene,
+        view: &View,
+        to_page: &dyn Fn(&[f64; 3]) -> Point,
+        units_per_metre: f64,
+        (corner, size): (Point, (f64, f64)),
+    ) {
+        if self.facets.is_empty() {
+            return;
+        }
+        let mut raster = Raster::new(
+            (PIXELS_PER_UNIT * size.0).ceil() as usize,
+            (PIXELS_PER_UNIT * size.1).ceil() as usize,
+        );
+        let eye = cross(&view.right, &view.up);
+        for facet in &self.facets {
+            let [a, b, c] = &facet.corners;
+            let normal = cross(&difference(b, a), &difference(c, a));
+            let facing = (dot(&normal, &eye) / length(&normal).max(f64::MIN_POSITIVE)).abs();
+            // Facets inclined to the view are darker, to show the shape.
+            let light = 0.82 + 0.18 * facing;
+            let colour = shading_colour(facet.intensity.unwrap_or(0.0));
+            let tint = |c: u8, paper: u8| {
+                (light * (SHADING_WEIGHT * f64::from(c) + (1.0 - SHADING_WEIGHT) * f64::from(paper))).round()
+                    as u8
+            };
+            let colour = Colour(tint(colour.0, PAPER.0), tint(colour.1, PAPER.1), tint(colour.2, PAPER.2));
+            let points = facet.corners.map(|p| {
+                let (x, y) = to_page(&p);
+                [
+                    PIXELS_PER_UNIT * (x - corner.0),
+                    PIXELS_PER_UNIT * (y - corner.1),
+                    PIXELS_PER_UNIT * units_per_metre * dot(&eye, &p),
+                ]
+            });
+            raster.triangle(&points, colour);
+        }
+        let size = (raster.columns as f64 / PIXELS_PER_UNIT, raster.rows as f64 / PIXELS_PER_UNIT);
+        let (columns, pixels) = (raster.columns, raster.pixels);
+        scene.items.push(Item::Image { at: corner, size, pixels, columns });
+    }
+
+    /// Draws circles, lines, arrows and labelled points in a view; `sides` are its left and right edges, for the
+    /// labels.
+    pub(super) fn draw_items(
+        &self,
+        scene: &mut Scene,
+        to_page: &dyn Fn(&[f64; 3]) -> Point,
+        units_per_metre: f64,
+        sides: (f64, f64),
+    ) {
+        for circle in &self.circles {
+            scene.lines(vec![circle_polyline(circle).iter().map(to_page).collect()], solid(SOFT_INK, 1.2));
+            scene.dots(vec![to_page(&circle.centre)], 2.0, SOFT_INK);
+        }
+        for symbol in &self.symbols {
+            draw_symbol(scene, symbol, to_page);
+        }
+        // Draw lines with the largest shading value last, on top.
+        let mut lines: Vec<&DrawnLine> = self.lines.iter().collect();
+        lines.sort_by(|a, b| a.intensity.unwrap_or(-1.0).total_cmp(&b.intensity.unwrap_or(-1.0)));
+        for line in lines {
+            let (colour, thick) =
+                line.intensity.map_or((INK, 1.6), |intensity| (shading_colour(intensity), 3.0));
+            let ends = line.ends.map(|end| to_page(&end));
+            scene.lines(vec![ends.to_vec()], solid(colour, thick));
+            scene.dots(ends.to_vec(), 0.5 * thick + 0.8, colour);
+        }
+        let longest = self.arrows.iter().map(|arrow| length(&arrow.vector)).fold(0.0, f64::max);
+        for arrow in &self.arrows {
+            let own = length(&arrow.vector);
+            if !(own > 0.0 && own.is_finite()) {
+                continue;
+            }
+            let strong = !arrow.label.is_empty();
+            let of_longest = if strong { 1.0 } else { own / longest };
+            let reach = of_longest * 54.0 / own / units_per_metre;
+            let tip: [f64; 3] = std::array::from_fn(|k| arrow.from[k] + reach * arrow.vector[k]);
+            let (from, to) = (to_page(&arrow.from), to_page(&tip));
+            let (colour, thick) = if strong { (CONTACT, 2.2) } else { (BLUE, 1.2) };
+            scene.lines(vec![vec![from, to]], solid(colour, thick));
+            draw_arrow_head(scene, from, to, colour);
+            if strong {
+                draw_label(scene, &arrow.label, to, sides, colour);
+            }
+        }
+        for mark in &self.marks {
+            let at = to_page(&mark.at);
+            scene.dots(vec![at], 4.5, CONTACT);
+            draw_label(scene, &mark.label, at, sides, INK);
+        }
+    }
+}
+
+/// Colour of a shading value from 0 to 1.
+pub(super) fn shading_colour(intensity: f64) -> Colour {
+    let intensity = intensity.clamp(0.0, 1.0).sqrt();
+    let mix = |a: u8, b: u8| (f64::from(a) + intensity * (f64::from(b) - f64::from(a))).round() as u8;
+    Colour(
+        mix(SHADING_LOW.0, SHADING_HIGH.0),
+        mix(SHADING_LOW.1, SHADING_HIGH.1),
+        mix(SHADING_LOW.2, SHADING_HIGH.2),
+    )
+}
+
+/// Draws an arrow head, unless the arrow points nearly along the line of sight.
+fn draw_arrow_head(scene: &mut Scene, from: Point, to: Point, colour: Colour) {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let long = dx.hypot(dy);
+    if long < 4.0 {
+        return;
+    }
+    let (ux, uy) = (dx / long, dy / long);
+    let wing = |side: f64| (to.0 - 7.0 * ux + 3.5 * side * uy, to.1 - 7.0 * uy - 3.5 * side * ux);
+    scene.lines(vec![vec![wing(1.0), to, wing(-1.0)]], solid(colour, 1.6));
+}
+
+/// Draws a label above its point, kept inside the view.
+fn draw_label(scene: &mut Scene, label: &str, at: Point, (left, right): (f64, f64), colour: Colour) {
+    let font = medium(12.0);
+    let label = fit_to_width(label, font, right - left - 8.0);
+    let half = 0.5 * width(&label, font) + 4.0;
+    let x = at.0.clamp(left + half, (right - half).max(left + half));
+    scene.text_on_paper(label, (x, at.1 - 9.0), font, colour);
+}
+
+/// Circle as a closed polyline.
+pub(super) fn circle_polyline(circle: &DrawnCircle) -> Vec<[f64; 3]> {
+    let axis = circle.axis;
+    // Coordinate axis with the largest angle to the circle's axis.
+    let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
+    let mut first = [0.0; 3];
+    first[least] = 1.0;
+    let along = dot(&first, &axis);
+    let first: [f64; 3] = std::array::from_fn(|k| first[k] - along * axis[k]);
+    let size = length(&first).max(f64::MIN_POSITIVE);
+    let first = first.map(|x| x / size);
+    let second: [f64; 3] = std::array::from_fn(|k| {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        axis[i] * first[j] - axis[j] * first[i]
+    });
+    let at = |i: usize| {
+        let (s, c) = (std::f64::consts::TAU * i as f64 / SEGMENTS as f64).sin_cos();
+        std::array::from_fn(|k| circle.centre[k] + circle.radius * (c * first[k] + s * second[k]))
+    };
+    (0..=SEGMENTS).map(at).collect()
+}

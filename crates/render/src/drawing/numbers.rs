@@ -1,0 +1,90 @@
+//! Numbers of the named points in a view, placed beside their points without overlap if possible.
+
+use super::Drawing;
+use crate::font::Font;
+use crate::palette::{INK, SOFT_INK};
+use crate::scene::{Point, Scene, solid};
+use crate::text::{medium, width};
+
+const FONT: Font = medium(11.0);
+/// Distances of a number from its point, page units, and directions tried.
+const DISTANCES: [f64; 3] = [13.0, 22.0, 33.0];
+const DIRECTIONS: usize = 12;
+/// Distance from which a leader connects the number to its point.
+const LEADER: f64 = 16.0;
+/// Costs of a position: overlap with a number, with a point, leaving the view, and each crossed line.
+const OVERLAP: f64 = 50.0;
+const ON_POINT: f64 = 12.0;
+const OUTSIDE: f64 = 1000.0;
+const ON_LINE: f64 = 2.0;
+
+/// Axis-parallel rectangle: smallest and largest corner.
+type Rectangle = (Point, Point);
+
+/// True if the rectangles overlap.
+fn overlap(a: &Rectangle, b: &Rectangle) -> bool {
+    a.0.0 < b.1.0 && b.0.0 < a.1.0 && a.0.1 < b.1.1 && b.0.1 < a.1.1
+}
+
+/// True if the point is in the rectangle.
+fn contains(rectangle: &Rectangle, p: &Point) -> bool {
+    (rectangle.0.0..=rectangle.1.0).contains(&p.0) && (rectangle.0.1..=rectangle.1.1).contains(&p.1)
+}
+
+/// True if a sampled point of the segment is in the rectangle.
+fn crosses(rectangle: &Rectangle, [a, b]: &[Point; 2]) -> bool {
+    let samples = (((b.0 - a.0).hypot(b.1 - a.1) / 5.0).ceil()).clamp(1.0, 200.0);
+    (0..=samples as usize).any(|i| {
+        let t = i as f64 / samples;
+        contains(rectangle, &(a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)))
+    })
+}
+
+/// Rectangle of a number with its centre at a point.
+fn rectangle(number: &str, at: Point) -> Rectangle {
+    let (half, up) = (0.5 * width(number, FONT) + 2.5, 0.5 * FONT.size + 0.5);
+    ((at.0 - half, at.1 - up), (at.0 + half, at.1 + up))
+}
+
+/// Draws a dot, a number and if necessary a leader for each named point.
+pub(super) fn draw_numbers(
+    scene: &mut Scene,
+    drawing: &Drawing,
+    to_page: &dyn Fn(&[f64; 3]) -> Point,
+    frame: Rectangle,
+) {
+    let points: Vec<Point> = drawing.points.iter().map(|point| to_page(&point.at)).collect();
+    let lines: Vec<[Point; 2]> =
+        drawing.lines.iter().map(|line| line.ends.map(|end| to_page(&end))).collect();
+    let marks: Vec<Point> = drawing.marks.iter().map(|mark| to_page(&mark.at)).collect();
+    let is_drawable = |p: &Point| contains(&frame, p);
+    let mut taken: Vec<Rectangle> = Vec::new();
+    for (i, at) in points.iter().enumerate().filter(|(_, at)| is_drawable(at)) {
+        let number = (i + 1).to_string();
+        let cost = |place: &(Point, f64)| {
+            let rectangle = rectangle(&number, place.0);
+            let outside = !contains(&frame, &rectangle.0) || !contains(&frame, &rectangle.1);
+            let on_points = points.iter().chain(&marks).filter(|p| contains(&rectangle, p)).count();
+            let on_lines = lines.iter().filter(|line| crosses(&rectangle, line)).count();
+            let overlaps = taken.iter().filter(|other| overlap(&rectangle, other)).count();
+            place.1 / 10.0
+                + OVERLAP * overlaps as f64
+                + ON_POINT * on_points as f64
+                + ON_LINE * on_lines as f64
+                + if outside { OUTSIDE } else { 0.0 }
+        };
+        let places = DISTANCES.into_iter().flat_map(|distance| {
+            (0..DIRECTIONS).map(move |k| {
+                let (s, c) = (std::f64::consts::TAU * (k as f64 + 0.5) / DIRECTIONS as f64).sin_cos();
+                ((at.0 + distance * c, at.1 - distance * s), distance)
+            })
+        });
+        let Some((place, distance)) = places.min_by(|a, b| cost(a).total_cmp(&cost(b))) else { continue };
+        if distance > LEADER {
+            scene.lines(vec![vec![*at, place]], solid(SOFT_INK, 0.7));
+        }
+        taken.push(rectangle(&number, place));
+        scene.dots(vec![*at], 2.4, INK);
+        scene.text_on_paper(number, (place.0, place.1 + 0.36 * FONT.size), FONT, INK);
+    }
+}
