@@ -85,7 +85,7 @@ fn spring(from: Point, along: Point, length: f64) -> Vec<Vec<Point>> {
     let (start, end) = (0.14 * length, 0.86 * length);
     let step = (end - start) / HALF_TURNS as f64;
     let turn = |i: usize| {
-        let side = if i % 2 == 0 { 1.0 } else { -1.0 };
+        let side = if i.is_multiple_of(2) { 1.0 } else { -1.0 };
         at(from, along, start + step * (i as f64 + 0.5), side * HALF_WIDTH)
     };
     let mut chain = vec![from, at(from, along, start, 0.0)];

@@ -28,7 +28,7 @@ pub(super) fn tolerance_bars(
     let steps = last.min(limits::TOLERANCE_BARS - 1);
     let mut points = Vec::new();
     for i in 0..=steps {
-        let value = values[if steps == 0 { 0 } else { i * last / steps }];
+        let value = values[i * last / steps.max(1)];
         let Some(at_row) = question_at(question, &study.model, &range.quantity, value) else {
             return Ok(None);
         };

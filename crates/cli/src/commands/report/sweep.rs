@@ -123,7 +123,7 @@ impl SweepSection {
             return;
         }
         let last = self.rows.len() - 1;
-        let steps = last.min(limits::SWEEP_ROWS_SHOWN - 1).max(1);
+        let steps = last.clamp(1, limits::SWEEP_ROWS_SHOWN - 1);
         let has_ratio = self.rows.iter().any(|row| row[2] != "–");
         let chosen = (0..=steps.min(last)).map(|i| &self.rows[(i * last + steps / 2) / steps]);
         if has_ratio {
