@@ -69,7 +69,7 @@ fn entries(schema: &Value) -> Option<&Map<String, Value>> {
 fn meaning(schema: &Value) -> String {
     let words = schema.get("description").and_then(Value::as_str).unwrap_or_default();
     let one_line = words.split_whitespace().collect::<Vec<_>>().join(" ");
-    one_line.replace('|', "\\|").replace('<', "\\<")
+    one_line.replace('|', "\\|")
 }
 
 /// Kind of a value: the possible words, or its type.

@@ -70,7 +70,7 @@ impl From<BaseName> for Base {
 pub struct ContactTable {
     /// Named contact of the model, such as bump_stop; a stop is brought to the touch. mass --at all: a table.
     ///
-    /// Suspension sheets name their stops, spring and damper seats and contact patches; a URDF does so by <contact>. The
+    /// Suspension sheets name their stops, spring and damper seats and contact patches; a URDF does so by `<contact>`. The
     /// mechanism moves until the gap of a stop is closed, unless a travel or a file gives the pose. On a vehicle with
     /// both sides, both stops touch.
     #[cfg_attr(

@@ -150,8 +150,8 @@ pub struct SweepTable {
     pub vary: Vec<Vary>,
     /// Positions from a file, row by row.
     ///
-    /// The rows are followed as a path. Each joint has a column (JOINT[0], JOINT[1], … if the joint has several
-    /// numbers). A unit other than SI follows the name: "elbow [deg]". - reads the standard input.
+    /// The rows are followed as a path. Each joint has a column (`JOINT[0]`, `JOINT[1]`, … if the joint has several
+    /// numbers). A unit other than SI follows the name: `elbow [deg]`. - reads the standard input.
     #[cfg_attr(
         feature = "flags",
         arg(
