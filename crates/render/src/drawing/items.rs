@@ -1,9 +1,8 @@
 //! Items of a view: facets, lines, circles, arrows and labelled points.
 
-use super::layout::View;
+use super::shapes::{Drawing, DrawnCircle, DrawnLine};
 use super::symbols::draw_symbol;
 use super::vectors::{cross, difference, dot, length};
-use super::{Drawing, DrawnCircle, DrawnLine};
 use crate::palette::{Colour, INK, PAPER, SOFT_INK};
 use crate::raster::Raster;
 use crate::scene::{Item, Point, Scene, solid};
@@ -21,6 +20,13 @@ const SHADING_WEIGHT: f64 = 0.42;
 const BLUE: Colour = Colour(0, 114, 178);
 /// Contact and its normal.
 const CONTACT: Colour = Colour(186, 0, 70);
+
+/// Viewing direction: axes of the page in space, and title.
+pub(super) struct View {
+    pub right: [f64; 3],
+    pub up: [f64; 3],
+    pub label: &'static str,
+}
 
 impl Drawing {
     /// Rasterises the facets into the rectangle of a view.

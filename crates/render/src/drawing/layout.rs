@@ -1,9 +1,9 @@
 //! Layout of a drawing: title, views at one scale, key of the points, scale bar and legend.
 
-use super::Drawing;
-use super::items::{circle_polyline, shading_colour};
+use super::items::{View, circle_polyline, shading_colour};
 use super::key::{KEY_COLUMN, KEY_ROW, draw_key, key_rows};
 use super::numbers::draw_numbers;
+use super::shapes::Drawing;
 use super::vectors::dot;
 use crate::palette::{GRID, INK, SOFT_INK};
 use crate::scene::{Anchor, Point, Scene, solid};
@@ -23,13 +23,6 @@ const TWO_ROWS: f64 = 700.0;
 const SMALLEST: [f64; 2] = [230.0, 124.0];
 /// Margin inside a view, for labels.
 const LABEL_MARGIN: f64 = 26.0;
-
-/// Viewing direction: axes of the page in space, and title.
-pub(super) struct View {
-    pub right: [f64; 3],
-    pub up: [f64; 3],
-    pub label: &'static str,
-}
 
 /// Views in first-angle projection: the view from the left is to the right of the view from the front, and the view
 /// from above is below.

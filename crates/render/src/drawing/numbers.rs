@@ -1,6 +1,6 @@
 //! Numbers of the named points in a view, placed beside their points without overlap if possible.
 
-use super::Drawing;
+use super::shapes::Drawing;
 use crate::font::Font;
 use crate::palette::{INK, SOFT_INK};
 use crate::scene::{Point, Scene, solid};

@@ -1,6 +1,6 @@
 //! Symbols of springs, dampers, stops and the ground, projected to the page.
 
-use super::{DrawnSymbol, SymbolKind};
+use super::shapes::{DrawnSymbol, SymbolKind};
 use crate::palette::{Colour, INK};
 use crate::scene::{Point, Scene, solid};
 

@@ -1,0 +1,92 @@
+//! Content of a drawing in space.
+
+/// Drawing of a mechanism; lengths in metres, x forward, y to the left, z up.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Drawing {
+    /// Title; no title if empty.
+    pub title: String,
+    /// Subtitle; no subtitle if empty.
+    pub subtitle: String,
+    /// Quantity shown by the shading; no legend if empty.
+    pub shading: String,
+    /// Facets of link shapes, drawn below the lines.
+    pub facets: Vec<DrawnFacet>,
+    /// Lines.
+    pub lines: Vec<DrawnLine>,
+    /// Circles, such as wheels.
+    pub circles: Vec<DrawnCircle>,
+    /// Arrows.
+    pub arrows: Vec<DrawnArrow>,
+    /// Symbols of springs, dampers, stops and the ground.
+    pub symbols: Vec<DrawnSymbol>,
+    /// Labelled points.
+    pub marks: Vec<crate::SkinMark>,
+    /// Named points, numbered from 1 in the views. The key beside the top view, or below, lists the names.
+    pub points: Vec<crate::SkinMark>,
+    /// True for a third view from above.
+    pub has_top_view: bool,
+}
+
+/// Triangle of a link shape.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DrawnFacet {
+    /// Corners, m.
+    pub corners: [[f64; 3]; 3],
+    /// Shading value from 0 to 1; `None` is drawn as 0.
+    pub intensity: Option<f64>,
+}
+
+/// A straight line.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DrawnLine {
+    /// End points, m.
+    pub ends: [[f64; 3]; 2],
+    /// Shading value from 0 to 1; `None` is drawn in ink without shading.
+    pub intensity: Option<f64>,
+}
+
+/// A circle in space.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DrawnCircle {
+    /// Centre, m.
+    pub centre: [f64; 3],
+    /// Unit normal of the circle's plane.
+    pub axis: [f64; 3],
+    /// Radius, m.
+    pub radius: f64,
+}
+
+/// Arrow. Its length shows a magnitude, not a distance.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DrawnArrow {
+    /// Start point, m.
+    pub from: [f64; 3],
+    /// Direction and relative magnitude; the longest arrow of a drawing has a fixed length on the page.
+    pub vector: [f64; 3],
+    /// Label; none if empty. Labelled arrows are drawn thicker and as long as the longest.
+    pub label: String,
+}
+
+/// Symbol between two points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawnSymbol {
+    /// Kind.
+    pub kind: SymbolKind,
+    /// Ends, m: the moving side first.
+    pub ends: [[f64; 3]; 2],
+    /// Unit normal of the pad of a stop, or of the ground.
+    pub normal: [f64; 3],
+}
+
+/// Kind of a symbol.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SymbolKind {
+    /// Coil spring between both ends.
+    Spring,
+    /// Damper between both ends: rod and cylinder.
+    Damper,
+    /// Stop: pad at the first end, hatched face at the second.
+    Stop,
+    /// Hatched ground at the first end.
+    Ground,
+}
