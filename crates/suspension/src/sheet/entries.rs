@@ -15,6 +15,7 @@ pub(super) enum Cell {
     Text(String),
     Switch(bool),
     /// Cell of a workbook without a usable value; the text contains its address, the reason and the remedy.
+    #[cfg_attr(not(feature = "xlsx"), allow(dead_code, reason = "only workbooks have such cells"))]
     Unreadable(String),
 }
 
