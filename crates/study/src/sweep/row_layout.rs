@@ -194,7 +194,7 @@ fn single_joint(prepared: &PreparedQuestion, name: &str) -> Result<JointId, Stud
     let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
     let mechanism = prepared.system.mechanism();
     let joint = mechanism.find_joint(name).map_err(|error| match mechanism.find_link(name) {
-        Ok(_) => refuse(Fault::VariedLink { link: name.to_owned() }),
+        Ok(_) => refuse(Fault::VariedLink { link: name.to_owned(), near: error.near.first().cloned() }),
         Err(_) => refuse(error.into()),
     })?;
     let found = mechanism.joint(joint);

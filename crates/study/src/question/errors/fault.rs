@@ -113,12 +113,15 @@ pub enum Fault {
     },
     /// Link in place of a varied joint.
     #[error(
-        "\"{link}\" is a link, and no joint; a point of a link is moved by travel:{link}:0,0,0:0,0,1=FROM:TO:COUNT, the wheels of \
-         a suspension by wheel-travel=FROM:TO:COUNT"
+        "\"{link}\" is a link, and no joint{}; a point of a link is moved by travel:{link}:0,0,0:0,0,1=FROM:TO:COUNT, the wheels of \
+         a suspension by wheel-travel=FROM:TO:COUNT",
+        near.as_ref().map_or_else(String::new, |joint| format!(" (did you mean \"{joint}\"?)"))
     )]
     VariedLink {
         /// Link.
         link: String,
+        /// Joint with a similar name.
+        near: Option<String>,
     },
     /// Varied joint that mimics another joint.
     #[error("\"{joint}\": it mimics \"{master}\"; vary that")]
