@@ -56,8 +56,8 @@ pub(crate) const TRAVEL_TOLERANCE: f64 = 1e-11;
 /// Largest difference of positions (rad or m) after the way to a stop and back, if both are on one branch: the square root of
 /// the tolerance of travels, for a pose near a minimum of the gap.
 pub(crate) const SAME_START: f64 = 1e-6;
-/// Halvings of the gap in the search for the nearest pose to a stop that is not reached: 2 µm of a gap of 0.1 m.
-pub(crate) const NEAREST_HALVINGS: usize = 16;
+/// Halvings of the gap in the search for the nearest pose to a stop that is not reached: six digits.
+pub(crate) const NEAREST_HALVINGS: usize = 20;
 /// Least part of the way in one step of this search: each halving starts at the nearest pose known.
 pub(crate) const LEAST_PART_OF_HALVING: f64 = 0.1;
 /// Largest gap at which a stop touches, in characteristic lengths: the tolerance of several travels, with a margin.
