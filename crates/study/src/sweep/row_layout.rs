@@ -194,7 +194,10 @@ fn single_joint(prepared: &PreparedQuestion, name: &str) -> Result<JointId, Stud
     let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
     let mechanism = prepared.system.mechanism();
     let joint = mechanism.find_joint(name).map_err(|error| match mechanism.find_link(name) {
-        Ok(_) => refuse(Fault::VariedLink { link: name.to_owned(), near: error.near.first().cloned() }),
+        Ok(link) => refuse(Fault::VariedLink {
+            link: name.to_owned(),
+            parent_joint: mechanism.parent_joint(link).map(|joint| mechanism.joint(joint).name().to_owned()),
+        }),
         Err(_) => refuse(error.into()),
     })?;
     let found = mechanism.joint(joint);

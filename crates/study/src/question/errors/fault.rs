@@ -115,13 +115,13 @@ pub enum Fault {
     #[error(
         "\"{link}\" is a link, and no joint{}; a point of a link is moved by travel:{link}:0,0,0:0,0,1=FROM:TO:COUNT, the wheels of \
          a suspension by wheel-travel=FROM:TO:COUNT",
-        near.as_ref().map_or_else(String::new, |joint| format!(" (did you mean \"{joint}\"?)"))
+        parent_joint.as_ref().map_or_else(String::new, |joint| format!(" (its joint to the parent is \"{joint}\")"))
     )]
     VariedLink {
         /// Link.
         link: String,
-        /// Joint with a similar name.
-        near: Option<String>,
+        /// Joint between the link and its parent.
+        parent_joint: Option<String>,
     },
     /// Varied joint that mimics another joint.
     #[error("\"{joint}\": it mimics \"{master}\"; vary that")]
