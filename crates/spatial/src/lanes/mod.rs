@@ -13,5 +13,5 @@ mod x86;
 
 pub use instructions::Instructions;
 pub use lane::{Lanes, Work};
-pub use portable::Portable;
+pub use portable::Single;
 pub use sines::LARGEST_ANGLE;

@@ -1,5 +1,14 @@
 //! Articulated-body inertia in 21 numbers, transformed by rotations about coordinate axes and translations along them.
 
+/// Repeats a block for constant indices. A loop would be unrolled as well, but the loops of all the steps inlined into a kernel took
+/// half of the time that this library needs to compile.
+macro_rules! each {
+    ($index:ident in [$($number:literal)+] $block:block) => {$({
+        let $index: usize = $number;
+        $block
+    })+};
+}
+
 mod twist;
 mod vector;
 mod wrench;
@@ -8,7 +17,7 @@ pub use twist::PackedTwist;
 pub use vector::{rotate_back, rotation_rows, splat, turn_vector};
 pub use wrench::PackedWrench;
 
-use crate::lanes::{Lanes, Portable};
+use crate::lanes::{Lanes, Single};
 use crate::{Scalar, SpatialInertia};
 use vector::{after, rotated, turned};
 
@@ -72,9 +81,9 @@ impl PackedInertia<f64> {
         let (x, y) = after(Z);
         let (c, l) = (&self.coupling, &self.linear);
         let [mut slope, mut bend] = [Self::zero(); 2];
-        for k in 0..3 {
+        each!(k in [0 1 2] {
             (slope.coupling[x][k], slope.coupling[y][k]) = (-l[at(y, k)], l[at(x, k)]);
-        }
+        });
         let a = &mut slope.angular;
         (a[at(x, x)], a[at(y, y)], a[at(x, y)]) = (-2.0 * c[x][y], 2.0 * c[y][x], c[x][x] - c[y][y]);
         (a[at(x, Z)], a[at(y, Z)]) = (-c[Z][y], c[Z][x]);
@@ -135,25 +144,27 @@ fn turn_symmetric_right<T: Lanes, const Z: usize>(m: &mut [T; 6]) {
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn rotate_symmetric<T: Lanes>(m: &mut [T; 6], r: &[[T; 3]; 3]) {
     let mut half = *r;
-    for i in 0..3 {
+    each!(i in [0 1 2] {
         half[i] = rotated(&[m[at(i, 0)], m[at(i, 1)], m[at(i, 2)]], r);
-    }
+    });
     // Rows of M Rᵀ, then the upper triangle of R M Rᵀ.
-    for i in 0..3 {
-        for k in i..3 {
-            let (a, b, c) = (r[i][0], r[i][1], r[i][2]);
-            m[at(i, k)] = a.mul_add(half[0][k], b.mul_add(half[1][k], c * half[2][k]));
-        }
-    }
+    each!(i in [0 1 2] {
+            each!(k in [0 1 2] {
+     if k >= i {
+                let (a, b, c) = (r[i][0], r[i][1], r[i][2]);
+                m[at(i, k)] = a.mul_add(half[0][k], b.mul_add(half[1][k], c * half[2][k]));
+            }
+    });
+        });
 }
 
-impl PackedInertia<Portable<1>> {
+impl PackedInertia<Single> {
     /// Returns the inertia of a single lane as `f64`.
     pub fn plain(&self) -> PackedInertia<f64> {
         PackedInertia {
-            angular: self.angular.map(Portable::number),
-            coupling: self.coupling.map(|row| row.map(Portable::number)),
-            linear: self.linear.map(Portable::number),
+            angular: self.angular.map(Single::number),
+            coupling: self.coupling.map(|row| row.map(Single::number)),
+            linear: self.linear.map(Single::number),
         }
     }
 }
@@ -220,15 +231,15 @@ impl<T: Lanes> PackedInertia<T> {
         rotate_symmetric(&mut self.linear, r);
         rotate_symmetric(&mut self.angular, r);
         let mut half = self.coupling;
-        for i in 0..3 {
+        each!(i in [0 1 2] {
             half[i] = rotated(&self.coupling[i], r);
-        }
-        for k in 0..3 {
+        });
+        each!(k in [0 1 2] {
             let column = rotated(&[half[0][k], half[1][k], half[2][k]], r);
-            for i in 0..3 {
+            each!(i in [0 1 2] {
                 self.coupling[i][k] = column[i];
-            }
-        }
+            });
+        });
     }
 
     /// R C Rᵀ for a rotation about axis `Z`; see [`turn_symmetric`] for `ZERO`.
@@ -261,10 +272,10 @@ impl<T: Lanes> PackedInertia<T> {
         let (x, y) = after(Z);
         let (c, l) = (&mut self.coupling, &self.linear);
         let before = [c[x][x], c[x][y], c[y][x], c[y][y]];
-        for k in 0..3 {
+        each!(k in [0 1 2] {
             c[x][k] = (-d).mul_add(l[at(y, k)], c[x][k]);
             c[y][k] = d.mul_add(l[at(x, k)], c[y][k]);
-        }
+        });
         before
     }
 
@@ -319,10 +330,10 @@ impl<T: Lanes> PackedInertia<T> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn eliminate_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
         self.subtract_turn::<Z>(pivot, over_d);
-        for k in 0..3 {
+        each!(k in [0 1 2] {
             self.angular[at(k, Z)] = pivot.u.moment[k] * pivot.armature_part;
             self.coupling[Z][k] = pivot.u.force[k] * pivot.armature_part;
-        }
+        });
     }
 
     /// Eliminates a rotation without armature about axis `Z`; row `Z` of A and of C is then zero.
@@ -335,89 +346,87 @@ impl<T: Lanes> PackedInertia<T> {
     /// Sets row `Z` of A and C, already zero, to the constant 0, so that the compiler removes the dependent operations.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn clear_row<const Z: usize>(&mut self) {
-        for k in 0..3 {
+        each!(k in [0 1 2] {
             self.angular[at(k, Z)] = T::zero();
             self.coupling[Z][k] = T::zero();
-        }
+        });
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn subtract_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
-        let (x, y) = after(Z);
         self.subtract_angular::<Z>(&pivot.u, over_d);
-        self.subtract_coupling([x, y], [0, 1, 2], &pivot.u, over_d);
+        self.subtract_coupling::<Z, 3>(&pivot.u, over_d);
         self.subtract_linear::<3>(&pivot.u, over_d);
     }
 
     /// Eliminates a translation along axis `Z`; see [`eliminate_turn`](Self::eliminate_turn).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn eliminate_slide<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
-        let (x, y) = after(Z);
         self.subtract_angular::<3>(&pivot.u, over_d);
-        self.subtract_coupling([0, 1, 2], [x, y], &pivot.u, over_d);
+        self.subtract_coupling::<3, Z>(&pivot.u, over_d);
         self.subtract_linear::<Z>(&pivot.u, over_d);
-        for k in 0..3 {
+        each!(k in [0 1 2] {
             self.coupling[k][Z] = pivot.u.moment[k] * pivot.armature_part;
             self.linear[at(k, Z)] = pivot.u.force[k] * pivot.armature_part;
-        }
+        });
     }
 
     /// A − U_m D⁻¹ U_mᵀ for the moment U_m of `u`; row and column `BUT` stay unchanged (3: none).
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn subtract_angular<const BUT: usize>(&mut self, u: &PackedWrench<T>, over_d: &PackedWrench<T>) {
-        for i in 0..3 {
-            for k in i..3 {
-                if i != BUT && k != BUT {
+        each!(i in [0 1 2] {
+            each!(k in [0 1 2] {
+                if k >= i && i != BUT && k != BUT {
                     let a = &mut self.angular[at(i, k)];
                     *a = (-u.moment[i]).mul_add(over_d.moment[k], *a);
                 }
-            }
-        }
+            });
+        });
     }
 
-    /// C − U_m D⁻¹ U_fᵀ in the given rows and columns; moment U_m and force U_f of `u`.
+    /// C − U_m D⁻¹ U_fᵀ; moment U_m and force U_f of `u`; row `ROW` and column `COLUMN` stay unchanged (3: none).
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn subtract_coupling<const R: usize, const C: usize>(
+    fn subtract_coupling<const ROW: usize, const COLUMN: usize>(
         &mut self,
-        rows: [usize; R],
-        columns: [usize; C],
         u: &PackedWrench<T>,
         over_d: &PackedWrench<T>,
     ) {
-        for i in rows {
-            for k in columns {
-                let c = &mut self.coupling[i][k];
-                *c = (-u.moment[i]).mul_add(over_d.force[k], *c);
-            }
-        }
+        each!(i in [0 1 2] {
+            each!(k in [0 1 2] {
+                if i != ROW && k != COLUMN {
+                    let c = &mut self.coupling[i][k];
+                    *c = (-u.moment[i]).mul_add(over_d.force[k], *c);
+                }
+            });
+        });
     }
 
     /// L − U_f D⁻¹ U_fᵀ for the force U_f of `u`; row and column `BUT` stay unchanged (3: none).
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn subtract_linear<const BUT: usize>(&mut self, u: &PackedWrench<T>, over_d: &PackedWrench<T>) {
-        for i in 0..3 {
-            for k in i..3 {
-                if i != BUT && k != BUT {
+        each!(i in [0 1 2] {
+            each!(k in [0 1 2] {
+                if k >= i && i != BUT && k != BUT {
                     let l = &mut self.linear[at(i, k)];
                     *l = (-u.force[i]).mul_add(over_d.force[k], *l);
                 }
-            }
-        }
+            });
+        });
     }
 
     /// Stores the 21 numbers in sequence, each with lane width.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn store(&self, to: &mut [f64]) {
         let to = &mut to[..Self::NUMBERS * T::WIDTH];
-        for k in 0..6 {
+        each!(k in [0 1 2 3 4 5] {
             self.angular[k].store(&mut to[k * T::WIDTH..]);
             self.linear[k].store(&mut to[(15 + k) * T::WIDTH..]);
-        }
-        for i in 0..3 {
-            for k in 0..3 {
+        });
+        each!(i in [0 1 2] {
+            each!(k in [0 1 2] {
                 self.coupling[i][k].store(&mut to[(6 + 3 * i + k) * T::WIDTH..]);
-            }
-        }
+            });
+        });
     }
 
     /// Loads an inertia written by [`store`](Self::store).
@@ -425,46 +434,46 @@ impl<T: Lanes> PackedInertia<T> {
     pub fn load(from: &[f64]) -> Self {
         let from = &from[..Self::NUMBERS * T::WIDTH];
         let mut packed = Self::zero();
-        for k in 0..6 {
+        each!(k in [0 1 2 3 4 5] {
             packed.angular[k] = number(from, k);
             packed.linear[k] = number(from, 15 + k);
-        }
-        for i in 0..3 {
-            for k in 0..3 {
+        });
+        each!(i in [0 1 2] {
+            each!(k in [0 1 2] {
                 packed.coupling[i][k] = number(from, 6 + 3 * i + k);
-            }
-        }
+            });
+        });
         packed
     }
 
     /// Adds another inertia.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn add(&mut self, other: &Self) {
-        for k in 0..6 {
+        each!(k in [0 1 2 3 4 5] {
             self.angular[k] += other.angular[k];
             self.linear[k] += other.linear[k];
-        }
-        for i in 0..3 {
-            for k in 0..3 {
+        });
+        each!(i in [0 1 2] {
+            each!(k in [0 1 2] {
                 self.coupling[i][k] += other.coupling[i][k];
-            }
-        }
+            });
+        });
     }
 
     /// Adds a rigid body's inertia, which has nine zero entries.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn add_rigid(&mut self, body: &PackedInertia<f64>) {
-        for k in 0..6 {
+        each!(k in [0 1 2 3 4 5] {
             self.angular[k] += T::from_f64(body.angular[k]);
-        }
+        });
         let mass = T::from_f64(body.linear[0]);
-        for k in 0..3 {
+        each!(k in [0 1 2] {
             let (x, y) = after(k);
             self.linear[at(k, k)] += mass;
             let h = T::from_f64(body.coupling[y][x]);
             self.coupling[x][y] -= h;
             self.coupling[y][x] += h;
-        }
+        });
     }
 }
 
@@ -474,7 +483,7 @@ mod tests {
     use crate::{ArticulatedInertia, Transform, Vector3, Wrench, rotation_about};
     use nalgebra::Matrix3;
 
-    type One = Portable<1>;
+    type One = Single;
 
     fn value(x: One) -> f64 {
         x.number()

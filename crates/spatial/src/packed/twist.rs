@@ -55,9 +55,9 @@ impl<T: Lanes> PackedTwist<T> {
 mod tests {
     use super::*;
     use crate::Scalar;
-    use crate::lanes::Portable;
+    use crate::lanes::Single;
 
-    type One = Portable<1>;
+    type One = Single;
 
     fn numbers(values: [f64; 3]) -> [One; 3] {
         values.map(One::from_f64)

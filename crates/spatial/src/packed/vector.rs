@@ -20,9 +20,9 @@ pub fn splat<T: Scalar>(v: &[f64; 3]) -> [T; 3] {
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn rotated<T: Lanes>(v: &[T; 3], r: &[[T; 3]; 3]) -> [T; 3] {
     let mut out = *v;
-    for i in 0..3 {
+    each!(i in [0 1 2] {
         out[i] = r[i][0].mul_add(v[0], r[i][1].mul_add(v[1], r[i][2] * v[2]));
-    }
+    });
     out
 }
 
@@ -43,9 +43,9 @@ pub fn rotation_rows<T: Lanes>([w, x, y, z]: [T; 4]) -> [[T; 3]; 3] {
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn rotate_back<T: Lanes>(v: &mut [T; 3], r: &[[T; 3]; 3]) {
     let [x, y, z] = *v;
-    for k in 0..3 {
+    each!(k in [0 1 2] {
         v[k] = r[0][k].mul_add(x, r[1][k].mul_add(y, r[2][k] * z));
-    }
+    });
 }
 
 /// Plane rotation (c x − s y, s x + c y).

@@ -69,10 +69,10 @@ impl<T: Lanes> PackedWrench<T> {
     /// Subtracts `other · factor`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn subtract(&mut self, other: &Self, factor: T) {
-        for k in 0..3 {
+        each!(k in [0 1 2] {
             self.moment[k] = (-factor).mul_add(other.moment[k], self.moment[k]);
             self.force[k] = (-factor).mul_add(other.force[k], self.force[k]);
-        }
+        });
     }
 
     /// Wrench times a factor.
@@ -85,9 +85,9 @@ impl<T: Lanes> PackedWrench<T> {
     /// Adds another wrench.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn add(&mut self, other: &Self) {
-        for k in 0..3 {
+        each!(k in [0 1 2] {
             self.moment[k] += other.moment[k];
             self.force[k] += other.force[k];
-        }
+        });
     }
 }

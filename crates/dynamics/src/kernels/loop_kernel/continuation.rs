@@ -26,7 +26,7 @@ use crate::tolerances::{
     LONGEST_BRANCH_STEP, LONGEST_FOLLOWED, SMALL_CORRECTION, STRAIGHT, TRUSTED_ERROR,
 };
 use percuss_spatial::Scalar;
-use percuss_spatial::lanes::{Lanes, Portable, Work};
+use percuss_spatial::lanes::{Lanes, Single, Work};
 
 /// Positions that change with a dependent coordinate.
 #[derive(Clone, Copy, Debug)]
@@ -206,8 +206,8 @@ impl LoopContinuation {
                 DependentPosition::Spherical { q, turns } => {
                     for (k, turn) in turns.iter().enumerate() {
                         let Some((_, factor)) = turn else { continue };
-                        let mut half = [Portable::<1>::from_f64(0.0); 3];
-                        half[k] = Portable::from_f64(0.5 * factor * step);
+                        let mut half = [Single::from_f64(0.0); 3];
+                        half[k] = Single::from_f64(0.5 * factor * step);
                         rotate_quaternion(&mut moved, *q, &half);
                         change(&moved);
                         moved[*q..*q + 4].copy_from_slice(&positions[*q..*q + 4]);

@@ -5,13 +5,13 @@ use super::layout::{FRAME, cross, dot, get, get_vector, minus, plus, size, store
 use super::plan::{Block, BlockTerm, LoopBody, LoopMotion, LoopPlan, RowForm};
 use crate::kernels::estimate::PositionColumns;
 use crate::tolerances::{FAR_ROUNDINGS, OPEN_ROUNDINGS};
-use percuss_spatial::lanes::{Lanes, Portable};
+use percuss_spatial::lanes::{Lanes, Single};
 
 /// Entries of A at the given positions, row by row; used before the rows are ordered.
 pub(super) fn matrix_at(plan: &LoopPlan, positions: &[f64]) -> Vec<f64> {
     let mut room = vec![0.0; plan.layout.total];
-    fill_frames::<Portable<1>>(plan, PositionColumns { values: positions, stride: 1 }, 0, &mut room);
-    fill_rows::<Portable<1>, false>(plan, &mut room);
+    fill_frames::<Single>(plan, PositionColumns { values: positions, stride: 1 }, 0, &mut room);
+    fill_rows::<Single, false>(plan, &mut room);
     room[plan.layout.rows..plan.layout.inverse_pivots].to_vec()
 }
 

@@ -9,7 +9,7 @@ use crate::model::{Body, Model};
 use crate::tolerances::{LEAST_MOMENT, LIGHT_BODY, NO_ACROSS, NO_BOUND, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::JointKind;
-use percuss_spatial::lanes::Portable;
+use percuss_spatial::lanes::Single;
 use percuss_spatial::{PackedInertia, PackedWrench, Scalar, Transform};
 use std::ops::Range;
 
@@ -404,7 +404,7 @@ impl TreePlan {
 impl LeafElimination {
     /// Elimination of the joint of a leaf. `None` unless the joint has one degree of freedom.
     fn of(step: &TreeStep) -> Option<Self> {
-        type One = Portable<1>;
+        type One = Single;
         let value = One::number;
         let mut left: PackedInertia<One> = step.own.inertia.cast();
         let pivot = match step.motion {

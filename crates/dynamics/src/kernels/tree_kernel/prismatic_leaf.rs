@@ -6,9 +6,9 @@ use super::plan::{PrismaticLeaf, ScheduledStep, StepForm, TreeMotion};
 use super::propagation::{PropagatedWrench, SCRATCH_NUMBERS};
 use crate::kernels::estimate::PositionColumns;
 use percuss_spatial::PackedInertia;
-use percuss_spatial::lanes::{Lanes, Portable};
+use percuss_spatial::lanes::{Lanes, Single};
 
-type SingleLane = Portable<1>;
+type SingleLane = Single;
 
 /// Finds the prismatic leaves that pass on an inertia.
 pub(super) fn find_prismatic_leaves(steps: &mut [ScheduledStep]) {
