@@ -1,14 +1,7 @@
 //! Articulated-body inertia in 21 numbers, transformed by rotations about coordinate axes and translations along them.
 
-/// Repeats a block for constant indices. A loop would be unrolled as well, but the loops of all the steps inlined into a kernel took
-/// half of the time that this library needs to compile.
-macro_rules! each {
-    ($index:ident in [$($number:literal)+] $block:block) => {$({
-        let $index: usize = $number;
-        $block
-    })+};
-}
-
+#[macro_use]
+mod each;
 mod twist;
 mod vector;
 mod wrench;
@@ -19,7 +12,7 @@ pub use wrench::PackedWrench;
 
 use crate::lanes::{Lanes, Single};
 use crate::{Scalar, SpatialInertia};
-use vector::{after, rotated, turned};
+use vector::{after, number, rotated, turned};
 
 /// Index of the entry (i, j) of a symmetric 3×3 matrix in its packed upper triangle.
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -49,12 +42,6 @@ pub struct Pivot<T> {
     pub inverse_d: T,
     /// Armature / D: after the elimination, U times this factor remains along s.
     pub armature_part: T,
-}
-
-/// Loads vector number `k` of a slice of vectors with lane width.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn number<T: Lanes>(from: &[f64], k: usize) -> T {
-    T::load(&from[k * T::WIDTH..])
 }
 
 impl<T: Lanes> Pivot<T> {
@@ -149,13 +136,13 @@ fn rotate_symmetric<T: Lanes>(m: &mut [T; 6], r: &[[T; 3]; 3]) {
     });
     // Rows of M Rᵀ, then the upper triangle of R M Rᵀ.
     each!(i in [0 1 2] {
-            each!(k in [0 1 2] {
-     if k >= i {
+        each!(k in [0 1 2] {
+            if k >= i {
                 let (a, b, c) = (r[i][0], r[i][1], r[i][2]);
                 m[at(i, k)] = a.mul_add(half[0][k], b.mul_add(half[1][k], c * half[2][k]));
             }
-    });
         });
+    });
 }
 
 impl PackedInertia<Single> {

@@ -16,6 +16,12 @@ pub fn splat<T: Scalar>(v: &[f64; 3]) -> [T; 3] {
     [T::from_f64(v[0]), T::from_f64(v[1]), T::from_f64(v[2])]
 }
 
+/// Loads vector number `k` of a slice of vectors with lane width.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn number<T: Lanes>(from: &[f64], k: usize) -> T {
+    T::load(&from[k * T::WIDTH..])
+}
+
 /// R v, with R given by rows.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn rotated<T: Lanes>(v: &[T; 3], r: &[[T; 3]; 3]) -> [T; 3] {
