@@ -122,6 +122,19 @@ class Model {
     }
     return contact;
   }
+  /// The named contact of the model: a stop, the seat of a spring or damper, a contact patch.
+  Contact named_contact(const std::string &name) const {
+    Contact contact;
+    check(percuss_model_find_contact(get(), name.c_str(), &contact, nullptr));
+    return contact;
+  }
+  /// The gap of a named contact with all joints at 0, m; 0 if the parts always touch.
+  double gap_as_drawn(const std::string &name) const {
+    Contact contact;
+    double gap = 0.0;
+    check(percuss_model_find_contact(get(), name.c_str(), &contact, &gap));
+    return gap;
+  }
   const percuss_model *get() const noexcept { return handle_.get(); }
 
  private:

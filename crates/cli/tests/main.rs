@@ -45,6 +45,7 @@ mod suspensions {
     mod daily_use;
     mod import;
     mod own_suspension;
+    mod several_contacts;
 }
 
 /// Files that are written or replaced.

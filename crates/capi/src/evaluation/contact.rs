@@ -1,14 +1,17 @@
 //! Contacts and their results.
 
-use crate::boundary::arrays::{enumeration_value, nan_if_unknown};
-use crate::boundary::handle::argument_mut;
-use crate::boundary::status::{Failure, PERCUSS_ERROR_CONTACT, guard_call, percuss_status};
-use crate::setup::model::Model;
+use crate::boundary::arrays::{enumeration_value, input_text, nan_if_unknown};
+use crate::boundary::handle::{argument_mut, object_of};
+use crate::boundary::status::{
+    Failure, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_NAME, guard_call, percuss_status,
+};
+use crate::setup::model::{Model, percuss_model};
 use percuss::nalgebra::Vector3;
 use percuss::{
     Contact, ContactResponse, Direction, EffectiveMass, ErrorBudget, Frame, LinkId, Remark, RemarkFlags,
     Route, RouteChoice,
 };
+use std::ffi::c_char;
 
 /// No link: the ground.
 pub const PERCUSS_GROUND: usize = usize::MAX;
@@ -30,6 +33,8 @@ pub const PERCUSS_NORMAL_AGAINST: percuss_normal = 2;
 pub const PERCUSS_NORMAL_TOWARD: percuss_normal = 3;
 /// The same line, which may turn: a spring, a damper or a rod. Refused if shorter than a tenth of its drawn length.
 pub const PERCUSS_NORMAL_TURNING_TOWARD: percuss_normal = 4;
+/// The opposite direction of that line: a stop that limits the extension of a damper.
+pub const PERCUSS_NORMAL_TURNING_AWAY: percuss_normal = 5;
 
 /// A contact between a point of a link and another link, or the ground. Initialise it with percuss_contact_init.
 #[repr(C)]
@@ -41,12 +46,12 @@ pub struct percuss_contact {
     pub against: usize,
     /// The contact point in the contact link's frame, m.
     pub point: [f64; 3],
-    /// The normal, out of the contact link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD
-    /// and PERCUSS_NORMAL_TURNING_TOWARD: the target point, m.
+    /// The normal, out of the contact link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD,
+    /// PERCUSS_NORMAL_TURNING_TOWARD and PERCUSS_NORMAL_TURNING_AWAY: a point of the line, m.
     pub normal: [f64; 3],
-    /// Kind of the normal: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_TOWARD.
+    /// Kind of the normal: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_AWAY.
     pub normal_given: percuss_normal,
-    /// Link of the target point, for PERCUSS_NORMAL_TOWARD and PERCUSS_NORMAL_TURNING_TOWARD; not read otherwise.
+    /// Link of that point; not read if the normal is a vector.
     pub toward: usize,
 }
 
@@ -70,19 +75,66 @@ pub unsafe extern "C" fn percuss_contact_init(contact: *mut percuss_contact) -> 
     })
 }
 
+/// The named contact of a model: a stop, the seat of a spring or damper, a contact patch. gap (may be null): the gap with all
+/// joints at 0, m; 0 if the parts always touch. Errors: PERCUSS_ERROR_NAME, with the most similar name.
+///
+/// # Safety
+/// name ends with a zero byte; contact is null or points to storage for a percuss_contact, gap to storage for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_find_contact(
+    model: *const percuss_model,
+    name: *const c_char,
+    contact: *mut percuss_contact,
+    gap: *mut f64,
+) -> percuss_status {
+    guard_call(|| {
+        let mechanism = &object_of(model)?.mechanism;
+        let found = mechanism.find_contact(input_text(name, "name")?);
+        let found = found.map_err(Failure::with_status(PERCUSS_ERROR_NAME))?;
+        *argument_mut(contact, "contact")? = percuss_contact::of(&Contact::named(found, mechanism.root()));
+        if !gap.is_null() {
+            *argument_mut(gap, "gap")? = found.gap().unwrap_or(0.0);
+        }
+        Ok(())
+    })
+}
+
 impl percuss_contact {
+    /// Contact of the library with the numbers of its links.
+    fn of(contact: &Contact) -> Self {
+        let (normal_given, toward, vector) = match contact.normal {
+            Direction::Along(vector, Frame::Link) => (PERCUSS_NORMAL_LINK, None, vector),
+            Direction::Along(vector, Frame::World) => (PERCUSS_NORMAL_WORLD, None, vector),
+            Direction::Along(vector, Frame::Against) => (PERCUSS_NORMAL_AGAINST, None, vector),
+            Direction::Toward(link, point) => (PERCUSS_NORMAL_TOWARD, Some(link), point),
+            Direction::TurningToward(link, point) => (PERCUSS_NORMAL_TURNING_TOWARD, Some(link), point),
+            Direction::TurningAwayFrom(link, point) => (PERCUSS_NORMAL_TURNING_AWAY, Some(link), point),
+        };
+        Self {
+            link: contact.link.index(),
+            against: contact.against.map_or(PERCUSS_GROUND, LinkId::index),
+            point: contact.point.into(),
+            normal: vector.into(),
+            normal_given,
+            toward: toward.map_or(PERCUSS_NO_LINK, LinkId::index),
+        }
+    }
+
     /// Contact on a model; refuses links that are not set or do not exist.
     #[inline]
     pub(crate) fn resolve(&self, model: &Model) -> Result<Contact, Failure> {
         let vector = Vector3::from(self.normal);
-        // In the order of PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_TOWARD.
-        let frames = [Some(Frame::Link), Some(Frame::World), Some(Frame::Against), None, None];
+        // In the order of PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_AWAY.
+        let frames = [Some(Frame::Link), Some(Frame::World), Some(Frame::Against), None, None, None];
         let normal = match enumeration_value(&frames, self.normal_given, "normal_given")? {
             Some(frame) => Direction::Along(vector, frame),
             None if self.normal_given == PERCUSS_NORMAL_TOWARD => {
                 Direction::Toward(contact_link(model, self.toward, "toward")?, vector)
             }
-            None => Direction::TurningToward(contact_link(model, self.toward, "toward")?, vector),
+            None if self.normal_given == PERCUSS_NORMAL_TURNING_TOWARD => {
+                Direction::TurningToward(contact_link(model, self.toward, "toward")?, vector)
+            }
+            None => Direction::TurningAwayFrom(contact_link(model, self.toward, "toward")?, vector),
         };
         Ok(Contact {
             link: contact_link(model, self.link, "link")?,

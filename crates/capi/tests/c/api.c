@@ -27,6 +27,22 @@ static void the_model(void)
   OK(percuss_model_free(&model));
   CHECK(model == NULL);
   OK(percuss_model_free(&model));
+  /* Named contacts. */
+  const char stopped[] = "<robot name=\"door\"><link name=\"wall\"/><link name=\"leaf\"><inertial><mass value=\"12\"/>"
+                         "<inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>"
+                         "<joint name=\"hinge\" type=\"continuous\"><parent link=\"wall\"/><child link=\"leaf\"/>"
+                         "<axis xyz=\"0 0 1\"/></joint>"
+                         "<contact name=\"door_stop\" type=\"stop\"><body link=\"leaf\" xyz=\"0.7 0 0\"/>"
+                         "<other link=\"wall\"/><normal xyz=\"0 1 0\"/><gap value=\"0.02\"/></contact></robot>";
+  model = loaded(stopped);
+  percuss_contact contact;
+  double gap = -1.0;
+  OK(percuss_model_find_contact(model, "door_stop", &contact, &gap));
+  CHECK(gap == 0.02 && contact.link == 1 && contact.against == 0 && contact.point[0] == 0.7);
+  CHECK(contact.normal_given == PERCUSS_NORMAL_AGAINST && contact.normal[1] == 1.0);
+  OK(percuss_model_find_contact(model, "door_stop", &contact, NULL));
+  FAILS(percuss_model_find_contact(model, "doorstop", &contact, &gap), PERCUSS_ERROR_NAME, "door_stop");
+  OK(percuss_model_free(&model));
   /* Findings about a file. */
   const char odd[] = "<robot name=\"odd\"><link name=\"a\"/><unknown_thing/></robot>";
   model = loaded(odd);

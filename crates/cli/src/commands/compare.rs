@@ -11,8 +11,8 @@ use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::wrap_message;
 use percuss_render::{Figure, Panel, Series, Style};
 use percuss_study::{
-    AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Dimension, Names,
-    RowSource, StudyFigure, StudyFile, compare,
+    AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Dimension, MassQuestion,
+    Model, Names, RowSource, StudyFigure, StudyFile, compare,
 };
 use std::fmt::Write as _;
 use std::path::Path;
@@ -77,11 +77,40 @@ fn designs_of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
     let (question, mut ranges) = (args.contact.question_of_rows()?, args.vary.clone());
     ranges.extend(args.contact.ranges()?);
     let rows = (!ranges.is_empty()).then_some(RowSource::Grid(ranges));
-    let design = |(path, name): (&String, String)| {
-        let (question, rows) = (question.clone(), rows.clone());
-        Ok(Design { name, model: args.reading.load(path)?, question, rows })
+    let mut designs = Vec::new();
+    for (path, name) in args.designs.iter().zip(design_names(&args.designs)) {
+        let model = args.reading.load(path)?;
+        let contacts = contacts(question.at.as_deref(), &model)?;
+        let several = contacts.len() > 1;
+        for at in contacts {
+            let name = match &at {
+                Some(contact) if several && args.designs.len() == 1 => contact.clone(),
+                Some(contact) if several => format!("{name}: {contact}"),
+                _ => name.clone(),
+            };
+            let question = MassQuestion { at, ..question.clone() };
+            designs.push(Design { name, model: model.clone(), question, rows: rows.clone() });
+        }
+    }
+    Ok(designs)
+}
+
+/// Named contacts of `--at`: one name, several with commas, or `all`; a single `None` if the contact is given by link and point.
+fn contacts(at: Option<&str>, model: &Model) -> Result<Vec<Option<String>>, Failure> {
+    let Some(at) = at else { return Ok(vec![None]) };
+    let all = model.mechanism.contacts();
+    let names: Vec<&str> = match at {
+        // A contact may itself have a comma in its name.
+        name if all.iter().any(|contact| contact.name() == name) => vec![name],
+        "all" => all.iter().map(|contact| contact.name()).collect(),
+        list => list.split(',').map(str::trim).collect(),
     };
-    args.designs.iter().zip(design_names(&args.designs)).map(design).collect()
+    if names.is_empty() {
+        return Err(Failure::bad_input(
+            "--at all: the model has no named contacts; give --link, --point and --normal",
+        ));
+    }
+    Ok(names.into_iter().map(|name| Some(name.to_owned())).collect())
 }
 
 /// Name of a study; used for its model among the variants.
@@ -162,10 +191,10 @@ fn percent(x: f64) -> String {
 /// Table of designs, one row each.
 pub fn design_table(report: &ComparisonReport) -> Table<5> {
     let mut table = Table::new(["design", "kg", "difference", "over the range", "most of it"]);
-    for (i, design) in report.designs.iter().enumerate() {
+    for design in &report.designs {
         let difference = match design.difference_percent {
             Some(x) => percent(x),
-            None if i == 0 => "–".into(),
+            None if design.reference.is_none() => "–".into(),
             None => String::new(),
         };
         let range = design.difference_range_percent;
@@ -186,6 +215,11 @@ fn text(report: &ComparisonReport) -> String {
         }
     }
     out
+}
+
+/// True if the designs have different named contacts; their motion ratios are then shown as well.
+pub fn has_several_contacts(report: &ComparisonReport) -> bool {
+    report.designs.iter().any(|design| design.contact != report.designs[0].contact)
 }
 
 /// Column names and rows of the table: over the ranges if any, otherwise over the designs.
@@ -213,13 +247,22 @@ fn table_cells(report: &ComparisonReport, style: TableStyle) -> (Vec<String>, Ve
         None => format!("travel_{}", unit.name),
     }));
     header.extend(report.designs.iter().map(|design| style.name_with_unit(&design.name, "kg")));
-    header.extend(report.designs.iter().skip(1).map(|design| format!("{} difference_percent", design.name)));
+    let compared: Vec<usize> =
+        (0..report.designs.len()).filter(|i| report.designs[*i].reference.is_some()).collect();
+    header.extend(compared.iter().map(|i| format!("{} difference_percent", report.designs[*i].name)));
+    let ratios = has_several_contacts(report);
+    if ratios {
+        header.extend(report.designs.iter().map(|design| format!("{} motion_ratio", design.name)));
+    }
     let row = |row: &ComparisonRow| {
         let mut cells = vec![Cell::Number(row.row as f64)];
         let varied = row.varied.iter().zip(&units);
         cells.extend(varied.map(|(value, unit)| rounded(Some(value * unit.factor), None)));
         cells.extend(row.effective_mass.iter().map(|mass| rounded(*mass, None)));
-        cells.extend(row.difference_percent.iter().skip(1).map(|x| rounded(*x, None)));
+        cells.extend(compared.iter().map(|i| rounded(row.difference_percent[*i], None)));
+        if ratios {
+            cells.extend(row.motion_ratio.iter().map(|ratio| rounded(*ratio, None)));
+        }
         cells
     };
     (header, report.rows.iter().map(row).collect())
@@ -275,7 +318,7 @@ pub fn figure(report: &ComparisonReport, requested: &StudyFigure) -> Result<Figu
     let (scale, unit) = dimension.display_unit().map_or((1.0, varied.unit), |unit| (unit.per_si, unit.name));
     let series = |i: usize, values: &dyn Fn(usize) -> Option<f64>| Series {
         name: report.designs[i].name.clone(),
-        style: if i == 0 { Style::Line } else { Style::Dashed },
+        style: if report.designs[i].reference.is_none() { Style::Line } else { Style::Dashed },
         points: report
             .rows
             .iter()
@@ -285,25 +328,30 @@ pub fn figure(report: &ComparisonReport, requested: &StudyFigure) -> Result<Figu
     };
     let all = 0..report.designs.len();
     let masses = all.clone().map(|i| series(i, &|row| report.rows[row].effective_mass[i])).collect();
-    let differences = all.skip(1).map(|i| series(i, &|row| report.rows[row].difference_percent[i])).collect();
-    let first = report.designs.first().map_or("", |design| &design.name);
+    let mut panels = vec![Panel {
+        y_label: "m̄ (kg)".into(),
+        series: masses,
+        y_limits: requested.y_limits.map(AxisLimits::ends),
+    }];
+    if has_several_contacts(report) {
+        let ratios = all.clone().map(|i| series(i, &|row| report.rows[row].motion_ratio[i]));
+        let y_label = "motion ratio, travel over contact".into();
+        panels.push(Panel { y_label, series: ratios.collect(), ..Panel::default() });
+    }
+    let compared = all.filter(|i| report.designs[*i].reference.is_some());
+    let differences: Vec<Series> =
+        compared.map(|i| series(i, &|row| report.rows[row].difference_percent[i])).collect();
+    if !differences.is_empty() {
+        let first = if has_several_contacts(report) { "the first design" } else { &report.designs[0].name };
+        let y_label = format!("difference from {first} (%)");
+        panels.push(Panel { y_label, series: differences, ..Panel::default() });
+    }
     Ok(Figure {
         title: requested.title.clone().unwrap_or_else(|| "Effective mass of designs".into()),
         x_limits: requested.x_limits.map(AxisLimits::ends),
         subtitle: report.designs.iter().map(|d| d.name.clone()).collect::<Vec<_>>().join(", "),
         x_label: format!("{} ({unit})", varied.name),
-        panels: vec![
-            Panel {
-                y_label: "m̄ (kg)".into(),
-                series: masses,
-                y_limits: requested.y_limits.map(AxisLimits::ends),
-            },
-            Panel {
-                y_label: format!("difference from {first} (%)"),
-                series: differences,
-                ..Panel::default()
-            },
-        ],
+        panels,
         ..Figure::default()
     })
 }

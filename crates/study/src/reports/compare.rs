@@ -35,7 +35,7 @@ pub struct ComparisonReport {
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
-    /// Results of the designs; the first is the reference.
+    /// Results of the designs. Each is compared with the first design that has the same named contact.
     pub designs: Vec<DesignRecord>,
     /// Varied columns; empty without rows.
     pub varied: Vec<VariedColumn>,
@@ -50,6 +50,10 @@ pub struct ComparisonReport {
 pub struct DesignRecord {
     /// Name of the design.
     pub name: String,
+    /// Named contact of the design; null if link, point and normal give the contact.
+    pub contact: Option<String>,
+    /// Number of the design that this design is compared with, from 0; null for the first with its contact.
+    pub reference: Option<usize>,
     /// Input files of the design.
     pub inputs: Vec<Input>,
     /// Kind of result; null without a result.
@@ -58,7 +62,9 @@ pub struct DesignRecord {
     pub effective_mass: Option<f64>,
     /// Error bound of m̄, kg.
     pub effective_mass_error: Option<f64>,
-    /// Difference from m̄ of the first design, per cent of the first.
+    /// Speed of the wheel per unit closing speed of the contact; null if the motions of the mechanism differ in it.
+    pub motion_ratio: Option<f64>,
+    /// Difference from m̄ of the reference, per cent of the reference.
     pub difference_percent: Option<f64>,
     /// Smallest and largest difference over the rows, per cent.
     pub difference_range_percent: Option<[f64; 2]>,
@@ -69,7 +75,7 @@ pub struct DesignRecord {
 }
 
 /// Row of the comparison with the values of all designs.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct ComparisonRow {
     /// Number of the row, from 0.
     pub row: usize,
@@ -77,8 +83,10 @@ pub struct ComparisonRow {
     pub varied: Vec<f64>,
     /// m̄ of each design, kg; null without a finite result.
     pub effective_mass: Vec<Option<f64>>,
-    /// Difference of each design from the first, per cent.
+    /// Difference of each design from its reference, per cent.
     pub difference_percent: Vec<Option<f64>>,
+    /// Speed of the varied travel per unit closing speed of the contact of each design; null without a travel.
+    pub motion_ratio: Vec<Option<f64>>,
 }
 
 /// Largest number of links listed per design.
@@ -89,7 +97,9 @@ const MAX_LISTED_LINKS: usize = 3;
 #[non_exhaustive]
 pub enum CompareError {
     /// Fewer than two designs.
-    #[error("{count} design(s); expected two at least: files, or a study with [[variant]]")]
+    #[error(
+        "{count} design(s); expected two at least: files, contacts of one file (bump_stop,spring), or a study with [[variant]]"
+    )]
     TooFew {
         /// Number of designs.
         count: usize,
@@ -138,12 +148,13 @@ pub fn compare(designs: &[Design]) -> Result<ComparisonReport, CompareError> {
     }
     let mut diagnostics = Vec::new();
     let mut records = Vec::new();
-    for design in designs {
-        records.push(record(design, &mut diagnostics)?);
-    }
-    let first = records[0].effective_mass;
-    for other in &mut records[1..] {
-        other.difference_percent = difference(first, other.effective_mass);
+    for (number, design) in designs.iter().enumerate() {
+        let mut record = record(design, &mut diagnostics)?;
+        record.reference = reference(designs, number);
+        let compared = record.reference.map(|at: usize| &records[at] as &DesignRecord);
+        record.difference_percent =
+            compared.and_then(|compared| difference(compared.effective_mass, record.effective_mass));
+        records.push(record);
     }
     let (varied, rows) = rows(designs, &mut diagnostics)?;
     for (i, record) in records.iter_mut().enumerate().skip(1) {
@@ -163,6 +174,13 @@ pub fn compare(designs: &[Design]) -> Result<ComparisonReport, CompareError> {
     })
 }
 
+/// Design that a design is compared with: the first with the same named contact. Contacts given by links are compared in any case,
+/// because the links of two models may differ in their names.
+fn reference(designs: &[Design], number: usize) -> Option<usize> {
+    let has_same_contact = |other: &Design| other.question.at == designs[number].question.at;
+    designs.iter().position(has_same_contact).filter(|first| *first < number)
+}
+
 /// Relative difference, per cent of the first value; `None` if the first value is zero or either is missing.
 fn difference(first: Option<f64>, other: Option<f64>) -> Option<f64> {
     let (first, other) = (first?, other?);
@@ -173,10 +191,13 @@ fn difference(first: Option<f64>, other: Option<f64>) -> Option<f64> {
 fn record(design: &Design, diagnostics: &mut Vec<DiagnosticRecord>) -> Result<DesignRecord, CompareError> {
     let mut record = DesignRecord {
         name: design.name.clone(),
+        contact: design.question.at.clone(),
+        reference: None,
         inputs: design.model.inputs.clone(),
         status: None,
         effective_mass: None,
         effective_mass_error: None,
+        motion_ratio: None,
         difference_percent: None,
         difference_range_percent: None,
         most: Vec::new(),
@@ -188,6 +209,7 @@ fn record(design: &Design, diagnostics: &mut Vec<DiagnosticRecord>) -> Result<De
             record.status = Some(report.status);
             record.effective_mass = report.effective_mass;
             record.effective_mass_error = report.effective_mass_error;
+            record.motion_ratio = report.motion_ratios.first().map(|ratio| ratio.wheel_per_contact);
             let shares = report.bodies.into_iter().filter_map(|body| Some((body.link, body.share?)));
             record.most = shares.filter(|(_, share)| *share > 0.0).collect();
             record.most.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -259,18 +281,18 @@ fn rows(
             return Err(other(design, "the numbers of rows differ"));
         }
         for (i, row) in report.rows.into_iter().enumerate() {
-            let values = row.varied.values().to_vec();
+            let values = row.varied.values();
             if number == 0 {
-                let (effective_mass, difference_percent) = (vec![row.effective_mass], vec![None]);
-                rows.push(ComparisonRow { row: i, varied: values, effective_mass, difference_percent });
-                continue;
+                rows.push(ComparisonRow { row: i, varied: values.to_vec(), ..ComparisonRow::default() });
             }
-            if rows[i].varied != values {
+            let compared = &mut rows[i];
+            if compared.varied != values {
                 return Err(other(design, "their values differ"));
             }
-            let against = rows[i].effective_mass[0];
-            rows[i].effective_mass.push(row.effective_mass);
-            rows[i].difference_percent.push(difference(against, row.effective_mass));
+            let against = reference(designs, number).and_then(|at| compared.effective_mass[at]);
+            compared.difference_percent.push(difference(against, row.effective_mass));
+            compared.effective_mass.push(row.effective_mass);
+            compared.motion_ratio.push(row.motion_ratio);
         }
     }
     Ok((varied, rows))

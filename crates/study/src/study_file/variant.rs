@@ -22,6 +22,8 @@ pub(crate) struct VariantText {
     pub name: String,
     /// File of another model in place of the study's model.
     pub model: Option<String>,
+    /// Named contact in place of the contact of the study.
+    pub at: Option<String>,
     /// Masses by link, kg, in place of those in [model].
     #[serde(default, deserialize_with = "value::by_name")]
     #[schemars(with = "BTreeMap<String, Mass>")]
@@ -110,6 +112,9 @@ impl VariantText {
             moves: points(&self.moves),
         })?;
         let mut question = question.clone();
+        if self.at.is_some() {
+            question = MassQuestion { at: self.at.clone(), ..question.without_geometry() };
+        }
         replace_by_name(&mut question.armature, &self.armature);
         replace_by_name(&mut question.set, &self.set);
         Ok(Variant { name: self.name.clone(), model, question })

@@ -14,7 +14,7 @@ use percuss_study::{
 
 /// Section of the variants.
 pub(super) fn add_variants(compared: &ComparisonReport, study: &StudyFile, page: &mut Page) {
-    page.section("Variants");
+    page.section(if compare::has_several_contacts(compared) { "Contacts and variants" } else { "Variants" });
     page.table(compare::design_table(compared).rows());
     for design in &compared.designs {
         if let Some(error) = &design.error {

@@ -1,0 +1,83 @@
+//! Several named contacts in one comparison: each equals its own command.
+
+use crate::support::{Scratch, Sweep, json, percuss, refused};
+use serde_json::Value;
+
+const SHEET: &str = "models/suspensions/double-wishbone.toml";
+const RANGE: &str = "--wheel-travel -30mm:30mm:7";
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+#[test]
+fn several_contacts_of_a_sheet_are_each_what_mass_and_sweep_say() {
+    let folder = Scratch::new("several-contacts");
+    let report = json(&format!("compare {SHEET} --at bump_stop,spring {RANGE} --format json"));
+    for (i, contact) in ["bump_stop", "spring"].into_iter().enumerate() {
+        let design = &report["designs"][i];
+        assert_eq!((&design["name"], &design["contact"]), (&contact.into(), &contact.into()));
+        assert_eq!((&design["reference"], &design["difference_percent"]), (&Value::Null, &Value::Null));
+        let mass = json(&format!("mass {SHEET} --at {contact} --format json"));
+        assert_eq!(design["effective_mass"], mass["effective_mass"]);
+        assert_eq!(design["motion_ratio"], mass["motion_ratios"][0]["wheel_per_contact"]);
+        let sweep = Sweep::read(&percuss(&format!("sweep {SHEET} --at {contact} {RANGE}")).stdout);
+        for row in 0..7 {
+            let compared = &report["rows"][row];
+            assert_eq!(compared["effective_mass"][i].as_f64(), sweep.number(row, "effective_mass"));
+            assert_eq!(compared["motion_ratio"][i].as_f64(), sweep.number(row, "motion_ratio"));
+            assert!(compared["motion_ratio"][i].is_number(), "{compared}");
+        }
+    }
+    // The table and the figure show the motion ratios beside the masses.
+    let (csv, svg) = (folder.path("both.csv"), folder.path("both.svg"));
+    for output in [&csv, &svg] {
+        let outcome = percuss(&format!("compare {SHEET} --at bump_stop,spring {RANGE} --output {output}"));
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    }
+    let table = Sweep::read(&std::fs::read_to_string(csv).expect("a table"));
+    assert_eq!(table.number(2, "spring motion_ratio"), report["rows"][2]["motion_ratio"][1].as_f64());
+    let drawn = std::fs::read_to_string(svg).expect("a figure");
+    assert!(drawn.contains("motion ratio, travel over contact") && !drawn.contains("difference"), "{drawn}");
+    // All contacts are those that the table of mass lists, in its order.
+    let listed = json(&format!("mass {SHEET} --at all --format json"));
+    let all = json(&format!("compare {SHEET} --at all --format json"));
+    let names = |report: &Value, list: &str, key: &str| -> Vec<Value> {
+        report[list].as_array().expect("a list").iter().map(|item| item[key].clone()).collect()
+    };
+    assert_eq!(names(&all, "designs", "contact"), names(&listed, "contacts", "name"));
+    refused(&format!("compare {SHEET} --at bump_stop,sprnig"), &["spring"]);
+    refused(&format!("compare {SHEET} --at spring"), &["bump_stop,spring"]);
+}
+
+/// Each contact of a variant is compared with the same contact of the first design.
+#[test]
+fn contacts_and_variants_of_a_study() {
+    let folder = Scratch::new("contacts-and-variants");
+    let sheet = crate::support::root().join(SHEET);
+    let study = format!(
+        "[model]\npath = {:?}\n[contact]\nat = \"bump_stop\"\n\
+         [[variant]]\nname = \"at the spring\"\nat = \"spring\"\n\
+         [[variant]]\nname = \"light\"\nlink_mass = {{ upright = 4 }}\n\
+         [[variant]]\nname = \"light, at the spring\"\nat = \"spring\"\nlink_mass = {{ upright = 4 }}\n",
+        sheet.to_string_lossy()
+    );
+    let path = folder.write("study.toml", &study);
+    let report = json(&format!("compare {path} --format json"));
+    let flags = ["--at bump_stop", "--at spring", "--at bump_stop --link-mass upright=4kg", "--at spring --link-mass upright=4kg"];
+    let masses = flags.map(|flags| number(&json(&format!("mass {SHEET} {flags} --format json"))["effective_mass"]));
+    for (i, reference) in [None, None, Some(0), Some(1)].into_iter().enumerate() {
+        let design = &report["designs"][i];
+        assert_eq!(number(&design["effective_mass"]), masses[i]);
+        assert_eq!(design["reference"].as_u64(), reference.map(|at| at as u64));
+        let percent = reference.map(|at: usize| 100.0 * (masses[i] / masses[at] - 1.0));
+        // A difference of two quotients: a few roundings.
+        assert_eq!(percent.is_some(), design["difference_percent"].is_number());
+        assert!(percent.is_none_or(|p| (p - number(&design["difference_percent"])).abs() < 1e-9), "{design}");
+    }
+    let html = folder.path("report.html");
+    let outcome = percuss(&format!("run {path} --report {html}"));
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let page = std::fs::read_to_string(html).expect("a report");
+    assert!(page.contains("Contacts and variants") && page.contains("light, at the spring"));
+}
