@@ -312,16 +312,16 @@ typedef struct percuss_contact {
    */
   double point[3];
   /*
-   The normal, out of the contact link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD
-   and PERCUSS_NORMAL_TURNING_TOWARD: the target point, m.
+   The normal, out of the contact link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD,
+   PERCUSS_NORMAL_TURNING_TOWARD and PERCUSS_NORMAL_TURNING_AWAY: a point of the line, m.
    */
   double normal[3];
   /*
-   Kind of the normal: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_TOWARD.
+   Kind of the normal: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_AWAY.
    */
   percuss_normal normal_given;
   /*
-   Link of the target point, for PERCUSS_NORMAL_TOWARD and PERCUSS_NORMAL_TURNING_TOWARD; not read otherwise.
+   Link of that point; not read if the normal is a vector.
    */
   size_t toward;
 } percuss_contact;
@@ -737,6 +737,11 @@ typedef struct percuss_rank {
 #define PERCUSS_NORMAL_TURNING_TOWARD 4
 
 /*
+ The opposite direction of that line: a stop that limits the extension of a damper.
+ */
+#define PERCUSS_NORMAL_TURNING_AWAY 5
+
+/*
  A finite effective mass.
  */
 #define PERCUSS_FINITE 0
@@ -1131,6 +1136,18 @@ percuss_status percuss_assembly_mobility(const struct percuss_assembly *assembly
  contact is null or points to storage for a percuss_contact.
  */
 percuss_status percuss_contact_init(struct percuss_contact *contact);
+
+/*
+ The named contact of a model: a stop, the seat of a spring or damper, a contact patch. gap (may be null): the gap with all
+ joints at 0, m; 0 if the parts always touch. Errors: PERCUSS_ERROR_NAME, with the most similar name.
+
+ Pointers:
+ name ends with a zero byte; contact is null or points to storage for a percuss_contact, gap to storage for a number.
+ */
+percuss_status percuss_model_find_contact(const struct percuss_model *model,
+                                          const char *name,
+                                          struct percuss_contact *contact,
+                                          double *gap);
 
 /*
  The pose at a configuration: set joints drive, other joints of the loops follow. The pose belongs to the assembly

@@ -188,10 +188,10 @@ static void contacts(void)
   c = ball.contact;
   c.normal_given = PERCUSS_NORMAL_TOWARD;
   refused_contact(&ball, pose, &c, contact, "toward is not set");
-  c.normal_given = 5;
-  refused_contact(&ball, pose, &c, PERCUSS_ERROR_ARGUMENT, "expected 0 to 4");
+  c.normal_given = 6;
+  refused_contact(&ball, pose, &c, PERCUSS_ERROR_ARGUMENT, "expected 0 to 5");
   c.normal_given = -1;
-  refused_contact(&ball, pose, &c, PERCUSS_ERROR_ARGUMENT, "expected 0 to 4");
+  refused_contact(&ball, pose, &c, PERCUSS_ERROR_ARGUMENT, "expected 0 to 5");
   /* Configurations and bases. */
   const double zero[4] = {0.0, 0.0, 0.0, 0.0}, two[4] = {2.0, 0.0, 0.0, 0.0}, none[4] = {NAN, 0.0, 0.0, 0.0};
   const double origin[3] = {0.0, 0.0, 0.0}, far[3] = {1e101, 0.0, 0.0}, unit[4] = {1.0, 0.0, 0.0, 0.0};
