@@ -75,6 +75,7 @@ check robots "$venv/bin/python" "$here/compare.py" --probe "$programs/percuss-pr
 check engines "$here/engines.sh" "$percuss"
 check integrators env PYTHONPATH="$here" "$venv/bin/python" "$here/contact/integrators.py" --percuss "$percuss"
 check contacts env PYTHONPATH="$here" "$drake/bin/python" "$here/contact/check.py" --percuss "$percuss"
+check reports python3 "$here/reports.py" --percuss "$percuss"
 check designs "$venv/bin/python" "$here/designs.py" --percuss "$percuss" --count 30
 check linkages "$venv/bin/python" "$here/loops.py" --percuss "$percuss"
 # The shipped models: route A against the oracle's route C.

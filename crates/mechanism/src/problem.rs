@@ -447,7 +447,8 @@ impl fmt::Display for Problem {
             Problem::DenseInertia { mass, gyration, density } => write!(
                 f,
                 "the mass of {mass:.4e} kg with a radius of gyration of {gyration:.4e} m would have a density of {density:.0e} \
-                 kg/m³: expected kg and kg·m², is the mass in grams? (A point mass has inertia 0)"
+                 kg/m³: expected kg and kg·m², is the mass in grams, or the inertia in another unit? (A point mass has inertia 0; a sheet \
+                 has inertia_unit)"
             ),
             Problem::TriangleInequality { principal: [a, b, c] } => write!(
                 f,

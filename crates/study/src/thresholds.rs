@@ -4,6 +4,11 @@ use std::ops::RangeInclusive;
 
 // Limits of queries.
 
+/// Turns of a continuous joint above which a set number without a unit is taken for degrees. A second turn changes nothing.
+pub(crate) const MOST_TURNS_SET: f64 = 1.0;
+/// The same for the ends of a range, which may follow a path over more than a turn.
+pub(crate) const MOST_TURNS_VARIED: f64 = 2.0;
+
 /// Length, in any unit, up to which a vector has no direction. A vector typed with a few digits is longer; the difference
 /// of equal points is shorter.
 pub(crate) const SHORTEST_DIRECTION: f64 = 1e-9;

@@ -5,16 +5,17 @@ use crate::files::csv::{self, Cell};
 use crate::files::output::{record_input, write_file};
 use crate::files::table_style::{ColumnUnit, TableStyle};
 use crate::files::xlsx_rows;
+use crate::pictures::clipping::note_clipping;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
-use crate::terminal::text::{Table, number};
+use crate::terminal::text::{Table, number, short_number};
 use crate::terminal::wrap::wrap_message;
 use percuss_render::{Figure, Panel, Series, Style};
 use percuss_study::{
     AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Dimension, MassQuestion,
     Model, Names, RowSource, StudyFigure, StudyFile, compare,
 };
-use std::fmt::Write as _;
+use std::fmt::{Display, Write as _};
 use std::path::Path;
 
 /// Runs the command.
@@ -188,8 +189,26 @@ fn percent(x: f64) -> String {
     if x.abs() < 0.005 { "0.00 %".to_owned() } else { format!("{x:+.2} %") }
 }
 
-/// Table of designs, one row each.
+/// Table of designs, one row each. Several contacts of one design have no differences; the table then shows their motion ratios.
 pub fn design_table(report: &ComparisonReport) -> Table<5> {
+    let most = |design: &DesignRecord| {
+        let most = design.most.iter().map(|(link, share)| format!("{link} {:.1} %", 100.0 * share));
+        most.collect::<Vec<_>>().join(", ")
+    };
+    if report.designs.iter().all(|design| design.reference.is_none()) {
+        let mut table = Table::new(["contact", "kg", "wheel/contact", "kg over the range", "most of it"]);
+        for (i, design) in report.designs.iter().enumerate() {
+            let ratio = design.motion_ratio.map_or("–".into(), short_number);
+            let masses = report.rows.iter().filter_map(|row| row.effective_mass[i]);
+            let range = masses.fold(None, |range: Option<[f64; 2]>, x| {
+                Some(range.map_or([x, x], |[least, greatest]| [least.min(x), greatest.max(x)]))
+            });
+            let range = range
+                .map_or_else(String::new, |[a, b]| format!("{} to {}", short_number(a), short_number(b)));
+            table.row([design.name.clone(), answer_text(design), ratio, range, most(design)]);
+        }
+        return table;
+    }
     let mut table = Table::new(["design", "kg", "difference", "over the range", "most of it"]);
     for design in &report.designs {
         let difference = match design.difference_percent {
@@ -199,16 +218,21 @@ pub fn design_table(report: &ComparisonReport) -> Table<5> {
         };
         let range = design.difference_range_percent;
         let range = range.map_or_else(String::new, |[a, b]| format!("{} to {}", percent(a), percent(b)));
-        let most = design.most.iter().map(|(link, share)| format!("{link} {:.1} %", 100.0 * share));
-        let most: Vec<String> = most.collect();
-        table.row([design.name.clone(), answer_text(design), difference, range, most.join(", ")]);
+        table.row([design.name.clone(), answer_text(design), difference, range, most(design)]);
     }
     table
 }
 
+/// "COUNT designs", or "COUNT contacts" of one design.
+fn of_designs(report: &ComparisonReport, count: impl Display) -> String {
+    let has_designs = report.designs.iter().any(|design| design.reference.is_some());
+    format!("{count} {}", if has_designs { "designs" } else { "contacts" }).trim_start().to_owned()
+}
+
 /// Report as text.
 fn text(report: &ComparisonReport) -> String {
-    let mut out = format!("effective mass of {} designs\n\n{}", report.designs.len(), design_table(report));
+    let title = of_designs(report, report.designs.len());
+    let mut out = format!("effective mass of {title}\n\n{}", design_table(report));
     for design in &report.designs {
         if let Some(error) = &design.error {
             let _ = writeln!(out, "\n{}", wrap_message(&format!("{}: {error}", design.name)));
@@ -286,6 +310,11 @@ fn file_bytes(
     requested: &StudyFigure,
 ) -> Result<Vec<u8>, Failure> {
     let ending = Path::new(path).extension().and_then(|ending| ending.to_str()).unwrap_or("");
+    let clipped = || {
+        let mut figure = figure(report, requested)?;
+        note_clipping(&mut figure);
+        Ok::<Figure, Failure>(figure)
+    };
     match ending.to_ascii_lowercase().as_str() {
         "csv" => Ok(table(report, style).into_bytes()),
         "xlsx" => {
@@ -297,9 +326,9 @@ fn file_bytes(
             let text = text.map_err(|e| Failure::NoAnswer(format!("the result has no JSON form: {e}")))?;
             Ok((text + "\n").into_bytes())
         }
-        "svg" => Ok(figure(report, requested)?.to_svg().into_bytes()),
-        "png" => figure(report, requested)?.to_png(2.0).map_err(Failure::from),
-        "pdf" => figure(report, requested)?.to_pdf().map_err(Failure::from),
+        "svg" => Ok(clipped()?.to_svg().into_bytes()),
+        "png" => clipped()?.to_png(2.0).map_err(Failure::from),
+        "pdf" => clipped()?.to_pdf().map_err(Failure::from),
         _ => Err(Failure::bad_input(format!(
             "--output {path}: its name must end in .csv, .xlsx, .json, .svg, .png or .pdf"
         ))),
@@ -347,7 +376,10 @@ pub fn figure(report: &ComparisonReport, requested: &StudyFigure) -> Result<Figu
         panels.push(Panel { y_label, series: differences, ..Panel::default() });
     }
     Ok(Figure {
-        title: requested.title.clone().unwrap_or_else(|| "Effective mass of designs".into()),
+        title: requested
+            .title
+            .clone()
+            .unwrap_or_else(|| format!("Effective mass of {}", of_designs(report, ""))),
         x_limits: requested.x_limits.map(AxisLimits::ends),
         subtitle: report.designs.iter().map(|d| d.name.clone()).collect::<Vec<_>>().join(", "),
         x_label: format!("{} ({unit})", varied.name),

@@ -6,6 +6,7 @@ use crate::files::parquet_rows;
 use crate::files::sweep_rows;
 use crate::files::table_style::TableStyle;
 use crate::files::xlsx_rows;
+use crate::pictures::clipping::note_clipping;
 use crate::pictures::sweep_figure::sweep_figure;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{warn, write_diagnostics};
@@ -123,6 +124,8 @@ fn write(
         Format::Parquet => return parquet_rows::write(sweep, model, path, bar),
         Format::Svg | Format::Png | Format::Pdf => sweep_figure(sweep, question, destination.figure, bar)?,
     };
+    let mut figure = figure;
+    note_clipping(&mut figure);
     let bytes = match format {
         Format::Png => figure.to_png(2.0)?,
         Format::Pdf => figure.to_pdf()?,

@@ -1,8 +1,9 @@
 //! Ends of the axes of curves that grow without bound near an immovable pose or a limit of the travel.
 
 use crate::terminal::limits;
+use crate::terminal::report::note;
 use crate::terminal::text::short_number;
-use percuss_render::Figure;
+use percuss_render::{Figure, Series};
 
 /// Ends each axis without given limits before a few values that would take most of it. Returns the caption: the end of the
 /// axis, and the number and the extreme of the values beyond; empty if nothing is clipped.
@@ -51,15 +52,39 @@ pub fn clip_outliers(figure: &mut Figure) -> String {
             let margin = 0.04 * (top - bottom);
             let low_end = if bottom > least { bottom } else { bottom - margin };
             panel.y_limits = Some((low_end, if top < greatest { top } else { top + margin }));
+            panel.series.iter_mut().for_each(|series| break_at_poles(series, bottom, top));
         }
     }
     captions.join(" ")
 }
 
+/// Interrupts a curve between two values beyond opposite ends of the axis: between them lies a pole, and no line.
+fn break_at_poles(series: &mut Series, bottom: f64, top: f64) {
+    let side = |y: Option<f64>| y.map_or(0, |y| i32::from(y > top) - i32::from(y < bottom));
+    let mut points: Vec<(f64, Option<f64>)> = Vec::with_capacity(series.points.len());
+    for (x, y) in std::mem::take(&mut series.points) {
+        if let Some(&(last, before)) = points.last()
+            && side(before) * side(y) < 0
+        {
+            points.push((0.5 * (last + x), None));
+        }
+        points.push((x, y));
+    }
+    series.points = points;
+}
+
+/// Clips a figure that is written to a file, and says so on the terminal.
+pub fn note_clipping(figure: &mut Figure) {
+    let caption = clip_outliers(figure);
+    if !caption.is_empty() {
+        note(&caption);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use percuss_render::{Panel, Series};
+    use percuss_render::Panel;
 
     fn figure(of: impl Fn(f64) -> f64) -> Figure {
         let points = (0..50).map(|i| 0.02 * f64::from(i)).map(|x| (x, Some(of(x)))).collect();
@@ -78,6 +103,10 @@ mod tests {
             caption.starts_with("m̄ (kg): the axis ends at") && caption.contains("at angle 0.98"),
             "{caption}"
         );
+        let mut odd = figure(|x| 1.0 / (0.51 - x));
+        clip_outliers(&mut odd);
+        let gap = odd.panels[0].series[0].points.iter().position(|(_, y)| y.is_none());
+        assert_eq!(gap, Some(26), "between the values at 0.50 and 0.52");
         let mut smooth = figure(|x| 3.0 + (5.0 * x).sin());
         assert_eq!(clip_outliers(&mut smooth), "");
         assert_eq!(smooth.panels[0].y_limits, None);

@@ -47,7 +47,7 @@ fn a_travel_stands_where_a_sweep_over_it_does_and_its_json_is_a_pose() {
             let ratios = report["motion_ratios"].as_array().expect("a list");
             let of_centre = ratios.iter().find(|r| r["link"] == "wheel_centre").expect("the wheel's centre");
             let ratio = of_centre["wheel_per_contact"].as_f64().expect("a ratio");
-            assert_same(ratio.abs(), rows.number(row, "motion_ratio").expect("a ratio"), &line);
+            assert_same(ratio, rows.number(row, "motion_ratio").expect("a ratio"), &line);
             assert_same(ratio * of_centre["contact_per_wheel"].as_f64().expect("a ratio"), 1.0, &line);
             assert_eq!(of_centre["one_travel"], true, "{line}");
         }
@@ -402,4 +402,18 @@ fn motion_ratios_are_unambiguous_or_say_so() {
     let text = percuss(&format!("mass {}", sheet("double-wishbone"))).stdout;
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(text.contains("(wheel per contact)") && text.contains("(contact per wheel)"), "{text}");
+}
+
+/// A continuous joint has no limits that degrees would exceed; more than a turn without a unit is a warning.
+#[test]
+fn degrees_without_a_unit_are_a_warning_for_a_joint_without_limits() {
+    let warned = |line: &str| percuss(line).stderr.contains("for degrees write");
+    assert!(warned(&format!("mass {PENDULUM} --set hinge=90")));
+    assert!(warned(&format!("sweep {PENDULUM} --vary hinge=0:360:5")));
+    for plain in ["--set hinge=6.2", "--set hinge=400deg", "--set hinge=-90deg"] {
+        assert!(!warned(&format!("mass {PENDULUM} {plain}")), "{plain}");
+    }
+    for plain in ["--vary hinge=-6.3:6.3:5", "--vary hinge=0:720deg:5"] {
+        assert!(!warned(&format!("sweep {PENDULUM} {plain}")), "{plain}");
+    }
 }

@@ -19,7 +19,7 @@ const PAGES: [(&str, usize); 33] = [
     ("docs/explanation/SIMULATOR_ERRORS.md", 0),
     ("docs/howto/C.md", 0),
     ("docs/howto/CLUSTER.md", 0),
-    ("docs/howto/DESIGNS.md", 7),
+    ("docs/howto/DESIGNS.md", 8),
     ("docs/howto/LOOPS.md", 2),
     ("docs/howto/MAPS.md", 2),
     ("docs/howto/PYTHON.md", 0),

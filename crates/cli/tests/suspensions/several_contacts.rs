@@ -64,8 +64,14 @@ fn contacts_and_variants_of_a_study() {
     );
     let path = folder.write("study.toml", &study);
     let report = json(&format!("compare {path} --format json"));
-    let flags = ["--at bump_stop", "--at spring", "--at bump_stop --link-mass upright=4kg", "--at spring --link-mass upright=4kg"];
-    let masses = flags.map(|flags| number(&json(&format!("mass {SHEET} {flags} --format json"))["effective_mass"]));
+    let flags = [
+        "--at bump_stop",
+        "--at spring",
+        "--at bump_stop --link-mass upright=4kg",
+        "--at spring --link-mass upright=4kg",
+    ];
+    let masses =
+        flags.map(|flags| number(&json(&format!("mass {SHEET} {flags} --format json"))["effective_mass"]));
     for (i, reference) in [None, None, Some(0), Some(1)].into_iter().enumerate() {
         let design = &report["designs"][i];
         assert_eq!(number(&design["effective_mass"]), masses[i]);

@@ -4,6 +4,7 @@ use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
 use percuss_dynamics::Pose;
 use percuss_mechanism::{JointId, JointKind, Limits, Mechanism};
+use percuss_units::Quantity;
 use std::f64::consts::TAU;
 
 /// Limited joints, each with the index of its position.
@@ -35,6 +36,29 @@ impl LimitedJoints {
             Pose::is_outside(value, limits).then(|| joint_limit_finding(mechanism, joint, value, limits))
         })
     }
+}
+
+/// Finding for a number without a unit that turns a joint by more than `turns` turns: it is probably in degrees. `how`: verb of the
+/// message. `None` for another joint or number.
+pub(crate) fn many_turns_finding(
+    mechanism: &Mechanism,
+    joint: JointId,
+    number: Quantity,
+    turns: f64,
+    how: &str,
+) -> Option<Finding> {
+    let on = mechanism.joint(joint);
+    let is_free = on.kind() == JointKind::Continuous && number.dimension.is_none();
+    (is_free && number.value.abs() > turns * TAU).then(|| {
+        let message = format!(
+            "joint \"{}\" {how} {}, {:.1} turns; a number without a unit is in rad: for degrees write {}deg",
+            on.name(),
+            number.value,
+            number.value / TAU,
+            number.value
+        );
+        Finding::new(FindingKind::ManyTurns, FindingSubject::Joint(joint), message)
+    })
 }
 
 /// Finding for a joint outside its limits.

@@ -20,7 +20,7 @@ pub struct EstimateRecord {
     /// Point A, in the first link's frame, m.
     pub point_link: [f64; 3],
     /// Speed of A (or the component along the direction, if given) per unit closing speed: the motion ratio "A
-    /// over contact". Null if a massless motion leaves the speed undetermined.
+    /// over contact", negative for a motion against the direction. Null if a massless motion leaves the speed undetermined.
     pub motion_ratio: Option<f64>,
     /// Inverse ratio l̄, the motion ratio "contact over A".
     pub lever: Option<f64>,
@@ -80,7 +80,7 @@ impl PreparedEstimate {
         let motion_ratio = match velocity {
             Some(PointVelocity::Known(v)) => Some(match &self.direction {
                 // The velocity is in the axes of the root link, the direction in world axes.
-                Some(d) => pose.base().vector(&v).dot(d).abs(),
+                Some(d) => pose.base().vector(&v).dot(d),
                 None => v.norm(),
             }),
             Some(PointVelocity::Undetermined) | None => None,
@@ -97,7 +97,7 @@ impl PreparedEstimate {
             mass: self.mass,
             point_link: self.point.into(),
             motion_ratio,
-            lever: motion_ratio.filter(|r| *r > 0.0).map(|r| 1.0 / r),
+            lever: motion_ratio.filter(|r| *r != 0.0).map(|r| 1.0 / r),
             estimate,
             error_percent: estimate.zip(exact).map(|(e, m)| 100.0 * (e / m - 1.0)),
             share_left_out: taken.map(|t| 1.0 - t),

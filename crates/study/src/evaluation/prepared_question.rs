@@ -7,6 +7,7 @@ use crate::checks::findings::{
     collect_pose_findings, collect_response_findings, guess_findings, singular_pose_finding,
 };
 use crate::checks::held_contact::HeldContact;
+use crate::checks::joint_limits::many_turns_finding;
 use crate::evaluation::estimate::{EstimateRecord, PreparedEstimate};
 use crate::model::loading::{Input, Model};
 use crate::pose::pose_solver;
@@ -14,7 +15,7 @@ use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::question::pose_file::{GivenPose, GivenPoseError};
-use crate::thresholds::LEAST_OTHER_MASS;
+use crate::thresholds::{LEAST_OTHER_MASS, MOST_TURNS_SET};
 use crate::values::position::GivenPosition;
 use nalgebra::Vector3;
 use percuss_dynamics::{
@@ -214,6 +215,15 @@ impl<'a> PreparedQuestion<'a> {
         found
     }
 
+    /// Findings about set joints that turn more than once.
+    fn many_turns(&self) -> impl Iterator<Item = Finding> {
+        let mechanism = self.system.mechanism();
+        self.question.set.iter().filter_map(|(joint, position)| {
+            let joint = mechanism.find_joint(joint).ok()?;
+            many_turns_finding(mechanism, joint, position.single()?, MOST_TURNS_SET, "is at")
+        })
+    }
+
     /// Input files: model, study and pose.
     pub fn inputs(&self) -> Vec<Input> {
         let pose = self.question.pose.iter().map(|file| &file.input);
@@ -234,6 +244,7 @@ impl<'a> PreparedQuestion<'a> {
         let limits =
             if response.singular_pose { pose.branch_limits(contact) } else { BranchLimits::default() };
         findings.extend(singular_pose_finding(pose, &response, &limits));
+        findings.extend(self.many_turns());
         for held in &self.held_contacts {
             findings.extend(held.lift_off_finding(pose, contact, self.other_mass(), names)?);
         }

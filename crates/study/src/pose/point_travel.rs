@@ -290,14 +290,15 @@ impl PointTravel {
         self.travel.displacement(pose)
     }
 
-    /// Speed of the point along its direction per unit closing speed of the contact.
+    /// Speed of the point along its direction per unit closing speed of the contact; negative if the contact closes while the point
+    /// moves against its direction.
     pub fn motion_ratio(&self, pose: &Pose, response: &ContactResponse) -> Option<f64> {
         // The motion of the impact is no motion of several points together.
         if self.joined.is_some() {
             return None;
         }
         match pose.point_velocity(response, self.travel.link(), self.travel.point())? {
-            PointVelocity::Known(v) => Some(pose.base().vector(&v).dot(self.travel.direction()?).abs()),
+            PointVelocity::Known(v) => Some(pose.base().vector(&v).dot(self.travel.direction()?)),
             PointVelocity::Undetermined => None,
         }
     }

@@ -300,7 +300,8 @@ impl StarterWriter<'_> {
         if let Some(wheel) = names.find(|name| name.starts_with("wheel_centre"))
             && !mechanism.closures().is_empty()
         {
-            return Some((None, format!("travel:{wheel}:0,0,0:0,0,1=-30mm:30mm:25")));
+            let motion = if wheel == "wheel_centre" { "wheel-travel" } else { "heave" };
+            return Some((None, format!("{motion}=-30mm:30mm:25")));
         }
         let free = self.free();
         let link = mechanism.find_link(&self.report.contact.link).ok()?;
@@ -333,7 +334,7 @@ impl StarterWriter<'_> {
         };
         writeln!(
             out,
-            "\n# The same with something changed, side by side: link_mass, link_com, armature, set, move, model."
+            "\n# The same with something changed, side by side: link_mass, link_com, armature, set, move, model, at."
         )?;
         let lighter = (0.9 * mass * 1e6).round() / 1e6;
         let name = toml_string(&format!("{link} 10 % lighter"));

@@ -3,6 +3,7 @@
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
+use crate::checks::joint_limits::many_turns_finding;
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::evaluation::random_rows::RandomRows;
 use crate::model::loading::Model;
@@ -23,8 +24,9 @@ use crate::sweep::row_layout::RowLayout;
 use crate::sweep::sweep_context::SweepContext;
 use crate::sweep::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
 use crate::tables::trajectory::Trajectory;
-use crate::thresholds::{GRID_ROWS, ROWS};
+use crate::thresholds::{GRID_ROWS, MOST_TURNS_VARIED, ROWS};
 use percuss_dynamics::Gap;
+use percuss_mechanism::Mechanism;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -33,8 +35,8 @@ use std::sync::Arc;
 pub struct Sweep<'a> {
     context: SweepContext<'a>,
     rows: RowReader,
-    /// Finding about the converted contact point.
-    point_finding: Option<Finding>,
+    /// Findings about the ranges and the contact point, known before the rows.
+    findings: Vec<Finding>,
 }
 
 /// Evaluates a contact at many rows of positions; `each` receives the rows and may end the sweep.
@@ -86,8 +88,13 @@ impl<'a> Sweep<'a> {
         source: impl Into<RowSource>,
     ) -> Result<Self, StudyError> {
         let prepared = PreparedQuestion::new(model, question)?;
+        let mut findings = Vec::new();
         let (setting, rows) = match append_travel(&prepared, source.into())? {
-            RowSource::Grid(ranges) => grid(&prepared, &ranges)?,
+            RowSource::Grid(ranges) => {
+                let turns = ranges.iter().filter_map(|range| many_turns(&model.mechanism, range));
+                findings.extend(turns);
+                grid(&prepared, &ranges)?
+            }
             RowSource::File(file) => {
                 let refuse = |error| StudyError::input(Field::Input, Fault::Table(Box::new(error)));
                 let trajectory = Trajectory::open(&prepared, &file).map_err(refuse)?;
@@ -124,8 +131,10 @@ impl<'a> Sweep<'a> {
                 prepared.contact_at(&reference.map_err(|error| error.into_varied_fault(is_varied))?)
             }
         };
-        let about_point = prepared
-            .converted_point_finding(&contact, &format!("where {} is 0", setting.varied_description()));
+        findings.extend(
+            prepared
+                .converted_point_finding(&contact, &format!("where {} is 0", setting.varied_description())),
+        );
         let gap = match prepared.question.named_contact(&model.mechanism)? {
             // The gap depends on the drawing only; a model that does not close as drawn has no rows either.
             Some(contact) => {
@@ -156,7 +165,7 @@ impl<'a> Sweep<'a> {
             gap,
             batch_evaluator: lanes,
         };
-        Ok(Self { context, rows, point_finding: about_point })
+        Ok(Self { context, rows, findings })
     }
 
     /// Heading: data common to all rows.
@@ -188,13 +197,12 @@ impl<'a> Sweep<'a> {
         convert: &(dyn Fn(SweepRow) -> T + Sync),
         each: &mut dyn FnMut(T) -> ControlFlow<()>,
     ) -> Result<SweepEnd, StudyError> {
-        let Self { context, rows, point_finding: about_point } = self;
+        let Self { context, rows, findings } = self;
         let result = pipeline::run(&context, rows, convert, each)
             .map_err(|error| error.into_varied_fault(|joint| is_varied(&context.heading.varied, joint)))?;
         let mut end = result.end;
-        let of_all = about_point
-            .into_iter()
-            .chain(continuation_finding(&context.prepared, context.heading.continuation));
+        let of_all =
+            findings.into_iter().chain(continuation_finding(&context.prepared, context.heading.continuation));
         let of_all = of_all.chain(result.skipped.map(skipped_rows_finding));
         end.diagnostics =
             of_all.map(DiagnosticRecord::from).chain(result.tally.into_records(end.rows)).collect();
@@ -258,6 +266,15 @@ fn continuation(prepared: &PreparedQuestion, rows: &RowReader) -> Continuation {
         (Some(line), Some(all)) if line < all => Continuation::Lines,
         _ => Continuation::Path,
     }
+}
+
+/// Finding about a range that turns a joint many times.
+fn many_turns(mechanism: &Mechanism, range: &Vary) -> Option<Finding> {
+    let Varied::Joint(name) = &range.quantity else { return None };
+    let joint = mechanism.find_joint(name).ok()?;
+    let ends = [range.from, range.to];
+    ends.into_iter()
+        .find_map(|end| many_turns_finding(mechanism, joint, end, MOST_TURNS_VARIED, "is varied to"))
 }
 
 /// Finding about the continuation of the rows, if the mechanism has loops.

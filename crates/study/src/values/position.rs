@@ -40,6 +40,12 @@ impl GivenPosition {
         Ok(Self { values, text })
     }
 
+    /// The single number of a position, with the dimension of its unit; `None` for several numbers.
+    pub(crate) fn single(&self) -> Option<Quantity> {
+        let [quantity] = self.values[..] else { return None };
+        Some(quantity)
+    }
+
     /// Text as typed.
     pub fn text(&self) -> &str {
         &self.text
