@@ -12,8 +12,8 @@ use crate::terminal::text::{Table, number, short_number};
 use crate::terminal::wrap::wrap_message;
 use percuss_render::{Figure, Panel, Series, Style};
 use percuss_study::{
-    AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Dimension, MassQuestion,
-    Model, Names, RowSource, StudyFigure, StudyFile, compare,
+    AxisLimits, CompareError, ComparisonReport, ComparisonRow, ContactTable, Design, DesignRecord, Dimension,
+    MassQuestion, Model, Names, RowSource, StudyFigure, StudyFile, compare,
 };
 use std::fmt::{Display, Write as _};
 use std::path::Path;
@@ -89,8 +89,9 @@ fn designs_of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
                 Some(contact) if several => format!("{name}: {contact}"),
                 _ => name.clone(),
             };
+            let contact = several.then(|| ContactTable { at: at.clone(), ..ContactTable::default() });
             let question = MassQuestion { at, ..question.clone() };
-            designs.push(Design { name, model: model.clone(), question, rows: rows.clone() });
+            designs.push(Design { name, model: model.clone(), question, contact, rows: rows.clone() });
         }
     }
     Ok(designs)
@@ -241,9 +242,9 @@ fn text(report: &ComparisonReport) -> String {
     out
 }
 
-/// True if the designs have different named contacts; their motion ratios are then shown as well.
+/// True if the designs have different contacts; their motion ratios are then shown as well.
 pub fn has_several_contacts(report: &ComparisonReport) -> bool {
-    report.designs.iter().any(|design| design.contact != report.designs[0].contact)
+    report.designs.iter().filter(|design| design.reference.is_none()).count() > 1
 }
 
 /// Column names and rows of the table: over the ranges if any, otherwise over the designs.

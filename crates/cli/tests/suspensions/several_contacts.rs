@@ -57,9 +57,9 @@ fn contacts_and_variants_of_a_study() {
     let sheet = crate::support::root().join(SHEET);
     let study = format!(
         "[model]\npath = {:?}\n[contact]\nat = \"bump_stop\"\n\
-         [[variant]]\nname = \"at the spring\"\nat = \"spring\"\n\
+         [[variant]]\nname = \"at the spring\"\ncontact.at = \"spring\"\n\
          [[variant]]\nname = \"light\"\nlink_mass = {{ upright = 4 }}\n\
-         [[variant]]\nname = \"light, at the spring\"\nat = \"spring\"\nlink_mass = {{ upright = 4 }}\n",
+         [[variant]]\nname = \"light, at the spring\"\ncontact.at = \"spring\"\nlink_mass = {{ upright = 4 }}\n",
         sheet.to_string_lossy()
     );
     let path = folder.write("study.toml", &study);
@@ -81,6 +81,16 @@ fn contacts_and_variants_of_a_study() {
         assert_eq!(percent.is_some(), design["difference_percent"].is_number());
         assert!(percent.is_none_or(|p| (p - number(&design["difference_percent"])).abs() < 1e-9), "{design}");
     }
+    // A contact of its own; an incomplete one is an error at its line.
+    let own = "[[variant]]\nname = \"own\"\ncontact = { link = \"wheel_centre\", point = [0, 0, 0], normal = [0, 0, 1] }\n";
+    let with_own = folder.write("own.toml", &(study.clone() + own));
+    let last = json(&format!("compare {with_own} --format json"))["designs"][4].clone();
+    let flags = format!("mass {SHEET} --link wheel_centre --point 0,0,0 --normal 0,0,1 --format json");
+    assert_eq!(last["effective_mass"], json(&flags)["effective_mass"]);
+    assert_eq!((&last["reference"], &last["contact"]), (&Value::Null, &Value::Null));
+    let incomplete =
+        folder.write("incomplete.toml", &(study.clone() + &own.replace("point = [0, 0, 0], ", "")));
+    refused(&format!("compare {incomplete}"), &["incomplete.toml:16", "point is missing"]);
     let html = folder.path("report.html");
     let outcome = percuss(&format!("run {path} --report {html}"));
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);

@@ -270,6 +270,7 @@ pub fn compare(
             name: design.name.clone(),
             model: study::Model::clone(model),
             question: design.conditions.question_at(&model.mechanism, &design.contact)?,
+            contact: None,
             rows: source.clone(),
         })
     };

@@ -6,7 +6,7 @@ use crate::model::sheet::Sheet;
 use nalgebra::Vector3;
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Shape, Source, load};
 use percuss_mechanism::{ClosureDescription, Mechanism};
-use percuss_suspension::{Imported, LengthUnit, VehicleAxes};
+use percuss_suspension::{Imported, LengthUnit, Line, VehicleAxes};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::path::Path;
@@ -78,6 +78,8 @@ pub(crate) struct OriginSheet {
     pub points: Vec<String>,
     pub unit: LengthUnit,
     pub axes: VehicleAxes,
+    /// Arms and rods as drawn, by the names of their links without the side.
+    pub lines: Vec<Line>,
 }
 
 /// Point in the unit and the axes of a suspension sheet.
@@ -177,7 +179,8 @@ impl Model {
     ) -> Result<(Self, Vec<String>), LoadError> {
         let Imported { mechanism, understood, diagnostics, inputs: files, .. } = sheet.import(moves)?;
         let (sheet, points) = (sheet.clone(), understood.points);
-        let sheet = OriginSheet { sheet, points, unit: understood.unit, axes: understood.axes };
+        let (unit, axes, lines) = (understood.unit, understood.axes, understood.lines);
+        let sheet = OriginSheet { sheet, points, unit, axes, lines };
         let sheet = Some(Arc::new(sheet));
         let model = Self {
             shapes: Arc::new(vec![Vec::new(); mechanism.links().len()]),

@@ -194,12 +194,6 @@ impl MassQuestion {
         }))
     }
 
-    /// The same pose and conditions without link, point, normal and other link of a contact.
-    pub(crate) fn without_geometry(&self) -> Self {
-        let Self { link, point, normal, frame, normal_frame, against, .. } = Self::without_contact();
-        Self { link, point, normal, frame, normal_frame, against, ..self.clone() }
-    }
-
     /// True if a travel or a file of positions gives the pose.
     pub(crate) fn gives_pose(&self) -> bool {
         !self.travel.is_empty() || self.pose.is_some()

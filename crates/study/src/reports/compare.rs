@@ -12,6 +12,7 @@ use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::travel::varied_values::VariedColumn;
 use crate::reports::answer_mass::mass;
+use crate::study_file::tables::contact::ContactTable;
 use crate::sweep::sweep_rows::sweep_report;
 use serde::Serialize;
 
@@ -24,6 +25,9 @@ pub struct Design {
     pub model: Model,
     /// Question; equal for all designs except for the changes of the design.
     pub question: MassQuestion,
+    /// Contact in place of that of the first design; only designs with equal contacts are compared. `None`: the same contact, even if
+    /// its link has another name in another model.
+    pub contact: Option<ContactTable>,
     /// Rows of positions, if any.
     pub rows: Option<RowSource>,
 }
@@ -35,7 +39,7 @@ pub struct ComparisonReport {
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
-    /// Results of the designs. Each is compared with the first design that has the same named contact.
+    /// Results of the designs. Each is compared with the first design that has the same contact.
     pub designs: Vec<DesignRecord>,
     /// Varied columns; empty without rows.
     pub varied: Vec<VariedColumn>,
@@ -174,10 +178,9 @@ pub fn compare(designs: &[Design]) -> Result<ComparisonReport, CompareError> {
     })
 }
 
-/// Design that a design is compared with: the first with the same named contact. Contacts given by links are compared in any case,
-/// because the links of two models may differ in their names.
+/// Design that a design is compared with: the first with the same contact.
 fn reference(designs: &[Design], number: usize) -> Option<usize> {
-    let has_same_contact = |other: &Design| other.question.at == designs[number].question.at;
+    let has_same_contact = |other: &Design| other.contact == designs[number].contact;
     designs.iter().position(has_same_contact).filter(|first| *first < number)
 }
 

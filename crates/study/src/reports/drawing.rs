@@ -5,6 +5,7 @@ use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile, configuration};
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
+use crate::model::wheel_points::SIDES;
 use crate::pose::pose_solver;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
@@ -13,7 +14,7 @@ use percuss_dynamics::{ContactResponse, Gap, PointVelocity, Pose};
 use percuss_formats::{DEFAULT_MAX_MESH_SIZE, MeshFolders, Purpose, Shape, Surface};
 use percuss_mechanism::{ContactKind, ContactNormal, JointKind, LinkId, Mechanism, NamedContact};
 use percuss_spatial::Vector3;
-use percuss_suspension::WheelCircle;
+use percuss_suspension::{Line, WheelCircle};
 use std::path::Path;
 
 /// Drawing of a link; coordinates in the world frame, m.
@@ -23,8 +24,9 @@ pub struct DrawnLink {
     pub name: String,
     /// Share of the effective mass; `None` unless the mass is finite.
     pub share: Option<f64>,
-    /// Lines from the mean of the link's characteristic points to each of the points: joints, loop frames,
-    /// centre of mass, and contact point if the link is in contact. Two points give one line.
+    /// Arm of a suspension: from each bush to the outer point. Otherwise lines from the mean of the link's characteristic points
+    /// to each of the points: joints, loop frames, centre of mass, and contact point if the link is in contact. Two points give
+    /// one line.
     pub lines: Vec<[[f64; 3]; 2]>,
     /// Centre of mass; `None` without mass.
     pub com: Option<[f64; 3]>,
@@ -184,8 +186,14 @@ fn draw_pose(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> 
         let com = inertial.map(|inertial| pose.link(id).point(&inertial.com));
         let mut ends = points[id.index()].clone();
         ends.extend(com);
+        let arms = arm_lines(model, pose, id);
         let middle = ends.iter().sum::<Vector3<f64>>() / ends.len().max(1) as f64;
         let mut lines: Vec<[[f64; 3]; 2]> = match ends[..] {
+            _ if !arms.is_empty() => {
+                // Other points of an arm are joined to it; its centre of mass is not drawn.
+                let joined = points[id.index()].iter().map(|at| [nearest_point(&arms, at), *at]);
+                arms.iter().copied().chain(joined).map(|line| line.map(Into::into)).collect()
+            }
             [a, b] => vec![[a.into(), b.into()]],
             _ => ends.iter().map(|end| [middle.into(), (*end).into()]).collect(),
         };
@@ -226,6 +234,47 @@ fn draw_pose(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> 
         }
     }
     shapes.drawing
+}
+
+/// Lines of an arm or rod of a sheet at a pose, world frame: from each bush to the outer point. Empty for other links.
+fn arm_lines(model: &Model, pose: &Pose, id: LinkId) -> Vec<[Vector3<f64>; 2]> {
+    let Some(sheet) = &model.origin.sheet else { return Vec::new() };
+    let mechanism = &model.mechanism;
+    let name = mechanism.link(id).name();
+    let side = SIDES.into_iter().find(|side| name.ends_with(side));
+    let is_of_link = |line: &&Line| {
+        let is_left = line.ends.iter().map(|end| end[1]).sum::<f64>() > 0.0;
+        line.name == name
+            || side.is_some_and(|side| {
+                name.strip_suffix(side) == Some(&line.name) && is_left == (side == SIDES[0])
+            })
+    };
+    let on_link = |mut at: Vector3<f64>| {
+        let mut path: Vec<LinkId> = vec![id];
+        while let Some(joint) = path.last().and_then(|link| mechanism.parent_joint(*link)) {
+            path.push(mechanism.joint(joint).parent());
+        }
+        // The lines are drawn with all joints at 0: from the root to the link.
+        for link in path.into_iter().rev().skip(1) {
+            if let Some(joint) = mechanism.parent_joint(link) {
+                at = mechanism.joint(joint).origin().inverse_point(&at);
+            }
+        }
+        at
+    };
+    let lines = sheet.lines.iter().filter(is_of_link);
+    lines.map(|line| line.ends.map(|end| pose.link(id).point(&on_link(end.into())))).collect()
+}
+
+/// Point of some lines that is nearest to a point.
+fn nearest_point(lines: &[[Vector3<f64>; 2]], to: &Vector3<f64>) -> Vector3<f64> {
+    let on_line = |[a, b]: &[Vector3<f64>; 2]| {
+        let along = b - a;
+        let part = (to - a).dot(&along) / along.norm_squared();
+        a + along * if part.is_finite() { part.clamp(0.0, 1.0) } else { 0.0 }
+    };
+    let nearest = lines.iter().map(on_line).min_by(|a, b| (a - to).norm().total_cmp(&(b - to).norm()));
+    nearest.unwrap_or(*to)
 }
 
 /// Movable joints and ends of loops. A loop with both ends at one point is one point.

@@ -221,14 +221,20 @@ impl StudyFile {
     pub fn designs(&self, name: &str) -> Vec<Design> {
         let Some(question) = &self.question else { return Vec::new() };
         let rows = self.sweep.as_ref().map(|sweep| &sweep.rows);
-        let design = |name: String, model: &Model, question: &MassQuestion| Design {
-            name,
-            model: model.clone(),
+        let own = Design {
+            name: name.to_owned(),
+            model: self.model.clone(),
             question: question.clone(),
+            contact: None,
             rows: rows.cloned(),
         };
-        let own = design(name.to_owned(), &self.model, question);
-        let variants = self.variants.iter().map(|v| design(v.name.clone(), &v.model, &v.question));
+        let variants = self.variants.iter().map(|variant| Design {
+            name: variant.name.clone(),
+            model: variant.model.clone(),
+            question: variant.question.clone(),
+            contact: variant.contact.clone(),
+            rows: rows.cloned(),
+        });
         [own].into_iter().chain(variants).collect()
     }
 }
@@ -382,8 +388,18 @@ impl StudyReader<'_> {
                     format!("\"{}\" is given twice", truncate_for_message(&text.name)),
                 );
             }
+            let mut question = question.clone();
+            if let Some(contact) = &text.contact {
+                let place = format!("variant[{i}].contact");
+                if let Some(part) = contact.missing() {
+                    return Err(self.value("contact", &place, format!("{part} is missing")));
+                }
+                contact
+                    .apply_to(&mut question)
+                    .map_err(|refusal| self.value(refusal.key, &place, refusal.reason(Names::Keys)))?;
+            }
             let variant = text
-                .apply(model, question, folder, &mut loaded)
+                .apply(model, &question, folder, &mut loaded)
                 .map_err(|error| self.design(Some((i, &text.name)), error))?;
             if !Arc::ptr_eq(&variant.model.mechanism, &model.mechanism) {
                 links += variant.model.mechanism.links().len();

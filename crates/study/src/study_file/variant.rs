@@ -4,6 +4,7 @@ use crate::checks::design_variant::DesignError;
 use crate::model::changes::Changes;
 use crate::model::loading::{Input, Model};
 use crate::question::mass_question::MassQuestion;
+use crate::study_file::tables::contact::ContactTable;
 use crate::study_file::tables::model::{masses, points};
 use crate::values::position::GivenPosition;
 use crate::values::quantities::{Mass, Point};
@@ -22,8 +23,8 @@ pub(crate) struct VariantText {
     pub name: String,
     /// File of another model in place of the study's model.
     pub model: Option<String>,
-    /// Named contact in place of the contact of the study.
-    pub at: Option<String>,
+    /// Contact in place of that of the study, such as contact.at = "spring".
+    pub contact: Option<ContactTable>,
     /// Masses by link, kg, in place of those in [model].
     #[serde(default, deserialize_with = "value::by_name")]
     #[schemars(with = "BTreeMap<String, Mass>")]
@@ -55,6 +56,8 @@ pub struct Variant {
     pub model: Model,
     /// Query of the variant.
     pub question: MassQuestion,
+    /// Contact of the variant, if it is not that of the study.
+    pub contact: Option<ContactTable>,
 }
 
 /// Models of variants; each file is read once.
@@ -112,11 +115,8 @@ impl VariantText {
             moves: points(&self.moves),
         })?;
         let mut question = question.clone();
-        if self.at.is_some() {
-            question = MassQuestion { at: self.at.clone(), ..question.without_geometry() };
-        }
         replace_by_name(&mut question.armature, &self.armature);
         replace_by_name(&mut question.set, &self.set);
-        Ok(Variant { name: self.name.clone(), model, question })
+        Ok(Variant { name: self.name.clone(), model, question, contact: self.contact.clone() })
     }
 }

@@ -14,9 +14,10 @@ use percuss_study::{CheckReport, DrawnElement, DrawnMechanism, MassReport};
 use std::path::Path;
 
 /// Explanation of the picture.
-const LEGEND: &str = "A line joins the joints, the loops' ends and the centre of mass of each link, over its shapes if the \
-    model has shapes. Springs, dampers, stops and contact patches are drawn where the model names them; the gap of a \
-    stop is the distance between its pad and the hatched face. A wheel of a suspension is a circle.";
+const LEGEND: &str = "Arms and rods of a suspension are drawn from each bush to the outer point. For other links a line joins the \
+    joints, the loops' ends and the centre of mass, over the shapes if the model has shapes. Springs, dampers, stops and contact \
+    patches are drawn where the model names them; the gap of a stop is the distance between its pad and the hatched face. A \
+    wheel of a suspension is a circle.";
 
 /// Section with the picture of the mechanism.
 pub(super) fn add_mechanism(results: &StudyResults, page: &mut Page) {

@@ -240,6 +240,48 @@ impl ContactTable {
         parts.into_iter().find(|(_, is_there)| !is_there).map(|(part, _)| part)
     }
 
+    /// Replaces the contact of a question; the contact may be incomplete.
+    ///
+    /// # Errors
+    /// [`InvalidKey`]: keys that exclude each other.
+    pub(crate) fn apply_to(&self, question: &mut MassQuestion) -> Result<(), InvalidKey> {
+        let normal = match (&self.along_line, self.normal) {
+            (None, _) if self.turning_normal => {
+                return Err(InvalidKey::new("contact.turning_normal", "it requires `along_line`"));
+            }
+            (Some(line), None) if self.turning_normal => {
+                Normal::TurningToward(line.link.clone(), line.point.0)
+            }
+            (Some(line), None) => Normal::Toward(line.link.clone(), line.point.0),
+            (None, normal) => Normal::Along(normal.unwrap_or_default().0),
+            (Some(_), Some(_)) => {
+                return Err(InvalidKey::new("contact", "give either `normal` or `along_line`"));
+            }
+        };
+        if self.at.is_some() && (!self.has_no_geometry() || self.against.is_some()) {
+            let why = "it names a contact of the model: remove `link`, `point`, `normal`, `along_line`, `frame` and `against`";
+            return Err(InvalidKey::new("contact.at", why));
+        }
+        if self.against.is_some() && self.against_mass.is_some() {
+            return Err(InvalidKey::new("contact", "give either `against` or `against_mass`"));
+        }
+        if self.estimate.as_ref().is_some_and(|estimate| estimate.links.is_empty()) {
+            return Err(InvalidKey::new("contact.estimate.links", "it is empty; name at least one link"));
+        }
+        let frame = self.frame.unwrap_or_default();
+        question.at.clone_from(&self.at);
+        question.link = self.link.clone().unwrap_or_default();
+        question.point = self.point.unwrap_or_default().0;
+        question.normal = normal;
+        question.frame = frame.into();
+        question.normal_frame = self.normal_frame.unwrap_or(frame).into();
+        question.against.clone_from(&self.against);
+        question.against_mass = self.against_mass.map(|mass| mass.0);
+        question.estimate.clone_from(&self.estimate);
+        question.ratio_at.clone_from(&self.ratio_at);
+        Ok(())
+    }
+
     /// True if the contact has no own data: no name, link, point, normal or frame.
     pub fn is_empty(&self) -> bool {
         self.at.is_none() && self.has_no_geometry()
@@ -285,39 +327,7 @@ impl QuestionTables<'_> {
             GivenPose::read(&path.to_string_lossy(), max_size)
                 .map_err(|error| InvalidKey::new(Field::Pose.key(), error.to_string()))
         };
-        let normal = match (&contact.along_line, contact.normal) {
-            (None, _) if contact.turning_normal => {
-                return Err(InvalidKey::new("contact.turning_normal", "it requires `along_line`"));
-            }
-            (Some(line), None) if contact.turning_normal => {
-                Normal::TurningToward(line.link.clone(), line.point.0)
-            }
-            (Some(line), None) => Normal::Toward(line.link.clone(), line.point.0),
-            (None, normal) => Normal::Along(normal.unwrap_or_default().0),
-            (Some(_), Some(_)) => {
-                return Err(InvalidKey::new("contact", "give either `normal` or `along_line`"));
-            }
-        };
-        if contact.at.is_some() && (!contact.has_no_geometry() || contact.against.is_some()) {
-            let why = "it names a contact of the model: remove `link`, `point`, `normal`, `along_line`, `frame` and `against`";
-            return Err(InvalidKey::new("contact.at", why));
-        }
-        if contact.against.is_some() && contact.against_mass.is_some() {
-            return Err(InvalidKey::new("contact", "give either `against` or `against_mass`"));
-        }
-        if contact.estimate.as_ref().is_some_and(|estimate| estimate.links.is_empty()) {
-            return Err(InvalidKey::new("contact.estimate.links", "it is empty; name at least one link"));
-        }
-        let frame = contact.frame.unwrap_or_default();
-        Ok(MassQuestion {
-            at: contact.at.clone(),
-            link: contact.link.clone().unwrap_or_default(),
-            point: contact.point.unwrap_or_default().0,
-            normal,
-            frame: frame.into(),
-            normal_frame: contact.normal_frame.unwrap_or(frame).into(),
-            against: contact.against.clone(),
-            against_mass: contact.against_mass.map(|mass| mass.0),
+        let mut question = MassQuestion {
             set: pose.set.clone(),
             guess: pose.guess.clone(),
             pose: pose.file.as_ref().map(read).transpose()?,
@@ -326,9 +336,10 @@ impl QuestionTables<'_> {
             hold: hold.to_vec(),
             armature: conditions.armature.clone(),
             base: conditions.base.unwrap_or_default().into(),
-            estimate: contact.estimate.clone(),
-            ratio_at: contact.ratio_at.clone(),
             names,
-        })
+            ..MassQuestion::without_contact()
+        };
+        contact.apply_to(&mut question)?;
+        Ok(question)
     }
 }
