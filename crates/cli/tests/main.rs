@@ -44,8 +44,10 @@ mod study {
 mod suspensions {
     mod daily_use;
     mod import;
+    mod kinematics;
     mod own_suspension;
     mod several_contacts;
+    mod target_search;
 }
 
 /// Files that are written or replaced.

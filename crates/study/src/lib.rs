@@ -7,6 +7,7 @@
 mod checks;
 mod damper;
 mod evaluation;
+
 mod map;
 mod model;
 mod pose;
@@ -64,6 +65,16 @@ pub use reports::drawing::{DrawnElement, DrawnLink, DrawnMechanism, DrawnPoint, 
 pub use reports::explain::{
     Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
 };
+pub use reports::kinematics::changed_sheet::changed_sheet;
+pub use reports::kinematics::question::{
+    AxlePosition, KinematicVariable, KinematicsError, KinematicsQuestion, TorqueReaction, VehicleData,
+};
+pub use reports::kinematics::report::{KinematicColumn, KinematicsReport, KinematicsRow, kinematics};
+pub use reports::kinematics::target_search::{
+    FoundCoordinate, KinematicTarget, ReachedTarget, TargetReport, TargetSearch, UnknownCoordinate,
+    search_targets,
+};
+pub use reports::kinematics::values::KinematicUnit;
 pub use reports::mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, TravelRecord,
 };

@@ -56,6 +56,22 @@ pub(crate) const FIRST_BLOCK: usize = 8;
 /// Number of consecutive rows with poses per thread.
 pub(crate) const POSED_ROWS_PER_TASK: usize = 32;
 
+/// Smallest pivot of the rows of a linkage, relative to the largest entry, for which the conditions determine its motion; and
+/// largest residual of conditions that do not exclude one another. Roundings are some 1e-15, regular poses above 1e-4.
+pub(crate) const UNDETERMINED_MOTION: f64 = 1e-9;
+/// Least rate of the tilt of a wheel, rad/m, for an instant centre: one that is farther away than 10,000 km is at infinity.
+pub(crate) const LEAST_TILT_RATE: f64 = 1e-7;
+/// Largest number of designs that a search for coordinates evaluates: some seconds.
+pub(crate) const MOST_EVALUATIONS: usize = 400;
+/// Intervals of a scan of the range of a coordinate, if Newton's method does not find the required value.
+pub(crate) const SCANNED_COORDINATES: usize = 32;
+/// Half of the step of differences by the coordinates of a hardpoint, m: the error of second order is some 1e-12, rounding
+/// 1e-15/1e-6 = 1e-9 of the derivative.
+pub(crate) const DIFFERENCE_OF_POINTS: f64 = 1e-6;
+/// Steps of a search that are shorter (m) do not change the coordinate.
+pub(crate) const SMALLEST_SEARCH_STEP: f64 = 1e-13;
+/// Largest difference from a required value, in scales of the quantity: 1e-11 m, 1e-11 rad, 1e-10 of a ratio.
+pub(crate) const TARGET_ACCURACY: f64 = 1e-8;
 /// Tolerance of a travel if several travels drive a pose, in characteristic lengths. A single travel is met to 1e-12.
 pub(crate) const TRAVEL_TOLERANCE: f64 = 1e-11;
 /// Largest difference of positions (rad or m) after the way to a stop and back, if both are on one branch: the square root of

@@ -18,6 +18,7 @@ mod chrono;
 mod corner;
 mod encoding;
 mod findings;
+mod forces;
 mod limits;
 mod options;
 mod sheet;
@@ -30,6 +31,7 @@ pub use corner::drawing::{Line, WheelCircle};
 use corner::{Annotations, Body, CHASSIS, Corner, RACK};
 use encoding::Decoded;
 use findings::{Findings, Spot};
+pub use forces::{ForceElements, SpringForce, StopForce};
 pub use options::{ImportOptions, Rack, Side, Wheel};
 use percuss_formats::reading::LONGEST_NAME;
 use percuss_formats::reading::{Place, Report, cut, quoted};
@@ -121,6 +123,10 @@ fn import_sheet(
             frame: sheet.frame,
             points: sheet.design.points.keys().map(|name| (*name).to_owned()).collect(),
             chassis: sheet.chassis.clone(),
+            coordinates: coordinates(&sheet),
+            steering_axis: steering_axis(&sheet),
+            axle: sheet.template.axle,
+            forces: sheet.forces.clone(),
         };
         build_mechanism(&mut findings, built.left, built.middle, &facts, source, options)
     });
@@ -134,6 +140,23 @@ fn import_sheet(
         }
         Some(_) | None => Err(LoadError { diagnostics }),
     }
+}
+
+/// Hardpoints of a sheet, m, in the axes of the sheet and on the side of its points.
+fn coordinates(sheet: &sheet::Sheet) -> Vec<(String, [f64; 3])> {
+    let given = |(key, (at, _)): (&&str, &(Vector3<f64>, Spot))| {
+        let is_mirrored = sheet.points_side == Side::Right && !sheet.template.is_central(key);
+        let at = Vector3::new(at.x, if is_mirrored { 0.0 - at.y } else { at.y }, at.z);
+        // The conversion of the axes is its own inverse.
+        ((*key).to_owned(), sheet.frame.axes.to_iso(at).into())
+    };
+    sheet.design.points.iter().map(given).collect()
+}
+
+/// Steering axis of a sheet: two points of the left side, m, each with its link.
+fn steering_axis(sheet: &sheet::Sheet) -> Vec<(String, [f64; 3])> {
+    let point = |(link, key): &(String, String)| Some((link.clone(), sheet.design.point(key)?.into()));
+    sheet.template.steering_axis.iter().filter_map(point).collect()
 }
 
 fn import_chrono(
@@ -194,6 +217,12 @@ struct SuspensionFacts<'d> {
     points: Vec<String>,
     /// Body of the chassis; `None` for a massless root link.
     chassis: Option<Body>,
+    /// Hardpoints, m, in the axes of the file.
+    coordinates: Vec<(String, [f64; 3])>,
+    /// Two points of the steering axis of the left side, m, each with its link.
+    steering_axis: Vec<(String, [f64; 3])>,
+    axle: bool,
+    forces: ForceElements,
 }
 
 /// Reads a file of Chrono::Vehicle and builds its mechanism; `None` after an error in the report.
@@ -238,6 +267,10 @@ fn read_chrono(
         frame: reader.frame,
         points: Vec::new(),
         chassis: None,
+        coordinates: Vec::new(),
+        steering_axis: Vec::new(),
+        axle: false,
+        forces: ForceElements::default(),
     };
     build_mechanism(reader, corner, None, &facts, source, options)
 }
@@ -300,6 +333,10 @@ fn build_mechanism(
         side: facts.side,
         wheel: facts.wheel,
         points: facts.points.clone(),
+        coordinates: facts.coordinates.clone(),
+        steering_axis: facts.steering_axis.clone(),
+        axle: facts.axle,
+        forces: facts.forces.clone(),
         ..Understood::of(&mechanism, &drawing, middle_drawing.as_ref(), facts.side)
     };
     Some((mechanism, comments, understood))

@@ -41,6 +41,8 @@ pub(crate) const MAX_LENGTH_RATIO: f64 = 2.5;
 pub(crate) const MIN_REPORTED_LENGTH: f64 = 0.6;
 /// Largest displacement of a hardpoint between variants, m: a larger one is a number in another unit.
 pub(crate) const MAX_SHIFT: f64 = 0.3;
+/// Largest number of points of the curve of a stop: more than a data sheet has.
+pub(crate) const MAX_CURVE_POINTS: usize = 64;
 /// Longest plausible control arm or link of a corner, m.
 pub(crate) const MAX_ARM_LENGTH: f64 = 1.8;
 /// Largest plausible distance of a centre of mass or a spring mount from the box around the joints of its link, m. A larger

@@ -59,6 +59,9 @@ pub struct ImportOptions {
     pub worksheet: Option<String>,
     /// Moved hardpoints of a sheet: name and displacement, m, in the axes of the sheet.
     pub moves: Vec<(String, [f64; 3])>,
+    /// True if a rod without mass becomes a massless link on a universal joint instead of a distance closure: its joints can
+    /// drive the suspension. The motion is the same.
+    pub movable: bool,
     /// Findings that the user accepts.
     pub accept: Accept,
     /// True if a sheet may refer to a table of points outside the folder of the sheet. Messages quote text from the table.

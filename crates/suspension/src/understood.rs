@@ -3,6 +3,7 @@
 use super::options::{Side, Wheel};
 use super::units::VehicleAxes;
 use crate::corner::drawing::{Drawing, Line, WheelCircle};
+use crate::forces::ForceElements;
 use percuss_mechanism::Mechanism;
 use percuss_units::LengthUnit;
 
@@ -32,6 +33,15 @@ pub struct Understood {
     pub total_mass: f64,
     /// Names of the hardpoints of a sheet or table; empty for a Chrono file.
     pub points: Vec<String>,
+    /// Hardpoints with their coordinates, m, in the axes of the file and on the side of its points.
+    pub coordinates: Vec<(String, [f64; 3])>,
+    /// Two points of the steering axis of the left side as built, each with its link; empty if the template has no axis that
+    /// is fixed to two points.
+    pub steering_axis: Vec<(String, [f64; 3])>,
+    /// True if both wheels are on one rigid axle.
+    pub axle: bool,
+    /// Forces of springs and stops.
+    pub forces: ForceElements,
     /// Lines of the picture.
     pub lines: Vec<Line>,
     /// Wheels of the picture.

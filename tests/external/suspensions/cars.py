@@ -29,14 +29,16 @@ CARRIERS = {
     "semi-trailing-arm": ["trailing_arm"],
     "three-link": ["trailing_arm"],
     "multi-link": ["upper_arm", "upright", "trailing_link"],
+    "five-link": ["upright"],
     "pushrod-rocker": ["lower_arm", "upper_arm", "upright", "rocker"],
     "solid-axle-four-links": ["axle"],
     "solid-axle-panhard": ["axle"],
     "solid-axle-watt": ["axle", "watt_crank"],
+    "solid-axle-de-dion": ["axle"],
     "twist-beam": ["trailing_arm", "beam"],
     "swing-axle": ["axle_tube"],
 }
-AXLES = {"solid-axle-four-links", "solid-axle-panhard", "solid-axle-watt"}
+AXLES = {"solid-axle-four-links", "solid-axle-panhard", "solid-axle-watt", "solid-axle-de-dion"}
 # Rods: their end points; the first is at the universal joint.
 RODS = {
     "tie_rod": ("tie_rod_inner", "tie_rod_outer"),
@@ -48,6 +50,10 @@ RODS = {
     "upper_back_rod": ("upper_back", "upper_ball"),
     "lower_front_rod": ("lower_front", "lower_ball"),
     "lower_back_rod": ("lower_back", "lower_ball"),
+    "upper_front_link": ("upper_front_link_chassis", "upper_front_link_outer"),
+    "upper_back_link": ("upper_back_link_chassis", "upper_back_link_outer"),
+    "lower_front_link": ("lower_front_link_chassis", "lower_front_link_outer"),
+    "lower_back_link": ("lower_back_link_chassis", "lower_back_link_outer"),
     "pushrod": ("pushrod_outer", "pushrod_rocker"),
     "drop_link": ("drop_link_bar", "drop_link_end"),
     "middle_link": ("middle_link_chassis", "middle_link_axle"),
@@ -304,6 +310,12 @@ def corner(side):
         side.rod("trailing_link", CHASSIS, "upright")
         side.steering()
         side.wheel("upright")
+    elif template == "five-link":
+        side.body("upright")
+        for rod in ("upper_front_link", "upper_back_link", "lower_front_link", "lower_back_link"):
+            side.rod(rod, CHASSIS, "upright")
+        side.steering()
+        side.wheel("upright")
     elif template == "swing-axle":
         side.arm("axle_tube", "pivot_front", "pivot_back")
         side.wheel("axle_tube")
@@ -326,7 +338,7 @@ def axle(car, built, sides):
         side.anti_roll_bar()
     if car.template != "solid-axle-four-links":
         both.rod("middle_link", CHASSIS, "axle")
-    if car.template == "solid-axle-panhard":
+    if car.template in ("solid-axle-panhard", "solid-axle-de-dion"):
         both.rod("panhard_rod", CHASSIS, "axle")
     if car.template == "solid-axle-watt":
         both.body("watt_crank")

@@ -30,3 +30,14 @@ pub enum SchemaFormat {
     /// Page of all keys for people.
     Markdown,
 }
+
+/// Formats of `percuss kinematics`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum KinematicsFormat {
+    /// Tables for people.
+    Table,
+    /// Rows with a header, in the units of the tables.
+    Csv,
+    /// JSON for programs, in SI units.
+    Json,
+}

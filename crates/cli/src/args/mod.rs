@@ -6,6 +6,7 @@ mod damping;
 mod format;
 mod help;
 mod import;
+mod kinematics;
 mod map;
 mod model;
 #[cfg(test)]
@@ -16,9 +17,10 @@ mod writing;
 pub use compare::CompareArgs;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, SafeSpeedArgs};
-pub use format::{CheckFormat, MassFormat, SchemaFormat};
+pub use format::{CheckFormat, KinematicsFormat, MassFormat, SchemaFormat};
 pub use help::short_help::{requested_command, short_help};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
+pub use kinematics::KinematicsArgs;
 pub use map::MapArgs;
 pub use model::ModelArgs;
 pub use writing::WritingArgs;
@@ -91,6 +93,9 @@ pub enum Command {
         override_usage = "percuss map MODEL (--link L | --all) [--output FILE]… …\n       percuss map MODEL --link L --point X,Y,Z --directions COUNT …"
     )]
     Map(Box<MapArgs>),
+    /// Wheel angles, roll centre, motion ratios and wheel rates of a suspension over its travel.
+    #[command(after_help = examples::KINEMATICS)]
+    Kinematics(Box<KinematicsArgs>),
     /// Write a blank suspension sheet: hardpoints, masses, units, axes.
     #[command(after_help = examples::TEMPLATE)]
     Template(TemplateArgs),

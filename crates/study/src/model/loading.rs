@@ -6,7 +6,7 @@ use crate::model::sheet::Sheet;
 use nalgebra::Vector3;
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Shape, Source, load};
 use percuss_mechanism::{ClosureDescription, Mechanism};
-use percuss_suspension::{Imported, LengthUnit, Line, VehicleAxes};
+use percuss_suspension::{ForceElements, Imported, LengthUnit, Line, VehicleAxes};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::path::Path;
@@ -80,6 +80,20 @@ pub(crate) struct OriginSheet {
     pub axes: VehicleAxes,
     /// Arms and rods as drawn, by the names of their links without the side.
     pub lines: Vec<Line>,
+    pub kinematics: SheetKinematics,
+}
+
+/// Steering axis and forces of a sheet.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SheetKinematics {
+    /// Hardpoints, m, in the axes of the sheet and on the side of its points, with all moves.
+    pub coordinates: Vec<(String, [f64; 3])>,
+    /// Two points of the steering axis of the left side as drawn, m, each with its link; may be empty.
+    pub steering_axis: Vec<(String, [f64; 3])>,
+    /// True if both wheels are on one rigid axle.
+    pub axle: bool,
+    /// Forces of springs and stops.
+    pub forces: ForceElements,
 }
 
 /// Point in the unit and the axes of a suspension sheet.
@@ -179,8 +193,14 @@ impl Model {
     ) -> Result<(Self, Vec<String>), LoadError> {
         let Imported { mechanism, understood, diagnostics, inputs: files, .. } = sheet.import(moves)?;
         let (sheet, points) = (sheet.clone(), understood.points);
+        let kinematics = SheetKinematics {
+            coordinates: understood.coordinates,
+            steering_axis: understood.steering_axis,
+            axle: understood.axle,
+            forces: understood.forces,
+        };
         let (unit, axes, lines) = (understood.unit, understood.axes, understood.lines);
-        let sheet = OriginSheet { sheet, points, unit, axes, lines };
+        let sheet = OriginSheet { sheet, points, unit, axes, lines, kinematics };
         let sheet = Some(Arc::new(sheet));
         let model = Self {
             shapes: Arc::new(vec![Vec::new(); mechanism.links().len()]),

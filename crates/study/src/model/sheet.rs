@@ -3,7 +3,7 @@
 use crate::thresholds::LARGEST_STUDY;
 use percuss_formats::{LoadError, Source};
 use percuss_mechanism::Accept;
-use percuss_suspension::{ImportOptions, Imported, import};
+use percuss_suspension::{ImportOptions, Imported, Rack, import};
 use std::path::Path;
 
 /// Sheet, table or JSON file of a suspension in memory, with import options.
@@ -36,6 +36,22 @@ impl Sheet {
     /// True if the file is a study instead: TOML with a table `model`.
     pub(crate) fn is_study(&self) -> bool {
         is_study(&self.source)
+    }
+
+    /// Text of the file; `None` for a file that is no TOML text.
+    pub(crate) fn text(&self) -> Option<&str> {
+        let is_toml = self.source.name.to_ascii_lowercase().ends_with(".toml");
+        std::str::from_utf8(&self.source.bytes).ok().filter(|_| is_toml)
+    }
+
+    /// Same sheet, imported with joints in place of massless rods, and with a massless rack that slides if it `steers`.
+    pub(crate) fn as_movable(&self, steers: bool) -> Self {
+        let mut sheet = self.clone();
+        sheet.options.movable = true;
+        if steers {
+            sheet.options.rack = Some(Rack::Sliding { mass: 0.0 });
+        }
+        sheet
     }
 
     /// Imports the file with moved points; `moves`: name of the point and displacement, m, in the axes of the sheet.

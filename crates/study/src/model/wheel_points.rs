@@ -5,7 +5,7 @@ use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
 /// Link names given by the suspension importer; their vertical motion is the wheel travel.
 const WHEEL_POINTS: [&str; 2] = ["wheel_centre", "contact_patch"];
 /// Joint of the rack of an imported suspension.
-const RACK: &str = "rack";
+pub(crate) const RACK: &str = "rack";
 /// Suffixes of the sides in names of the importer.
 pub(crate) const SIDES: [&str; 2] = ["_left", "_right"];
 

@@ -288,6 +288,9 @@ impl CornerBuilder<'_> {
         let along = points[1] - points[0];
         let direction = frames::unit(along);
         let given = self.design.bodies.get(link);
+        let massless = GivenBody::Rod(0.0, spot.clone());
+        let given =
+            given.or_else(|| (self.design.rods_are_links && direction.is_some()).then_some(&massless));
         if given.is_none() && (direction.is_some() || self.design.unchecked_rods) {
             let comment = massless_comment.unwrap_or("a massless rod");
             return self.corner.add_rod(link, [&from, &to], points, (&spot, comment));

@@ -87,6 +87,8 @@ pub(crate) struct Design {
     pub on: BTreeMap<&'static str, (String, Spot)>,
     /// Gap and direction of stops, as given in the file, by section.
     pub stops: BTreeMap<&'static str, Stop>,
+    /// True if a rod without mass becomes a massless link on a universal joint instead of a distance closure.
+    pub rods_are_links: bool,
     /// True if a massless rod without length is left to the checks of the mechanism.
     pub unchecked_rods: bool,
     /// Comment of each hinge in the model.

@@ -8,19 +8,21 @@ use crate::limits::MAX_SHEET_KEYS;
 use std::sync::LazyLock;
 
 /// Texts of the data files, in the order of the list of templates.
-const FILES: [&str; 12] = [
+const FILES: [&str; 14] = [
     include_str!("templates/double-wishbone.toml"),
     include_str!("templates/double-wishbone-rods.toml"),
     include_str!("templates/macpherson-strut.toml"),
     include_str!("templates/semi-trailing-arm.toml"),
     include_str!("templates/three-link.toml"),
     include_str!("templates/multi-link.toml"),
+    include_str!("templates/five-link.toml"),
     include_str!("templates/pushrod-rocker.toml"),
     include_str!("templates/twist-beam.toml"),
     include_str!("templates/swing-axle.toml"),
     include_str!("templates/solid-axle-four-links.toml"),
     include_str!("templates/solid-axle-panhard.toml"),
     include_str!("templates/solid-axle-watt.toml"),
+    include_str!("templates/solid-axle-de-dion.toml"),
 ];
 
 const KEYS_FILE: &str = include_str!("templates/keys.toml");
@@ -78,8 +80,14 @@ impl Template {
 pub(super) const HEAD: [&str; 9] =
     ["template", "name", "unit", "inertia_unit", "axes", "side", "build", "points", "worksheet"];
 
+/// Sections of a template that may state a force: springs and stops.
+pub(super) fn force_sections(template: &'static Template) -> Vec<&'static str> {
+    let sections = template.on.iter().map(|(section, _)| &**section);
+    sections.filter(|section| section.ends_with("spring") || STOPS.contains(section)).collect()
+}
+
 /// All keys of a template.
-pub(super) fn keys_of(template: &Template) -> Vec<String> {
+pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
     let mut keys: Vec<String> = HEAD.iter().map(|key| (*key).to_owned()).collect();
     keys.extend(template.points.iter().map(|(key, _)| format!("points.{key}")));
     for body in template.bodies.iter().map(|(body, _)| &**body).chain([corner::CHASSIS]) {
@@ -89,6 +97,10 @@ pub(super) fn keys_of(template: &Template) -> Vec<String> {
     keys.extend(["mass", "inertia", "radius", "camber", "toe"].map(|key| format!("wheel.{key}")));
     keys.extend(template.on.iter().map(|(section, _)| format!("{section}.on")));
     keys.extend(STOPS.iter().flat_map(|section| ["gap", "direction"].map(|key| format!("{section}.{key}"))));
+    for section in force_sections(template) {
+        let own = if STOPS.contains(&section) { ["deflections", "forces"] } else { ["rate", "preload"] };
+        keys.extend(own.map(|key| format!("{section}.{key}")));
+    }
     if template.has_rack() {
         keys.extend(["mass", "slides"].map(|key| format!("rack.{key}")));
     }
@@ -131,6 +143,6 @@ mod tests {
                 assert!(template.on.iter().any(|(key, _)| key == section), "{}: {section}", template.name);
             }
         }
-        assert_eq!(templates().count(), 12);
+        assert_eq!(templates().count(), 14);
     }
 }

@@ -1,7 +1,9 @@
 //! Keys and values of a sheet or table, independent of the file format: numbers with units, texts, points.
 
+use crate::corner::design::STOPS;
 use crate::findings::{Findings, Spot};
-use crate::limits::MAX_SHEET_KEYS;
+use crate::forces::{ForceElements, SpringForce, StopForce};
+use crate::limits::{MAX_CURVE_POINTS, MAX_SHEET_KEYS};
 use crate::units::Frame;
 use percuss_formats::reading::{quoted, shortened};
 use percuss_mechanism::near_names;
@@ -68,6 +70,10 @@ pub(super) enum Quantity {
     Angle,
     /// Component of a direction, without unit.
     Component,
+    /// Stiffness; the unit is mandatory.
+    Stiffness,
+    /// Force; N for values without a unit.
+    Force,
 }
 
 impl Quantity {
@@ -78,6 +84,8 @@ impl Quantity {
             Quantity::Inertia(_) => Dimension::Inertia,
             Quantity::Angle => Dimension::Angle,
             Quantity::Component => Dimension::Plain,
+            Quantity::Stiffness => Dimension::Stiffness,
+            Quantity::Force => Dimension::Force,
         }
     }
 
@@ -89,6 +97,8 @@ impl Quantity {
             Quantity::Inertia(_) => "an inertia, such as 0.05".to_owned(),
             Quantity::Angle => "an angle with its unit, such as \"-1.5 deg\"".to_owned(),
             Quantity::Component => "a number without unit, such as 0.5".to_owned(),
+            Quantity::Stiffness => "a stiffness with its unit, such as \"28 N/mm\"".to_owned(),
+            Quantity::Force => "a force in N, such as 3200 or \"3.2 kN\"".to_owned(),
         }
     }
 
@@ -104,9 +114,9 @@ impl Quantity {
         };
         let value = match (self, unit) {
             (Quantity::Length(default), "") => default.to_metres(number),
-            (Quantity::Mass | Quantity::Component, "") => number,
+            (Quantity::Mass | Quantity::Component | Quantity::Force, "") => number,
             (Quantity::Inertia(default), "") => default.to_si(number),
-            (Quantity::Angle, "") => return None,
+            (Quantity::Angle | Quantity::Stiffness, "") => return None,
             (_, unit) => Unit::named(unit, &[self.dimension()])?.to_si(number),
         };
         value.is_finite().then_some(value)
@@ -242,6 +252,72 @@ impl Entries {
             }
         }
         Some((values, spot))
+    }
+
+    /// Reads the forces of a spring or of a stop, by the sections of a template.
+    pub fn force_elements(
+        &mut self,
+        findings: &mut Findings,
+        sections: &[&str],
+        unit: LengthUnit,
+    ) -> ForceElements {
+        let mut elements = ForceElements::default();
+        for section in sections {
+            if STOPS.contains(section) {
+                let stop = self.stop_force(findings, section, unit);
+                elements.stops.extend(stop.map(|stop| ((*section).to_owned(), stop)));
+            } else {
+                let spring = self.spring_force(findings, section);
+                elements.springs.extend(spring.map(|spring| ((*section).to_owned(), spring)));
+            }
+        }
+        elements
+    }
+
+    /// Reads the rate and the preload of a spring.
+    fn spring_force(&mut self, findings: &mut Findings, section: &str) -> Option<SpringForce> {
+        let [rate_key, preload_key] = ["rate", "preload"].map(|key| format!("{section}.{key}"));
+        let rate = self.numbers(findings, &rate_key, Quantity::Stiffness, &[1]);
+        let preload = self.numbers(findings, &preload_key, Quantity::Force, &[1]);
+        let preload = preload.map(|(values, spot)| (values[0], spot));
+        match (rate, preload) {
+            (Some((rate, spot)), _) if rate[0] < 0.0 => {
+                findings.error(
+                    "bad-rate",
+                    &spot,
+                    format!("{} N/m; a rate of at least 0 is expected", rate[0]),
+                );
+                None
+            }
+            (Some((rate, _)), preload) => {
+                Some(SpringForce { rate: rate[0], preload: preload.map(|(force, _)| force) })
+            }
+            (None, Some((_, spot))) if !self.has(&rate_key) => {
+                let message = format!("a preload without {rate_key}: the rate of the spring is expected");
+                findings.error("missing-key", &spot, message);
+                None
+            }
+            (None, _) => None,
+        }
+    }
+
+    /// Reads the curve of a stop.
+    fn stop_force(&mut self, findings: &mut Findings, section: &str, unit: LengthUnit) -> Option<StopForce> {
+        let counts: Vec<usize> = (2..=MAX_CURVE_POINTS).collect();
+        let [deflections_key, forces_key] = ["deflections", "forces"].map(|key| format!("{section}.{key}"));
+        let is_given = self.has(&deflections_key) || self.has(&forces_key);
+        let deflections = self.numbers(findings, &deflections_key, Quantity::Length(unit), &counts);
+        let forces = self.numbers(findings, &forces_key, Quantity::Force, &counts);
+        let spot = [&deflections, &forces].into_iter().flatten().map(|(_, spot)| spot.clone()).next();
+        let curve = deflections.zip(forces).and_then(|((x, _), (f, _))| StopForce::new(x, f));
+        if let (None, true, Some(spot)) = (&curve, is_given, spot) {
+            let message = format!(
+                "{deflections_key} and {forces_key} are expected as two lists of the same length, the deflections from 0 and \
+                 increasing"
+            );
+            findings.error("bad-curve", &spot, message);
+        }
+        curve
     }
 
     /// Reads a point, m, in the axes of ISO 8855.

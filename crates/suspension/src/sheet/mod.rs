@@ -20,6 +20,6 @@ mod write;
 
 pub(super) use build::build;
 pub(super) use point_table::Files;
-pub(super) use read::read;
+pub(super) use read::{Sheet, read};
 pub(super) use table::is_workbook;
 pub use write::{TemplateOptions, template_keys, template_names, template_sheet};

@@ -8,6 +8,7 @@ use super::{adams, aliases, table, toml_text};
 use crate::corner;
 use crate::corner::design::{Design, GivenBody, STOPS, Stop};
 use crate::findings::{Findings, Spot};
+use crate::forces::ForceElements;
 use crate::limits::MAX_SHIFT;
 use crate::options::{ImportOptions, Rack, Side, Wheel};
 use crate::units::{Frame, VehicleAxes, check_size};
@@ -38,6 +39,7 @@ pub(in super::super) struct Sheet {
     pub points_side: Side,
     /// Body of the chassis.
     pub chassis: Option<corner::Body>,
+    pub forces: ForceElements,
 }
 
 /// Reads a sheet; `None` after an error in the report.
@@ -123,6 +125,8 @@ impl SheetReader<'_> {
         let axle_inertia =
             self.scalar("spindle.axle_inertia", Quantity::Inertia(inertia_unit)).map_or(0.0, |(x, _)| x);
         let on = self.attachments(template);
+        let sections = catalogue::force_sections(template);
+        let forces = self.entries.force_elements(self.findings, &sections, frame.unit);
         let rack = self.rack(template);
         let stops = self.stops(template, frame, points_side);
         let bar = catalogue::keys().anti_roll_bar.iter().filter(|_| points.contains_key("drop_link_bar"));
@@ -133,6 +137,7 @@ impl SheetReader<'_> {
             bodies,
             on,
             stops,
+            rods_are_links: self.options.movable,
             hinge_comment: "about the line through its two points, first to second",
             ..Design::default()
         };
@@ -149,6 +154,7 @@ impl SheetReader<'_> {
             axle_inertia,
             points_side,
             chassis,
+            forces,
         };
         self.apply_moves(&mut sheet);
         Some(sheet)

@@ -20,6 +20,10 @@ pub(crate) struct Template {
     pub axle: bool,
     /// Construction steps, parents first.
     pub parts: Vec<Part>,
+    /// Two points of the axis about which the wheel carrier turns when it is steered, each with the link to which it is
+    /// fixed; empty if the axis is not fixed to two ball joints.
+    #[serde(default)]
+    pub steering_axis: Vec<(String, String)>,
     /// Hardpoints with example values in mm, in the axes of ISO 8855, left side.
     #[serde(deserialize_with = "in_file_order")]
     pub points: Vec<(String, [f64; 3])>,

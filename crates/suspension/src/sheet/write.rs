@@ -284,6 +284,13 @@ pub fn template_keys() -> String {
         "from the pad to the stop; without it, the line between the two points",
         "all",
     );
+    row("spring.rate", "with a unit: `\"28 N/mm\"`; for `percuss kinematics`", "all");
+    row("spring.preload", "the force at the design position, N; positive: compressed", "all");
+    row(
+        "bump_stop.deflections`, `.forces`, `rebound_stop.deflections`, `.forces",
+        "the stop's force over its compression: two lists of the same length, the compressions from 0",
+        "all",
+    );
     let steered = of(&|t| t.has_rack());
     row(
         "rack.slides`, `rack.mass",

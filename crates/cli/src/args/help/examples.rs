@@ -127,6 +127,28 @@ Complete the sheet, then convert it to a model:
 
 docs/reference/SUSPENSIONS.md explains every key.";
 
+pub const KINEMATICS: &str = "\
+Examples:
+  percuss kinematics models/suspensions/double-wishbone.toml
+  percuss kinematics models/suspensions/double-wishbone.toml \\
+      --wheel-travel -50mm:50mm:11 --format csv -o travel.csv
+  percuss kinematics models/suspensions/double-wishbone.toml --axle front \\
+      --brake-bias 60% --cg-height 500mm --wheelbase 2.7m --sprung-mass 350kg
+
+Definitions of ISO 8855 and SAE J670, in the axes of the vehicle; positive are:
+  camber                top of the wheel outward
+  toe                   front of the wheel inward (toe-in)
+  caster                top of the steering axis backward
+  kingpin inclination   top of the steering axis inward
+  scrub radius          axis meets the ground inside of the contact point
+  mechanical trail      axis meets the ground in front of the contact point
+  half-track change     contact point moves outward
+  forward displacement  contact point moves forward
+  side view angle       path of the rising contact point leans forward
+  motion ratio          compression of the spring, or closing of the gap, when
+                        the wheel rises
+docs/howto/KINEMATICS.md defines all columns.";
+
 pub const IMPORT: &str = "\
 Examples:
   percuss import my.toml -o my.urdf
@@ -213,6 +235,7 @@ mod tests {
             super::MASS,
             super::SWEEP,
             super::MAP,
+            super::KINEMATICS,
             super::TEMPLATE,
             super::IMPORT,
             super::DAMP,

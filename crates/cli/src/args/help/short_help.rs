@@ -8,7 +8,7 @@ use clap::{Arg, Command};
 const COLUMN: usize = 30;
 
 /// Explained flags of each command. Other flags are only listed.
-const EXPLAINED: [(&str, &[&str]); 14] = [
+const EXPLAINED: [(&str, &[&str]); 15] = [
     ("percuss", &[]),
     ("check", &["format", "strict"]),
     (
@@ -77,6 +77,24 @@ const EXPLAINED: [(&str, &[&str]); 14] = [
             "edge",
             "package",
             "output",
+            "format",
+        ],
+    ),
+    (
+        "kinematics",
+        &[
+            "wheel_travel",
+            "heave",
+            "roll",
+            "steer",
+            "axle",
+            "brake_bias",
+            "cg_height",
+            "wheelbase",
+            "sprung_mass",
+            "solve",
+            "required",
+            "within",
             "format",
         ],
     ),

@@ -1,7 +1,7 @@
 //! Command `percuss template`.
 
 use crate::args::TemplateArgs;
-use crate::commands::import::{axes, unit};
+use crate::commands::suspension::import::{axes, unit};
 use crate::files::output::{allow_replacement, write_file};
 use crate::terminal::failure::Failure;
 use crate::terminal::report::write_out;

@@ -1,0 +1,283 @@
+//! Command `percuss kinematics`.
+
+use crate::args::{KinematicsArgs, KinematicsFormat};
+use crate::files::csv;
+use crate::files::output::{check_writable, record_input, write_file};
+use crate::terminal::failure::Failure;
+use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::text::{Table, number};
+use crate::terminal::wrap::{WIDTH, width, wrap_hanging};
+use percuss_study::{
+    KinematicColumn, KinematicUnit, KinematicsError, KinematicsQuestion, KinematicsReport, Model,
+    TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
+};
+use std::fmt::Write;
+
+/// Runs the command.
+pub fn run(args: &KinematicsArgs) -> Result<(), Failure> {
+    args.writing.apply();
+    let question = args.question()?;
+    let model = args.model.load()?;
+    model.inputs.iter().for_each(|input| record_input(&input.path));
+    args.output.as_deref().map_or(Ok(()), check_writable)?;
+    if let Some(search) = args.search()? {
+        return show_search(args, &model, &question, &search);
+    }
+    let report = kinematics(&model, &question)?;
+    write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
+    let text = match args.format {
+        KinematicsFormat::Table => tables(&report),
+        KinematicsFormat::Csv => rows_as_csv(&report),
+        KinematicsFormat::Json => serde_json::to_string_pretty(&report).unwrap_or_default() + "\n",
+    };
+    match &args.output {
+        Some(path) => write_file(path, text.as_bytes())?,
+        None => write_out(&text)?,
+    }
+    match report.rows.iter().find_map(|row| row.problem.as_ref()) {
+        Some(problem) if report.rows.iter().all(|row| row.problem.is_some()) => {
+            Err(Failure::NoAnswer(problem.clone()))
+        }
+        Some(problem) => {
+            crate::terminal::report::warn(&format!("some rows have no result; the first: {problem}"));
+            Ok(())
+        }
+        None => Ok(()),
+    }
+}
+
+/// Searches coordinates and writes them; exit code 1 if a value is not reached.
+fn show_search(
+    args: &KinematicsArgs,
+    model: &Model,
+    question: &KinematicsQuestion,
+    search: &TargetSearch,
+) -> Result<(), Failure> {
+    if let Some((variable, _)) = &question.range {
+        return Err(Failure::bad_input(format!(
+            "--{}: a search is at one state; give one length",
+            variable.name()
+        )));
+    }
+    let report = search_targets(model, question, search)?;
+    write_diagnostics(&model.diagnostics, args.model.reading.strict)?;
+    match args.format {
+        KinematicsFormat::Table => write_out(&search_text(&report))?,
+        KinematicsFormat::Csv => write_out(&search_as_csv(&report))?,
+        KinematicsFormat::Json => write_json(&report)?,
+    }
+    if !report.is_reached {
+        return Err(Failure::NoAnswer(format!(
+            "the required values are not reached within {} mm; above are the nearest values found and their coordinates",
+            1e3 * report.within
+        )));
+    }
+    match &args.output {
+        Some(path) => write_file(path, changed_sheet(model, &report.moves)?.as_bytes()),
+        None => Ok(()),
+    }
+}
+
+/// Result of a search as text.
+fn search_text(report: &TargetReport) -> String {
+    let mut table = Table::new(["", "old", "new", "required"]);
+    for found in &report.coordinates {
+        let label = format!("{}, {}", found.coordinate, found.unit);
+        table.row([label, number(found.old), number(found.new), String::new()]);
+    }
+    for target in &report.targets {
+        let (unit, factor, _) = target.unit.of_table();
+        let label =
+            if unit.is_empty() { target.quantity.clone() } else { format!("{}, {unit}", target.quantity) };
+        let [old, new, required] = [target.old, target.reached, target.required].map(|x| number(x * factor));
+        table.row([label, old, new, required]);
+    }
+    let moves: Vec<String> = report
+        .moves
+        .iter()
+        .map(|(point, [x, y, z])| {
+            format!("--move {point}={},{},{}", csv::number(*x), csv::number(*y), csv::number(*z))
+        })
+        .collect();
+    format!("{table}\n{} designs evaluated; as flags, in m:\n  {}\n", report.evaluations, moves.join("\n  "))
+}
+
+/// Result of a search as CSV.
+fn search_as_csv(report: &TargetReport) -> String {
+    let mut out = csv::line(&["name", "unit", "old", "new", "required"].map(str::to_owned));
+    for found in &report.coordinates {
+        let numbers = [found.old, found.new].map(csv::number);
+        let [old, new] = numbers;
+        out += &csv::line(&[found.coordinate.clone(), found.unit.to_owned(), old, new, String::new()]);
+    }
+    for target in &report.targets {
+        let (unit, factor, _) = target.unit.of_table();
+        let [old, new, required] =
+            [target.old, target.reached, target.required].map(|x| csv::number(x * factor));
+        out += &csv::line(&[target.quantity.clone(), unit.to_owned(), old, new, required]);
+    }
+    out
+}
+
+impl From<KinematicsError> for Failure {
+    fn from(error: KinematicsError) -> Self {
+        match error {
+            KinematicsError::Study(error) => error.into(),
+            KinematicsError::Design(error) => (*error).into(),
+            other => Failure::bad_input(other.to_string()),
+        }
+    }
+}
+
+/// Name of a column with its unit in tables.
+fn heading(column: &KinematicColumn) -> String {
+    match column.unit.of_table().0 {
+        "" => column.name(),
+        "%" => format!("{}_percent", column.name()),
+        unit => format!("{}_{}", column.name(), unit.replace('/', "_per_")),
+    }
+}
+
+/// The rows as CSV; numbers read back unchanged.
+fn rows_as_csv(report: &KinematicsReport) -> String {
+    let mut header: Vec<String> = report.variable.iter().map(|name| format!("{name}_mm")).collect();
+    header.extend(report.columns.iter().map(heading));
+    let mut out = csv::line(&header);
+    for row in &report.rows {
+        let mut cells: Vec<String> = row.variable.iter().map(|x| csv::number(1e3 * x)).collect();
+        let values = report.columns.iter().zip(&row.values);
+        cells.extend(values.map(|(column, value)| csv::cell(value.map(|x| x * column.unit.of_table().1))));
+        out += &csv::line(&cells);
+    }
+    out
+}
+
+/// Text of a value in the unit of tables; – without a value.
+fn shown(unit: KinematicUnit, value: Option<f64>) -> String {
+    let (_, factor, decimals) = unit.of_table();
+    match value.map(|x| format!("{:.decimals$}", x * factor)) {
+        None => "–".to_owned(),
+        // A value that rounds to zero is shown without a sign.
+        Some(text) if text.trim_start_matches(['-', '0', '.']).is_empty() => {
+            text.trim_start_matches('-').to_owned()
+        }
+        Some(text) => text,
+    }
+}
+
+/// Name of a quantity in words, with its unit.
+fn words(column: &KinematicColumn) -> String {
+    let unit = column.unit.of_table().0;
+    let name = column.quantity.replace('_', " ");
+    if unit.is_empty() { name } else { format!("{name}, {unit}") }
+}
+
+/// The report as text: a list for one row, tables of some columns for several rows; below, the reasons of missing values.
+fn tables(report: &KinematicsReport) -> String {
+    let mut out = if report.rows.len() == 1 { list(report) } else { blocks(report) };
+    let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
+    for column in &report.columns {
+        let Some(why) = &column.missing else { continue };
+        let name = column.quantity.clone();
+        match reasons.iter_mut().find(|(known, _)| known == why) {
+            Some((_, names)) if names.contains(&name) => {}
+            Some((_, names)) => names.push(name),
+            None => reasons.push((why, vec![name])),
+        }
+    }
+    let _ = writeln!(out, "\nderivatives along {}, per travel of the wheel", report.derivatives);
+    for (why, names) in reasons {
+        let _ = writeln!(out, "{}", wrap_hanging(&format!("not given: {}: {why}", names.join(", ")), 2));
+    }
+    for row in &report.rows {
+        if let (Some(problem), Some(x)) = (&row.problem, row.variable) {
+            let text = format!("{} {} mm: {problem}", report.variable.unwrap_or_default(), 1e3 * x);
+            let _ = writeln!(out, "{}", wrap_hanging(&text, 2));
+        }
+    }
+    out
+}
+
+/// One row as a list: a line per quantity, a column per side.
+fn list(report: &KinematicsReport) -> String {
+    let Some(row) = report.rows.first() else { return String::new() };
+    let mut lines: Vec<Vec<String>> = Vec::new();
+    let mut sides: Vec<&str> =
+        report.columns.iter().map(|c| c.side).filter(|side| !side.is_empty()).collect();
+    sides.sort_unstable();
+    sides.dedup();
+    if !sides.is_empty() {
+        lines.push([""].into_iter().chain(sides.iter().copied()).map(str::to_owned).collect());
+    }
+    for (column, value) in
+        report.columns.iter().zip(&row.values).filter(|(column, _)| column.missing.is_none())
+    {
+        let name = words(column);
+        let place = sides.iter().position(|side| *side == column.side).unwrap_or(0);
+        let known = lines.iter().position(|line| line[0] == name);
+        let line = known.unwrap_or_else(|| {
+            lines.push(vec![name]);
+            lines.len() - 1
+        });
+        let line = &mut lines[line];
+        line.resize(line.len().max(place + 2), String::new());
+        line[place + 1] = shown(column.unit, *value);
+    }
+    aligned(&lines)
+}
+
+/// Several rows: tables with as many columns as a line holds, each with the variable first.
+fn blocks(report: &KinematicsReport) -> String {
+    let variable = |row: usize| shown(KinematicUnit::Length, report.rows[row].variable);
+    let first: Vec<String> = [report.variable.unwrap_or_default().to_owned(), "mm".to_owned()]
+        .into_iter()
+        .chain((0..report.rows.len()).map(variable))
+        .collect();
+    let given = report.columns.iter().enumerate().filter(|(_, column)| column.missing.is_none());
+    let columns = given.map(|(i, column)| {
+        let unit = column.unit.of_table().0;
+        let head = [column.name().replace('_', " "), unit.to_owned()];
+        let values = report.rows.iter().map(|row| shown(column.unit, row.values.get(i).copied().flatten()));
+        head.into_iter().chain(values).collect::<Vec<String>>()
+    });
+    let wide = |column: &[String]| column.iter().map(|cell| width(cell)).max().unwrap_or(0) + 2;
+    let (mut out, mut block, mut used) = (String::new(), vec![first.clone()], wide(&first));
+    let mut flush = |block: &[Vec<String>]| {
+        let lines: Vec<Vec<String>> =
+            (0..first.len()).map(|line| block.iter().map(|column| column[line].clone()).collect()).collect();
+        if !out.is_empty() {
+            out.push('\n');
+        }
+        out += &aligned(&lines);
+    };
+    for column in columns {
+        if block.len() > 1 && used + wide(&column) > WIDTH {
+            flush(&block);
+            (block, used) = (vec![first.clone()], wide(&first));
+        }
+        used += wide(&column);
+        block.push(column);
+    }
+    flush(&block);
+    out
+}
+
+/// Lines of cells in columns; numbers are aligned to the right.
+fn aligned(lines: &[Vec<String>]) -> String {
+    let count = lines.iter().map(Vec::len).max().unwrap_or(0);
+    let cell = |line: &[String], i: usize| line.get(i).cloned().unwrap_or_default();
+    let widths: Vec<usize> =
+        (0..count).map(|i| lines.iter().map(|line| width(&cell(line, i))).max().unwrap_or(0)).collect();
+    let mut out = String::new();
+    for line in lines {
+        let mut text = String::new();
+        for (i, wide) in widths.iter().enumerate() {
+            let cell = cell(line, i);
+            let padding = " ".repeat(wide - width(&cell));
+            text += &if i == 0 { cell + &padding } else { format!("  {padding}{cell}") };
+        }
+        out += text.trim_end();
+        out.push('\n');
+    }
+    out
+}

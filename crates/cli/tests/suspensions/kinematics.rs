@@ -1,0 +1,288 @@
+//! `percuss kinematics`: closed forms, differences of positions, symmetry, messages.
+
+use super::own_suspension::{done, run};
+use crate::support::{Scratch, refused};
+use serde_json::Value;
+use std::fmt::Write;
+
+/// Rows of the report of a sheet.
+fn rows(folder: &Scratch, sheet: &str, flags: &[&str]) -> Vec<Value> {
+    let words = [&["kinematics", sheet, "--format", "json"], flags].concat();
+    let report: Value = serde_json::from_str(&done(folder, &words)).expect("JSON");
+    report["rows"].as_array().expect("rows").clone()
+}
+
+/// Value of a column.
+#[track_caller]
+fn value(row: &Value, name: &str) -> f64 {
+    row[name].as_f64().unwrap_or_else(|| panic!("{name} is {} in {row}", row[name]))
+}
+
+/// Sheet of a template with some hardpoints (mm) replaced.
+fn with_points(folder: &Scratch, template: &str, points: &[(&str, [f64; 3])]) -> String {
+    let mut text = String::new();
+    for line in done(folder, &["template", template]).lines() {
+        let key = line.split(" =").next().unwrap_or_default();
+        match points.iter().find(|(name, _)| *name == key) {
+            Some((_, at)) => writeln!(text, "{key} = {at:?}").expect("a string"),
+            None => writeln!(text, "{line}").expect("a string"),
+        }
+    }
+    text
+}
+
+/// Roundings of the closing of the loops (1e-15 m) and of a linear system with condition 1e4, in m and rad.
+const ROUNDING: f64 = 1e-10;
+
+#[track_caller]
+fn close(found: f64, expected: f64, tolerance: f64, what: &str) {
+    assert!((found - expected).abs() <= tolerance * expected.abs().max(1.0), "{what}: {found}, {expected}");
+}
+
+/// Parallel arms of equal length move the wheel without camber, toe or a change of the kingpin; the roll centre is on the
+/// ground at the pose at which the arms are horizontal.
+#[test]
+fn parallel_equal_arms_keep_the_camber() {
+    let folder = Scratch::new("kinematics-parallel");
+    let arm = |name: &'static str, x: f64, z: f64| (name, [x, 400.0, z]);
+    let ball = |name: &'static str, x: f64, z: f64| (name, [x, 700.0, z]);
+    let points = [
+        arm("lower_front", 150.0, 200.0),
+        arm("lower_back", -150.0, 200.0),
+        ball("lower_ball", 0.0, 200.0),
+        arm("upper_front", 150.0, 400.0),
+        arm("upper_back", -150.0, 400.0),
+        ball("upper_ball", -20.0, 400.0),
+        arm("tie_rod_inner", -100.0, 300.0),
+        ball("tie_rod_outer", -100.0, 300.0),
+    ];
+    folder.write("car.toml", &with_points(&folder, "double-wishbone", &points));
+    for row in rows(&folder, "car.toml", &["--wheel-travel", "-60mm:60mm:7"]) {
+        for name in ["camber", "toe", "camber_gradient", "toe_gradient", "kingpin_inclination"] {
+            close(value(&row, name), 0.0, ROUNDING, name);
+        }
+        let (travel, length) = (value(&row, "wheel_travel"), 0.3f64);
+        let inward = (length * length - travel * travel).sqrt() - length;
+        close(value(&row, "half_track_change"), inward, ROUNDING, "half track");
+        close(value(&row, "caster"), (0.02f64 / 0.2).atan(), ROUNDING, "caster");
+        // The path is a circle: its normal passes through the centre of the arms.
+        let slope = travel / (length + inward);
+        close(value(&row, "roll_centre_height"), -slope * (0.76 + inward), ROUNDING, "roll centre");
+        assert!(row["instant_centre_height"].is_null(), "at infinity");
+    }
+}
+
+/// All links in planes normal to x: the instant centre is the intersection of the lines of both arms.
+#[test]
+fn the_instant_centre_of_a_planar_linkage_is_that_of_the_lines_of_its_arms() {
+    let folder = Scratch::new("kinematics-planar");
+    let points = [
+        ("lower_front", [150.0, 400.0, 200.0]),
+        ("lower_back", [-150.0, 400.0, 200.0]),
+        ("lower_ball", [0.0, 720.0, 180.0]),
+        ("upper_front", [150.0, 450.0, 420.0]),
+        ("upper_back", [-150.0, 450.0, 420.0]),
+        ("upper_ball", [0.0, 680.0, 455.0]),
+        // The tie rod is a copy of the lower arm: the wheel does not steer.
+        ("tie_rod_inner", [-130.0, 400.0, 200.0]),
+        ("tie_rod_outer", [-130.0, 720.0, 180.0]),
+    ];
+    folder.write("car.toml", &with_points(&folder, "double-wishbone", &points));
+    let row = &rows(&folder, "car.toml", &[])[0];
+    let (lower, upper) = (-20.0 / 320.0, 35.0 / 230.0);
+    let y: f64 = (0.420 - 0.450 * upper - (0.200 - 0.400 * lower)) / (lower - upper);
+    let z = 0.200 + lower * (y - 0.400);
+    close(value(row, "instant_centre_distance"), 0.76 - y, ROUNDING, "distance");
+    close(value(row, "instant_centre_height"), z, ROUNDING, "height");
+    close(value(row, "roll_centre_height"), 0.76 * z / (0.76 - y), ROUNDING, "roll centre");
+    close(value(row, "camber_gradient"), -1.0 / (0.76 - y), ROUNDING, "camber");
+    close(value(row, "kingpin_inclination"), (40.0f64 / 275.0).atan(), ROUNDING, "inclination");
+    close(value(row, "scrub_radius"), 0.76 - 0.72 - 0.18 * 40.0 / 275.0, ROUNDING, "scrub radius");
+    close(value(row, "side_view_angle"), 0.0, ROUNDING, "side view");
+}
+
+/// A swing axle turns about its pivot.
+#[test]
+fn a_swing_axle_turns_about_its_pivot() {
+    let folder = Scratch::new("kinematics-swing");
+    folder.write("car.toml", &done(&folder, &["template", "swing-axle"]));
+    let row = &rows(&folder, "car.toml", &[])[0];
+    close(value(row, "camber_gradient"), -1.0 / 0.56, ROUNDING, "camber");
+    close(value(row, "instant_centre_distance"), 0.56, ROUNDING, "distance");
+    close(value(row, "instant_centre_height"), 0.33, ROUNDING, "height");
+    close(value(row, "roll_centre_height"), 0.33 * 0.65 / 0.56, ROUNDING, "roll centre");
+    assert!(row["caster"].is_null());
+}
+
+/// A solid axle does not tilt in heave, and tilts by the travel over half the track in roll.
+#[test]
+fn a_solid_axle_tilts_in_roll_only() {
+    let folder = Scratch::new("kinematics-solid");
+    folder.write("car.toml", &done(&folder, &["template", "solid-axle-four-links"]));
+    let heave = &rows(&folder, "car.toml", &[])[0];
+    let roll = &rows(&folder, "car.toml", &["--roll", "0:0:1"])[0];
+    for side in ["left", "right"] {
+        close(value(heave, &format!("camber_gradient_{side}")), 0.0, ROUNDING, "heave");
+        close(value(roll, &format!("camber_gradient_{side}")), -1.0 / 0.76, ROUNDING, "roll");
+        assert!(heave[&format!("instant_centre_height_{side}")].is_null());
+        let (heave, roll) = (&format!("unsprung_mass_{side}"), (value(heave, "unsprung_mass_left"), roll));
+        assert!(value(roll.1, heave) < roll.0, "less inertia in roll than half of the mass");
+    }
+    close(value(heave, "roll_centre_lateral"), 0.0, ROUNDING, "middle");
+}
+
+/// Gradients, motion ratios and wheel rates are the derivatives of camber, toe, compression and wheel force: differences of
+/// fourth order over positions, for every template.
+#[test]
+fn derivatives_are_those_of_the_positions() {
+    let folder = Scratch::new("kinematics-differences");
+    let listed = done(&folder, &["template", "--list"]);
+    let names =
+        listed.lines().filter(|line| !line.starts_with(' ')).filter_map(|l| l.split_whitespace().next());
+    for template in names {
+        let text = done(&folder, &["template", template]);
+        let text = text.replacen("[spring]\n", "[spring]\nrate = \"30 N/mm\"\npreload = 2500\n", 1);
+        let curve = "[bump_stop]\ndeflections = [0, 100]\nforces = [0, 30000]\n";
+        let text = text.replacen("[bump_stop]\n", curve, 1);
+        folder.write("car.toml", &text);
+        let motions: &[&str] =
+            if text.contains("build = \"both\"") { &["--heave", "--roll"] } else { &["--heave"] };
+        for motion in motions {
+            let side = if text.contains("build = \"both\"") { "_left" } else { "" };
+            // Five rows at a distance h = 0.25 mm: the error of fourth order is h⁴ f⁽⁵⁾/30, below 1e-7 of the value for levers
+            // of 40 mm; travels are met to 1e-12 m, 1e-8 of h.
+            let rows = rows(&folder, "car.toml", &[motion, "11.5mm:12.5mm:5"]);
+            let column = |name: &str| -> Vec<f64> {
+                rows.iter().map(|row| value(row, &format!("{name}{side}"))).collect()
+            };
+            let slope = |y: &[f64]| (y[0] - 8.0 * y[1] + 8.0 * y[3] - y[4]) / (12.0 * 0.00025);
+            for name in ["camber", "toe"] {
+                let expected = slope(&column(name));
+                close(
+                    column(&format!("{name}_gradient"))[2],
+                    expected,
+                    1e-6,
+                    &format!("{template} {motion} {name}"),
+                );
+            }
+            let [force, ratio] = ["force_spring", "motion_ratio_spring"].map(column);
+            close(ratio[2], slope(&force) / 30e3, 1e-6, &format!("{template} {motion} ratio"));
+            // The stop does not touch here; the springs of an axle count half for each wheel, and both sides are alike.
+            let product: Vec<f64> = force.iter().zip(&ratio).map(|(f, i)| f * i).collect();
+            let rate = column("wheel_rate")[2];
+            let single = slope(&product);
+            if side.is_empty() {
+                close(rate, single, 1e-6, &format!("{template} {motion} rate"));
+            } else {
+                assert!((rate / single - 1.0).abs() < 0.05, "{template} {motion}: {rate} {single}");
+            }
+        }
+    }
+}
+
+/// In roll, the right side of an independent suspension is the mirror image of the left side at the opposite travel.
+#[test]
+fn both_sides_are_mirror_images() {
+    let folder = Scratch::new("kinematics-sides");
+    let text = done(&folder, &["template", "macpherson-strut"]);
+    folder.write("car.toml", &text.replace("build = \"left\"", "build = \"both\""));
+    let rows = rows(&folder, "car.toml", &["--roll", "-20mm:20mm:3"]);
+    for name in
+        ["camber", "toe", "caster", "scrub_radius", "motion_ratio_spring", "unsprung_mass", "camber_gradient"]
+    {
+        for (row, other) in rows.iter().zip(rows.iter().rev()) {
+            let [left, right] = [value(row, &format!("{name}_left")), value(other, &format!("{name}_right"))];
+            close(left, right, ROUNDING, name);
+        }
+    }
+    close(value(&rows[1], "roll_centre_lateral"), 0.0, ROUNDING, "middle");
+    close(
+        value(&rows[0], "roll_centre_lateral"),
+        -value(&rows[2], "roll_centre_lateral"),
+        ROUNDING,
+        "lateral",
+    );
+}
+
+/// The unsprung mass and the motion ratio are those of `percuss mass` at the named contacts.
+#[test]
+fn masses_and_ratios_are_those_of_the_named_contacts() {
+    let folder = Scratch::new("kinematics-contacts");
+    folder.write("car.toml", &done(&folder, &["template", "double-wishbone"]));
+    let row = &rows(&folder, "car.toml", &["--wheel-travel", "20mm"])[0];
+    let mass = |at: &str| -> Value {
+        let words = ["mass", "car.toml", "--at", at, "--wheel-travel", "20mm", "--format", "json"];
+        serde_json::from_str(&done(&folder, &words)).expect("JSON")
+    };
+    let patch = mass("contact_patch");
+    close(value(row, "unsprung_mass"), patch["effective_mass"].as_f64().expect("a mass"), ROUNDING, "mass");
+    let ratio = mass("spring")["motion_ratios"][0]["contact_per_wheel"].as_f64().expect("a ratio");
+    close(value(row, "motion_ratio_spring").abs(), ratio.abs(), ROUNDING, "ratio");
+}
+
+/// Support angles and frequencies: closed forms from the columns; missing data are named.
+#[test]
+fn vehicle_data_give_support_and_frequencies() {
+    let folder = Scratch::new("kinematics-vehicle");
+    let text = done(&folder, &["template", "double-wishbone"]);
+    folder.write("car.toml", &text.replacen("[spring]\n", "[spring]\nrate = \"100 N/mm\"\n", 1));
+    let flags = "--axle front --brake-bias 60% --drive-share 40% --cg-height 500mm --wheelbase 2.5m --inboard-drive \
+                 --sprung-mass 300 --tyre-rate 200N/mm";
+    let row = &rows(&folder, "car.toml", &flags.split_whitespace().collect::<Vec<_>>())[0];
+    close(value(row, "anti_dive"), 0.6 * 5.0 * value(row, "side_view_angle").tan(), ROUNDING, "anti-dive");
+    let lift = 0.4 * 5.0 * value(row, "side_view_angle_centre").tan();
+    close(value(row, "anti_lift_driving"), lift, ROUNDING, "anti-lift");
+    let ratio = value(row, "motion_ratio_spring");
+    let (k, kt, ms, mu) = (value(row, "wheel_rate"), 200e3, 300.0, value(row, "unsprung_mass"));
+    close(k, 100e3 * ratio * ratio, ROUNDING, "wheel rate");
+    for name in ["body_frequency", "wheel_hop_frequency"] {
+        let w2 = (value(row, name) * std::f64::consts::TAU).powi(2);
+        let determinant = (k - ms * w2) * (k + kt - mu * w2) - k * k;
+        close(determinant / (k * kt), 0.0, ROUNDING, name);
+    }
+    let missing = run(&folder, &["kinematics", "car.toml", "--axle", "rear", "--wheelbase", "2.5m"]).stdout;
+    for words in [
+        "anti_squat: missing: --drive-share,",
+        "anti_lift_braking: missing: --brake-bias,",
+        "side view angle",
+    ] {
+        assert!(missing.contains(words), "{words}: {missing}");
+    }
+}
+
+#[test]
+fn questions_without_an_answer_are_refused() {
+    refused("kinematics models/double_wishbone.urdf", &["no suspension sheet"]);
+    let sheet = "models/suspensions/semi-trailing-arm.toml";
+    refused(&format!("kinematics {sheet} --steer 5mm"), &["no tie rod"]);
+    refused(
+        &format!("kinematics {sheet} --heave 0:1mm:2 --wheel-travel 0:1mm:2"),
+        &["--heave", "range already"],
+    );
+    refused(&format!("kinematics {sheet} --cg-height 0"), &["--cg-height is 0"]);
+    refused(&format!("kinematics {sheet} --brake-bias 60"), &["--brake-bias is 60", "between 0 and 1"]);
+    let folder = Scratch::new("kinematics-refused");
+    let text = done(&folder, &["template", "swing-axle"]);
+    let with = |more: &str| text.replacen("[spring]\n", &format!("[spring]\n{more}\n"), 1);
+    for (more, words) in [
+        ("rate = 30", "a stiffness with its unit"),
+        ("rate = \"-30 N/mm\"", "at least 0"),
+        ("preload = 30", "without spring.rate"),
+    ] {
+        folder.write("car.toml", &with(more));
+        let outcome = run(&folder, &["kinematics", "car.toml"]);
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}: {}", outcome.stderr);
+    }
+    folder.write("car.toml", &text.replacen("[bump_stop]\n", "[bump_stop]\ndeflections = [0, 1]\n", 1));
+    let outcome = run(&folder, &["kinematics", "car.toml"]);
+    assert!(
+        outcome.code == 2 && outcome.stderr.contains("two lists of the same length"),
+        "{}",
+        outcome.stderr
+    );
+    folder.write("car.toml", &text);
+    let far = run(&folder, &["kinematics", "car.toml", "--wheel-travel", "0:2m:2"]);
+    assert!(far.code == 0 && far.stderr.contains("cannot be reached"), "{}", far.stderr);
+    let far = run(&folder, &["kinematics", "car.toml", "--wheel-travel", "2m"]);
+    assert!(far.code == 1 && far.stderr.contains("cannot be reached"), "{}", far.stderr);
+}

@@ -1,0 +1,171 @@
+//! `percuss kinematics --solve`: planted solutions, ranges, the changed sheet, messages.
+
+use super::own_suspension::{done, run};
+use crate::support::{Scratch, refused};
+use serde_json::Value;
+
+/// Report of a search.
+fn search(folder: &Scratch, words: &[&str]) -> Value {
+    let words = [&["kinematics", "car.toml", "--format", "json"], words].concat();
+    serde_json::from_str(&done(folder, &words)).expect("JSON")
+}
+
+/// Value of a quantity of the sheet with moved hardpoints.
+fn quantity(folder: &Scratch, name: &str, moves: &[String]) -> f64 {
+    let mut words = vec!["kinematics", "car.toml", "--format", "json"];
+    for by in moves {
+        words.extend(["--move", by]);
+    }
+    let report: Value = serde_json::from_str(&done(folder, &words)).expect("JSON");
+    report["rows"][0][name].as_f64().unwrap_or_else(|| panic!("{name} in {report}"))
+}
+
+/// Value with its unit for `--for`.
+fn written(name: &str, value: f64) -> String {
+    let unit = match name {
+        "camber_gradient" | "toe_gradient" => return format!("{name}={}", value.to_degrees()),
+        "caster" | "kingpin_inclination" | "side_view_angle" => "rad",
+        "scrub_radius" | "roll_centre_height" => "m",
+        _ => "",
+    };
+    format!("{name}={value}{unit}")
+}
+
+/// A coordinate is changed, and the value of a quantity there is the target: the search from the sheet finds a coordinate with
+/// this value, and in a range that contains one solution the planted one.
+#[test]
+fn planted_solutions_are_found() {
+    let cases = [
+        ("double-wishbone", "upper_ball.z", "camber_gradient"),
+        ("double-wishbone", "upper_front.z", "side_view_angle"),
+        ("double-wishbone", "lower_ball.y", "scrub_radius"),
+        ("double-wishbone", "tie_rod_inner.z", "toe_gradient"),
+        ("macpherson-strut", "lower_ball.z", "roll_centre_height"),
+        ("macpherson-strut", "strut_top.x", "caster"),
+        ("pushrod-rocker", "rocker_back.z", "motion_ratio_spring"),
+        ("pushrod-rocker", "pushrod_rocker.y", "motion_ratio_damper"),
+        ("multi-link", "lateral_chassis.z", "roll_centre_height"),
+        ("semi-trailing-arm", "arm_inner.x", "toe_gradient"),
+        ("swing-axle", "pivot_front.z", "side_view_angle"),
+    ];
+    let folder = Scratch::new("search-planted");
+    for (number, (template, unknown, name)) in cases.into_iter().enumerate() {
+        folder.write("car.toml", &done(&folder, &["template", template]));
+        let (point, axis) = unknown.split_once('.').expect("a coordinate");
+        for planted in [3e-3, -7e-3 - 1e-4 * number as f64] {
+            let mut shift = [0.0; 3];
+            shift[["x", "y", "z"].iter().position(|known| *known == axis).expect("an axis")] = planted;
+            let moves = [format!("{point}={},{},{}", shift[0], shift[1], shift[2])];
+            let target = quantity(&folder, name, &moves);
+            let report =
+                search(&folder, &["--solve", unknown, "--for", &written(name, target), "--within", "12mm"]);
+            let case = format!("{template} {unknown} {name} {planted}");
+            assert_eq!(report["is_reached"], true, "{case}: {report}");
+            let reached = report["targets"][0]["reached"].as_f64().expect("a value");
+            // The accuracy of the search, 1e-8 of 1e-2, and the digits of the target.
+            assert!((reached - target).abs() < 2e-10, "{case}: {reached}, {target}");
+            let found = &report["coordinates"][0];
+            let [old, new] = ["old", "new"].map(|key| found[key].as_f64().expect("a number"));
+            // The quantities are monotonic in this range: the derivative is at least 0.01 per metre.
+            assert!((1e-3 * (new - old) - planted).abs() < 1e-7, "{case}: {old} {new}");
+            assert!(report["evaluations"].as_u64().expect("a count") < 60, "{case}: {report}");
+        }
+    }
+}
+
+#[test]
+fn several_planted_coordinates_are_found_together() {
+    let folder = Scratch::new("search-several");
+    let cases: [(&str, &[&str], &[&str]); 3] = [
+        ("double-wishbone", &["upper_ball.x", "lower_ball.y"], &["caster", "scrub_radius"]),
+        (
+            "double-wishbone",
+            &["upper_ball.y", "tie_rod_inner.z", "upper_front.z"],
+            &["roll_centre_height", "toe_gradient", "side_view_angle"],
+        ),
+        (
+            "pushrod-rocker",
+            &["rocker_back.z", "lower_ball.z"],
+            &["motion_ratio_spring", "roll_centre_height"],
+        ),
+    ];
+    for (template, unknowns, names) in cases {
+        folder.write("car.toml", &done(&folder, &["template", template]));
+        let planted: Vec<f64> = (0..unknowns.len()).map(|k| 4e-3 - 2.5e-3 * k as f64).collect();
+        let moves: Vec<String> = unknowns
+            .iter()
+            .zip(&planted)
+            .map(|(unknown, by)| {
+                let (point, axis) = unknown.split_once('.').expect("a coordinate");
+                let shift = ["x", "y", "z"].map(|known| if known == axis { *by } else { 0.0 });
+                format!("{point}={},{},{}", shift[0], shift[1], shift[2])
+            })
+            .collect();
+        let mut words = vec!["--within".to_owned(), "15mm".to_owned()];
+        for (unknown, name) in unknowns.iter().zip(names) {
+            let value = written(name, quantity(&folder, name, &moves));
+            words.extend(["--solve".to_owned(), (*unknown).to_owned(), "--for".to_owned(), value]);
+        }
+        let report = search(&folder, &words.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!(report["is_reached"], true, "{template} {names:?}: {report}");
+        for (found, by) in report["coordinates"].as_array().expect("a list").iter().zip(&planted) {
+            let [old, new] = ["old", "new"].map(|key| found[key].as_f64().expect("a number"));
+            assert!((1e-3 * (new - old) - by).abs() < 1e-7, "{template} {names:?}: {report}");
+        }
+    }
+}
+
+/// A value out of reach: exit code 1, the nearest value and its coordinate; the extreme is at the end of the range.
+#[test]
+fn the_nearest_value_is_stated() {
+    let folder = Scratch::new("search-nearest");
+    folder.write("car.toml", &done(&folder, &["template", "pushrod-rocker"]));
+    let words =
+        "kinematics car.toml --solve rocker_back.z --for motion_ratio_spring=5 --within 10mm --format json";
+    let outcome = run(&folder, &words.split(' ').collect::<Vec<_>>());
+    assert!(outcome.code == 1 && outcome.stderr.contains("not reached within 10 mm"), "{}", outcome.stderr);
+    let report: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
+    let found = &report["coordinates"][0];
+    let [old, new] = ["old", "new"].map(|key| found[key].as_f64().expect("a number"));
+    assert!(((new - old).abs() - 10.0).abs() < 0.01, "{report}");
+    let [before, reached] =
+        ["old", "reached"].map(|key| report["targets"][0][key].as_f64().expect("a value"));
+    assert!((5.0 - reached).abs() < (5.0 - before).abs(), "{report}");
+    assert!(report["evaluations"].as_u64().expect("a count") <= 400);
+}
+
+/// The changed sheet has the required value, keeps all other text, and describes the same points in any axes.
+#[test]
+fn the_changed_sheet_has_the_required_value() {
+    let folder = Scratch::new("search-sheet");
+    for axes in ["iso", "adams"] {
+        let text = done(&folder, &["template", "double-wishbone", "--axes", axes, "--unit", "cm"]);
+        folder.write("car.toml", &text);
+        let words =
+            "kinematics car.toml --solve upper_ball.z --for roll_centre_height=90mm -o new.toml --force";
+        let shown = done(&folder, &words.split(' ').collect::<Vec<_>>());
+        assert!(shown.contains("upper_ball.z, cm") && shown.contains("--move upper_ball=0,0,"), "{shown}");
+        let changed = std::fs::read_to_string(folder.path("new.toml")).expect("a sheet");
+        let lines = || text.lines().zip(changed.lines());
+        assert_eq!(text.lines().count(), changed.lines().count());
+        assert_eq!(lines().filter(|(old, new)| old != new).count(), 1, "{changed}");
+        folder.write("car.toml", &changed);
+        let height = quantity(&folder, "roll_centre_height", &[]);
+        assert!((height - 0.09).abs() < 1e-10, "{axes}: {height}");
+    }
+}
+
+#[test]
+fn searches_that_cannot_start_are_refused() {
+    let sheet = "kinematics models/suspensions/double-wishbone.toml";
+    refused(&format!("{sheet} --solve upper_ball.z"), &["--for"]);
+    refused(&format!("{sheet} --solve upper_ball --for caster=4deg"), &["POINT.AXIS"]);
+    refused(&format!("{sheet} --solve upper_bal.z --for caster=4deg"), &["no hardpoint \"upper_bal\""]);
+    refused(
+        &format!("{sheet} --solve upper_ball.z --for castor=4deg"),
+        &["no quantity \"castor\"", "caster"],
+    );
+    refused(&format!("{sheet} --solve upper_ball.z --for caster=4mm"), &["--for caster"]);
+    refused(&format!("{sheet} --solve upper_ball.z --for caster=4deg --for camber=1deg"), &["same number"]);
+    refused(&format!("{sheet} --solve upper_ball.z --for caster=4deg --heave 0:1mm:2"), &["one state"]);
+}

@@ -1,0 +1,168 @@
+//! Report of the kinematics of a suspension: one row per value of the variable.
+
+use crate::model::loading::{Input, Model};
+use crate::model::record::DiagnosticRecord;
+use crate::question::field::Names;
+use crate::question::travel::moved::WheelMotion;
+use crate::reports::kinematics::linkage_motion::Linkage;
+use crate::reports::kinematics::question::{KinematicVariable, KinematicsError, KinematicsQuestion};
+use crate::reports::kinematics::row_values::RowEvaluation;
+use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
+use crate::reports::kinematics::values::{KinematicUnit, KinematicValues};
+use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
+use std::sync::Arc;
+
+/// Column of a report.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct KinematicColumn {
+    /// Quantity.
+    pub quantity: String,
+    /// `left`, `right`, or empty for one wheel and for both together.
+    pub side: &'static str,
+    /// SI unit; empty for a plain number.
+    #[serde(serialize_with = "si_unit")]
+    pub unit: KinematicUnit,
+    /// Reason for the absence of all values; null if a row has a value.
+    pub missing: Option<String>,
+}
+
+/// Serializes the name of the SI unit.
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "signature required by serde")]
+fn si_unit<S: Serializer>(unit: &KinematicUnit, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(unit.si())
+}
+
+impl KinematicColumn {
+    /// Name with the ending of the side.
+    pub fn name(&self) -> String {
+        if self.side.is_empty() { self.quantity.clone() } else { format!("{}_{}", self.quantity, self.side) }
+    }
+}
+
+/// Row of a report.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KinematicsRow {
+    /// Value of the variable, m; `None` for a single row.
+    pub variable: Option<f64>,
+    /// Values in the order of the columns, SI units.
+    pub values: Vec<Option<f64>>,
+    /// Reason for a missing pose.
+    pub problem: Option<String>,
+    columns: Arc<[KinematicColumn]>,
+}
+
+impl Serialize for KinematicsRow {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("variable", &self.variable)?;
+        map.serialize_entry("problem", &self.problem)?;
+        for (column, value) in self.columns.iter().zip(&self.values) {
+            map.serialize_entry(&column.name(), value)?;
+        }
+        map.end()
+    }
+}
+
+/// Kinematics of a suspension.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct KinematicsReport {
+    /// Schema of this report.
+    pub schema: &'static str,
+    /// Version of percuss.
+    pub percuss: &'static str,
+    /// Source files.
+    pub inputs: Vec<Input>,
+    /// Motion of the derivatives: `heave` (all wheels up) or `roll` (left up, right down).
+    pub derivatives: &'static str,
+    /// Variable of the rows; null for a single row.
+    pub variable: Option<&'static str>,
+    /// Columns, without the variable.
+    pub columns: Vec<KinematicColumn>,
+    /// Rows.
+    pub rows: Vec<KinematicsRow>,
+    /// Warnings and notes.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// True if the derivatives are those of roll: the variable of the rows is roll.
+pub(crate) fn rolls(question: &KinematicsQuestion) -> bool {
+    let roll = KinematicVariable::Wheels(WheelMotion::Roll);
+    question.range.as_ref().is_some_and(|(variable, _)| *variable == roll)
+}
+
+/// Quantities at one state of the variables, or the reason for a missing pose.
+pub(crate) fn evaluate_state(
+    kinematics: &SuspensionKinematics,
+    question: &KinematicsQuestion,
+    state: &[(KinematicVariable, f64)],
+) -> Result<Result<KinematicValues, String>, KinematicsError> {
+    let pose = match kinematics.pose(state) {
+        Ok(pose) => pose,
+        Err(KinematicsError::Study(error)) if error.has_no_result() => {
+            return Ok(Err(error.message(Names::Flags)));
+        }
+        Err(error) => return Err(error),
+    };
+    let linkage =
+        Linkage::new(&pose).map_err(|error| KinematicsError::Unsupported { why: error.to_string() })?;
+    Ok(RowEvaluation::evaluate(kinematics, &question.vehicle, &pose, &linkage, rolls(question)))
+}
+
+/// Kinematics of a suspension: all quantities at each value of the variable. Every row is closed from the pose as drawn,
+/// along its branch.
+///
+/// # Errors
+/// [`KinematicsError`]: a model without a sheet or a wheel, an invalid travel.
+pub fn kinematics(model: &Model, question: &KinematicsQuestion) -> Result<KinematicsReport, KinematicsError> {
+    let prepared = SuspensionKinematics::new(model, question.steers())?;
+    let (variable, values) = match &question.range {
+        Some((variable, values)) => (Some(*variable), values.iter().map(|value| Some(*value)).collect()),
+        None => (None, vec![None]),
+    };
+    let mut found = Vec::with_capacity(values.len());
+    for value in &values {
+        let mut state = question.state.clone();
+        state.extend(variable.zip(*value));
+        found.push(evaluate_state(&prepared, question, &state)?);
+    }
+    let columns: Arc<[KinematicColumn]> = columns(&found).into();
+    let row = |(variable, found): (Option<f64>, Result<KinematicValues, String>)| {
+        let value = |column: &KinematicColumn| {
+            let values = found.as_ref().ok()?;
+            let same = |v: &&crate::reports::kinematics::values::KinematicValue| {
+                v.name == column.quantity && v.side.trim_start_matches('_') == column.side
+            };
+            values.0.iter().find(same)?.value.clone().ok()
+        };
+        let values = columns.iter().map(value).collect();
+        KinematicsRow { variable, values, problem: found.err(), columns: Arc::clone(&columns) }
+    };
+    let rows = values.into_iter().zip(found).map(row).collect();
+    Ok(KinematicsReport {
+        schema: "percuss.kinematics/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: model.inputs.clone(),
+        derivatives: if rolls(question) { "roll" } else { "heave" },
+        variable: variable.map(KinematicVariable::name),
+        columns: columns.to_vec(),
+        rows,
+        diagnostics: model.diagnostics.clone(),
+    })
+}
+
+/// Columns of all rows in the order of the first row reached, with the first reason of a column without values.
+fn columns(found: &[Result<KinematicValues, String>]) -> Vec<KinematicColumn> {
+    let rows: Vec<&KinematicValues> = found.iter().flatten().collect();
+    let Some(first) = rows.first() else { return Vec::new() };
+    let column = |(i, value): (usize, &crate::reports::kinematics::values::KinematicValue)| {
+        let all_missing = rows.iter().all(|row| row.0.get(i).is_none_or(|value| value.value.is_err()));
+        KinematicColumn {
+            quantity: value.name.clone(),
+            side: value.side.trim_start_matches('_'),
+            unit: value.unit,
+            missing: value.value.clone().err().filter(|_| all_missing),
+        }
+    };
+    first.0.iter().enumerate().map(column).collect()
+}

@@ -1,0 +1,498 @@
+//! Search for coordinates of hardpoints at which quantities have required values.
+//!
+//! One unknown: Newton's method with a derivative by differences; once two values have opposite signs, a step outside of
+//! their interval is replaced by its middle. Without two such values, the range is scanned. Several unknowns: damped
+//! Gauss-Newton (Levenberg-Marquardt) in the box of the ranges. Every step is the same in each run.
+
+use crate::model::changes::Changes;
+use crate::model::loading::{Input, Model};
+use crate::reports::kinematics::question::{KinematicsError, KinematicsQuestion};
+use crate::reports::kinematics::report::evaluate_state;
+use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
+use crate::reports::kinematics::values::{KinematicUnit, KinematicValues};
+use crate::thresholds::{
+    DIFFERENCE_OF_POINTS, MOST_EVALUATIONS, SCANNED_COORDINATES, SMALLEST_SEARCH_STEP, TARGET_ACCURACY,
+};
+use nalgebra::{DMatrix, DVector};
+use percuss_units::{Dimension, LengthUnit, Quantity};
+use serde::Serialize;
+use std::str::FromStr;
+
+/// Coordinate of a hardpoint: `POINT.AXIS`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownCoordinate {
+    /// Hardpoint.
+    pub point: String,
+    /// Axis of the sheet: 0 to 2 for x, y, z.
+    pub axis: usize,
+}
+
+impl FromStr for UnknownCoordinate {
+    type Err = String;
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts = text.rsplit_once('.').and_then(|(point, axis)| {
+            Some((point, ["x", "y", "z"].iter().position(|known| *known == axis)?))
+        });
+        match parts {
+            Some((point, axis)) if !point.is_empty() => Ok(Self { point: point.to_owned(), axis }),
+            _ => Err("expected POINT.AXIS, such as rocker_back.z".to_owned()),
+        }
+    }
+}
+
+impl UnknownCoordinate {
+    /// Name `POINT.AXIS`.
+    pub fn name(&self) -> String {
+        format!("{}.{}", self.point, ["x", "y", "z"][self.axis])
+    }
+}
+
+/// Required value of a quantity: `QUANTITY=VALUE`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KinematicTarget {
+    /// Column of `percuss kinematics`, with the ending of the side or without.
+    pub quantity: String,
+    /// Value with its unit; without a unit SI, or a plain number.
+    pub value: Quantity,
+}
+
+impl FromStr for KinematicTarget {
+    type Err = String;
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (quantity, value) =
+            text.split_once('=').ok_or("expected QUANTITY=VALUE, such as motion_ratio_spring=0.75")?;
+        let parse = |dimension: Dimension| dimension.parse(value);
+        // Per cent and units of stiffness have no dimension in a plain number.
+        let value = Quantity::parse(value).or_else(|error| {
+            parse(Dimension::Ratio)
+                .or_else(|_| parse(Dimension::Stiffness))
+                .or_else(|_| parse(Dimension::Force))
+                .map_err(|_| error)
+        });
+        Ok(Self { quantity: quantity.to_owned(), value: value.map_err(|error| error.to_string())? })
+    }
+}
+
+/// Search for coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TargetSearch {
+    /// Unknown coordinates.
+    pub unknowns: Vec<UnknownCoordinate>,
+    /// Required values, as many as unknowns.
+    pub targets: Vec<KinematicTarget>,
+    /// Largest change of each coordinate, m.
+    pub within: f64,
+}
+
+/// Coordinate before and after a search, in the unit and axes of the sheet.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FoundCoordinate {
+    /// Name `POINT.AXIS`.
+    pub coordinate: String,
+    /// Unit.
+    pub unit: &'static str,
+    /// Value in the sheet.
+    pub old: f64,
+    /// Value found.
+    pub new: f64,
+}
+
+/// Value reached for a target, SI units.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ReachedTarget {
+    /// Column.
+    pub quantity: String,
+    /// Required value.
+    pub required: f64,
+    /// Value before the search.
+    pub old: f64,
+    /// Value at the new coordinates.
+    pub reached: f64,
+    /// Unit of the quantity.
+    #[serde(skip)]
+    pub unit: KinematicUnit,
+}
+
+/// Result of a search.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TargetReport {
+    /// Schema of this report.
+    pub schema: &'static str,
+    /// Version of percuss.
+    pub percuss: &'static str,
+    /// Source files.
+    pub inputs: Vec<Input>,
+    /// True if all values are reached.
+    pub is_reached: bool,
+    /// Largest change of a coordinate, m.
+    pub within: f64,
+    /// Coordinates.
+    pub coordinates: Vec<FoundCoordinate>,
+    /// Quantities.
+    pub targets: Vec<ReachedTarget>,
+    /// Number of evaluated designs.
+    pub evaluations: usize,
+    /// Displacements of the hardpoints, m, in the axes of the sheet, as for `--move`.
+    pub moves: Vec<(String, [f64; 3])>,
+}
+
+/// Designs with changed coordinates.
+struct Designs<'s> {
+    model: &'s Model,
+    question: &'s KinematicsQuestion,
+    search: &'s TargetSearch,
+    /// Required values, and the scale of each quantity.
+    required: Vec<(f64, f64)>,
+    evaluations: usize,
+}
+
+/// Point of a search: displacements (m), values, and scaled differences from the required values.
+#[derive(Clone, Debug)]
+struct Trial {
+    x: DVector<f64>,
+    values: Vec<f64>,
+    differences: DVector<f64>,
+}
+
+impl Trial {
+    fn error(&self) -> f64 {
+        self.differences.amax()
+    }
+}
+
+/// Size of a difference that matters, by unit.
+fn scale(unit: KinematicUnit) -> f64 {
+    match unit {
+        KinematicUnit::Length | KinematicUnit::Angle => 1e-3,
+        KinematicUnit::AnglePerLength | KinematicUnit::Ratio | KinematicUnit::Percent => 1e-2,
+        KinematicUnit::Frequency => 1e-1,
+        KinematicUnit::Mass => 1.0,
+        KinematicUnit::Stiffness => 1e3,
+        KinematicUnit::Force => 1e2,
+    }
+}
+
+/// Dimension of a value of a unit.
+fn dimension(unit: KinematicUnit) -> Dimension {
+    match unit {
+        KinematicUnit::Length => Dimension::Length,
+        KinematicUnit::Angle => Dimension::Angle,
+        KinematicUnit::Ratio | KinematicUnit::Percent => Dimension::Ratio,
+        KinematicUnit::Stiffness => Dimension::Stiffness,
+        KinematicUnit::Force => Dimension::Force,
+        KinematicUnit::Mass => Dimension::Mass,
+        KinematicUnit::AnglePerLength | KinematicUnit::Frequency => Dimension::Plain,
+    }
+}
+
+impl Designs<'_> {
+    /// Displacements of the hardpoints.
+    fn moves(&self, x: &DVector<f64>) -> Vec<(String, [f64; 3])> {
+        let mut moves: Vec<(String, [f64; 3])> = Vec::new();
+        for (unknown, by) in self.search.unknowns.iter().zip(x.iter()) {
+            match moves.iter_mut().find(|(point, _)| *point == unknown.point) {
+                Some((_, shift)) => shift[unknown.axis] += by,
+                None => {
+                    let mut shift = [0.0; 3];
+                    shift[unknown.axis] = *by;
+                    moves.push((unknown.point.clone(), shift));
+                }
+            }
+        }
+        moves
+    }
+
+    /// All quantities of a design; the inner error is a pose that is not reached.
+    fn quantities(&mut self, x: &DVector<f64>) -> Result<Result<KinematicValues, String>, KinematicsError> {
+        self.evaluations += 1;
+        let changes = Changes { moves: self.moves(x), ..Changes::default() };
+        let model = if x.amax() == 0.0 { self.model.clone() } else { self.model.with_changes(&changes)? };
+        let prepared = SuspensionKinematics::new(&model, self.question.steers())?;
+        evaluate_state(&prepared, self.question, &self.question.state)
+    }
+
+    /// Trial at displacements; `None` for a design without the quantities.
+    fn trial(&mut self, x: &DVector<f64>) -> Option<Trial> {
+        let values = self.quantities(x).ok()?.ok()?;
+        let values: Option<Vec<f64>> =
+            self.search.targets.iter().map(|target| find(&values, &target.quantity).ok()).collect();
+        let values = values?;
+        let differences =
+            values.iter().zip(&self.required).map(|(value, (goal, scale))| (value - goal) / scale);
+        let differences = DVector::from_iterator(values.len(), differences);
+        Some(Trial { x: x.clone(), values, differences })
+    }
+
+    fn is_exhausted(&self) -> bool {
+        self.evaluations >= MOST_EVALUATIONS
+    }
+
+    /// One unknown; returns the best trial.
+    fn solve_one(&mut self, start: Trial) -> Trial {
+        let within = self.search.within;
+        let mut tried = vec![start.clone()];
+        let one = |x: f64| DVector::from_element(1, x);
+        let mut here = start;
+        let mut has_scanned = false;
+        while here.error() > TARGET_ACCURACY && !self.is_exhausted() {
+            let bracket = bracket(&tried, here.x[0]);
+            let step = self.newton_step(&here);
+            let limits = bracket.unwrap_or([-within, within]);
+            let inside =
+                |x: f64| x > limits[0] && x < limits[1] && tried.iter().all(|t| (t.x[0] - x).abs() > 0.0);
+            let next = step.map(|step| here.x[0] + step).filter(|x| inside(*x));
+            let next = match (next, bracket) {
+                (Some(next), _) => Some(next),
+                (None, Some([low, high])) if high - low > SMALLEST_SEARCH_STEP => Some(0.5 * (low + high)),
+                (None, _) => None,
+            };
+            let trial = next.and_then(|next| self.trial(&one(next)));
+            match trial {
+                // Newton's method without an interval continues only if the error decreases.
+                Some(trial) if bracket.is_some() || trial.error() < 0.9 * here.error() => {
+                    tried.push(trial.clone());
+                    here = trial;
+                }
+                other => {
+                    tried.extend(other);
+                    if has_scanned {
+                        break;
+                    }
+                    has_scanned = true;
+                    for k in 0..=SCANNED_COORDINATES {
+                        let x = within * (2.0 * k as f64 / SCANNED_COORDINATES as f64 - 1.0);
+                        tried.extend(self.trial(&one(x)));
+                    }
+                    here = nearest_crossing(&tried).unwrap_or_else(|| best(&tried));
+                }
+            }
+        }
+        let mut best = best(&tried);
+        if best.error() > TARGET_ACCURACY {
+            best = self.refine_minimum(best, &tried);
+        }
+        best
+    }
+
+    /// Newton step by a central difference; `None` for a vanishing derivative.
+    fn newton_step(&mut self, here: &Trial) -> Option<f64> {
+        let h = DIFFERENCE_OF_POINTS;
+        let shifted = |by: f64| DVector::from_element(1, here.x[0] + by);
+        let (ahead, behind) = (self.trial(&shifted(h))?, self.trial(&shifted(-h))?);
+        let slope = (ahead.differences[0] - behind.differences[0]) / (2.0 * h);
+        let step = -here.differences[0] / slope;
+        step.is_finite().then_some(step)
+    }
+
+    /// Nearest value: golden-section search of the smallest error next to the best of the trials.
+    fn refine_minimum(&mut self, best: Trial, tried: &[Trial]) -> Trial {
+        let within = self.search.within;
+        let mut sorted: Vec<f64> = tried.iter().map(|t| t.x[0]).chain([-within, within]).collect();
+        sorted.sort_by(f64::total_cmp);
+        let mut low = sorted.iter().copied().rfind(|x| *x < best.x[0]).unwrap_or(-within);
+        let mut high = sorted.iter().copied().find(|x| *x > best.x[0]).unwrap_or(within);
+        let golden = 0.5 * (5.0f64.sqrt() - 1.0);
+        let mut best = best;
+        while high - low > DIFFERENCE_OF_POINTS && !self.is_exhausted() {
+            let (a, b) = (high - golden * (high - low), low + golden * (high - low));
+            let [at_a, at_b] = [a, b].map(|x| self.trial(&DVector::from_element(1, x)));
+            let error = |trial: &Option<Trial>| trial.as_ref().map_or(f64::INFINITY, Trial::error);
+            if error(&at_a) <= error(&at_b) {
+                high = b
+            } else {
+                low = a
+            }
+            for trial in [at_a, at_b].into_iter().flatten() {
+                if trial.error() < best.error() {
+                    best = trial;
+                }
+            }
+        }
+        best
+    }
+
+    /// Several unknowns; returns the best trial.
+    fn solve_several(&mut self, start: Trial) -> Trial {
+        let (within, count) = (self.search.within, start.x.len());
+        let mut here = start;
+        let mut damping = 0.0f64;
+        while here.error() > TARGET_ACCURACY && !self.is_exhausted() {
+            let Some(jacobian) = self.jacobian(&here) else { break };
+            let gradient = jacobian.transpose() * &here.differences;
+            // A coordinate at its limit moves only inward.
+            let is_held = |k: usize| here.x[k].abs() >= within && gradient[k] * here.x[k] < 0.0;
+            let held: Vec<bool> = (0..count).map(is_held).collect();
+            let mut accepted = None;
+            for _ in 0..20 {
+                let mut normal = jacobian.transpose() * &jacobian;
+                let mut target = -gradient.clone();
+                let diagonal = normal.diagonal().amax();
+                for k in 0..count {
+                    normal[(k, k)] += damping * normal[(k, k)].max(1e-12 * diagonal);
+                    if held[k] {
+                        normal.row_mut(k).fill(0.0);
+                        normal.column_mut(k).fill(0.0);
+                        (normal[(k, k)], target[k]) = (1.0, 0.0);
+                    }
+                }
+                let Some(step) = normal.lu().solve(&target) else {
+                    damping = (10.0 * damping).max(1e-6);
+                    continue;
+                };
+                let x = (&here.x + step).map(|x| x.clamp(-within, within));
+                if (&x - &here.x).amax() <= SMALLEST_SEARCH_STEP || self.is_exhausted() {
+                    break;
+                }
+                let trial = self.trial(&x).filter(|t| t.differences.norm() < here.differences.norm());
+                if trial.is_some() {
+                    accepted = trial;
+                    damping = if damping < 1e-9 { 0.0 } else { 0.1 * damping };
+                    break;
+                }
+                damping = (10.0 * damping).max(1e-4);
+            }
+            match accepted {
+                Some(trial) => here = trial,
+                None => break,
+            }
+        }
+        here
+    }
+
+    /// Derivatives of the scaled quantities by the coordinates (1/m), by central differences.
+    fn jacobian(&mut self, here: &Trial) -> Option<DMatrix<f64>> {
+        let count = here.x.len();
+        let mut jacobian = DMatrix::zeros(here.differences.len(), count);
+        for k in 0..count {
+            let mut shifted = |by: f64| {
+                let mut x = here.x.clone();
+                x[k] += by;
+                self.trial(&x)
+            };
+            let (ahead, behind) = (shifted(DIFFERENCE_OF_POINTS)?, shifted(-DIFFERENCE_OF_POINTS)?);
+            let column = (ahead.differences - behind.differences) / (2.0 * DIFFERENCE_OF_POINTS);
+            jacobian.set_column(k, &column);
+        }
+        Some(jacobian)
+    }
+}
+
+/// Trial with the smallest error; of equal ones, the nearest to the start.
+fn best(tried: &[Trial]) -> Trial {
+    let order =
+        |a: &&Trial, b: &&Trial| a.error().total_cmp(&b.error()).then(a.x.amax().total_cmp(&b.x.amax()));
+    tried.iter().min_by(order).cloned().expect("the start is a trial")
+}
+
+/// Neighbours among the trials, around `x`, with differences of opposite signs.
+fn bracket(tried: &[Trial], x: f64) -> Option<[f64; 2]> {
+    let mut sorted: Vec<(f64, f64)> = tried.iter().map(|t| (t.x[0], t.differences[0])).collect();
+    sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let changes = sorted.windows(2).filter(|pair| pair[0].1 * pair[1].1 <= 0.0);
+    let distance = |pair: &&[(f64, f64)]| (pair[0].0 - x).abs().min((pair[1].0 - x).abs());
+    let nearest = changes.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    Some([nearest[0].0, nearest[1].0])
+}
+
+/// End of the interval with opposite signs that is nearest to the start.
+fn nearest_crossing(tried: &[Trial]) -> Option<Trial> {
+    let ends = bracket(tried, 0.0)?;
+    tried.iter().filter(|t| ends.contains(&t.x[0])).min_by(|a, b| a.error().total_cmp(&b.error())).cloned()
+}
+
+/// Value of a quantity: by its full name, or without the side (the first side).
+fn find(values: &KinematicValues, name: &str) -> Result<f64, String> {
+    let full = |value: &&crate::reports::kinematics::values::KinematicValue| {
+        format!("{}{}", value.name, value.side) == name
+    };
+    let found = values.0.iter().find(full).or_else(|| values.0.iter().find(|value| value.name == name));
+    match found {
+        Some(value) => value.value.clone(),
+        None => {
+            let names: Vec<String> =
+                values.0.iter().map(|value| format!("{}{}", value.name, value.side)).collect();
+            Err(format!("no quantity \"{name}\"; these are: {}", names.join(", ")))
+        }
+    }
+}
+
+/// Searches coordinates of hardpoints at which quantities have required values.
+///
+/// # Errors
+/// [`KinematicsError`]: unknown hardpoints or quantities, a value in another unit, another number of unknowns and
+/// values, a design without a pose. A value that is not reached is no error: [`TargetReport::is_reached`].
+pub fn search_targets(
+    model: &Model,
+    question: &KinematicsQuestion,
+    search: &TargetSearch,
+) -> Result<TargetReport, KinematicsError> {
+    let refuse = |why: String| KinematicsError::Search { why };
+    let (unknowns, targets) = (search.unknowns.len(), search.targets.len());
+    if unknowns != targets || unknowns == 0 {
+        return Err(refuse(format!(
+            "{unknowns} unknown coordinates (--solve) and {targets} values (--for); the same number of both is required"
+        )));
+    }
+    let mut designs = Designs { model, question, search, required: Vec::new(), evaluations: 0 };
+    let start = DVector::zeros(unknowns);
+    let values = designs.quantities(&start)?.map_err(refuse)?;
+    for target in &search.targets {
+        find(&values, &target.quantity)
+            .map_err(|why| KinematicsError::Search { why: format!("--for: {why}") })?;
+        let unit = unit_of(&values, &target.quantity);
+        let text = target.value.to_string();
+        let goal = target.value.in_dimension(dimension(unit), &text);
+        let goal = goal.map_err(|error| KinematicsError::Search {
+            why: format!("--for {}: {error}", target.quantity),
+        })?;
+        // Gradients are given in the unit of the tables.
+        let goal = if unit == KinematicUnit::AnglePerLength { goal.to_radians() } else { goal };
+        designs.required.push((goal, scale(unit)));
+    }
+    let coordinates = model.origin.sheet.as_deref().map(|origin| origin.kinematics.coordinates.clone());
+    let coordinates = coordinates.unwrap_or_default();
+    let old = |unknown: &UnknownCoordinate| {
+        let found = coordinates.iter().find(|(point, _)| *point == unknown.point);
+        found.map(|(_, at)| at[unknown.axis]).ok_or_else(|| KinematicsError::Search {
+            why: format!("no hardpoint \"{}\" in the sheet (--solve)", unknown.point),
+        })
+    };
+    let old: Vec<f64> = search.unknowns.iter().map(old).collect::<Result<_, _>>()?;
+    let first = designs.trial(&start).ok_or_else(|| KinematicsError::Search {
+        why: "a required quantity has no value at the pose".to_owned(),
+    })?;
+    let found =
+        if unknowns == 1 { designs.solve_one(first.clone()) } else { designs.solve_several(first.clone()) };
+    let unit = model.origin.sheet.as_deref().map_or(LengthUnit::default(), |origin| origin.unit);
+    let coordinate = |(k, unknown): (usize, &UnknownCoordinate)| FoundCoordinate {
+        coordinate: unknown.name(),
+        unit: unit.name(),
+        old: unit.of_metres(old[k]),
+        new: unit.of_metres(old[k] + found.x[k]),
+    };
+    let reached = |(k, target): (usize, &KinematicTarget)| ReachedTarget {
+        quantity: target.quantity.clone(),
+        required: designs.required[k].0,
+        old: first.values[k],
+        reached: found.values[k],
+        unit: unit_of(&values, &target.quantity),
+    };
+    Ok(TargetReport {
+        schema: "percuss.target/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: model.inputs.clone(),
+        is_reached: found.error() <= TARGET_ACCURACY,
+        within: search.within,
+        coordinates: search.unknowns.iter().enumerate().map(coordinate).collect(),
+        targets: search.targets.iter().enumerate().map(reached).collect(),
+        evaluations: designs.evaluations,
+        moves: designs.moves(&found.x),
+    })
+}
+
+/// Unit of a quantity.
+fn unit_of(values: &KinematicValues, name: &str) -> KinematicUnit {
+    let found =
+        values.0.iter().find(|value| format!("{}{}", value.name, value.side) == name || value.name == name);
+    found.map_or(KinematicUnit::Ratio, |value| value.unit)
+}

@@ -1,0 +1,85 @@
+//! Quantities of a row: name, wheel, unit, and a value or the reason for its absence.
+
+/// Unit of a quantity, in SI and in tables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum KinematicUnit {
+    /// m; mm in tables.
+    Length,
+    /// rad; deg in tables.
+    Angle,
+    /// rad/m; deg/m in tables.
+    AnglePerLength,
+    /// Plain number.
+    Ratio,
+    /// Plain number; per cent in tables.
+    Percent,
+    /// N/m; N/mm in tables.
+    Stiffness,
+    /// N.
+    Force,
+    /// kg.
+    Mass,
+    /// Hz.
+    Frequency,
+}
+
+impl KinematicUnit {
+    /// Name of the SI unit; empty for a plain number.
+    pub fn si(self) -> &'static str {
+        match self {
+            KinematicUnit::Length => "m",
+            KinematicUnit::Angle => "rad",
+            KinematicUnit::AnglePerLength => "rad/m",
+            KinematicUnit::Ratio | KinematicUnit::Percent => "",
+            KinematicUnit::Stiffness => "N/m",
+            KinematicUnit::Force => "N",
+            KinematicUnit::Mass => "kg",
+            KinematicUnit::Frequency => "Hz",
+        }
+    }
+
+    /// Unit of tables with its number per SI unit, and the number of decimals in a text.
+    pub fn of_table(self) -> (&'static str, f64, usize) {
+        match self {
+            KinematicUnit::Length => ("mm", 1e3, 2),
+            KinematicUnit::Angle => ("deg", 180.0 / std::f64::consts::PI, 4),
+            KinematicUnit::AnglePerLength => ("deg/m", 180.0 / std::f64::consts::PI, 3),
+            KinematicUnit::Ratio => ("", 1.0, 4),
+            KinematicUnit::Percent => ("%", 1e2, 2),
+            KinematicUnit::Stiffness => ("N/mm", 1e-3, 3),
+            KinematicUnit::Force => ("N", 1.0, 1),
+            KinematicUnit::Mass => ("kg", 1.0, 3),
+            KinematicUnit::Frequency => ("Hz", 1.0, 3),
+        }
+    }
+}
+
+/// Value of a quantity at a pose, or the reason for its absence.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct KinematicValue {
+    pub name: String,
+    /// Ending of the wheel's side: `_left`, `_right`, or empty for one wheel and for both together.
+    pub side: &'static str,
+    pub unit: KinematicUnit,
+    pub value: Result<f64, String>,
+}
+
+/// Values of a pose, in the order of the columns.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct KinematicValues(pub Vec<KinematicValue>);
+
+impl KinematicValues {
+    /// Adds a quantity of a wheel.
+    pub fn add(
+        &mut self,
+        side: &'static str,
+        name: impl Into<String>,
+        unit: KinematicUnit,
+        value: Result<f64, String>,
+    ) {
+        // Adding 0 turns −0 into 0.
+        let value = value.map(|x| x + 0.0);
+        let value = value.and_then(|x| if x.is_finite() { Ok(x) } else { Err("not finite".to_owned()) });
+        self.0.push(KinematicValue { name: name.into(), side, unit, value });
+    }
+}
