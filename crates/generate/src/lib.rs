@@ -1,0 +1,27 @@
+//! Source code of functions that compute the effective mass of one mechanism at one contact from a configuration.
+//!
+//! [`generate`] evaluates the elimination of the mass matrix on expressions ([`Request`] describes the mechanism and
+//! the contact). Constants are folded, operations with 0 and 1 vanish, and equal expressions are computed once. The
+//! code needs no library, allocates nothing, and returns a status where a configuration has no result.
+
+mod error;
+mod expression;
+mod function;
+mod loops;
+mod mechanics;
+mod printing;
+mod request;
+mod samples;
+
+pub use error::GenerateError;
+pub use printing::{GeneratedFile, Generated};
+pub use request::{Additions, HeldPoint, Language, Request};
+
+/// Generates the source files of a request.
+///
+/// # Errors
+/// [`GenerateError`]: the contact has no finite m̄, or the mechanism is not supported.
+pub fn generate(request: &Request) -> Result<Generated, GenerateError> {
+    let functions = function::build(request)?;
+    Ok(printing::print(request, &functions))
+}

@@ -1,0 +1,4 @@
+//! Generated code, compiled by the C compiler of the system, against the library.
+
+mod families;
+mod support;
