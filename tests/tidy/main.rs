@@ -47,7 +47,7 @@ fn files(ending: &str) -> Vec<PathBuf> {
 }
 
 /// Permitted dependencies between the crates of the workspace, without those of tests.
-const ARROWS: [(&str, &[&str]); 17] = [
+const ARROWS: [(&str, &[&str]); 18] = [
     ("percuss-spatial", &[]),
     ("percuss-tables", &[]),
     ("percuss-units", &[]),
@@ -55,6 +55,7 @@ const ARROWS: [(&str, &[&str]); 17] = [
     ("percuss-formats", &["percuss-spatial", "percuss-mechanism"]),
     ("percuss-suspension", &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-units"]),
     ("percuss-dynamics", &["percuss-spatial", "percuss-mechanism"]),
+    ("percuss-generate", &["percuss-spatial", "percuss-mechanism", "percuss-dynamics"]),
     ("percuss-contact", &[]),
     ("percuss-render", &[]),
     ("percuss-oracle", &["percuss-spatial", "percuss-mechanism"]),
@@ -68,6 +69,7 @@ const ARROWS: [(&str, &[&str]); 17] = [
             "percuss-formats",
             "percuss-suspension",
             "percuss-dynamics",
+            "percuss-generate",
             "percuss-contact",
         ],
     ),

@@ -49,6 +49,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Import(args) => commands::suspension::import::run(args),
         Command::Damp(args) => commands::damp::run(args),
         Command::SafeSpeed(args) => commands::safe_speed::run(args),
+        Command::Generate(args) => commands::generate::run(args),
         Command::Run(args) => commands::run::run(args),
         Command::Init(args) => commands::init::run(args),
         Command::Schema { format } => commands::init::schema(*format),

@@ -3,7 +3,7 @@
 use percuss_dynamics::{AssemblyError, ResponseError};
 
 /// Error of a function that cannot be generated.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GenerateError {
     /// The contact is immovable in every configuration that was tried.

@@ -22,6 +22,9 @@ mod values;
 /// Contact laws, simulators and safe speeds, for the interfaces that use them.
 pub use percuss_contact as contact;
 
+/// Generated source code, for the interfaces that write it.
+pub use percuss_generate as generated;
+
 pub use checks::design_variant::DesignError;
 pub use checks::model_check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
 pub use checks::response_findings::{matrix_findings, pose_findings, response_findings, row_findings};
@@ -75,6 +78,7 @@ pub use reports::kinematics::target_search::{
     search_targets,
 };
 pub use reports::kinematics::values::KinematicUnit;
+pub use reports::generated_code::{CodeError, generate_code};
 pub use reports::mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, TravelRecord,
 };

@@ -4,6 +4,7 @@ mod compare;
 mod contact;
 mod damping;
 mod format;
+mod generate;
 mod help;
 mod import;
 mod kinematics;
@@ -18,6 +19,7 @@ pub use compare::CompareArgs;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, SafeSpeedArgs};
 pub use format::{CheckFormat, KinematicsFormat, MassFormat, SchemaFormat};
+pub use generate::{GenerateArgs, LanguageName};
 pub use help::short_help::{requested_command, short_help};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
 pub use kinematics::KinematicsArgs;
@@ -48,14 +50,21 @@ pub struct Cli {
 }
 
 impl Cli {
-    /// Command line, without the flags of a contact that do not apply to a map.
+    /// Command line, without the flags of a contact that do not apply to a map or to generated code.
     pub fn definition() -> clap::Command {
         let hidden = |argument: clap::Arg| match argument.get_id().as_str() {
             "normal" | "along_line" | "turning_normal" | "normal_frame" | "estimate" => argument.hide(true),
             _ => argument,
         };
         // Fixed name: on Windows the file name has an extension.
-        Self::command().bin_name("percuss").mut_subcommand("map", |c| c.mut_args(hidden))
+        let without_reports = |argument: clap::Arg| match argument.get_id().as_str() {
+            "estimate" | "ratio_at" => argument.hide(true),
+            _ => argument,
+        };
+        Self::command()
+            .bin_name("percuss")
+            .mut_subcommand("map", |c| c.mut_args(hidden))
+            .mut_subcommand("generate", |c| c.mut_args(without_reports))
     }
 }
 
@@ -118,6 +127,14 @@ pub enum Command {
         override_usage = "percuss safe-speed MODEL --link L --point X,Y,Z --normal X,Y,Z …\n                          --region NAME (--force F | --pressure P --area A)\n                          [--load KG]"
     )]
     SafeSpeed(Box<SafeSpeedArgs>),
+    /// Write C or Rust code that computes the effective mass from a configuration.
+    ///
+    /// The code needs no library: for controllers, simulation models and microcontrollers.
+    #[command(
+        after_help = examples::GENERATE,
+        override_usage = "percuss generate MODEL (--at NAME | --link L --point X,Y,Z\n                        (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                        [--language c|rust] [-o FOLDER] …"
+    )]
+    Generate(Box<GenerateArgs>),
     /// Run a study: the flags of mass, sweep and damp, kept in a TOML file.
     #[command(after_help = examples::RUN)]
     Run(RunArgs),

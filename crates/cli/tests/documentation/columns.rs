@@ -189,6 +189,7 @@ fn help_of_every_command() {
         "import",
         "damp",
         "safe-speed",
+        "generate",
         "run",
         "completions",
         "",

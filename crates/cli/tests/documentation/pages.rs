@@ -19,6 +19,7 @@ const PAGES: [(&str, usize); 34] = [
     ("docs/explanation/SIMULATOR_ERRORS.md", 0),
     ("docs/howto/C.md", 0),
     ("docs/howto/CLUSTER.md", 0),
+    ("docs/howto/CODE.md", 2),
     ("docs/howto/DESIGNS.md", 8),
     ("docs/howto/KINEMATICS.md", 3),
     ("docs/howto/LOOPS.md", 2),

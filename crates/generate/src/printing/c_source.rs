@@ -352,7 +352,7 @@ impl CSource<'_> {
     fn batch_function(&self) -> String {
         let n = self.name;
         let statements = self.functions.mass_statements();
-        let used = self.used_inputs(&statements);
+        let used = super::used_inputs(self.functions, &statements);
         let names = Names {
             input: &|i| format!("a{i}"),
             sine: &|k| format!("s{k}"),
@@ -416,27 +416,6 @@ impl CSource<'_> {
         out
     }
 
-    /// Inputs that the statements read.
-    fn used_inputs(&self, statements: &Statements) -> Vec<usize> {
-        use crate::expression::graph::Node;
-        let graph = &self.functions.graph;
-        let mut used = Vec::new();
-        let mut seen = vec![false; graph.len()];
-        let mut stack: Vec<Expr> = self.functions.mass_results();
-        stack.extend(&statements.angles);
-        while let Some(expression) = stack.pop() {
-            if std::mem::replace(&mut seen[expression.index()], true) {
-                continue;
-            }
-            if let Node::Input(i) = graph.node(expression) {
-                used.push(i as usize);
-            }
-            stack.extend(graph.node(expression).operands());
-        }
-        used.sort_unstable();
-        used
-    }
-
     fn close_function(&self) -> String {
         let (n, upper) = (self.name, self.name.to_uppercase());
         let functions = self.functions;
@@ -492,20 +471,12 @@ impl CSource<'_> {
     fn position_updates(&self) -> String {
         let mut out = String::new();
         let steps = &self.functions.steps;
-        let mut quaternions: Vec<(usize, JointKind)> = Vec::new();
         for (k, step) in steps.iter().enumerate() {
-            match step.kind {
-                JointKind::Spherical => quaternions.push((step.first, step.kind)),
-                JointKind::Floating => quaternions.push((step.first, step.kind)),
-                _ => {
-                    let _ = writeln!(out, "        q[{}] += step[{k}];", step.first + step.component);
-                }
+            if !matches!(step.kind, JointKind::Spherical | JointKind::Floating) {
+                let _ = writeln!(out, "        q[{}] += step[{k}];", step.first + step.component);
             }
         }
-        quaternions.dedup();
-        quaternions.sort_by_key(|(first, _)| *first);
-        quaternions.dedup();
-        for (first, kind) in quaternions {
+        for (first, kind) in super::quaternion_joints(steps) {
             let of = |component: usize| {
                 let at = steps.iter().position(|s| s.first == first && s.component == component);
                 at.map_or_else(|| "0.0".to_owned(), |k| format!("step[{k}]"))

@@ -202,6 +202,22 @@ An engineering aid, not a certification. Take the limits of force or pressure
 from the edition of the standard that applies to you. The table of regions is
 informative.";
 
+pub const GENERATE: &str = "\
+Examples:
+  C code for a controller, with its self-test:
+    percuss generate models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
+        --normal 0,0,-1 -o generated
+    cc -O2 generated/six_r_arm.c generated/six_r_arm_test.c -lm && ./a.out
+  Many configurations in one call, compiled for vector registers:
+    percuss generate models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
+        --normal 0,0,-1 --batch -o generated
+  A linkage: the code closes the loops from the driving joints:
+    percuss generate models/four_bar.urdf --link coupler \\
+        --point 0.35,0.1,0 --normal 0,1,0 --close -o generated
+
+The code returns a status where a configuration has no result. Loops: the
+independent rows are chosen at the pose of --set and --guess.";
+
 pub const INIT: &str = "\
 Examples:
   percuss init models/six_r_arm.urdf -o arm.toml
@@ -240,6 +256,7 @@ mod tests {
             super::IMPORT,
             super::DAMP,
             super::SAFE_SPEED,
+            super::GENERATE,
             super::INIT,
             super::RUN,
         ] {

@@ -1,0 +1,101 @@
+//! Flags of `percuss generate`.
+
+use super::{ContactArgs, ModelArgs, WritingArgs};
+use crate::terminal::failure::Failure;
+use clap::{Args, ValueEnum};
+use percuss_study::generated::{Additions, Language};
+use percuss_study::headings::OUTPUT;
+
+/// Heading of the additional functions.
+const FUNCTIONS: &str = "Additional functions";
+
+/// Language of generated code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum LanguageName {
+    /// C99, also valid C++: header, source, self-test.
+    C,
+    /// Rust without the standard library: one file.
+    Rust,
+}
+
+/// Flags of `percuss generate`.
+#[derive(Debug, Args)]
+pub struct GenerateArgs {
+    #[command(flatten)]
+    pub model: ModelArgs,
+    #[command(flatten)]
+    pub contact: ContactArgs,
+    /// Folder of the files; default: the current folder.
+    #[arg(long, short, value_name = "FOLDER", default_value = ".", help_heading = OUTPUT)]
+    pub output: String,
+    /// Language of the code.
+    #[arg(long, value_enum, default_value_t = LanguageName::C, help_heading = OUTPUT)]
+    pub language: LanguageName,
+    /// Prefix of the files and of all names in the code; default: the name of the model file.
+    #[arg(long, value_name = "NAME", help_heading = OUTPUT)]
+    pub name: Option<String>,
+    #[command(flatten)]
+    pub writing: WritingArgs,
+    /// Velocities of the joints at unit closing speed.
+    #[arg(long, help_heading = FUNCTIONS)]
+    pub velocity: bool,
+    /// Derivatives of the effective mass.
+    ///
+    /// Over the positions of the joints; with loops, along the motion of each driving joint.
+    #[arg(long, help_heading = FUNCTIONS)]
+    pub gradient: bool,
+    /// Matrix J M⁻¹ Jᵀ at the contact point.
+    ///
+    /// It gives 1/m for every normal, without a division by zero along immovable directions.
+    #[arg(long, help_heading = FUNCTIONS)]
+    pub mobility: bool,
+    /// Many configurations in one call.
+    #[arg(long, help_heading = FUNCTIONS)]
+    pub batch: bool,
+    /// Newton iteration that closes the loops.
+    ///
+    /// Its input are the positions of the driving joints and previous values of the others.
+    #[arg(long, help_heading = FUNCTIONS)]
+    pub close: bool,
+}
+
+impl GenerateArgs {
+    /// Additional functions.
+    pub fn additions(&self) -> Additions {
+        let Self { velocity, gradient, mobility, batch, close, .. } = *self;
+        Additions { velocity, gradient, mobility, batch, close }
+    }
+
+    /// Language of the code.
+    pub fn language(&self) -> Language {
+        match self.language {
+            LanguageName::C => Language::C,
+            LanguageName::Rust => Language::Rust,
+        }
+    }
+
+    /// Prefix of the names in the code: a C identifier.
+    pub fn identifier(&self) -> Result<String, Failure> {
+        let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        if let Some(name) = &self.name {
+            let begins = name.starts_with(|c: char| c.is_ascii_lowercase());
+            let is_valid = begins && name.chars().all(|c| is_part(c) && !c.is_ascii_uppercase());
+            return match is_valid && name.len() <= LONGEST_NAME {
+                true => Ok(name.clone()),
+                false => Err(Failure::bad_input(format!(
+                    "--name {}: a prefix of names in C and Rust is expected: a small letter, then small letters, digits \
+                     and _, at most {LONGEST_NAME}",
+                    name.escape_debug()
+                ))),
+            };
+        }
+        let stem = std::path::Path::new(&self.model.model).file_stem().map(|s| s.to_string_lossy().to_lowercase());
+        let name: String =
+            stem.unwrap_or_default().chars().map(|c| if is_part(c) { c } else { '_' }).take(LONGEST_NAME).collect();
+        let name = name.trim_matches('_').to_owned();
+        Ok(if name.starts_with(|c: char| c.is_ascii_lowercase()) { name } else { format!("model_{name}") })
+    }
+}
+
+/// Longest prefix of names.
+const LONGEST_NAME: usize = 40;
