@@ -4,7 +4,7 @@ use crate::support::{WARNINGS, folder, inputs, pose, request};
 use nalgebra::{Matrix3, SMatrix};
 use percuss_dynamics::{Conditions, Configuration, Contact, EffectiveMass, Pose, System};
 use percuss_generate::{Additions, Language, generate};
-use percuss_mechanism::Mechanism;
+use percuss_mechanism::{JointId, Mechanism};
 use percuss_oracle::{linkage, random, zoo};
 use rand::SeedableRng;
 use rand::rngs::StdRng;
@@ -98,9 +98,10 @@ fn specimens() -> Vec<(String, Arc<Mechanism>, Contact, Vec<Pose>, System, Vec<u
         let (link, _, point, normal) = random::contact(&mut rng, &mechanism);
         let poses: Vec<Pose> = positions.iter().filter_map(|p| pose(&system, &p.concat())).collect();
         let drivers = poses[0].assembly().drivers();
-        let first = |id| mechanism.joint_ids().take_while(|other| *other != id);
-        let positions_before =
-            |id| first(id).map(|j| mechanism.joint(j).kind().positions()).sum::<usize>();
+        let positions_before = |id: JointId| {
+            let before = mechanism.joint_ids().take_while(|other| *other != id);
+            before.map(|j| mechanism.joint(j).kind().positions()).sum::<usize>()
+        };
         let varied = drivers.iter().map(|id| positions_before(*id)).collect();
         let name = one.name.replace(['-', ' '], "_");
         all.push((name, mechanism.clone(), Contact::new(link, point, normal), poses, system, varied, true));
@@ -158,8 +159,8 @@ fn additional_functions_in_c() {
             if close {
                 let _ = write!(
                     main,
-                    "        {{\n            double residual;\n            printf(\"\\n%d %.17g\", {name}_close(near, \
-                     &residual), residual);\n            for (i = 0; i < {n}; ++i) printf(\" %.17g\", near[i]);\n            \
+                    "        {{\n            double residual;\n            const int closing = {name}_close(near, \
+                     &residual);\n            printf(\"\\n%d %.17g\", closing, residual);\n            for (i = 0; i < {n}; ++i) printf(\" %.17g\", near[i]);\n            \
                      near[{n} - 1] += 0.1;\n            printf(\"\\n%d\\n\", {name}_mass(near, &m));\n        }}\n    }}\n"
                 );
             } else {

@@ -89,6 +89,30 @@ impl Graph {
         }
     }
 
+    /// Constant c and further part of a sum: c + x (`false`), c − x (`true`) or x − c (−c + x).
+    fn constant_part(&self, sum: Expr) -> Option<(f64, bool, Expr)> {
+        match self.node(sum) {
+            Node::Sum(a, b) => match (self.value(a), self.value(b)) {
+                (Some(c), None) => Some((c, false, b)),
+                (None, Some(c)) => Some((c, false, a)),
+                _ => None,
+            },
+            Node::Difference(a, b) => match (self.value(a), self.value(b)) {
+                (Some(c), None) => Some((c, true, b)),
+                (None, Some(c)) => Some((-c, false, a)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// c + (d ± x) with one constant.
+    fn add_constant(&mut self, c: f64, sum: Expr) -> Option<Expr> {
+        let (d, is_minus, x) = self.constant_part(sum)?;
+        let constant = self.constant(c + d);
+        Some(if is_minus { self.sub(constant, x) } else { self.add(constant, x) })
+    }
+
     fn add_node(&mut self, node: Node) -> Expr {
         if let Some(&known) = self.known.get(&node) {
             return known;
@@ -125,14 +149,16 @@ impl Graph {
             (Some(a), Some(b)) => return self.constant(a + b),
             (Some(0.0), _) => return b,
             (_, Some(0.0)) => return a,
-            (Some(value), _) if value < 0.0 => {
-                let positive = self.constant(-value);
-                return self.sub(b, positive);
+            (Some(value), _) => {
+                if let Some(sum) = self.add_constant(value, b) {
+                    return sum;
+                }
+                if value < 0.0 {
+                    let positive = self.constant(-value);
+                    return self.sub(b, positive);
+                }
             }
-            (_, Some(value)) if value < 0.0 => {
-                let positive = self.constant(-value);
-                return self.sub(a, positive);
-            }
+            (_, Some(_)) => return self.add(b, a),
             _ => {}
         }
         match (self.negated(a), self.negated(b)) {
@@ -155,14 +181,25 @@ impl Graph {
             (Some(a), Some(b)) => return self.constant(a - b),
             (Some(0.0), _) => return self.neg(b),
             (_, Some(0.0)) => return a,
-            (Some(value), _) if value < 0.0 => {
-                let positive = self.constant(-value);
-                let sum = self.add(positive, b);
-                return self.neg(sum);
+            (Some(value), _) => {
+                if let Some((d, is_minus, x)) = self.constant_part(b) {
+                    let constant = self.constant(value - d);
+                    return if is_minus { self.add(constant, x) } else { self.sub(constant, x) };
+                }
+                if value < 0.0 {
+                    let positive = self.constant(-value);
+                    let sum = self.add(positive, b);
+                    return self.neg(sum);
+                }
             }
-            (_, Some(value)) if value < 0.0 => {
-                let positive = self.constant(-value);
-                return self.add(a, positive);
+            (_, Some(value)) => {
+                if let Some(sum) = self.add_constant(-value, a) {
+                    return sum;
+                }
+                if value < 0.0 {
+                    let positive = self.constant(-value);
+                    return self.add(a, positive);
+                }
             }
             _ => {}
         }

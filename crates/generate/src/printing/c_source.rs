@@ -16,6 +16,9 @@ use std::fmt::Write;
 /// Most Newton steps of the closing of the loops.
 const NEWTON_STEPS: usize = 30;
 
+/// Configurations of a batch whose checks are kept at once.
+const BLOCK: usize = 64;
+
 /// Files of the C code.
 pub(super) fn files(request: &Request, functions: &Functions) -> Vec<GeneratedFile> {
     let c = CSource { request, functions, name: &request.name };
@@ -69,7 +72,12 @@ impl CSource<'_> {
     fn header(&self) -> String {
         let (n, upper) = (self.name, self.name.to_uppercase());
         let mut out = String::from("/* ");
-        out += &header_lines(self.request).join("\n   ");
+        for (k, line) in header_lines(self.request).iter().enumerate() {
+            if k > 0 {
+                out += if line.is_empty() { "\n" } else { "\n   " };
+            }
+            out += line;
+        }
         let _ = write!(out, "\n\n   Positions q (SI units):\n");
         for row in position_rows(self.request, self.functions) {
             let _ = writeln!(out, "     {row}");
@@ -365,8 +373,9 @@ impl CSource<'_> {
         let _ = write!(out, "{restrict} __restrict\n#else\n#define {restrict} restrict\n#endif\n\n");
         let _ = write!(
             out,
-            "/* The loop has no branches, so that compilers vectorise it. */\nstatic void {n}_lanes(size_t n, const double \
-             *{restrict} q, size_t stride, double *{restrict} mass)\n{{\n    size_t k;\n"
+            "/* 1/response, and a number that is at most 1 for a valid configuration. The loop has no branches, so that \
+             compilers\n   vectorise it. */\nstatic void {n}_lanes(size_t n, const double *{restrict} q, size_t stride, double \
+             *{restrict} inverse,\n    double *{restrict} check)\n{{\n    size_t k;\n"
         );
         for &i in &used {
             let _ = writeln!(out, "    const double *{restrict} q{i} = q + {i}*stride;");
@@ -392,26 +401,28 @@ impl CSource<'_> {
             let _ = writeln!(out, "        const double x{name} = {};", printer.definition(variable));
         }
         let _ = writeln!(out, "        const double response = {};", printer.result(self.functions.response));
-        let mut conditions = vec!["response < INFINITY".to_owned()];
-        if !range.is_empty() {
-            let limit = literal(LARGEST_ANGLE * LARGEST_ANGLE);
-            conditions.push(format!("{} <= {limit}", range.join(" + ")));
-        }
+        let range = if range.is_empty() { "0.0".to_owned() } else { range.join(" + ") };
+        let limit = literal(1.0 / (LARGEST_ANGLE * LARGEST_ANGLE));
+        let _ = writeln!(out, "        double worst = {limit}*({range});");
         let limits = [self.functions.line, self.functions.closure, self.functions.choice];
-        conditions.extend(limits.into_iter().flatten().map(|e| format!("{} <= 1.0", printer.result(e))));
-        let _ = writeln!(
-            out,
-            "        double m = response > {} ? 1.0/response : INFINITY;",
-            literal(self.functions.immovable)
-        );
-        for condition in conditions {
-            let _ = writeln!(out, "        m = {condition} ? m : NAN;");
+        for (number, limit) in limits.into_iter().flatten().enumerate() {
+            // The larger of two numbers without a comparison; NAN if one is NAN.
+            let _ = write!(
+                out,
+                "        const double y{number} = {};\n        worst = 0.5*(worst + y{number} + fabs(worst - y{number}));\n",
+                printer.result(limit)
+            );
         }
         let _ = write!(
             out,
-            "        mass[k] = m;\n    }}\n}}\n\nsize_t {n}_batch(size_t n, const double *q, size_t stride, double \
-             *mass)\n{{\n    size_t k, failed = 0;\n    {n}_lanes(n, q, stride, mass);\n    for (k = 0; k < n; ++k) \
-             {{\n        failed += !(mass[k] < INFINITY);\n    }}\n    return failed;\n}}\n\n"
+            "        inverse[k] = 1.0/response;\n        check[k] = worst;\n    }}\n}}\n\nsize_t {n}_batch(size_t n, const double \
+             *q, size_t stride, double *mass)\n{{\n    double check[{BLOCK}];\n    size_t first, k, failed = 0;\n    for (first = 0; \
+             first < n; first += {BLOCK}) {{\n        const size_t count = n - first < {BLOCK} ? n - first : {BLOCK};\n        double *m = \
+             mass + first;\n        {n}_lanes(count, q + first, stride, m, check);\n        for (k = 0; k < count; ++k) {{\n            if \
+             (check[k] <= 1.0 && m[k] > 0.0 && m[k] < {largest}) {{\n                continue;\n            }}\n            ++failed;\n            \
+             m[k] = check[k] <= 1.0 && (m[k] < 0.0 || m[k] >= {largest}) ? INFINITY : NAN;\n        }}\n    }}\n    return \
+             failed;\n}}\n\n",
+            largest = literal(1.0 / self.functions.immovable)
         );
         out
     }
