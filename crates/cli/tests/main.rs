@@ -52,6 +52,7 @@ mod suspensions {
 
 /// Files that are written or replaced.
 mod files {
+    mod generated_code;
     mod outputs;
     mod special_files;
     mod tables;

@@ -9,7 +9,7 @@ pub enum GenerateError {
     /// The contact is immovable in every configuration that was tried.
     #[error(
         "no motion of the mechanism closes this gap: the effective mass is unbounded in every configuration that was \
-         tried. Give another contact, or --mobility for 1/m"
+         tried. Give another normal; --mobility then gives 1/m along every normal"
     )]
     Immovable,
     /// A motion without mass closes the gap.

@@ -6,7 +6,9 @@ use crate::expression::statements::Statements;
 use crate::loops::constraint_rows::{Constraints, constraints, over_coordinates};
 use crate::loops::rate_elimination::{Rates, eliminate_rates};
 use crate::mechanics::body_frames::Bodies;
-use crate::mechanics::mass_matrix::{Elimination, SymmetricMatrix, reduced_mass_matrix, sparse_dot, tree_mass_matrix};
+use crate::mechanics::mass_matrix::{
+    Elimination, SymmetricMatrix, reduced_mass_matrix, sparse_dot, tree_mass_matrix,
+};
 use crate::mechanics::tree::Tree;
 use crate::request::Request;
 use crate::samples::{Sample, samples};
@@ -131,8 +133,7 @@ pub(crate) fn build(request: &Request) -> Result<Functions, GenerateError> {
         response = g.add(response, other);
     }
     let scaled: Vec<f64> = rates.independent.iter().map(|&c| lengths[c]).collect();
-    let immovable =
-        check_pivots(&g, request, &bodies, &rates, &diagonal, &elimination, &scaled, &samples)?;
+    let immovable = check_pivots(&g, request, &bodies, &rates, &diagonal, &elimination, &scaled, &samples)?;
     compare(&g, response, immovable, &samples)?;
     let line = contact.line_square.map(|square| {
         let drawn = drawn_line(request, &bodies.tree);
@@ -348,7 +349,8 @@ fn check_pivots(
                 let coordinate = rates.independent[k];
                 let velocity = bodies.tree.velocities.iter().find(|v| v.coordinate == coordinate);
                 let joint = velocity.and_then(|v| bodies.tree.bodies[v.body].joint);
-                let name = joint.map(|id| format!("joint \"{}\"", request.system.mechanism().joint(id).name()));
+                let name =
+                    joint.map(|id| format!("joint \"{}\"", request.system.mechanism().joint(id).name()));
                 let joint = name.unwrap_or_else(|| "floating base".to_owned());
                 return Err(GenerateError::MasslessMotion { joint, value: scaled / heaviest });
             }
@@ -417,14 +419,18 @@ fn gradient(g: &mut Graph, tree: &Tree, response: Expr, rates: &Rates) -> Vec<Na
         let derivatives = &by_input[body.inputs.clone()];
         let first = tree.velocities[body.velocities.start].coordinate;
         let positions: Vec<Expr> = body.inputs.clone().map(|i| g.input(i)).collect();
-        for (k, value) in position_derivatives(g, body.kind, &positions, derivatives).into_iter().enumerate() {
+        for (k, value) in position_derivatives(g, body.kind, &positions, derivatives).into_iter().enumerate()
+        {
             by_coordinate[first + k] = value;
         }
     }
     let mut outputs = Vec::new();
     for (y, &c) in rates.independent.iter().enumerate() {
-        let velocity = tree.velocities.iter().find(|v| v.coordinate == c && tree.bodies[v.body].mimic.is_none());
-        let Some((velocity, Some(joint))) = velocity.map(|v| (v, tree.bodies[v.body].joint)) else { continue };
+        let velocity =
+            tree.velocities.iter().find(|v| v.coordinate == c && tree.bodies[v.body].mimic.is_none());
+        let Some((velocity, Some(joint))) = velocity.map(|v| (v, tree.bodies[v.body].joint)) else {
+            continue;
+        };
         let column = rates.rates.iter().map(|r| r[y]);
         let value = sparse_dot(g, by_coordinate.iter().copied().zip(column));
         let (component, turns) = (velocity.component, velocity.turns);
@@ -477,7 +483,10 @@ fn add_position_steps(
     functions.drivers = request.pose.assembly().drivers();
     for &(coordinate, value) in &rates.corrections {
         let tree = &bodies.tree;
-        let velocity = tree.velocities.iter().find(|v| v.coordinate == coordinate && tree.bodies[v.body].mimic.is_none());
+        let velocity = tree
+            .velocities
+            .iter()
+            .find(|v| v.coordinate == coordinate && tree.bodies[v.body].mimic.is_none());
         let Some(velocity) = velocity else { continue };
         let body = &tree.bodies[velocity.body];
         let (kind, first, component) = (body.kind, body.inputs.start, velocity.component);

@@ -14,7 +14,7 @@ mod request;
 mod samples;
 
 pub use error::GenerateError;
-pub use printing::{GeneratedFile, Generated};
+pub use printing::{Generated, GeneratedFile};
 pub use request::{Additions, HeldPoint, Language, Request};
 
 /// Generates the source files of a request.

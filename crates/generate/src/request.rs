@@ -1,10 +1,8 @@
 //! Description of the function to generate.
 
-use crate::mechanics::body_frames::Bodies;
 use nalgebra::Vector3;
 use percuss_dynamics::{Contact, Pose, System};
-use percuss_mechanism::{Closure, JointId, LinkId, LoopFrame};
-use percuss_spatial::Transform;
+use percuss_mechanism::{JointId, LinkId};
 
 /// Held point of a link.
 #[derive(Clone, Copy, Debug)]
@@ -84,14 +82,5 @@ impl Request {
     /// Characteristic length, m.
     pub(crate) fn scale(&self) -> f64 {
         self.system.mechanism().characteristic_length()
-    }
-
-    /// Distance of the ends of a closure with all joints at 0, m.
-    pub(crate) fn drawn_distance(&self, bodies: &Bodies, closure: &Closure) -> f64 {
-        let end = |end: &LoopFrame| {
-            let link = end.link.map_or_else(Transform::identity, |link| bodies.tree.drawn_frame(self, link));
-            (link * end.frame).translation
-        };
-        (end(closure.successor()) - end(closure.predecessor())).norm()
     }
 }

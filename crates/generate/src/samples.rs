@@ -43,7 +43,8 @@ pub(crate) fn samples(request: &Request, tree: &Tree, count: usize) -> Vec<Sampl
     for _ in 0..count {
         let mut range = 1.0;
         for _ in 0..ATTEMPTS {
-            if let Some(sample) = random_pose(request, &mut rng, range).and_then(|p| sample(request, tree, p)) {
+            if let Some(sample) = random_pose(request, &mut rng, range).and_then(|p| sample(request, tree, p))
+            {
                 found.push(sample);
                 break;
             }

@@ -89,9 +89,14 @@ impl GenerateArgs {
                 ))),
             };
         }
-        let stem = std::path::Path::new(&self.model.model).file_stem().map(|s| s.to_string_lossy().to_lowercase());
-        let name: String =
-            stem.unwrap_or_default().chars().map(|c| if is_part(c) { c } else { '_' }).take(LONGEST_NAME).collect();
+        let stem =
+            std::path::Path::new(&self.model.model).file_stem().map(|s| s.to_string_lossy().to_lowercase());
+        let name: String = stem
+            .unwrap_or_default()
+            .chars()
+            .map(|c| if is_part(c) { c } else { '_' })
+            .take(LONGEST_NAME)
+            .collect();
         let name = name.trim_matches('_').to_owned();
         Ok(if name.starts_with(|c: char| c.is_ascii_lowercase()) { name } else { format!("model_{name}") })
     }

@@ -17,7 +17,9 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
     let name = args.identifier()?;
     let contact = &args.contact.contact;
     if contact.estimate.is_some() || !contact.ratio_at.is_empty() {
-        return Err(Failure::bad_input("--estimate, --ratio-at: not available in generated code; use percuss mass"));
+        return Err(Failure::bad_input(
+            "--estimate, --ratio-at: not available in generated code; use percuss mass",
+        ));
     }
     let question = args.contact.question()?;
     let model = args.model.load()?;

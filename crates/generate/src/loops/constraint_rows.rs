@@ -40,15 +40,24 @@ pub(crate) fn constraints(g: &mut Graph, bodies: &Bodies, request: &Request) -> 
     let reversed: Vec<&str> = request.system.reversed_axes().collect();
     let mut found = Constraints::default();
     for closure in mechanism.closures() {
-        let distance = closure.distance().unwrap_or_else(|| request.drawn_distance(bodies, closure));
-        add_closure(g, bodies, request.scale(), closure, reversed.contains(&closure.name()), distance, &mut found);
+        let distance = closure.distance().unwrap_or_else(|| drawn_distance(request, bodies, closure));
+        add_closure(
+            g,
+            bodies,
+            request.scale(),
+            closure,
+            reversed.contains(&closure.name()),
+            distance,
+            &mut found,
+        );
     }
     for coupling in mechanism.couplings() {
         let zero = g.zero();
         let mut row = ConstraintRow { entries: vec![zero; bodies.tree.coordinates], residual: zero };
-        let bound = coupling.terms().iter().filter_map(|(id, factor)| {
-            Some((bodies.tree.body_of_joint[id.index()]?, *factor))
-        });
+        let bound = coupling
+            .terms()
+            .iter()
+            .filter_map(|(id, factor)| Some((bodies.tree.body_of_joint[id.index()]?, *factor)));
         let mut turns = false;
         for (body, factor) in bound {
             let body = &bodies.tree.bodies[body];
@@ -103,6 +112,15 @@ pub(crate) fn constraints(g: &mut Graph, bodies: &Bodies, request: &Request) -> 
     found
 }
 
+/// Distance of the ends of a closure with all joints at 0, m.
+fn drawn_distance(request: &Request, bodies: &Bodies, closure: &Closure) -> f64 {
+    let end = |end: &LoopFrame| {
+        let link = end.link.map_or_else(Transform::identity, |link| bodies.tree.drawn_frame(request, link));
+        (link * end.frame).translation
+    };
+    (end(closure.successor()) - end(closure.predecessor())).norm()
+}
+
 /// Sums a row over the tree velocities into a row over the coordinates.
 pub(crate) fn over_coordinates(g: &mut Graph, bodies: &Bodies, row: &[Expr]) -> Vec<Expr> {
     let zero = g.zero();
@@ -122,7 +140,12 @@ fn loop_end(bodies: &Bodies, end: &LoopFrame) -> (Option<usize>, Transform<f64>)
 }
 
 /// Frame of a loop's end in the common ancestor of both ends.
-fn loop_frame(g: &mut Graph, bodies: &Bodies, ancestor: Option<usize>, end: &(Option<usize>, Transform<f64>)) -> FrameExpr {
+fn loop_frame(
+    g: &mut Graph,
+    bodies: &Bodies,
+    ancestor: Option<usize>,
+    end: &(Option<usize>, Transform<f64>),
+) -> FrameExpr {
     let body = bodies.frame_in(g, ancestor, end.0);
     let (r, p) = (g.matrix(&end.1.rotation), g.vector(&end.1.translation));
     let mut rotation = body.rotation;

@@ -71,13 +71,7 @@ impl Bodies {
     }
 
     /// Components in body `to` of a vector of body `from`.
-    pub fn vector_between(
-        &self,
-        g: &mut Graph,
-        from: Option<usize>,
-        to: Option<usize>,
-        v: Vector,
-    ) -> Vector {
+    pub fn vector_between(&self, g: &mut Graph, from: Option<usize>, to: Option<usize>, v: Vector) -> Vector {
         self.between(g, from, to, v, Step::vector_to_parent, Step::vector_to_child)
     }
 
@@ -302,4 +296,3 @@ pub(crate) fn rotation_of_quaternion(g: &mut Graph, q: &[Expr]) -> Matrix {
         [g.sub(xz, wy), g.add(yz, wx), diagonal[2]],
     ]
 }
-

@@ -145,11 +145,7 @@ pub(crate) fn decompose(constant: &Transform<f64>, scale: f64) -> ConstantPart {
     let (sine_twist, cosine_twist) = sine_cosine(twist);
     // R = Rz(turn) Rx(twist) Rz(last): the first column of Rx⁻¹ Rz⁻¹ R.
     let x = Vector3::new(r[(0, 0)], r[(1, 0)], r[(2, 0)]);
-    let flat = Vector3::new(
-        cosine_turn * x.x + sine_turn * x.y,
-        -sine_turn * x.x + cosine_turn * x.y,
-        x.z,
-    );
+    let flat = Vector3::new(cosine_turn * x.x + sine_turn * x.y, -sine_turn * x.x + cosine_turn * x.y, x.z);
     let last = (cosine_twist * flat.y + sine_twist * flat.z).atan2(flat.x);
     let last = if last.abs() < ROUNDING { 0.0 } else { last };
     let mut part = ConstantPart { turn, twist, last, ..ConstantPart::default() };
@@ -198,7 +194,8 @@ mod tests {
         for roll in angles {
             for pitch in angles {
                 for yaw in angles {
-                    let x = Transform::new(rotation_from_rpy([roll, pitch, yaw]), Vector3::new(0.3, -0.2, 0.7));
+                    let x =
+                        Transform::new(rotation_from_rpy([roll, pitch, yaw]), Vector3::new(0.3, -0.2, 0.7));
                     let found = composed(&decompose(&x, 1.0));
                     // Rounding of products of numbers of order one; the shifts grow with 1/sin, at most 20.
                     assert!((found.rotation - x.rotation).norm() < 4e-15, "{roll} {pitch} {yaw}");

@@ -57,7 +57,11 @@ pub(crate) fn reduced_mass_matrix(
     coordinates: usize,
 ) -> SymmetricMatrix {
     let momentum: Vec<Vec<Expr>> = (0..matrix.len())
-        .map(|u| (0..coordinates).map(|y| sparse_dot(g, matrix[u].iter().zip(rates).map(|(m, r)| (*m, r[y])))).collect())
+        .map(|u| {
+            (0..coordinates)
+                .map(|y| sparse_dot(g, matrix[u].iter().zip(rates).map(|(m, r)| (*m, r[y]))))
+                .collect()
+        })
         .collect();
     let zero = g.zero();
     let mut reduced = vec![vec![zero; coordinates]; coordinates];

@@ -264,8 +264,7 @@ impl InertiaExpr {
 impl WrenchExpr {
     /// Power on a twist.
     pub fn power(&self, g: &mut Graph, twist: &TwistExpr) -> Expr {
-        let (rotation, translation) =
-            (g.dot(self.moment, twist.angular), g.dot(self.force, twist.linear));
+        let (rotation, translation) = (g.dot(self.moment, twist.angular), g.dot(self.force, twist.linear));
         g.add(rotation, translation)
     }
 }

@@ -1,11 +1,12 @@
 //! C99 code: header, source, self-test. The code is valid C++ too.
 
-use super::GeneratedFile;
+use super::c_test;
 use super::c_text::{NO_FAST_MATH, SINE_COSINE};
 use super::description::{
-    LARGEST_ANGLE, coordinate_name, header_lines, output_name, position_rows,
+    GeneratedFile, LARGEST_ANGLE, coordinate_name, header_lines, output_name, plain, position_rows,
+    quaternion_joints, used_inputs,
 };
-use super::expression_text::{Names, Printer, literal};
+use super::expression_text::{Names, Printer, literal, wrapped_list};
 use crate::expression::graph::Expr;
 use crate::expression::statements::Statements;
 use crate::function::{Functions, NamedOutput};
@@ -23,31 +24,13 @@ const BLOCK: usize = 64;
 pub(super) fn files(request: &Request, functions: &Functions) -> Vec<GeneratedFile> {
     let c = CSource { request, functions, name: &request.name };
     let file = |ending: &str, text: String| GeneratedFile { name: format!("{}{ending}", request.name), text };
-    vec![file(".h", c.header()), file(".c", c.source()), file("_test.c", super::c_test::test(request, functions))]
+    vec![file(".h", c.header()), file(".c", c.source()), file("_test.c", c_test::test(request, functions))]
 }
 
 struct CSource<'a> {
     request: &'a Request,
     functions: &'a Functions,
     name: &'a str,
-}
-
-/// Text of an initialiser with line breaks.
-pub(super) fn wrapped_list(items: &[String], indent: usize) -> String {
-    let mut out = String::new();
-    let mut width = 0;
-    for (k, item) in items.iter().enumerate() {
-        let separator = if k + 1 < items.len() { ", " } else { "" };
-        if width + item.len() > 100 {
-            out.truncate(out.trim_end().len());
-            let _ = write!(out, "\n{:indent$}", "");
-            width = 0;
-        }
-        out += item;
-        out += separator;
-        width += item.len() + separator.len();
-    }
-    out
 }
 
 impl CSource<'_> {
@@ -99,7 +82,11 @@ impl CSource<'_> {
             out += "#include <stddef.h>\n\n";
         }
         out += "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n";
-        let _ = writeln!(out, "/* Number of positions. */\n#define {upper}_POSITIONS {}\n", self.functions.tree.inputs);
+        let _ = writeln!(
+            out,
+            "/* Number of positions. */\n#define {upper}_POSITIONS {}\n",
+            self.functions.tree.inputs
+        );
         let _ = write!(
             out,
             "/* SHA-256 of the model file. */\n#define {upper}_MODEL \"{}\"\n\n",
@@ -169,7 +156,7 @@ impl CSource<'_> {
                 .functions
                 .drivers
                 .iter()
-                .map(|id| format!("\"{}\"", super::description::plain(self.request.system.mechanism().joint(*id).name())))
+                .map(|id| format!("\"{}\"", plain(self.request.system.mechanism().joint(*id).name())))
                 .collect();
             let _ = write!(
                 out,
@@ -360,7 +347,7 @@ impl CSource<'_> {
     fn batch_function(&self) -> String {
         let n = self.name;
         let statements = self.functions.mass_statements();
-        let used = super::used_inputs(self.functions, &statements);
+        let used = used_inputs(self.functions, &statements);
         let names = Names {
             input: &|i| format!("a{i}"),
             sine: &|k| format!("s{k}"),
@@ -487,7 +474,7 @@ impl CSource<'_> {
                 let _ = writeln!(out, "        q[{}] += step[{k}];", step.first + step.component);
             }
         }
-        for (first, kind) in super::quaternion_joints(steps) {
+        for (first, kind) in quaternion_joints(steps) {
             let of = |component: usize| {
                 let at = steps.iter().position(|s| s.first == first && s.component == component);
                 at.map_or_else(|| "0.0".to_owned(), |k| format!("step[{k}]"))

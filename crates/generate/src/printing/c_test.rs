@@ -1,7 +1,6 @@
 //! Self-test of the C code: a program that compares the functions with reference values of percuss.
 
-use super::c_source::wrapped_list;
-use super::expression_text::literal;
+use super::expression_text::{literal, wrapped_list};
 use crate::function::Functions;
 use crate::request::Request;
 use std::fmt::Write;

@@ -1,11 +1,20 @@
 //! Descriptions that all languages share: layout of the positions and of the results, checks, reference values.
 
-use crate::expression::graph::Expr;
+use crate::expression::graph::{Expr, Node};
 use crate::expression::statements::Statements;
-use crate::function::{Functions, NamedOutput};
+use crate::function::{Functions, NamedOutput, PositionStep};
 use crate::request::Request;
 use percuss_dynamics::{Base, EffectiveMass};
 use percuss_mechanism::JointKind;
+
+/// Generated file.
+#[derive(Clone, Debug)]
+pub struct GeneratedFile {
+    /// File name.
+    pub name: String,
+    /// Content.
+    pub text: String,
+}
 
 /// Largest angle, rad, for which the sine and the cosine of the generated code are accurate.
 pub(crate) const LARGEST_ANGLE: f64 = 1e5;
@@ -91,9 +100,9 @@ pub(crate) fn position_rows(request: &Request, functions: &Functions) -> Vec<Str
             JointKind::Prismatic => &["distance, m"],
             JointKind::Planar => &["x, m", "y, m", "angle, rad"],
             JointKind::Spherical => &["quaternion w", "quaternion x", "quaternion y", "quaternion z"],
-            JointKind::Floating => &[
-                "x, m", "y, m", "z, m", "quaternion w", "quaternion x", "quaternion y", "quaternion z",
-            ],
+            JointKind::Floating => {
+                &["x, m", "y, m", "z, m", "quaternion w", "quaternion x", "quaternion y", "quaternion z"]
+            }
         };
         let locked = if request.system.is_locked(input.joint) { " (locked)" } else { "" };
         let kind = joint.kind().name();
@@ -163,7 +172,44 @@ fn normal_text(request: &Request) -> String {
             format!("towards {:?}, {:?}, {:?} m of \"{}\"", p.x, p.y, p.z, plain(mechanism.link(link).name()))
         }
         Direction::TurningAwayFrom(link, p) => {
-            format!("away from {:?}, {:?}, {:?} m of \"{}\"", p.x, p.y, p.z, plain(mechanism.link(link).name()))
+            format!(
+                "away from {:?}, {:?}, {:?} m of \"{}\"",
+                p.x,
+                p.y,
+                p.z,
+                plain(mechanism.link(link).name())
+            )
         }
     }
+}
+
+/// Inputs that the function of m̄ reads.
+pub(crate) fn used_inputs(functions: &Functions, statements: &Statements) -> Vec<usize> {
+    let graph = &functions.graph;
+    let mut used = Vec::new();
+    let mut seen = vec![false; graph.len()];
+    let mut stack: Vec<Expr> = functions.mass_results();
+    stack.extend(&statements.angles);
+    while let Some(expression) = stack.pop() {
+        if std::mem::replace(&mut seen[expression.index()], true) {
+            continue;
+        }
+        if let Node::Input(i) = graph.node(expression) {
+            used.push(i as usize);
+        }
+        stack.extend(graph.node(expression).operands());
+    }
+    used.sort_unstable();
+    used
+}
+
+/// First input and kind of every joint with a quaternion among Newton steps.
+pub(crate) fn quaternion_joints(steps: &[PositionStep]) -> Vec<(usize, JointKind)> {
+    let with_quaternion =
+        |step: &&PositionStep| matches!(step.kind, JointKind::Spherical | JointKind::Floating);
+    let mut joints: Vec<(usize, JointKind)> =
+        steps.iter().filter(with_quaternion).map(|step| (step.first, step.kind)).collect();
+    joints.sort_by_key(|(first, _)| *first);
+    joints.dedup();
+    joints
 }

@@ -2,6 +2,7 @@
 
 use crate::expression::graph::{Expr, Graph, Node};
 use crate::expression::statements::Statements;
+use std::fmt::Write;
 
 /// Names of inputs, sines and cosines.
 pub(crate) struct Names<'a> {
@@ -28,6 +29,24 @@ const ATOM: u8 = 4;
 /// Literal of a number, the shortest that reads back as the number.
 pub(crate) fn literal(value: f64) -> String {
     format!("{value:?}")
+}
+
+/// Text of an initialiser with line breaks.
+pub(crate) fn wrapped_list(items: &[String], indent: usize) -> String {
+    let mut out = String::new();
+    let mut width = 0;
+    for (k, item) in items.iter().enumerate() {
+        let separator = if k + 1 < items.len() { ", " } else { "" };
+        if width + item.len() > 100 {
+            out.truncate(out.trim_end().len());
+            let _ = write!(out, "\n{:indent$}", "");
+            width = 0;
+        }
+        out += item;
+        out += separator;
+        width += item.len() + separator.len();
+    }
+    out
 }
 
 impl Printer<'_> {

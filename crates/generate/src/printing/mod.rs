@@ -8,20 +8,10 @@ mod expression_text;
 mod rust_source;
 mod rust_text;
 
-use crate::expression::graph::{Expr, Node};
-use crate::expression::statements::Statements;
-use crate::function::{Functions, PositionStep};
-use crate::request::{Language, Request};
-use percuss_mechanism::JointKind;
+pub use description::GeneratedFile;
 
-/// Generated file.
-#[derive(Clone, Debug)]
-pub struct GeneratedFile {
-    /// File name.
-    pub name: String,
-    /// Content.
-    pub text: String,
-}
+use crate::function::Functions;
+use crate::request::{Language, Request};
 
 /// Generated code.
 #[derive(Clone, Debug)]
@@ -52,34 +42,4 @@ pub(crate) fn print(request: &Request, functions: &Functions) -> Generated {
         positions: functions.tree.inputs,
         references: functions.references().len(),
     }
-}
-
-/// Inputs that the function of m̄ reads.
-fn used_inputs(functions: &Functions, statements: &Statements) -> Vec<usize> {
-    let graph = &functions.graph;
-    let mut used = Vec::new();
-    let mut seen = vec![false; graph.len()];
-    let mut stack: Vec<Expr> = functions.mass_results();
-    stack.extend(&statements.angles);
-    while let Some(expression) = stack.pop() {
-        if std::mem::replace(&mut seen[expression.index()], true) {
-            continue;
-        }
-        if let Node::Input(i) = graph.node(expression) {
-            used.push(i as usize);
-        }
-        stack.extend(graph.node(expression).operands());
-    }
-    used.sort_unstable();
-    used
-}
-
-/// First input and kind of every joint with a quaternion among Newton steps.
-fn quaternion_joints(steps: &[PositionStep]) -> Vec<(usize, JointKind)> {
-    let with_quaternion = |step: &&PositionStep| matches!(step.kind, JointKind::Spherical | JointKind::Floating);
-    let mut joints: Vec<(usize, JointKind)> =
-        steps.iter().filter(with_quaternion).map(|step| (step.first, step.kind)).collect();
-    joints.sort_by_key(|(first, _)| *first);
-    joints.dedup();
-    joints
 }

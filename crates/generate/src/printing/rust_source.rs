@@ -1,9 +1,10 @@
 //! Rust code without the standard library, with its tests.
 
-use super::GeneratedFile;
-use super::c_source::wrapped_list;
-use super::description::{LARGEST_ANGLE, coordinate_name, header_lines, output_name, plain, position_rows};
-use super::expression_text::{Names, Printer, literal};
+use super::description::{
+    GeneratedFile, LARGEST_ANGLE, coordinate_name, header_lines, output_name, plain, position_rows,
+    quaternion_joints, used_inputs,
+};
+use super::expression_text::{Names, Printer, literal, wrapped_list};
 use super::rust_text::{SINE_COSINE, SQUARE_ROOT};
 use crate::expression::graph::Expr;
 use crate::expression::statements::Statements;
@@ -30,7 +31,14 @@ impl RustSource<'_> {
     fn text(&self) -> String {
         let has = self.request.additions;
         let functions = self.functions;
-        let mut body = self.mass_function("mass", "f64", &functions.mass_statements(), "m", "Effective mass m, kg.", &[]);
+        let mut body = self.mass_function(
+            "mass",
+            "f64",
+            &functions.mass_statements(),
+            "m",
+            "Effective mass m, kg.",
+            &[],
+        );
         if has.velocity {
             let outputs = &functions.velocities;
             let rows: Vec<String> = outputs.iter().map(|o| output_name(self.request, o)).collect();
@@ -45,8 +53,10 @@ impl RustSource<'_> {
         if has.gradient {
             let outputs = &functions.gradient;
             let unit = |o: &NamedOutput| if o.turns { "kg/rad" } else { "kg/m" };
-            let rows: Vec<String> =
-                outputs.iter().map(|o| format!("{}, {}", coordinate_name(self.request, o), unit(o))).collect();
+            let rows: Vec<String> = outputs
+                .iter()
+                .map(|o| format!("{}, {}", coordinate_name(self.request, o), unit(o)))
+                .collect();
             body += &self.outputs_function(
                 "gradient",
                 outputs,
@@ -82,7 +92,8 @@ impl RustSource<'_> {
                 literal(self.request.scale())
             );
         }
-        out += "//!\n//! The code needs `core` only: declare `#![no_std]` in the crate and `mod` this file.\n\n";
+        out +=
+            "//!\n//! The code needs `core` only: declare `#![no_std]` in the crate and `mod` this file.\n\n";
         out += "#![allow(clippy::all, clippy::pedantic, unused_parens)]\n#![allow(unused_variables, dead_code)]\n\n";
         let _ = write!(
             out,
@@ -242,7 +253,7 @@ impl RustSource<'_> {
 
     fn batch_function(&self) -> String {
         let statements = self.functions.mass_statements();
-        let used = super::used_inputs(self.functions, &statements);
+        let used = used_inputs(self.functions, &statements);
         let names = Names {
             input: &|i| format!("a{i}"),
             sine: &|k| format!("s{k}"),
@@ -265,7 +276,10 @@ impl RustSource<'_> {
         let mut range = Vec::new();
         for (k, angle) in statements.angles.iter().enumerate() {
             let text = printer.angle(*angle);
-            let _ = write!(out, "        let b{k}: f64 = {text};\n        let (s{k}, c{k}) = sine_cosine(b{k});\n");
+            let _ = write!(
+                out,
+                "        let b{k}: f64 = {text};\n        let (s{k}, c{k}) = sine_cosine(b{k});\n"
+            );
             range.push(format!("b{k}*b{k}"));
         }
         for &variable in &statements.variables {
@@ -299,8 +313,11 @@ impl RustSource<'_> {
         let count = functions.steps.len();
         let scale = self.request.scale();
         let mechanism = self.request.system.mechanism();
-        let drivers: Vec<String> =
-            functions.drivers.iter().map(|id| format!("\"{}\"", plain(mechanism.joint(*id).name()))).collect();
+        let drivers: Vec<String> = functions
+            .drivers
+            .iter()
+            .map(|id| format!("\"{}\"", plain(mechanism.joint(*id).name())))
+            .collect();
         self.with_printer(&statements, |printer| {
             let text = |e: Option<Expr>| e.map_or_else(|| "0.0".to_owned(), |e| printer.result(e));
             let mut out = format!(
@@ -347,7 +364,7 @@ impl RustSource<'_> {
                 let _ = writeln!(out, "        q[{}] += step[{k}];", step.first + step.component);
             }
         }
-        for (first, kind) in super::quaternion_joints(steps) {
+        for (first, kind) in quaternion_joints(steps) {
             let of = |component: usize| {
                 let at = steps.iter().position(|s| s.first == first && s.component == component);
                 at.map_or_else(|| "0.0".to_owned(), |k| format!("step[{k}]"))
@@ -390,7 +407,9 @@ impl RustSource<'_> {
     fn tests(&self) -> String {
         let references = self.functions.references();
         let has = self.request.additions;
-        let mut out = String::from("#[cfg(test)]\nmod tests {\n    use super::*;\n\n    const REFERENCES: &[([f64; POSITIONS], f64, f64)] = &[\n");
+        let mut out = String::from(
+            "#[cfg(test)]\nmod tests {\n    use super::*;\n\n    const REFERENCES: &[([f64; POSITIONS], f64, f64)] = &[\n",
+        );
         for reference in &references {
             let values: Vec<String> = reference.inputs.iter().map(|x| literal(*x)).collect();
             let _ = writeln!(
