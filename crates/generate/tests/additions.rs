@@ -70,8 +70,19 @@ fn expected(system: &System, pose: &Pose, contact: &Contact, drivers: &[usize]) 
     }
 }
 
-/// Mechanisms with one-velocity joints, a contact, poses, and the positions along which derivatives are taken.
-fn specimens() -> Vec<(String, Arc<Mechanism>, Contact, Vec<Pose>, System, Vec<usize>, bool)> {
+/// Mechanism with a contact, poses, and the positions along which derivatives are taken.
+struct Specimen {
+    name: String,
+    mechanism: Arc<Mechanism>,
+    contact: Contact,
+    poses: Vec<Pose>,
+    system: System,
+    varied: Vec<usize>,
+    has_loops: bool,
+}
+
+/// Trees and linkages.
+fn specimens() -> Vec<Specimen> {
     let mut all = Vec::new();
     let mut rng = StdRng::seed_from_u64(41);
     for (name, mechanism) in [("arm", zoo::six_r_arm()), ("gripper", zoo::mimic_gripper())] {
@@ -88,15 +99,9 @@ fn specimens() -> Vec<(String, Arc<Mechanism>, Contact, Vec<Pose>, System, Vec<u
             }
             at += joint.kind().positions();
         }
-        all.push((
-            name.to_owned(),
-            mechanism,
-            Contact::new(link, point, normal),
-            poses,
-            system,
-            varied,
-            false,
-        ));
+        let contact = Contact::new(link, point, normal);
+        let name = name.to_owned();
+        all.push(Specimen { name, mechanism, contact, poses, system, varied, has_loops: false });
     }
     for one in linkage::all() {
         if !["four_bar", "six_bar", "double_wishbone"].contains(&one.name.replace(['-', ' '], "_").as_str()) {
@@ -114,7 +119,8 @@ fn specimens() -> Vec<(String, Arc<Mechanism>, Contact, Vec<Pose>, System, Vec<u
         };
         let varied = drivers.iter().map(|id| positions_before(*id)).collect();
         let name = one.name.replace(['-', ' '], "_");
-        all.push((name, mechanism.clone(), Contact::new(link, point, normal), poses, system, varied, true));
+        let contact = Contact::new(link, point, normal);
+        all.push(Specimen { name, mechanism, contact, poses, system, varied, has_loops: true });
     }
     assert_eq!(all.len(), 5);
     all
@@ -130,7 +136,8 @@ fn additional_functions_in_c() {
     let mut program = String::from("#include <stdio.h>\n");
     let mut main = String::new();
     let mut all_expected = Vec::new();
-    for (name, mechanism, contact, poses, system, varied, has_loops) in specimens() {
+    for specimen in specimens() {
+        let Specimen { name, mechanism, contact, poses, system, varied, has_loops } = specimen;
         let mut request = request(&name, &mechanism, poses[0].clone(), contact);
         let close = has_loops;
         request.additions = Additions { velocity: true, gradient: true, mobility: true, batch: true, close };
@@ -263,7 +270,8 @@ fn normalise_quaternions(mechanism: &Mechanism, q: &mut [f64]) {
 fn rust_code_passes_its_tests() {
     let folder = folder("rust");
     let mut program = String::new();
-    for (name, mechanism, contact, poses, _, _, has_loops) in specimens() {
+    for specimen in specimens() {
+        let Specimen { name, mechanism, contact, poses, has_loops, .. } = specimen;
         let mut request = request(&name, &mechanism, poses[0].clone(), contact);
         request.language = Language::Rust;
         request.additions =

@@ -256,3 +256,39 @@ fn refusals_name_the_cause() {
     let close = percuss_generate::Additions { close: true, ..none };
     assert_eq!(made(Contact::new(link, [0.0, 0.0, -0.3], across), close).err(), Some(GenerateError::NoLoops));
 }
+
+/// At a change point the loops have less than their rank: the code returns a status, never a number.
+#[test]
+fn change_points_are_reported() {
+    let mut cases: Vec<Case> = Vec::new();
+    for one in [linkage::parallelogram(), linkage::antiparallelogram()] {
+        let positions = one.sweep(3);
+        let driver = one.drivers[0].clone();
+        let mechanism = Arc::new(one.mechanism);
+        let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
+        let first = pose(&system, &positions[1].concat()).expect("a pose");
+        let moved = mechanism.links().last().expect("a link").name();
+        let link = mechanism.find_link(moved).expect("the link");
+        let contact = Contact::new(link, [0.1, 0.05, 0.0], [0.3, 0.8, 0.0]);
+        let mut checked = Vec::new();
+        for angle in [0.0, std::f64::consts::PI] {
+            let mut configuration = system.configuration();
+            configuration.set(&driver, &[angle]).expect("a driver");
+            let Ok(pose) = system.pose_from(&first, &configuration) else { continue };
+            let Ok(response) = pose.respond(&contact) else { continue };
+            if response.singular_pose {
+                let inputs = crate::support::inputs(&pose);
+                checked.push(crate::support::Checked {
+                    inputs,
+                    outcome: response.effective_mass,
+                    error: 0.0,
+                });
+            }
+        }
+        let request = request(&format!("change_{}", cases.len()), &mechanism, first, contact);
+        cases.push(case(&request, checked).unwrap_or_else(|error| panic!("{error}")));
+    }
+    let results = run("change_points", &cases);
+    let statuses: Vec<i32> = results.iter().flatten().map(|(status, _)| *status).collect();
+    assert!(!statuses.is_empty() && statuses.iter().all(|s| [2, 4].contains(s)), "{statuses:?}");
+}

@@ -17,6 +17,9 @@ const REDUNDANT_MARGIN: f64 = 100.0;
 const UNCLEAR_ROW: f64 = 1e-4;
 /// Score of a pivot, relative to the best, below which sparsity does not count.
 const SPARSE_PIVOT: f64 = 0.2;
+/// Smallest pivot, scaled to displacements and relative to the pivots at the samples: rounding amounts to 1e-10 of such a
+/// pivot.
+const LEAST_PIVOT: f64 = 1e-6;
 /// Score below which a pivot counts as zero.
 const ZERO_PIVOT: f64 = 1e-9;
 
@@ -67,7 +70,7 @@ pub(crate) fn eliminate_rates(
         let values: Vec<Vec<f64>> = samples.iter().map(|q| g.evaluate(q)).collect();
         let (row, column, best) =
             choose_pivot(g, &matrix, &free_rows, &free_columns, lengths, &values).unwrap_or((0, 0, 0.0));
-        if !(best > ZERO_PIVOT) {
+        if best.is_nan() || best <= ZERO_PIVOT {
             return Err(GenerateError::NoIndependentRows { rank, found: pivots.len() });
         }
         score = score.min(best);
@@ -114,9 +117,27 @@ pub(crate) fn eliminate_rates(
             }
         }
     }
+    let floors = pivot_floors(g, &pivots, lengths, samples);
     let violation = violation(g, constraints, &free_rows, &rates, &independent, lengths, samples)?;
+    let violation = g.add(violation, floors);
     let corrections = pivots.iter().map(|p| (p.column, corrections[p.column])).collect();
     Ok(Rates { independent, rates, corrections, violation, score })
+}
+
+/// Σ (floor/pivot)². At a change point a row vanishes apart from rounding, and the rates are ratios of rounding errors.
+fn pivot_floors(g: &mut Graph, pivots: &[Pivot], lengths: &[f64], samples: &[Vec<f64>]) -> Expr {
+    let values: Vec<Vec<f64>> = samples.iter().map(|q| g.evaluate(q)).collect();
+    let mut terms = Vec::new();
+    for pivot in pivots {
+        let largest = values.iter().map(|v| v[pivot.inverse.index()].abs()).fold(0.0, f64::max);
+        let usual = (lengths[pivot.column] * largest).max(1.0);
+        let scaled = g.scale(pivot.inverse, LEAST_PIVOT * lengths[pivot.column] / usual);
+        // Constant pivots need no check.
+        if g.value(scaled).is_none() {
+            terms.push(g.square(scaled));
+        }
+    }
+    g.sum(terms)
 }
 
 /// Pivot with the largest score, and the score: the smallest magnitude over the samples, relative to the largest entry
@@ -192,7 +213,7 @@ fn violation(
     }
     let values: Vec<Vec<f64>> = samples.iter().map(|q| g.evaluate(q)).collect();
     let worst = values.iter().flat_map(|v| left.iter().map(|e| v[e.index()].abs())).fold(0.0, f64::max);
-    if !(worst < UNCLEAR_ROW) {
+    if worst.is_nan() || worst >= UNCLEAR_ROW {
         return Err(GenerateError::UnclearRank { residual: worst });
     }
     let tolerance = (REDUNDANT_MARGIN * worst).max(REDUNDANT_ROW);

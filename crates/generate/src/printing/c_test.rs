@@ -12,7 +12,7 @@ pub(super) fn test(request: &Request, functions: &Functions) -> String {
     let count = references.len();
     let inputs = functions.tree.inputs.max(1);
     let mut out = format!(
-        "/* Self-test: compares the functions with values computed by percuss. Returns 0 if all agree. */\n#include \
+        "/* Self-test, made by percuss: compares the functions with values that percuss computed. Returns 0 if all agree. */\n#include \
          \"{n}.h\"\n\n#include <math.h>\n#include <stdio.h>\n#include <string.h>\n\nstatic const double \
          reference_q[{count}][{inputs}] = {{\n"
     );

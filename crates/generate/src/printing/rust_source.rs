@@ -202,7 +202,7 @@ impl RustSource<'_> {
                 "    if !(response < f64::INFINITY) {{\n        return Err(Refusal::Range);\n    }}\n    if !(response > {}) {{\n        \
                  return Err(Refusal::Immovable);\n    }}\n    let m = 1.0/response;\n    Ok({})\n}}\n\n",
                 literal(self.functions.immovable),
-                value.replace("@", "")
+                value
             );
             out
         })
