@@ -68,6 +68,7 @@ pub use reports::drawing::{DrawnElement, DrawnLink, DrawnMechanism, DrawnPoint, 
 pub use reports::explain::{
     Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
 };
+pub use reports::generated_code::{CodeError, generate_code};
 pub use reports::kinematics::changed_sheet::changed_sheet;
 pub use reports::kinematics::question::{
     AxlePosition, KinematicVariable, KinematicsError, KinematicsQuestion, TorqueReaction, VehicleData,
@@ -78,7 +79,6 @@ pub use reports::kinematics::target_search::{
     search_targets,
 };
 pub use reports::kinematics::values::KinematicUnit;
-pub use reports::generated_code::{CodeError, generate_code};
 pub use reports::mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, TravelRecord,
 };

@@ -1,11 +1,7 @@
 //! Command `percuss template`.
 
 use crate::args::TemplateArgs;
-<<<<<<<< HEAD:crates/cli/src/commands/suspension/template.rs
 use crate::commands::suspension::import::{axes, unit};
-========
-use crate::commands::sheets::import::{axes, unit};
->>>>>>>> 1254e2d (Test the command percuss generate; compare generated code by other compilers):crates/cli/src/commands/sheets/template.rs
 use crate::files::output::{allow_replacement, write_file};
 use crate::terminal::failure::Failure;
 use crate::terminal::report::write_out;
