@@ -25,6 +25,17 @@ def run(arguments, folder=None):
     return done.returncode, done.stdout + done.stderr
 
 
+def sanitizers(compiler):
+    """Flags of the sanitizers, none if their libraries are not installed."""
+    with tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, 'a.c'), 'w') as file:
+            file.write('int main(void) { return 0; }\n')
+        code, _ = run([compiler, *SANITIZERS, 'a.c', '-o', 'a'], folder)
+    if code != 0:
+        print('%s has no libraries of the sanitizers: compiled without them' % compiler)
+    return SANITIZERS if code == 0 else []
+
+
 def main():
     percuss = os.path.abspath(sys.argv[1])
     root = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..')
@@ -32,6 +43,7 @@ def main():
     compilers = [c for c in (('gcc', 'g++'), ('clang', 'clang++')) if shutil.which(c[0])]
     if len(compilers) < 2:
         print('clang is not installed: only gcc compiles')
+    checks = {c: sanitizers(c) for c, _ in compilers}
     passed = failed = refused = 0
     for number, model in enumerate(models(root, robots, count)):
         code, text = run([percuss, 'check', model, '--format', 'json'])
@@ -50,7 +62,7 @@ def main():
                 continue
             problems = [] if code == 0 else [text]
             for c, cpp in compilers if code == 0 else []:
-                steps = [[c, '-std=c99', '-O1', *WARNINGS, *SANITIZERS, 'm.c', 'm_test.c', '-lm', '-o', 'test'], ['./test'],
+                steps = [[c, '-std=c99', '-O1', *WARNINGS, *checks[c], 'm.c', 'm_test.c', '-lm', '-o', 'test'], ['./test'],
                          [cpp, '-std=c++11', '-x', 'c++', '-O0', *WARNINGS, '-c', 'm.c', '-o', 'm.o'],
                          [c, '-std=c99', '-O3', *WARNINGS, 'm.c', 'm_test.c', '-lm', '-o', 'fast'], ['./fast']]
                 if number % 5 == 0 and shutil.which('valgrind'):
