@@ -12,8 +12,8 @@ use crate::terminal::text::{Table, number, short_number};
 use crate::terminal::wrap::wrap_message;
 use percuss_render::{Figure, Panel, Series, Style};
 use percuss_study::{
-    AxisLimits, CompareError, ComparisonReport, ComparisonRow, ContactTable, Design, DesignRecord, Dimension,
-    MassQuestion, Model, Names, RowSource, StudyFigure, StudyFile, compare,
+    AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Dimension, MassQuestion,
+    Model, Names, RowSource, StudyFigure, StudyFile, compare,
 };
 use std::fmt::{Display, Write as _};
 use std::path::Path;
@@ -89,7 +89,7 @@ fn designs_of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
                 Some(contact) if several => format!("{name}: {contact}"),
                 _ => name.clone(),
             };
-            let contact = several.then(|| ContactTable { at: at.clone(), ..ContactTable::default() });
+            let contact = at.clone().filter(|_| several);
             let question = MassQuestion { at, ..question.clone() };
             designs.push(Design { name, model: model.clone(), question, contact, rows: rows.clone() });
         }

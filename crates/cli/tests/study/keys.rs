@@ -26,6 +26,8 @@ fn all_keys() -> Vec<(String, String)> {
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     let mut found = Vec::new();
     keys(&serde_json::from_str(&outcome.stdout).expect("JSON"), "", &mut found);
+    // The contact of a variant has the keys of [contact].
+    found.retain(|(table, _): &(String, String)| !table.starts_with("variant.contact"));
     assert!(found.len() > 100, "only {} keys", found.len());
     found
 }

@@ -90,7 +90,12 @@ fn contacts_and_variants_of_a_study() {
     assert_eq!((&last["reference"], &last["contact"]), (&Value::Null, &Value::Null));
     let incomplete =
         folder.write("incomplete.toml", &(study.clone() + &own.replace("point = [0, 0, 0], ", "")));
-    refused(&format!("compare {incomplete}"), &["incomplete.toml:16", "point is missing"]);
+    refused(&format!("compare {incomplete}"), &["incomplete.toml:17", "point is missing"]);
+    let misspelt = folder.write("misspelt.toml", &(study.clone() + &own.replace("point =", "pont =")));
+    refused(
+        &format!("compare {misspelt}"),
+        &["misspelt.toml:17", "variant.contact.pont", "did you mean", "point"],
+    );
     let html = folder.path("report.html");
     let outcome = percuss(&format!("run {path} --report {html}"));
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);

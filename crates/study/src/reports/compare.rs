@@ -12,7 +12,6 @@ use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::travel::varied_values::VariedColumn;
 use crate::reports::answer_mass::mass;
-use crate::study_file::tables::contact::ContactTable;
 use crate::sweep::sweep_rows::sweep_report;
 use serde::Serialize;
 
@@ -25,9 +24,9 @@ pub struct Design {
     pub model: Model,
     /// Question; equal for all designs except for the changes of the design.
     pub question: MassQuestion,
-    /// Contact in place of that of the first design; only designs with equal contacts are compared. `None`: the same contact, even if
-    /// its link has another name in another model.
-    pub contact: Option<ContactTable>,
+    /// Text of a contact in place of that of the first design; only designs with equal texts are compared. `None`: the same contact,
+    /// even if its link has another name in another model.
+    pub contact: Option<String>,
     /// Rows of positions, if any.
     pub rows: Option<RowSource>,
 }

@@ -232,7 +232,7 @@ impl StudyFile {
             name: variant.name.clone(),
             model: variant.model.clone(),
             question: variant.question.clone(),
-            contact: variant.contact.clone(),
+            contact: variant.contact.as_ref().map(|contact| format!("{contact:?}")),
             rows: rows.cloned(),
         });
         [own].into_iter().chain(variants).collect()
