@@ -71,7 +71,7 @@ check() {
 }
 # The longest first.
 check suspensions "$venv/bin/python" "$here/suspensions/check.py" --percuss "$percuss" --count 4
-check kinematics "$venv/bin/python" "$here/suspensions/kinematics.py" --percuss "$percuss" --count 20
+check kinematics "$venv/bin/python" "$here/suspensions/kinematics.py" --percuss "$percuss" --count 8
 check robots "$venv/bin/python" "$here/compare.py" --probe "$programs/percuss-probe" "$@"
 check engines "$here/engines.sh" "$percuss"
 check integrators env PYTHONPATH="$here" "$venv/bin/python" "$here/contact/integrators.py" --percuss "$percuss"
@@ -80,7 +80,7 @@ check reports python3 "$here/reports.py" --percuss "$percuss"
 check designs "$venv/bin/python" "$here/designs.py" --percuss "$percuss" --count 30
 check linkages "$venv/bin/python" "$here/loops.py" --percuss "$percuss"
 robots=$("$venv/bin/python" -c 'import site; print(site.getsitepackages()[0])')/cmeel.prefix/share/example-robot-data/robots
-check generated_code "$venv/bin/python" "$here/generated_code.py" "$percuss" "$robots" 20
+check generated_code "$venv/bin/python" "$here/generated_code.py" "$percuss" "$robots" 8
 # The shipped models: route A against the oracle's route C.
 check shipped_models "$programs/percuss-reference" "shipped models" models/*.urdf
 # Reference files of the loop dialect, where they are at hand: beside the repository, or where PERCUSS_REFERENCE says.
