@@ -54,7 +54,7 @@ pub struct GenerateArgs {
     pub batch: bool,
     /// Newton iteration that closes the loops.
     ///
-    /// Its input are the positions of the driving joints and previous values of the others.
+    /// The inputs are the positions of the driving joints and previous values of the others.
     #[arg(long, help_heading = FUNCTIONS)]
     pub close: bool,
 }

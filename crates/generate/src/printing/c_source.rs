@@ -3,8 +3,8 @@
 use super::c_test;
 use super::c_text::{NO_FAST_MATH, SINE_COSINE};
 use super::description::{
-    GeneratedFile, LARGEST_ANGLE, coordinate_name, header_lines, output_name, plain, position_rows,
-    quaternion_joints, used_inputs,
+    GeneratedFile, LARGEST_ANGLE, NEWTON_STEPS, conditions, coordinate_name, header_lines, output_name,
+    plain, position_rows, quaternion_joints, used_inputs,
 };
 use super::expression_text::{Names, Printer, literal, wrapped_list};
 use crate::expression::graph::Expr;
@@ -13,9 +13,6 @@ use crate::function::{Functions, NamedOutput};
 use crate::request::Request;
 use percuss_mechanism::JointKind;
 use std::fmt::Write;
-
-/// Most Newton steps of the closing of the loops.
-const NEWTON_STEPS: usize = 30;
 
 /// Configurations of a batch whose checks are kept at once.
 const BLOCK: usize = 64;
@@ -253,25 +250,11 @@ impl CSource<'_> {
     /// Checks of the range and the loops, and of the line of the normal if `with_line`; a failed check returns.
     fn checks(&self, printer: &Printer, indent: &str, with_line: bool) -> String {
         let upper = self.name.to_uppercase();
-        let mut out = String::new();
-        let mut check = |condition: String, status: &str| {
-            let _ = write!(
-                out,
-                "{indent}if (!({condition})) {{\n{indent}    return {upper}_{status};\n{indent}}}\n"
-            );
+        let check = |(condition, status): (String, &str)| {
+            let status = status.to_uppercase();
+            format!("{indent}if (!({condition})) {{\n{indent}    return {upper}_{status};\n{indent}}}\n")
         };
-        check(format!("range <= {}", literal(LARGEST_ANGLE * LARGEST_ANGLE)), "RANGE");
-        let limits = [
-            (self.functions.line.filter(|_| with_line), "LINE"),
-            (self.functions.closure, "OPEN"),
-            (self.functions.choice, "SINGULAR"),
-        ];
-        for (limit, status) in limits {
-            if let Some(limit) = limit {
-                check(format!("{} <= 1.0", printer.result(limit)), status);
-            }
-        }
-        out
+        conditions(self.functions, printer, with_line).into_iter().map(check).collect()
     }
 
     /// Function that returns a status and m̄, with further results.

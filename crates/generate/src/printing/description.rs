@@ -1,5 +1,6 @@
 //! Descriptions that all languages share: layout of the positions and of the results, checks, reference values.
 
+use super::expression_text::{Printer, literal};
 use crate::expression::graph::{Expr, Node};
 use crate::expression::statements::Statements;
 use crate::function::{Functions, NamedOutput, PositionStep};
@@ -18,6 +19,28 @@ pub struct GeneratedFile {
 
 /// Largest angle, rad, for which the sine and the cosine of the generated code are accurate.
 pub(crate) const LARGEST_ANGLE: f64 = 1e5;
+
+/// Most Newton steps of the closing of the loops.
+pub(crate) const NEWTON_STEPS: usize = 30;
+
+/// Conditions of a result, each with the status that the code returns if the condition is false. `with_line`: also that of the line of
+/// the normal.
+pub(crate) fn conditions(
+    functions: &Functions,
+    printer: &Printer,
+    with_line: bool,
+) -> Vec<(String, &'static str)> {
+    let range = (format!("range <= {}", literal(LARGEST_ANGLE * LARGEST_ANGLE)), "Range");
+    let limits = [
+        (functions.line.filter(|_| with_line), "Line"),
+        (functions.closure, "Open"),
+        (functions.choice, "Singular"),
+    ];
+    let of_limit = |(limit, status): (Option<Expr>, &'static str)| {
+        Some((format!("{} <= 1.0", printer.result(limit?)), status))
+    };
+    [range].into_iter().chain(limits.into_iter().filter_map(of_limit)).collect()
+}
 
 /// Tolerance of the self-test relative to the reference value.
 const TEST_TOLERANCE: f64 = 1e-12;

@@ -1,8 +1,8 @@
 //! Rust code without the standard library, with its tests.
 
 use super::description::{
-    GeneratedFile, LARGEST_ANGLE, coordinate_name, header_lines, output_name, plain, position_rows,
-    quaternion_joints, used_inputs,
+    GeneratedFile, LARGEST_ANGLE, NEWTON_STEPS, conditions, coordinate_name, header_lines, output_name,
+    plain, position_rows, quaternion_joints, used_inputs,
 };
 use super::expression_text::{Names, Printer, literal, wrapped_list};
 use super::rust_text::{SINE_COSINE, SQUARE_ROOT};
@@ -12,9 +12,6 @@ use crate::function::{Functions, NamedOutput};
 use crate::request::Request;
 use percuss_mechanism::JointKind;
 use std::fmt::Write;
-
-/// Most Newton steps of the closing of the loops.
-const NEWTON_STEPS: usize = 30;
 
 /// File of the Rust code.
 pub(super) fn files(request: &Request, functions: &Functions) -> Vec<GeneratedFile> {
@@ -154,25 +151,10 @@ impl RustSource<'_> {
     }
 
     fn checks(&self, printer: &Printer, indent: &str, with_line: bool) -> String {
-        let mut out = String::new();
-        let mut check = |condition: String, refusal: &str| {
-            let _ = write!(
-                out,
-                "{indent}if !({condition}) {{\n{indent}    return Err(Refusal::{refusal});\n{indent}}}\n"
-            );
+        let check = |(condition, status): (String, &str)| {
+            format!("{indent}if !({condition}) {{\n{indent}    return Err(Refusal::{status});\n{indent}}}\n")
         };
-        check(format!("range <= {}", literal(LARGEST_ANGLE * LARGEST_ANGLE)), "Range");
-        let limits = [
-            (self.functions.line.filter(|_| with_line), "Line"),
-            (self.functions.closure, "Open"),
-            (self.functions.choice, "Singular"),
-        ];
-        for (limit, refusal) in limits {
-            if let Some(limit) = limit {
-                check(format!("{} <= 1.0", printer.result(limit)), refusal);
-            }
-        }
-        out
+        conditions(self.functions, printer, with_line).into_iter().map(check).collect()
     }
 
     fn mass_function(

@@ -19,10 +19,10 @@ const FILES: [&str; 14] = [
     include_str!("templates/pushrod-rocker.toml"),
     include_str!("templates/twist-beam.toml"),
     include_str!("templates/swing-axle.toml"),
-    include_str!("templates/solid-axle-four-links.toml"),
-    include_str!("templates/solid-axle-panhard.toml"),
-    include_str!("templates/solid-axle-watt.toml"),
-    include_str!("templates/solid-axle-de-dion.toml"),
+    include_str!("templates/solid-axle/solid-axle-four-links.toml"),
+    include_str!("templates/solid-axle/solid-axle-panhard.toml"),
+    include_str!("templates/solid-axle/solid-axle-watt.toml"),
+    include_str!("templates/solid-axle/solid-axle-de-dion.toml"),
 ];
 
 const KEYS_FILE: &str = include_str!("templates/keys.toml");
