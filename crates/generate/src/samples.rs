@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 const DRIVER_RANGE: f64 = 0.35;
 /// Attempts for each sample; each halves the range.
 const ATTEMPTS: usize = 6;
-/// Largest rate of the result's error for a reference value.
+/// Largest relative error of a result that becomes a reference value.
 const LARGEST_ERROR: f64 = 1e-9;
 
 /// Configuration with the result of the library.

@@ -57,7 +57,7 @@ pub fn changed_sheet(model: &Model, moves: &[(String, [f64; 3])]) -> Result<Stri
     }
 }
 
-/// Number with thirteen significant digits: differences of coordinates carry rounding in the digits behind.
+/// Number with thirteen significant digits: the last digits of a difference of coordinates are rounding errors.
 fn rounded(x: f64) -> f64 {
     format!("{x:.12e}").parse().unwrap_or(x)
 }
