@@ -16,7 +16,6 @@ mod identities {
     mod orderings;
     mod outcomes;
     mod routes;
-    mod scalars;
     mod workspaces;
 }
 

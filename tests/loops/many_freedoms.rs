@@ -89,7 +89,7 @@ fn a_cluster_of_too_many_freedoms_is_refused() {
     };
     refused(pose.respond(&contact).expect_err("gigabytes"));
     refused(pose.assembly().workspace().effective_mass(&contact).expect_err("gigabytes"));
-    refused(pose.workspace_over::<f64>(&contact).expect_err("gigabytes"));
+    refused(pose.effective_mass_gradient(&contact).expect_err("gigabytes"));
     let located = pose.locate(&contact).unwrap();
     refused(pose.inverse_operational_inertia(&located).expect_err("gigabytes").into());
 }

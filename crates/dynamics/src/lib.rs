@@ -34,7 +34,7 @@ pub use batch::contact_map::{
 pub use batch::driven_path::{DrivenPath, PathAnswer};
 pub use batch::row_path::{RowAnswer, RowHandler, RowPath};
 pub use batch::rows::{Batch, BatchAnswer, BatchError, BatchPositions};
-pub use batch::workspace::{ScalarWorkspace, Workspace};
+pub use batch::workspace::Workspace;
 pub use dense::matrices::{
     ConstraintRank, LayoutError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView,
     effective_mass,
@@ -54,6 +54,7 @@ pub use model::velocities::StateSizeError;
 pub use motion::forward_dynamics::{Accelerations, PointForce};
 pub use motion::gap::Gap;
 pub use motion::limits::BranchLimits;
+pub use motion::mass_gradient::MassGradient;
 pub use motion::operational_inertia::InverseOperationalInertia;
 pub use motion::point_velocity::PointVelocity;
 pub use motion::travel::{Travel, TravelError};

@@ -251,7 +251,7 @@ fn every_rule_holds_at_every_entry_point() {
             ("workspace", ball.assembly.workspace().effective_mass(contact).is_err()),
             ("batch", ball.assembly.batch(contact).is_err()),
             ("path", pose.driven_path(contact, &[]).is_err()),
-            ("derivatives", pose.workspace_over::<f64>(contact).is_err()),
+            ("derivatives", pose.effective_mass_gradient(contact).is_err()),
         ]
     };
     assert!(contacts(&ball.contact).iter().all(|(_, refused)| !refused));

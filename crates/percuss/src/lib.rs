@@ -37,10 +37,10 @@ pub use percuss_dynamics::{
     ConstraintRank, Contact, ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse,
     ContactStatus, Contributions, DenseReason, DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass,
     ErrorBudget, Frame, Gap, InverseOperationalInertia, LayoutError, LocatedContact, LoopState, MapAnswers,
-    MapError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer, PointForce,
-    PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops, Route,
-    RouteChoice, RouteError, RowAnswer, RowHandler, RowPath, ScalarWorkspace, Singularity, StateSizeError,
-    System, Travel, TravelError, Workspace, effective_mass, input,
+    MapError, MassGradient, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer,
+    PointForce, PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops,
+    Route, RouteChoice, RouteError, RowAnswer, RowHandler, RowPath, Singularity, StateSizeError, System,
+    Travel, TravelError, Workspace, effective_mass, input,
 };
 #[doc(no_inline)]
 pub use percuss_formats::{

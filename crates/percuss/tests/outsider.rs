@@ -6,8 +6,8 @@ use percuss::{
     Assembly, AssemblyError, Base, BranchLimits, Conditions, ConditionsError, Configuration,
     ConfigurationError, Contact, ContactError, ContactResponse, Contributions, Diagnostic, DrawnGap,
     EffectiveMass, ErrorBudget, InverseOperationalInertia, JointId, LinkId, LoadError, LoadOptions, Loaded,
-    LocatedContact, LoopState, Mechanism, PointVelocity, Pose, PoseRank, ResponseError, Route, RouteError,
-    ScalarWorkspace, Severity, Singularity, Source, StateSizeError, System, UnknownName, Workspace, load,
+    LocatedContact, LoopState, MassGradient, Mechanism, PointVelocity, Pose, PoseRank, ResponseError, Route,
+    RouteError, Severity, Singularity, Source, StateSizeError, System, UnknownName, Workspace, load,
 };
 use std::sync::Arc;
 
@@ -109,8 +109,8 @@ fn everything_at_a_pose() {
     let mut workspace: Workspace = assembly.workspace();
     workspace.set_positions(pose.positions()).expect("positions that fit");
     assert_eq!(workspace.effective_mass(&contact).unwrap(), response.effective_mass);
-    let scalars: Result<ScalarWorkspace<f64>, ResponseError> = pose.workspace_over(&contact);
-    assert!((scalars.unwrap().inverse_effective_mass() * m - 1.0).abs() < 1e-12);
+    let gradient: Option<MassGradient> = pose.effective_mass_gradient(&contact).unwrap();
+    assert_eq!(gradient.unwrap().effective_mass, m);
 
     let limits: BranchLimits = pose.branch_limits(&contact);
     assert!(limits.limits.is_empty() && limits.complete);

@@ -1,6 +1,6 @@
 //! Spatial algebra: rigid transforms, twists, wrenches and inertias.
 //!
-//! All types are generic over a [`Scalar`]: `f64`, dual numbers (feature `dual`), SIMD lanes. No operation
+//! All types are generic over a [`Scalar`]: `f64` or SIMD lanes. No operation
 //! branches on a value, so a recursion with these types runs unchanged on any scalar.
 //!
 //! Conventions (`docs/reference/NOTATION.md`): `X_ab` maps b-coordinates to a-coordinates; the angular part comes first;
@@ -8,8 +8,6 @@
 //! bodies, joints or files.
 
 mod articulated;
-#[cfg(feature = "dual")]
-pub mod dual;
 mod inertia;
 pub mod lanes;
 mod packed;

@@ -4,7 +4,7 @@ use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssig
 use num_traits::{One, Zero};
 use std::ops::Neg;
 
-/// Real number or several in parallel: `f64`, a dual number, SIMD lanes.
+/// Real number or several in parallel: `f64` or SIMD lanes.
 ///
 /// Only the operations of a branch-free recursion. Comparisons are left out on purpose: lanes may disagree.
 pub trait Scalar:
@@ -18,7 +18,7 @@ pub trait Scalar:
     + ClosedMulAssign
     + ClosedDivAssign
 {
-    /// Constant `x`, in every lane and with zero derivative.
+    /// Constant `x`, in every lane.
     fn from_f64(x: f64) -> Self;
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);

@@ -30,7 +30,7 @@ pub struct Assembly {
     /// For each of these groups: residual misfit of its loops, relative to the group's size.
     misfits: Vec<f64>,
     /// Closed generic pose. With held contacts, joints outside loops are moved away from zero.
-    generic_kinematics: Kinematics<f64>,
+    generic_kinematics: Kinematics,
     /// Computed on first use from the other fields.
     redundant: OnceLock<Vec<Vec<String>>>,
     workspaces: WorkspacePool,
@@ -158,7 +158,7 @@ impl Assembly {
     }
 
     /// Decides the rank and the dependent coordinates of each group at the given frames.
-    pub(crate) fn decide_mobility(&self, kinematics: &Kinematics<f64>) -> Vec<GroupMobility> {
+    pub(crate) fn decide_mobility(&self, kinematics: &Kinematics) -> Vec<GroupMobility> {
         let model = self.model();
         let mut workspace = MobilityWorkspace::default();
         let decide = |(number, group): (usize, &Group)| {
@@ -274,7 +274,7 @@ impl Assembly {
     /// Refuses positions at which a group of loops is open. `residuals` is a reusable buffer.
     pub(crate) fn refuse_open_loops(
         &self,
-        kinematics: &Kinematics<f64>,
+        kinematics: &Kinematics,
         residuals: &mut Vec<f64>,
     ) -> Result<(), ResponseError> {
         let model = self.pose_model();
@@ -320,7 +320,7 @@ impl Assembly {
     }
 
     /// True if a group of loops has less than its generic rank at the given frames.
-    pub(crate) fn has_lost_rank(&self, kinematics: &Kinematics<f64>, number: usize) -> bool {
+    pub(crate) fn has_lost_rank(&self, kinematics: &Kinematics, number: usize) -> bool {
         let (model, facts) = (self.pose_model(), &self.facts.groups[number]);
         let group = &model.groups[number];
         let mut rows = GroupRows::default();
@@ -329,13 +329,13 @@ impl Assembly {
     }
 
     /// Surroundings of a pose of a group of loops: the branches near the pose.
-    pub(crate) fn surroundings(&self, kinematics: &Kinematics<f64>, number: usize) -> Surroundings {
+    pub(crate) fn surroundings(&self, kinematics: &Kinematics, number: usize) -> Surroundings {
         let model = self.pose_model();
         model.surroundings(kinematics, &model.groups[number], self.facts.groups[number].inexactness)
     }
 
     /// Residual at which a group counts as closed, m.
-    pub(crate) fn tolerance(&self, kinematics: &Kinematics<f64>, number: usize) -> f64 {
+    pub(crate) fn tolerance(&self, kinematics: &Kinematics, number: usize) -> f64 {
         let model = self.pose_model();
         let group = &model.groups[number];
         let misfit = self.facts.groups[number].misfit_beyond(group, kinematics, model);
@@ -382,7 +382,7 @@ fn largest_fact(models: &Models, facts: &Facts, group: &Group, of: fn(&GroupFact
 
 /// Kinematics with every group at its generic pose. With held contacts, the joints outside loops are moved away from
 /// zero.
-fn generic_kinematics(models: &Models, facts: &Facts) -> Kinematics<f64> {
+fn generic_kinematics(models: &Models, facts: &Facts) -> Kinematics {
     let posing = &models.pose_model;
     let mut kinematics = Kinematics::zero(posing);
     if models.mass_model.groups.iter().any(|g| g.is_held) {

@@ -19,7 +19,7 @@ use std::sync::{Arc, OnceLock};
 #[derive(Clone, Debug)]
 pub struct Pose {
     pub(crate) assembly: Arc<Assembly>,
-    pub(crate) kinematics: Kinematics<f64>,
+    pub(crate) kinematics: Kinematics,
     pub(crate) base: Transform<f64>,
     /// True if the pose of the root link in the world was given; otherwise the root link is at the world's origin.
     pub(crate) base_is_given: bool,
@@ -47,7 +47,7 @@ pub struct PoseRank {
 impl Pose {
     pub(crate) fn new(
         assembly: Arc<Assembly>,
-        kinematics: Kinematics<f64>,
+        kinematics: Kinematics,
         base: Transform<f64>,
         loops: Option<LoopState>,
     ) -> Self {
@@ -57,7 +57,7 @@ impl Pose {
 
     /// Decisions about the groups at frames near this pose. Ranks are kept for groups that moved very little, and
     /// decided anew for the others.
-    pub(crate) fn groups_near(&self, kinematics: &Kinematics<f64>) -> Vec<GroupMobility> {
+    pub(crate) fn groups_near(&self, kinematics: &Kinematics) -> Vec<GroupMobility> {
         let (model, mut groups) = (self.assembly.model(), self.groups.clone());
         let (here, there) = (&self.kinematics.q, &kinematics.q);
         for (number, (known, group)) in groups.iter_mut().zip(&model.groups).enumerate() {

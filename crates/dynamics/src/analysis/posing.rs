@@ -84,7 +84,7 @@ impl Assembly {
     /// Pose at given frames, reached from another pose.
     pub(crate) fn pose_at(
         self: &Arc<Self>,
-        kinematics: Kinematics<f64>,
+        kinematics: Kinematics,
         base: Transform<f64>,
         loops: Option<LoopState>,
         from: &Pose,
@@ -96,7 +96,7 @@ impl Assembly {
 
     /// Frames of a pose moved by its closing uncertainty, in the direction of `sign`. `None` for a tree, or if the
     /// uncertainty cannot be found.
-    pub(crate) fn pose_within_uncertainty(&self, pose: &Pose, sign: f64) -> Option<Kinematics<f64>> {
+    pub(crate) fn pose_within_uncertainty(&self, pose: &Pose, sign: f64) -> Option<Kinematics> {
         let model = self.pose_model();
         let state = pose.loops.as_ref()?;
         let mut moved = pose.kinematics.clone();

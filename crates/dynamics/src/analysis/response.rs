@@ -10,7 +10,6 @@ use crate::kinematics::outcome::{
     DenseReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError,
 };
 use crate::kinematics::remarks::RemarkFlags;
-use crate::recursion::Decisions;
 use crate::recursion::closing_speed::closing_floor;
 use crate::tolerances::{FILE_MISFITS, IMMOVABLE, LEAST_OTHER_MASS, NEARLY_IMMOVABLE, SAME_BOTH_WAYS};
 use nalgebra::Vector3;
@@ -174,7 +173,7 @@ impl ContactQuery<'_> {
     /// Runs the recursion, selects the result, and adds motion, contributions and errors.
     fn respond(&mut self, choice: RouteChoice) -> Result<ContactResponse, RouteError> {
         let route_input = self.pose.route_input(self.located);
-        route_input.model.refuse_large_clusters::<f64>(&self.pose.groups)?;
+        route_input.model.refuse_large_clusters(&self.pose.groups)?;
         route_input.run_recursion(&mut self.workspace);
         let found = route_input.select_result(&mut self.workspace, choice)?;
         let up_to = route_input.massless_limit(&self.workspace, found.mass);
@@ -319,24 +318,5 @@ impl ContactQuery<'_> {
         };
         rotors.sort_by_key(|(id, _)| *id);
         Contributions { links: model.mechanism.link_ids().map(energy).collect(), rotors, other_mass: None }
-    }
-}
-
-impl Pose {
-    /// Decisions of the recursion at this pose for a contact: pivots used again by dual numbers and SIMD lanes.
-    ///
-    /// # Errors
-    /// If 1/m̄ is not defined: a motion of negative mass, or a motion without mass that closes the gap.
-    pub(crate) fn decisions(&self, located: &LocatedContact) -> Result<Decisions, RouteError> {
-        let mut workspace = RecursionWorkspace::new(self.assembly.model());
-        let route_input = self.route_input(located);
-        route_input.run_recursion(&mut workspace);
-        if workspace.deciding.indefinite {
-            return Err(RouteError::Indefinite);
-        }
-        match route_input.recursive_mass(&mut workspace) {
-            EffectiveMass::Massless => Err(RouteError::MasslessMotion),
-            EffectiveMass::Finite(_) | EffectiveMass::Immovable => Ok(workspace.deciding.decisions),
-        }
     }
 }

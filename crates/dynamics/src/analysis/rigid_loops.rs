@@ -71,7 +71,7 @@ impl Assembly {
 /// The only axis of a closure's loop that does not fit a planar motion.
 fn departing_axis(
     model: &Model,
-    kinematics: &Kinematics<f64>,
+    kinematics: &Kinematics,
     constraint: &ConstraintRows,
 ) -> Option<DepartingAxis> {
     let Constraint::Closure(number) = constraint.constraint else { return None };

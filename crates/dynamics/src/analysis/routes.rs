@@ -9,7 +9,7 @@ use crate::kinematics::remarks::RemarkFlags;
 use crate::mobility::GroupMobility;
 use crate::model::Model;
 use crate::recursion::closing_speed::{ClosingWorkspace, closing_floor, relative_closing_speed};
-use crate::recursion::{ClusterElimination, DecidingPivoting, Recursion, RecursionMotion};
+use crate::recursion::{ClusterElimination, Pivoting, Recursion, RecursionMotion};
 use crate::tolerances::{
     DENSE_ROUTE_LIMIT, IMMOVABLE, KEPT_BODIES, KEPT_NUMBERS, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, NOTHING_LEFT,
     POOLED_WORKSPACES, ROUTE_ROUNDINGS, TRUSTED_ERROR,
@@ -21,7 +21,7 @@ use std::sync::Mutex;
 /// A contact at given frames: the input of both routes.
 pub(crate) struct RouteInput<'a> {
     pub model: &'a Model,
-    pub kinematics: &'a Kinematics<f64>,
+    pub kinematics: &'a Kinematics,
     pub groups: &'a [GroupMobility],
     /// For each group: residual misfit of its loops, relative to the group's size.
     pub misfits: &'a [f64],
@@ -85,14 +85,14 @@ impl WorkspacePool {
 /// Workspace of the recursion, with its results at the frames of the last question; refilled in place.
 #[derive(Clone, Debug)]
 pub(crate) struct RecursionWorkspace {
-    pub recursion: Recursion<f64, 1>,
-    pub deciding: DecidingPivoting<1>,
+    pub recursion: Recursion<1>,
+    pub deciding: Pivoting<1>,
     pub closing_speed: f64,
     /// 1/m̄ from the pivots alone, 1/kg.
     response: f64,
     pub row: ContactRow,
     closing: ClosingWorkspace,
-    motion: RecursionMotion<f64>,
+    motion: RecursionMotion,
     budget: BudgetWorkspace,
 }
 
@@ -101,7 +101,7 @@ impl RecursionWorkspace {
     pub fn new(model: &Model) -> Self {
         Self {
             recursion: Recursion::new(model),
-            deciding: DecidingPivoting::new(model),
+            deciding: Pivoting::new(model),
             closing_speed: 0.0,
             response: 0.0,
             row: ContactRow::default(),
@@ -217,12 +217,6 @@ impl RouteInput<'_> {
                 }
             },
         }
-    }
-
-    /// m̄ of the recursion alone, after the recursion ran.
-    pub fn recursive_mass(&self, workspace: &mut RecursionWorkspace) -> EffectiveMass {
-        let errors = self.recursion_errors(workspace);
-        self.recursion_result(workspace, errors).mass
     }
 
     /// m̄ after the recursion ran, as [`Self::answer`] with the automatic choice. Allocates nothing if the recursion

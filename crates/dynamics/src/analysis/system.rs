@@ -127,7 +127,7 @@ impl System {
     }
 
     /// Closes the loops from a start, and collects the facts about the loops.
-    fn assemble_from(&self, start: Kinematics<f64>) -> Result<Arc<Assembly>, AssemblyError> {
+    fn assemble_from(&self, start: Kinematics) -> Result<Arc<Assembly>, AssemblyError> {
         let facts = self.models.pose_model.find_loop_facts(start)?;
         Ok(Arc::new(Assembly::new(self.models.clone(), facts)))
     }

@@ -25,7 +25,7 @@ use crate::analysis::pose::Pose;
 use crate::batch::rows::BatchAnswer;
 use crate::kinematics::contact::{Contact, ContactError, ContactPart};
 use crate::kinematics::outcome::EffectiveMass;
-use crate::recursion::{DecidingPivoting, Recursion};
+use crate::recursion::{Pivoting, Recursion};
 use crate::tolerances::{MAP_FREE_CLEAR, MAP_PORTION, MAP_STILL, MAP_TRUSTED_ERROR, MASSLESS_CLOSING};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use percuss_mechanism::LinkId;
@@ -262,13 +262,13 @@ impl ContactMap<'_> {
     fn compute_inertia(&mut self) {
         let pose = self.pose;
         let model = pose.assembly.model();
-        if model.refuse_large_clusters::<f64>(&pose.groups).is_err() {
+        if model.refuse_large_clusters(&pose.groups).is_err() {
             return;
         }
         let x_rl = pose.kinematics.link_frame(model, self.link);
         let centre = x_rl.point(&self.constants.centre());
-        let mut recursion = Recursion::<f64, 6>::new(model);
-        let mut deciding = DecidingPivoting::<6>::new(model);
+        let mut recursion = Recursion::<6>::new(model);
+        let mut deciding = Pivoting::<6>::new(model);
         for (link, sign) in [(Some(self.link), 1.0), (self.against, -1.0)] {
             let body = link.and_then(|link| model.body_of(link));
             for axis in 0..3 {

@@ -2,24 +2,19 @@
 //! more than 64 coordinates and no cluster more than 48 degrees of freedom.
 
 use crate::analysis::assembly::Assembly;
-use crate::analysis::pose::Pose;
 use crate::analysis::routes::{RecursionWorkspace, RouteInput};
 use crate::analysis::system::System;
 use crate::kernels::lane_kernel::LaneKernel;
-use crate::kinematics::contact::{Contact, ContactError, ContactPoint, Direction, Frame};
+use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::kinematics::frames::Kinematics;
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
 use crate::kinematics::remarks::RemarkFlags;
 use crate::mobility::{GroupMobility, MobilityWorkspace};
 use crate::model::Model;
-use crate::model::input::{
-    InputError, foreign_link, is_number, normalise_quaternion, quaternion_of, rigid_base_pose,
-};
+use crate::model::input::{InputError, is_number, normalise_quaternion, quaternion_of, rigid_base_pose};
 use crate::model::velocities::{StateSizeError, check_positions};
-use crate::recursion::{Decisions, Recursion, RepeatedPivoting};
-use nalgebra::Vector3;
-use percuss_mechanism::{JointId, LinkId};
-use percuss_spatial::{Scalar, SpatialInertia, Transform, Wrench};
+use percuss_mechanism::JointId;
+use percuss_spatial::Transform;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -28,7 +23,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Workspace {
     assembly: Arc<Assembly>,
-    kinematics: Kinematics<f64>,
+    kinematics: Kinematics,
     groups: Vec<GroupMobility>,
     mobility_workspace: MobilityWorkspace,
     recursion: RecursionWorkspace,
@@ -240,7 +235,7 @@ impl Workspace {
         self.assembly.refuse_open_loops(&self.kinematics, &mut self.residuals)?;
         let model = self.assembly.model();
         let located = model.locate(&self.kinematics, &Transform::identity(), contact)?;
-        model.refuse_large_clusters::<f64>(&self.groups)?;
+        model.refuse_large_clusters(&self.groups)?;
         let route_input = RouteInput {
             model,
             kinematics: &self.kinematics,
@@ -263,111 +258,4 @@ fn quaternions(model: &Model) -> Vec<(JointId, Range<usize>)> {
         Some((id, first + own.start..first + own.end))
     };
     model.mechanism.joint_ids().filter_map(of_joint).collect()
-}
-
-/// Computation of 1/m̄ over another scalar type: dual numbers for derivatives, SIMD lanes for several configurations.
-/// The computation does not branch on values. Dependent coordinates and massless motions are those of the pose from
-/// which the workspace was made.
-#[derive(Debug)]
-pub struct ScalarWorkspace<T: Scalar> {
-    assembly: Arc<Assembly>,
-    groups: Vec<GroupMobility>,
-    decisions: Decisions,
-    base: Transform<f64>,
-    contact: Contact,
-    kinematics: Kinematics<T>,
-    recursion: Recursion<T, 1>,
-}
-
-impl Pose {
-    /// Workspace for 1/m̄ of a contact over another scalar type, with the decisions of this pose. For an immovable
-    /// contact 1/m̄ is 0 within rounding.
-    ///
-    /// # Errors
-    /// [`ResponseError`]: an invalid contact; a contact that is massless at this pose
-    /// ([`MasslessMotion`](crate::RouteError::MasslessMotion)); a motion of negative mass
-    /// ([`Indefinite`](crate::RouteError::Indefinite)); a cluster of bodies that is too large.
-    pub fn workspace_over<T: Scalar>(&self, contact: &Contact) -> Result<ScalarWorkspace<T>, ResponseError> {
-        let located = self.locate(contact)?;
-        let model = self.assembly.model();
-        model.refuse_large_clusters::<T>(&self.groups)?;
-        let mut kinematics = Kinematics::new(model);
-        for (to, from) in kinematics.q.iter_mut().zip(self.positions()) {
-            *to = T::from_f64(*from);
-        }
-        kinematics.refill(model);
-        Ok(ScalarWorkspace {
-            assembly: Arc::clone(&self.assembly),
-            groups: self.groups.clone(),
-            decisions: self.decisions(&located)?,
-            base: self.base,
-            contact: *contact,
-            kinematics,
-            recursion: Recursion::new(model),
-        })
-    }
-}
-
-impl<T: Scalar> ScalarWorkspace<T> {
-    /// Sets the positions (layout of [`Workspace::set_positions`]).
-    ///
-    /// # Errors
-    /// [`StateSizeError::PositionCount`]: a wrong number of positions. The workspace keeps its previous positions.
-    pub fn set_positions(&mut self, positions: &[T]) -> Result<(), StateSizeError> {
-        check_positions(positions.len(), self.kinematics.q.len())?;
-        self.kinematics.q.copy_from_slice(positions);
-        self.kinematics.refill(self.assembly.model());
-        Ok(())
-    }
-
-    /// Adds to the inertia of a link (about the link's origin, in link axes), for derivatives with respect to
-    /// inertial parameters. No effect on a link of the ground.
-    ///
-    /// # Errors
-    /// [`ContactError::ForeignLink`]: a link of another mechanism.
-    pub fn add_inertia(&mut self, link: LinkId, change: &SpatialInertia<T>) -> Result<(), ContactError> {
-        let frames = &self.assembly.model().link_frames;
-        if let Some(index) = foreign_link(&self.assembly.model().mechanism, [link]) {
-            return Err(ContactError::ForeignLink { index, links: frames.len() });
-        }
-        let on = &frames[link.index()];
-        if let Some(body) = on.body {
-            self.recursion.bodies[body] += on.frame.cast().inertia(change);
-        }
-        Ok(())
-    }
-
-    /// 1/m̄ at the current positions, 1/kg.
-    pub fn inverse_effective_mass(&mut self) -> T {
-        let model = self.assembly.model();
-        let ContactPoint { point, normal } = model.contact_point(&self.kinematics, &self.base, &self.contact);
-        self.recursion.clear();
-        let unit = Wrench::new(Vector3::zeros(), normal);
-        self.recursion.add_wrench(model.body_of(self.contact.link), 0, unit);
-        let against = self.contact.against.and_then(|link| model.body_of(link));
-        self.recursion.add_wrench(against, 0, -unit);
-        let mut following = RepeatedPivoting(&self.decisions);
-        self.recursion.eliminate(model, &self.kinematics, &self.groups, &point, &mut following);
-        self.recursion.response(0, 0)
-    }
-
-    /// Measure of the distance of the last [`inverse_effective_mass`](Self::inverse_effective_mass) from a change of
-    /// decisions. The sum of (zero/pivot)² over the pivots used, of D and of the constraints' K, plus the sum of
-    /// (pivot/zero)² over the omitted pivots of plain joints. `zero` is the threshold below which a pose classifies a
-    /// pivot as zero.
-    ///
-    /// Decisions are valid for the pose at which they were made. At a lane with a value not below 1 (NaN included),
-    /// another decision is due; compute that lane with [`Workspace`] or [`Pose::respond`]. If the square root of the
-    /// value is x, the rounding error is at most x/256 of the nearest pivot of D: 1e-6 leaves eight digits. Cost:
-    /// O(n) operations, without an elimination.
-    pub fn pivot_loss(&self) -> T {
-        let model = self.assembly.model();
-        let point = model.contact_point(&self.kinematics, &self.base, &self.contact).point;
-        self.recursion.pivot_loss(model, &self.kinematics, &self.groups, &point)
-    }
-
-    /// M over the coordinates, n×n, at the current positions.
-    pub fn mass_matrix(&self) -> nalgebra::DMatrix<T> {
-        self.assembly.model().mass_matrix(&self.kinematics)
-    }
 }

@@ -65,7 +65,7 @@ struct FrameErrors {
 
 impl FrameErrors {
     /// Accumulates the error bounds from the root to the tips.
-    fn fill(&mut self, model: &Model, kinematics: &Kinematics<f64>) {
+    fn fill(&mut self, model: &Model, kinematics: &Kinematics) {
         self.bounds.clear();
         self.walks.clear();
         for (i, body) in model.bodies.iter().enumerate() {
@@ -134,7 +134,7 @@ impl BudgetWorkspace {
 /// Result of a route for a unit impulse along the normal: the input of the error budget.
 pub(crate) struct UnitImpulse<'a> {
     pub model: &'a Model,
-    pub kinematics: &'a Kinematics<f64>,
+    pub kinematics: &'a Kinematics,
     pub groups: &'a [GroupMobility],
     /// For each group: residual misfit of its loops, relative to the group's size.
     pub misfits: &'a [f64],
@@ -178,7 +178,7 @@ impl UnitImpulse<'_> {
     pub fn recursion_errors(
         &self,
         workspace: &mut BudgetWorkspace,
-        recursion: &Recursion<f64, 1>,
+        recursion: &Recursion<1>,
         is_clear: bool,
     ) -> RelativeErrors {
         let (mut route, mut stationary) = (self.elimination_error(workspace, recursion), None);
@@ -204,12 +204,12 @@ impl UnitImpulse<'_> {
 
     /// Relative error of the recursion itself, from its eliminations alone. Equal to `route` of
     /// [`of_recursion`](Self::of_recursion), if small.
-    pub fn route_error(&self, workspace: &mut BudgetWorkspace, recursion: &Recursion<f64, 1>) -> f64 {
+    pub fn route_error(&self, workspace: &mut BudgetWorkspace, recursion: &Recursion<1>) -> f64 {
         f64::EPSILON * self.elimination_error(workspace, recursion) / recursion.response(0, 0)
     }
 
     /// Sum of the errors of all eliminations, in units of ε.
-    fn elimination_error(&self, workspace: &mut BudgetWorkspace, recursion: &Recursion<f64, 1>) -> f64 {
+    fn elimination_error(&self, workspace: &mut BudgetWorkspace, recursion: &Recursion<1>) -> f64 {
         workspace.composites.clear();
         workspace.frozen = 0.0;
         let of_cluster = |(number, cluster): (usize, &Cluster)| match recursion.cluster_index[number] {
@@ -222,7 +222,7 @@ impl UnitImpulse<'_> {
     }
 
     /// The same result as the stationary value of the energy.
-    pub fn stationary<'b>(&'b self, recursion: &'b Recursion<f64, 1>) -> Stationary<'b> {
+    pub fn stationary<'b>(&'b self, recursion: &'b Recursion<1>) -> Stationary<'b> {
         Stationary {
             model: self.model,
             kinematics: self.kinematics,
@@ -248,7 +248,7 @@ impl UnitImpulse<'_> {
     }
 
     /// Wrench transmitted by the joint of every body, accumulated along the tree within clusters with constraints.
-    fn fill_transmitted(&self, transmitted: &mut Vec<Wrench<f64>>, recursion: &Recursion<f64, 1>) {
+    fn fill_transmitted(&self, transmitted: &mut Vec<Wrench<f64>>, recursion: &Recursion<1>) {
         let own = |i: usize| {
             recursion.wrenches[i][0] - self.propagated_inertia(recursion, i).apply(&self.twists[i])
         };
@@ -268,7 +268,7 @@ impl UnitImpulse<'_> {
     fn data_errors(
         &self,
         workspace: &mut BudgetWorkspace,
-        recursion: &Recursion<f64, 1>,
+        recursion: &Recursion<1>,
         places: FrameErrorMode,
     ) -> RelativeErrors {
         let (model, kinematics) = (self.model, self.kinematics);
@@ -403,7 +403,7 @@ impl UnitImpulse<'_> {
     }
 
     /// Iᴬ propagated to a body, before the elimination of the body's own joint.
-    fn propagated_inertia(&self, recursion: &Recursion<f64, 1>, i: usize) -> ArticulatedInertia<f64> {
+    fn propagated_inertia(&self, recursion: &Recursion<1>, i: usize) -> ArticulatedInertia<f64> {
         let mut inertia = recursion.inertias[i];
         if recursion.cluster_index[self.model.cluster_of[i]].is_none() {
             for e in self.model.bodies[i].v.clone().map(|v| &recursion.joints[v]).filter(|e| e.counts) {
@@ -419,7 +419,7 @@ impl UnitImpulse<'_> {
     fn joint_elimination_error(
         &self,
         workspace: &mut BudgetWorkspace,
-        recursion: &Recursion<f64, 1>,
+        recursion: &Recursion<1>,
         i: usize,
     ) -> f64 {
         let body = &self.model.bodies[i];
@@ -456,9 +456,9 @@ impl UnitImpulse<'_> {
     fn cluster_elimination_error(
         &self,
         workspace: &mut BudgetWorkspace,
-        recursion: &Recursion<f64, 1>,
+        recursion: &Recursion<1>,
         cluster: &Cluster,
-        eliminated: &ClusterElimination<f64, 1>,
+        eliminated: &ClusterElimination<1>,
     ) -> f64 {
         let d = eliminated.d;
         let carrier = cluster.parent.map_or_else(Twist::zero, |p| self.twists[p]);
@@ -491,7 +491,7 @@ impl UnitImpulse<'_> {
     pub fn dense_errors(
         &self,
         workspace: &mut BudgetWorkspace,
-        recursion: &Recursion<f64, 1>,
+        recursion: &Recursion<1>,
         mass_size: &[f64],
         coordinates: &[f64],
         response: f64,

@@ -23,10 +23,10 @@ use percuss_spatial::{SpatialInertia, Transform, Twist, Wrench};
 /// Result of the recursion for a unit impulse along the normal.
 pub(crate) struct Stationary<'a> {
     pub model: &'a Model,
-    pub kinematics: &'a Kinematics<f64>,
+    pub kinematics: &'a Kinematics,
     pub groups: &'a [GroupMobility],
     pub contact: &'a LocatedContact,
-    pub recursion: &'a Recursion<f64, 1>,
+    pub recursion: &'a Recursion<1>,
     /// Twists of the bodies, in root axes at the contact point.
     pub twists: &'a [Twist<f64>],
     /// Tree velocities.

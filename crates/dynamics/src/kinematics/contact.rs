@@ -7,7 +7,7 @@ use crate::model::tangent;
 use crate::tolerances::{DIRECTION_DECIMALS, LINE_TURNED, SHORTEST_DIRECTION, SHORTEST_LINE};
 use nalgebra::{DMatrix, Vector3};
 use percuss_mechanism::LinkId;
-use percuss_spatial::{Scalar, Transform};
+use percuss_spatial::Transform;
 
 /// Frame of a contact point or a normal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -269,9 +269,9 @@ pub struct LocatedContact {
 
 /// Contact point and unit normal in the frame of the root link.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ContactPoint<T: Scalar> {
-    pub point: Vector3<T>,
-    pub normal: Vector3<T>,
+pub(crate) struct ContactPoint {
+    pub point: Vector3<f64>,
+    pub normal: Vector3<f64>,
 }
 
 impl Model {
@@ -334,7 +334,7 @@ impl Model {
     /// Refuses a line that at this pose is too short, or turned too far from the line as drawn.
     fn check_line(
         &self,
-        kinematics: &Kinematics<f64>,
+        kinematics: &Kinematics,
         base: &Transform<f64>,
         contact: &Contact,
     ) -> Result<(), ContactError> {
@@ -369,31 +369,31 @@ impl Model {
     }
 
     /// Contact point and normal of a checked contact. The normal is zero if the ends of the line coincide.
-    pub fn contact_point<T: Scalar>(
+    pub fn contact_point(
         &self,
-        kinematics: &Kinematics<T>,
+        kinematics: &Kinematics,
         base: &Transform<f64>,
         contact: &Contact,
-    ) -> ContactPoint<T> {
+    ) -> ContactPoint {
         let x_rl = kinematics.link_frame(self, contact.link);
-        let point = x_rl.point(&contact.point.map(T::from_f64));
+        let point = x_rl.point(&contact.point);
         let normal = match contact.normal {
             Direction::Along(normal, frame) => {
                 let unit = normal.normalize();
-                let in_frame = unit.map(T::from_f64);
+                let in_frame = unit;
                 match (frame, contact.against) {
                     (Frame::Link, _) => x_rl.vector(&in_frame),
                     (Frame::Against, Some(other)) => kinematics.link_frame(self, other).vector(&in_frame),
-                    (Frame::World, _) | (Frame::Against, None) => base.inverse_vector(&unit).map(T::from_f64),
+                    (Frame::World, _) | (Frame::Against, None) => base.inverse_vector(&unit),
                 }
             }
             Direction::Toward(link, to)
             | Direction::TurningToward(link, to)
             | Direction::TurningAwayFrom(link, to) => {
-                let line = kinematics.link_frame(self, link).point(&to.map(T::from_f64)) - point;
-                let square = line.dot(&line) + T::from_f64(f64::MIN_POSITIVE);
+                let line = kinematics.link_frame(self, link).point(&to) - point;
+                let square = line.dot(&line) + f64::MIN_POSITIVE;
                 let sense = if let Direction::TurningAwayFrom(..) = contact.normal { -1.0 } else { 1.0 };
-                line * (T::from_f64(sense) / square.sqrt())
+                line * (sense / square.sqrt())
             }
         };
         ContactPoint { point, normal }
@@ -402,7 +402,7 @@ impl Model {
     /// Computes the point and the normal of a contact; refuses an invalid contact.
     pub fn locate(
         &self,
-        kinematics: &Kinematics<f64>,
+        kinematics: &Kinematics,
         base: &Transform<f64>,
         contact: &Contact,
     ) -> Result<LocatedContact, ContactError> {
@@ -425,19 +425,14 @@ impl Model {
 
     /// Contact row over the tree velocities, with the size of the summed terms of each entry. Joints that move both
     /// sides equally are left out: their contributions cancel.
-    pub fn contact_row(&self, kinematics: &Kinematics<f64>, contact: &LocatedContact) -> ContactRow {
+    pub fn contact_row(&self, kinematics: &Kinematics, contact: &LocatedContact) -> ContactRow {
         let mut row = ContactRow::default();
         self.contact_row_into(kinematics, contact, &mut row);
         row
     }
 
     /// Computes [`contact_row`](Self::contact_row) in place.
-    pub fn contact_row_into(
-        &self,
-        kinematics: &Kinematics<f64>,
-        contact: &LocatedContact,
-        row: &mut ContactRow,
-    ) {
+    pub fn contact_row_into(&self, kinematics: &Kinematics, contact: &LocatedContact, row: &mut ContactRow) {
         row.entries.clear();
         row.length = 0.0;
         let against = contact.against.and_then(|link| self.body_of(link));
@@ -463,7 +458,7 @@ impl Model {
     /// terms.
     fn velocity_column(
         &self,
-        kinematics: &Kinematics<f64>,
+        kinematics: &Kinematics,
         i: usize,
         k: usize,
         at: &Vector3<f64>,
@@ -478,7 +473,7 @@ impl Model {
     /// Jacobian of a point (m, link frame) of a link over the coordinates, 3×n, in root axes.
     pub fn point_jacobian(
         &self,
-        kinematics: &Kinematics<f64>,
+        kinematics: &Kinematics,
         link: LinkId,
         point: &Vector3<f64>,
     ) -> DMatrix<f64> {

@@ -7,13 +7,13 @@ use crate::model::{Group, Model};
 impl Model {
     /// Moves the positions in `kinematics` by the velocities `u` of a group's coordinates over unit time, and updates
     /// frames.
-    pub fn advance_group(&self, kinematics: &mut Kinematics<f64>, group: &Group, u: &[f64]) {
+    pub fn advance_group(&self, kinematics: &mut Kinematics, group: &Group, u: &[f64]) {
         self.advance_positions(kinematics, group, u);
         self.refill_group(kinematics, group);
     }
 
     /// Moves only the positions, without updating frames and mimics.
-    pub fn advance_positions(&self, kinematics: &mut Kinematics<f64>, group: &Group, u: &[f64]) {
+    pub fn advance_positions(&self, kinematics: &mut Kinematics, group: &Group, u: &[f64]) {
         for &body in &group.bodies {
             let rate = |c: usize| group.column(c).map_or(0.0, |at| u[at]);
             self.advance_body(kinematics, body, rate);
@@ -21,7 +21,7 @@ impl Model {
     }
 
     /// Moves the positions of one body by the rates of its coordinates over unit time; mimics are skipped.
-    fn advance_body(&self, kinematics: &mut Kinematics<f64>, body: usize, rate: impl Fn(usize) -> f64) {
+    fn advance_body(&self, kinematics: &mut Kinematics, body: usize, rate: impl Fn(usize) -> f64) {
         let body = &self.bodies[body];
         if body.v.is_empty() || body.joint.is_none() || body.mimic.is_some() {
             return;
@@ -67,7 +67,7 @@ impl Model {
     }
 
     /// Updates the frames and mimics of a group's bodies from the positions in `q`.
-    pub fn refill_group(&self, kinematics: &mut Kinematics<f64>, group: &Group) {
+    pub fn refill_group(&self, kinematics: &mut Kinematics, group: &Group) {
         kinematics.refill_bodies(self, &group.bodies);
     }
 
@@ -86,7 +86,7 @@ impl Model {
     }
 
     /// Restores positions of a group's bodies, given one after another.
-    pub fn restore_group(&self, kinematics: &mut Kinematics<f64>, group: &Group, positions: &[f64]) {
+    pub fn restore_group(&self, kinematics: &mut Kinematics, group: &Group, positions: &[f64]) {
         let mut rest = positions;
         for &b in &group.bodies {
             let range = self.bodies[b].q.clone();
@@ -98,7 +98,7 @@ impl Model {
     }
 
     /// Copies the positions of a group's joints from `q`.
-    pub fn set_group(&self, kinematics: &mut Kinematics<f64>, group: &Group, q: &[f64]) {
+    pub fn set_group(&self, kinematics: &mut Kinematics, group: &Group, q: &[f64]) {
         for id in group.joints.iter().copied().flatten() {
             let range = self.joint_q[id.index()].clone();
             kinematics.q[range.clone()].copy_from_slice(&q[range]);

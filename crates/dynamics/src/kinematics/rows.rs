@@ -6,29 +6,23 @@ use crate::model::{CompiledClosure, Constraint, Group, Model};
 use crate::tolerances::{OPPOSED_AXES, SMALL_SINE};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use percuss_mechanism::ClosureKind;
-use percuss_spatial::{Scalar, Transform, Wrench};
+use percuss_spatial::{Transform, Twist, Wrench};
 
 /// Largest number of rows of one constraint.
 pub(crate) const MOST: usize = 6;
 
 /// Rows of a group at a pose, in blocks: for each constraint and each of its velocities, one number per row.
-#[derive(Clone, Debug)]
-pub(crate) struct GroupRows<T: Scalar> {
-    values: Vec<T>,
+#[derive(Clone, Debug, Default)]
+pub(crate) struct GroupRows {
+    values: Vec<f64>,
 }
 
-impl<T: Scalar> Default for GroupRows<T> {
-    fn default() -> Self {
-        Self { values: Vec::new() }
-    }
-}
-
-impl<T: Scalar> GroupRows<T> {
+impl GroupRows {
     /// Computes the rows of a group at the frames in `kinematics`.
-    pub fn fill(&mut self, model: &Model, group: &Group, kinematics: &Kinematics<T>) {
+    pub fn fill(&mut self, model: &Model, group: &Group, kinematics: &Kinematics) {
         self.values.clear();
         self.values.reserve(group.constraints.iter().map(|rows| rows.count * rows.terms.len()).sum());
-        let length = T::from_f64(group.size);
+        let length = group.size;
         for rows in &group.constraints {
             match rows.constraint {
                 Constraint::Closure(i) => {
@@ -38,24 +32,23 @@ impl<T: Scalar> GroupRows<T> {
                     let wrenches = closure_wrenches(closure, &x_rp, &x_rs, length);
                     for term in &rows.terms {
                         let twist = kinematics.column_at(model, term.body, term.component, &x_rs.translation);
-                        let factor = T::from_f64(term.factor * term.multiplier);
+                        let factor = term.factor * term.multiplier;
                         self.values.extend(wrenches[..rows.count].iter().map(|w| w.power(&twist) * factor));
                     }
                 }
                 Constraint::Coupling(i) => {
                     let scale = coupling_scale(model.couplings[i].turns, group);
-                    let entry =
-                        |t: &crate::model::ConstraintTerm| T::from_f64(scale * t.factor * t.multiplier);
+                    let entry = |t: &crate::model::ConstraintTerm| scale * t.factor * t.multiplier;
                     self.values.extend(rows.terms.iter().map(entry));
                 }
                 Constraint::Hold(i) => {
                     let hold = &model.holds[i];
                     let x_rl = kinematics.link_frame(model, hold.link);
-                    let point = x_rl.point(&hold.point.map(T::from_f64));
-                    let directions = hold.directions().map(|d| d.map(T::from_f64));
+                    let point = x_rl.point(&hold.point);
+                    let directions = hold.directions();
                     for term in &rows.terms {
                         let twist = kinematics.column_at(model, term.body, term.component, &point);
-                        let factor = T::from_f64(term.factor * term.multiplier);
+                        let factor = term.factor * term.multiplier;
                         let held = directions[..rows.count].iter().map(|d| d.dot(&twist.linear) * factor);
                         self.values.extend(held);
                     }
@@ -71,7 +64,7 @@ impl<T: Scalar> GroupRows<T> {
 
     /// Visits the entries (row, column, value) of A over the group's coordinates. Mimics cause repeated entries,
     /// which must be summed.
-    pub fn for_each(&self, group: &Group, mut visit: impl FnMut(usize, usize, T)) {
+    pub fn for_each(&self, group: &Group, mut visit: impl FnMut(usize, usize, f64)) {
         let mut values = self.values.iter();
         for rows in &group.constraints {
             for term in &rows.terms {
@@ -83,10 +76,10 @@ impl<T: Scalar> GroupRows<T> {
     }
 
     /// A over the group's coordinates, rows × coordinates, row by row.
-    pub fn dense_into(&self, group: &Group, dense: &mut Vec<T>) {
+    pub fn dense_into(&self, group: &Group, dense: &mut Vec<f64>) {
         let columns = group.coordinates.len();
         dense.clear();
-        dense.resize(group.rows * columns, T::zero());
+        dense.resize(group.rows * columns, 0.0);
         self.for_each(group, |row, column, value| dense[row * columns + column] += value);
     }
 }
@@ -98,7 +91,7 @@ fn coupling_scale(turns: bool, group: &Group) -> f64 {
 
 impl Model {
     /// A of a group over its coordinates.
-    pub fn group_matrix(&self, kinematics: &Kinematics<f64>, group: &Group) -> DMatrix<f64> {
+    pub fn group_matrix(&self, kinematics: &Kinematics, group: &Group) -> DMatrix<f64> {
         let mut rows = GroupRows::default();
         rows.fill(self, group, kinematics);
         let mut matrix = DMatrix::zeros(group.rows, group.coordinates.len());
@@ -107,12 +100,7 @@ impl Model {
     }
 
     /// Residuals (m) of a group, one per row; 0 for held contacts.
-    pub fn group_residuals_into(
-        &self,
-        kinematics: &Kinematics<f64>,
-        group: &Group,
-        residuals: &mut Vec<f64>,
-    ) {
+    pub fn group_residuals_into(&self, kinematics: &Kinematics, group: &Group, residuals: &mut Vec<f64>) {
         residuals.clear();
         for rows in &group.constraints {
             match rows.constraint {
@@ -134,14 +122,14 @@ impl Model {
     }
 
     /// Residuals (m) of a group.
-    pub fn group_residuals(&self, kinematics: &Kinematics<f64>, group: &Group) -> Vec<f64> {
+    pub fn group_residuals(&self, kinematics: &Kinematics, group: &Group) -> Vec<f64> {
         let mut residuals = Vec::with_capacity(group.rows);
         self.group_residuals_into(kinematics, group, &mut residuals);
         residuals
     }
 
     /// Largest residual of a group, m, and its row.
-    pub fn group_residual(&self, kinematics: &Kinematics<f64>, group: &Group) -> (f64, usize) {
+    pub fn group_residual(&self, kinematics: &Kinematics, group: &Group) -> (f64, usize) {
         largest(&self.group_residuals(kinematics, group))
     }
 }
@@ -158,21 +146,21 @@ pub(crate) fn largest(residuals: &[f64]) -> (f64, usize) {
 /// For each row of a closure: the wrench (root axes, about the successor's loop origin) whose power on the relative
 /// twist is the rate of the residual. Rows of rotations are scaled by `length` (m). The order is that of the table at
 /// [`ClosureKind`].
-pub(crate) fn closure_wrenches<T: Scalar>(
+pub(crate) fn closure_wrenches(
     closure: &CompiledClosure,
-    x_rp: &Transform<T>,
-    x_rs: &Transform<T>,
-    length: T,
-) -> [Wrench<T>; MOST] {
+    x_rp: &Transform<f64>,
+    x_rs: &Transform<f64>,
+    length: f64,
+) -> [Wrench<f64>; MOST] {
     let mut wrenches = [Wrench::zero(); MOST];
     // Residual along a direction fixed in the predecessor.
-    let along = |e: &Vector3<f64>| Wrench::new(Vector3::zeros(), x_rp.vector(&e.map(T::from_f64)));
+    let along = |e: &Vector3<f64>| Wrench::new(Vector3::zeros(), x_rp.vector(e));
     // Residual of the cosine between a direction of the predecessor and a direction of the successor.
     let cosine = |e: &Vector3<f64>, b: &Vector3<f64>| {
-        let (e, b) = (x_rp.vector(&e.map(T::from_f64)), x_rs.vector(&b.map(T::from_f64)));
+        let (e, b) = (x_rp.vector(e), x_rs.vector(b));
         Wrench::new(b.cross(&e) * length, Vector3::zeros())
     };
-    let turn = |e: &Vector3<f64>| Wrench::new(x_rp.vector(&e.map(T::from_f64)) * length, Vector3::zeros());
+    let turn = |e: &Vector3<f64>| Wrench::new(x_rp.vector(e) * length, Vector3::zeros());
     let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
     let [n1, n2] = &closure.normals;
     let b = &closure.successor_axis;
@@ -204,11 +192,53 @@ pub(crate) fn closure_wrenches<T: Scalar>(
         ClosureKind::Distance => {
             // If the ends coincide, the direction is undefined: the row is zero instead of NaN.
             let apart = x_rs.translation - x_rp.translation;
-            let square = apart.dot(&apart) + T::from_f64(f64::MIN_POSITIVE);
-            wrenches[0] = Wrench::new(Vector3::zeros(), apart * (T::one() / square.sqrt()));
+            let square = apart.dot(&apart) + f64::MIN_POSITIVE;
+            wrenches[0] = Wrench::new(Vector3::zeros(), apart * (1.0 / square.sqrt()));
         }
     }
     wrenches
+}
+
+/// Rates of [`closure_wrenches`] if the bodies of the two loop frames move with the given twists (root axes, about the origin to
+/// which the frames refer). The change of the reference point, which moves with the successor, is not included.
+pub(crate) fn closure_wrench_rates(
+    closure: &CompiledClosure,
+    x_rp: &Transform<f64>,
+    x_rs: &Transform<f64>,
+    length: f64,
+    predecessor: &Twist<f64>,
+    successor: &Twist<f64>,
+) -> [Wrench<f64>; MOST] {
+    let mut rates = closure_wrenches(closure, x_rp, x_rs, length);
+    let turn = |omega: &Vector3<f64>, wrench: &Wrench<f64>| {
+        Wrench::new(omega.cross(&wrench.moment), omega.cross(&wrench.force))
+    };
+    // Directions fixed in the predecessor.
+    for rate in &mut rates {
+        *rate = turn(&predecessor.angular, rate);
+    }
+    // b × e with e fixed in the predecessor and b fixed in the successor.
+    let cosine = |e: &Vector3<f64>, b: &Vector3<f64>| {
+        let (e, b) = (x_rp.vector(e), x_rs.vector(b));
+        let rate = successor.angular.cross(&b).cross(&e) + b.cross(&predecessor.angular.cross(&e));
+        Wrench::new(rate * length, Vector3::zeros())
+    };
+    let parallel = closure.normals.map(|e| cosine(&e, &closure.successor_axis));
+    match closure.kind {
+        ClosureKind::Fixed | ClosureKind::Prismatic | ClosureKind::Spherical => {}
+        ClosureKind::Revolute => rates[3..5].copy_from_slice(&parallel),
+        ClosureKind::Cylindrical => rates[2..4].copy_from_slice(&parallel),
+        ClosureKind::Planar => rates[1..3].copy_from_slice(&parallel),
+        ClosureKind::Universal => rates[3] = cosine(&closure.axis, &closure.axis2),
+        ClosureKind::Distance => {
+            let apart = x_rs.translation - x_rp.translation;
+            let square = apart.norm_squared() + f64::MIN_POSITIVE;
+            let speed = successor.velocity_at(&x_rs.translation) - predecessor.velocity_at(&x_rp.translation);
+            let across = speed - apart * (apart.dot(&speed) / square);
+            rates[0] = Wrench::new(Vector3::zeros(), across / square.sqrt());
+        }
+    }
+    rates
 }
 
 /// Residuals of a closure, m, in the order of its rows.

@@ -2,26 +2,24 @@
 //! (threshold pivoting: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, 2017, §5.2; cited from memory).
 
 use crate::tolerances::{SPARSE_CANDIDATES, SPARSE_PIVOT, STEP_RANK};
-use percuss_spatial::Scalar;
 use std::collections::BTreeSet;
 
 /// Rows of a sparse matrix, with entries in ascending column order.
-#[derive(Clone, Debug)]
-pub(crate) struct SparseRows<T: Scalar> {
-    rows: Vec<Vec<(usize, T)>>,
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SparseRows {
+    rows: Vec<Vec<(usize, f64)>>,
     /// For each column: rows with an entry in the column. May contain outdated or repeated rows.
     column_rows: Vec<Vec<usize>>,
 }
 
-impl<T: Scalar> Default for SparseRows<T> {
-    fn default() -> Self {
-        Self { rows: Vec::new(), column_rows: Vec::new() }
-    }
-}
-
-impl<T: Scalar> SparseRows<T> {
+impl SparseRows {
     /// Loads a matrix from its entries (row, column, value), visited by `each`. Repeated entries are summed.
-    pub fn load(&mut self, rows: usize, columns: usize, each: impl FnOnce(&mut dyn FnMut(usize, usize, T))) {
+    pub fn load(
+        &mut self,
+        rows: usize,
+        columns: usize,
+        each: impl FnOnce(&mut dyn FnMut(usize, usize, f64)),
+    ) {
         self.rows.clear();
         self.rows.resize(rows, Vec::new());
         each(&mut |row, column, value| self.rows[row].push((column, value)));
@@ -35,7 +33,7 @@ impl<T: Scalar> SparseRows<T> {
         for row in &mut self.rows {
             row.sort_by_key(|(column, _)| *column);
             // Mimics cause repeated entries.
-            let mut sums: Vec<(usize, T)> = Vec::with_capacity(row.len());
+            let mut sums: Vec<(usize, f64)> = Vec::with_capacity(row.len());
             for (column, value) in row.drain(..) {
                 match sums.last_mut() {
                     Some(last) if last.0 == column => last.1 += value,
@@ -50,7 +48,7 @@ impl<T: Scalar> SparseRows<T> {
     }
 
     /// Entry of a row in a column, if stored.
-    pub fn entry(&self, row: usize, column: usize) -> Option<T> {
+    pub fn entry(&self, row: usize, column: usize) -> Option<f64> {
         let entries = &self.rows[row];
         entries.binary_search_by_key(&column, |(c, _)| *c).ok().map(|at| entries[at].1)
     }
@@ -84,7 +82,7 @@ impl<T: Scalar> SparseRows<T> {
     }
 
     /// Eliminates in the given order, and writes −K⁻¹A[rows, independent] to `values` (coordinates × independent).
-    pub fn solve(&mut self, rows: &[usize], columns: &[usize], independent: &[usize], values: &mut [T]) {
+    pub fn solve(&mut self, rows: &[usize], columns: &[usize], independent: &[usize], values: &mut [f64]) {
         let mut place = vec![usize::MAX; self.rows.len()];
         rows.iter().enumerate().for_each(|(i, r)| place[*r] = i);
         for (i, (&r, &c)) in rows.iter().zip(columns).enumerate() {
@@ -102,7 +100,7 @@ impl<T: Scalar> SparseRows<T> {
             let Some(pivot) = self.entry(r, c) else { continue };
             for y in 0..count {
                 let others = self.rows[r].iter().filter(|(other, _)| *other != c);
-                let sum = others.fold(T::zero(), |sum, (o, a)| sum + *a * values[o * count + y]);
+                let sum = others.fold(0.0, |sum, (o, a)| sum + *a * values[o * count + y]);
                 values[c * count + y] = -(sum / pivot);
             }
         }
@@ -130,16 +128,12 @@ pub(crate) fn pivot_ratio(rows: usize, columns: usize, entries: &[(usize, usize,
 }
 
 /// Chooses pivots above `floor` times the largest entry, and eliminates with these pivots.
-pub(crate) fn eliminate(sparse: &mut SparseRows<f64>, floor: f64) -> SparseElimination {
+pub(crate) fn eliminate(sparse: &mut SparseRows, floor: f64) -> SparseElimination {
     eliminate_by_class(sparse, floor, &vec![0; sparse.column_rows.len()])
 }
 
 /// Like [`eliminate`], with pivots in columns of the lowest class first.
-pub(crate) fn eliminate_by_class(
-    sparse: &mut SparseRows<f64>,
-    floor: f64,
-    class: &[u8],
-) -> SparseElimination {
+pub(crate) fn eliminate_by_class(sparse: &mut SparseRows, floor: f64, class: &[u8]) -> SparseElimination {
     let scale = sparse.rows.iter().map(|row| largest(row)).fold(0.0, f64::max);
     let (mut rows, mut columns) = (Vec::new(), Vec::new());
     let (mut least, mut left) = (f64::INFINITY, 0.0_f64);
@@ -180,7 +174,7 @@ fn largest(row: &[(usize, f64)]) -> f64 {
 /// Pivot of least fill-in among the rows with the fewest entries. Rows with only rounding in the allowed columns are
 /// removed from `open`, and their largest entry is recorded in `left`.
 fn next_pivot(
-    sparse: &SparseRows<f64>,
+    sparse: &SparseRows,
     open: &mut BTreeSet<(usize, usize)>,
     allowed: &impl Fn(usize) -> bool,
     zero: f64,

@@ -41,7 +41,7 @@ enum Priority {
 impl Model {
     /// Default drivers: the declared coordinates, otherwise coordinates that are probably actuated and
     /// well-conditioned.
-    pub fn default_drivers(&self, group: &Group, rows: &GroupRows<f64>, floor: f64) -> Drivers {
+    pub fn default_drivers(&self, group: &Group, rows: &GroupRows, floor: f64) -> Drivers {
         let jacobian = of_movable(group, rows);
         let count = if group.movable.len() <= DENSE_LIMIT {
             decide_rank(&singular_values(&dense(&jacobian), &vec![1.0; jacobian.columns]), floor).rank
@@ -61,7 +61,7 @@ impl Model {
     pub fn drivers_for(
         &self,
         group: &Group,
-        rows: &GroupRows<f64>,
+        rows: &GroupRows,
         default: &Drivers,
         floor: f64,
         given: impl Fn(usize) -> bool,
@@ -124,7 +124,7 @@ impl Model {
 }
 
 /// A over the movable coordinates, scaled by the group's lengths.
-fn of_movable(group: &Group, rows: &GroupRows<f64>) -> Jacobian {
+fn of_movable(group: &Group, rows: &GroupRows) -> Jacobian {
     let mut place = vec![usize::MAX; group.coordinates.len()];
     group.movable.iter().enumerate().for_each(|(k, &at)| place[at] = k);
     let mut entries = Vec::new();

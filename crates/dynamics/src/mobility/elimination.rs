@@ -7,7 +7,6 @@ use crate::linear::dense;
 use crate::linear::sparse::{self, SparseRows};
 use crate::model::{Group, Model};
 use crate::tolerances::{DENSE_LIMIT, GAP_ROUNDING, RANK_MARGIN, SINGULAR_VALUES_LIMIT, SURE_PIVOT};
-use percuss_spatial::Scalar;
 
 /// Eliminated rows and columns of a group's A, in order. K = A[rows, columns] is regular, and the coordinates in
 /// `columns` depend on the others.
@@ -34,7 +33,7 @@ pub(crate) struct GroupMobility {
     /// groups decided by sparse pivots.
     pub rates: Vec<f64>,
     /// Rows on which the decisions are based.
-    pub rows: GroupRows<f64>,
+    pub rows: GroupRows,
 }
 
 impl GroupMobility {
@@ -43,8 +42,27 @@ impl GroupMobility {
         self.sizes.get(dependent * self.independent.len() + independent).copied().unwrap_or(1.0)
     }
 
+    /// Multipliers λ of the rows with Aᵀλ = f over the coordinates of the group, for forces f that do no work in admissible
+    /// motions; 0 for rows without a pivot.
+    pub fn multipliers(&self, group: &Group, forces: &[f64]) -> Vec<f64> {
+        let Pivots { rows, columns } = &self.pivots;
+        // −K⁻ᵀ times an additional column with the entries −f.
+        let extra = group.rows;
+        let mut transposed = SparseRows::default();
+        transposed.load(group.coordinates.len(), extra + 1, |add| {
+            self.rows.for_each(group, |row, column, value| add(column, row, value));
+            forces.iter().enumerate().for_each(|(column, force)| add(column, extra, -force));
+        });
+        // Rows without a pivot keep the multiplier 0.
+        let mut values = vec![0.0; extra + 1];
+        values[extra] = 1.0;
+        transposed.solve(columns, rows, &[extra], &mut values);
+        values.truncate(extra);
+        values
+    }
+
     /// Recomputes rows and rates at other frames, with the same pivots.
-    pub fn update_rates(&mut self, model: &Model, group: &Group, kinematics: &Kinematics<f64>) {
+    pub fn update_rates(&mut self, model: &Model, group: &Group, kinematics: &Kinematics) {
         self.rows.fill(model, group, kinematics);
         if !self.rates.is_empty() {
             let mut rates = Rates::default();
@@ -72,7 +90,7 @@ impl Model {
     pub fn decide_mobility(
         &self,
         workspace: &mut MobilityWorkspace,
-        kinematics: &Kinematics<f64>,
+        kinematics: &Kinematics,
         group: &Group,
         floor: f64,
         expected: Option<usize>,
@@ -115,7 +133,7 @@ impl Model {
 }
 
 /// Rank of a group's rows: by singular values, or by sparse pivots for large groups.
-pub(crate) fn rank_of_rows(rows: &GroupRows<f64>, group: &Group, floor: f64) -> Rank {
+pub(crate) fn rank_of_rows(rows: &GroupRows, group: &Group, floor: f64) -> Rank {
     if group.coordinates.len() > SINGULAR_VALUES_LIMIT {
         return eliminate_large(rows, group, floor).1;
     }
@@ -138,7 +156,7 @@ fn decide_large(group: &Group, floor: f64, decided: &mut GroupMobility) {
 }
 
 /// Eliminates the rows of a large group by sparse pivots.
-fn eliminate_large(rows: &GroupRows<f64>, group: &Group, floor: f64) -> (Pivots, Rank) {
+fn eliminate_large(rows: &GroupRows, group: &Group, floor: f64) -> (Pivots, Rank) {
     let mut scaled = SparseRows::default();
     scaled.load(group.rows, group.coordinates.len(), |add| {
         rows.for_each(group, |r, c, a| add(r, c, a / group.lengths[c]));
@@ -169,7 +187,7 @@ struct PivotSizes {
 
 impl MobilityWorkspace {
     /// Fills A over coordinates scaled by lengths.
-    fn fill_scaled(&mut self, group: &Group, rows: &GroupRows<f64>) {
+    fn fill_scaled(&mut self, group: &Group, rows: &GroupRows) {
         rows.dense_into(group, &mut self.dense);
         for row in self.dense.chunks_exact_mut(group.coordinates.len().max(1)) {
             row.iter_mut().zip(&group.lengths).for_each(|(a, length)| *a /= length);
@@ -298,36 +316,21 @@ fn subtract(rows: &mut [f64], (from, row): (usize, usize), n: usize, factor: f64
 }
 
 /// Rates of a group's coordinates over its independent coordinates: u = G y with G = [1; −K⁻¹ A[rows, independent]].
-#[derive(Clone, Debug)]
-pub(crate) struct Rates<T: Scalar> {
-    rows: GroupRows<T>,
-    dense: Vec<T>,
-    sparse: SparseRows<T>,
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Rates {
+    rows: GroupRows,
+    dense: Vec<f64>,
+    sparse: SparseRows,
     /// Coordinates × independent, row by row.
-    pub values: Vec<T>,
+    pub values: Vec<f64>,
     /// Number of independent coordinates.
     pub count: usize,
-    /// Pivots in elimination order, over coordinates scaled by lengths; empty for sparse elimination.
-    pivots: Vec<T>,
 }
 
-impl<T: Scalar> Default for Rates<T> {
-    fn default() -> Self {
-        Self {
-            rows: GroupRows::default(),
-            dense: Vec::new(),
-            sparse: SparseRows::default(),
-            values: Vec::new(),
-            count: 0,
-            pivots: Vec::new(),
-        }
-    }
-}
-
-impl<T: Scalar> Rates<T> {
+impl Rates {
     /// Eliminates the dependent coordinates in the given order, at the frames in `kinematics`. Does not branch on
     /// values.
-    pub fn fill(&mut self, model: &Model, group: &Group, kinematics: &Kinematics<T>, known: &GroupMobility) {
+    pub fn fill(&mut self, model: &Model, group: &Group, kinematics: &Kinematics, known: &GroupMobility) {
         let mut rows = std::mem::take(&mut self.rows);
         rows.fill(model, group, kinematics);
         self.fill_from(&rows, group, known);
@@ -335,15 +338,14 @@ impl<T: Scalar> Rates<T> {
     }
 
     /// Eliminates the dependent coordinates of given rows, in the decided order.
-    fn fill_from(&mut self, rows: &GroupRows<T>, group: &Group, known: &GroupMobility) {
+    fn fill_from(&mut self, rows: &GroupRows, group: &Group, known: &GroupMobility) {
         let n = group.coordinates.len();
         self.count = known.independent.len();
         self.values.clear();
-        self.values.resize(n * self.count, T::zero());
+        self.values.resize(n * self.count, 0.0);
         for (y, &c) in known.independent.iter().enumerate() {
-            self.values[c * self.count + y] = T::one();
+            self.values[c * self.count + y] = 1.0;
         }
-        self.pivots.clear();
         if n > DENSE_LIMIT {
             self.sparse.load(group.rows, n, |add| rows.for_each(group, add));
             let Pivots { rows, columns } = &known.pivots;
@@ -353,11 +355,10 @@ impl<T: Scalar> Rates<T> {
         rows.dense_into(group, &mut self.dense);
         // Scaled exactly as in the decision, so that the results are bitwise equal.
         for row in self.dense.chunks_exact_mut(n.max(1)) {
-            row.iter_mut().zip(&group.lengths).for_each(|(a, length)| *a /= T::from_f64(*length));
+            row.iter_mut().zip(&group.lengths).for_each(|(a, length)| *a /= *length);
         }
         for (&r, &c) in known.pivots.rows.iter().zip(&known.pivots.columns) {
-            self.pivots.push(self.dense[r * n + c]);
-            let over = T::one() / self.dense[r * n + c];
+            let over = 1.0 / self.dense[r * n + c];
             for k in 0..n {
                 self.dense[r * n + k] *= over;
             }
@@ -371,25 +372,9 @@ impl<T: Scalar> Rates<T> {
         }
         for (&r, &c) in known.pivots.rows.iter().zip(&known.pivots.columns) {
             for (y, &free) in known.independent.iter().enumerate() {
-                let (from, to) = (T::from_f64(group.lengths[free]), T::from_f64(group.lengths[c]));
+                let (from, to) = (group.lengths[free], group.lengths[c]);
                 self.values[c * self.count + y] = -self.dense[r * n + free] * from / to;
             }
         }
-    }
-
-    /// Sum of (zero/pivot)² over the pivots of the last elimination, over coordinates scaled by lengths. `zero` is
-    /// the group's floor times the norm of A.
-    pub fn pivot_loss(&self, group: &Group, known: &GroupMobility) -> T {
-        let over = |c: usize| T::from_f64(1.0 / group.lengths[c]);
-        let mut square = T::zero();
-        self.rows.for_each(group, |_, c, a| square += a * a * over(c) * over(c));
-        let zero = T::from_f64(known.floor * known.floor) * square;
-        let mut loss = T::zero();
-        for (i, (&r, &c)) in known.pivots.rows.iter().zip(&known.pivots.columns).enumerate() {
-            let sparse = || self.sparse.entry(r, c).map(|pivot| pivot * over(c));
-            let pivot = self.pivots.get(i).copied().or_else(sparse).unwrap_or_else(T::zero);
-            loss += zero / (pivot * pivot);
-        }
-        loss
     }
 }

@@ -32,7 +32,7 @@ pub(crate) struct Mode {
 
 /// Properties of a group at its generic pose.
 pub(crate) struct Generic<'a> {
-    pub rows: &'a GroupRows<f64>,
+    pub rows: &'a GroupRows,
     pub rank: Rank,
     pub floor: f64,
     /// The dependent coordinates of the default drivers, and the rows that determine their mode.
@@ -42,13 +42,7 @@ pub(crate) struct Generic<'a> {
 impl Model {
     /// Assembly mode of a group with these rows: the sign of the determinant of the dependent coordinates' Jacobian,
     /// on rows that are independent at the generic pose. 0 at a singularity.
-    pub fn mode_of(
-        &self,
-        rows: &GroupRows<f64>,
-        group: &Group,
-        generic: &Generic,
-        drivers: &Drivers,
-    ) -> Mode {
+    pub fn mode_of(&self, rows: &GroupRows, group: &Group, generic: &Generic, drivers: &Drivers) -> Mode {
         let dependent = &drivers.dependent;
         let here = scaled(group, rows, dependent);
         // A singularity requires weak columns of the dependent coordinates.
@@ -76,7 +70,7 @@ impl Model {
 }
 
 /// Rows that are independent at the generic pose, as many as dependent coordinates.
-pub(crate) fn independent_rows(group: &Group, rows: &GroupRows<f64>, dependent: &[usize]) -> Vec<usize> {
+pub(crate) fn independent_rows(group: &Group, rows: &GroupRows, dependent: &[usize]) -> Vec<usize> {
     if dependent.len() > MODE_LIMIT || group.rows < dependent.len() {
         return Vec::new();
     }
@@ -88,7 +82,7 @@ pub(crate) fn independent_rows(group: &Group, rows: &GroupRows<f64>, dependent: 
 }
 
 /// A over some coordinates, scaled by the group's lengths.
-fn scaled(group: &Group, rows: &GroupRows<f64>, columns: &[usize]) -> Jacobian {
+fn scaled(group: &Group, rows: &GroupRows, columns: &[usize]) -> Jacobian {
     let mut entries = Vec::with_capacity(rows.len());
     rows.for_each(group, |r, c, a| {
         if let Ok(k) = columns.binary_search(&c) {
@@ -100,7 +94,7 @@ fn scaled(group: &Group, rows: &GroupRows<f64>, columns: &[usize]) -> Jacobian {
 
 /// Kind of singularity behind weak columns of the dependent coordinates. `None` near a change point at which A still
 /// has full rank.
-fn singularity(group: &Group, rows: &GroupRows<f64>, generic: &Generic) -> Singularity {
+fn singularity(group: &Group, rows: &GroupRows, generic: &Generic) -> Singularity {
     let (here, least) = rank_near(rows, group, generic);
     if here < generic.rank.rank {
         Singularity::ChangePoint
@@ -113,7 +107,7 @@ fn singularity(group: &Group, rows: &GroupRows<f64>, generic: &Generic) -> Singu
 
 /// Rank of a group's rows, and the singular value at the index of the generic rank, relative to the largest. Large
 /// groups use sparse pivots.
-fn rank_near(rows: &GroupRows<f64>, group: &Group, generic: &Generic) -> (usize, f64) {
+fn rank_near(rows: &GroupRows, group: &Group, generic: &Generic) -> (usize, f64) {
     if group.coordinates.len() > SINGULAR_VALUES_LIMIT {
         let rank = rank_of_rows(rows, group, generic.floor);
         return (rank.rank, rank.least);

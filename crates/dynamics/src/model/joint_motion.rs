@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use percuss_mechanism::{Joint, JointKind};
-use percuss_spatial::{Scalar, Transform, Twist, plane_basis, rotation_about, rotation_from_quaternion};
+use percuss_spatial::{Transform, Twist, plane_basis, rotation_about, rotation_from_quaternion};
 
 /// Kind and axes of a joint.
 #[derive(Clone, Debug)]
@@ -29,15 +29,15 @@ impl JointMotion {
 
     /// X_jc: frame of the child in the joint frame at position `q` (layout of [`JointKind`]).
     #[inline]
-    pub fn transform<T: Scalar>(&self, q: &[T]) -> Transform<T> {
+    pub fn transform(&self, q: &[f64]) -> Transform<f64> {
         match self.kind {
             JointKind::Fixed => Transform::identity(),
             JointKind::Revolute | JointKind::Continuous => {
                 Transform::new(rotation_about(&self.axis, q[0]), Vector3::zeros())
             }
-            JointKind::Prismatic => Transform::from_translation(self.axis.map(T::from_f64) * q[0]),
+            JointKind::Prismatic => Transform::from_translation(self.axis * q[0]),
             JointKind::Planar => {
-                let (e1, e2) = (self.plane.0.map(T::from_f64), self.plane.1.map(T::from_f64));
+                let (e1, e2) = (self.plane.0, self.plane.1);
                 Transform::new(rotation_about(&self.axis, q[2]), e1 * q[0] + e2 * q[1])
             }
             JointKind::Spherical => {
@@ -53,9 +53,9 @@ impl JointMotion {
     /// Column `k` of the motion subspace S: twist of the child relative to the parent at unit velocity `k`, in the
     /// child's axes at the child's origin.
     #[inline]
-    pub fn column<T: Scalar>(&self, k: usize, q: &[T]) -> Twist<T> {
-        let turn = |a: &Vector3<f64>| Twist::new(a.map(T::from_f64), Vector3::zeros());
-        let slide = |a: &Vector3<f64>| Twist::new(Vector3::zeros(), a.map(T::from_f64));
+    pub fn column(&self, k: usize, q: &[f64]) -> Twist<f64> {
+        let turn = |a: &Vector3<f64>| Twist::new(*a, Vector3::zeros());
+        let slide = |a: &Vector3<f64>| Twist::new(Vector3::zeros(), *a);
         match (self.kind, k) {
             (JointKind::Revolute | JointKind::Continuous, _) => turn(&self.axis),
             (JointKind::Prismatic, _) => slide(&self.axis),
@@ -63,7 +63,7 @@ impl JointMotion {
                 // x and y move along the axes of the joint frame, expressed in the rotated child frame.
                 let e = if k == 0 { &self.plane.0 } else { &self.plane.1 };
                 let back = rotation_about(&self.axis, -q[2]);
-                Twist::new(Vector3::zeros(), back * e.map(T::from_f64))
+                Twist::new(Vector3::zeros(), back * e)
             }
             (JointKind::Planar, _) => turn(&self.axis),
             (JointKind::Spherical, _) | (JointKind::Floating, 0..3) => turn(&unit(k)),
@@ -72,23 +72,21 @@ impl JointMotion {
         }
     }
 
-    /// Bias c = Ṡ v at the joint velocities `v`, in the child's axes.
+    /// Change of S v per unit velocity `k` of the joint, at fixed joint velocities `v`, in the child's axes.
     ///
     /// Nonzero only for planar joints, whose x and y columns rotate relative to the child.
-    #[inline]
-    pub fn bias<T: Scalar>(&self, q: &[T], v: &[T]) -> Twist<T> {
-        match self.kind {
-            JointKind::Planar => {
-                let slide = self.column(0, q) * v[0] + self.column(1, q) * v[1];
-                Twist::new(Vector3::zeros(), slide.linear.cross(&(self.axis.map(T::from_f64) * v[2])))
-            }
-            JointKind::Fixed
-            | JointKind::Revolute
-            | JointKind::Continuous
-            | JointKind::Prismatic
-            | JointKind::Spherical
-            | JointKind::Floating => Twist::zero(),
+    pub fn column_rate(&self, k: usize, q: &[f64], v: &[f64]) -> Twist<f64> {
+        if self.kind != JointKind::Planar || k != 2 {
+            return Twist::zero();
         }
+        let slide = self.column(0, q) * v[0] + self.column(1, q) * v[1];
+        Twist::new(Vector3::zeros(), slide.linear.cross(&self.axis))
+    }
+
+    /// Bias c = Ṡ v at the joint velocities `v`, in the child's axes.
+    #[inline]
+    pub fn bias(&self, q: &[f64], v: &[f64]) -> Twist<f64> {
+        (0..v.len()).fold(Twist::zero(), |sum, k| sum + self.column_rate(k, q, v) * v[k])
     }
 
     /// True if velocity `k` is a rotation (rad/s), false for a translation (m/s).

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use percuss_mechanism::JointKind;
-use percuss_spatial::{Scalar, quaternion_product, rotation_from_quaternion};
+use percuss_spatial::{quaternion_product, rotation_from_quaternion};
 
 /// Writes the zero position; quaternions are set to identity.
 pub(crate) fn zero_position(kind: JointKind, q: &mut [f64]) {
@@ -19,9 +19,9 @@ pub(crate) fn zero_position(kind: JointKind, q: &mut [f64]) {
 }
 
 /// q̇ of one joint at the velocities `v` (layouts of [`JointKind`]). The rate of a quaternion is ½ q ∘ (0, ω).
-pub(crate) fn position_rates<T: Scalar>(kind: JointKind, q: &[T], v: &[T], rates: &mut [T]) {
-    let half = T::from_f64(0.5);
-    let spin = |q: [T; 4], w: &[T]| quaternion_product(q, [T::zero(), w[0] * half, w[1] * half, w[2] * half]);
+pub(crate) fn position_rates(kind: JointKind, q: &[f64], v: &[f64], rates: &mut [f64]) {
+    let half = 0.5;
+    let spin = |q: [f64; 4], w: &[f64]| quaternion_product(q, [0.0, w[0] * half, w[1] * half, w[2] * half]);
     match kind {
         JointKind::Fixed
         | JointKind::Revolute

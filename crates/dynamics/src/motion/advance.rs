@@ -2,37 +2,15 @@
 
 use crate::analysis::pose::Pose;
 use crate::analysis::response::ContactResponse;
-use crate::analysis::system::System;
 use crate::kinematics::frames::Kinematics;
 use crate::loops::closing::{Directions, Linearised};
 use crate::model::Group;
 use crate::model::tangent;
-use crate::model::velocities::{StateSizeError, check_positions, check_velocities};
+use crate::model::velocities::{StateSizeError, check_velocities};
 use crate::tolerances::{ADVANCE_CORRECTIONS, ADVANCE_STEP, MOST_CLOSING};
 use nalgebra::Vector3;
 use percuss_mechanism::JointKind;
-use percuss_spatial::{Scalar, Transform, Twist, rotation_from_quaternion};
-
-impl System {
-    /// q̇ of all joints at the velocities `v`, one list per joint; both in joint order (layouts of [`JointKind`]).
-    ///
-    /// # Errors
-    /// [`StateSizeError`]: a wrong number of positions or velocities.
-    pub fn position_rates<T: Scalar>(
-        &self,
-        positions: &[T],
-        velocities: &[Vec<T>],
-    ) -> Result<Vec<T>, StateSizeError> {
-        let model = self.model();
-        check_velocities(&model.mechanism, velocities)?;
-        check_positions(positions.len(), model.positions)?;
-        let mut rates = vec![T::zero(); model.positions];
-        for ((joint, range), v) in model.mechanism.joints().iter().zip(&model.joint_q).zip(velocities) {
-            tangent::position_rates(joint.kind(), &positions[range.clone()], v, &mut rates[range.clone()]);
-        }
-        Ok(rates)
-    }
-}
+use percuss_spatial::{Transform, Twist, rotation_from_quaternion};
 
 impl Pose {
     /// Pose after a short time `h` (s) at joint velocities `velocities` and base twist `base` (root axes, at the root
@@ -95,7 +73,7 @@ impl Pose {
 /// Closes a group by plain Gauss–Newton steps of least norm. Contradictions of a rounded file are not corrected,
 /// because the damped steps of `Model::correct` would follow them.
 fn close_after_advance(
-    kinematics: &mut Kinematics<f64>,
+    kinematics: &mut Kinematics,
     from: &Pose,
     group: &Group,
     tolerance: f64,

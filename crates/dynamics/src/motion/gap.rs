@@ -103,7 +103,7 @@ impl Gap {
         self.point_on_other_in(pose.assembly.pose_model(), &pose.kinematics)
     }
 
-    fn point_on_other_in(&self, model: &Model, kinematics: &Kinematics<f64>) -> Vector3<f64> {
+    fn point_on_other_in(&self, model: &Model, kinematics: &Kinematics) -> Vector3<f64> {
         let at = kinematics.link_frame(model, self.link).point(&self.point);
         kinematics.link_frame(model, self.other).inverse_point(&at)
     }

@@ -89,7 +89,7 @@ impl LimitRoute {
     fn mass(
         self,
         assembly: &Assembly,
-        kinematics: &Kinematics<f64>,
+        kinematics: &Kinematics,
         located: &LocatedContact,
     ) -> Option<EffectiveMass> {
         let model = assembly.model();
@@ -102,7 +102,7 @@ impl LimitRoute {
                 Minimum::Stationary(_) => None,
             },
             LimitRoute::Recursion => {
-                model.refuse_large_clusters::<f64>(&groups).ok()?;
+                model.refuse_large_clusters(&groups).ok()?;
                 let route_input =
                     RouteInput { model, kinematics, groups: &groups, misfits: assembly.misfits(), located };
                 let mut workspace = RecursionWorkspace::new(model);
@@ -171,7 +171,7 @@ fn limit_along(
 ) -> Option<EffectiveMass> {
     let assembly: &Assembly = pose.assembly();
     let at = |places: i32, apart: f64| {
-        let mut kinematics: Kinematics<f64> = pose.kinematics.clone();
+        let mut kinematics: Kinematics = pose.kinematics.clone();
         let mut number = number;
         for around in crossings {
             let along = &around.branches[number % around.branches.len()].along;

@@ -4,6 +4,7 @@ pub(crate) mod advance;
 pub(crate) mod forward_dynamics;
 pub(crate) mod gap;
 pub(crate) mod limits;
+pub(crate) mod mass_gradient;
 pub(crate) mod operational_inertia;
 pub(crate) mod point_velocity;
 pub(crate) mod rigid_body;

@@ -4,7 +4,7 @@ use crate::analysis::pose::Pose;
 use crate::kinematics::contact::LocatedContact;
 use crate::kinematics::outcome::RouteError;
 use crate::model::input::foreign_link;
-use crate::recursion::{DecidingPivoting, Recursion};
+use crate::recursion::{Pivoting, Recursion};
 use nalgebra::{SMatrix, SVector, Vector3};
 use percuss_spatial::Wrench;
 
@@ -52,9 +52,9 @@ impl Pose {
         {
             return Err(RouteError::ForeignLink { index, links });
         }
-        model.refuse_large_clusters::<f64>(&self.groups)?;
-        let mut recursion = Recursion::<f64, 12>::new(model);
-        let mut deciding = DecidingPivoting::<12>::new(model);
+        model.refuse_large_clusters(&self.groups)?;
+        let mut recursion = Recursion::<12>::new(model);
+        let mut deciding = Pivoting::<12>::new(model);
         let sides = [Some(contact.link), contact.against];
         for (side, link) in sides.into_iter().enumerate() {
             let body = link.and_then(|link| model.body_of(link));

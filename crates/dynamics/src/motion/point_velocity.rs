@@ -4,7 +4,7 @@ use crate::analysis::pose::Pose;
 use crate::analysis::response::ContactResponse;
 use crate::kinematics::outcome::{EffectiveMass, Remark};
 use crate::model::input::foreign_link;
-use crate::recursion::{DecidingPivoting, Recursion};
+use crate::recursion::{Pivoting, Recursion};
 use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 use percuss_spatial::Wrench;
@@ -76,11 +76,11 @@ impl Pose {
     fn has_massless_motion_at(&self, link: LinkId, against: Option<usize>, at: &Vector3<f64>) -> bool {
         let model = self.assembly.model();
         // The response may belong to another pose; then nothing is known.
-        if model.refuse_large_clusters::<f64>(&self.groups).is_err() {
+        if model.refuse_large_clusters(&self.groups).is_err() {
             return true;
         }
-        let mut recursion = Recursion::<f64, 3>::new(model);
-        let mut deciding = DecidingPivoting::<3>::new(model);
+        let mut recursion = Recursion::<3>::new(model);
+        let mut deciding = Pivoting::<3>::new(model);
         for axis in 0..3 {
             let mut force = Vector3::zeros();
             force[axis] = 1.0;
@@ -92,7 +92,7 @@ impl Pose {
     }
 
     /// Velocities of a contact response, over the tree velocities: those of the joints and of a floating base.
-    fn tree_velocities(&self, response: &ContactResponse) -> Vec<f64> {
+    pub(super) fn tree_velocities(&self, response: &ContactResponse) -> Vec<f64> {
         let mut tree = vec![0.0; self.assembly.model().velocity_coordinates.len()];
         for body in self.assembly.model().bodies.iter().filter(|b| !b.v.is_empty()) {
             match body.joint {

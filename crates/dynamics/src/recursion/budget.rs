@@ -4,7 +4,6 @@ use crate::kinematics::outcome::RouteError;
 use crate::mobility::GroupMobility;
 use crate::model::{Cluster, ClusterGroup, Model};
 use crate::tolerances::{CLUSTER_BYTES, CLUSTER_WORK, LARGE_CLUSTER};
-use percuss_spatial::Scalar;
 
 /// Cost of a cluster.
 #[derive(Clone, Copy, Default)]
@@ -18,11 +17,11 @@ struct Cost {
 
 impl Model {
     /// Refuses clusters whose matrices over a scalar need too much memory or time. Allocates nothing.
-    pub fn refuse_large_clusters<T: Scalar>(&self, groups: &[GroupMobility]) -> Result<(), RouteError> {
+    pub fn refuse_large_clusters(&self, groups: &[GroupMobility]) -> Result<(), RouteError> {
         let (mut bytes, mut work) = (0.0, 0.0);
         let mut most: Option<(&Cluster, Cost)> = None;
         for cluster in self.clusters.iter().filter(|cluster| cluster.is_bound) {
-            let cost = cluster_cost::<T>(cluster, groups);
+            let cost = cluster_cost(cluster, groups);
             bytes += cost.bytes;
             work += cost.work;
             if most.is_none_or(|(_, known)| cost.bytes > known.bytes) {
@@ -48,7 +47,7 @@ impl Model {
 }
 
 /// Cost of `eliminate_cluster`, its decisions and the closing speed for one cluster.
-fn cluster_cost<T: Scalar>(cluster: &Cluster, groups: &[GroupMobility]) -> Cost {
+fn cluster_cost(cluster: &Cluster, groups: &[GroupMobility]) -> Cost {
     let bodies = cluster.bodies.len() as f64;
     let n = cluster.coordinates.len() as f64;
     let bound: usize = cluster.groups.iter().map(|own| own.coordinates.len()).sum();
@@ -65,7 +64,7 @@ fn cluster_cost<T: Scalar>(cluster: &Cluster, groups: &[GroupMobility]) -> Cost 
     let blocks = if large { 6.0 * n * n + (n * d + d * d) * rank } else { 32.0 * bodies * d * d };
     Cost {
         freedoms,
-        bytes: entries * size_of::<T>() as f64 + sizes * size_of::<f64>() as f64,
+        bytes: entries * size_of::<f64>() as f64 + sizes * size_of::<f64>() as f64,
         work: blocks + d * d * d + 4.0 * rank.min(d).powi(2) * n,
     }
 }

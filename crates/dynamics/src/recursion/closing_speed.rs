@@ -16,7 +16,7 @@ pub(crate) fn relative_closing_speed<const K: usize>(
     workspace: &mut ClosingWorkspace,
     model: &Model,
     groups: &[GroupMobility],
-    recursion: &Recursion<f64, K>,
+    recursion: &Recursion<K>,
     row: &ContactRow,
 ) -> f64 {
     let (mut along, mut size) = (0.0, 0.0);
@@ -64,7 +64,7 @@ pub(crate) fn closing_floor(model: &Model, groups: &[GroupMobility], row: &Conta
 fn fill_members<const K: usize>(
     members: &mut Vec<(usize, usize)>,
     model: &Model,
-    recursion: &Recursion<f64, K>,
+    recursion: &Recursion<K>,
     row: &ContactRow,
 ) {
     let of_entry = |(entry, e): (usize, &RowEntry)| {

@@ -8,25 +8,25 @@ use crate::mobility::{GroupMobility, Rates};
 use crate::model::{Cluster, Model};
 use crate::tolerances::LARGE_CLUSTER;
 use nalgebra::Vector3;
-use percuss_spatial::{ArticulatedInertia, Scalar, Twist, Wrench};
+use percuss_spatial::{ArticulatedInertia, Twist, Wrench};
 
-impl<T: Scalar, const K: usize> Recursion<T, K> {
+impl<const K: usize> Recursion<K> {
     /// Eliminates the bound cluster `number`, stored at `clusters[place]`, and adds the remaining inertia and test wrenches to
     /// its parent. `point`: contact point in the root frame.
     #[expect(clippy::too_many_arguments, reason = "one step of `eliminate`, which owns all of these")]
     pub(super) fn eliminate_cluster(
         &mut self,
         model: &Model,
-        kinematics: &Kinematics<T>,
+        kinematics: &Kinematics,
         groups: &[GroupMobility],
         number: usize,
         place: usize,
-        point: &Vector3<T>,
-        pivoting: &mut impl Pivoting<T, K>,
+        point: &Vector3<f64>,
+        pivoting: &mut Pivoting<K>,
     ) {
         let cluster = &model.clusters[number];
         let mut elimination = std::mem::take(&mut self.clusters[place]);
-        elimination.fill_rates(model, kinematics, groups, cluster, pivoting);
+        elimination.fill_rates(model, kinematics, groups, cluster);
         elimination.fill_motions(model, kinematics, cluster, point);
         elimination.fill_blocks(self, cluster);
         pivoting.start_cluster(model, number, groups, &elimination, &self.armature);
@@ -34,7 +34,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         elimination.dropped.clear();
         elimination.open.clear();
         elimination.open.resize(elimination.d, true);
-        while let Some(pivot) = pivoting.next_pivot(place, &elimination) {
+        while let Some(pivot) = pivoting.next_pivot(&elimination) {
             elimination.eliminate(pivot);
         }
         let d = elimination.d;
@@ -52,7 +52,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
                 pivoting.propagate_sizes(b, parent);
             }
             for &y in &elimination.order {
-                let over_d = elimination.u[y] * (T::one() / elimination.factor[y * d + y]);
+                let over_d = elimination.u[y] * (1.0 / elimination.factor[y * d + y]);
                 self.inertias[parent].subtract_dyad(&over_d, &elimination.u[y]);
                 for k in 0..K {
                     self.wrenches[parent][k] -= over_d * elimination.t[y][k];
@@ -64,15 +64,14 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
     }
 }
 
-impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
+impl<const K: usize> ClusterElimination<K> {
     /// G: the constraints of each group are eliminated; coordinates outside all groups are independent.
     fn fill_rates(
         &mut self,
         model: &Model,
-        kinematics: &Kinematics<T>,
+        kinematics: &Kinematics,
         groups: &[GroupMobility],
         cluster: &Cluster,
-        pivoting: &impl Pivoting<T, K>,
     ) {
         self.rates.resize_with(cluster.groups.len(), Rates::default);
         let n = cluster.coordinates.len();
@@ -81,16 +80,18 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         self.d = n - bound + free;
         let d = self.d;
         self.g.clear();
-        self.g.resize(n * d, T::zero());
+        self.g.resize(n * d, 0.0);
         self.independent.clear();
         let mut next = 0;
         for (rates, own) in self.rates.iter_mut().zip(&cluster.groups) {
             let known = &groups[own.group];
             let count = known.independent.len();
-            let values = pivoting.rates(known).unwrap_or_else(|| {
+            let values = if known.rates.is_empty() {
                 rates.fill(model, &model.groups[own.group], kinematics, known);
                 &rates.values
-            });
+            } else {
+                &known.rates
+            };
             for (row, &c) in own.coordinates.iter().enumerate() {
                 for y in 0..count {
                     self.g[c * d + next + y] = values[row * count + y];
@@ -100,7 +101,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
             self.independent.extend(known.independent.iter().map(|&y| own.coordinates[y]));
         }
         for c in (0..n).filter(|c| !cluster.groups.iter().any(|g| g.coordinates.binary_search(c).is_ok())) {
-            self.g[c * d + next] = T::one();
+            self.g[c * d + next] = 1.0;
             self.independent.push(c);
             next += 1;
         }
@@ -111,9 +112,9 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
     fn fill_motions(
         &mut self,
         model: &Model,
-        kinematics: &Kinematics<T>,
+        kinematics: &Kinematics,
         cluster: &Cluster,
-        point: &Vector3<T>,
+        point: &Vector3<f64>,
     ) {
         let d = self.d;
         self.s.clear();
@@ -127,7 +128,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
             while let Some(v) = velocities.next_if(|v| v.body == at) {
                 let s = kinematics.column_at(model, cluster.bodies[at], v.component, point);
                 self.s.push(s);
-                let multiplier = T::from_f64(v.multiplier);
+                let multiplier = v.multiplier;
                 for y in 0..d {
                     let rate = self.g[v.coordinate * d + y] * multiplier;
                     self.psi[at * d + y] += s * rate;
@@ -137,7 +138,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
     }
 
     /// Computes D, U and t over the independent coordinates from Ψ, the articulated inertias and the test wrenches.
-    fn fill_blocks(&mut self, recursion: &Recursion<T, K>, cluster: &Cluster) {
+    fn fill_blocks(&mut self, recursion: &Recursion<K>, cluster: &Cluster) {
         let d = self.d;
         if d > LARGE_CLUSTER {
             return self.fill_large_blocks(recursion, cluster);
@@ -145,9 +146,9 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         self.u.clear();
         self.u.resize(d, Wrench::zero());
         self.t.clear();
-        self.t.resize(d, [T::zero(); K]);
+        self.t.resize(d, [0.0; K]);
         self.factor.clear();
-        self.factor.resize(d * d, T::zero());
+        self.factor.resize(d * d, 0.0);
         for (at, &b) in cluster.bodies.iter().enumerate() {
             for y in 0..d {
                 let psi = self.psi[at * d + y];
@@ -162,7 +163,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
             }
         }
         for v in &cluster.velocities {
-            let armature = recursion.armature[v.index] * T::from_f64(v.multiplier * v.multiplier);
+            let armature = recursion.armature[v.index] * v.multiplier * v.multiplier;
             for y in 0..d {
                 let weighted = armature * self.g[v.coordinate * d + y];
                 for x in 0..=y {
@@ -179,11 +180,11 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
 
     /// Alternative with the cluster's own mass matrix M: GᵀMG costs O(n²), the sums over bodies O(n d²). The terms of
     /// its sums can be negative, which costs digits if masses differ by many decades.
-    fn fill_large_blocks(&mut self, recursion: &Recursion<T, K>, cluster: &Cluster) {
+    fn fill_large_blocks(&mut self, recursion: &Recursion<K>, cluster: &Cluster) {
         let (n, d) = (cluster.coordinates.len(), self.d);
-        let mut composites: Vec<ArticulatedInertia<T>> =
+        let mut composites: Vec<ArticulatedInertia<f64>> =
             cluster.bodies.iter().map(|&b| recursion.inertias[b]).collect();
-        let mut wrenches: Vec<[Wrench<T>; K]> =
+        let mut wrenches: Vec<[Wrench<f64>; K]> =
             cluster.bodies.iter().map(|&b| recursion.wrenches[b]).collect();
         for at in (0..cluster.bodies.len()).rev() {
             if let Some(parent) = cluster.parents[at] {
@@ -197,11 +198,11 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         let mut first = vec![0; cluster.bodies.len() + 1];
         cluster.velocities.iter().for_each(|v| first[v.body + 1] += 1);
         (0..cluster.bodies.len()).for_each(|at| first[at + 1] += first[at]);
-        let mut mass = vec![T::zero(); n * n];
+        let mut mass = vec![0.0; n * n];
         let mut momenta = vec![Wrench::zero(); n];
-        let mut tests = vec![[T::zero(); K]; n];
+        let mut tests = vec![[0.0; K]; n];
         for (i, v) in cluster.velocities.iter().enumerate() {
-            let multiplier = T::from_f64(v.multiplier);
+            let multiplier = v.multiplier;
             let momentum = composites[v.body].apply(&self.s[i]) * multiplier;
             momenta[v.coordinate] += momentum;
             for (test, f) in tests[v.coordinate].iter_mut().zip(&wrenches[v.body]) {
@@ -214,7 +215,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
             while let Some(body) = at {
                 for l in first[body]..end {
                     let other = &cluster.velocities[l];
-                    let entry = momentum.power(&self.s[l]) * T::from_f64(other.multiplier);
+                    let entry = momentum.power(&self.s[l]) * other.multiplier;
                     mass[other.coordinate * n + v.coordinate] += entry;
                     if l != i {
                         mass[v.coordinate * n + other.coordinate] += entry;
@@ -229,13 +230,13 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
     }
 
     /// D = GᵀMG, U and t from the same quantities over all coordinates; most rows of G are unit vectors.
-    fn reduce(&mut self, n: usize, mass: &[T], momenta: &[Wrench<T>], tests: &[[T; K]]) {
+    fn reduce(&mut self, n: usize, mass: &[f64], momenta: &[Wrench<f64>], tests: &[[f64; K]]) {
         let d = self.d;
         let mut is_independent = vec![false; n];
         self.independent.iter().for_each(|c| is_independent[*c] = true);
         let dependent: Vec<usize> = (0..n).filter(|c| !is_independent[*c]).collect();
         // M G, n × d.
-        let mut product = vec![T::zero(); n * d];
+        let mut product = vec![0.0; n * d];
         for row in 0..n {
             for (y, &c) in self.independent.iter().enumerate() {
                 product[row * d + y] = mass[row * n + c];
@@ -248,7 +249,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
             }
         }
         self.factor.clear();
-        self.factor.resize(d * d, T::zero());
+        self.factor.resize(d * d, 0.0);
         self.u.clear();
         self.t.clear();
         for (x, &c) in self.independent.iter().enumerate() {
@@ -275,7 +276,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         let d = self.d;
         self.order.push(pivot);
         self.open[pivot] = false;
-        let over = T::one() / self.factor[pivot * d + pivot];
+        let over = 1.0 / self.factor[pivot * d + pivot];
         for y in 0..d {
             if !self.open[y] {
                 continue;
@@ -298,21 +299,21 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         }
     }
 
-    pub fn response(&self, a: usize, b: usize) -> T {
+    pub fn response(&self, a: usize, b: usize) -> f64 {
         let part = |y: &usize| self.t[*y][a] * self.t[*y][b] / self.factor[y * self.d + y];
-        self.order.iter().fold(T::zero(), |sum, y| sum + part(y))
+        self.order.iter().fold(0.0, |sum, y| sum + part(y))
     }
 
     /// Adds tᵀ D⁻¹ t for wrenches on the bodies and forces on the coordinates; returns the wrench passed to the parent.
     pub fn propagate_wrench(
         &self,
         cluster: &Cluster,
-        wrenches: &[Wrench<T>],
-        forces: &[T],
-        sum: &mut T,
-    ) -> Wrench<T> {
+        wrenches: &[Wrench<f64>],
+        forces: &[f64],
+        sum: &mut f64,
+    ) -> Wrench<f64> {
         let d = self.d;
-        let mut t = vec![T::zero(); d];
+        let mut t = vec![0.0; d];
         let mut passed = Wrench::zero();
         for (at, &b) in cluster.bodies.iter().enumerate() {
             passed += wrenches[b];
@@ -337,19 +338,19 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
     /// `loaded`. Dropped coordinates have the rate 0, except coordinate `free` with the rate 1. Overwrites `u`.
     pub fn fill_independent_rates(
         &self,
-        twist: &Twist<T>,
+        twist: &Twist<f64>,
         loaded: bool,
         free: Option<usize>,
-        u: &mut Vec<T>,
+        u: &mut Vec<f64>,
     ) {
         let d = self.d;
         u.clear();
-        u.resize(d, T::zero());
+        u.resize(d, 0.0);
         if let Some(y) = free {
-            u[y] = T::one();
+            u[y] = 1.0;
         }
         for (i, &y) in self.order.iter().enumerate().rev() {
-            let own = if loaded { self.t[y][0] } else { T::zero() };
+            let own = if loaded { self.t[y][0] } else { 0.0 };
             let mut rate = (own - self.u[y].power(twist)) / self.factor[y * d + y];
             let later = self.order[i + 1..].iter().chain(&self.dropped);
             for &x in later {
@@ -360,12 +361,12 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
     }
 
     /// Velocities and twists of the cluster; with `free`, those of a massless motion instead of the response.
-    pub fn velocities(&self, cluster: &Cluster, motion: &mut RecursionMotion<T>, free: Option<usize>) {
+    pub fn velocities(&self, cluster: &Cluster, motion: &mut RecursionMotion, free: Option<usize>) {
         self.distribute_velocities(cluster, motion, free.is_none(), free);
     }
 
     /// Velocities and twists without a load: the cluster follows its parent.
-    pub fn follow_parent(&self, cluster: &Cluster, motion: &mut RecursionMotion<T>) {
+    pub fn follow_parent(&self, cluster: &Cluster, motion: &mut RecursionMotion) {
         self.distribute_velocities(cluster, motion, false, None);
     }
 
@@ -374,7 +375,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
     fn distribute_velocities(
         &self,
         cluster: &Cluster,
-        motion: &mut RecursionMotion<T>,
+        motion: &mut RecursionMotion,
         loaded: bool,
         free: Option<usize>,
     ) {
@@ -384,8 +385,8 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         let d = self.d;
         for v in &cluster.velocities {
             let row = &self.g[v.coordinate * d..(v.coordinate + 1) * d];
-            let rate = row.iter().zip(&*rates).fold(T::zero(), |sum, (g, u)| sum + *g * *u);
-            velocities[v.index] = rate * T::from_f64(v.multiplier);
+            let rate = row.iter().zip(&*rates).fold(0.0, |sum, (g, u)| sum + *g * *u);
+            velocities[v.index] = rate * v.multiplier;
         }
         for (at, &b) in cluster.bodies.iter().enumerate() {
             let mut twist = parent_twist;
@@ -397,7 +398,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
     }
 }
 
-impl<const K: usize> ClusterElimination<f64, K> {
+impl<const K: usize> ClusterElimination<K> {
     /// Part of [`Recursion::for_each_pivot`] for this cluster. For a dropped coordinate the motion has, in each part, the
     /// largest magnitude over the bodies, since only its size is used; for a pivot the motion is zero.
     pub fn for_each_pivot(&self, take: &mut impl FnMut(&[f64; K], Option<f64>, &Twist<f64>) -> bool) -> bool {

@@ -2,24 +2,24 @@
 
 use crate::mobility::Rates;
 use crate::model::Model;
-use percuss_spatial::{Scalar, Twist, Wrench};
+use percuss_spatial::{Twist, Wrench};
 
 /// Workspace for the motion computed from the recursion; refilled in place.
 #[derive(Clone, Debug)]
-pub(crate) struct RecursionMotion<T: Scalar> {
+pub(crate) struct RecursionMotion {
     /// Velocities of the tree.
-    pub velocities: Vec<T>,
+    pub velocities: Vec<f64>,
     /// Twists of the bodies, root axes at the contact point.
-    pub twists: Vec<Twist<T>>,
+    pub twists: Vec<Twist<f64>>,
     /// Rates of the independent coordinates of the current cluster.
-    pub(super) rates: Vec<T>,
+    pub(super) rates: Vec<f64>,
 }
 
-impl<T: Scalar> RecursionMotion<T> {
+impl RecursionMotion {
     /// Zero motion, with buffers of the size of the model.
     pub fn new(model: &Model) -> Self {
         Self {
-            velocities: vec![T::zero(); model.velocity_coordinates.len()],
+            velocities: vec![0.0; model.velocity_coordinates.len()],
             twists: vec![Twist::zero(); model.bodies.len()],
             rates: Vec::new(),
         }
@@ -28,44 +28,44 @@ impl<T: Scalar> RecursionMotion<T> {
 
 /// Stored elimination of one velocity.
 #[derive(Clone, Debug)]
-pub(crate) struct JointElimination<T: Scalar, const K: usize> {
+pub(crate) struct JointElimination<const K: usize> {
     /// Motion column in root axes at the contact point.
-    pub s: Twist<T>,
+    pub s: Twist<f64>,
     /// U = Iᴬ s.
-    pub u: Wrench<T>,
+    pub u: Wrench<f64>,
     /// D = sᵀ Iᴬ s + armature.
-    pub d: T,
+    pub d: f64,
     /// sᵀ f for every test wrench.
-    pub t: [T; K],
+    pub t: [f64; K],
     /// True if the pivot counts; otherwise the motion is massless.
     pub counts: bool,
 }
 
-impl<T: Scalar, const K: usize> JointElimination<T, K> {
+impl<const K: usize> JointElimination<K> {
     pub fn zero() -> Self {
-        Self { s: Twist::zero(), u: Wrench::zero(), d: T::zero(), t: [T::zero(); K], counts: false }
+        Self { s: Twist::zero(), u: Wrench::zero(), d: 0.0, t: [0.0; K], counts: false }
     }
 }
 
 /// Stored elimination of one bound cluster; `d` is the number of its independent coordinates.
-#[derive(Clone, Debug)]
-pub(crate) struct ClusterElimination<T: Scalar, const K: usize> {
-    pub(super) rates: Vec<Rates<T>>,
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ClusterElimination<const K: usize> {
+    pub(super) rates: Vec<Rates>,
     /// G, coordinates × d, row by row: rates of the cluster's coordinates per rate of the independent ones.
-    pub g: Vec<T>,
+    pub g: Vec<f64>,
     pub d: usize,
     /// For each independent coordinate, its index into the cluster's.
     pub independent: Vec<usize>,
     /// Motion columns of the cluster's velocities, root axes at the contact point.
-    pub s: Vec<Twist<T>>,
+    pub s: Vec<Twist<f64>>,
     /// Ψ, bodies × d.
-    pub psi: Vec<Twist<T>>,
+    pub psi: Vec<Twist<f64>>,
     /// U, reduced by the elimination; d wrenches.
-    pub u: Vec<Wrench<T>>,
+    pub u: Vec<Wrench<f64>>,
     /// D, d × d: factors of the elimination below the diagonal, pivots on the diagonal.
-    pub factor: Vec<T>,
+    pub factor: Vec<f64>,
     /// t, reduced by the elimination.
-    pub t: Vec<[T; K]>,
+    pub t: Vec<[f64; K]>,
     /// Pivots that count, in the order of elimination.
     pub order: Vec<usize>,
     /// Dropped pivots: massless motions.
@@ -74,39 +74,20 @@ pub(crate) struct ClusterElimination<T: Scalar, const K: usize> {
     pub open: Vec<bool>,
 }
 
-impl<T: Scalar, const K: usize> Default for ClusterElimination<T, K> {
-    fn default() -> Self {
-        Self {
-            rates: Vec::new(),
-            g: Vec::new(),
-            d: 0,
-            independent: Vec::new(),
-            s: Vec::new(),
-            psi: Vec::new(),
-            u: Vec::new(),
-            factor: Vec::new(),
-            t: Vec::new(),
-            order: Vec::new(),
-            dropped: Vec::new(),
-            open: Vec::new(),
-        }
-    }
-}
-
-impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
+impl<const K: usize> ClusterElimination<K> {
     /// Number of stored numbers.
     pub fn stored_count(&self) -> usize {
         self.g.capacity() + 6 * (self.s.capacity() + self.psi.capacity()) + 2 * self.factor.capacity()
     }
 }
 
-impl<const K: usize> JointElimination<f64, K> {
+impl<const K: usize> JointElimination<K> {
     pub fn is_positive(&self) -> bool {
         self.counts && self.d > 0.0
     }
 }
 
-impl<const K: usize> ClusterElimination<f64, K> {
+impl<const K: usize> ClusterElimination<K> {
     /// True if all pivots count and none is negative.
     pub fn is_positive(&self) -> bool {
         self.dropped.is_empty() && self.order.iter().all(|y| self.factor[y * self.d + y] > 0.0)

@@ -7,40 +7,40 @@ use super::pivoting::Pivoting;
 use crate::kinematics::frames::Kinematics;
 use crate::model::Model;
 use nalgebra::Vector3;
-use percuss_spatial::{Scalar, Twist};
+use percuss_spatial::Twist;
 
 /// Motion column of a joint at the contact point. The columns of a floating base span all twists, so unit twists at the
 /// contact point replace them and the distance of the base does not enter.
 #[inline]
-fn base_or_joint_column<T: Scalar>(
+fn base_or_joint_column(
     model: &Model,
-    kinematics: &Kinematics<T>,
+    kinematics: &Kinematics,
     i: usize,
     k: usize,
-    point: &Vector3<T>,
-) -> Twist<T> {
+    point: &Vector3<f64>,
+) -> Twist<f64> {
     if model.bodies[i].joint.is_some() {
         return kinematics.column_at(model, i, k, point);
     }
     let mut unit = Twist::zero();
     if k < 3 {
-        unit.angular[k] = T::one();
+        unit.angular[k] = 1.0;
     } else {
-        unit.linear[k - 3] = T::one();
+        unit.linear[k - 3] = 1.0;
     }
     unit
 }
 
-impl<T: Scalar, const K: usize> Recursion<T, K> {
+impl<const K: usize> Recursion<K> {
     /// U = Iᴬ s, D = sᵀU + armature, t = sᵀf; then Iᴬ ← Iᴬ − U D⁻¹ Uᵀ, f ← f − U D⁻¹ t, and both to the parent.
     #[inline]
     pub(super) fn eliminate_joint(
         &mut self,
         model: &Model,
-        kinematics: &Kinematics<T>,
+        kinematics: &Kinematics,
         i: usize,
-        point: &Vector3<T>,
-        pivoting: &mut impl Pivoting<T, K>,
+        point: &Vector3<f64>,
+        pivoting: &mut Pivoting<K>,
     ) {
         let body = &model.bodies[i];
         let (first, dofs) = (body.v.start, body.v.len());
@@ -58,7 +58,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
                 let d = u.power(&s) + self.armature[v];
                 let t = self.wrenches[i].map(|f| f.power(&s));
                 let step = JointElimination { s, u, d, t, counts: true };
-                if pivoting.eliminates_next(i, v, done, candidate, dofs, &step) {
+                if pivoting.eliminates_next(i, candidate, dofs, &step) {
                     chosen = Some((candidate, step));
                     break;
                 }
@@ -69,7 +69,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
             let v = self.order[first + done];
             step.counts = pivoting.counts_pivot(i, v, &step, &self.inertias[i]);
             if step.counts {
-                let over_d = step.u * (T::one() / step.d);
+                let over_d = step.u * (1.0 / step.d);
                 for (f, t) in self.wrenches[i].iter_mut().zip(step.t) {
                     *f -= over_d * t;
                 }
@@ -95,16 +95,16 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         model: &Model,
         i: usize,
         loaded: bool,
-        motion: &mut RecursionMotion<T>,
+        motion: &mut RecursionMotion,
     ) {
         let RecursionMotion { velocities, twists, .. } = motion;
         let body = &model.bodies[i];
         let mut twist = body.parent.map_or_else(Twist::zero, |p| twists[p]);
         for &v in self.order[body.v.clone()].iter().rev() {
             let e = &self.joints[v];
-            velocities[v] = T::zero();
+            velocities[v] = 0.0;
             if e.counts {
-                let load = if loaded { e.t[0] } else { T::zero() };
+                let load = if loaded { e.t[0] } else { 0.0 };
                 velocities[v] = (load - e.u.power(&twist)) / e.d;
                 twist += e.s * velocities[v];
             }

@@ -20,53 +20,52 @@ pub(crate) mod closing_speed;
 mod cluster;
 mod elimination;
 mod joint;
-mod loss;
 mod pivoting;
 
 pub(crate) use elimination::{ClusterElimination, JointElimination, RecursionMotion};
-pub(crate) use pivoting::{DecidingPivoting, Decisions, FreeMotion, Pivoting, RepeatedPivoting};
+pub(crate) use pivoting::{FreeMotion, Pivoting};
 
 use crate::kinematics::frames::Kinematics;
 use crate::mobility::GroupMobility;
 use crate::model::Model;
 use nalgebra::Vector3;
-use percuss_spatial::{ArticulatedInertia, Scalar, SpatialInertia, Transform, Twist, Wrench};
+use percuss_spatial::{ArticulatedInertia, SpatialInertia, Transform, Twist, Wrench};
 
 /// Workspace of the recursion with `K` simultaneous test wrenches; refilled in place.
 #[derive(Clone, Debug)]
-pub(crate) struct Recursion<T: Scalar, const K: usize> {
+pub(crate) struct Recursion<const K: usize> {
     /// Rigid inertia of every body, about its own origin in its own axes.
-    pub bodies: Vec<SpatialInertia<T>>,
+    pub bodies: Vec<SpatialInertia<f64>>,
     /// Armature of every tree velocity.
-    pub armature: Vec<T>,
+    pub armature: Vec<f64>,
     /// Articulated inertia of every body; in a bound cluster before the elimination of the body's own joint.
-    pub inertias: Vec<ArticulatedInertia<T>>,
+    pub inertias: Vec<ArticulatedInertia<f64>>,
     /// Test wrenches on every body, with the contributions of its children.
-    pub wrenches: Vec<[Wrench<T>; K]>,
+    pub wrenches: Vec<[Wrench<f64>; K]>,
     /// Elimination of every tree velocity of a plain joint.
-    pub joints: Vec<JointElimination<T, K>>,
+    pub joints: Vec<JointElimination<K>>,
     /// Tree velocities of every body, in the order of their elimination.
     pub order: Vec<usize>,
     /// Elimination of every bound cluster.
-    pub clusters: Vec<ClusterElimination<T, K>>,
+    pub clusters: Vec<ClusterElimination<K>>,
     /// Index in `clusters` for every cluster; `None` if the cluster is a plain joint.
     pub cluster_index: Vec<Option<usize>>,
 }
 
-impl<T: Scalar, const K: usize> Recursion<T, K> {
+impl<const K: usize> Recursion<K> {
     /// Workspace for a model; without test wrenches.
     pub fn new(model: &Model) -> Self {
         let bodies = model.bodies.len();
-        let mut armature = vec![T::zero(); model.velocity_coordinates.len()];
+        let mut armature = vec![0.0; model.velocity_coordinates.len()];
         for body in &model.bodies {
             for (v, a) in body.v.clone().zip(&body.armature) {
-                armature[v] = T::from_f64(*a);
+                armature[v] = *a;
             }
         }
         let mut bound = 0;
         let place = model.clusters.iter().map(|c| c.is_bound.then(|| (bound, bound += 1).0)).collect();
         Self {
-            bodies: model.bodies.iter().map(|b| b.inertia.cast()).collect(),
+            bodies: model.bodies.iter().map(|b| b.inertia).collect(),
             armature,
             inertias: vec![ArticulatedInertia::zero(); bodies],
             wrenches: vec![[Wrench::zero(); K]; bodies],
@@ -84,7 +83,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
 
     /// Adds a wrench (root axes, about the contact point) on a body to a test wrench. A wrench on the ground has no
     /// effect.
-    pub fn add_wrench(&mut self, body: Option<usize>, test: usize, wrench: Wrench<T>) {
+    pub fn add_wrench(&mut self, body: Option<usize>, test: usize, wrench: Wrench<f64>) {
         if let Some(body) = body {
             self.wrenches[body][test] += wrench;
         }
@@ -94,10 +93,10 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
     pub fn eliminate(
         &mut self,
         model: &Model,
-        kinematics: &Kinematics<T>,
+        kinematics: &Kinematics,
         groups: &[GroupMobility],
-        point: &Vector3<T>,
-        pivoting: &mut impl Pivoting<T, K>,
+        point: &Vector3<f64>,
+        pivoting: &mut Pivoting<K>,
     ) {
         for (i, frame) in kinematics.frames.iter().enumerate() {
             let x = Transform::new(frame.rotation, frame.translation - point);
@@ -116,17 +115,17 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
 
     /// Σ tₐᵀ D⁻¹ t_b over all clusters: entry (a, b) of Φ for the test wrenches; 1/m̄ for a unit wrench along the
     /// normal.
-    pub fn response(&self, a: usize, b: usize) -> T {
+    pub fn response(&self, a: usize, b: usize) -> f64 {
         let joints = self.joints.iter().filter(|e| e.counts);
-        let sum = joints.fold(T::zero(), |sum, e| sum + e.t[a] * e.t[b] / e.d);
+        let sum = joints.fold(0.0, |sum, e| sum + e.t[a] * e.t[b] / e.d);
         self.clusters.iter().fold(sum, |sum, cluster| sum + cluster.response(a, b))
     }
 
     /// θᵀKθ for forces θ on the tree velocities of plain joints and on the coordinates of bound clusters. K is the
     /// response of the velocities to forces, again as tᵀ D⁻¹ t.
-    pub fn compliance(&self, model: &Model, joints: &[T], clusters: &[Vec<T>]) -> T {
+    pub fn compliance(&self, model: &Model, joints: &[f64], clusters: &[Vec<f64>]) -> f64 {
         let mut wrenches = vec![Wrench::zero(); model.bodies.len()];
-        let mut sum = T::zero();
+        let mut sum = 0.0;
         for (number, cluster) in model.clusters.iter().enumerate() {
             let passed = match self.cluster_index[number] {
                 None => {
@@ -153,7 +152,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
 
     /// Velocities of the tree and twists of the bodies (root axes, at the contact point) after a unit impulse of test
     /// wrench 0: M⁻¹ jᵀ. Computed from the root to the tips.
-    pub fn velocities(&self, model: &Model, point: &Vector3<T>, motion: &mut RecursionMotion<T>) {
+    pub fn velocities(&self, model: &Model, point: &Vector3<f64>, motion: &mut RecursionMotion) {
         for (number, cluster) in model.clusters.iter().enumerate().rev() {
             match self.cluster_index[number] {
                 None => self.joint_velocities(model, cluster.bodies[0], true, motion),
@@ -165,7 +164,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
 
     /// Sets the velocities of a floating base without constraints: the twist of the base, transferred from the contact point
     /// (`point`) to the origin of the root.
-    fn base_velocities(&self, model: &Model, point: &Vector3<T>, motion: &mut RecursionMotion<T>) {
+    fn base_velocities(&self, model: &Model, point: &Vector3<f64>, motion: &mut RecursionMotion) {
         let RecursionMotion { velocities, twists, .. } = motion;
         let Some(body) = model.bodies.first().filter(|b| b.joint.is_none()) else { return };
         if self.cluster_index[model.cluster_of[0]].is_none() {
@@ -177,13 +176,13 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
 
     /// Velocities of the tree in a massless motion: ancestors are at rest, and the subtree follows without
     /// energy.
-    pub fn massless_velocities(&self, model: &Model, point: &Vector3<T>, free: FreeMotion) -> Vec<T> {
+    pub fn massless_velocities(&self, model: &Model, point: &Vector3<f64>, free: FreeMotion) -> Vec<f64> {
         let mut motion = RecursionMotion::new(model);
         let number = match free {
             FreeMotion::Joint(body, v) => {
                 let RecursionMotion { velocities, twists, .. } = &mut motion;
                 // Velocities of the same joint that were eliminated earlier follow.
-                velocities[v] = T::one();
+                velocities[v] = 1.0;
                 let mut twist = self.joints[v].s;
                 let order = &self.order[model.bodies[body].v.clone()];
                 for &earlier in order.iter().take_while(|o| **o != v).collect::<Vec<_>>().into_iter().rev() {
@@ -220,7 +219,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
     }
 }
 
-impl<const K: usize> Recursion<f64, K> {
+impl<const K: usize> Recursion<K> {
     /// Calls `take` for every pivot with the test wrenches along its motion, the pivot (`None` if it does not count),
     /// and the motion. Stops and returns false as soon as `take` returns false.
     pub fn for_each_pivot(&self, mut take: impl FnMut(&[f64; K], Option<f64>, &Twist<f64>) -> bool) -> bool {

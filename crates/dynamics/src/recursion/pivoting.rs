@@ -1,5 +1,4 @@
-//! Selection of pivots. The scalar path decides at every pose, by the size of the terms of each pivot; duals and lanes
-//! repeat its decisions.
+//! Selection of pivots at every pose, by the size of the terms of each pivot.
 
 use super::elimination::{ClusterElimination, JointElimination};
 use crate::mobility::GroupMobility;
@@ -7,52 +6,7 @@ use crate::model::{Body, Model};
 use crate::tolerances::{
     LATE_PIVOT, MASSLESS_CLOSING, NEGATIVE_PIVOT, PIVOT, PIVOT_SQUARED, RESOLVED, ROUTE_ROUNDINGS,
 };
-use percuss_spatial::{ArticulatedInertia, Scalar, Transform, Twist, Wrench};
-
-/// Decides, or repeats from a record, the order of elimination and which pivots count as zero.
-pub(crate) trait Pivoting<T: Scalar, const K: usize> {
-    /// Starts a body with its frame (root axes, at the contact point), its own rigid inertia and test wrenches.
-    fn start_body(&mut self, body: usize, x: &Transform<T>, wrenches: &[Wrench<T>; K]);
-    /// True if a velocity of a plain joint is eliminated next: candidate number `candidate`, with `done` of `dofs`
-    /// eliminated.
-    fn eliminates_next(
-        &mut self,
-        body: usize,
-        velocity: usize,
-        done: usize,
-        candidate: usize,
-        dofs: usize,
-        step: &JointElimination<T, K>,
-    ) -> bool;
-    /// True if the pivot of a plain joint's velocity counts, for this articulated inertia.
-    fn counts_pivot(
-        &mut self,
-        body: usize,
-        velocity: usize,
-        step: &JointElimination<T, K>,
-        inertia: &ArticulatedInertia<T>,
-    ) -> bool;
-    /// G of a group if known; otherwise G follows from the group's pivots.
-    fn rates<'a>(&self, known: &'a GroupMobility) -> Option<&'a [T]>;
-    /// Called when the blocks of a cluster are formed.
-    fn start_cluster(
-        &mut self,
-        model: &Model,
-        number: usize,
-        groups: &[GroupMobility],
-        cluster: &ClusterElimination<T, K>,
-        armature: &[T],
-    );
-    /// Independent coordinate to eliminate next in the bound cluster `place`; `None` if the remaining motions are massless.
-    fn next_pivot(&mut self, place: usize, cluster: &ClusterElimination<T, K>) -> Option<usize>;
-    /// Records the dropped (massless) coordinates of the bound cluster `place` after its last pivot: whether they close the
-    /// gap, and whether their remaining pivot is negative beyond rounding.
-    fn record_dropped(&mut self, place: usize, cluster: &ClusterElimination<T, K>);
-    /// Adds the sizes of a body's articulated inertia and test wrenches to another body's.
-    fn propagate_sizes(&mut self, from: usize, to: usize);
-    /// Records the change of the parent's wrench by a pivot of a cluster.
-    fn propagate_wrench_change(&mut self, to: usize, cluster: &ClusterElimination<T, K>, pivot: usize);
-}
+use percuss_spatial::{ArticulatedInertia, Transform, Twist, Wrench};
 
 /// Massless motion: a pivot that does not count.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,26 +17,13 @@ pub(crate) enum FreeMotion {
     Cluster(usize, usize),
 }
 
-/// Recorded decisions, repeated for another scalar type.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Decisions {
-    /// For every tree velocity of a plain joint: true if its pivot counts, and its position in the order of
-    /// elimination.
-    joints: Vec<bool>,
-    position: Vec<usize>,
-    /// Pivots of every bound cluster, in order.
-    clusters: Vec<Vec<usize>>,
-}
-
-/// Decisions in f64.
+/// Decides the order of elimination, and which pivots count as zero, by the size of the terms of each pivot.
 #[derive(Clone, Debug)]
-pub(crate) struct DecidingPivoting<const K: usize> {
+pub(crate) struct Pivoting<const K: usize> {
     /// Size of the terms of every body's articulated inertia: moment (kg·m²) and mass (kg).
     inertia: Vec<(f64, f64)>,
     /// Sizes of every body's own inertia: trace of the rotational inertia, first moment, mass.
     own: Vec<(f64, f64, f64)>,
-    /// Number of eliminated velocities of every body.
-    eliminated: Vec<usize>,
     /// Distance of every body's origin from the contact point, m.
     arm: Vec<f64>,
     /// Sizes of the current motion column.
@@ -128,14 +69,12 @@ pub(crate) struct DecidingPivoting<const K: usize> {
     /// True if a massless motion of a plain joint closes the gap beyond rounding, but by less than
     /// [`MASSLESS_CLOSING`]: the true m̄ can be any value below the result.
     pub closes_faintly: bool,
-    pub decisions: Decisions,
 }
 
-impl<const K: usize> DecidingPivoting<K> {
+impl<const K: usize> Pivoting<K> {
     /// State before the first body, with buffers of the size of the model.
     pub fn new(model: &Model) -> Self {
         let bodies = model.bodies.len();
-        let bound = model.clusters.iter().filter(|c| c.is_bound).count();
         let own = |body: &Body| {
             let inertia = &body.inertia;
             (inertia.rotational.trace().abs(), inertia.first_moment.norm(), inertia.mass.abs())
@@ -145,7 +84,6 @@ impl<const K: usize> DecidingPivoting<K> {
             inertia: vec![(0.0, 0.0); bodies],
             arm: vec![0.0; bodies],
             step_size: (0.0, 0.0),
-            eliminated: vec![0; bodies],
             wrench: vec![[(0.0, 0.0); K]; bodies],
             pivot_size: Vec::new(),
             pivot_zero: Vec::new(),
@@ -165,11 +103,6 @@ impl<const K: usize> DecidingPivoting<K> {
             cluster_loss: ROUTE_ROUNDINGS,
             couples_to_parent: false,
             closes_faintly: false,
-            decisions: Decisions {
-                joints: vec![false; model.velocity_coordinates.len()],
-                position: vec![0; model.velocity_coordinates.len()],
-                clusters: vec![Vec::new(); bound],
-            },
         }
     }
 
@@ -185,7 +118,6 @@ impl<const K: usize> DecidingPivoting<K> {
         self.roundings = 0.0;
         self.couples_to_parent = false;
         self.closes_faintly = false;
-        self.decisions.clusters.iter_mut().for_each(Vec::clear);
     }
 
     /// Sizes of a motion column. The terms of its lever at the contact point are as large as the arm.
@@ -220,17 +152,15 @@ impl<const K: usize> DecidingPivoting<K> {
             next += 1;
         }
     }
-}
 
-impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
+    /// Starts a body with its frame (root axes, at the contact point), its own rigid inertia and test wrenches.
     #[inline]
-    fn start_body(&mut self, body: usize, x: &Transform<f64>, wrenches: &[Wrench<f64>; K]) {
+    pub(super) fn start_body(&mut self, body: usize, x: &Transform<f64>, wrenches: &[Wrench<f64>; K]) {
         // Terms of the inertia about the contact point, which may cancel there.
         let arm = x.translation.norm();
         let (trace, first, mass) = self.own[body];
         self.arm[body] = arm;
         self.loss[body] = ROUTE_ROUNDINGS;
-        self.eliminated[body] = 0;
         self.inertia[body] = (trace + 2.0 * arm * (2.0 * first + arm * mass), mass);
         let size = |f: &Wrench<f64>| {
             if *f == Wrench::zero() { (0.0, 0.0) } else { (f.moment.norm(), f.force.norm()) }
@@ -238,15 +168,14 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
         self.wrench[body] = wrenches.each_ref().map(size);
     }
 
+    /// True if a velocity of a plain joint is eliminated next: candidate number `candidate` of `dofs`.
     #[inline]
-    fn eliminates_next(
+    pub(super) fn eliminates_next(
         &mut self,
         body: usize,
-        _: usize,
-        _: usize,
         candidate: usize,
         dofs: usize,
-        step: &JointElimination<f64, K>,
+        step: &JointElimination<K>,
     ) -> bool {
         self.step_size = self.sizes(body, &step.s);
         if dofs == 1 {
@@ -259,12 +188,13 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
         part >= LATE_PIVOT || candidate + 1 == dofs
     }
 
+    /// True if the pivot of a plain joint's velocity counts, for this articulated inertia.
     #[inline]
-    fn counts_pivot(
+    pub(super) fn counts_pivot(
         &mut self,
         body: usize,
         velocity: usize,
-        step: &JointElimination<f64, K>,
+        step: &JointElimination<K>,
         inertia: &ArticulatedInertia<f64>,
     ) -> bool {
         let (turn, slide) = self.step_size;
@@ -314,22 +244,16 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
         }
         self.indefinite |= step.d < -NEGATIVE_PIVOT * size;
         self.dropped += usize::from(!counts);
-        self.decisions.joints[velocity] = counts;
-        self.decisions.position[velocity] = self.eliminated[body];
-        self.eliminated[body] += 1;
         counts
     }
 
-    fn rates<'a>(&self, known: &'a GroupMobility) -> Option<&'a [f64]> {
-        (!known.rates.is_empty()).then_some(&known.rates)
-    }
-
-    fn start_cluster(
+    /// Called when the blocks of a cluster are formed.
+    pub(super) fn start_cluster(
         &mut self,
         model: &Model,
         number: usize,
         groups: &[GroupMobility],
-        elimination: &ClusterElimination<f64, K>,
+        elimination: &ClusterElimination<K>,
         armature: &[f64],
     ) {
         let (cluster, d) = (&model.clusters[number], elimination.d);
@@ -377,7 +301,8 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
         }
     }
 
-    fn next_pivot(&mut self, place: usize, elimination: &ClusterElimination<f64, K>) -> Option<usize> {
+    /// Independent coordinate to eliminate next in the bound cluster `place`; `None` if the remaining motions are massless.
+    pub(super) fn next_pivot(&mut self, elimination: &ClusterElimination<K>) -> Option<usize> {
         let d = elimination.d;
         if elimination.order.is_empty() {
             self.pivot_zero
@@ -396,12 +321,13 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
             self.cluster_loss = self.cluster_loss.max(self.pivot_size[pivot] / left(pivot));
             self.terms += terms;
             self.roundings += self.cluster_loss * terms;
-            self.decisions.clusters[place].push(pivot);
         }
         pivot
     }
 
-    fn record_dropped(&mut self, place: usize, elimination: &ClusterElimination<f64, K>) {
+    /// Records the dropped (massless) coordinates of the bound cluster `place` after its last pivot: whether they close the
+    /// gap, and whether their remaining pivot is negative beyond rounding.
+    pub(super) fn record_dropped(&mut self, place: usize, elimination: &ClusterElimination<K>) {
         for &y in &elimination.dropped {
             self.indefinite |= elimination.factor[y * elimination.d + y]
                 < -NEGATIVE_PIVOT * self.pivot_size[y] - self.pivot_zero[y];
@@ -425,7 +351,8 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
         self.dropped += elimination.dropped.len();
     }
 
-    fn propagate_sizes(&mut self, from: usize, to: usize) {
+    /// Adds the sizes of a body's articulated inertia and test wrenches to another body's.
+    pub(super) fn propagate_sizes(&mut self, from: usize, to: usize) {
         let (moment, mass) = self.inertia[from];
         self.inertia[to].0 += moment;
         self.inertia[to].1 += mass;
@@ -437,7 +364,13 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
         }
     }
 
-    fn propagate_wrench_change(&mut self, to: usize, elimination: &ClusterElimination<f64, K>, pivot: usize) {
+    /// Records the change of the parent's wrench by a pivot of a cluster.
+    pub(super) fn propagate_wrench_change(
+        &mut self,
+        to: usize,
+        elimination: &ClusterElimination<K>,
+        pivot: usize,
+    ) {
         self.loss[to] = self.loss[to].max(self.cluster_loss);
         let d = elimination.factor[pivot * elimination.d + pivot];
         for k in 0..K {
@@ -446,57 +379,4 @@ impl<const K: usize> Pivoting<f64, K> for DecidingPivoting<K> {
             self.wrench[to][k].1 += elimination.u[pivot].force.norm() * part;
         }
     }
-}
-
-/// Repeats decisions made in f64, without a branch on a value.
-pub(crate) struct RepeatedPivoting<'a>(pub &'a Decisions);
-
-impl<T: Scalar, const K: usize> Pivoting<T, K> for RepeatedPivoting<'_> {
-    fn start_body(&mut self, _: usize, _: &Transform<T>, _: &[Wrench<T>; K]) {}
-
-    fn eliminates_next(
-        &mut self,
-        _: usize,
-        velocity: usize,
-        done: usize,
-        _: usize,
-        _: usize,
-        _: &JointElimination<T, K>,
-    ) -> bool {
-        self.0.position[velocity] == done
-    }
-
-    fn counts_pivot(
-        &mut self,
-        _: usize,
-        velocity: usize,
-        _: &JointElimination<T, K>,
-        _: &ArticulatedInertia<T>,
-    ) -> bool {
-        self.0.joints[velocity]
-    }
-
-    fn rates<'a>(&self, _: &'a GroupMobility) -> Option<&'a [T]> {
-        None
-    }
-
-    fn start_cluster(
-        &mut self,
-        _: &Model,
-        _: usize,
-        _: &[GroupMobility],
-        _: &ClusterElimination<T, K>,
-        _: &[T],
-    ) {
-    }
-
-    fn next_pivot(&mut self, place: usize, cluster: &ClusterElimination<T, K>) -> Option<usize> {
-        self.0.clusters[place].get(cluster.order.len()).copied()
-    }
-
-    fn record_dropped(&mut self, _: usize, _: &ClusterElimination<T, K>) {}
-
-    fn propagate_sizes(&mut self, _: usize, _: usize) {}
-
-    fn propagate_wrench_change(&mut self, _: usize, _: &ClusterElimination<T, K>, _: usize) {}
 }

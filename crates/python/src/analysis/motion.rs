@@ -9,11 +9,7 @@ use crate::conversion::errors::{self, input};
 use numpy::PyArray1;
 use percuss::nalgebra::{Matrix3, Vector3};
 use percuss::spatial::Twist;
-use percuss::spatial::dual::Dual64;
-use percuss::{
-    Accelerations as Found, EffectiveMass, JointId, Mechanism, PointForce, ResponseError, RouteError,
-    Travel as Moved,
-};
+use percuss::{Accelerations as Found, JointId, MassGradient, Mechanism, PointForce, Travel as Moved};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::sync::Arc;
@@ -203,25 +199,20 @@ pub fn effective_mass_rate(
     contact: &Contact,
     given: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Option<f64>> {
-    let mechanism = &pose.model.read.mechanism;
-    let contact = contact.resolve(mechanism)?;
-    let velocities = velocities(mechanism, given)?;
+    let velocities = velocities(&pose.model.read.mechanism, given)?;
+    let gradient = effective_mass_gradient(py, pose, contact)?;
     refuse_opening(pose, &velocities)?;
-    let rates = pose.system.position_rates(pose.pose.positions(), &velocities).map_err(input)?;
-    let positions: Vec<Dual64> =
-        pose.pose.positions().iter().zip(&rates).map(|(q, rate)| Dual64::new(*q, *rate)).collect();
-    py.detach(|| {
-        let mut over = match pose.pose.workspace_over::<Dual64>(&contact) {
-            Ok(over) => over,
-            Err(ResponseError::Route(RouteError::MasslessMotion)) => return Ok(None),
-            Err(error) => return Err(errors::response(error)),
-        };
-        let response = pose.pose.respond(&contact).map_err(errors::response)?;
-        let EffectiveMass::Finite(mass) = response.effective_mass else { return Ok(None) };
-        over.set_positions(&positions).map_err(input)?;
-        // m̄ = 1/x: dm̄ = −m̄² dx.
-        Ok(Some(-mass * mass * over.inverse_effective_mass().eps))
-    })
+    Ok(gradient.map(|gradient| gradient.rate(&velocities)))
+}
+
+/// Gradient of m̄; `None` unless m̄ is finite.
+pub fn effective_mass_gradient(
+    py: Python<'_>,
+    pose: &Pose,
+    contact: &Contact,
+) -> PyResult<Option<MassGradient>> {
+    let contact = contact.resolve(&pose.model.read.mechanism)?;
+    py.detach(|| pose.pose.effective_mass_gradient(&contact)).map_err(errors::response)
 }
 
 /// Refuses velocities of locked joints, and velocities that open the loops: A v ≠ 0.
@@ -251,6 +242,21 @@ fn refuse_opening(pose: &Pose, velocities: &[Vec<f64>]) -> PyResult<()> {
     Ok(())
 }
 
+/// Dict from the names of movable joints to their values, one per velocity.
+pub fn by_joint<'py>(
+    py: Python<'py>,
+    mechanism: &Mechanism,
+    values: &[Vec<f64>],
+) -> PyResult<Bound<'py, PyDict>> {
+    let by_name = PyDict::new(py);
+    for (joint, own) in mechanism.joints().iter().zip(values) {
+        if !own.is_empty() {
+            by_name.set_item(joint.name(), PyArray1::from_slice(py, own))?;
+        }
+    }
+    Ok(by_name)
+}
+
 /// Accelerations of a moving mechanism.
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
@@ -265,13 +271,7 @@ impl Accelerations {
     /// the joint.
     #[getter]
     fn joints<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let by_name = PyDict::new(py);
-        for (joint, rates) in self.pose.model.read.mechanism.joints().iter().zip(&self.found.joints) {
-            if !rates.is_empty() {
-                by_name.set_item(joint.name(), PyArray1::from_slice(py, rates))?;
-            }
-        }
-        Ok(by_name)
+        by_joint(py, &self.pose.model.read.mechanism, &self.found.joints)
     }
 
     /// Acceleration of a point (m, link's frame) of a link, m/s²; (3,). Axes of the root link or of the world, as for

@@ -3,7 +3,9 @@
 use crate::analysis::contact::Contact;
 use crate::analysis::maps::{Answers, contact_map, principal_masses};
 use crate::analysis::model::Model;
-use crate::analysis::motion::{Accelerations, accelerations, effective_mass_rate};
+use crate::analysis::motion::{
+    Accelerations, accelerations, by_joint, effective_mass_gradient, effective_mass_rate,
+};
 use crate::analysis::pose::Pose;
 use crate::analysis::response::{Response, route_choice};
 use crate::conversion::arrays::{matrix, triple};
@@ -182,7 +184,7 @@ impl Pose {
 
     /// dm̄/dt at a contact, kg/s, at joint velocities: a dict of joints to rates (rad/s, m/s). Joints without an entry
     /// are at rest; mimics follow. For loops, all moving joints must be given: velocities that open loops are refused.
-    /// Velocities of a Response are admissible. Exact to rounding, by dual numbers. None unless m̄ is finite.
+    /// Velocities of a Response are admissible. Exact to rounding. None unless m̄ is finite.
     fn effective_mass_rate(
         &self,
         py: Python<'_>,
@@ -190,6 +192,19 @@ impl Pose {
         velocities: &Bound<'_, PyDict>,
     ) -> PyResult<Option<f64>> {
         effective_mass_rate(py, self, contact, Some(velocities))
+    }
+
+    /// Gradient of m̄ at a contact: for each movable joint, by name, the change of m̄ per unit velocity (kg/rad, kg/m);
+    /// (1,), or one entry per velocity of the joint. dm̄/dt is the sum of its products with the velocities of an admissible
+    /// motion; in a mechanism with loops a single entry is not the derivative along one joint. The root link is at rest.
+    /// Exact to rounding. None unless m̄ is finite.
+    fn effective_mass_gradient<'py>(
+        &self,
+        py: Python<'py>,
+        contact: &Contact,
+    ) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let Some(gradient) = effective_mass_gradient(py, self, contact)? else { return Ok(None) };
+        by_joint(py, &self.model.read.mechanism, &gradient.joints).map(Some)
     }
 
     /// Accelerations of a tree at joint velocities (a dict; other joints are at rest), base (6,): the twist of a

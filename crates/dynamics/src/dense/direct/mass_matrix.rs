@@ -3,23 +3,23 @@
 use crate::kinematics::frames::Kinematics;
 use crate::model::Model;
 use nalgebra::DMatrix;
-use percuss_spatial::{Scalar, SpatialInertia};
+use percuss_spatial::SpatialInertia;
 
 /// M over the tree velocities (mimics not yet folded). Each entry is computed in the coordinates of the upper body.
 ///
 /// Featherstone 2008, table 6.2: the composite inertias Iᶜ are summed towards the root. The force of column i, Iᶜᵢ
 /// Sᵢ, is propagated up the chain, M_ji = Sⱼᵀ ʲF.
-fn tree_mass_matrix<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> DMatrix<T> {
+fn tree_mass_matrix(model: &Model, kinematics: &Kinematics) -> DMatrix<f64> {
     let composites = composites(model, kinematics);
     let n = model.velocity_coordinates.len();
-    let mut mass = DMatrix::from_element(n, n, T::zero());
+    let mut mass = DMatrix::from_element(n, n, 0.0);
     for (i, body) in model.bodies.iter().enumerate() {
         for (k, column) in body.v.clone().enumerate() {
             let mut force = composites[i].momentum(&kinematics.column(model, i, k));
             for (l, row) in body.v.clone().enumerate() {
                 mass[(row, column)] = force.power(&kinematics.column(model, i, l));
             }
-            mass[(column, column)] += T::from_f64(body.armature[k]);
+            mass[(column, column)] += body.armature[k];
             let mut j = i;
             while let Some(parent) = model.bodies[j].parent {
                 force = kinematics.parent_transforms[j].wrench(&force);
@@ -37,7 +37,7 @@ fn tree_mass_matrix<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> DMa
 
 /// For every tree velocity: sum of the term magnitudes of the diagonal entry of M. An entry below ε times this sum is
 /// rounding.
-fn diagonal_sizes(model: &Model, kinematics: &Kinematics<f64>) -> Vec<f64> {
+fn diagonal_sizes(model: &Model, kinematics: &Kinematics) -> Vec<f64> {
     let composites = composites(model, kinematics);
     let mut sizes = vec![0.0; model.velocity_coordinates.len()];
     for (i, body) in model.bodies.iter().enumerate() {
@@ -55,8 +55,8 @@ fn diagonal_sizes(model: &Model, kinematics: &Kinematics<f64>) -> Vec<f64> {
 }
 
 /// Composite inertia of every body and its subtree, in the body's axes about its origin.
-fn composites<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> Vec<SpatialInertia<T>> {
-    let mut composites: Vec<SpatialInertia<T>> = model.bodies.iter().map(|b| b.inertia.cast()).collect();
+fn composites(model: &Model, kinematics: &Kinematics) -> Vec<SpatialInertia<f64>> {
+    let mut composites: Vec<SpatialInertia<f64>> = model.bodies.iter().map(|b| b.inertia).collect();
     for i in (0..composites.len()).rev() {
         if let Some(parent) = model.bodies[i].parent {
             let in_parent = kinematics.parent_transforms[i].inertia(&composites[i]);
@@ -68,16 +68,16 @@ fn composites<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> Vec<Spati
 
 impl Model {
     /// Sums the rows and columns of a matrix over tree velocities into a matrix over the coordinates: GᵀMG.
-    pub fn reduce<T: Scalar>(&self, tree: DMatrix<T>) -> DMatrix<T> {
+    pub fn reduce(&self, tree: DMatrix<f64>) -> DMatrix<f64> {
         if !self.has_active_mimics {
             return tree;
         }
         let n = self.coordinates.len();
-        let mut reduced = DMatrix::from_element(n, n, T::zero());
+        let mut reduced = DMatrix::from_element(n, n, 0.0);
         for (c, to_c) in self.velocity_coordinates.iter().enumerate() {
             for (r, to_r) in self.velocity_coordinates.iter().enumerate() {
                 if let (Some(a), Some(b)) = (to_r, to_c) {
-                    let factor = T::from_f64(a.multiplier * b.multiplier);
+                    let factor = a.multiplier * b.multiplier;
                     reduced[(a.index, b.index)] += tree[(r, c)] * factor;
                 }
             }
@@ -86,12 +86,12 @@ impl Model {
     }
 
     /// M over the coordinates, n×n.
-    pub fn mass_matrix<T: Scalar>(&self, kinematics: &Kinematics<T>) -> DMatrix<T> {
+    pub fn mass_matrix(&self, kinematics: &Kinematics) -> DMatrix<f64> {
         self.reduce(tree_mass_matrix(self, kinematics))
     }
 
     /// For every coordinate: sum of the term magnitudes of the diagonal entry of M.
-    pub fn mass_sizes(&self, kinematics: &Kinematics<f64>) -> Vec<f64> {
+    pub fn mass_sizes(&self, kinematics: &Kinematics) -> Vec<f64> {
         self.reduce_vector(&diagonal_sizes(self, kinematics), |multiplier| multiplier * multiplier)
     }
 }

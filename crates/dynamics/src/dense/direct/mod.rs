@@ -15,7 +15,7 @@ use nalgebra::DMatrix;
 impl Model {
     /// All rows of A over the coordinates, group after group. Each group is scaled to a largest entry of 1, so that
     /// ranks of groups do not depend on one another.
-    pub fn constraint_matrix(&self, kinematics: &Kinematics<f64>) -> DMatrix<f64> {
+    pub fn constraint_matrix(&self, kinematics: &Kinematics) -> DMatrix<f64> {
         let count: usize = self.groups.iter().map(|g| g.rows).sum();
         let mut matrix = DMatrix::zeros(count, self.coordinates.len());
         let mut first = 0;
@@ -33,11 +33,7 @@ impl Model {
     /// Independent rows of A as decided for each group, group after group. Each row is scaled to a largest entry of 1
     /// over the group's scaled coordinates. Groups share no coordinates, so all rows together are as independent as
     /// the rows of each group.
-    fn independent_constraint_rows(
-        &self,
-        kinematics: &Kinematics<f64>,
-        groups: &[GroupMobility],
-    ) -> DMatrix<f64> {
+    fn independent_constraint_rows(&self, kinematics: &Kinematics, groups: &[GroupMobility]) -> DMatrix<f64> {
         let count = groups.iter().map(|known| known.pivots.rows.len()).sum();
         let mut matrix = DMatrix::zeros(count, self.coordinates.len());
         let mut next = 0;
@@ -65,7 +61,7 @@ impl Model {
     /// Least kinetic energy at unit closing speed.
     pub fn least_energy(
         &self,
-        kinematics: &Kinematics<f64>,
+        kinematics: &Kinematics,
         groups: &[GroupMobility],
         contact: &LocatedContact,
     ) -> LeastEnergySolution {

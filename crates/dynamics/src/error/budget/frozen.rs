@@ -19,7 +19,7 @@ impl UnitImpulse<'_> {
     pub(super) fn frozen_change(
         &self,
         workspace: &mut BudgetWorkspace,
-        recursion: &Recursion<f64, 1>,
+        recursion: &Recursion<1>,
         i: usize,
         roots: &Vector6<f64>,
     ) -> f64 {

@@ -49,7 +49,7 @@ pub(crate) struct Closer<'a> {
     pub facts: &'a Facts,
     pub configuration: &'a Configuration,
     pub start: Option<Start<'a>>,
-    pub kinematics: Kinematics<f64>,
+    pub kinematics: Kinematics,
     pub state: LoopState,
 }
 
@@ -114,7 +114,7 @@ impl Closer<'_> {
     }
 
     /// Frames at which the search for the group begins.
-    fn search_frames(&self, group: &Group) -> Kinematics<f64> {
+    fn search_frames(&self, group: &Group) -> Kinematics {
         let mut near = self.kinematics.clone();
         let guess = self.guess_for(group);
         let start = guess.as_deref().or(self.start.map(|s| s.positions)).unwrap_or(&self.facts.reference);

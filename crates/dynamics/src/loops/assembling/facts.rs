@@ -20,7 +20,7 @@ pub(crate) struct GroupFacts {
     /// Positions of a closed pose away from singularities.
     pub generic: Vec<f64>,
     /// A at the generic pose, over the group's coordinates.
-    pub rows: GroupRows<f64>,
+    pub rows: GroupRows,
     pub rank: Rank,
     /// Misfit of inexact loops, m; 0 for loops that close exactly.
     pub inexactness: f64,
@@ -66,7 +66,7 @@ impl GroupFacts {
         &self,
         model: &Model,
         group: &Group,
-        near: impl FnOnce() -> Kinematics<f64>,
+        near: impl FnOnce() -> Kinematics,
         given: impl Fn(usize) -> bool,
     ) -> Result<Drivers, Refused> {
         let mut divided = model.drivers_for(group, &self.rows, &self.drivers, self.floor, &given);
@@ -92,7 +92,7 @@ impl GroupFacts {
     }
 
     /// The misfit, if larger than the rounding of positions; otherwise 0.
-    pub fn misfit_beyond(&self, group: &Group, kinematics: &Kinematics<f64>, model: &Model) -> f64 {
+    pub fn misfit_beyond(&self, group: &Group, kinematics: &Kinematics, model: &Model) -> f64 {
         let rounding = 0.03 * model.closing_tolerance(kinematics, group);
         if self.misfit > rounding { self.misfit } else { 0.0 }
     }
@@ -108,7 +108,7 @@ pub(crate) struct Facts {
 
 impl Model {
     /// Finds the first closed pose from `start`, and the generic properties of each group.
-    pub fn find_loop_facts(&self, mut start: Kinematics<f64>) -> Result<Facts, AssemblyError> {
+    pub fn find_loop_facts(&self, mut start: Kinematics) -> Result<Facts, AssemblyError> {
         let mut first = Vec::with_capacity(self.groups.len());
         for group in &self.groups {
             self.refuse_far(group)?;
@@ -131,7 +131,7 @@ impl Model {
     }
 
     /// Facts with the loops left open at `start`.
-    pub fn open_loop_facts(&self, start: Kinematics<f64>) -> Facts {
+    pub fn open_loop_facts(&self, start: Kinematics) -> Facts {
         let open = |group: &Group| {
             let mut rows = GroupRows::default();
             rows.fill(self, group, &start);
@@ -182,7 +182,7 @@ impl Model {
     }
 
     /// Largest residual of each constraint of a group, m.
-    fn constraint_gaps(&self, kinematics: &Kinematics<f64>, group: &Group) -> Vec<f64> {
+    fn constraint_gaps(&self, kinematics: &Kinematics, group: &Group) -> Vec<f64> {
         let residuals = self.group_residuals(kinematics, group);
         let gap = |c: &crate::model::ConstraintRows| {
             residuals[c.first..c.first + c.count].iter().fold(0.0, |most: f64, r| most.max(r.abs()))
@@ -200,7 +200,7 @@ impl Model {
     }
 
     /// Closes a group near its current pose. Returns the inexactness.
-    fn close_first(&self, kinematics: &mut Kinematics<f64>, group: &Group) -> Result<f64, AssemblyError> {
+    fn close_first(&self, kinematics: &mut Kinematics, group: &Group) -> Result<f64, AssemblyError> {
         let tolerance = self.closing_tolerance(kinematics, group);
         let allowed = ROUNDING * group.size;
         let all = &group.movable;
@@ -264,7 +264,7 @@ impl Model {
     /// True if a small residual of a group can come from the rounding of its file: the file draws the group nearly closed,
     /// or its rows are dependent. Otherwise a small residual is a pose that is nearly closed by chance, such as the end of
     /// a branch. Leaves the group at `start`, its positions as drawn.
-    fn may_be_rounded(&self, kinematics: &mut Kinematics<f64>, group: &Group, start: &[f64]) -> bool {
+    fn may_be_rounded(&self, kinematics: &mut Kinematics, group: &Group, start: &[f64]) -> bool {
         self.restore_group(kinematics, group, start);
         if self.group_residual(kinematics, group).0 <= DRAWN_CLOSED * group.size {
             return true;
@@ -281,8 +281,8 @@ impl Model {
     /// as `reference`; restored at the end.
     fn find_group_facts(
         &self,
-        reference: &Kinematics<f64>,
-        scratch: &mut Kinematics<f64>,
+        reference: &Kinematics,
+        scratch: &mut Kinematics,
         group: &Group,
         at_first: f64,
     ) -> GroupFacts {
@@ -330,7 +330,7 @@ impl Model {
             found.extend(unsettled.filter(|_| around.branches.is_empty() && !around.regular));
         }
         let floor = group.floor_for(inexactness);
-        let rank_of = |kinematics: &Kinematics<f64>| {
+        let rank_of = |kinematics: &Kinematics| {
             let mut rows = GroupRows::default();
             rows.fill(self, group, kinematics);
             (rank_of_rows(&rows, group, floor), rows)
@@ -370,7 +370,7 @@ impl Model {
 
     /// True if Newton's method would stay at a closed pose. Near a crossing the residual is the square of the
     /// remaining distance, and falls below the closing tolerance too early.
-    fn is_converged(&self, kinematics: &Kinematics<f64>, group: &Group, inexactness: f64) -> bool {
+    fn is_converged(&self, kinematics: &Kinematics, group: &Group, inexactness: f64) -> bool {
         let here = Linearised::at(self, kinematics, group);
         let floor = if inexactness > 0.0 { group.floor_for(inexactness) } else { 0.0 };
         let step = here.step(group, Directions::of(&group.movable), floor);
@@ -378,7 +378,7 @@ impl Model {
     }
 
     /// Perturbs a group's coordinates by fixed pseudo-random amounts up to `size` (rad, or times the group's size).
-    pub fn perturb(&self, kinematics: &mut Kinematics<f64>, group: &Group, size: f64, seed: u64) {
+    pub fn perturb(&self, kinematics: &mut Kinematics, group: &Group, size: f64, seed: u64) {
         let mut random = Splitmix::new(seed);
         let u: Vec<f64> =
             group.lengths.iter().map(|length| size * random.symmetric() * group.size / length).collect();

@@ -147,20 +147,20 @@ impl<'a> DriverPath<'a> {
     }
 
     /// Follows the branch from a closed pose to the end of the path, or to the end of the branch.
-    pub fn follow(&self, kinematics: &mut Kinematics<f64>) -> Arrival {
+    pub fn follow(&self, kinematics: &mut Kinematics) -> Arrival {
         let start = self.start_point(kinematics);
         self.follow_to(kinematics, start, self.length, true)
     }
 
     /// Point of the curve at the current pose of the group.
-    pub(super) fn start_point(&self, kinematics: &Kinematics<f64>) -> BranchPoint {
+    pub(super) fn start_point(&self, kinematics: &Kinematics) -> BranchPoint {
         let mut ahead = vec![0.0; self.unknown.len() + 1];
         ahead[self.unknown.len()] = 1.0;
         self.point(kinematics, 0.0, &ahead)
     }
 
     /// Point of the curve at the current pose; its tangent is oriented along the vector `before`.
-    pub(super) fn point(&self, kinematics: &Kinematics<f64>, gone: f64, before: &[f64]) -> BranchPoint {
+    pub(super) fn point(&self, kinematics: &Kinematics, gone: f64, before: &[f64]) -> BranchPoint {
         let here = Linearised::at(self.model, kinematics, self.group);
         let jacobian = self.directions().jacobian(self.group, &here.rows);
         BranchPoint {
@@ -172,7 +172,7 @@ impl<'a> DriverPath<'a> {
     }
 
     /// Restores the positions `q` and the frames of the group.
-    pub(super) fn restore_positions(&self, kinematics: &mut Kinematics<f64>, q: &[f64]) {
+    pub(super) fn restore_positions(&self, kinematics: &mut Kinematics, q: &[f64]) {
         if kinematics.q != q {
             kinematics.q.copy_from_slice(q);
             self.model.refill_group(kinematics, self.group);
@@ -183,7 +183,7 @@ impl<'a> DriverPath<'a> {
     /// near-singular ends are interpolated from both sides.
     pub(super) fn follow_to(
         &self,
-        kinematics: &mut Kinematics<f64>,
+        kinematics: &mut Kinematics,
         mut here: BranchPoint,
         target: f64,
         careful: bool,
@@ -284,7 +284,7 @@ impl<'a> DriverPath<'a> {
     /// Result at the end of the path, with the group at the target.
     fn arrival_at_target(
         &self,
-        kinematics: &mut Kinematics<f64>,
+        kinematics: &mut Kinematics,
         here: BranchPoint,
         target: f64,
         singular: bool,
@@ -309,7 +309,7 @@ impl<'a> DriverPath<'a> {
     /// A step along the tangent, corrected by the shortest motion.
     pub(super) fn step_along(
         &self,
-        kinematics: &mut Kinematics<f64>,
+        kinematics: &mut Kinematics,
         here: &BranchPoint,
         step: f64,
         trust: BranchEvidence,
@@ -339,7 +339,7 @@ impl<'a> DriverPath<'a> {
     /// Point of the curve after a correction.
     fn corrected_point(
         &self,
-        kinematics: &Kinematics<f64>,
+        kinematics: &Kinematics,
         correction: &Correction,
         gone: f64,
         before: &[f64],
@@ -384,7 +384,7 @@ impl<'a> DriverPath<'a> {
     /// Steps directly from a point to the target; only dependent coordinates are corrected.
     pub(super) fn step_to_target(
         &self,
-        kinematics: &mut Kinematics<f64>,
+        kinematics: &mut Kinematics,
         here: &BranchPoint,
         target: f64,
         trust: BranchEvidence,
@@ -454,7 +454,7 @@ impl<'a> DriverPath<'a> {
     /// the slope of the driver path.
     fn reversal_point(
         &self,
-        kinematics: &mut Kinematics<f64>,
+        kinematics: &mut Kinematics,
         here: &BranchPoint,
         step: f64,
         slope: &dyn Fn(&BranchPoint) -> f64,

@@ -46,7 +46,7 @@ impl<'a> Directions<'a> {
     }
 
     /// A over the directions, each measured in metres.
-    pub fn jacobian(&self, group: &Group, rows: &GroupRows<f64>) -> Jacobian {
+    pub fn jacobian(&self, group: &Group, rows: &GroupRows) -> Jacobian {
         let mut place = vec![usize::MAX; group.coordinates.len()];
         self.unknown.iter().enumerate().for_each(|(k, &at)| place[at] = k);
         let mut entries = Vec::with_capacity(rows.len() * (1 + usize::from(self.path.is_some())));
@@ -80,12 +80,12 @@ impl<'a> Directions<'a> {
 /// Residuals and rows of a group at its current pose.
 pub(crate) struct Linearised {
     pub residuals: Vec<f64>,
-    pub rows: GroupRows<f64>,
+    pub rows: GroupRows,
 }
 
 impl Linearised {
     /// Residuals and rows at given frames.
-    pub fn at(model: &Model, kinematics: &Kinematics<f64>, group: &Group) -> Self {
+    pub fn at(model: &Model, kinematics: &Kinematics, group: &Group) -> Self {
         let mut rows = GroupRows::default();
         rows.fill(model, group, kinematics);
         Self { residuals: model.group_residuals(kinematics, group), rows }
@@ -116,7 +116,7 @@ impl Model {
     /// least-squares solution of their residuals.
     pub fn correct(
         &self,
-        kinematics: &mut Kinematics<f64>,
+        kinematics: &mut Kinematics,
         group: &Group,
         directions: Directions,
         tolerance: f64,
@@ -143,7 +143,7 @@ impl Model {
     /// rounding.
     fn minimise_residuals(
         &self,
-        kinematics: &mut Kinematics<f64>,
+        kinematics: &mut Kinematics,
         group: &Group,
         directions: Directions,
         tolerance: f64,

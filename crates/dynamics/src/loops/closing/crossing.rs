@@ -20,7 +20,7 @@ impl DriverPath<'_> {
 
     /// True if branches cross near a point, false if the branches only come close to each other. The square of the
     /// smallest singular value of [J; tᵀ] is a parabola along the tangent, with a minimum of 0 at a crossing.
-    pub(super) fn crosses_near(&self, kinematics: &mut Kinematics<f64>, here: &BranchPoint) -> bool {
+    pub(super) fn crosses_near(&self, kinematics: &mut Kinematics, here: &BranchPoint) -> bool {
         let columns = here.tangent.len();
         if columns > DENSE_LIMIT {
             return true;
@@ -50,7 +50,7 @@ impl DriverPath<'_> {
     /// Steps straight over a crossing, or to the target if the target lies at the crossing.
     pub(super) fn step_over_crossing(
         &self,
-        kinematics: &mut Kinematics<f64>,
+        kinematics: &mut Kinematics,
         here: &BranchPoint,
         target: f64,
     ) -> CrossingStep {
@@ -79,7 +79,7 @@ impl DriverPath<'_> {
     /// target. `None`, with the pose unchanged, if the branch does not pass through the target (a limit).
     pub(super) fn interpolate_at_target(
         &self,
-        kinematics: &mut Kinematics<f64>,
+        kinematics: &mut Kinematics,
         here: &BranchPoint,
         target: f64,
     ) -> Option<Vec<f64>> {
@@ -99,7 +99,7 @@ impl DriverPath<'_> {
     /// Interpolates the pose at the target from places at multiples of `apart`; `None` if a place is not reached.
     fn interpolate_from_points(
         &self,
-        kinematics: &mut Kinematics<f64>,
+        kinematics: &mut Kinematics,
         here: &BranchPoint,
         target: f64,
         apart: f64,

@@ -8,7 +8,7 @@ use percuss_mechanism::JointKind;
 impl Model {
     /// Residual (m) at which a group counts as closed: a fraction of its size, at least the rounding of distant
     /// positions.
-    pub fn closing_tolerance(&self, kinematics: &Kinematics<f64>, group: &Group) -> f64 {
+    pub fn closing_tolerance(&self, kinematics: &Kinematics, group: &Group) -> f64 {
         let far = |b: &usize| kinematics.frames[*b].translation.amax();
         let far = group.bodies.iter().map(far).fold(0.0, f64::max);
         // Angles of many turns, and long translations, have fewer digits for the fraction.
@@ -21,7 +21,7 @@ impl Model {
     }
 
     /// Closing tolerance for loops with a given inexactness (m) at the generic pose, with a margin for other poses.
-    pub fn rounded_tolerance(&self, kinematics: &Kinematics<f64>, group: &Group, inexactness: f64) -> f64 {
+    pub fn rounded_tolerance(&self, kinematics: &Kinematics, group: &Group, inexactness: f64) -> f64 {
         self.closing_tolerance(kinematics, group).max(ROUNDED * inexactness)
     }
 }

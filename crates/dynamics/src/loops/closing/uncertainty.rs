@@ -17,11 +17,11 @@ impl Model {
     /// rows at the pose, if available. `None` if the singular vector cannot be found.
     pub fn closing_uncertainty(
         &self,
-        kinematics: &Kinematics<f64>,
+        kinematics: &Kinematics,
         group: &Group,
         dependent: &[usize],
         inexactness: f64,
-        known: Option<&GroupRows<f64>>,
+        known: Option<&GroupRows>,
     ) -> Option<Vec<f64>> {
         let residuals = self.group_residuals(kinematics, group);
         let mut own = GroupRows::default();

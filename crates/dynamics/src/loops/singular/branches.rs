@@ -45,12 +45,7 @@ pub(crate) struct Surroundings {
 impl Model {
     /// Finds the branches through a closed pose. Directions in the kernel of A are tried. Directions that reach a
     /// closed pose lead to branches, distinguished by their tangent spaces.
-    pub fn surroundings(
-        &self,
-        kinematics: &Kinematics<f64>,
-        group: &Group,
-        inexactness: f64,
-    ) -> Surroundings {
+    pub fn surroundings(&self, kinematics: &Kinematics, group: &Group, inexactness: f64) -> Surroundings {
         let mut around = Surroundings {
             group: group.clone(),
             tolerance: self.rounded_tolerance(kinematics, group, inexactness),
@@ -73,7 +68,7 @@ impl Model {
     }
 
     /// Finds the branches through a pose by trying directions in the kernel of A.
-    fn find_branches(&self, kinematics: &Kinematics<f64>, kernel: &[Vec<f64>], around: &mut Surroundings) {
+    fn find_branches(&self, kinematics: &Kinematics, kernel: &[Vec<f64>], around: &mut Surroundings) {
         let cube = factorisation_work(&around.group);
         let (mut newest, mut regular) = (0, None);
         for (tried, direction) in directions(kernel).enumerate() {
@@ -117,12 +112,7 @@ impl Model {
     }
 
     /// True if a closed pose is found in the given direction.
-    fn has_branch_along(
-        &self,
-        kinematics: &Kinematics<f64>,
-        around: &Surroundings,
-        direction: &[f64],
-    ) -> bool {
+    fn has_branch_along(&self, kinematics: &Kinematics, around: &Surroundings, direction: &[f64]) -> bool {
         self.branch_along(kinematics, around, direction)
             .is_some_and(|branch| dot(&branch.along, direction) > 0.99)
     }
@@ -130,7 +120,7 @@ impl Model {
     /// Branch reached in a direction, with its tangent space; `None` if no closed pose is reached.
     fn branch_along(
         &self,
-        kinematics: &Kinematics<f64>,
+        kinematics: &Kinematics,
         around: &Surroundings,
         direction: &[f64],
     ) -> Option<Branch> {
@@ -152,7 +142,7 @@ impl Model {
     /// vanish.
     pub fn close_at_distance(
         &self,
-        kinematics: &mut Kinematics<f64>,
+        kinematics: &mut Kinematics,
         around: &Surroundings,
         direction: &[f64],
         reach: f64,
@@ -193,7 +183,7 @@ impl Model {
 
     /// True if another branch lies between the two nearest branches, another one between that branch and the first,
     /// and so on. The branches are then samples of a cone.
-    fn branches_form_continuum(&self, kinematics: &Kinematics<f64>, around: &Surroundings) -> bool {
+    fn branches_form_continuum(&self, kinematics: &Kinematics, around: &Surroundings) -> bool {
         let branches = &around.branches;
         let pairs = (0..branches.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
         let cosine = |&(a, b): &(usize, usize)| dot(&branches[a].along, &branches[b].along);
@@ -227,7 +217,7 @@ fn factorisation_work(group: &Group) -> usize {
 }
 
 /// Orthonormal basis of the admissible motions within a group, over its scaled coordinates.
-fn tangent_space(model: &Model, kinematics: &Kinematics<f64>, group: &Group, floor: f64) -> Vec<Vec<f64>> {
+fn tangent_space(model: &Model, kinematics: &Kinematics, group: &Group, floor: f64) -> Vec<Vec<f64>> {
     let rows = model.group_matrix(kinematics, group);
     let lengths = &group.lengths;
     let rank = decide_rank(&singular_values(&rows, &group.lengths), floor).rank;
