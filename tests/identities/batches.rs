@@ -7,7 +7,7 @@ use percuss_dynamics::{
     Frame, Pose, RemarkFlags, ResponseError, System,
 };
 use percuss_mechanism::{
-    Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
+    Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, MimicDescription,
 };
 use percuss_oracle::zoo;
 use percuss_spatial::lanes::Instructions;
@@ -22,8 +22,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const SETS: [Instructions; 3] = [Instructions::Baseline, Instructions::Avx2, Instructions::Avx512];
 
 /// Tree with joints of all kinds, mostly hinges; axes at right angles and parallel, or arbitrary; masses over `decades`
-/// decades.
-fn tree(rng: &mut StdRng, bodies: usize, square: bool, decades: f64) -> Mechanism {
+/// decades. A joint with one degree of freedom mimics an earlier one of its kind with the probability `mimics`.
+fn tree(rng: &mut StdRng, bodies: usize, square: bool, decades: f64, mimics: f64) -> Mechanism {
+    let mut masters: Vec<(JointKind, String)> = Vec::new();
     let mut builder = MechanismBuilder::new("tree").link(link(rng, 0, decades));
     let bushy = rng.random_bool(0.4);
     for i in 1..=bodies {
@@ -55,6 +56,18 @@ fn tree(rng: &mut StdRng, bodies: usize, square: bool, decades: f64) -> Mechanis
         joint.origin = Transform::new(turn, place);
         if kind.dofs() > 0 && rng.random_bool(0.3) {
             joint.armature = (0..kind.dofs()).map(|_| 10f64.powf(rng.random_range(-4.0..0.0))).collect();
+        }
+        let own: Vec<&String> =
+            masters.iter().filter(|(other, _)| *other == kind).map(|(_, name)| name).collect();
+        if kind.dofs() == 1 && mimics > 0.0 {
+            if !own.is_empty() && rng.random_bool(mimics) {
+                let master = own[rng.random_range(0..own.len())].clone();
+                let multiplier = rng.random_range(0.2..2.0) * if rng.random_bool(0.5) { 1.0 } else { -1.0 };
+                joint.mimic =
+                    Some(MimicDescription { joint: master, multiplier, offset: rng.random_range(-0.2..0.2) });
+            } else {
+                masters.push((kind, joint.name.clone()));
+            }
         }
         builder = builder.link(link(rng, i, decades)).joint(joint);
     }
@@ -225,12 +238,12 @@ fn contact_on(rng: &mut StdRng, mechanism: &Mechanism) -> Contact {
     Contact::new(link, any(rng) * 0.3, Vector3::x()).normal(Direction::Along(any(rng), frame))
 }
 
-fn family(decades: f64, seed: u64) -> Seen {
+fn family(decades: f64, seed: u64, mimics: f64) -> Seen {
     let mut rng = StdRng::seed_from_u64(seed);
     let mut seen = Seen::default();
     for k in 0..120 {
         let bodies = rng.random_range(1..14);
-        let mechanism = tree(&mut rng, bodies, k % 2 == 0, decades);
+        let mechanism = tree(&mut rng, bodies, k % 2 == 0, decades, mimics);
         let mut conditions = Conditions::new();
         if k % 3 == 0 {
             conditions = conditions.base(Base::Floating);
@@ -254,7 +267,7 @@ fn family(decades: f64, seed: u64) -> Seen {
 
 #[test]
 fn lanes_agree_with_poses() {
-    let seen = family(2.0, 1);
+    let seen = family(2.0, 1, 0.0);
     // Some contacts are immovable and some uncertain; most are neither.
     assert!(seen.by_lanes * 10 > seen.answers * 7, "{seen:?}");
 }
@@ -262,8 +275,16 @@ fn lanes_agree_with_poses() {
 #[test]
 fn lanes_state_their_error_for_masses_over_many_decades() {
     for (decades, seed) in [(9.0, 2), (18.0, 3), (18.0, 4)] {
-        let seen = family(decades, seed);
+        let seen = family(decades, seed, 0.0);
         assert!(seen.by_lanes * 10 > seen.answers, "{seen:?}");
+    }
+}
+
+#[test]
+fn lanes_with_mimics_agree_with_poses() {
+    for (decades, seed, tenths) in [(2.0, 5, 6), (9.0, 6, 2), (18.0, 7, 1)] {
+        let seen = family(decades, seed, 0.4);
+        assert!(seen.by_lanes * 10 > seen.answers * tenths, "{seen:?}");
     }
 }
 

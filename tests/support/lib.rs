@@ -4,6 +4,7 @@
 pub mod answer;
 pub mod bench;
 pub mod cases;
+pub mod coverage;
 pub mod differences;
 pub mod gauge;
 pub mod imposed;

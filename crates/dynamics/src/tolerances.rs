@@ -415,6 +415,9 @@ pub(crate) const POOLED_WORKSPACES: usize = 64;
 pub(crate) const LINKAGE_COORDINATES: usize = 64;
 /// Largest number of degrees of freedom of such a linkage, whose energy is a full matrix over these.
 pub(crate) const LINKAGE_FREEDOMS: usize = 8;
+/// Largest remainder of a redundant row, as a fraction of the remainder below which a row counts as redundant: a factor of four
+/// leaves no doubt.
+pub(crate) const REDUNDANT_ROW: f64 = 0.25;
 /// Largest ratio of the largest pivot to another one at the pose for which a linkage is compiled. The margin keeps
 /// the elimination in the same order regular at other poses.
 pub(crate) const LINKAGE_PIVOT: f64 = 64.0;

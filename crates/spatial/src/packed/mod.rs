@@ -346,6 +346,14 @@ impl<T: Lanes> PackedInertia<T> {
         self.subtract_linear::<3>(&pivot.u, over_d);
     }
 
+    /// I − U D⁻¹ Uᵀ for a motion along several axes. `over_d`: U D⁻¹.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn subtract_dyad(&mut self, u: &PackedWrench<T>, over_d: &PackedWrench<T>) {
+        self.subtract_angular::<3>(u, over_d);
+        self.subtract_coupling::<3, 3>(u, over_d);
+        self.subtract_linear::<3>(u, over_d);
+    }
+
     /// Eliminates a translation along axis `Z`; see [`eliminate_turn`](Self::eliminate_turn).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn eliminate_slide<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {

@@ -9,27 +9,29 @@ use super::rows::matrix_at;
 use crate::analysis::assembly::Assembly;
 use crate::kernels::estimate::is_positive;
 use crate::model::{Body, CompiledClosure, Constraint, ConstraintRows, LinkFrame, Model};
-use crate::tolerances::{LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_PIVOT, ROW_ROUNDINGS};
+use crate::tolerances::{LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_PIVOT, REDUNDANT_ROW, ROW_ROUNDINGS};
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::{ClosureKind, JointKind};
 use percuss_spatial::{SpatialInertia, Transform, plane_basis};
 
 impl LoopPlan {
-    /// `None` for joints other than hinges, slides and balls, redundant rows, many degrees of freedom, several
-    /// independent subtrees, or negative inertias.
+    /// `None` for joints other than hinges, slides and balls, redundant rows that contradict each other, many degrees of
+    /// freedom, several independent subtrees, or negative inertias.
     pub fn of(assembly: &Assembly) -> Option<Self> {
         Self::at(assembly, &assembly.facts().reference, &|_| true)
     }
 
     /// Same plan, ordered at the given positions; only coordinates with `may(coordinate)` can be dependent. Also
-    /// `None` if the mechanism has couplings or held contacts.
+    /// `None` if the mechanism has couplings, held contacts, or closures that bind the full orientation.
     pub fn compile_driven(
         assembly: &Assembly,
         positions: &[f64],
         may: &dyn Fn(usize) -> bool,
     ) -> Option<Self> {
         let plan = Self::at(assembly, positions, may)?;
-        plan.blocks.iter().all(|block| block.predecessor.is_some()).then_some(plan)
+        let binds = |(form, _): &(RowForm, _)| matches!(form, RowForm::Orientation(..));
+        let fits = |block: &Block| block.predecessor.is_some() && !block.forms.iter().any(binds);
+        plan.blocks.iter().all(fits).then_some(plan)
     }
 
     /// Plan with rows and columns ordered by the pivots at `positions`; only coordinates with `may(coordinate)` can be
@@ -44,8 +46,9 @@ impl LoopPlan {
             || !(1..=LINKAGE_FREEDOMS).contains(&columns.checked_sub(rank)?)
             // No body outside the linkage takes part in the motion.
             || model.clusters.iter().filter(|cluster| cluster.parent.is_none()).count() != 1
-            // Rows that are redundant here may be independent at another pose.
-            || model.groups.iter().map(|group| group.rows).sum::<usize>() != rank
+            // The rows of a rounded file that are left out would not be satisfied.
+            || (model.groups.iter().map(|group| group.rows).sum::<usize>() != rank
+                && assembly.misfits().iter().any(|misfit| *misfit > 0.0))
             || model.bodies.iter().any(|body| !is_positive(&body.inertia))
         {
             return None;
@@ -60,8 +63,10 @@ impl LoopPlan {
             blocks: Vec::new(),
             pivots: Vec::new(),
             filled_in: Vec::new(),
+            remainders: Vec::new(),
             depends_on: Vec::new(),
             scale: 0.0,
+            redundant: 0.0,
             length,
             weight: 0.0,
             roundings: 0.0,
@@ -91,6 +96,8 @@ impl LoopPlan {
             }
         }
         plan.order(rows, rank, positions, may)?;
+        let floor = (0..model.groups.len()).map(|g| assembly.floor(g)).fold(f64::INFINITY, f64::min);
+        plan.redundant = REDUNDANT_ROW * floor * plan.scale;
         Some(plan)
     }
 
@@ -107,7 +114,7 @@ impl LoopPlan {
             Constraint::Closure(i) => {
                 let closure = &model.closures[i];
                 let origin = |end: &LinkFrame| self.point(end.body, &end.frame.translation);
-                let forms = self.forms(closure, size)?;
+                let forms = self.forms(closure, size);
                 (Some(origin(&closure.predecessor)), origin(&closure.successor), forms)
             }
             Constraint::Coupling(i) => {
@@ -131,7 +138,7 @@ impl LoopPlan {
         };
         let terms = self.terms(model, constraint, 1.0)?;
         let mut number = |form: RowForm| {
-            let count = if matches!(form, RowForm::Point) { 3 } else { 1 };
+            let count = if matches!(form, RowForm::Point | RowForm::Orientation(..)) { 3 } else { 1 };
             let first = *rows;
             *rows += count;
             (form, std::array::from_fn(|k| (k < count).then_some(first + k)))
@@ -159,8 +166,8 @@ impl LoopPlan {
     }
 
     /// Rows of a closure, as in [`crate::kinematics::rows::closure_wrenches`], but the rows of coinciding points are in root
-    /// axes. `size` (m) scales the rows of directions. `None` for closures that bind the full orientation.
-    fn forms(&self, closure: &CompiledClosure, size: f64) -> Option<Vec<RowForm>> {
+    /// axes. `size` (m) scales the rows of directions.
+    fn forms(&self, closure: &CompiledClosure, size: f64) -> Vec<RowForm> {
         let (p, s) = (&closure.predecessor, &closure.successor);
         let direction = |e: &Vector3<f64>| self.direction(p.body, &p.frame.vector(e));
         let along = |e: &Vector3<f64>| RowForm::Along(direction(e));
@@ -170,19 +177,23 @@ impl LoopPlan {
         let [n1, n2] = &closure.normals;
         let b = &closure.successor_axis;
         let [first, second] = [cosine(n1, b), cosine(n2, b)];
-        Some(match closure.kind {
-            ClosureKind::Fixed | ClosureKind::Prismatic => return None,
+        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let on_successor = axes.map(|e| self.direction(s.body, &s.frame.vector(&e)));
+        let orientation = RowForm::Orientation(axes.map(|e| direction(&e)), on_successor, size);
+        match closure.kind {
+            ClosureKind::Fixed => vec![RowForm::Point, orientation],
+            ClosureKind::Prismatic => vec![along(n1), along(n2), orientation],
             ClosureKind::Revolute => vec![RowForm::Point, first, second],
             ClosureKind::Cylindrical => vec![along(n1), along(n2), first, second],
             ClosureKind::Universal => vec![RowForm::Point, cosine(&closure.axis, &closure.axis2)],
             ClosureKind::Planar => vec![along(&closure.axis), first, second],
             ClosureKind::Spherical => vec![RowForm::Point],
             ClosureKind::Distance => vec![RowForm::Distance(closure.distance)],
-        })
+        }
     }
 
-    /// Orders rows and columns by the pivots at a pose, followed by the remaining columns, and removes redundant
-    /// rows. `None` if the pivots are too small at this pose.
+    /// Orders rows and columns by the pivots at a pose, followed by the remaining rows and columns. `None` if the pivots are too
+    /// small at this pose.
     fn order(
         &mut self,
         rows: usize,
@@ -215,8 +226,10 @@ impl LoopPlan {
                 }
             }
         }
-        for (next, at) in (rank..).zip(column_at.iter_mut().filter(|at| at.is_none())) {
-            *at = Some(next);
+        for all in [&mut row_at, &mut column_at] {
+            for (next, at) in (rank..).zip(all.iter_mut().filter(|at| at.is_none())) {
+                *at = Some(next);
+            }
         }
         let column = |c: &mut usize| *c = column_at[*c].unwrap_or(0);
         self.bodies.iter_mut().flat_map(|b| &mut b.velocities).for_each(|v| column(&mut v.column));
@@ -226,16 +239,15 @@ impl LoopPlan {
                 *row = row.and_then(|r| row_at[r]);
             }
         }
-        self.layout = Layout::of(self.bodies.len(), rank, columns, self.freedoms);
-        self.find_pattern(rank);
+        self.find_pattern(rank, rows);
         Some(())
     }
 
     /// Finds the nonzero pattern of A before and after its elimination, and the bodies that each independent
     /// coordinate moves.
-    fn find_pattern(&mut self, rank: usize) {
+    fn find_pattern(&mut self, rank: usize, rows: usize) {
         let (n, f) = (self.columns, self.freedoms);
-        let mut filled = vec![false; rank * n];
+        let mut filled = vec![false; rows * n];
         for block in &self.blocks {
             for row in block.forms.iter().flat_map(|(_, rows)| rows).flatten() {
                 block.terms.iter().for_each(|term| filled[row * n + term.column] = true);
@@ -243,14 +255,15 @@ impl LoopPlan {
         }
         let given = filled.clone();
         for k in 0..rank {
-            let rows: Vec<usize> = (k + 1..rank).filter(|r| filled[r * n + k]).collect();
+            let below: Vec<usize> = (k + 1..rows).filter(|r| filled[r * n + k]).collect();
             let columns: Vec<usize> = (k + 1..n).filter(|c| filled[k * n + c]).collect();
-            for r in &rows {
+            for r in &below {
                 columns.iter().for_each(|c| filled[r * n + c] = true);
             }
-            self.pivots.push(RowPivot { rows, columns });
+            self.pivots.push(RowPivot { rows: below, columns });
         }
-        self.filled_in = (0..rank * n).filter(|&entry| filled[entry] && !given[entry]).collect();
+        self.remainders = (rank * n..rows * n).filter(|&entry| filled[entry] && entry % n >= rank).collect();
+        self.filled_in = (0..rows * n).filter(|&entry| filled[entry] && !given[entry]).collect();
         let mut follows = vec![false; n * f];
         for y in 0..f {
             follows[(rank + y) * f + y] = true;

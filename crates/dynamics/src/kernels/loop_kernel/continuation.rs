@@ -249,7 +249,8 @@ impl LoopContinuation {
             // L y = v, U x = y.
             for k in 0..rank {
                 let known = v[k] * over(k);
-                plan.pivots[k].rows.iter().for_each(|&r| v[r] -= entry(r, k) * known);
+                let below = plan.pivots[k].rows.iter().filter(|r| **r < rank);
+                below.for_each(|&r| v[r] -= entry(r, k) * known);
             }
             for k in (0..rank).rev() {
                 let ahead = plan.pivots[k].columns.iter().filter(|c| **c < rank);
@@ -265,7 +266,8 @@ impl LoopContinuation {
                 ahead.for_each(|&c| v[c] -= entry(k, c) * known);
             }
             for k in (0..rank).rev() {
-                let known: f64 = plan.pivots[k].rows.iter().map(|&r| entry(r, k) * v[r]).sum();
+                let below = plan.pivots[k].rows.iter().filter(|r| **r < rank);
+                let known: f64 = below.map(|&r| entry(r, k) * v[r]).sum();
                 v[k] -= known * over(k);
             }
         }

@@ -60,7 +60,8 @@ pub(super) fn fill_frames<T: Lanes>(
 impl JointPosition {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn at<T: Lanes>(&self, columns: PositionColumns<'_>, first: usize) -> T {
-        columns.at::<T>(self.q, first).mul_add(T::from_f64(self.multiplier), T::from_f64(self.offset))
+        // Two roundings, as in the frames of a pose: far from zero, one rounding less is another angle.
+        columns.at::<T>(self.q, first) * T::from_f64(self.multiplier) + T::from_f64(self.offset)
     }
 }
 

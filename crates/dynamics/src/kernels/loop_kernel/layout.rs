@@ -5,7 +5,7 @@ use percuss_spatial::lanes::Lanes;
 /// Offsets of the tables.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Layout {
-    /// A, rows × columns.
+    /// A, rows × columns. The pivot rows come first, in order; redundant rows follow.
     pub rows: usize,
     /// 1 over each pivot.
     pub inverse_pivots: usize,
@@ -19,7 +19,7 @@ pub(super) struct Layout {
     pub steps: usize,
     /// Number of values per lane.
     pub total: usize,
-    /// Number of rows of A.
+    /// Number of pivot rows, and of dependent coordinates.
     pub count: usize,
 }
 
@@ -27,15 +27,16 @@ pub(super) struct Layout {
 pub(super) const FRAME: usize = 12;
 
 impl Layout {
-    /// Layout for `bodies` bodies, `count` rows of A (also the number of dependent coordinates), `columns` coordinates, of which
-    /// `freedoms` are independent. The frames of the bodies come first.
-    pub fn of(bodies: usize, count: usize, columns: usize, freedoms: usize) -> Self {
+    /// Layout for `bodies` bodies, `all` rows of A, `columns` coordinates, of which `freedoms` are independent. The frames of
+    /// the bodies come first.
+    pub fn of(bodies: usize, all: usize, columns: usize, freedoms: usize) -> Self {
+        let count = columns - freedoms;
         let rows = FRAME * bodies;
-        let over = rows + count * columns;
+        let over = rows + all * columns;
         let rates = over + count;
         let twists = rates + columns * freedoms;
         let residuals = twists + 6 * bodies * freedoms;
-        let steps = residuals + count;
+        let steps = residuals + all;
         Self { rows, inverse_pivots: over, rates, twists, residuals, steps, total: steps + columns, count }
     }
 }

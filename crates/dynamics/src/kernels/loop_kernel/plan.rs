@@ -81,6 +81,9 @@ pub(super) enum RowForm {
     /// Rate of the cosine between a direction of the predecessor and a direction of the successor, times a length
     /// (m).
     Cosine(BodyDirection, BodyDirection, f64),
+    /// Relative angular velocity along the three axes of the predecessor's loop frame, times a length (m): three rows. The axes
+    /// of both loop frames.
+    Orientation([BodyDirection; 3], [BodyDirection; 3], f64),
     /// Rate of the distance between the two points; the value is the required distance (m).
     Distance(f64),
     /// Constant row: the factors of the terms.
@@ -106,7 +109,7 @@ pub(super) struct Block {
     /// Target of the successor's point; `None` without a closure.
     pub predecessor: Option<BodyPoint>,
     pub successor: BodyPoint,
-    /// Forms with the row numbers of each; `None` for an unused or redundant row.
+    /// Forms with the row numbers of each; `None` for an unused row.
     pub forms: Vec<(RowForm, [Option<usize>; 3])>,
     pub terms: Vec<BlockTerm>,
 }
@@ -126,10 +129,14 @@ pub(super) struct LoopPlan {
     pub pivots: Vec<RowPivot>,
     /// Fill-in: entries of A, row by row, without a term of their own that become nonzero in the elimination.
     pub filled_in: Vec<usize>,
+    /// Entries of A, row by row, of the redundant rows in the independent columns: zero after the elimination.
+    pub remainders: Vec<usize>,
     /// For each coordinate and each independent one: true if the rate can be nonzero.
     pub depends_on: Vec<bool>,
     /// Largest pivot at the pose of compilation.
     pub scale: f64,
+    /// Largest remainder of a redundant row after the elimination.
+    pub redundant: f64,
     /// Smallest length of a rotational coordinate, m.
     pub length: f64,
     /// Bound of the kinetic energy (kg): twice the energy of any motion is at most `weight` times the square of the

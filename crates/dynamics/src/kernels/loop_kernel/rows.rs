@@ -79,6 +79,26 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut 
                     keep!(rows[0], gap);
                     add_row(plan, block, rows[0], &times(&cross(&b, &e), length), &still, &at, room);
                 }
+                RowForm::Orientation(own, other, length) => {
+                    let length = T::from_f64(*length);
+                    let own: [[T; 3]; 3] = [0, 1, 2].map(|k| direction(room, &own[k]));
+                    let other: [[T; 3]; 3] = [0, 1, 2].map(|k| direction(room, &other[k]));
+                    // Σ e × b is twice the sine of the angle times the axis.
+                    let twice = plus(&cross(&own[0], &other[0]), &cross(&own[1], &other[1]));
+                    let twice = plus(&twice, &cross(&own[2], &other[2]));
+                    let half = length * T::from_f64(0.5);
+                    let mut k = 0;
+                    while k < 3 {
+                        let gap = dot(&twice, &own[k]) * half;
+                        open = open.max(gap.abs());
+                        keep!(rows[k], gap);
+                        add_row(plan, block, rows[k], &times(&own[k], length), &still, &at, room);
+                        k += 1;
+                    }
+                    // Beyond a right angle the sine decreases again.
+                    let cosine = dot(&own[0], &other[0]) + dot(&own[1], &other[1]) + dot(&own[2], &other[2]);
+                    open = open.max(half * (T::one() - cosine));
+                }
                 RowForm::Distance(distance) => {
                     let square: T = dot(&apart, &apart);
                     let length = square.sqrt();
@@ -148,7 +168,7 @@ fn add_point<T: Lanes>(
 }
 
 /// Adds one row of A: the power of a wrench (moment about the point `at`, force; root axes) on the velocities of the block.
-/// Nothing is added if `row` is `None` (removed as redundant, or unused).
+/// Nothing is added if `row` is `None`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn add_row<T: Lanes>(
     plan: &LoopPlan,
@@ -169,7 +189,7 @@ fn add_row<T: Lanes>(
 }
 
 /// Eliminates the dependent coordinates in the order of the plan; with `KEPT`, also in the residuals. Returns the
-/// largest 1/|pivot|.
+/// largest 1/|pivot|, or a larger value than any such quotient if a redundant row is not redundant here.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut [f64]) -> T {
     let (n, rows) = (plan.columns, plan.layout.rows);
@@ -190,7 +210,12 @@ pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut 
             }
         }
     }
-    least
+    let mut left = T::zero();
+    for &entry in &plan.remainders {
+        left = left.max(get::<T>(room, rows + entry).abs());
+    }
+    let excess = (left - T::from_f64(plan.redundant)).max(T::zero());
+    excess.mul_add(T::from_f64(f64::MAX), least)
 }
 
 /// Newton steps of the dependent coordinates, m, after the elimination: A\[d\] δ = −r. Returns ‖δ‖.

@@ -86,7 +86,11 @@ impl LightBodies {
         for (at, placed) in steps.iter().enumerate().filter(|(_, placed)| placed.subtree_root == subtree_root)
         {
             let share = &placed.step.share;
-            if share.amplification > LARGEST_AMPLIFICATION {
+            // The twists of clusters are not computed.
+            let in_cluster = placed.step.cluster_joint.is_some();
+            let is_needed = share.is_light() || self.is_needed[at];
+            if share.amplification > LARGEST_AMPLIFICATION || (in_cluster && is_needed) {
+                self.steps.clear();
                 return NO_BOUND;
             }
             if !share.is_light() {

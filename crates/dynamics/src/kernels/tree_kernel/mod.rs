@@ -1,9 +1,9 @@
 //! Recursion of a tree in the bodies' own axes, with a fixed or a floating base, in SIMD lanes.
 //!
 //! The kernel returns only results without doubt. All other cases (massless or immovable contacts and contacts near
-//! either, results lost to rounding) are left to [`crate::analysis::routes`], as are mimics, loops and contacts between two
-//! links.
+//! either, results lost to rounding) are left to [`crate::analysis::routes`], as are loops and contacts between two links.
 
+mod cluster;
 mod contact_path;
 mod hinge;
 mod light_bodies;
@@ -19,6 +19,7 @@ use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDE
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::model::Model;
 use crate::tolerances::TREE_TRUSTED_ERROR;
+use cluster::MimicCluster;
 use contact_path::{ContactPath, TreeContact, TreeNormal};
 use nalgebra::Vector3;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
@@ -31,21 +32,32 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub(crate) struct TreeKernel {
     steps: Arc<[ScheduledStep]>,
+    clusters: Arc<[MimicCluster]>,
     selection: ContactPath,
     scratch: Aligned,
     pub instructions: Instructions,
 }
 
 impl TreeKernel {
-    /// Compiles the kernel for a model. `None` if the model has mimics, loops or negative masses.
+    /// Compiles the kernel for a model. `None` if the model has loops or negative masses, or mimics of a kind that
+    /// [`MimicCluster::compile`] refuses.
     pub fn compile(model: &Model) -> Option<Self> {
-        let plan = TreePlan::of(model)?;
+        let mut plan = TreePlan::of(model)?;
+        let clusters = MimicCluster::compile(model, &mut plan)?;
+        plan.fill_leaves();
         let selection = ContactPath::none(plan.steps.len(), plan.travel);
         let mut steps = plan.into_schedule();
         prismatic_leaf::find_prismatic_leaves(&mut steps);
         let steps: Arc<[ScheduledStep]> = steps.into();
-        let scratch = Aligned::zeros(steps.len() * SCRATCH_NUMBERS * WIDEST);
-        Some(Self { steps, selection, scratch, instructions: Instructions::best() })
+        let of_clusters = clusters.iter().map(MimicCluster::numbers).sum::<usize>();
+        let scratch = Aligned::zeros((steps.len() * SCRATCH_NUMBERS + of_clusters) * WIDEST);
+        Some(Self {
+            steps,
+            clusters: clusters.into(),
+            selection,
+            scratch,
+            instructions: Instructions::best(),
+        })
     }
 
     /// Sets a checked contact; returns false for an unsupported kind. Allocates nothing after the first call.
@@ -114,14 +126,15 @@ impl TreeKernel {
         first: usize,
         answers: MassColumns<'a>,
     ) -> TreeLaneWork<'a> {
-        let Self { steps, selection, scratch, .. } = self;
-        TreeLaneWork { steps, selection, columns, first, scratch, answers }
+        let Self { steps, clusters, selection, scratch, .. } = self;
+        TreeLaneWork { steps, clusters, selection, columns, first, scratch, answers }
     }
 }
 
 /// Configurations, one per lane.
 struct TreeLaneWork<'a> {
     steps: &'a [ScheduledStep],
+    clusters: &'a [MimicCluster],
     selection: &'a ContactPath,
     columns: PositionColumns<'a>,
     first: usize,
@@ -132,10 +145,11 @@ struct TreeLaneWork<'a> {
 impl Work for TreeLaneWork<'_> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<T: Lanes>(self) {
-        let Self { steps, selection, columns, first, scratch, mut answers } = self;
+        let Self { steps, clusters, selection, columns, first, scratch, mut answers } = self;
         let mut done = 0;
         while done < answers.masses.len() {
-            let answer: TreeResponse<T> = evaluate(steps, selection, columns, first + done, scratch);
+            let answer: TreeResponse<T> =
+                evaluate((steps, clusters), selection, columns, first + done, scratch);
             answers.store(done, answer.response, answer.error);
             done += T::WIDTH;
         }

@@ -4,7 +4,7 @@ use super::plan::{TreeMotion, TreeStep};
 use super::propagation::{COSINE, PropagatedWrench, SINE, number};
 use crate::kernels::estimate::PositionColumns;
 use percuss_spatial::lanes::Lanes;
-use percuss_spatial::{PackedInertia, PackedTwist, rotation_rows};
+use percuss_spatial::{PackedInertia, PackedTwist, PackedWrench, rotation_rows};
 
 /// Location of the positions of the lanes.
 #[derive(Clone, Copy)]
@@ -25,7 +25,45 @@ impl LanePositions<'_> {
     }
 }
 
-/// Transform to the parent's frame.
+/// Quantity that a change of frame transforms: inertia or wrench.
+pub(super) trait Transformed<T: Lanes> {
+    /// Rotation about and shift along axis `Z`.
+    fn screw<const Z: usize>(&mut self, c: T, s: T, d: T);
+    /// Shift along axis `Z`.
+    fn shift<const Z: usize>(&mut self, d: T);
+    /// Rotation about axis `Z`.
+    fn turn<const Z: usize>(&mut self, c: T, s: T);
+    /// Rotation given by rows.
+    fn rotate(&mut self, rows: &[[T; 3]; 3]);
+}
+
+macro_rules! transformed {
+    ($name:ident) => {
+        impl<T: Lanes> Transformed<T> for $name<T> {
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn screw<const Z: usize>(&mut self, c: T, s: T, d: T) {
+                $name::screw::<Z>(self, c, s, d);
+            }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn shift<const Z: usize>(&mut self, d: T) {
+                $name::shift::<Z>(self, d);
+            }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn turn<const Z: usize>(&mut self, c: T, s: T) {
+                $name::turn::<Z>(self, c, s);
+            }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn rotate(&mut self, rows: &[[T; 3]; 3]) {
+                $name::rotate(self, rows);
+            }
+        }
+    };
+}
+
+transformed!(PackedInertia);
+transformed!(PackedWrench);
+
+/// Transforms the inertia, and on the contact path the test wrench, to the parent's frame.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn propagate_to_parent<T: Lanes>(
     step: &TreeStep,
@@ -35,62 +73,55 @@ pub(super) fn propagate_to_parent<T: Lanes>(
     propagated: &mut PropagatedWrench<T>,
     own: &[f64],
 ) {
+    transform_to_parent(step, inertia, at, own);
+    if on_path {
+        transform_to_parent(step, &mut propagated.wrench, at, own);
+    }
+}
+
+/// Transforms an inertia or a wrench to the parent's frame.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn transform_to_parent<T: Lanes>(
+    step: &TreeStep,
+    carried: &mut impl Transformed<T>,
+    at: LanePositions<'_>,
+    own: &[f64],
+) {
     let of = T::from_f64;
-    let (transform, wrench) = (&step.parent_transform, &mut propagated.wrench);
-    macro_rules! both {
-        ($what:ident::<$axis:literal>($($by:expr),*)) => {
-            inertia.$what::<$axis>($($by),*);
-            if on_path {
-                wrench.$what::<$axis>($($by),*);
-            }
-        };
-    }
-    macro_rules! rotate {
-        ($q:expr) => {
-            let rotation = at.rotation($q);
-            inertia.rotate(&rotation);
-            if on_path {
-                wrench.rotate(&rotation);
-            }
-        };
-    }
+    let transform = &step.parent_transform;
     let along_z = of(transform.along_z);
     match step.motion {
         TreeMotion::Turn { .. } => {
             let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
-            both!(screw::<2>(c, s, along_z));
+            carried.screw::<2>(c, s, along_z);
         }
-        TreeMotion::Slide { .. } => {
-            both!(shift::<2>(number::<T>(own, SINE) + along_z));
-        }
+        TreeMotion::Slide { .. } => carried.shift::<2>(number::<T>(own, SINE) + along_z),
         TreeMotion::Planar { q } => {
-            both!(shift::<0>(at.position(q)));
-            both!(shift::<1>(at.position(q + 1)));
-            both!(shift::<2>(along_z));
+            carried.shift::<0>(at.position(q));
+            carried.shift::<1>(at.position(q + 1));
+            carried.shift::<2>(along_z);
         }
         TreeMotion::Ball { q } => {
-            rotate!(q);
-            both!(shift::<2>(along_z));
+            carried.rotate(&at.rotation(q));
+            carried.shift::<2>(along_z);
         }
         TreeMotion::Floating { q } => {
-            rotate!(q + 3);
-            both!(shift::<0>(at.position(q)));
-            both!(shift::<1>(at.position(q + 1)));
-            both!(shift::<2>(at.position::<T>(q + 2) + along_z));
+            carried.rotate(&at.rotation(q + 3));
+            carried.shift::<0>(at.position(q));
+            carried.shift::<1>(at.position(q + 1));
+            carried.shift::<2>(at.position::<T>(q + 2) + along_z);
         }
         TreeMotion::Base => {}
     }
     match (step.motion, transform.turn_z) {
         (TreeMotion::Turn { .. }, _) | (_, None) => {}
-        (_, Some(turn)) => {
-            both!(turn::<2>(of(turn.cos), of(turn.sin)));
-        }
+        (_, Some(turn)) => carried.turn::<2>(of(turn.cos), of(turn.sin)),
     }
-    both!(screw::<0>(of(transform.tilt.cos), of(transform.tilt.sin), of(transform.shift[0])));
-    both!(shift::<1>(of(transform.shift[1])));
-    both!(shift::<2>(of(transform.shift[2])));
+    carried.screw::<0>(of(transform.tilt.cos), of(transform.tilt.sin), of(transform.shift[0]));
+    carried.shift::<1>(of(transform.shift[1]));
+    carried.shift::<2>(of(transform.shift[2]));
     if let Some(turn) = transform.last_turn_z {
-        both!(turn::<2>(of(turn.cos), of(turn.sin)));
+        carried.turn::<2>(of(turn.cos), of(turn.sin));
     }
 }
 

@@ -2,6 +2,7 @@
 //! that a pivot is an entry of the inertia. The transform from each frame to its parent has the least number of
 //! rotations about and shifts along coordinate axes (Denavit and Hartenberg 1955).
 
+use super::cluster::ClusterJoint;
 use super::sizes::Sizes;
 use crate::kernels::estimate::is_positive;
 use crate::model::joint_motion::JointMotion;
@@ -9,7 +10,7 @@ use crate::model::{Body, Model};
 use crate::tolerances::{LEAST_MOMENT, LIGHT_BODY, NO_ACROSS, NO_BOUND, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::JointKind;
-use percuss_spatial::lanes::Single;
+use percuss_spatial::lanes::{Lanes, Single};
 use percuss_spatial::{PackedInertia, PackedWrench, Scalar, Transform};
 use std::ops::Range;
 
@@ -118,6 +119,10 @@ pub(super) struct TreeStep {
     pub share: EnergyShare,
     /// Constant elimination of a leaf.
     pub leaf: Option<Box<LeafElimination>>,
+    /// Position of a joint that mimics another: multiplier and offset of the position with the index in `motion`.
+    pub mimic: Option<(f64, f64)>,
+    /// Joint in a cluster of mimics.
+    pub cluster_joint: Option<Box<ClusterJoint>>,
 }
 
 /// Rarely read data of a body, kept apart: long chains are faster with compact hot data.
@@ -140,7 +145,17 @@ impl TreeStep {
         self.free == [true; 6] && self.armature == [0.0; 6]
     }
 
-    /// Positions of the joint.
+    /// Position of a joint with one degree of freedom, from the position that it reads.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn own_position<T: Lanes>(&self, read: T) -> T {
+        match self.mimic {
+            // Two roundings, as in the frames of a pose: far from zero, one rounding less is another angle.
+            Some((multiplier, offset)) => T::from_f64(multiplier) * read + T::from_f64(offset),
+            None => read,
+        }
+    }
+
+    /// Positions that the joint reads.
     pub fn positions(&self) -> Range<usize> {
         match self.motion {
             TreeMotion::Turn { q } | TreeMotion::Slide { q } => q..q + 1,
@@ -190,6 +205,8 @@ pub(super) enum StepForm {
     Hinge(HingeForm),
     /// Prismatic leaf.
     PrismaticLeaf,
+    /// Joint in a cluster of mimics.
+    OfCluster,
     /// Any other joint.
     General,
 }
@@ -277,11 +294,10 @@ pub(super) struct TreePlan {
 }
 
 impl TreePlan {
-    /// Compiles a tree of joints: frames, transforms, inertias and bounds of sizes of all bodies. `None` if bodies are bound
-    /// together, mimic others or have a negative mass.
+    /// Compiles a tree of joints: frames, transforms, inertias and bounds of sizes of all bodies. `None` if the mechanism has
+    /// loops or held contacts, or a negative mass.
     pub fn of(model: &Model) -> Option<Self> {
-        let bound = model.clusters.iter().any(|cluster| cluster.is_bound);
-        if bound || model.bodies.is_empty() || !model.bodies.iter().all(is_plain) {
+        if !model.groups.is_empty() || model.bodies.is_empty() || !model.bodies.iter().all(is_plain) {
             return None;
         }
         let length = model.mechanism.characteristic_length();
@@ -316,11 +332,12 @@ impl TreePlan {
                 mass: 0.0,
                 share: EnergyShare::default(),
                 leaf: None,
+                mimic: body.mimic.map(|mimic| (mimic.multiplier, mimic.offset)),
+                cluster_joint: None,
             });
         }
         let mut plan = Self { steps, travel };
         plan.fill_sizes();
-        plan.fill_leaves();
         Some(plan)
     }
 
@@ -351,6 +368,9 @@ impl TreePlan {
 
     /// Form of a step: the compiled code that eliminates its joint.
     fn form(&self, step: &TreeStep) -> StepForm {
+        if step.cluster_joint.is_some() {
+            return StepForm::OfCluster;
+        }
         let Some(parent) = step.parent else {
             return if step.hinge_shape().is_some() && step.leaf.is_none() {
                 StepForm::GroundHinge
@@ -389,7 +409,7 @@ impl TreePlan {
     }
 
     /// Marks the steps that receive inertia from children, and eliminates the others in advance where the result is constant.
-    fn fill_leaves(&mut self) {
+    pub fn fill_leaves(&mut self) {
         for i in 0..self.steps.len() {
             if let Some(parent) = self.steps[i].parent.filter(|_| !self.steps[i].transmits_nothing()) {
                 self.steps[parent].has_child_inertia = true;
@@ -444,14 +464,14 @@ impl LeafElimination {
     }
 }
 
-/// True if a body moves by its own joint alone and its inertia is physical.
+/// True if a body has a joint and its inertia is physical.
 fn is_plain(body: &Body) -> bool {
-    body.mimic.is_none() && body.motion.kind != JointKind::Fixed && is_positive(&body.inertia)
+    body.motion.kind != JointKind::Fixed && is_positive(&body.inertia)
 }
 
 /// Motion of the joint of a body, with the index of its first position.
 fn motion_of(body: &Body) -> TreeMotion {
-    let q = body.q.start;
+    let q = body.mimic.map_or(body.q.start, |mimic| mimic.master);
     match body.motion.kind {
         JointKind::Floating if body.joint.is_none() => TreeMotion::Base,
         // Fixed joints are merged into their parent and have no entry here.

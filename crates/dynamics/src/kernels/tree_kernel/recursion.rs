@@ -10,6 +10,7 @@
 //! every joint and loop. This form needs no forward kinematics and no rotation of the bodies' inertias. A test
 //! compares the two.
 
+use super::cluster::{MimicCluster, eliminate_cluster_joint};
 use super::contact_path::{ContactPath, TreeNormal};
 use super::hinge::eliminate_hinge;
 use super::light_bodies::light_body_errors;
@@ -72,7 +73,7 @@ fn smaller<T: Lanes>(x: T, other: T) -> T {
 /// all steps.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn evaluate<T: Lanes>(
-    steps: &[ScheduledStep],
+    (steps, clusters): (&[ScheduledStep], &[MimicCluster]),
     selection: &ContactPath,
     columns: PositionColumns<'_>,
     first: usize,
@@ -81,11 +82,14 @@ pub(super) fn evaluate<T: Lanes>(
     let (beyond, travels): (T, T) = fill_joint_values(steps, selection, columns, first, scratch);
     let at = LanePositions { columns, first };
     let mut propagated = contact_wrench(steps, selection, at, scratch);
+    clusters.iter().for_each(|cluster| cluster.clear::<T>(scratch));
     for (placed, on_path) in steps.iter().zip(&selection.on_path) {
         if placed.subtree_root != selection.subtree_root {
             continue;
         }
-        if *on_path {
+        if let Some(joint) = &placed.step.cluster_joint {
+            eliminate_cluster_joint(clusters, placed, joint, *on_path, at, &mut propagated, scratch);
+        } else if *on_path {
             eliminate_step::<T, true>(placed, at, &mut propagated, scratch);
         } else {
             eliminate_step::<T, false>(placed, at, &mut propagated, scratch);
@@ -121,7 +125,7 @@ fn fill_joint_values<T: Lanes>(
         let slot = &mut scratch[placed.number * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
         match step.motion {
             TreeMotion::Turn { q } => {
-                let angle: T = columns.at(q, first);
+                let angle: T = step.own_position(columns.at(q, first));
                 angles = angles.max(angle.abs());
                 let (mut sin, mut cos) = angle.sin_cos();
                 match step.parent_transform.turn_z {
@@ -137,7 +141,7 @@ fn fill_joint_values<T: Lanes>(
                 cos.store(&mut slot[COSINE * T::WIDTH..]);
             }
             TreeMotion::Slide { q } => {
-                let travel: T = columns.at(q, first);
+                let travel: T = step.own_position(columns.at(q, first));
                 travels = travels.max(travel.abs());
                 travel.store(&mut slot[SINE * T::WIDTH..]);
             }
@@ -294,7 +298,7 @@ fn eliminate_step<T: Lanes, const ON_PATH: bool>(
             prismatic_leaf::add_polynomial_inertia::<T>(slid, number(own, SINE), placed.is_first, slot);
             slid.sizes.cast::<T>().add_to_parent(step.reach, placed.is_first, slot);
         }
-        StepForm::PrismaticLeaf | StepForm::General => {
+        StepForm::PrismaticLeaf | StepForm::General | StepForm::OfCluster => {
             eliminate_general_joint::<T>(placed, ON_PATH, at, propagated, rest, own)
         }
     }

@@ -1,0 +1,338 @@
+//! Clusters of joints that mimic one another: joint velocity k is mₖ times the rate of a coordinate of the cluster.
+//!
+//! The bodies of a cluster are visited from the tips to the parent body. With I the sum of the inertias of a body and of all
+//! bodies beyond it, and U_y the momentum of these bodies at a unit rate of coordinate y through the joints beyond the body,
+//! a joint with the motion column e and the multiplier m of coordinate x gives
+//!
+//! ```text
+//! D_xy += m e·U_y,  D_xx += m² (e·I e + armature),  U_x += m I e,  t_x += m e·f
+//! ```
+//!
+//! (composite rigid bodies, Featherstone 2008, §6.2). At the parent body, I ← I − U D⁻¹ Uᵀ and f ← f − U D⁻¹ t.
+
+use super::parent_transform::{LanePositions, propagate_to_parent, transform_to_parent};
+use super::plan::{ScheduledStep, TreeMotion, TreePlan};
+use super::propagation::{PropagatedWrench, SCRATCH_NUMBERS, add_to_parent};
+use super::sizes::{SIZES, Sizes};
+use crate::model::{Cluster, Model};
+use crate::tolerances::COMMON_LOSS;
+use percuss_spatial::lanes::Lanes;
+use percuss_spatial::{PackedInertia, PackedWrench};
+
+/// Largest number of coordinates of a cluster.
+const MOST: usize = 4;
+/// Numbers of a wrench.
+const WRENCH: usize = 6;
+
+/// Cluster of joints that mimic one another, with one parent body or the ground.
+#[derive(Clone, Debug)]
+pub(super) struct MimicCluster {
+    /// Number of its coordinates.
+    freedoms: usize,
+    /// Offset of its numbers in the workspace, per lane: D and t with its sizes, then U of the parent body and of each body.
+    offset: usize,
+    /// Number of its bodies.
+    bodies: usize,
+    parent: Option<usize>,
+    /// Bounds of the sums of the terms of the diagonal of D, kg·m² or kg.
+    sizes: [f64; MOST],
+}
+
+/// Joint of a cluster.
+#[derive(Clone, Debug)]
+pub(super) struct ClusterJoint {
+    /// Index of the cluster.
+    cluster: usize,
+    /// Index of the body within the cluster, and of its parent body; `None` for the parent of the cluster.
+    body: usize,
+    parent: Option<usize>,
+    /// Coordinate, multiplier and armature; `None` for a locked joint.
+    velocity: Option<(usize, f64, f64)>,
+    /// For each coordinate: true if joints beyond this one have it.
+    beyond: [bool; MOST],
+    /// True for the joint that is visited last.
+    is_last: bool,
+}
+
+impl MimicCluster {
+    /// Compiles the clusters of a plan. Their workspace follows that of the steps. `None` if a cluster has closed loops, too many coordinates, joints of several degrees of freedom, or several bodies
+    /// on the ground.
+    pub fn compile(model: &Model, plan: &mut TreePlan) -> Option<Vec<Self>> {
+        let (mut clusters, mut offset) = (Vec::new(), plan.steps.len() * SCRATCH_NUMBERS);
+        for own in model.clusters.iter().filter(|cluster| cluster.is_bound) {
+            let on_ground = own.parent.is_none() && own.parents.iter().filter(|p| p.is_none()).count() > 1;
+            let simple = |&body: &usize| {
+                matches!(plan.steps[body].motion, TreeMotion::Turn { .. } | TreeMotion::Slide { .. })
+            };
+            if !own.groups.is_empty()
+                || on_ground
+                || own.coordinates.len() > MOST
+                || !own.bodies.iter().all(simple)
+            {
+                return None;
+            }
+            let cluster = Self {
+                freedoms: own.coordinates.len(),
+                offset,
+                bodies: own.bodies.len(),
+                parent: own.parent,
+                sizes: sizes(own, plan),
+            };
+            offset += cluster.numbers();
+            add_joints(own, plan, clusters.len());
+            clusters.push(cluster);
+        }
+        Some(clusters)
+    }
+
+    /// Number of values of the workspace per lane.
+    pub fn numbers(&self) -> usize {
+        let f = self.freedoms;
+        f * f + 2 * f + WRENCH * f * (self.bodies + 1)
+    }
+
+    fn diagonal(&self, x: usize, y: usize) -> usize {
+        self.offset + x.max(y) * self.freedoms + x.min(y)
+    }
+
+    fn test(&self, y: usize) -> usize {
+        self.offset + self.freedoms * self.freedoms + y
+    }
+
+    fn test_size(&self, y: usize) -> usize {
+        self.test(y) + self.freedoms
+    }
+
+    /// Place of U_y of a body; `None` for the parent of the cluster.
+    fn momentum(&self, body: Option<usize>, y: usize) -> usize {
+        let f = self.freedoms;
+        self.offset + f * f + 2 * f + WRENCH * (body.map_or(0, |body| body + 1) * f + y)
+    }
+
+    /// Sets the sums to zero.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn clear<T: Lanes>(&self, scratch: &mut [f64]) {
+        scratch[self.offset * T::WIDTH..(self.offset + self.numbers()) * T::WIDTH].fill(0.0);
+    }
+}
+
+/// (Σ |mₖ| √sizeₖ)² over the joints of each coordinate, with the bound of eᵀIe of each joint: by Cauchy–Schwarz an upper bound
+/// of all terms of D, also of mixed ones; plus the armatures.
+fn sizes(own: &Cluster, plan: &TreePlan) -> [f64; MOST] {
+    let (mut roots, mut armatures) = ([0.0; MOST], [0.0; MOST]);
+    for velocity in &own.velocities {
+        let step = &plan.steps[own.bodies[velocity.body]];
+        let size = if let TreeMotion::Slide { .. } = step.motion { step.mass } else { step.moment };
+        roots[velocity.coordinate] += velocity.multiplier.abs() * size.sqrt();
+        armatures[velocity.coordinate] += velocity.multiplier * velocity.multiplier * velocity.armature;
+    }
+    std::array::from_fn(|y| roots[y] * roots[y] + armatures[y])
+}
+
+/// Marks the steps of a cluster. Their kinetic energy bounds the errors of the sums over the joints of the cluster only up to the
+/// number of its bodies: a term of two joints is bounded by the twists of both.
+fn add_joints(own: &Cluster, plan: &mut TreePlan, cluster: usize) {
+    let mut beyond = vec![[false; MOST]; own.bodies.len()];
+    for (at, &number) in own.bodies.iter().enumerate().rev() {
+        let velocity = own.velocities.iter().find(|v| v.body == at);
+        let joint = ClusterJoint {
+            cluster,
+            body: at,
+            parent: own.parents[at],
+            velocity: velocity.map(|v| (v.coordinate, v.multiplier, v.armature)),
+            beyond: beyond[at],
+            is_last: at == 0,
+        };
+        if let Some(parent) = own.parents[at] {
+            for y in 0..MOST {
+                beyond[parent][y] |= beyond[at][y] || velocity.is_some_and(|v| v.coordinate == y);
+            }
+        }
+        let step = &mut plan.steps[number];
+        step.free = [false; 6];
+        step.share.amplification *= 4.0 * own.bodies.len() as f64;
+        step.cluster_joint = Some(Box::new(joint));
+    }
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn get<T: Lanes>(scratch: &[f64], at: usize) -> T {
+    T::load(&scratch[at * T::WIDTH..])
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn put<T: Lanes>(scratch: &mut [f64], at: usize, x: T) {
+    x.store(&mut scratch[at * T::WIDTH..]);
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn add<T: Lanes>(scratch: &mut [f64], at: usize, x: T) {
+    put(scratch, at, get::<T>(scratch, at) + x);
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn get_wrench<T: Lanes>(scratch: &[f64], at: usize) -> PackedWrench<T> {
+    let number = |k: usize| get::<T>(scratch, at + k);
+    PackedWrench { moment: [number(0), number(1), number(2)], force: [number(3), number(4), number(5)] }
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn put_wrench<T: Lanes>(scratch: &mut [f64], at: usize, wrench: &PackedWrench<T>) {
+    let mut k = 0;
+    while k < 3 {
+        put(scratch, at + k, wrench.moment[k]);
+        put(scratch, at + 3 + k, wrench.force[k]);
+        k += 1;
+    }
+}
+
+/// Component of a wrench along the axis of a joint.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn along_axis<T: Lanes>(wrench: &PackedWrench<T>, slides: bool) -> T {
+    if slides { wrench.force[2] } else { wrench.moment[2] }
+}
+
+/// Adds a body of a cluster to the sums; at the last body eliminates the coordinates of the cluster.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn eliminate_cluster_joint<T: Lanes>(
+    clusters: &[MimicCluster],
+    placed: &ScheduledStep,
+    joint: &ClusterJoint,
+    on_path: bool,
+    at: LanePositions<'_>,
+    propagated: &mut PropagatedWrench<T>,
+    scratch: &mut [f64],
+) {
+    let (step, cluster) = (&placed.step, &clusters[joint.cluster]);
+    let range = placed.number * SCRATCH_NUMBERS * T::WIDTH..(placed.number + 1) * SCRATCH_NUMBERS * T::WIDTH;
+    let slides = matches!(step.motion, TreeMotion::Slide { .. });
+    let mut inertia: PackedInertia<T> = if step.has_child_inertia {
+        PackedInertia::load(&scratch[range.clone()])
+    } else {
+        step.own.inertia.cast()
+    };
+    let sizes = Sizes::of(&inertia, step.has_child_inertia, &scratch[range.clone()]);
+    if on_path {
+        propagated.add_share(&step.share, &mut scratch[range.clone()]);
+    }
+    if let Some((x, multiplier, armature)) = joint.velocity {
+        let factor = T::from_f64(multiplier);
+        let armature = T::from_f64(armature);
+        let pivot =
+            if slides { inertia.slide_pivot::<2>(armature) } else { inertia.turn_pivot::<2>(armature) };
+        let mut y = 0;
+        while y < cluster.freedoms {
+            if joint.beyond[y] {
+                let momentum = get_wrench::<T>(scratch, cluster.momentum(Some(joint.body), y));
+                let entry = factor * along_axis(&momentum, slides);
+                // On the diagonal the term and its mirror image.
+                add(scratch, cluster.diagonal(x, y), if x == y { entry + entry } else { entry });
+            }
+            y += 1;
+        }
+        add(scratch, cluster.diagonal(x, x), factor * factor * pivot.d);
+        let place = cluster.momentum(Some(joint.body), x);
+        let mut momentum = pivot.u.scaled(factor);
+        if joint.beyond[x] {
+            momentum.add(&get_wrench(scratch, place));
+        }
+        put_wrench(scratch, place, &momentum);
+        if on_path {
+            let size = if slides { propagated.force_size } else { propagated.moment_size };
+            add(scratch, cluster.test(x), factor * along_axis(&propagated.wrench, slides));
+            add(scratch, cluster.test_size(x), factor.abs() * size);
+        }
+    }
+    if let Some(parent) = step.parent {
+        let (rest, tail) = scratch.split_at_mut(range.start);
+        let (own, tail) = tail.split_at_mut(range.len());
+        propagate_to_parent::<T>(step, &mut inertia, on_path, at, propagated, own);
+        if on_path {
+            propagated.moment_size =
+                T::from_f64(step.reach).mul_add(propagated.force_size, propagated.moment_size);
+        }
+        let slot = &mut rest[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+        add_to_parent(&mut inertia, &placed.parent_inertia, placed.is_first, slot);
+        sizes.add_to_parent(step.reach, placed.is_first, slot);
+        // The workspaces of the clusters follow those of the bodies.
+        let shift = range.end / T::WIDTH;
+        let mut y = 0;
+        while y < cluster.freedoms {
+            if joint.beyond[y] || joint.velocity.is_some_and(|(x, ..)| x == y) {
+                let mut momentum = get_wrench::<T>(tail, cluster.momentum(Some(joint.body), y) - shift);
+                transform_to_parent(step, &mut momentum, at, own);
+                let place = cluster.momentum(joint.parent, y) - shift;
+                momentum.add(&get_wrench(tail, place));
+                put_wrench(tail, place, &momentum);
+            }
+            y += 1;
+        }
+    }
+    if joint.is_last {
+        eliminate_coordinates::<T>(cluster, propagated, scratch);
+    }
+}
+
+/// Eliminates the coordinates of a cluster one after another: D = L diag Lᵀ.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn eliminate_coordinates<T: Lanes>(
+    cluster: &MimicCluster,
+    propagated: &mut PropagatedWrench<T>,
+    scratch: &mut [f64],
+) {
+    let f = cluster.freedoms;
+    let mut sizes: [T; MOST] = [T::zero(); MOST];
+    let mut k = 0;
+    while k < f {
+        sizes[k] = T::from_f64(cluster.sizes[k]);
+        k += 1;
+    }
+    let mut largest_loss = T::one();
+    k = 0;
+    while k < f {
+        let over = T::one() / get::<T>(scratch, cluster.diagonal(k, k));
+        let loss = sizes[k] * over.abs();
+        largest_loss = largest_loss.max(loss);
+        let momentum = get_wrench::<T>(scratch, cluster.momentum(None, k));
+        let (t, test) = (get::<T>(scratch, cluster.test(k)), get::<T>(scratch, cluster.test_size(k)));
+        // Zero off the contact path.
+        let rate = propagated.add_response(sizes[k], t, test, over);
+        let (part, m, w) = (rate.abs(), &momentum.moment, &momentum.force);
+        propagated.moment_size = (m[0].abs() + m[1].abs() + m[2].abs()).mul_add(part, propagated.moment_size);
+        propagated.force_size = (w[0].abs() + w[1].abs() + w[2].abs()).mul_add(part, propagated.force_size);
+        propagated.wrench.subtract(&momentum, rate);
+        if let Some(parent) = cluster.parent {
+            let slot = &mut scratch[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+            let mut inertia: PackedInertia<T> = PackedInertia::load(slot);
+            inertia.subtract_dyad(&momentum, &momentum.scaled(over));
+            inertia.store(slot);
+        }
+        let mut j = k + 1;
+        while j < f {
+            let factor = get::<T>(scratch, cluster.diagonal(j, k)) * over;
+            let mut c = k + 1;
+            while c <= j {
+                add(scratch, cluster.diagonal(j, c), -(factor * get::<T>(scratch, cluster.diagonal(c, k))));
+                c += 1;
+            }
+            let mut other = get_wrench::<T>(scratch, cluster.momentum(None, j));
+            other.subtract(&momentum, factor);
+            put_wrench(scratch, cluster.momentum(None, j), &other);
+            add(scratch, cluster.test(j), -(factor * t));
+            add(scratch, cluster.test_size(j), factor.abs() * test);
+            sizes[j] = (factor * factor).mul_add(sizes[k], sizes[j]);
+            j += 1;
+        }
+        k += 1;
+    }
+    propagated.loss = propagated.loss.max(largest_loss);
+    if let Some(parent) = cluster.parent {
+        let slot = &mut scratch[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+        // All terms of the parent: those of the other children are counted too large.
+        let factor = T::one().max(largest_loss * T::from_f64(1.0 / COMMON_LOSS));
+        for k in [SIZES, SIZES + 1] {
+            let size: T = T::load(&slot[k * T::WIDTH..]);
+            (size * factor).store(&mut slot[k * T::WIDTH..]);
+        }
+    }
+}

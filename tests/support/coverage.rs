@@ -1,0 +1,115 @@
+//! Share of the configurations that the compiled kernels answer, without a second computation by the recursion.
+
+use nalgebra::Vector3;
+use percuss_dynamics::{Conditions, Contact, EffectiveMass, Pose, System};
+use percuss_mechanism::{JointKind, LinkId, Mechanism};
+use rand::{Rng, SeedableRng, rngs::StdRng};
+use std::f64::consts::PI;
+use std::ops::AddAssign;
+use std::sync::Arc;
+
+/// Number of contacts per mechanism, and of configurations per contact.
+const CONTACTS: usize = 6;
+const CONFIGURATIONS: usize = 8;
+/// Largest motion of a joint from the pose as drawn, in a mechanism with loops, rad or m.
+const LARGEST_MOTION: f64 = 0.4;
+
+/// Counts of configurations with a finite effective mass.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Coverage {
+    /// Mechanisms with such configurations.
+    pub mechanisms: usize,
+    /// Regular configurations: the rank of the constraints is clear, and the largest possible.
+    pub regular: usize,
+    /// Regular configurations answered by a kernel.
+    pub by_kernel: usize,
+}
+
+impl Coverage {
+    /// Share of the regular configurations, per cent.
+    pub fn per_cent(&self) -> f64 {
+        100.0 * self.by_kernel as f64 / self.regular.max(1) as f64
+    }
+}
+
+impl AddAssign for Coverage {
+    fn add_assign(&mut self, other: Self) {
+        self.mechanisms += other.mechanisms;
+        self.regular += other.regular;
+        self.by_kernel += other.by_kernel;
+    }
+}
+
+/// Random positions of all joints of a tree, within the limits of slides or half a metre.
+fn random_positions(rng: &mut StdRng, mechanism: &Mechanism) -> Vec<f64> {
+    let mut positions = Vec::new();
+    for joint in mechanism.joints() {
+        let mut quaternion = || {
+            let q = nalgebra::Vector4::from_fn(|_, _| rng.random_range(-1.0..1.0)).normalize();
+            [q.x, q.y, q.z, q.w]
+        };
+        match joint.kind() {
+            JointKind::Fixed => {}
+            JointKind::Spherical => positions.extend(quaternion()),
+            JointKind::Floating => {
+                let q = quaternion();
+                positions.extend([0; 3].map(|_| rng.random_range(-0.5..0.5)));
+                positions.extend(q);
+            }
+            JointKind::Prismatic => {
+                let range = joint.limits().map_or(-0.5..0.5, |limits| limits.lower..limits.upper);
+                let finite = range.start.is_finite() && range.end.is_finite() && range.start < range.end;
+                positions.push(rng.random_range(if finite { range } else { -0.5..0.5 }));
+            }
+            JointKind::Planar => {
+                positions.extend([0; 2].map(|_| rng.random_range(-0.5..0.5)));
+                positions.push(rng.random_range(-PI..PI));
+            }
+            JointKind::Revolute | JointKind::Continuous => positions.push(rng.random_range(-PI..PI)),
+        }
+    }
+    positions
+}
+
+/// Configurations for a contact at a pose: any positions of a tree; positions along v* in a mechanism with loops.
+fn configurations(rng: &mut StdRng, pose: &Pose, contact: &Contact) -> Vec<Vec<f64>> {
+    let Ok(response) = pose.respond(contact) else { return Vec::new() };
+    if pose.loops().is_none() {
+        return (0..CONFIGURATIONS).map(|_| random_positions(rng, pose.mechanism())).collect();
+    }
+    let fastest = response.joint_velocities.iter().flatten().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let mut moved = || {
+        let distance = LARGEST_MOTION / fastest * rng.random_range(-1.0..1.0);
+        let later = pose.advanced_along(&response, distance)?;
+        let regular = later.rank().clear && !later.rank().singular;
+        regular.then(|| later.positions().to_vec())
+    };
+    (0..CONFIGURATIONS).filter_map(|_| moved()).collect()
+}
+
+/// Coverage of a mechanism under conditions, with random contacts against the ground.
+pub fn coverage(mechanism: &Arc<Mechanism>, conditions: &Conditions, seed: u64) -> Coverage {
+    let mut rng = StdRng::seed_from_u64(seed);
+    let mut counts = Coverage::default();
+    let Ok(system) = System::new(Arc::clone(mechanism), conditions) else { return counts };
+    let Ok(pose) = system.pose(&system.configuration()) else { return counts };
+    let links: Vec<LinkId> = mechanism.link_ids().collect();
+    let size = mechanism.characteristic_length().max(0.1);
+    for _ in 0..CONTACTS {
+        let link = links[rng.random_range(0..links.len())];
+        let mut vector = || Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
+        let contact = Contact::new(link, vector() * (0.2 * size), vector());
+        let rows = configurations(&mut rng, &pose, &contact);
+        let Ok(mut batch) = pose.assembly().batch(&contact) else { continue };
+        for row in rows {
+            let Ok(answer) = batch.effective_mass(&row) else { continue };
+            if let Some(EffectiveMass::Finite(_)) = answer.mass {
+                counts.regular += 1;
+                // Only the kernels state an error of a finite mass.
+                counts.by_kernel += usize::from(answer.error.is_some());
+            }
+        }
+    }
+    counts.mechanisms = usize::from(counts.regular > 0);
+    counts
+}
