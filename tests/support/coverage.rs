@@ -11,7 +11,7 @@ use std::sync::Arc;
 /// Number of contacts per mechanism, and of configurations per contact.
 const CONTACTS: usize = 6;
 const CONFIGURATIONS: usize = 8;
-/// Largest motion of a joint from the pose as drawn, in a mechanism with loops, rad or m.
+/// Largest motion of a driver from the pose as drawn, rad or m.
 const LARGEST_MOTION: f64 = 0.4;
 
 /// Counts of configurations with a finite effective mass.
@@ -71,16 +71,21 @@ fn random_positions(rng: &mut StdRng, mechanism: &Mechanism) -> Vec<f64> {
     positions
 }
 
-/// Configurations for a contact at a pose: any positions of a tree; positions along v* in a mechanism with loops.
-fn configurations(rng: &mut StdRng, pose: &Pose, contact: &Contact) -> Vec<Vec<f64>> {
-    let Ok(response) = pose.respond(contact) else { return Vec::new() };
+/// Configurations of a tree: any positions. Configurations of a mechanism with loops: closed for random positions of its drivers.
+fn configurations(rng: &mut StdRng, system: &System, pose: &Pose) -> Vec<Vec<f64>> {
     if pose.loops().is_none() {
         return (0..CONFIGURATIONS).map(|_| random_positions(rng, pose.mechanism())).collect();
     }
-    let fastest = response.joint_velocities.iter().flatten().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let mechanism = pose.mechanism();
     let mut moved = || {
-        let distance = LARGEST_MOTION / fastest * rng.random_range(-1.0..1.0);
-        let later = pose.advanced_along(&response, distance)?;
+        let mut configuration = system.configuration();
+        for joint in pose.assembly().drivers() {
+            if let &[position] = pose.joint(joint) {
+                let position = position + LARGEST_MOTION * rng.random_range(-1.0..1.0);
+                configuration.set(mechanism.joint(joint).name(), &[position]).ok()?;
+            }
+        }
+        let later = system.pose_from(pose, &configuration).ok()?;
         let regular = later.rank().clear && !later.rank().singular;
         regular.then(|| later.positions().to_vec())
     };
@@ -99,7 +104,7 @@ pub fn coverage(mechanism: &Arc<Mechanism>, conditions: &Conditions, seed: u64) 
         let link = links[rng.random_range(0..links.len())];
         let mut vector = || Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
         let contact = Contact::new(link, vector() * (0.2 * size), vector());
-        let rows = configurations(&mut rng, &pose, &contact);
+        let rows = configurations(&mut rng, &system, &pose);
         let Ok(mut batch) = pose.assembly().batch(&contact) else { continue };
         for row in rows {
             let Ok(answer) = batch.effective_mass(&row) else { continue };

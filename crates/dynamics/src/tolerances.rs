@@ -30,9 +30,9 @@ pub(crate) const SMALL_CHANGE: f64 = 1e-11;
 pub(crate) const PIVOT: f64 = 256.0 * f64::EPSILON;
 /// Largest relative error of a result of the recursion alone; beyond this limit the dense route also runs.
 pub(crate) const TRUSTED_ERROR: f64 = 1e-11;
-/// Largest relative error of a result of a tree in SIMD lanes; beyond this limit the row is computed again by the recursion. The
-/// bound of the lanes is quick and some thousand times the true error, so that rows of common robots exceed 1e-11.
-pub(crate) const TREE_TRUSTED_ERROR: f64 = 1e-10;
+/// Largest relative error of a result in SIMD lanes; beyond this limit the row is computed again by the recursion. The bound of the
+/// lanes is quick and some hundred to thousand times the true error, so that rows of common robots exceed 1e-11.
+pub(crate) const LANES_TRUSTED_ERROR: f64 = 1e-10;
 /// Smallest mass of a free body on the other side, kg. Its inverse, and sums of such inverses, do not overflow.
 pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
 /// Largest number of coordinates for the dense route: O(n³) time, and 8n² bytes per matrix.
@@ -414,7 +414,9 @@ pub(crate) const POOLED_WORKSPACES: usize = 64;
 /// Largest number of coordinates and bodies of a linkage with a compiled kernel.
 pub(crate) const LINKAGE_COORDINATES: usize = 64;
 /// Largest number of degrees of freedom of such a linkage, whose energy is a full matrix over these.
-pub(crate) const LINKAGE_FREEDOMS: usize = 8;
+pub(crate) const LINKAGE_FREEDOMS: usize = 16;
+/// Gap of the loops as drawn, relative to the mechanism's size, that is rounding of the file: 64 roundings.
+pub(crate) const EXACT_AS_DRAWN: f64 = 64.0 * f64::EPSILON;
 /// Largest remainder of a redundant row, as a fraction of the remainder below which a row counts as redundant: a factor of four
 /// leaves no doubt.
 pub(crate) const REDUNDANT_ROW: f64 = 0.25;

@@ -147,6 +147,11 @@ impl Assembly {
         self.floors[number]
     }
 
+    /// Positions of all joints at a generic pose.
+    pub(crate) fn generic_positions(&self) -> &[f64] {
+        &self.generic_kinematics.q
+    }
+
     /// Rank of a group's rows at a generic pose.
     pub(crate) fn expected_rank(&self, number: usize) -> usize {
         self.generic[number].rank

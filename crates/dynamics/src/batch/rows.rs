@@ -393,7 +393,6 @@ impl Worker {
     ) {
         let Worker { kernel: in_lanes, read, columns, row, workspace, remarks } = self;
         let count = places.count();
-        let trusted = in_lanes.as_ref().map_or(0.0, LaneKernel::trusted_error);
         for block in (0..count).step_by(BLOCK) {
             let (start, here) = (first + block, BLOCK.min(count - block));
             let [mut masses, mut errors] = [[f64::NAN; BLOCK]; 2];
@@ -424,8 +423,7 @@ impl Worker {
             }
             let (masses, errors) = (&masses[..here], &errors[..here]);
             places.store_lanes(block, masses, errors, *remarks);
-            let clear =
-                |lane: usize| CertifiedMass { mass: masses[lane], error: errors[lane] }.is_clear(trusted);
+            let clear = |lane: usize| CertifiedMass { mass: masses[lane], error: errors[lane] }.is_clear();
             if (0..here).fold(true, |all, lane| all & clear(lane)) {
                 continue;
             }

@@ -1,6 +1,6 @@
 //! Positions by columns and certified results, shared by the SIMD kernels.
 
-use crate::tolerances::UNIT_QUATERNION;
+use crate::tolerances::{LANES_TRUSTED_ERROR, UNIT_QUATERNION};
 use nalgebra::Matrix3;
 use percuss_spatial::SpatialInertia;
 use percuss_spatial::lanes::Lanes;
@@ -18,18 +18,18 @@ pub(crate) struct CertifiedMass {
 }
 
 impl CertifiedMass {
-    /// True if m̄ is finite and its rounding error at most `trusted`, relative. False for NaN.
+    /// True if m̄ is finite and its relative rounding error at most [`LANES_TRUSTED_ERROR`]. False for NaN.
     #[inline]
-    pub fn is_clear(&self, trusted: f64) -> bool {
-        (self.mass > 0.0) & (self.mass <= f64::MAX) & (self.error <= trusted * self.mass)
+    pub fn is_clear(&self) -> bool {
+        (self.mass > 0.0) & (self.mass <= f64::MAX) & (self.error <= LANES_TRUSTED_ERROR * self.mass)
     }
 
     /// Result of `work` on one lane, if certified.
     #[inline]
-    pub fn of_one(trusted: f64, work: impl FnOnce(MassColumns<'_>)) -> Option<Self> {
+    pub fn of_one(work: impl FnOnce(MassColumns<'_>)) -> Option<Self> {
         let (mut mass, mut error) = ([f64::NAN], [f64::NAN]);
         work(MassColumns { masses: &mut mass, errors: &mut error });
-        Some(Self { mass: mass[0], error: error[0] }).filter(|mass| mass.is_clear(trusted))
+        Some(Self { mass: mass[0], error: error[0] }).filter(|mass| mass.is_clear())
     }
 }
 
@@ -86,11 +86,13 @@ pub(crate) fn excess_beyond<T: Lanes>(x: T, most: f64) -> T {
 
 /// True if no motion has a negative kinetic energy, within rounding.
 pub(crate) fn is_positive(inertia: &SpatialInertia<f64>) -> bool {
-    if inertia.mass <= 0.0 {
-        return inertia.mass == 0.0 && inertia.first_moment.norm() == 0.0 && inertia.rotational.norm() == 0.0;
-    }
     let h = inertia.first_moment;
-    let steiner = (Matrix3::identity() * h.norm_squared() - h * h.transpose()) / inertia.mass;
+    if inertia.mass < 0.0 || (inertia.mass == 0.0 && h.norm() != 0.0) {
+        return false;
+    }
+    // A body without mass may have moments of inertia: a rotor.
+    let mass = if inertia.mass > 0.0 { inertia.mass } else { 1.0 };
+    let steiner = (Matrix3::identity() * h.norm_squared() - h * h.transpose()) / mass;
     let least = (inertia.rotational - steiner).symmetric_eigenvalues().min();
     least >= -f64::EPSILON * 16.0 * inertia.rotational.norm()
 }

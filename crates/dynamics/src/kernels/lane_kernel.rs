@@ -7,7 +7,6 @@ use crate::kernels::loop_kernel::LoopKernel;
 use crate::kernels::tree_kernel::TreeKernel;
 use crate::kinematics::contact::Contact;
 use crate::model::Model;
-use crate::tolerances::{TREE_TRUSTED_ERROR, TRUSTED_ERROR};
 use percuss_spatial::lanes::Instructions;
 
 /// SIMD kernel of a mechanism, with its buffers.
@@ -22,14 +21,6 @@ impl LaneKernel {
     pub fn compile(assembly: &Assembly) -> Option<Self> {
         let tree = TreeKernel::compile(assembly.model()).map(Self::Tree);
         tree.or_else(|| LoopKernel::compile(assembly).map(Self::Loop))
-    }
-
-    /// Largest relative error of a certified result.
-    pub fn trusted_error(&self) -> f64 {
-        match self {
-            Self::Tree(_) => TREE_TRUSTED_ERROR,
-            Self::Loop(_) => TRUSTED_ERROR,
-        }
     }
 
     /// Prepares the kernel for a checked contact; false if the kernel does not support the contact. Allocates nothing

@@ -9,16 +9,20 @@ use super::rows::matrix_at;
 use crate::analysis::assembly::Assembly;
 use crate::kernels::estimate::is_positive;
 use crate::model::{Body, CompiledClosure, Constraint, ConstraintRows, LinkFrame, Model};
-use crate::tolerances::{LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_PIVOT, REDUNDANT_ROW, ROW_ROUNDINGS};
+use crate::tolerances::{
+    EXACT_AS_DRAWN, LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_PIVOT, REDUNDANT_ROW, ROW_ROUNDINGS,
+};
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::{ClosureKind, JointKind};
 use percuss_spatial::{SpatialInertia, Transform, plane_basis};
 
 impl LoopPlan {
-    /// `None` for joints other than hinges, slides and balls, redundant rows that contradict each other, many degrees of
+    /// `None` for planar joints, redundant rows that contradict each other, many degrees of
     /// freedom, several independent subtrees, or negative inertias.
     pub fn of(assembly: &Assembly) -> Option<Self> {
-        Self::at(assembly, &assembly.facts().reference, &|_| true)
+        // The rows may be singular as drawn.
+        let plan = Self::at(assembly, &assembly.facts().reference, &|_| true);
+        plan.or_else(|| Self::at(assembly, assembly.generic_positions(), &|_| true))
     }
 
     /// Same plan, ordered at the given positions; only coordinates with `may(coordinate)` can be dependent. Also
@@ -48,7 +52,7 @@ impl LoopPlan {
             || model.clusters.iter().filter(|cluster| cluster.parent.is_none()).count() != 1
             // The rows of a rounded file that are left out would not be satisfied.
             || (model.groups.iter().map(|group| group.rows).sum::<usize>() != rank
-                && assembly.misfits().iter().any(|misfit| *misfit > 0.0))
+                && assembly.misfits().iter().any(|misfit| *misfit > EXACT_AS_DRAWN * model.mechanism.characteristic_length()))
             || model.bodies.iter().any(|body| !is_positive(&body.inertia))
         {
             return None;
@@ -83,7 +87,11 @@ impl LoopPlan {
             }
             let carried = body.parent.map_or(0.0, |p| plan.bodies[p].reach);
             let own = if body.parent.is_some() { Vector3::from(moving.translation).norm() } else { 0.0 };
-            moving.reach = carried + own;
+            let travel = match moving.motion {
+                LoopMotion::Floating(_) => model.mechanism.characteristic_length(),
+                _ => 0.0,
+            };
+            moving.reach = carried + own + travel;
             plan.bodies.push(moving);
         }
         plan.weight = plan.bodies.iter().map(|body| weight(body, length)).sum();
@@ -321,8 +329,9 @@ fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64])
         JointKind::Revolute | JointKind::Continuous => LoopMotion::Turn(position),
         JointKind::Prismatic => LoopMotion::Slide(position),
         JointKind::Spherical => LoopMotion::Ball(q),
-        JointKind::Floating if body.joint.is_none() => LoopMotion::Free,
-        JointKind::Planar | JointKind::Floating => return None,
+        JointKind::Floating if body.joint.is_none() => LoopMotion::Base,
+        JointKind::Floating => LoopMotion::Floating(q),
+        JointKind::Planar => return None,
     };
     let frame = match motion {
         LoopMotion::Turn(_) | LoopMotion::Slide(_) => {
@@ -330,7 +339,9 @@ fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64])
             let (x, y) = plane_basis(&axis);
             Transform::new(Matrix3::from_columns(&[x, y, axis]), Vector3::zeros())
         }
-        LoopMotion::Fixed | LoopMotion::Ball(_) | LoopMotion::Free => Transform::identity(),
+        LoopMotion::Fixed | LoopMotion::Ball(_) | LoopMotion::Floating(_) | LoopMotion::Base => {
+            Transform::identity()
+        }
     };
     let origin = carrier.inverse() * body.origin * frame;
     let velocity = |(v, armature): (usize, &f64)| {

@@ -23,7 +23,7 @@ use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDE
 use crate::kinematics::contact::Contact;
 use crate::tolerances::{
     CLOSED, CLOSED_IN_LANES, CLOSING_PASSES, CURVATURE_STEP, DRIFT_ITERATIONS, FOLLOWERS_DRIFT,
-    LONGEST_BRANCH_STEP, LONGEST_FOLLOWED, SMALL_CORRECTION, STRAIGHT, TRUSTED_ERROR,
+    LONGEST_BRANCH_STEP, LONGEST_FOLLOWED, SMALL_CORRECTION, STRAIGHT,
 };
 use percuss_spatial::Scalar;
 use percuss_spatial::lanes::{Lanes, Single, Work};
@@ -122,7 +122,8 @@ impl LoopContinuation {
         let (mut following, mut free) = (Vec::new(), Vec::new());
         for (body, own) in plan.bodies.iter().zip(&model.bodies).filter(|(_, own)| own.mimic.is_none()) {
             match body.motion {
-                LoopMotion::Fixed | LoopMotion::Free => {}
+                LoopMotion::Fixed | LoopMotion::Base => {}
+                LoopMotion::Floating(_) => return None,
                 LoopMotion::Turn(position) | LoopMotion::Slide(position) => {
                     let Some(velocity) = body.velocities.first() else { continue };
                     let (q, column, factor) = (position.q, velocity.column, velocity.factor);
@@ -389,7 +390,7 @@ impl LoopContinuation {
     /// Result of a lane whose branch is certain.
     fn row_result(&self, seen: &Outcome, lane: usize, lanes: usize) -> Option<FollowedRow> {
         let answered = CertifiedMass { mass: seen.masses[lane], error: seen.errors[lane] };
-        let mass = Some(answered).filter(|mass| mass.is_clear(TRUSTED_ERROR));
+        let mass = Some(answered).filter(|mass| mass.is_clear());
         self.is_on_branch(seen, lane, lanes).then_some(FollowedRow { mass, residual: seen.residuals[lane] })
     }
 

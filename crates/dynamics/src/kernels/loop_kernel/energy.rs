@@ -62,8 +62,10 @@ pub(super) fn evaluate<T: Lanes>(
 ) -> LoopResponse<T> {
     let (mut beyond, far): (T, T) = fill_frames(plan, columns, first, room);
     for body in &plan.bodies {
-        if let LoopMotion::Ball(q) = body.motion {
-            beyond += quaternion_norm_excess(columns, q, first);
+        match body.motion {
+            LoopMotion::Ball(q) => beyond += quaternion_norm_excess(columns, q, first),
+            LoopMotion::Floating(q) => beyond += quaternion_norm_excess(columns, q + 3, first),
+            LoopMotion::Fixed | LoopMotion::Turn(_) | LoopMotion::Slide(_) | LoopMotion::Base => {}
         }
     }
     let rows: RowRoundings<T> = fill_rows::<T, false>(plan, room).roundings;
@@ -129,12 +131,16 @@ fn fill_twists<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) {
                     LoopMotion::Slide(_) => {
                         linear = add_scaled(&[turn[0][2], turn[1][2], turn[2][2]], rate, &linear)
                     }
-                    LoopMotion::Ball(_) => {
+                    LoopMotion::Floating(_) if k >= 3 => {
+                        let axis = [turn[0][k - 3], turn[1][k - 3], turn[2][k - 3]];
+                        linear = add_scaled(&axis, rate, &linear)
+                    }
+                    LoopMotion::Ball(_) | LoopMotion::Floating(_) => {
                         angular = add_scaled(&[turn[0][k], turn[1][k], turn[2][k]], rate, &angular)
                     }
                     // The axes of the floating base are the root axes.
-                    LoopMotion::Free if k < 3 => angular[k] += rate,
-                    LoopMotion::Free => linear[k - 3] += rate,
+                    LoopMotion::Base if k < 3 => angular[k] += rate,
+                    LoopMotion::Base => linear[k - 3] += rate,
                 }
             }
             put_vector(room, to, angular);
@@ -153,7 +159,12 @@ fn fill_twists<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) {
 /// δ(1/m̄) = Σ (2 |t/d| δt + (t/d)² δd)
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn solve_response<T: Lanes>(plan: &LoopPlan, struck: &LoopContact, lost: T, room: &[f64]) -> LoopResponse<T> {
+fn solve_response<T: Lanes>(
+    plan: &LoopPlan,
+    struck: &LoopContact,
+    lost: T,
+    room: &mut [f64],
+) -> LoopResponse<T> {
     const MOST: usize = LINKAGE_FREEDOMS;
     let f = plan.freedoms;
     let (mut d, mut sizes) = ([[T::zero(); MOST]; MOST], [T::zero(); MOST]);
@@ -273,7 +284,7 @@ fn add_energy<T: Lanes>(
     plan: &LoopPlan,
     i: usize,
     body: &LoopBody,
-    room: &[f64],
+    room: &mut [f64],
     d: &mut [[T; LINKAGE_FREEDOMS]; LINKAGE_FREEDOMS],
     sizes: &mut [T; LINKAGE_FREEDOMS],
 ) {
@@ -305,14 +316,14 @@ fn add_energy<T: Lanes>(
         [of(inertia[6]), of(inertia[8]), of(inertia[9])],
     ];
     let (turn, _) = frame::<T>(room, i);
-    let mut known = [[[T::zero(); 3]; 2]; LINKAGE_FREEDOMS];
     let mut y = 0;
     while y < f {
         if body.moved_by[y] {
             let from = plan.layout.twists + 6 * (i * f + y);
             let angular = back(&turn, &get_vector(room, from));
             let linear = back(&turn, &get_vector(room, from + 3));
-            known[y] = [angular, linear];
+            put_vector(room, plan.layout.known + 6 * y, angular);
+            put_vector(room, plan.layout.known + 6 * y + 3, linear);
             let about_origin = of(inertia[4] + inertia[7] + inertia[9]) * dot(&angular, &angular);
             sizes[y] += mass.mul_add(dot(&linear, &linear), about_origin);
             let momentum = plus(&times(&linear, mass), &cross(&angular, &c));
@@ -323,7 +334,9 @@ fn add_energy<T: Lanes>(
             let mut z = 0;
             while z <= y {
                 if body.moved_by[z] {
-                    d[y][z] += dot(&known[z][0], &about) + dot(&known[z][1], &momentum);
+                    let known = plan.layout.known + 6 * z;
+                    d[y][z] +=
+                        dot(&get_vector(room, known), &about) + dot(&get_vector(room, known + 3), &momentum);
                 }
                 z += 1;
             }

@@ -29,7 +29,7 @@ pub(super) fn fill_frames<T: Lanes>(
             turn = product(&carrier, &fixed);
         }
         match body.motion {
-            LoopMotion::Fixed | LoopMotion::Free => {}
+            LoopMotion::Fixed | LoopMotion::Base => {}
             LoopMotion::Turn(position) => {
                 let angle: T = position.at(columns, first);
                 let over = angle.abs() - T::from_f64(LARGEST_ANGLE);
@@ -47,6 +47,12 @@ pub(super) fn fill_frames<T: Lanes>(
                 shift = add_scaled(&[turn[0][2], turn[1][2], turn[2][2]], travel, &shift);
             }
             LoopMotion::Ball(q) => turn = product(&turn, &of_quaternion(columns, q, first)),
+            LoopMotion::Floating(q) => {
+                let moved = [columns.at(q, first), columns.at(q + 1, first), columns.at(q + 2, first)];
+                let moved = [dot(&turn[0], &moved), dot(&turn[1], &moved), dot(&turn[2], &moved)];
+                shift = plus(&shift, &moved);
+                turn = product(&turn, &of_quaternion(columns, q + 3, first));
+            }
         }
         put_vector(room, FRAME * i, turn[0]);
         put_vector(room, FRAME * i + 3, turn[1]);

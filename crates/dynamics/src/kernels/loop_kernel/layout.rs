@@ -17,6 +17,8 @@ pub(super) struct Layout {
     pub residuals: usize,
     /// Newton steps of the coordinates, m: columns.
     pub steps: usize,
+    /// Twists of one body in its own axes: freedoms × 6.
+    pub known: usize,
     /// Number of values per lane.
     pub total: usize,
     /// Number of pivot rows, and of dependent coordinates.
@@ -37,7 +39,18 @@ impl Layout {
         let twists = rates + columns * freedoms;
         let residuals = twists + 6 * bodies * freedoms;
         let steps = residuals + all;
-        Self { rows, inverse_pivots: over, rates, twists, residuals, steps, total: steps + columns, count }
+        let known = steps + columns;
+        Self {
+            rows,
+            inverse_pivots: over,
+            rates,
+            twists,
+            residuals,
+            steps,
+            known,
+            total: known + 6 * freedoms,
+            count,
+        }
     }
 }
 

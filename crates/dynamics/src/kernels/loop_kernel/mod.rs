@@ -20,7 +20,7 @@ use crate::kernels::aligned::Aligned;
 use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDEST};
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::model::Model;
-use crate::tolerances::{SHORTEST_LINE, TRUSTED_ERROR};
+use crate::tolerances::SHORTEST_LINE;
 use energy::{LoopContact, LoopNormal, LoopResponse, evaluate};
 use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
@@ -95,7 +95,7 @@ impl LoopKernel {
     /// m̄ at one configuration for the current contact, with its rounding error. `None` if m̄ is not finite, or if its
     /// rounding error is not small.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Option<CertifiedMass> {
-        CertifiedMass::of_one(TRUSTED_ERROR, |answers| {
+        CertifiedMass::of_one(|answers| {
             let columns = PositionColumns { values: positions, stride: 1 };
             let instructions = self.instructions;
             if let Some(groups) = self.groups(columns, 0, answers) {
@@ -116,9 +116,10 @@ impl LoopKernel {
     /// Indices of the positions that the kernel reads.
     pub fn read_positions(&self) -> impl Iterator<Item = usize> + '_ {
         self.plan.bodies.iter().flat_map(|body| match body.motion {
-            LoopMotion::Fixed | LoopMotion::Free => 0..0,
+            LoopMotion::Fixed | LoopMotion::Base => 0..0,
             LoopMotion::Turn(position) | LoopMotion::Slide(position) => position.q..position.q + 1,
             LoopMotion::Ball(q) => q..q + 4,
+            LoopMotion::Floating(q) => q..q + 7,
         })
     }
 

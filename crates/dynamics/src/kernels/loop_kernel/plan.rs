@@ -24,8 +24,10 @@ pub(super) enum LoopMotion {
     Slide(JointPosition),
     /// Rotation by the quaternion that starts at a position index.
     Ball(usize),
+    /// Translation by three positions, and rotation by the quaternion that follows.
+    Floating(usize),
     /// Floating base: its pose is the reference frame.
-    Free,
+    Base,
 }
 
 /// One velocity of a body's joint.

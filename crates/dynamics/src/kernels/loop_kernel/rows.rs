@@ -131,7 +131,7 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut 
 fn lever<T: Lanes>(term: &BlockTerm, bodies: &[LoopBody], at: &[T; 3], room: &[f64]) -> ([T; 3], [T; 3]) {
     let k = match bodies[term.body].motion {
         LoopMotion::Ball(_) => term.component,
-        LoopMotion::Free => term.component % 3,
+        LoopMotion::Floating(_) | LoopMotion::Base => term.component % 3,
         LoopMotion::Fixed | LoopMotion::Turn(_) | LoopMotion::Slide(_) => 2,
     };
     let place: [T; 3] = get_vector(room, FRAME * term.body + 9);

@@ -18,7 +18,6 @@ use crate::kernels::aligned::Aligned;
 use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDEST};
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::model::Model;
-use crate::tolerances::TREE_TRUSTED_ERROR;
 use cluster::MimicCluster;
 use contact_path::{ContactPath, TreeContact, TreeNormal};
 use nalgebra::Vector3;
@@ -98,7 +97,7 @@ impl TreeKernel {
     /// m̄ at one configuration for the current contact, with its rounding error. `None` if m̄ is not finite, or if its
     /// rounding error is not small.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Option<CertifiedMass> {
-        CertifiedMass::of_one(TREE_TRUSTED_ERROR, |answers| {
+        CertifiedMass::of_one(|answers| {
             let columns = PositionColumns { values: positions, stride: 1 };
             let instructions = self.instructions;
             instructions.run_one(self.groups(columns, 0, answers));
