@@ -36,6 +36,7 @@ mod loops {
 /// Families of mechanisms with known results: rounded files, independent mechanisms in one file, loops drawn open,
 /// extreme sizes.
 mod families {
+    mod coverage;
     mod drawn_open;
     mod first_poses;
     mod gazebo_joints;

@@ -1,8 +1,10 @@
 //! Share of the configurations that the compiled kernels answer, without a second computation by the recursion.
 
 use nalgebra::Vector3;
-use percuss_dynamics::{Conditions, Contact, EffectiveMass, Pose, System};
+use percuss_dynamics::{Base, Conditions, Contact, EffectiveMass, Pose, System};
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
 use percuss_mechanism::{JointKind, LinkId, Mechanism};
+use percuss_suspension::{ImportOptions, import};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::f64::consts::PI;
 use std::ops::AddAssign;
@@ -92,11 +94,24 @@ fn configurations(rng: &mut StdRng, system: &System, pose: &Pose) -> Vec<Vec<f64
     (0..CONFIGURATIONS).filter_map(|_| moved()).collect()
 }
 
-/// Coverage of a mechanism under conditions, with random contacts against the ground.
-pub fn coverage(mechanism: &Arc<Mechanism>, conditions: &Conditions, seed: u64) -> Coverage {
-    let mut rng = StdRng::seed_from_u64(seed);
+/// Mechanism of a URDF file or of a suspension sheet.
+///
+/// # Errors
+/// The first line of the message of the reader.
+pub fn read(path: &str) -> Result<Arc<Mechanism>, String> {
+    let read = Source::read(path, DEFAULT_MAX_SIZE).and_then(|source| match path.ends_with(".urdf") {
+        true => load(&source, &LoadOptions::default()).map(|read| read.mechanism),
+        false => import(&source, &ImportOptions::default()).map(|read| read.mechanism),
+    });
+    read.map(Arc::new).map_err(|error| error.to_string().lines().next().unwrap_or_default().to_owned())
+}
+
+/// Coverage of a mechanism on a base, with random contacts against the ground.
+pub fn coverage(mechanism: &Arc<Mechanism>, base: Base) -> Coverage {
+    let mut rng = StdRng::seed_from_u64(1);
     let mut counts = Coverage::default();
-    let Ok(system) = System::new(Arc::clone(mechanism), conditions) else { return counts };
+    let conditions = Conditions::new().base(base);
+    let Ok(system) = System::new(Arc::clone(mechanism), &conditions) else { return counts };
     let Ok(pose) = system.pose(&system.configuration()) else { return counts };
     let links: Vec<LinkId> = mechanism.link_ids().collect();
     let size = mechanism.characteristic_length().max(0.1);

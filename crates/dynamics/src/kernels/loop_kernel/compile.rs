@@ -10,7 +10,7 @@ use crate::analysis::assembly::Assembly;
 use crate::kernels::estimate::is_positive;
 use crate::model::{Body, CompiledClosure, Constraint, ConstraintRows, LinkFrame, Model};
 use crate::tolerances::{
-    EXACT_AS_DRAWN, LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_PIVOT, REDUNDANT_ROW, ROW_ROUNDINGS,
+    EXACT_AS_DRAWN, LANE_ROW_ROUNDINGS, LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_PIVOT, REDUNDANT_ROW,
 };
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::{ClosureKind, JointKind};
@@ -96,7 +96,8 @@ impl LoopPlan {
         }
         plan.weight = plan.bodies.iter().map(|body| weight(body, length)).sum();
         let deepest = model.coordinates.iter().map(|c| c.depth).max().unwrap_or(0) as f64 + 1.0;
-        plan.roundings = ROW_ROUNDINGS + 3.0 * deepest.sqrt() + deepest;
+        // The roundings of the frames on the way add up like a random walk.
+        plan.roundings = LANE_ROW_ROUNDINGS * (1.0 + deepest.sqrt());
         let mut rows = 0;
         for group in &model.groups {
             for constraint in &group.constraints {
