@@ -444,7 +444,7 @@ pub(crate) const OPEN_ROUNDINGS: f64 = 3.0;
 /// constants the true errors of the tested linkages are at most a tenth of the statement.
 pub(crate) const LANE_ROW_ROUNDINGS: f64 = 2.0;
 /// Roundings of an arm between two positions, relative to the relevant length.
-pub(crate) const FAR_ROUNDINGS: f64 = 4.0;
+pub(crate) const FAR_ROUNDINGS: f64 = 2.0;
 /// Largest distance of positions from those of a pose (rad, or lengths of the mechanism) for reuse of its pivots: far
 /// too small to move a nonzero singular value to zero.
 pub(crate) const SAME_PIVOTS_DISTANCE: f64 = 1e-9;
