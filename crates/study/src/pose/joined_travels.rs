@@ -2,10 +2,12 @@
 
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
-use crate::thresholds::{LARGEST_RETREAT, OTHER_DRIVERS, TRAVEL_PARTS, TRAVEL_ROUNDS, TRAVEL_TOLERANCE};
+use crate::thresholds::{
+    DEAD_CENTRE_GROWTH, LARGEST_RETREAT, OTHER_DRIVERS, TRAVEL_PARTS, TRAVEL_ROUNDS, TRAVEL_TOLERANCE,
+};
 use nalgebra::{DMatrix, DVector};
 use percuss_dynamics::{Configuration, Pose, Travel};
-use percuss_mechanism::JointId;
+use percuss_mechanism::{JointId, JointKind};
 
 /// Travels that are solved together.
 #[derive(Clone, Debug)]
@@ -46,12 +48,16 @@ impl JoinedTravels {
         let pose = move_drivers(configuration, &drivers, start, &at)?;
         let mut progress = Progress { drivers, at, pose };
         let (mut reached, mut part, mut changes) = (0.0, 1.0 / TRAVEL_PARTS, 0);
+        let mut joint_rates: Option<[Vec<JointRate>; 2]> = None;
         while reached < 1.0 {
             let to = f64::min(reached + part, 1.0);
             let between = |(begin, end): (&f64, &f64)| begin + to * (end - begin);
             let targets: Vec<f64> = begin.iter().zip(requested).map(between).collect();
             match self.solve(configuration, &progress, &targets) {
                 Ok((pose, at)) => {
+                    let last = mean_rates(&progress.pose, &pose, to - reached);
+                    let first = joint_rates.take().map_or_else(|| last.clone(), |[first, _]| first);
+                    joint_rates = Some([first, last]);
                     (progress.pose, progress.at, reached) = (pose, at, to);
                     part *= 2.0;
                 }
@@ -73,7 +79,10 @@ impl JoinedTravels {
                     };
                     let percent = (100.0 * reached).floor();
                     return Err(StudyError::TravelNotReached {
-                        why: format!("the travels cannot be reached together; reached: {percent} %{why}"),
+                        why: format!(
+                            "the travels cannot be reached together; reached: {percent} %{}{why}",
+                            joint_rates.map_or_else(String::new, |rates| dead_centre_text(start, &rates))
+                        ),
                         nearest: None,
                     });
                 }
@@ -137,6 +146,35 @@ impl JoinedTravels {
         }
         Some(drivers)
     }
+}
+
+/// Mean rate of a joint with one position over a part of the way, rad or characteristic lengths.
+type JointRate = (JointId, f64);
+
+/// Mean rates of the joints between two poses. `part`: part of the way between the poses.
+fn mean_rates(from: &Pose, to: &Pose, part: f64) -> Vec<JointRate> {
+    let mechanism = from.mechanism();
+    let rate = |joint: JointId| {
+        let kind = mechanism.joint(joint).kind();
+        let unit = if kind == JointKind::Prismatic { mechanism.characteristic_length() } else { 1.0 };
+        (kind.positions() == 1).then(|| (joint, (to.joint(joint)[0] - from.joint(joint)[0]) / (unit * part)))
+    };
+    mechanism.joint_ids().filter_map(rate).collect()
+}
+
+/// Names of the joints whose rates grow without bound along the way; empty if no joint is near a dead centre. `rates`: of the
+/// first and of the last part of the way.
+fn dead_centre_text(pose: &Pose, [first, last]: &[Vec<JointRate>; 2]) -> String {
+    let largest = last.iter().fold(0.0f64, |most, (_, rate)| most.max(rate.abs()));
+    let near = first.iter().zip(last).filter(|((_, first), (_, last))| {
+        last.abs() >= 0.1 * largest && last.abs() > DEAD_CENTRE_GROWTH * first.abs()
+    });
+    let names: Vec<String> =
+        near.map(|(_, (joint, _))| format!("{:?}", pose.mechanism().joint(*joint).name())).collect();
+    if names.is_empty() {
+        return String::new();
+    }
+    format!(": dead centre of {} (the links that they join are in line)", names.join(", "))
 }
 
 /// Pose with the drivers at given positions, on the branch of the pose `from`.
