@@ -89,6 +89,9 @@ pub(crate) const TOUCH_TOLERANCE: f64 = 1e-10;
 pub(crate) const TRAVEL_ROUNDS: usize = 12;
 /// Largest ratio of the distances from the targets after and before a step of Newton's method.
 pub(crate) const LARGEST_RETREAT: f64 = 2.0;
+/// Longest step of a driver in Newton's method for several travels, rad or characteristic lengths. The first part of a travel of
+/// 0.1 m turns an arm of 0.1 m by 0.25 rad.
+pub(crate) const LONGEST_DRIVER_STEP: f64 = 1.0;
 /// Growth of the rate of a joint along the way of several travels at which the end of the way is called its dead centre. The
 /// rate grows with the inverse square root of the remaining way.
 pub(crate) const DEAD_CENTRE_GROWTH: f64 = 4.0;

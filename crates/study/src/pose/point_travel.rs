@@ -89,7 +89,13 @@ impl PointTravel {
             }
             let ratios = moved.iter().map(|point| point.distance / moved[0].distance).collect();
             first.joined = Some((
-                JoinedTravels { travels, drivers, set: first.set.clone(), least_part: LEAST_PART },
+                JoinedTravels {
+                    travels,
+                    drivers,
+                    set: first.set.clone(),
+                    least_part: LEAST_PART,
+                    selects_drivers: false,
+                },
                 ratios,
             ));
         }
