@@ -136,7 +136,7 @@ impl Design {
             | Part::Close { .. } => false,
         };
         // A rod without length is left to the checks of the mechanism as a closure.
-        self.rods_are_links || !self.unchecked_rods && !self.parts.iter().any(|part| has_pin(part))
+        self.rods_are_links || !self.unchecked_rods && !self.parts.iter().any(has_pin)
     }
 
     /// Position of a point; `None` if the file does not contain the point.
