@@ -140,6 +140,8 @@ def changed(checker, car, spelling, which, rng, name):
 
     for _ in range(3):
         point, by = str(rng.choice(list(car.points))), rng.uniform(-0.02, 0.02, size=3)
+        if car.template in MIDDLE and point == "wheel_centre":
+            by[1] = 0.0
         moved = dataclasses.replace(car, points={**car.points, point: car.points[point] + by})
         given = ",".join(repr(float(x)) for x in to_sheet(spelling, point) @ by)
         ask("move", "--move", f"{point}={given}", build(moved, which))

@@ -107,9 +107,21 @@ def kinematics(
     sprung_mass: above one wheel, kg; tyre_rate: N/m, None for a rigid tyre. They give body_frequency and
     wheel_hop_frequency, Hz.
     """
-    variables = [_variable(value) for value in (wheel_travel, heave, roll, steer)]
-    vehicle = (axle, brake_bias, drive_share, cg_height, wheelbase, inboard_brakes, inboard_drive)
-    question = _Question(*variables, *vehicle, sprung_mass, tyre_rate)
+    question = _Question(
+        wheel_travel=_variable(wheel_travel),
+        heave=_variable(heave),
+        roll=_variable(roll),
+        steer=_variable(steer),
+        axle=axle,
+        brake_bias=brake_bias,
+        drive_share=drive_share,
+        cg_height=cg_height,
+        wheelbase=wheelbase,
+        inboard_brakes=inboard_brakes,
+        inboard_drive=inboard_drive,
+        sprung_mass=sprung_mass,
+        tyre_rate=tyre_rate,
+    )
     report = Report(json.loads(_percuss.kinematics(model, question)))
     rows = report["rows"]
     names = [f"{c['quantity']}_{c['side']}" if c["side"] else c["quantity"] for c in report["columns"]]
