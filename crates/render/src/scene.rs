@@ -32,6 +32,8 @@ pub(crate) enum Item {
     Image { at: Point, size: (f64, f64), pixels: Vec<u8>, columns: usize },
     /// One line of text.
     Text(Text),
+    /// Invisible disc with a text that viewers show while the pointer is over the disc.
+    Hover { at: Point, radius: f64, title: String },
 }
 
 /// Stroke of a polyline, with round joins and butt ends.
@@ -75,6 +77,11 @@ impl Scene {
         if !centres.is_empty() {
             self.items.push(Item::Dots { centres, radius, colour });
         }
+    }
+
+    /// Adds an invisible disc with a text for the pointer.
+    pub fn hover(&mut self, at: Point, radius: f64, title: String) {
+        self.items.push(Item::Hover { at, radius, title });
     }
 
     /// Adds a centred text on a patch of paper colour, so that lines below do not cross it.

@@ -54,6 +54,7 @@ fn write_items(scene: &Scene, with_images: bool, out: &mut String) -> Result {
             Item::Image { .. } if !with_images => {}
             Item::Image { at, size, pixels, columns } => write_image(*at, *size, pixels, *columns, out)?,
             Item::Text(text) => write_text(text, out)?,
+            Item::Hover { at, radius, title } => write_hover(*at, *radius, title, out)?,
         }
     }
     writeln!(out, "</svg>")
@@ -115,6 +116,13 @@ fn write_text(text: &Text, out: &mut String) -> Result {
         Anchor::End => write!(out, r#" text-anchor="end""#)?,
     }
     writeln!(out, ">{}</text>", Escaped(&text.content))
+}
+
+/// Writes an invisible disc with the title that a browser shows under the pointer.
+fn write_hover(at: Point, radius: f64, title: &str, out: &mut String) -> Result {
+    let (x, y, radius) = (Number(at.0), Number(at.1), Number(radius));
+    write!(out, r#"<circle cx="{x}" cy="{y}" r="{radius}" fill="none" pointer-events="all">"#)?;
+    writeln!(out, "<title>{}</title></circle>", Escaped(title))
 }
 
 /// Coordinate rounded to 0.01, without trailing zeros.

@@ -89,6 +89,17 @@ fn three_views_have_numbers_and_a_key() {
     for (i, a) in numbers.iter().enumerate() {
         assert!(numbers[..i].iter().all(|b| (a.0 - b.0).hypot(a.1 - b.1) > 8.0), "{numbers:?}");
     }
+    // The name is shown under the pointer, at the dot and at the number of each view; coincident points share the dot.
+    let titles: Vec<&str> = document
+        .descendants()
+        .filter(|n| n.has_tag_name("circle"))
+        .filter_map(|n| n.first_element_child()?.text())
+        .collect();
+    // From the left, all three points coincide; from the front and from above, the first and the third.
+    for (title, count) in [("1 ball <lower>", 10), ("2 hinge", 8), ("3 spring (spring)", 10)] {
+        let shown = titles.iter().filter(|shown| shown.lines().any(|line| line == title)).count();
+        assert_eq!(shown, count, "{title}");
+    }
     // Every symbol adds lines in the three views.
     for symbol in symbols {
         let with = Drawing { symbols: vec![symbol], ..plain.clone() }.to_svg();

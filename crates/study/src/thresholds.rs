@@ -59,6 +59,8 @@ pub(crate) const POSED_ROWS_PER_TASK: usize = 32;
 /// Smallest pivot of the rows of a linkage, relative to the largest entry, for which the conditions determine its motion; and
 /// largest residual of conditions that do not exclude one another. Roundings are some 1e-15, regular poses above 1e-4.
 pub(crate) const UNDETERMINED_MOTION: f64 = 1e-9;
+/// Smallest closing speed of a contact, per rate of a travel, for a motion ratio: below, the contact does not close.
+pub(crate) const SMALLEST_CLOSING_SPEED: f64 = 1e-9;
 /// Least rate of the tilt of a wheel, rad/m, for an instant centre: one that is farther away than 10,000 km is at infinity.
 pub(crate) const LEAST_TILT_RATE: f64 = 1e-7;
 /// Largest number of designs that a search for coordinates evaluates: some seconds.
@@ -87,6 +89,12 @@ pub(crate) const TOUCH_TOLERANCE: f64 = 1e-10;
 pub(crate) const TRAVEL_ROUNDS: usize = 12;
 /// Largest ratio of the distances from the targets after and before a step of Newton's method.
 pub(crate) const LARGEST_RETREAT: f64 = 2.0;
+/// Longest step of a driver in Newton's method for several travels, rad or characteristic lengths. The first part of a travel of
+/// 0.1 m turns an arm of 0.1 m by 0.25 rad.
+pub(crate) const LONGEST_DRIVER_STEP: f64 = 1.0;
+/// Growth of the rate of a joint along the way of several travels at which the end of the way is called its dead centre. The
+/// rate grows with the inverse square root of the remaining way.
+pub(crate) const DEAD_CENTRE_GROWTH: f64 = 4.0;
 /// Number of parts in which several travels are first divided.
 pub(crate) const TRAVEL_PARTS: f64 = 4.0;
 /// Least part of several travels in one step: a travel of 0.1 m in steps of 0.1 mm.

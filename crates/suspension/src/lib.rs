@@ -27,6 +27,7 @@ mod understood;
 mod units;
 
 use chrono::{ChronoTemplate, Reader, Section};
+use corner::design::THIRD_SPRING;
 pub use corner::drawing::{Line, WheelCircle};
 use corner::{Annotations, Body, CHASSIS, Corner, RACK};
 use encoding::Decoded;
@@ -37,8 +38,8 @@ use percuss_formats::reading::LONGEST_NAME;
 use percuss_formats::reading::{Place, Report, cut, quoted};
 use percuss_formats::{Comments, Diagnostic, LoadError, Source};
 use percuss_mechanism::{
-    Built, Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, Problem,
-    Subject,
+    Built, ContactDescription, ContactKind, ContactNormal, Inertial, JointDescription, JointKind,
+    LinkDescription, Mechanism, MechanismBuilder, Problem, Subject,
 };
 use percuss_spatial::Vector3;
 pub use percuss_units::LengthUnit;
@@ -126,6 +127,7 @@ fn import_sheet(
             coordinates: coordinates(&sheet),
             steering_axis: steering_axis(&sheet),
             axle: sheet.template.axle,
+            middle: sheet.template.middle,
             forces: sheet.forces.clone(),
         };
         build_mechanism(&mut findings, built.left, built.middle, &facts, source, options)
@@ -222,6 +224,8 @@ struct SuspensionFacts<'d> {
     /// Two points of the steering axis of the left side, m, each with its link.
     steering_axis: Vec<(String, [f64; 3])>,
     axle: bool,
+    /// True if the wheel is in the middle plane.
+    middle: bool,
     forces: ForceElements,
 }
 
@@ -270,6 +274,7 @@ fn read_chrono(
         coordinates: Vec::new(),
         steering_axis: Vec::new(),
         axle: false,
+        middle: false,
         forces: ForceElements::default(),
     };
     build_mechanism(reader, corner, None, &facts, source, options)
@@ -411,16 +416,36 @@ fn assemble(
     if let Some(middle) = middle {
         builder = middle.add_to("", builder, &mut annotations);
     }
+    if facts.side != Side::Both && corner.has_link(THIRD_SPRING.1) {
+        let message = "the third spring is not built: it needs both sides, build = \"both\"".to_owned();
+        findings.note("one-side", &Spot::default(), message);
+    }
     let builder = match facts.side {
         Side::Left => corner.add_to("", builder, &mut annotations),
         Side::Right => corner.mirrored().add_to("", builder, &mut annotations),
         Side::Both => {
             let right = corner.mirrored();
+            let has_third_spring = corner.has_link(THIRD_SPRING.1);
             let builder = corner.add_to("_left", builder, &mut annotations);
-            right.add_to("_right", builder, &mut annotations)
+            let builder = right.add_to("_right", builder, &mut annotations);
+            if has_third_spring { builder.contact(third_spring()) } else { builder }
         }
     };
     (builder, annotations)
+}
+
+/// Named contact between the seats of the third spring on both sides.
+fn third_spring() -> ContactDescription {
+    let (name, seat) = THIRD_SPRING;
+    ContactDescription {
+        name: name.to_owned(),
+        kind: ContactKind::Spring,
+        link: format!("{seat}_left"),
+        point: Vector3::zeros(),
+        against: format!("{seat}_right"),
+        normal: ContactNormal::Toward(Vector3::zeros()),
+        gap: None,
+    }
 }
 
 /// Adds the rack, fixed or sliding along y, with its frame at `at`.
@@ -450,6 +475,7 @@ fn add_rack(
 /// Comment lines at the top of the URDF.
 fn heading(facts: &SuspensionFacts<'_>, source: &Source) -> Vec<String> {
     let side = match facts.side {
+        Side::Left if facts.middle => "wheel in the middle plane",
         Side::Left => "left side",
         Side::Right => "right side, the mirror image of the left one",
         Side::Both => "both sides, the right one the mirror image of the left one",

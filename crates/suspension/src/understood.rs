@@ -22,7 +22,8 @@ pub struct Understood {
     pub side: Side,
     /// Wheel.
     pub wheel: Option<Wheel>,
-    /// Distance between the centres of both wheels: twice the distance of one from the middle plane.
+    /// Distance between the centres of both wheels: twice the distance of one from the middle plane. `None` for a wheel in
+    /// the middle plane.
     pub track: Option<f64>,
     /// Lengths of the links of one side and of the shared links: from the hinge axis to the outer point for a hinged
     /// arm, from end to end for a rod.
@@ -61,7 +62,7 @@ impl Understood {
         };
         let drawings: Vec<&Drawing> = sides.iter().copied().chain(middle).collect();
         Self {
-            track: left.wheels.first().map(|wheel| 2.0 * wheel.centre[1].abs()),
+            track: left.wheels.first().map(|wheel| 2.0 * wheel.centre[1].abs()).filter(|track| *track > 0.0),
             lengths: lengths.map(|arm| (arm.name.clone(), arm.length)).collect(),
             masses: massive.map(|(link, inertial)| (link.name().to_owned(), inertial.mass)).collect(),
             total_mass: mechanism.total_mass(),

@@ -31,14 +31,19 @@ CARRIERS = {
     "multi-link": ["upper_arm", "upright", "trailing_link"],
     "five-link": ["upright"],
     "pushrod-rocker": ["lower_arm", "upper_arm", "upright", "rocker"],
+    "pushrod-third-spring": ["lower_arm", "upper_arm", "upright", "rocker"],
     "solid-axle-four-links": ["axle"],
     "solid-axle-panhard": ["axle"],
     "solid-axle-watt": ["axle", "watt_crank"],
     "solid-axle-de-dion": ["axle"],
     "twist-beam": ["trailing_arm", "beam"],
     "swing-axle": ["axle_tube"],
+    "swing-arm": ["swing_arm"],
+    "telescopic-fork": ["fork_lower"],
 }
 AXLES = {"solid-axle-four-links", "solid-axle-panhard", "solid-axle-watt", "solid-axle-de-dion"}
+# Motorcycles: one wheel, in the middle plane.
+MIDDLE = {"swing-arm", "telescopic-fork"}
 # Rods: their end points; the first is at the universal joint.
 RODS = {
     "tie_rod": ("tie_rod_inner", "tie_rod_outer"),
@@ -236,6 +241,8 @@ class Side:
                 self.frame(seat, self.car.on[what], self.point(seat))
                 self.frame(on_chassis, CHASSIS, self.point(on_chassis))
 
+        if self.has("third_spring_seat"):
+            self.frame("third_spring_seat", self.car.on["third_spring"], self.point("third_spring_seat"))
         for what in ("bump_stop", "rebound_stop"):
             self.stop(what, self.car.stops.get(what, StopKeys()))
 
@@ -263,7 +270,7 @@ class Side:
 def corner(side):
     """One side of an independent suspension."""
     template = side.car.template
-    if template in ("double-wishbone", "pushrod-rocker"):
+    if template in ("double-wishbone", "pushrod-rocker", "pushrod-third-spring"):
         side.arm("lower_arm", "lower_front", "lower_back")
         side.arm("upper_arm", "upper_front", "upper_back")
         side.body("upright")
@@ -271,7 +278,7 @@ def corner(side):
         side.join("ball", "upper_arm", "upright", "upper_ball")
         side.steering()
         side.wheel("upright")
-        if template == "pushrod-rocker":
+        if template.startswith("pushrod"):
             side.arm("rocker", "rocker_front", "rocker_back")
             side.rod("pushrod", side.car.on["pushrod"], "rocker")
     elif template == "double-wishbone-rods":
@@ -319,6 +326,13 @@ def corner(side):
     elif template == "swing-axle":
         side.arm("axle_tube", "pivot_front", "pivot_back")
         side.wheel("axle_tube")
+    elif template == "swing-arm":
+        side.arm("swing_arm", "swing_arm_left", "swing_arm_right")
+        side.wheel("swing_arm")
+    elif template == "telescopic-fork":
+        side.body("fork_lower")
+        side.join("slide", CHASSIS, "fork_lower", "fork_bottom", side.point("fork_top") - side.point("fork_bottom"))
+        side.wheel("fork_lower")
     else:
         raise ValueError(template)
     side.seats()

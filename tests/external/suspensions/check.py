@@ -22,7 +22,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cars import AXLES, CARRIERS, CHASSIS, build
+from cars import AXLES, CARRIERS, CHASSIS, MIDDLE, build
 from mechanics import Independent, Twin
 from named_contacts import Tally, compare_named_contacts
 from sheets import example, random_build, random_car, random_spelling, to_sheet, written
@@ -140,6 +140,8 @@ def changed(checker, car, spelling, which, rng, name):
 
     for _ in range(3):
         point, by = str(rng.choice(list(car.points))), rng.uniform(-0.02, 0.02, size=3)
+        if car.template in MIDDLE and point == "wheel_centre":
+            by[1] = 0.0
         moved = dataclasses.replace(car, points={**car.points, point: car.points[point] + by})
         given = ",".join(repr(float(x)) for x in to_sheet(spelling, point) @ by)
         ask("move", "--move", f"{point}={given}", build(moved, which))
@@ -207,7 +209,7 @@ def main():
                 for against in (compare, compare_named_contacts):
                     against(checker, car, spelling, which, rng, f"{template}-{case}")
                 changed(checker, car, random_spelling(rng), which, rng, f"{template}-{case}-changed")
-                if template not in AXLES and case < 3:
+                if template not in AXLES | MIDDLE and case < 3:
                     mirrored(checker, car, random_spelling(rng), rng, f"{template}-{case}-mirrored")
     print(f"suspensions: off by at most {checker.worst:.1e}; left from right by {checker.worst_mirrored:.1e}")
     print(f"suspensions: {checker.stops.text()}")

@@ -5,9 +5,9 @@
 For each template N random cars: every hardpoint displaced, random wheel, spring, stop and vehicle data, random travel and
 rack. All quantities of `percuss kinematics` are compared. The program here shares no code and no method with percuss: the
 wheel carrier is one rigid body held by rods, points and lines from the hardpoints (an arm on a hinge is two rods to its
-ball joint), closed by Newton's method on their lengths. Velocities are the solution of six linear equations; the second
-derivative of a length is a difference of first derivatives. Definitions: docs/howto/KINEMATICS.md. The unsprung mass is
-that of mechanics.py at the pose of touch.py.
+ball joint; Watt's crank is eliminated), closed by Newton's method on their lengths. Velocities are the solution of six linear equations; the second
+derivative of a length is a difference of first derivatives. Rockers, struts and links on universal joints follow from the
+carrier in closed form. Definitions: docs/howto/KINEMATICS.md. The unsprung mass is that of mechanics.py at the pose of touch.py.
 """
 
 import argparse
@@ -20,7 +20,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cars import build
+from cars import MIDDLE, build
 from mechanics import Independent
 from sheets import example, written
 from touch import Linkage, moved_car
@@ -41,6 +41,11 @@ def rotation(v):
     angle = np.linalg.norm(v)
     k = cross(v)
     return np.eye(3) + np.sinc(angle / np.pi) * k + 0.5 * np.sinc(angle / 2 / np.pi) ** 2 * k @ k
+
+
+def turned(r):
+    """Rotation vector of a small rotation, to third order."""
+    return 0.5 * np.array([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]])
 
 
 def unit(v):
@@ -69,6 +74,31 @@ class OnLine:
 
     top: np.ndarray
     bottom: np.ndarray
+
+
+@dataclass
+class Sliding:
+    """Carrier that slides along a line and does not turn."""
+
+    along: np.ndarray
+
+
+@dataclass
+class Watt:
+    """Crank on the carrier, about the carrier's x axis at the pivot, with two rods to the chassis: (chassis, crank)."""
+
+    pivot: np.ndarray
+    left: tuple
+    right: tuple
+
+
+# Number of equations of each part.
+COUNTS = {Rod: 1, Coincident: 3, OnLine: 2, Sliding: 5, Watt: 1}
+
+
+def across(line):
+    """Two directions normal to a line."""
+    return np.linalg.svd(line[None])[2][1:]
 
 
 class Carrier:
@@ -102,16 +132,47 @@ class Carrier:
                     for axis in np.eye(3):
                         add(axis @ (at - point), axis, at)
                 case OnLine(top, bottom):
-                    drawn = unit(top - bottom)
-                    for e in np.linalg.svd(drawn[None])[2][1:]:
+                    for e in across(unit(top - bottom)):
                         e, low = r @ e, self.point(pose, bottom)
                         # e · (top − low) = 0, with e and low on the carrier.
                         errors.append(e @ (top - low))
                         rows.append(np.concatenate([np.cross(e, top - low) - np.cross(low - c, e), -e]))
+                case Sliding(along):
+                    for e, error in zip(np.eye(3), turned(r)):
+                        errors.append(error)
+                        rows.append(np.concatenate([e, np.zeros(3)]))
+                    for e in across(along):
+                        add(e @ c, e, c)
+                case Watt():
+                    error, row = self.watt(pose, part)
+                    errors.append(error)
+                    rows.append(row)
         for x, travel in zip(self.heights, travels):
             at = self.point(pose, x)
             add(at[2] - x[2] - travel, Z, at)
         return np.array(errors), np.array(rows)
+
+    def watt(self, pose, part):
+        """Error of the right rod with the crank at the angle at which the left rod has its length, and its row."""
+        r, c = pose
+        axis = r @ np.array([1.0, 0, 0])
+        angle = 0.0
+
+        def rod(ends):
+            chassis, crank = ends
+            at = self.point(pose, part.pivot + rotation(np.array([angle, 0, 0])) @ (crank - part.pivot))
+            line, length = at - chassis, np.linalg.norm(crank - chassis)
+            turn = line @ np.cross(axis, at - self.point(pose, part.pivot)) / length
+            return (line @ line - length**2) / (2 * length), turn, np.concatenate([np.cross(at - c, line), line]) / length
+
+        for _ in range(30):
+            error, turn, left = rod(part.left)
+            angle -= error / turn
+            if abs(error) < 1e-16:
+                break
+        _, turn, left = rod(part.left)
+        error, other, right = rod(part.right)
+        return error, right - left * other / turn
 
     def closed(self, travels, rack):
         pose = (np.eye(3), np.zeros(3))
@@ -138,7 +199,7 @@ class Carrier:
             for part in self.constraints:
                 if isinstance(part, Rod) and part.steers:
                     target[i] = rack_rate * rows[i][4]
-                i += {Rod: 1, Coincident: 3, OnLine: 2}[type(part)]
+                i += COUNTS[type(part)]
         else:
             target[-count:] = rates
         solution = np.linalg.lstsq(rows, target, rcond=1e-12)[0]
@@ -151,7 +212,7 @@ def linkage(car):
     wheel = p["wheel_centre"]
     right = np.diag([1.0, -1, 1])
     arms, axis = {}, None
-    if car.template in ("double-wishbone", "double-wishbone-rods", "pushrod-rocker"):
+    if car.template in ("double-wishbone", "double-wishbone-rods", "pushrod-rocker", "pushrod-third-spring"):
         rods = [
             Rod(p["lower_front"], p["lower_ball"]),
             Rod(p["lower_back"], p["lower_ball"]),
@@ -183,10 +244,15 @@ def linkage(car):
         links = ("upper_front_link", "upper_back_link", "lower_front_link", "lower_back_link")
         rods = [Rod(p[f"{link}_chassis"], p[f"{link}_outer"]) for link in links]
         rods.append(Rod(p["tie_rod_inner"], p["tie_rod_outer"], True))
-    elif car.template == "semi-trailing-arm":
+    elif car.template in ("semi-trailing-arm", "twist-beam"):
         rods = [Coincident(p["arm_outer"]), Coincident(p["arm_inner"])]
     elif car.template == "swing-axle":
         rods = [Coincident(p["pivot_front"]), Coincident(p["pivot_back"])]
+    elif car.template == "swing-arm":
+        rods = [Coincident(p["swing_arm_left"]), Coincident(p["swing_arm_right"])]
+    elif car.template == "telescopic-fork":
+        rods = [Sliding(unit(p["fork_top"] - p["fork_bottom"]))]
+        axis = [("chassis", p["steering_bottom"]), ("chassis", p["steering_top"])]
     elif car.template == "three-link":
         rods = [
             Coincident(p["arm_chassis"]),
@@ -208,17 +274,26 @@ def linkage(car):
             Rod(p["panhard_chassis"], p["panhard_axle"]),
         ]
         return Carrier(rods, [wheel, right @ wheel]), arms, axis
+    elif car.template == "solid-axle-watt":
+        inner, outer = p["lower_link_chassis"], p["lower_link_outer"]
+        rods = [
+            Rod(inner, outer),
+            Rod(right @ inner, right @ outer),
+            Rod(p["middle_link_chassis"], p["middle_link_axle"]),
+            Watt(p["watt_pivot"], *((p[f"watt_{side}_chassis"], p[f"watt_{side}_crank"]) for side in ("left", "right"))),
+        ]
+        return Carrier(rods, [wheel, right @ wheel]), arms, axis
     else:
         raise ValueError(car.template)
     return Carrier(rods, [wheel]), arms, axis
 
 
-# Links that carry springs, dampers and stops here: those whose position follows from hardpoints without a universal joint.
+# Links that carry springs, dampers and stops here.
 CARRIERS = {
     "double-wishbone": ["lower_arm", "upper_arm", "upright"],
     "double-wishbone-rods": ["upright"],
-    "macpherson-strut": ["lower_arm", "upright"],
-    "multi-link": ["upper_arm", "upright"],
+    "macpherson-strut": ["lower_arm", "upright", "strut"],
+    "multi-link": ["upper_arm", "upright", "trailing_link"],
     "five-link": ["upright"],
     "semi-trailing-arm": ["trailing_arm"],
     "swing-axle": ["axle_tube"],
@@ -226,6 +301,12 @@ CARRIERS = {
     "solid-axle-four-links": ["axle"],
     "solid-axle-panhard": ["axle"],
     "solid-axle-de-dion": ["axle"],
+    "solid-axle-watt": ["axle"],
+    "pushrod-rocker": ["lower_arm", "upper_arm", "upright", "rocker"],
+    "pushrod-third-spring": ["lower_arm", "upper_arm", "upright", "rocker"],
+    "twist-beam": ["trailing_arm", "beam"],
+    "swing-arm": ["swing_arm"],
+    "telescopic-fork": ["fork_lower"],
 }
 ELEMENTS = {
     "spring": ("spring_seat", "spring_chassis_seat"),
@@ -253,6 +334,10 @@ class Suspension:
 
     def on_link(self, link, x, motion=None):
         """Position and velocity of a point of a link."""
+        if link == "rocker":
+            return self.on_rocker(x, motion)
+        if link in ("strut", "trailing_link"):
+            return self.on_universal_joint(link, x, motion)
         if link not in self.arms:
             at = self.at(x)
             return at, self.speed(at, motion)
@@ -268,6 +353,68 @@ class Suspension:
         lever = np.cross(a, now - front)
         turn = lever @ self.speed(now, motion) / (lever @ lever)
         return at, turn * np.cross(a, at - front)
+
+    def on_rocker(self, x, motion):
+        """Rocker on its hinge: the pushrod keeps its length, on the branch as drawn."""
+        p = self.car.points
+        pivot, a = p["rocker_front"], unit(p["rocker_back"] - p["rocker_front"])
+        outer, v_outer = self.on_link(self.car.on["pushrod"], p["pushrod_outer"], motion)
+        arm = p["pushrod_rocker"] - pivot
+        length = np.linalg.norm(p["pushrod_rocker"] - p["pushrod_outer"])
+
+        def parts(outer):
+            """|arm turned by θ − (outer − pivot)|² = length² as cosine, sine and constant."""
+            d = outer - pivot
+            flat, along = arm - a * (a @ arm), a @ arm
+            constant = (arm @ arm + d @ d - length**2) / 2 - along * (a @ d)
+            return flat @ d, np.cross(a, flat) @ d, constant
+
+        def angles(outer):
+            cosine, sine, constant = parts(outer)
+            middle, half = np.arctan2(sine, cosine), np.arccos(constant / np.hypot(cosine, sine))
+            return [(angle + np.pi) % (2 * np.pi) - np.pi for angle in (middle - half, middle + half)]
+
+        branch = int(np.argmin(np.abs(angles(p["pushrod_outer"]))))
+        r = rotation(angles(outer)[branch] * a)
+        end, at = pivot + r @ arm, pivot + r @ (x - pivot)
+        line = end - outer
+        turn = line @ v_outer / (line @ np.cross(a, end - pivot))
+        return at, turn * np.cross(a, at - pivot)
+
+    def on_universal_joint(self, link, x, motion):
+        """Link on a universal joint at the chassis; its line is that of the carrier's strut, or ends at a carrier point. The
+        first pin is normal to the line as drawn and to the vehicle's x, the second one normal to the line and to the first."""
+        p = self.car.points
+        if link == "strut":
+            base, drawn = p["strut_top"], unit(p["strut_top"] - p["strut_bottom"])
+            line = self.pose[0] @ drawn
+            rate = np.cross((motion or (self.omega, self.v))[0], line)
+        else:
+            base, outer = p["trailing_link_chassis"], p["trailing_link_outer"]
+            drawn, now = unit(outer - base), self.at(outer)
+            line, v = unit(now - base), self.speed(now, motion)
+            rate = (v - line * (line @ v)) / np.linalg.norm(now - base)
+        first = unit(np.cross(drawn, [1.0, 0, 0]))
+
+        def frame(line):
+            second = unit(np.cross(line, first))
+            return np.array([line, second, np.cross(line, second)])
+
+        rows = frame(line)
+        across = np.cross(line, first)
+        second_rate = np.cross(rate, first)
+        second_rate = (second_rate - rows[1] * (rows[1] @ second_rate)) / np.linalg.norm(across)
+        rates = [rate, second_rate, np.cross(rate, rows[1]) + np.cross(line, second_rate)]
+        omega = 0.5 * sum(np.cross(e, de) for e, de in zip(rows, rates))
+        at = base + rows.T @ frame(drawn) @ (x - base)
+        return at, np.cross(omega, at - base)
+
+    def third_spring(self):
+        """Compression of the spring to the mirror image of its seat, in heave, per travel; and the compression."""
+        seat = self.car.points["third_spring_seat"]
+        at, v = self.on_link(self.car.on["third_spring"], seat)
+        side = np.sign(at[1])
+        return -2 * side * v[1] / self.rates[0], 2 * (abs(seat[1]) - abs(at[1]))
 
     def element(self, name, mirror=False):
         """Compression per travel of the own wheel, and compression, of a spring, damper or stop."""
@@ -299,7 +446,7 @@ def frequencies(k, mu, ms, kt):
 def expected_values(s, data, drawn):
     """All quantities of all wheels, by name."""
     car, values = s.car, {}
-    axle = len(s.rates) == 2
+    axle, middle = len(s.rates) == 2, car.template in MIDDLE
     toe, camber = car.wheel.toe, car.wheel.camber
     out = np.array([np.sin(toe) * np.cos(camber), np.cos(toe) * np.cos(camber), -np.sin(camber)])
     ends = ["_left", "_right"] if axle else [""]
@@ -338,7 +485,7 @@ def expected_values(s, data, drawn):
         add("half_track_change", sign * (contact - before)[1])
         add("forward_displacement", (contact - before)[0])
         v = s.speed(contact) / rate
-        if not axle:
+        if not axle and not middle:
             tilt = s.omega[0] / rate
             add("instant_centre_distance", sign * v[2] / tilt)
             add("instant_centre_height", v[1] / tilt)
@@ -384,6 +531,12 @@ def expected_values(s, data, drawn):
             force, stiffness = s.forces[name](compression)
             add(f"force_{name}", force)
             rate_sum += stiffness * ratio**2 + force * slope(lambda state: state.element(name, mirror)[0] * rate)
+        if car.template == "pushrod-third-spring":
+            ratio, compression = s.third_spring()
+            add("motion_ratio_third_spring", ratio)
+            force, stiffness = s.forces["third_spring"](compression)
+            add("force_third_spring", force)
+            rate_sum += 0.5 * (stiffness * ratio**2 + force * slope(lambda state: state.third_spring()[0] * rate))
         vr = roll.speed(contact)
         lines.append((contact, -vr[1] / vr[2]))
     for end in ends:
@@ -394,40 +547,52 @@ def expected_values(s, data, drawn):
         y = (r[2] - l[2] + ml * l[1] - mr * r[1]) / (ml - mr)
         ground = l[2] + (y - l[1]) * (r[2] - l[2]) / (r[1] - l[1])
         values["roll_centre_lateral"], values["roll_centre_height"] = y, l[2] + ml * (y - l[1]) - ground
-    else:
+    elif not middle:
         (at, m) = lines[0]
         values["roll_centre_lateral"], values["roll_centre_height"] = 0.0, -at[1] * m
     return values
 
 
-def unsprung(car, travels):
-    """Effective mass at the contact patch of a car with one side, at a wheel travel."""
-    built = build(car, "left")
+def unsprung(car, travels, rates):
+    """Masses at the contact patches at wheel travels: m̄ of one wheel; of two wheels on an axle that move with the rates s,
+    mᵢ = sᵢ Σ (Λ⁻¹)ᵢⱼ sⱼ with the inverse masses Λ = J M⁻¹ Jᵀ."""
+    ends = ["_left", "_right"] if len(travels) == 2 else [""]
+    built = build(car, "both" if len(travels) == 2 else "left")
     linkage = Linkage(built)
-    link, centre = built.frames["wheel_centre"]
-    index = linkage.group[link]
+    centres = [built.frames[f"wheel_centre{end}"] for end in ends]
     pose = linkage.drawn()
     for part in range(1, 11):
 
-        def height(pose, part=part):
-            at = linkage.point(pose, index, centre)
-            row = np.zeros(linkage.width)
-            linkage.add_point(row, pose, index, at, Z)
-            return np.array([at[2] - centre[2] - part / 10 * travels[0]]), [row]
+        def heights(pose, part=part):
+            errors, rows = [], []
+            for (link, centre), travel in zip(centres, travels):
+                index = linkage.group[link]
+                at = linkage.point(pose, index, centre)
+                rows.append(np.zeros(linkage.width))
+                linkage.add_point(rows[-1], pose, index, at, Z)
+                errors.append(at[2] - centre[2] - part / 10 * travel)
+            return np.array(errors), rows
 
-        pose = linkage.closed(pose, height, 30)
+        pose = linkage.closed(pose, heights, 30)
         assert pose is not None, "the loops do not close"
     there = moved_car(linkage, pose)
-    link, at = there.frames["contact_patch"]
-    return Independent(there).effective_mass(link, at, -Z)
+    own = Independent(there)
+    patches = [there.frames[f"contact_patch{end}"] for end in ends]
+    jacobian = np.array([own.velocities.moving(link, at, Z) @ own.free for link, at in patches])
+    masses = np.linalg.inv(jacobian @ np.linalg.solve(own.mass, jacobian.T))
+    return np.array(rates) * (masses @ rates)
 
 
 def random_car(rng, template):
     car = example(ROOT / "models/suspensions" / f"{template}.toml")
     for name in car.points:
         car.points[name] = car.points[name] + rng.uniform(-0.02, 0.02, size=3)
-    for name in ELEMENTS:
+    if template in MIDDLE:
+        car.points["wheel_centre"][1] = 0.0
+    for name in (*ELEMENTS, *(name for name in ("third_spring",) if name in car.on)):
         car.on[name] = str(rng.choice(CARRIERS[template]))
+    if "pushrod" in car.on:
+        car.on["pushrod"] = str(rng.choice(["lower_arm", "upper_arm", "upright"]))
     car.wheel.camber, car.wheel.toe = np.radians(rng.uniform(-3, 3, size=2))
     car.wheel.radius *= rng.uniform(0.9, 1.1)
     for name in ("bump_stop", "rebound_stop"):
@@ -435,11 +600,13 @@ def random_car(rng, template):
     return car
 
 
-def random_forces(rng):
+def random_forces(rng, springs):
     """Force and rate over the compression, and the lines of the sheet."""
-    rate, preload = rng.uniform(1e4, 6e4), rng.uniform(-500, 4000)
-    forces = {"spring": lambda x: (preload + rate * x, rate)}
-    lines = {"spring": f'rate = "{rate!r} N/m"\npreload = {preload!r}'}
+    forces, lines = {}, {}
+    for name in springs:
+        rate, preload = rng.uniform(1e4, 6e4), rng.uniform(-500, 4000)
+        forces[name] = lambda x, rate=rate, preload=preload: (preload + rate * x, rate)
+        lines[name] = f'rate = "{rate!r} N/m"\npreload = {preload!r}'
     for name in ("bump_stop", "rebound_stop"):
         x = np.concatenate([[0.0], np.cumsum(rng.uniform(0.004, 0.02, size=3))])
         f = np.concatenate([[0.0], np.cumsum(rng.uniform(50, 900, size=3))])
@@ -474,9 +641,10 @@ def main():
             rng = np.random.default_rng([args.seed, number, 7])
             for i in range(args.count):
                 car = random_car(rng, template)
-                forces, lines = random_forces(rng)
+                third = template == "pushrod-third-spring"
+                forces, lines = random_forces(rng, ["spring", "third_spring"] if third else ["spring"])
                 axle = template.startswith("solid")
-                text = written(car, ("mm", "kg m2", False, False), "both" if axle else "left")
+                text = written(car, ("mm", "kg m2", False, False), "both" if axle or third else "left")
                 for section, more in lines.items():
                     assert f"[{section}]\n" in text
                     text = text.replace(f"[{section}]\n", f"[{section}]\n{more}\n")
@@ -484,9 +652,11 @@ def main():
                 if args.keep:
                     (args.keep / f"{template}-{i}.toml").write_text(text)
                 steers = not axle and any(isinstance(c, Rod) and c.steers for c in linkage(car)[0].constraints)
-                rack = float(rng.uniform(-0.02, 0.02)) if steers and rng.integers(2) else 0.0
+                # Both sides are mirror images in heave without steering.
+                rack = float(rng.uniform(-0.02, 0.02)) if steers and not third and rng.integers(2) else 0.0
                 rolls = axle and bool(rng.integers(2))
-                heave, roll = float(rng.uniform(-0.05, 0.05)), float(rng.uniform(-0.03, 0.03)) if rolls else 0.0
+                most = 0.02 if template.startswith("pushrod") else 0.05
+                heave, roll = float(rng.uniform(-most, most)), float(rng.uniform(-0.03, 0.03)) if rolls else 0.0
                 travels = [heave + roll, heave - roll] if axle else [heave]
                 rates = [1.0, -1.0 if rolls else 1.0] if axle else [1.0]
                 data = {
@@ -511,7 +681,7 @@ def main():
                 where = f"{template} {i}"
                 states += 1
                 if done.returncode == 1 and "reached" in done.stderr:
-                    # The driving joints of percuss have a dead centre in some states that this program reaches.
+                    # The drop link and the anti-roll bar, which this program does not have, are in line in some states.
                     unreached += 1
                     continue
                 if done.returncode != 0:
@@ -526,12 +696,17 @@ def main():
                 s = Suspension(car, forces, travels, rack, rates)
                 drawn = Suspension(car, forces, [0.0] * len(travels), 0.0, rates)
                 expected = expected_values(s, data, drawn)
-                if not axle and not rack:
-                    mass = unsprung(car, travels)
-                    expected["unsprung_mass"] = mass
-                    k = expected["wheel_rate"]
-                    if k > 0:
-                        expected["body_frequency"], expected["wheel_hop_frequency"] = frequencies(k, mass, sprung, tyre)
+                if not rack:
+                    for end, mass in zip(["_left", "_right"] if axle else [""], unsprung(car, travels, rates)):
+                        expected["unsprung_mass" + end] = mass
+                        k = expected["wheel_rate" + end]
+                        if k > 0:
+                            both = frequencies(k, mass, sprung, tyre)
+                            expected["body_frequency" + end], expected["wheel_hop_frequency" + end] = both
+                if third:
+                    shared = {name: x for name, x in expected.items() if name.startswith("roll_centre")}
+                    of_wheel = {name: x for name, x in expected.items() if name not in shared}
+                    expected = shared | {f"{name}_{side}": x for name, x in of_wheel.items() for side in ("left", "right")}
                 for name, value in expected.items():
                     found = row.get(name)
                     # The denominator of a centre (the tilt rate, a difference of slopes) amplifies in proportion to the value.

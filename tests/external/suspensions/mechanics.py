@@ -83,8 +83,10 @@ class Independent:
         self.freedom = self.free.shape[1]
         self.mass = self.free.T @ self.velocities.mass_matrix() @ self.free
 
-    def effective_mass(self, link, at, direction):
-        j = self.velocities.moving(link, at, direction) @ self.free
+    def effective_mass(self, link, at, direction, against=CHASSIS):
+        """Along a line to a point of `against`: its velocity along the line is the same at both ends."""
+        j = self.velocities.moving(link, at, direction) - self.velocities.moving(against, at, direction)
+        j = j @ self.free
         return 1 / (j @ np.linalg.solve(self.mass, j))
 
 

@@ -4,7 +4,7 @@ import tomllib
 
 import numpy as np
 
-from cars import AXLES, CARRIERS, MIRROR, RODS, SHARED, SHARED_BODIES, Car, Given, StopKeys, Wheel, unit
+from cars import AXLES, CARRIERS, MIDDLE, MIRROR, RODS, SHARED, SHARED_BODIES, Car, Given, StopKeys, Wheel, unit
 
 # One unit of the sheet in metres.
 LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
@@ -85,6 +85,8 @@ def random_car(rng, path):
     car = example(path)
     for name in car.points:
         car.points[name] = car.points[name] + rng.uniform(-0.03, 0.03, size=3)
+    if car.template in MIDDLE:
+        car.points["wheel_centre"][1] = 0.0
     if "strut_top" in car.points:
         # The line of the strut has a length.
         assert np.linalg.norm(car.points["strut_top"] - car.points["strut_bottom"]) > 0.1
@@ -123,7 +125,7 @@ def random_car(rng, path):
     car.stops = {}
     for name in STOPS:
         random_stop(rng, car, name)
-    if rng.integers(3) == 0:
+    if car.template not in MIDDLE and rng.integers(3) == 0:
         for end in BAR:
             del car.points[end]
         for name in ("anti_roll_bar", "drop_link"):
@@ -213,6 +215,8 @@ def random_spelling(rng):
 
 
 def random_build(rng, template):
+    if template in MIDDLE:
+        return "left"
     return "both" if template in AXLES else str(rng.choice(["left", "right", "both"]))
 
 

@@ -42,7 +42,8 @@ def pins(joint):
 
 def is_held(joint):
     """True for a joint that does not move on the way to the touch: bearings of the wheels, the rack, fixed joints."""
-    return joint.kind in ("fixed", "slide") or joint.kind == "hinge" and joint.second.startswith("spindle")
+    is_rack = joint.kind == "slide" and joint.second == "rack"
+    return joint.kind == "fixed" or is_rack or joint.kind == "hinge" and joint.second.startswith("spindle")
 
 
 def rotation(angle):
@@ -87,7 +88,7 @@ class Linkage:
         if joint.kind == "rod":
             yield "distance", i, at, j, at + along
             return
-        if joint.kind == "cylinder":
+        if joint.kind in ("cylinder", "slide"):
             for direction in across(along):
                 yield "normal", i, at, j, at, direction
         else:
@@ -95,6 +96,9 @@ class Linkage:
         if joint.kind in ("hinge", "cylinder"):
             for direction in across(along):
                 yield "perpendicular", i, along, j, direction
+        elif joint.kind == "slide":
+            x, y, z = np.eye(3)
+            yield from (("perpendicular", i, one, j, other) for one, other in ((x, y), (y, z), (z, x)))
         elif joint.kind == "universal":
             yield "perpendicular", i, pins(joint)[0], j, pins(joint)[1]
         else:

@@ -6,6 +6,7 @@ use crate::files::output::{record_input, write_file};
 use crate::files::table_style::{ColumnUnit, TableStyle};
 use crate::files::xlsx_rows;
 use crate::pictures::clipping::note_clipping;
+use crate::pictures::sweep_figure::motion_ratio_name;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, short_number};
@@ -365,7 +366,8 @@ pub fn figure(report: &ComparisonReport, requested: &StudyFigure) -> Result<Figu
     }];
     if has_several_contacts(report) {
         let ratios = all.clone().map(|i| series(i, &|row| report.rows[row].motion_ratio[i]));
-        let y_label = "motion ratio, travel over contact".into();
+        let varied = report.varied.first().map(|column| column.name.as_str());
+        let y_label = format!("motion ratio, {}", motion_ratio_name(varied));
         panels.push(Panel { y_label, series: ratios.collect(), ..Panel::default() });
     }
     let compared = all.filter(|i| report.designs[*i].reference.is_some());

@@ -34,6 +34,15 @@ fn estimate_name(question: &MassQuestion) -> String {
     format!("estimate: mass of {links} × (motion ratio)²")
 }
 
+/// Name of a motion ratio. `of`: its motion, as in [`percuss_study::SweepHeading`] or the name of the varied column.
+pub fn motion_ratio_name(of: Option<&str>) -> String {
+    match of {
+        Some("estimate") => "A over contact".to_owned(),
+        Some(motion @ ("heave" | "roll")) => format!("{motion} over contact"),
+        Some(_) | None => "travel over contact".to_owned(),
+    }
+}
+
 /// Runs a sweep and keeps only the data of the picture.
 pub fn sweep_figure(
     sweep: Sweep,
@@ -110,8 +119,8 @@ pub fn sweep_figure(
         y_limits: requested.y_limits.map(AxisLimits::ends),
     }];
     if alone && is_drawn(&ratios) {
-        let of = if question.estimate.is_some() { "A over contact" } else { "travel over contact" };
-        let ratio = series(of, Style::Line, ratios);
+        let of = motion_ratio_name(heading.motion_ratio_of.as_deref());
+        let ratio = series(&of, Style::Line, ratios);
         panels.push(Panel {
             y_label: format!("motion ratio, {of}"),
             series: vec![ratio],

@@ -12,6 +12,7 @@ pub fn import_summary(of: &Understood, output: &str) -> String {
         out += &wrap::fact_line(name, &line(&value));
     };
     let side = match of.side {
+        Side::Left if of.track.is_none() && !of.wheels.is_empty() => "a wheel in the middle plane",
         Side::Left => "the left side",
         Side::Right => "the right side",
         Side::Both => "both sides",

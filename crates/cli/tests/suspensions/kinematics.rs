@@ -250,6 +250,166 @@ fn vehicle_data_give_support_and_frequencies() {
     }
 }
 
+/// A rack that slides stays on the way of the wheel: the angles are those with a fixed rack, also if no default driver of the
+/// loops moves the rack.
+#[test]
+fn a_sliding_rack_stays_on_the_way() {
+    let folder = Scratch::new("kinematics-rack");
+    for (template, mass) in [("double-wishbone-rods", "0"), ("double-wishbone-rods", "2"), ("five-link", "0")]
+    {
+        let text = done(&folder, &["template", template]);
+        folder.write("fixed.toml", &text);
+        let sliding = text.replace("slides = false", "slides = true");
+        folder.write("sliding.toml", &sliding.replace("mass = 2.5 ", &format!("mass = {mass} ")));
+        for travel in ["30mm", "-30mm"] {
+            let [fixed, sliding] =
+                ["fixed.toml", "sliding.toml"].map(|sheet| rows(&folder, sheet, &["--wheel-travel", travel]));
+            for name in ["camber", "toe", "half_track_change", "motion_ratio_spring", "wheel_travel"] {
+                close(
+                    value(&sliding[0], name),
+                    value(&fixed[0], name),
+                    ROUNDING,
+                    &format!("{template} {name}"),
+                );
+            }
+        }
+    }
+}
+
+/// A fork slides along its line: every motion ratio is that of the line, and caster and trail are those of the steering head.
+#[test]
+fn a_telescopic_fork_slides_along_its_line() {
+    let folder = Scratch::new("kinematics-fork");
+    folder.write("car.toml", &done(&folder, &["template", "telescopic-fork"]));
+    let (rise, back) = (595.0f64, 265.0f64);
+    let cosine = rise / rise.hypot(back);
+    for row in rows(&folder, "car.toml", &["--wheel-travel", "-40mm:40mm:3"]) {
+        close(value(&row, "unsprung_mass"), 29.0 / (cosine * cosine), ROUNDING, "mass");
+        close(value(&row, "side_view_angle"), -(back / rise).atan(), ROUNDING, "path");
+        let travel = value(&row, "wheel_travel");
+        close(value(&row, "forward_displacement"), -travel * back / rise, ROUNDING, "displacement");
+        close(value(&row, "caster"), (61.0f64 / 137.0).atan(), ROUNDING, "caster");
+        // The steering head stays, the contact point moves.
+        let trail = 0.061 / 0.137 * (0.750 - travel) - 0.256 + travel * back / rise;
+        close(value(&row, "mechanical_trail"), trail, ROUNDING, "trail");
+        close(value(&row, "scrub_radius"), 0.0, ROUNDING, "scrub radius");
+        assert!(row["roll_centre_height"].is_null() && row["instant_centre_height"].is_null());
+    }
+    let words = ["mass", "car.toml", "--at", "bump_stop", "--format", "json"];
+    let stop: Value = serde_json::from_str(&done(&folder, &words)).expect("JSON");
+    assert!(value(&stop, "effective_mass") >= 29.0);
+}
+
+/// A swing arm is a lever: ratios of the distances from the pivot along x at the design position.
+#[test]
+fn a_swing_arm_turns_about_its_pivot() {
+    let folder = Scratch::new("kinematics-swing-arm");
+    let text = done(&folder, &["template", "swing-arm"]);
+    folder.write("car.toml", &text);
+    let row = &rows(&folder, "car.toml", &[])[0];
+    let (dx, dz) = (55.0, 255.0f64);
+    let along = [dx / f64::hypot(dx, dz), dz / f64::hypot(dx, dz)];
+    let expected = (along[1] * (560.0 - 395.0) + along[0] * (385.0 - 365.0)) / 560.0;
+    close(value(row, "motion_ratio_spring"), expected, ROUNDING, "spring");
+    close(value(row, "side_view_angle_centre"), (-55.0f64 / 560.0).atan(), ROUNDING, "path");
+    close(value(row, "camber_gradient"), 0.0, ROUNDING, "camber");
+    for (words, change) in [
+        ("middle plane: y = 0", ("wheel_centre = [0.0, 0.0,", "wheel_centre = [0.0, 5.0,")),
+        ("middle plane: there is one side", ("build = \"left\"", "build = \"both\"")),
+    ] {
+        assert!(text.contains(change.0));
+        folder.write("changed.toml", &text.replace(change.0, change.1));
+        let outcome = run(&folder, &["kinematics", "changed.toml"]);
+        assert!(outcome.stderr.replace("\n  ", " ").contains(words), "{}", outcome.stderr);
+    }
+    assert!(run(&folder, &["kinematics", "car.toml", "--roll", "1mm"]).stderr.contains("both sides"));
+}
+
+/// A third spring works in heave and not in roll; its share of the wheel rate is half of k i².
+#[test]
+fn a_third_spring_works_in_heave_alone() {
+    let folder = Scratch::new("kinematics-third-spring");
+    let text = done(&folder, &["template", "pushrod-third-spring"]);
+    let with = |more: &str| text.replacen("[third_spring]\n", &format!("[third_spring]\n{more}\n"), 1);
+    folder.write("car.toml", &with("rate = \"50 N/mm\""));
+    let heave = &rows(&folder, "car.toml", &[])[0];
+    let roll = &rows(&folder, "car.toml", &["--roll", "0:0:1"])[0];
+    let ratio = value(heave, "motion_ratio_third_spring_left");
+    close(value(heave, "wheel_rate_left"), 0.5 * 50e3 * ratio * ratio, ROUNDING, "heave");
+    close(value(roll, "motion_ratio_third_spring_left"), 0.0, ROUNDING, "roll");
+    // The ratio is the slope of the length between both seats.
+    let rows = rows(&folder, "car.toml", &["--heave", "-0.5mm:0.5mm:5"]);
+    assert!(rows.iter().all(|row| row["force_third_spring_left"].is_null()), "without a preload");
+    folder.write("car.toml", &with("rate = \"50 N/mm\"\npreload = 100"));
+    let force: Vec<f64> = self::rows(&folder, "car.toml", &["--heave", "-0.5mm:0.5mm:5"])
+        .iter()
+        .map(|row| value(row, "force_third_spring_left"))
+        .collect();
+    close(force[2], 100.0, ROUNDING, "preload");
+    let slope = (force[0] - 8.0 * force[1] + 8.0 * force[3] - force[4]) / (12.0 * 0.00025);
+    close(slope / 50e3, ratio, 1e-6, "slope");
+    folder.write("left.toml", &text.replace("build = \"both\"", "build = \"left\""));
+    let outcome = run(&folder, &["mass", "left.toml", "--at", "all", "--notes"]);
+    assert!(outcome.code == 0 && !outcome.stdout.contains("third_spring"), "{}", outcome.stdout);
+    assert!(outcome.stderr.contains("needs both sides"), "{}", outcome.stderr);
+}
+
+/// Massless rods alone are an ordinary suspension: stops and travels are those of rods with a negligible mass.
+#[test]
+fn massless_rods_alone_drive_the_wheel() {
+    let folder = Scratch::new("massless-rods");
+    for template in ["double-wishbone-rods", "five-link", "three-link", "solid-axle-panhard"] {
+        let text = done(&folder, &["template", template]);
+        // Without the anti-roll bar; rods of a given mass, or massless.
+        let is_bar = |line: &str| ["anti_roll_bar_", "drop_link_"].iter().any(|key| line.starts_with(key));
+        let with_rods = |mass: Option<&str>| {
+            let (mut kept, mut section) = (String::new(), String::new());
+            for line in text.lines().filter(|line| !is_bar(line)) {
+                if line.starts_with('[') {
+                    line.trim_matches(['[', ']']).clone_into(&mut section);
+                }
+                let is_rod = section.ends_with("_rod") || section.ends_with("_link");
+                let is_removed =
+                    ["anti_roll_bar", "drop_link"].contains(&section.as_str()) || is_rod && mass.is_none();
+                match mass {
+                    _ if is_removed => {}
+                    Some(mass) if is_rod && line.starts_with("mass") => kept += &format!("mass = {mass}\n"),
+                    _ => kept += &format!("{line}\n"),
+                }
+            }
+            kept
+        };
+        folder.write("massless.toml", &with_rods(None));
+        folder.write("light.toml", &with_rods(Some("1e-9")));
+        let side = if template.starts_with("solid") { "_left" } else { "" };
+        let travel = if side.is_empty() { "--wheel-travel" } else { "--heave" };
+        let (stop, spring) = (format!("bump_stop{side}"), format!("spring{side}"));
+        for flags in [vec!["--at", &stop], vec!["--at", &spring, travel, "20mm"]] {
+            let mass = |sheet| -> f64 {
+                let words = [&["mass", sheet, "--format", "json"], &flags[..]].concat();
+                let report: Value = serde_json::from_str(&done(&folder, &words)).expect("JSON");
+                value(&report, "effective_mass")
+            };
+            close(mass("massless.toml") / mass("light.toml"), 1.0, 1e-7, &format!("{template} {flags:?}"));
+        }
+    }
+}
+
+/// The end of the way of two wheels names the joints at their dead centre: the drop link and the anti-roll bar are in line.
+#[test]
+fn the_end_of_heave_and_roll_names_the_dead_centre() {
+    let folder = Scratch::new("kinematics-dead-centre");
+    folder.write("car.toml", &done(&folder, &["template", "solid-axle-four-links"]));
+    let outcome = run(&folder, &["kinematics", "car.toml", "--heave", "-150mm", "--roll", "10mm"]);
+    for words in ["reached: ", "dead centre of", "anti_roll_bar_hinge_right", "in line"] {
+        assert!(
+            outcome.code == 1 && outcome.stderr.replace("\n  ", " ").contains(words),
+            "{words}: {}",
+            outcome.stderr
+        );
+    }
+}
+
 #[test]
 fn questions_without_an_answer_are_refused() {
     refused("kinematics models/double_wishbone.urdf", &["no suspension sheet"]);

@@ -38,7 +38,7 @@ fn with<'w>(words: &[&'w str], more: &'w [String]) -> Vec<&'w str> {
     words.iter().copied().chain(more.iter().map(String::as_str)).collect()
 }
 
-const TEMPLATES: [&str; 14] = [
+const TEMPLATES: [&str; 17] = [
     "double-wishbone",
     "double-wishbone-rods",
     "macpherson-strut",
@@ -47,16 +47,19 @@ const TEMPLATES: [&str; 14] = [
     "multi-link",
     "five-link",
     "pushrod-rocker",
+    "pushrod-third-spring",
     "twist-beam",
     "swing-axle",
     "solid-axle-four-links",
     "solid-axle-panhard",
     "solid-axle-watt",
     "solid-axle-de-dion",
+    "swing-arm",
+    "telescopic-fork",
 ];
 
 fn side_of(template: &str) -> &'static str {
-    if template.starts_with("solid") { "_left" } else { "" }
+    if template.starts_with("solid") || template.ends_with("third-spring") { "_left" } else { "" }
 }
 
 /// Every template covers the travel of its wheel: the driving joint reaches no dead centre within it.

@@ -102,3 +102,45 @@ fn contacts_and_variants_of_a_study() {
     let page = std::fs::read_to_string(html).expect("a report");
     assert!(page.contains("Contacts and variants") && page.contains("light, at the spring"));
 }
+
+/// Report of a sweep in JSON.
+fn swept(folder: &Scratch, words: &str) -> Value {
+    let path = folder.path("swept.json");
+    let outcome = percuss(&format!("{words} --output {path} --force"));
+    assert_eq!(outcome.code, 0, "{words}: {}", outcome.stderr);
+    serde_json::from_str(&std::fs::read_to_string(path).expect("a report")).expect("JSON")
+}
+
+/// The motion ratio of a sweep over heave or roll belongs to this motion: the inverse of the ratio of `percuss kinematics`, which
+/// is per travel of the own wheel; the right wheel moves down in roll.
+#[test]
+fn motion_ratios_of_heave_and_roll_are_those_of_the_kinematics() {
+    let folder = Scratch::new("ratios-of-heave");
+    for template in ["solid-axle-panhard", "pushrod-rocker", "semi-trailing-arm", "double-wishbone"] {
+        let text = percuss(&format!("template {template}")).stdout;
+        let sheet = folder.write("car.toml", &text.replace("build = \"left\"", "build = \"both\""));
+        for motion in ["heave", "roll"] {
+            let range = format!("--{motion} -20mm:20mm:3");
+            let kinematics = json(&format!("kinematics {sheet} {range} --format json"));
+            for contact in ["spring", "damper", "bump_stop"] {
+                for (side, sign) in [("left", 1.0), ("right", if motion == "roll" { -1.0 } else { 1.0 })] {
+                    let words = format!("sweep {sheet} --at {contact}_{side} {range}");
+                    let report = swept(&folder, &words);
+                    assert_eq!(report["motion_ratio_of"], motion);
+                    for row in 0..3 {
+                        let per_wheel = &kinematics["rows"][row][&format!("motion_ratio_{contact}_{side}")];
+                        let expected = sign / number(per_wheel);
+                        let found = number(&report["rows"][row]["motion_ratio"]);
+                        assert!((found / expected - 1.0).abs() < 1e-9, "{words} {row}: {found}, {expected}");
+                    }
+                }
+            }
+        }
+    }
+    // A contact that does not close in the motion has no ratio; a single wheel has that of the impact.
+    let report = swept(&folder, &format!("sweep {SHEET} --at spring --wheel-travel 0:1mm:2"));
+    assert_eq!(report["motion_ratio_of"], "wheel-travel");
+    let words = "sweep models/four_bar.urdf --link coupler --point 0,0,0 --normal 0,1,0 --vary crank_hinge=0deg:1deg:2";
+    let report = swept(&folder, words);
+    assert!(report.get("motion_ratio_of").is_none());
+}

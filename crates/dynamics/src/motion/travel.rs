@@ -294,6 +294,10 @@ impl Travel {
         }
         let mut configuration = configuration.clone().without_guesses();
         configuration.given[driver.index()] = true;
+        // The start pose may belong to another configuration, with other drivers: its rates hold other joints.
+        let is_dependent =
+            |joint: JointId| configuration.given[joint.index()] && !is_independent_at(from, joint);
+        let has_other_drivers = mechanism.joint_ids().any(is_dependent);
         let mut visit = |from: &Pose, value: f64| {
             configuration.values[driver.index()] = vec![value];
             match from.assembly.pose_from(from, &configuration) {
@@ -304,10 +308,7 @@ impl Travel {
         };
         let scale = Scale { size: mechanism.characteristic_length(), unit: unit(mechanism, driver) };
         let mut start = self.travel_point(from.clone(), driver);
-        // The start pose may belong to another configuration, with other drivers.
-        if !is_independent_at(from, driver)
-            || (requested - start.displacement).abs() <= DISPLACEMENT_ACCURACY * scale.size
-        {
+        if has_other_drivers || (requested - start.displacement).abs() <= DISPLACEMENT_ACCURACY * scale.size {
             start = visit(from, start.driver).map_err(|stop| match stop {
                 VisitError::Fault(error) | VisitError::NoPose { error, .. } => error,
             })?;

@@ -7,7 +7,8 @@
     >>> response.effective_mass  # kg
 
 load, pose, respond: one contact. sweep: one contact at many configurations, arrays in and out. effective_mass: matrices of your own
-solver. mass, sweep_report, map, damp, safe_speed, compare, explain, run_study: the reports of the command line. SI units throughout; quaternions are w, x, y, z.
+solver. mass, sweep_report, map, damp, safe_speed, compare, explain, run_study: the reports of the command line. kinematics: wheel angles
+and motion ratios of suspensions. SI units throughout; quaternions are w, x, y, z.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from ._errors import (
     NoAnswerError,
     PercussError,
 )
+from ._kinematics import Kinematics, kinematics
 from ._matrices import MatrixBatch
 from ._percuss import (
     Accelerations,
@@ -100,6 +102,7 @@ __all__ = [
     "Diagnostic",
     "InputError",
     "Joint",
+    "Kinematics",
     "LoadError",
     "MapReport",
     "MatrixBatch",
@@ -126,6 +129,7 @@ __all__ = [
     "effective_masses",
     "explain",
     "impact_history",
+    "kinematics",
     "laws",
     "load",
     "load_suspension",

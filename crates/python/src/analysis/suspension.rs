@@ -3,15 +3,14 @@
 use crate::analysis::model::Model;
 use crate::conversion::errors::{self, input};
 use percuss::mechanism::near_names;
-use percuss::study::{DiagnosticRecord, Model as Read};
+use percuss::study::Model as Read;
 use percuss::suspension::{
-    ImportOptions, LengthUnit, Rack, Side, TemplateOptions, VehicleAxes, Wheel, import, template_names,
+    ImportOptions, LengthUnit, Rack, Side, TemplateOptions, VehicleAxes, Wheel, template_names,
     template_sheet,
 };
 use percuss::{DEFAULT_MAX_SIZE, Source};
 use pyo3::prelude::*;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 /// Parses the name of a length unit.
 fn unit(name: &str) -> PyResult<LengthUnit> {
@@ -74,16 +73,7 @@ pub fn load_suspension(
         ..ImportOptions::default()
     };
     let source = Source::read(&path.to_string_lossy(), DEFAULT_MAX_SIZE).map_err(errors::load)?;
-    let imported = py.detach(|| import(&source, &options)).map_err(errors::load)?;
-    let diagnostics: Vec<DiagnosticRecord> = imported.diagnostics.into_iter().map(Into::into).collect();
-    let shapes = vec![Vec::new(); imported.mechanism.links().len()];
-    let read = Read {
-        mechanism: Arc::new(imported.mechanism),
-        inputs: vec![percuss::study::Input::from_source(&source)],
-        shapes: Arc::new(shapes),
-        diagnostics,
-        origin: percuss::study::Origin::default(),
-    };
+    let read = py.detach(|| Read::from_suspension(&source, &options)).map_err(errors::load)?;
     Model::new(py, read)
 }
 

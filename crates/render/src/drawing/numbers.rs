@@ -10,6 +10,10 @@ const FONT: Font = medium(11.0);
 /// Distances of a number from its point, page units, and directions tried.
 const DISTANCES: [f64; 3] = [13.0, 22.0, 33.0];
 const DIRECTIONS: usize = 12;
+/// Radius of the disc in which the pointer shows the name of a point.
+const HOVER: f64 = 7.0;
+/// Largest distance of points that share a name under the pointer.
+const COINCIDENT: f64 = 3.0;
 /// Distance from which a leader connects the number to its point.
 const LEADER: f64 = 16.0;
 /// Costs of a position: overlap with a number, with a point, leaving the view, and each crossed line.
@@ -46,7 +50,7 @@ fn rectangle(number: &str, at: Point) -> Rectangle {
     ((at.0 - half, at.1 - up), (at.0 + half, at.1 + up))
 }
 
-/// Draws a dot, a number and if necessary a leader for each named point.
+/// Draws a dot, a number and if necessary a leader for each named point, with the name under the pointer.
 pub(super) fn draw_numbers(
     scene: &mut Scene,
     drawing: &Drawing,
@@ -59,6 +63,7 @@ pub(super) fn draw_numbers(
     let marks: Vec<Point> = drawing.marks.iter().map(|mark| to_page(&mark.at)).collect();
     let is_drawable = |p: &Point| contains(&frame, p);
     let mut taken: Vec<Rectangle> = Vec::new();
+    let mut hovers: Vec<(Point, String)> = Vec::new();
     for (i, at) in points.iter().enumerate().filter(|(_, at)| is_drawable(at)) {
         let number = (i + 1).to_string();
         let cost = |place: &(Point, f64)| {
@@ -85,6 +90,15 @@ pub(super) fn draw_numbers(
         }
         taken.push(rectangle(&number, place));
         scene.dots(vec![*at], 2.4, INK);
+        let title = |i: usize| format!("{} {}", i + 1, drawing.points[i].label);
+        let is_here = |other: &Point| (other.0 - at.0).hypot(other.1 - at.1) <= COINCIDENT;
+        let here = points.iter().enumerate().filter(|(_, other)| is_here(other)).map(|(i, _)| title(i));
+        hovers.push((*at, here.collect::<Vec<_>>().join("\n")));
+        hovers.push((place, title(i)));
         scene.text_on_paper(number, (place.0, place.1 + 0.36 * FONT.size), FONT, INK);
+    }
+    // The discs are above all dots and numbers.
+    for (at, title) in hovers {
+        scene.hover(at, HOVER, title);
     }
 }

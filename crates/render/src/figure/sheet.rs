@@ -90,6 +90,7 @@ fn shifted_down(item: Item, down: f64) -> Item {
         }
         Item::Patch { from, to, colour } => Item::Patch { from: lower(from), to: lower(to), colour },
         Item::Image { at, size, pixels, columns } => Item::Image { at: lower(at), size, pixels, columns },
+        Item::Hover { at, radius, title } => Item::Hover { at: lower(at), radius, title },
         Item::Text(mut text) => {
             text.at = lower(text.at);
             Item::Text(text)

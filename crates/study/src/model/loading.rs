@@ -6,7 +6,7 @@ use crate::model::sheet::Sheet;
 use nalgebra::Vector3;
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Shape, Source, load};
 use percuss_mechanism::{ClosureDescription, Mechanism};
-use percuss_suspension::{ForceElements, Imported, LengthUnit, Line, VehicleAxes};
+use percuss_suspension::{ForceElements, ImportOptions, Imported, LengthUnit, Line, VehicleAxes};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::path::Path;
@@ -174,6 +174,14 @@ impl Model {
             diagnostics: loaded.diagnostics.into_iter().map(Into::into).collect(),
             origin: Origin::default(),
         })
+    }
+
+    /// Model of a suspension file with import options: a sheet, a table of hardpoints, or a file of Chrono::Vehicle.
+    ///
+    /// # Errors
+    /// [`LoadError`]: an invalid file.
+    pub fn from_suspension(source: &Source, options: &ImportOptions) -> Result<Self, LoadError> {
+        Self::from_sheet(&Sheet::with_options(source, options), &[], vec![Input::from_source(source)])
     }
 
     /// Model of a sheet with moved hardpoints, without shapes.

@@ -33,6 +33,11 @@ impl Sheet {
         is_sheet.then(|| Self { source: source.clone(), options })
     }
 
+    /// Suspension file with import options.
+    pub(crate) fn with_options(source: &Source, options: &ImportOptions) -> Self {
+        Self { source: source.clone(), options: options.clone() }
+    }
+
     /// True if the file is a study instead: TOML with a table `model`.
     pub(crate) fn is_study(&self) -> bool {
         is_study(&self.source)

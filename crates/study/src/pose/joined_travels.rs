@@ -2,10 +2,13 @@
 
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
-use crate::thresholds::{LARGEST_RETREAT, OTHER_DRIVERS, TRAVEL_PARTS, TRAVEL_ROUNDS, TRAVEL_TOLERANCE};
+use crate::thresholds::{
+    DEAD_CENTRE_GROWTH, LARGEST_RETREAT, LONGEST_DRIVER_STEP, OTHER_DRIVERS, TRAVEL_PARTS, TRAVEL_ROUNDS,
+    TRAVEL_TOLERANCE,
+};
 use nalgebra::{DMatrix, DVector};
 use percuss_dynamics::{Configuration, Pose, Travel};
-use percuss_mechanism::JointId;
+use percuss_mechanism::{JointId, JointKind};
 
 /// Travels that are solved together.
 #[derive(Clone, Debug)]
@@ -17,6 +20,8 @@ pub(crate) struct JoinedTravels {
     pub set: Vec<JointId>,
     /// Least part of the way in one step.
     pub least_part: f64,
+    /// True if the way starts at another pose, at which the drivers may be at a dead centre: others are selected there.
+    pub selects_drivers: bool,
 }
 
 /// Poses between a start and the requested displacements.
@@ -41,27 +46,36 @@ impl JoinedTravels {
         names: Names,
     ) -> Result<Pose, StudyError> {
         let begin: Vec<f64> = self.travels.iter().map(|travel| travel.displacement(start)).collect();
-        let drivers = self.drivers.clone();
-        let at = positions(start, &drivers);
-        let pose = move_drivers(configuration, &drivers, start, &at)?;
-        let mut progress = Progress { drivers, at, pose };
+        let selected = self.selects_drivers.then(|| self.with_selected_drivers(configuration, start));
+        let mut progress = match selected.flatten() {
+            Some(progress) => progress,
+            None => {
+                let drivers = self.drivers.clone();
+                let at = positions(start, &drivers);
+                let pose = move_drivers(configuration, &drivers, start, &at)?;
+                Progress { drivers, at, pose }
+            }
+        };
+        let mut early_changes = 0;
         let (mut reached, mut part, mut changes) = (0.0, 1.0 / TRAVEL_PARTS, 0);
+        let mut joint_rates: Option<[Vec<JointRate>; 2]> = None;
         while reached < 1.0 {
             let to = f64::min(reached + part, 1.0);
             let between = |(begin, end): (&f64, &f64)| begin + to * (end - begin);
             let targets: Vec<f64> = begin.iter().zip(requested).map(between).collect();
             match self.solve(configuration, &progress, &targets) {
                 Ok((pose, at)) => {
+                    let last = mean_rates(&progress.pose, &pose, to - reached);
+                    let first = joint_rates.take().map_or_else(|| last.clone(), |[first, _]| first);
+                    joint_rates = Some([first, last]);
                     (progress.pose, progress.at, reached) = (pose, at, to);
                     part *= 2.0;
                 }
                 Err(_) if part < self.least_part && changes < OTHER_DRIVERS => {
                     // A driver may be at a dead centre; other drivers continue from this pose.
                     changes = if reached > 0.0 { changes + 1 } else { OTHER_DRIVERS };
-                    let Some(drivers) = self.select_drivers(&progress.pose) else { continue };
-                    let at = positions(&progress.pose, &drivers);
-                    if let Ok(pose) = move_drivers(configuration, &drivers, &progress.pose, &at) {
-                        progress = Progress { drivers, at, pose };
+                    if let Some(other) = self.with_selected_drivers(configuration, &progress.pose) {
+                        progress = other;
                         part = 1.0 / TRAVEL_PARTS;
                     }
                 }
@@ -73,11 +87,24 @@ impl JoinedTravels {
                     };
                     let percent = (100.0 * reached).floor();
                     return Err(StudyError::TravelNotReached {
-                        why: format!("the travels cannot be reached together; reached: {percent} %{why}"),
+                        why: format!(
+                            "the travels cannot be reached together; reached: {percent} %{}{why}",
+                            joint_rates.map_or_else(String::new, |rates| dead_centre_text(start, &rates))
+                        ),
                         nearest: None,
                     });
                 }
-                Err(_) => part *= 0.5,
+                Err(error) => {
+                    // Loops that do not close show a dead centre of a driver. A search with shorter parts is slow there.
+                    let other = (error.is_some() && reached > 0.0 && early_changes < OTHER_DRIVERS)
+                        .then(|| self.with_selected_drivers(configuration, &progress.pose))
+                        .flatten()
+                        .filter(|other| other.drivers != progress.drivers);
+                    match other {
+                        Some(other) => (progress, early_changes) = (other, early_changes + 1),
+                        None => part *= 0.5,
+                    }
+                }
             }
         }
         Ok(progress.pose)
@@ -118,6 +145,12 @@ impl JoinedTravels {
             }
             let step = rates.lu().solve(&missing).filter(|step| step.iter().all(|x| x.is_finite()));
             let Some(step) = step else { return reached.ok_or(None) };
+            // Near a dead centre of a driver the step is long, and the loops would be followed over several turns.
+            let is_long =
+                |(driver, step): (&JointId, &f64)| (step / unit(&pose, *driver)).abs() > LONGEST_DRIVER_STEP;
+            if from.drivers.iter().zip(step.iter()).any(is_long) {
+                return reached.ok_or(None);
+            }
             at.iter_mut().zip(step.iter()).for_each(|(at, step)| *at += step);
             pose = match (move_drivers(configuration, &from.drivers, &pose, &at), &mut reached) {
                 (Ok(pose), _) => pose,
@@ -126,6 +159,14 @@ impl JoinedTravels {
             };
         }
         reached.ok_or(None)
+    }
+
+    /// Start of a way at a pose, with the drivers selected there.
+    fn with_selected_drivers(&self, configuration: &Configuration, pose: &Pose) -> Option<Progress> {
+        let drivers = self.select_drivers(pose)?;
+        let at = positions(pose, &drivers);
+        let pose = move_drivers(configuration, &drivers, pose, &at).ok()?;
+        Some(Progress { drivers, at, pose })
     }
 
     /// Drivers of the travels at a pose; a joint drives one travel at most, and set joints drive none.
@@ -137,6 +178,40 @@ impl JoinedTravels {
         }
         Some(drivers)
     }
+}
+
+/// Mean rate of a joint with one position over a part of the way, rad or characteristic lengths.
+type JointRate = (JointId, f64);
+
+/// Mean rates of the joints between two poses. `part`: part of the way between the poses.
+fn mean_rates(from: &Pose, to: &Pose, part: f64) -> Vec<JointRate> {
+    let mechanism = from.mechanism();
+    let is_single = |joint: &JointId| mechanism.joint(*joint).kind().positions() == 1;
+    let rate =
+        |joint: JointId| (joint, (to.joint(joint)[0] - from.joint(joint)[0]) / (unit(from, joint) * part));
+    mechanism.joint_ids().filter(is_single).map(rate).collect()
+}
+
+/// Unit of the motion of a joint: 1 rad, or the characteristic length of the mechanism.
+fn unit(pose: &Pose, joint: JointId) -> f64 {
+    let mechanism = pose.mechanism();
+    let is_prismatic = mechanism.joint(joint).kind() == JointKind::Prismatic;
+    if is_prismatic { mechanism.characteristic_length() } else { 1.0 }
+}
+
+/// Names of the joints whose rates grow without bound along the way; empty if no joint is near a dead centre. `rates`: of the
+/// first and of the last part of the way.
+fn dead_centre_text(pose: &Pose, [first, last]: &[Vec<JointRate>; 2]) -> String {
+    let largest = last.iter().fold(0.0f64, |most, (_, rate)| most.max(rate.abs()));
+    let near = first.iter().zip(last).filter(|((_, first), (_, last))| {
+        last.abs() >= 0.1 * largest && last.abs() > DEAD_CENTRE_GROWTH * first.abs()
+    });
+    let names: Vec<String> =
+        near.map(|(_, (joint, _))| format!("{:?}", pose.mechanism().joint(*joint).name())).collect();
+    if names.is_empty() {
+        return String::new();
+    }
+    format!(": dead centre of {} (the links that they join are in line)", names.join(", "))
 }
 
 /// Pose with the drivers at given positions, on the branch of the pose `from`.

@@ -3,6 +3,7 @@
 
 use crate::model::wheel_points::sliding_rack;
 use crate::pose::driver::Driver;
+use crate::pose::joined_motion::closing_speed;
 use crate::pose::joined_travels::JoinedTravels;
 use crate::pose::unreachable_range::{UnreachableExtent, UnreachedRow};
 use crate::question::errors::question_error::{Fault, StudyError};
@@ -11,7 +12,9 @@ use crate::question::travel::moved::MovedPoint;
 use crate::thresholds::{
     DEAD_CENTRE_APPROACH, LEAST_ADVANCE, LEAST_PART, LEAST_POINT_RATE, OTHER_DRIVERS, TRAVEL_STAGES,
 };
-use percuss_dynamics::{Configuration, ContactResponse, Gap, PointVelocity, Pose, System, TravelError};
+use percuss_dynamics::{
+    Configuration, Contact, ContactResponse, Gap, PointVelocity, Pose, System, TravelError,
+};
 use percuss_mechanism::{JointId, JointKind};
 
 /// Travel of a point from its starting pose.
@@ -86,7 +89,13 @@ impl PointTravel {
             }
             let ratios = moved.iter().map(|point| point.distance / moved[0].distance).collect();
             first.joined = Some((
-                JoinedTravels { travels, drivers, set: first.set.clone(), least_part: LEAST_PART },
+                JoinedTravels {
+                    travels,
+                    drivers,
+                    set: first.set.clone(),
+                    least_part: LEAST_PART,
+                    selects_drivers: false,
+                },
                 ratios,
             ));
         }
@@ -292,10 +301,11 @@ impl PointTravel {
 
     /// Speed of the point along its direction per unit closing speed of the contact; negative if the contact closes while the point
     /// moves against its direction.
-    pub fn motion_ratio(&self, pose: &Pose, response: &ContactResponse) -> Option<f64> {
+    pub fn motion_ratio(&self, pose: &Pose, contact: &Contact, response: &ContactResponse) -> Option<f64> {
         // The motion of the impact is no motion of several points together.
-        if self.joined.is_some() {
-            return None;
+        if let Some((joined, ratios)) = &self.joined {
+            let travels: Vec<_> = joined.travels.iter().zip(ratios.iter().copied()).collect();
+            return Some(1.0 / closing_speed(pose, &travels, &self.set, contact)?);
         }
         match pose.point_velocity(response, self.travel.link(), self.travel.point())? {
             PointVelocity::Known(v) => Some(pose.base().vector(&v).dot(self.travel.direction()?)),

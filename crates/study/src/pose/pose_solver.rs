@@ -59,9 +59,11 @@ fn solve_all(
             let drivers = travels.iter().map(|travel| travel.driver.joint).collect();
             let distances: Vec<f64> = travels.iter().map(|travel| travel.distance).collect();
             let set = first.travel.set().to_vec();
+            let is_elsewhere = |travel: &DrivenTravel| travel.travel.displacement(start).abs() > SAME_START;
+            let selects_drivers = travels.iter().any(is_elsewhere);
             let travels = travels.iter().map(|travel| travel.travel.travel().clone()).collect();
             // The configuration of the first travel holds the rack.
-            JoinedTravels { travels, drivers, set, least_part }.pose(
+            JoinedTravels { travels, drivers, set, least_part, selects_drivers }.pose(
                 &first.driver.configuration,
                 start,
                 &distances,

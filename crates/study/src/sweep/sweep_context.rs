@@ -309,7 +309,8 @@ impl SweepContext<'_> {
         let estimate = answer.estimate.as_ref();
         let motion_ratio = match estimate {
             Some(estimate) => estimate.motion_ratio,
-            None => travel.and_then(|travel| travel.motion_ratio(pose, answer.mechanism_response())),
+            None => travel
+                .and_then(|travel| travel.motion_ratio(pose, &self.contact, answer.mechanism_response())),
         };
         let (status, effective_mass) = Status::classify(answer.response.effective_mass);
         SweepRow {

@@ -37,6 +37,11 @@ pub struct SweepHeading {
     pub seed: Option<u64>,
     /// Contact link.
     pub link: String,
+    /// Motion of the motion ratio: `estimate` for the point of the estimate in the impact, or the name of the travel. The
+    /// ratio of one point holds for the impact; that of `heave` or `roll`, for this motion of the wheels. The key is absent
+    /// without a motion ratio.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub motion_ratio_of: Option<String>,
     /// Joints of the pose of each row.
     #[serde(skip)]
     pub joints: Arc<PoseLayout>,

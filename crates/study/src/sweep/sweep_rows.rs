@@ -151,6 +151,7 @@ impl<'a> Sweep<'a> {
             continuation: continuation(&prepared, &rows),
             seed,
             link: prepared.question.link.clone(),
+            motion_ratio_of: motion_ratio_of(&prepared, &setting),
             joints: PoseLayout::new(&model.mechanism),
             has_gap: gap.is_some(),
         };
@@ -208,6 +209,15 @@ impl<'a> Sweep<'a> {
             of_all.map(DiagnosticRecord::from).chain(result.tally.into_records(end.rows)).collect();
         Ok(end)
     }
+}
+
+/// Motion of the motion ratio of the rows; `None` for rows without a motion ratio.
+fn motion_ratio_of(prepared: &PreparedQuestion, layout: &RowLayout) -> Option<String> {
+    if prepared.question.estimate.is_some() {
+        return Some("estimate".to_owned());
+    }
+    let travel = layout.columns.last().filter(|_| layout.travels())?;
+    Some(travel.name.clone())
 }
 
 /// True if a joint is among the varied columns.

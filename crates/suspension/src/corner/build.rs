@@ -1,6 +1,6 @@
 //! Builds links, joints and loops of a corner from its design.
 
-use super::design::{Design, GivenBody, Part, SEATS, is_central};
+use super::design::{Design, GivenBody, Part, SEATS, THIRD_SPRING, is_central};
 use super::frames;
 use super::spindle::Spindle;
 use super::{Body, CHASSIS, Corner, RACK};
@@ -74,6 +74,12 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
         left.add_contact((section, kind), [seat, chassis_seat], normal, gap);
     }
     add_damper_stops(design, &mut left, findings);
+    let (section, seat) = THIRD_SPRING;
+    if let (Some(at), Some((link, _))) = (design.point(seat), design.on.get(section)) {
+        left.add_frame(seat, link, at, "the third spring, to the same point of the other side");
+        left.set_spot(seat, design.spot(seat));
+        left.drawing.add_line(section, [at, Vector3::new(at.x, 0.0, at.z)]);
+    }
     (!findings.has_errors()).then_some(Built { left, middle })
 }
 
@@ -122,6 +128,7 @@ fn is_on_axle(design: &Design, part: &Part) -> bool {
         | Part::Fixed { .. }
         | Part::Wheel { .. }
         | Part::Strut { .. }
+        | Part::Slide { .. }
         | Part::Close { .. } => false,
     }
 }
@@ -220,6 +227,15 @@ impl CornerBuilder<'_> {
                     self.corner.drawing.add_rod(link, [self.point(&line[0]), self.point(&line[1])], &spot);
                 }
             }
+            Part::Slide { link, parent, line: [bottom, top] } => {
+                let (spot, ends) = (self.design.spot(bottom), [self.point(bottom), self.point(top)]);
+                let defect = "the two points of the line coincide";
+                let axis = self.findings.unwrap_geometry(frames::unit(ends[1] - ends[0]), &spot, defect);
+                self.add_link(link, bottom, None);
+                let (name, comment) = (format!("{link}_slide"), "along the line of its two points");
+                self.corner.add_joint((&name, JointKind::Prismatic), [parent, link], axis, &spot, comment);
+                self.corner.drawing.add_rod(link, ends, &spot);
+            }
             Part::Close { joint, links: [predecessor, successor], at } => {
                 let spot = self.design.spot(at);
                 self.add_closing_ball_joint(joint, [predecessor, successor], self.point(at), &spot);
@@ -265,6 +281,7 @@ impl CornerBuilder<'_> {
             | Part::Fixed { .. }
             | Part::Wheel { .. }
             | Part::Strut { .. }
+            | Part::Slide { .. }
             | Part::Close { .. } => None,
         })
     }
@@ -289,8 +306,8 @@ impl CornerBuilder<'_> {
         let direction = frames::unit(along);
         let given = self.design.bodies.get(link);
         let massless = GivenBody::Rod(0.0, spot.clone());
-        let given =
-            given.or_else(|| (self.design.rods_are_links && direction.is_some()).then_some(&massless));
+        let given = given
+            .or_else(|| (self.design.builds_rods_as_links() && direction.is_some()).then_some(&massless));
         if given.is_none() && (direction.is_some() || self.design.unchecked_rods) {
             let comment = massless_comment.unwrap_or("a massless rod");
             return self.corner.add_rod(link, [&from, &to], points, (&spot, comment));

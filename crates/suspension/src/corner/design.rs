@@ -56,6 +56,8 @@ pub(crate) enum Part {
         #[serde(default)]
         undrawn: bool,
     },
+    /// Link that slides along a line, from the first point to the second; the link frame is at the first.
+    Slide { link: String, parent: String, line: [String; 2] },
     /// Ball joint that closes a loop.
     Close { joint: String, links: [String; 2], at: String },
 }
@@ -87,7 +89,7 @@ pub(crate) struct Design {
     pub on: BTreeMap<&'static str, (String, Spot)>,
     /// Gap and direction of stops, as given in the file, by section.
     pub stops: BTreeMap<&'static str, Stop>,
-    /// True if a rod without mass becomes a massless link on a universal joint instead of a distance closure.
+    /// True if every rod without mass becomes a massless link on a universal joint instead of a distance closure.
     pub rods_are_links: bool,
     /// True if a massless rod without length is left to the checks of the mechanism.
     pub unchecked_rods: bool,
@@ -120,6 +122,23 @@ pub(crate) const SEATS: [(&str, [&str; 2]); 5] = [
 ];
 
 impl Design {
+    /// True if rods without mass become massless links on universal joints: on request, or if the suspension has no other
+    /// joint with a single position. Without such a joint, no joint would drive the wheel travel.
+    pub fn builds_rods_as_links(&self) -> bool {
+        let has_pin = |part: &&Part| match part {
+            Part::Hinge { .. } | Part::Swivel { .. } | Part::Strut { .. } | Part::Slide { .. } => true,
+            Part::Rod { link, .. } => self.bodies.contains_key(link.as_str()),
+            Part::Ball { .. }
+            | Part::Free { .. }
+            | Part::Axle
+            | Part::Fixed { .. }
+            | Part::Wheel { .. }
+            | Part::Close { .. } => false,
+        };
+        // A rod without length is left to the checks of the mechanism as a closure.
+        self.rods_are_links || !self.unchecked_rods && !self.parts.iter().any(has_pin)
+    }
+
     /// Position of a point; `None` if the file does not contain the point.
     pub fn point(&self, key: &str) -> Option<Vector3<f64>> {
         self.points.get(key).map(|(at, _)| *at)
@@ -132,6 +151,9 @@ impl Design {
             .map_or_else(|| Spot { path: Some(shortened(key)), ..Spot::default() }, |(_, spot)| spot.clone())
     }
 }
+
+/// Spring between both sides: section, and the point on the moving link; the other end is the mirror image of this point.
+pub(crate) const THIRD_SPRING: (&str, &str) = ("third_spring", "third_spring_seat");
 
 /// True if a hardpoint belongs to the axle as a whole, not to one side.
 pub(crate) fn is_central(axle: bool, point: &str) -> bool {

@@ -83,7 +83,9 @@ impl Drawing {
         let Some(wheel) = self.wheels.first() else { return false };
         let mut has_warned = false;
         let side = wheel.centre[1].signum();
-        let is_across = |at: &Vector3<f64>| at.y * side < -MAX_ACROSS_MIDDLE_PLANE;
+        // A wheel in the middle plane has no side.
+        let is_in_middle = wheel.centre[1] == 0.0;
+        let is_across = |at: &Vector3<f64>| !is_in_middle && at.y * side < -MAX_ACROSS_MIDDLE_PLANE;
         // If most points are on the other side, the wheel is on the wrong side, which the spindle's check reports.
         let most_are_across =
             2 * self.points.iter().filter(|(_, at, _)| is_across(at)).count() > self.points.len();

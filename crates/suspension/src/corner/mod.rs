@@ -91,6 +91,11 @@ impl Corner {
         self.shared.contains(&link)
     }
 
+    /// True if the corner has a link of this name.
+    pub fn has_link(&self, name: &str) -> bool {
+        self.origins.contains_key(name)
+    }
+
     /// Origin of the rack frame, if set.
     pub fn rack_origin(&self) -> Option<Vector3<f64>> {
         self.origins.get(RACK).copied()

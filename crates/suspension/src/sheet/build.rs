@@ -28,7 +28,13 @@ fn spindle(sheet: &Sheet, findings: &mut Findings) -> Spindle {
             Body { mass: 0.0, com: at, about_com: Matrix3::zeros(), spot: spot.clone() }
         }
     };
-    if at.y <= 0.0 && !findings.has_errors() {
+    if sheet.template.middle {
+        if at.y != 0.0 {
+            let message =
+                "the wheel of this template is in the vehicle's middle plane: y = 0 is expected".to_owned();
+            findings.error("wrong-side", &spot, message);
+        }
+    } else if at.y <= 0.0 && !findings.has_errors() {
         findings.error("wrong-side", &spot, wrong_side_message(sheet, at.y));
     }
     Spindle::new(findings, body, at, [sheet.camber, sheet.toe], sheet.axle_inertia, sheet.wheel)

@@ -8,7 +8,7 @@ use crate::limits::MAX_SHEET_KEYS;
 use std::sync::LazyLock;
 
 /// Texts of the data files, in the order of the list of templates.
-const FILES: [&str; 14] = [
+const FILES: [&str; 17] = [
     include_str!("templates/double-wishbone.toml"),
     include_str!("templates/double-wishbone-rods.toml"),
     include_str!("templates/macpherson-strut.toml"),
@@ -16,13 +16,16 @@ const FILES: [&str; 14] = [
     include_str!("templates/three-link.toml"),
     include_str!("templates/multi-link.toml"),
     include_str!("templates/five-link.toml"),
-    include_str!("templates/pushrod-rocker.toml"),
+    include_str!("templates/pushrod/pushrod-rocker.toml"),
+    include_str!("templates/pushrod/pushrod-third-spring.toml"),
     include_str!("templates/twist-beam.toml"),
     include_str!("templates/swing-axle.toml"),
     include_str!("templates/solid-axle/solid-axle-four-links.toml"),
     include_str!("templates/solid-axle/solid-axle-panhard.toml"),
     include_str!("templates/solid-axle/solid-axle-watt.toml"),
     include_str!("templates/solid-axle/solid-axle-de-dion.toml"),
+    include_str!("templates/motorcycle/swing-arm.toml"),
+    include_str!("templates/motorcycle/telescopic-fork.toml"),
 ];
 
 const KEYS_FILE: &str = include_str!("templates/keys.toml");
@@ -115,6 +118,11 @@ mod tests {
     #[test]
     fn every_key_has_its_words_and_every_part_its_points() {
         for template in templates() {
+            let of_template: Vec<&Part> = if template.middle {
+                template.parts.iter().collect()
+            } else {
+                template.parts_with_bar().collect()
+            };
             let has = |key: &str| template.point(key).is_some();
             for (key, _) in &template.points {
                 assert_ne!(description_of(&keys().points, key), "", "{}: {key}", template.name);
@@ -122,8 +130,10 @@ mod tests {
             for (key, _) in &template.bodies {
                 assert_ne!(description_of(&keys().bodies, key), "", "{}: {key}", template.name);
             }
-            let points = template.parts_with_bar().flat_map(|part| match part {
-                Part::Hinge { points, .. } | Part::Strut { line: points, .. } => points.to_vec(),
+            let points = of_template.into_iter().flat_map(|part| match part {
+                Part::Hinge { points, .. }
+                | Part::Strut { line: points, .. }
+                | Part::Slide { line: points, .. } => points.to_vec(),
                 Part::Swivel { at, .. }
                 | Part::Ball { at, .. }
                 | Part::Free { at, .. }
@@ -136,13 +146,16 @@ mod tests {
                 assert!(has(&point), "{}: {point}", template.name);
             }
             let seats = SEATS.iter().filter(|(section, _)| *section != "shock").flat_map(|(_, pair)| pair);
-            for key in seats.chain(&BAR_POINTS) {
+            let bar = BAR_POINTS.iter().filter(|_| !template.middle);
+            for key in seats.chain(bar) {
                 assert!(has(key), "{}: the example lacks {key}", template.name);
             }
-            for section in ["spring", "damper", "bump_stop", "rebound_stop", "drop_link"] {
+            let sections = ["spring", "damper", "bump_stop", "rebound_stop", "drop_link"];
+            for section in sections.into_iter().filter(|section| !template.middle || *section != "drop_link")
+            {
                 assert!(template.on.iter().any(|(key, _)| key == section), "{}: {section}", template.name);
             }
         }
-        assert_eq!(templates().count(), 14);
+        assert_eq!(templates().count(), 17);
     }
 }

@@ -268,7 +268,7 @@ impl SheetReader<'_> {
         })
     }
 
-    /// Side to build, from the flag, the sheet or the side of the points, in this order; both sides for an axle.
+    /// Side to build, from the template, the flag, the sheet or the side of the points, in this order.
     fn side(&mut self, template: &Template, points_side: Side) -> Side {
         let named = |word: &str| match word {
             "left" => Some(Side::Left),
@@ -282,13 +282,12 @@ impl SheetReader<'_> {
             None
         };
         let side = self.options.side.or(in_file);
-        if template.axle {
-            if side.is_some_and(|side| side != Side::Both) {
+        if let Some((only, reason)) = template.only_build() {
+            if side.is_some_and(|side| side != only) {
                 let spot = Spot { path: Some("build".to_owned()), ..Spot::default() };
-                let message = "both sides are on one axle: both are built".to_owned();
-                self.findings.warning("one-axle", &spot, message);
+                self.findings.warning("one-axle", &spot, reason.to_owned());
             }
-            return Side::Both;
+            return only;
         }
         side.unwrap_or(points_side)
     }

@@ -1,6 +1,7 @@
 //! Template of a sheet, as read from its data file in `templates`.
 
 use crate::corner::design::Part;
+use crate::options::Side;
 use percuss_spatial::Matrix3;
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -18,6 +19,9 @@ pub(crate) struct Template {
     /// True if both sides are on one axle and always built together.
     #[serde(default)]
     pub axle: bool,
+    /// True if the wheel is in the vehicle's middle plane: the template has one side.
+    #[serde(default)]
+    pub middle: bool,
     /// Construction steps, parents first.
     pub parts: Vec<Part>,
     /// Two points of the axis about which the wheel carrier turns when it is steered, each with the link to which it is
@@ -108,6 +112,17 @@ pub(super) fn symmetric_matrix(values: &[f64]) -> Matrix3<f64> {
 }
 
 impl Template {
+    /// Side or sides that are always built, with the reason; `None` if the sheet determines them.
+    pub fn only_build(&self) -> Option<(Side, &'static str)> {
+        match (self.axle, self.middle) {
+            (true, _) => Some((Side::Both, "both sides are on one axle: both are built")),
+            (_, true) => {
+                Some((Side::Left, "the wheel is in the middle plane: there is one side, build = \"left\""))
+            }
+            (false, false) => None,
+        }
+    }
+
     /// True if the template has tie rods.
     pub fn has_rack(&self) -> bool {
         self.point("tie_rod_inner").is_some()
@@ -123,7 +138,8 @@ impl Template {
                 | Part::Ball { link, .. }
                 | Part::Free { link, .. }
                 | Part::Fixed { link, .. }
-                | Part::Strut { link, .. } => link == key,
+                | Part::Strut { link, .. }
+                | Part::Slide { link, .. } => link == key,
                 Part::Axle => key == "axle",
                 Part::Close { .. } => false,
             };

@@ -4,7 +4,7 @@ use super::catalogue::HEAD;
 use super::catalogue::{description_of, keys, templates};
 use super::template::{Shape, Template, symmetric_matrix};
 use crate::corner::CHASSIS;
-use crate::corner::design::Part;
+use crate::corner::design::{Part, THIRD_SPRING};
 use crate::units::VehicleAxes;
 use percuss_spatial::Vector3;
 use percuss_units::LengthUnit;
@@ -70,7 +70,8 @@ impl SheetWriter<'_> {
         }
         self.write_line("#");
         self.write_line("# The figures are an example, those of no car: put yours in their place. Then");
-        let side = if template.axle { "_left" } else { "" };
+        let is_both = template.axle || template.point(THIRD_SPRING.1).is_some();
+        let side = if is_both { "_left" } else { "" };
         self.write_line("#   percuss mass THIS.toml --at all");
         self.write_line(&format!("#   percuss mass THIS.toml --at bump_stop{side}"));
         self.write_line(
@@ -85,8 +86,12 @@ impl SheetWriter<'_> {
         let words = format!("{}; or {}: {}", axes.words(), other.name(), other.words());
         self.write_key("axes", &format!("\"{}\"", axes.name()), &words);
         self.write_key("side", "\"left\"", "the side that the points describe, or right");
-        let build = if template.axle { "\"both\"" } else { "\"left\"" };
-        let comment = if template.axle { "both sides are on one axle" } else { "left, right or both" };
+        let build = if is_both { "\"both\"" } else { "\"left\"" };
+        let comment = match template.only_build() {
+            Some(_) if template.axle => "both sides are on one axle",
+            Some(_) => "the wheel is in the middle plane",
+            None => "left, right or both",
+        };
         self.write_key("build", build, &format!("what is built: {comment}"));
         self.write_line(
             "# points = \"points.csv\"   a table of names, x, y, z (CSV or XLSX) in the place of [points]",
@@ -114,7 +119,8 @@ impl SheetWriter<'_> {
     fn write_points(&mut self, template: &Template) {
         self.write_line("");
         self.write_line("# Hardpoints, [x, y, z] at the design position. A spring, damper or stop may be left out with both");
-        self.write_line("# its points, the anti-roll bar with its four.");
+        let bar = if template.middle { "" } else { ", the anti-roll bar with its four" };
+        self.write_line(&format!("# its points{bar}."));
         self.write_line("[points]");
         for (key, at) in &template.points {
             let at = self.point_text(*at);
@@ -269,7 +275,7 @@ pub fn template_keys() -> String {
     );
     row("wheel.radius", "names the wheel's lowest point `contact_patch`", "all");
     row("wheel.camber`, `.toe", "with a unit: `\"-1 deg\"`; positive: top outward, toe-in", "all");
-    for section in ["spring", "damper", "bump_stop", "rebound_stop", "drop_link", "pushrod"] {
+    for section in ["spring", "third_spring", "damper", "bump_stop", "rebound_stop", "drop_link", "pushrod"] {
         let with = of(&|t| t.on.iter().any(|(key, _)| key == section));
         row(&format!("{section}.on"), "the link that it is on", &with);
     }
@@ -286,6 +292,8 @@ pub fn template_keys() -> String {
     );
     row("spring.rate", "with a unit: `\"28 N/mm\"`; for `percuss kinematics`", "all");
     row("spring.preload", "the force at the design position, N; positive: compressed", "all");
+    let third = of(&|t| t.on.iter().any(|(key, _)| key == "third_spring"));
+    row("third_spring.rate`, `.preload", "of the spring between both sides", &third);
     row(
         "bump_stop.deflections`, `.forces`, `rebound_stop.deflections`, `.forces",
         "the stop's force over its compression: two lists of the same length, the compressions from 0",

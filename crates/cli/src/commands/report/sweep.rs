@@ -6,7 +6,7 @@ use crate::files::csv::SweepTable;
 use crate::files::html::Page;
 use crate::files::table_style::TableStyle;
 use crate::pictures::clipping::clip_outliers;
-use crate::pictures::sweep_figure::{axis_unit, sweep_figure};
+use crate::pictures::sweep_figure::{axis_unit, motion_ratio_name, sweep_figure};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::text::{number, short_number};
@@ -24,6 +24,8 @@ pub(super) struct SweepSection {
     picture: Result<(String, String), &'static str>,
     least: Option<f64>,
     greatest: Option<f64>,
+    /// Name of the motion ratio.
+    ratio: String,
     /// Name of the varied number with its unit, and rows of the table on the page; empty for several varied numbers.
     column: String,
     rows: Vec<[String; 3]>,
@@ -35,6 +37,7 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<Swe
     let sweep = Sweep::new(&study.model, question, &requested.rows)?;
     let table =
         SweepTable::new(sweep.heading(), &study.model.mechanism, TableStyle::from_study(&requested.table));
+    let ratio = format!("motion ratio, {}", motion_ratio_name(sweep.heading().motion_ratio_of.as_deref()));
     let inputs = sweep.heading().inputs.clone();
     let varied = match &sweep.heading().varied[..] {
         [varied] => Some((varied.name.clone(), axis_unit(varied))),
@@ -89,7 +92,7 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<Swe
         "" => name,
         unit => format!("{name} ({unit})"),
     });
-    Ok(SweepSection { csv, end, inputs, picture, least, greatest, column, rows })
+    Ok(SweepSection { csv, end, inputs, picture, least, greatest, ratio, column, rows })
 }
 
 impl SweepSection {
@@ -127,7 +130,7 @@ impl SweepSection {
         let has_ratio = self.rows.iter().any(|row| row[2] != "–");
         let chosen = (0..=steps.min(last)).map(|i| &self.rows[(i * last + steps / 2) / steps]);
         if has_ratio {
-            let mut rows = vec![[self.column.as_str(), "m̄ (kg)", "motion ratio"].map(str::to_owned)];
+            let mut rows = vec![[self.column.as_str(), "m̄ (kg)", self.ratio.as_str()].map(str::to_owned)];
             rows.extend(chosen.cloned());
             page.table(&rows);
         } else {

@@ -13,7 +13,7 @@
 //! *Dynamics of Multibody Systems*, 2013, §3.3 (constraint Jacobian and its quadratic velocity terms).
 
 use crate::model::wheel_points::RACK;
-use crate::thresholds::UNDETERMINED_MOTION;
+use crate::pose::determined_system::DeterminedSystem;
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::Pose;
 use percuss_mechanism::{ClosureKind, JointKind, LinkId, LoopFrame, Mechanism};
@@ -238,26 +238,10 @@ impl Linkage {
         for (i, row) in all.iter().enumerate() {
             self.fill_row(&mut matrix, i, row);
         }
-        let scale = matrix.amax();
         let height = matrix.nrows();
-        let qr = matrix.clone().col_piv_qr();
-        let r = qr.r();
-        if (0..6 * bodies).any(|k| r[(k, k)].abs() <= UNDETERMINED_MOTION * scale) {
-            return Err(MotionError::Undetermined);
-        }
+        let system = DeterminedSystem::new(matrix).ok_or(MotionError::Undetermined)?;
         let solution = |target: DVector<f64>| -> Result<BodyMotion, MotionError> {
-            let size = target.amax();
-            let mut projected = target.clone();
-            qr.q_tr_mul(&mut projected);
-            let mut x = projected.rows(0, 6 * bodies).into_owned();
-            if !r.solve_upper_triangular_mut(&mut x) {
-                return Err(MotionError::Undetermined);
-            }
-            qr.p().inv_permute_rows(&mut x);
-            let residual = (&matrix * &x - &target).amax();
-            if residual > UNDETERMINED_MOTION * (size + scale * x.amax()) {
-                return Err(MotionError::Undetermined);
-            }
+            let x = system.solve(&target).ok_or(MotionError::Undetermined)?;
             let part = |body: usize, first: usize| x.fixed_rows::<3>(6 * body + first).into_owned();
             Ok(BodyMotion {
                 angular: (0..bodies).map(|body| part(body, 0)).collect(),

@@ -283,6 +283,9 @@ impl<'k> RowEvaluation<'k> {
 
     fn roll_centre(&self) -> Result<[f64; 2], String> {
         let kinematics = self.kinematics;
+        if kinematics.wheels.iter().any(|wheel| wheel.is_in_middle()) {
+            return Err("the wheel is in the middle plane: there is no axle that rolls".to_owned());
+        }
         let rates = travel_rates(kinematics, true);
         let rolling =
             kinematics.wheel_motion(self.linkage, self.pose, &rates).map_err(|error| error.to_string())?;

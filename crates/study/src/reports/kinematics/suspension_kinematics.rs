@@ -182,7 +182,7 @@ fn wheels(mechanism: &Mechanism, drawn: &Pose) -> Result<Vec<WheelParts>, Kinema
         let patch = mechanism.find_link(&format!("contact_patch{side}")).ok();
         let radius = patch.map(|patch| (drawn.link(patch).translation - at).norm());
         let sign = if at.y < 0.0 { -1.0 } else { 1.0 };
-        wheels.push(WheelParts { side, sign, centre, spindle, carrier, spin, radius });
+        wheels.push(WheelParts { side, sign, offset: at.y.abs(), centre, spindle, carrier, spin, radius });
     }
     if wheels.is_empty() {
         return Err(KinematicsError::NoWheel { missing: "link \"wheel_centre\"".to_owned() });

@@ -11,8 +11,10 @@ use percuss_mechanism::{JointId, LinkId};
 pub(crate) struct WheelParts {
     /// Ending of the names: `_left`, `_right`, or empty for a single side.
     pub side: &'static str,
-    /// +1 on the left side of the vehicle, −1 on the right side.
+    /// +1 on the left side of the vehicle and in the middle plane, −1 on the right side.
     pub sign: f64,
+    /// Distance of the wheel centre from the middle plane as drawn, m.
+    pub offset: f64,
     pub centre: LinkId,
     pub spindle: LinkId,
     pub carrier: LinkId,
@@ -50,6 +52,11 @@ impl WheelParts {
         let down = outward * outward.z - Vector3::z();
         let contact = self.radius.map(|radius| centre + down.normalize() * radius);
         WheelState { centre, outward, contact, sign: self.sign }
+    }
+
+    /// True for a wheel in the middle plane of the vehicle.
+    pub fn is_in_middle(&self) -> bool {
+        self.offset == 0.0
     }
 
     /// Point that moves with the wheel carrier.

@@ -1,0 +1,142 @@
+"""Kinematics of suspensions."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _percuss
+from ._percuss import Model
+from ._reports import Report
+
+_Variable = Union[float, Sequence[float], None]
+
+
+@dataclass(frozen=True)
+class _Question:
+    """Question in the form that the extension reads."""
+
+    wheel_travel: _Variable
+    heave: _Variable
+    roll: _Variable
+    steer: _Variable
+    axle: str | None
+    brake_bias: float | None
+    drive_share: float | None
+    cg_height: float | None
+    wheelbase: float | None
+    inboard_brakes: bool
+    inboard_drive: bool
+    sprung_mass: float | None
+    tyre_rate: float | None
+
+
+@dataclass(frozen=True)
+class Kinematics:
+    """Kinematics of a suspension, one row per value of the variable; SI units, axes of ISO 8855.
+
+    variable: "wheel-travel", "heave", "roll" or "steer"; None for a single row. positions: its values, (rows,) m.
+    derivatives: motion of the gradients and ratios, "heave" (all wheels up) or "roll" (left up, right down).
+    values: columns by name, (rows,) each, NaN where a quantity is missing; with two wheels the names end in "_left" and
+    "_right". units: SI unit of each column, "" for a plain number. missing: reason for each column without values.
+    problems: reason for each row without a pose, None for a row with one. report: as ``percuss kinematics --format json``.
+    """
+
+    variable: str | None
+    positions: NDArray[np.float64]
+    derivatives: str
+    values: dict[str, NDArray[np.float64]]
+    units: dict[str, str]
+    missing: dict[str, str]
+    problems: list[str | None]
+    report: Report
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        """Column of a quantity."""
+        try:
+            return self.values[name]
+        except KeyError:
+            raise KeyError(f"no column {name!r}; there are: {', '.join(self.values)}") from None
+
+    def __len__(self) -> int:
+        return len(self.problems)
+
+
+def _variable(value: ArrayLike | None) -> _Variable:
+    """A number, or a list of numbers."""
+    if value is None:
+        return None
+    array = np.asarray(value, dtype=float)
+    return float(array) if array.ndim == 0 else array.ravel().tolist()
+
+
+def kinematics(
+    model: Model,
+    *,
+    wheel_travel: ArrayLike | None = None,
+    heave: ArrayLike | None = None,
+    roll: ArrayLike | None = None,
+    steer: ArrayLike | None = None,
+    axle: str | None = None,
+    brake_bias: float | None = None,
+    drive_share: float | None = None,
+    cg_height: float | None = None,
+    wheelbase: float | None = None,
+    inboard_brakes: bool = False,
+    inboard_drive: bool = False,
+    sprung_mass: float | None = None,
+    tyre_rate: float | None = None,
+) -> Kinematics:
+    """Wheel angles, steering axis, roll centre, motion ratios and wheel rates of a suspension. As ``percuss kinematics``.
+
+    The motion ratio of a spring or damper of the length l is i = −dl/dz, and the wheel rate k i² − F d²l/dz², with the
+    travel z of the own wheel centre, the rate k and the force F of the spring. The loops are closed, and the derivatives
+    are those of the closed linkage: no quantity is a difference of positions.
+
+    model: of ``load_suspension``, or of ``load`` for a sheet. wheel_travel, heave, roll: travel of the wheel centres
+    upward, m, from the design position (roll: left up, right down); steer: travel of the rack to the left, m. One of the
+    four may have several values, one for each row.
+    axle: "front" or "rear"; brake_bias: share of the front axle in the braking force; drive_share: share of this axle in the
+    driving force; cg_height, wheelbase: m; inboard_brakes, inboard_drive: the torque is carried by the body. They give the
+    columns anti_dive, anti_lift_braking, anti_squat, anti_lift_driving (1: all load transfer is carried by the links).
+    sprung_mass: above one wheel, kg; tyre_rate: N/m, None for a rigid tyre. They give body_frequency and
+    wheel_hop_frequency, Hz.
+    """
+    question = _Question(
+        wheel_travel=_variable(wheel_travel),
+        heave=_variable(heave),
+        roll=_variable(roll),
+        steer=_variable(steer),
+        axle=axle,
+        brake_bias=brake_bias,
+        drive_share=drive_share,
+        cg_height=cg_height,
+        wheelbase=wheelbase,
+        inboard_brakes=inboard_brakes,
+        inboard_drive=inboard_drive,
+        sprung_mass=sprung_mass,
+        tyre_rate=tyre_rate,
+    )
+    report = Report(json.loads(_percuss.kinematics(model, question)))
+    rows = report["rows"]
+    names = [f"{c['quantity']}_{c['side']}" if c["side"] else c["quantity"] for c in report["columns"]]
+
+    def numbers(key: str) -> NDArray[np.float64]:
+        found = (row.get(key) for row in rows)
+        return np.array([np.nan if x is None else x for x in found], dtype=float)
+
+    return Kinematics(
+        variable=report["variable"],
+        positions=numbers("variable"),
+        derivatives=report["derivatives"],
+        values={name: numbers(name) for name in names},
+        units={name: column["unit"] for name, column in zip(names, report["columns"])},
+        missing={n: c["missing"] for n, c in zip(names, report["columns"]) if c["missing"] is not None},
+        problems=[row["problem"] for row in rows],
+        report=report,
+    )
