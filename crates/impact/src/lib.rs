@@ -18,7 +18,9 @@ mod tolerances;
 
 pub use motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
 pub use motion::joint_rates::JointRates;
-pub use percussion::{PercussionCentre, PercussionError, centre_of_percussion, centre_of_percussion_in_plane};
+pub use percussion::{
+    PercussionCentre, PercussionError, centre_of_percussion, centre_of_percussion_in_plane,
+};
 pub use reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
 pub use reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};
 pub use reflected::{ReflectedError, ReflectedInertia, held_point_mass, reflected_inertia};

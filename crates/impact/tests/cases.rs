@@ -2,7 +2,7 @@
 
 use percuss_dynamics::{Base, Conditions, Configuration, Contact, Direction, Frame, Pose, System};
 use percuss_mechanism::{JointId, Mechanism};
-use percuss_oracle::maximal::{Held, Question, poses};
+use percuss_oracle::maximal::{Held, Question};
 use percuss_oracle::{linkage, random};
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
@@ -83,11 +83,6 @@ impl Case {
             )
         }
     }
-
-    /// World frames of the links by the oracle.
-    pub fn frames(&self) -> Vec<nalgebra::Matrix4<f64>> {
-        poses(&self.mechanism, &self.question().positions)
-    }
 }
 
 /// Random linkages with closures of all kinds, random trees, all specimens of linkages, and planar linkages with three
@@ -96,8 +91,7 @@ pub fn all(count: u64) -> Vec<Case> {
     let mut cases = Vec::new();
     for seed in 0..count {
         let mut rng = StdRng::seed_from_u64(9000 + seed);
-        let (mechanism, positions) =
-            random::linkage(&mut rng, 4 + seed as usize % 7, 1 + seed as usize % 3);
+        let (mechanism, positions) = random::linkage(&mut rng, 4 + seed as usize % 7, 1 + seed as usize % 3);
         let name = format!("random linkage {seed}");
         cases.extend(Case::new(name, &Arc::new(mechanism), &positions, seed % 16, &mut rng));
         let tree = random::mechanism(&mut rng, 2 + seed as usize % 8);

@@ -38,10 +38,8 @@ fn compare(case: &Case, what: &str, reaction: &Reaction, oracle: &PlaceReaction,
             axes.column(k).dot(&Vector3::new(w(first), w(first + 1), w(first + 2)))
         };
         for (k, component) in components.iter().enumerate() {
-            let open: f64 = (0..oracle.open.ncols())
-                .map(|z| of(&|i| oracle.open[(i, z)], k).powi(2))
-                .sum::<f64>()
-                .sqrt();
+            let open: f64 =
+                (0..oracle.open.ncols()).map(|z| of(&|i| oracle.open[(i, z)], k).powi(2)).sum::<f64>().sqrt();
             let label = format!("{}: {what}, component {k} of {first}: {component:?}", case.name);
             match component {
                 Component::Determinate(value) => {
@@ -82,7 +80,7 @@ fn compare_all(case: &Case, found: &Reactions, oracle: &ImpactReactions, count: 
 #[test]
 fn reactions_are_those_of_maximal_coordinates() {
     let mut count = Count::default();
-    for case in all(96) {
+    for case in all(340) {
         let response = case.pose.respond(&case.contact).expect("a contact");
         let EffectiveMass::Finite(_) = response.effective_mass else {
             count.skipped += 1;

@@ -40,7 +40,8 @@ impl JointRates {
     /// Rates of the coordinates of a pose: of the floating base and of every joint that is neither locked nor a mimic.
     pub(crate) fn coordinates(&self, pose: &Pose) -> Vec<f64> {
         let base: Vec<f64> = self.base.angular.iter().chain(self.base.linear.iter()).copied().collect();
-        let rate = |(joint, k): (Option<JointId>, usize)| joint.map_or(base[k], |j| self.joints[j.index()][k]);
+        let rate =
+            |(joint, k): (Option<JointId>, usize)| joint.map_or(base[k], |j| self.joints[j.index()][k]);
         pose.coordinate_joints().into_iter().map(rate).collect()
     }
 }

@@ -184,7 +184,9 @@ impl<'a> Sweep<'a> {
         for (number, rows) in self.groups.iter().enumerate() {
             for (index, action) in rows.group().constraints.iter().enumerate() {
                 match action.source {
-                    ConstraintSource::Closure(i) => closures.push((i, self.constraint_reaction(number, index))),
+                    ConstraintSource::Closure(i) => {
+                        closures.push((i, self.constraint_reaction(number, index)))
+                    }
                     ConstraintSource::Hold(i) => holds.push((i, self.constraint_reaction(number, index))),
                     ConstraintSource::Coupling(_) => {}
                 }
@@ -201,8 +203,7 @@ impl<'a> Sweep<'a> {
     fn joint_reaction(&self, joint: JointId) -> JointReaction {
         let declared = self.pose.mechanism().joint(joint);
         let child = declared.child();
-        let axes =
-            if declared.kind().has_axis() { axes_along(declared.axis()) } else { Matrix3::identity() };
+        let axes = if declared.kind().has_axis() { axes_along(declared.axis()) } else { Matrix3::identity() };
         let columns = self.pose.motion_subspace(joint);
         let (armature, rates) = (self.pose.armature(joint), &self.change.joints[joint.index()]);
         let without = self.impulses_on_velocities(joint);
@@ -224,8 +225,7 @@ impl<'a> Sweep<'a> {
         let mut loops = Vec::new();
         let mut along = |k: usize, moment: bool| {
             let axis = axes.column(k).into_owned();
-            let part =
-                move |w: &Wrench<f64>| if moment { w.moment.dot(&axis) } else { w.force.dot(&axis) };
+            let part = move |w: &Wrench<f64>| if moment { w.moment.dot(&axis) } else { w.force.dot(&axis) };
             let functions = self.functions(link, part);
             self.component(part(total), &functions, (!moment).then_some(1.0), &mut loops)
         };
@@ -244,8 +244,7 @@ impl<'a> Sweep<'a> {
         let mut loops = Vec::new();
         let mut along = |k: usize, moment: bool| {
             let axis = axes.column(k).into_owned();
-            let part =
-                |w: &Wrench<f64>| if moment { w.moment.dot(&axis) } else { w.force.dot(&axis) };
+            let part = |w: &Wrench<f64>| if moment { w.moment.dot(&axis) } else { w.force.dot(&axis) };
             let mut function = vec![0.0; group.rows.nrows()];
             for (row, wrench) in action.wrenches.iter().enumerate() {
                 function[action.first + row] = part(wrench);
@@ -312,7 +311,8 @@ impl<'a> Sweep<'a> {
     fn loop_names(&self, mut constraints: Vec<(usize, usize)>) -> Vec<String> {
         constraints.sort_unstable();
         constraints.dedup();
-        let name = |(number, index): (usize, usize)| self.groups[number].group().constraints[index].name.clone();
+        let name =
+            |(number, index): (usize, usize)| self.groups[number].group().constraints[index].name.clone();
         constraints.into_iter().map(name).collect()
     }
 }

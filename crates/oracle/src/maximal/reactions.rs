@@ -74,8 +74,11 @@ pub fn reactions(question: &Question) -> Option<ImpactReactions> {
     let mechanism = question.mechanism;
     let (links, joints) = (mechanism.links(), mechanism.joints());
     let x_wl = pose::poses(mechanism, &question.positions);
-    let placed: Vec<JointInWorld> =
-        joints.iter().zip(&question.positions).map(|(j, q)| JointInWorld::new(j, q, question, &x_wl)).collect();
+    let placed: Vec<JointInWorld> = joints
+        .iter()
+        .zip(&question.positions)
+        .map(|(j, q)| JointInWorld::new(j, q, question, &x_wl))
+        .collect();
     let places = places(question, &x_wl);
     let rows = acting_rows(question, &placed, &x_wl);
 
