@@ -33,6 +33,8 @@ mod module {
     #[pymodule_export]
     use crate::questions::damping::{damp, damp_mass, impact_history, laws, regions, tools};
     #[pymodule_export]
+    use crate::questions::impact::impact;
+    #[pymodule_export]
     use crate::questions::reports::{
         check, compare, compare_study, explain, map_point_report, map_report, mass_report, run_study,
         safe_speed, starting_study, study_schema, sweep_report, tolerate,

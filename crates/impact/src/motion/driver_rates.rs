@@ -60,8 +60,8 @@ pub enum RatesError {
     },
     /// The constraints do not allow the given rates together.
     #[error(
-        "joint \"{joint}\": the rate {given} is inadmissible: with the other given rates the constraints allow {admissible} \
-         (residual {residual:.1e})"
+        "joint \"{joint}\": the constraints do not allow the rate {given} together with the other given rates: the nearest \
+         admissible motion has {admissible} (residual {residual:.1e} of the largest rate)"
     )]
     Inadmissible {
         /// Joint with the largest residual.

@@ -176,28 +176,44 @@ pub fn reaction_table(report: &ImpactReport) -> Table<4> {
     let shown = |components: &[Option<f64>; 3], size: f64| {
         components.iter().map(|v| component(*v, size)).collect::<Vec<_>>().join(", ")
     };
-    let peak_header = if report.contact_law.is_some() { "peak N" } else { "" };
-    let mut table = Table::new(["reaction", "force N·s", "moment N·m·s", peak_header]);
-    for record in &report.reactions {
-        let peak = record.peak_force.map_or_else(String::new, |peak| {
-            let known: Option<Vec<f64>> = peak.into_iter().collect();
-            let norm = known.map(|values| values.iter().map(|v| v * v).sum::<f64>().sqrt());
-            component(norm, 0.0)
+    let [force_header, moment_header] = ["force N·s", "moment N·m·s"];
+    // The last column is wrapped if the table is too wide.
+    let mut table = Table::new(match report.contact_law {
+        Some(_) => ["reaction", "peak N", force_header, moment_header],
+        None => ["reaction", force_header, moment_header, ""],
+    });
+    for record in report.reactions.iter().filter(|record| !is_unloaded(record, force, moment)) {
+        let (at, force, moment) = (place(record), shown(&record.force, force), shown(&record.moment, moment));
+        table.row(match record.peak_force {
+            Some(peak) => {
+                let known: Option<Vec<f64>> = peak.into_iter().collect();
+                let norm = known.map(|values| values.iter().map(|v| v * v).sum::<f64>().sqrt());
+                [at, component(norm, 0.0), force, moment]
+            }
+            None => [at, force, moment, String::new()],
         });
-        table.row([place(record), shown(&record.force, force), shown(&record.moment, moment), peak]);
     }
     table
 }
 
+/// True if a place transmits nothing beyond rounding.
+fn is_unloaded(record: &ReactionRecord, force: f64, moment: f64) -> bool {
+    let none = |components: &[Option<f64>; 3], size| {
+        components.iter().all(|v| v.is_some_and(|v| rounded(v, size) == 0.0))
+    };
+    none(&record.force, force) && none(&record.moment, moment)
+}
+
 /// Component as text; a value that is rounding relative to `size` is shown as 0, an indeterminate one as ?.
 fn component(value: Option<f64>, size: f64) -> String {
-    value.map_or_else(|| "?".to_owned(), |v| short_number(rounded(v, size)))
+    let digits = |v: f64| number(format!("{v:.3e}").parse().unwrap_or(v));
+    value.map_or_else(|| "?".to_owned(), |v| digits(rounded(v, size)))
 }
 
 /// Explanation of the table of reactions.
 pub fn legend(report: &ImpactReport) -> String {
-    let mut legend = "Action of the parent on the child, along two transverse axes and the axis of the joint; --format json \
-                      gives the axes.\n"
+    let mut legend = "Action of the parent on the child, along two transverse axes and the axis of the joint (--format json \
+                      has the axes). Joints without any reaction are left out.\n"
         .to_owned();
     let mut open: Vec<&str> =
         report.reactions.iter().flat_map(|r| r.open_by.iter().map(String::as_str)).collect();
