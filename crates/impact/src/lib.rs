@@ -6,9 +6,11 @@
 //! loss ½ m̄ (1−e²) c². Trees and loops, redundant constraints, massless links, fixed and floating bases are covered.
 //! Components of a reaction that redundant constraints leave open are reported as [`Component::Indeterminate`].
 //!
-//! The impact is frictionless and instantaneous: gravity, springs and dampers have no effect. This crate reads no
-//! files and contains no contact laws.
+//! Contacts of one relative motion may have Coulomb [`Friction`]. The impact is instantaneous: gravity, springs and
+//! dampers have no effect. This crate reads no files and contains no contact laws.
 
+mod error;
+mod friction;
 mod motion;
 mod percussion;
 mod reactions;
@@ -16,6 +18,8 @@ mod reflected;
 mod rigid_impact;
 mod tolerances;
 
+pub use error::ImpactError;
+pub use friction::Friction;
 pub use motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
 pub use motion::joint_rates::JointRates;
 pub use percussion::{
@@ -24,4 +28,4 @@ pub use percussion::{
 pub use reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
 pub use reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};
 pub use reflected::{ReflectedError, ReflectedInertia, held_point_mass, reflected_inertia};
-pub use rigid_impact::{ImpactError, RigidImpact, closing_speed, greatest_closing_speed};
+pub use rigid_impact::{RigidImpact, closing_speed, greatest_closing_speed};

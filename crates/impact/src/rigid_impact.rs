@@ -1,5 +1,7 @@
-//! Rigid, frictionless impact at one contact.
+//! Rigid impact at one contact.
 
+use crate::error::ImpactError;
+use crate::friction::{Friction, frictional_impulse};
 use crate::motion::joint_rates::JointRates;
 use crate::motion::undetermined::undetermined_joints;
 use crate::reactions::reaction::Reactions;
@@ -7,31 +9,7 @@ use crate::reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};
 use percuss_dynamics::{ContactResponse, EffectiveMass, LocatedContact, Pose};
 use percuss_mechanism::JointId;
 
-/// Error of an impact.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum ImpactError {
-    /// The coefficient of restitution is outside its range.
-    #[error("the coefficient of restitution is {got}; expected a number from 0 to 1")]
-    Restitution {
-        /// Given value.
-        got: f64,
-    },
-    /// The closing speed is not positive.
-    #[error("the closing speed is {got} m/s; expected a number above zero: the sides approach each other")]
-    ClosingSpeed {
-        /// Given value, m/s.
-        got: f64,
-    },
-    /// No motion of the mechanism closes the gap.
-    #[error("the mechanism is immovable: no motion closes this gap, so no impact occurs")]
-    Immovable,
-    /// The reactions cannot be computed.
-    #[error(transparent)]
-    Reactions(#[from] ReactionError),
-}
-
-/// Rigid, frictionless impact at one contact.
+/// Rigid impact at one contact, frictionless unless [`with_friction`](Self::with_friction).
 ///
 /// | quantity       | equation                  | unit       |
 /// |----------------|---------------------------|------------|
@@ -56,6 +34,8 @@ pub struct RigidImpact {
     pub after: JointRates,
     /// Joints whose rates after the impact are not determined: a motion without mass moves them.
     pub undetermined: Vec<JointId>,
+    /// Friction; `None` for a frictionless impact.
+    pub friction: Option<Friction>,
     /// Reactions to the impulse.
     pub reactions: Reactions,
 }
@@ -100,7 +80,40 @@ impl RigidImpact {
             before,
             after,
             undetermined: undetermined_joints(pose, response),
+            friction: None,
             reactions: reactions.scaled(impulse),
+        })
+    }
+}
+
+impl RigidImpact {
+    /// Impact as by [`new`](Self::new), with the coefficient of friction `friction`. The restitution is the energetic one
+    /// of Stronge; see [`Friction`].
+    ///
+    /// # Errors
+    /// [`ImpactError`]: as for [`new`](Self::new); a contact whose sides have several relative motions.
+    pub fn with_friction(
+        pose: &Pose,
+        response: &ContactResponse,
+        closing_speed: f64,
+        restitution: f64,
+        friction: f64,
+        before: Option<JointRates>,
+    ) -> Result<Self, ImpactError> {
+        let smooth = Self::new(pose, response, closing_speed, restitution, before)?;
+        let found = frictional_impulse(pose, response, closing_speed, restitution, friction)?;
+        let reached = found.friction.kinematic_restitution;
+        let star = JointRates { joints: response.joint_velocities.clone(), base: response.base_velocity };
+        Ok(Self {
+            impulse: found.normal,
+            // All kinetic energy of the contact is in its one motion.
+            energy_loss: 0.5 * smooth.impulse / (1.0 + restitution)
+                * closing_speed
+                * (1.0 - reached * reached),
+            after: smooth.before.plus_scaled(&star, -(1.0 + reached) * closing_speed),
+            friction: Some(found.friction),
+            reactions: reactions_to_unit_impulse(pose, &found.response)?.scaled(found.total),
+            ..smooth
         })
     }
 }

@@ -32,3 +32,7 @@ pub const MASSLESS_ENERGY: f64 = 1e-13;
 
 /// Displacement of a joint in a massless motion of unit displacement, above which its rate is undetermined.
 pub const UNDETERMINED: f64 = 1e-6;
+
+/// Distance of the mobility matrix from rank one, relative to its norm, up to which a contact has one relative motion:
+/// rounding of matrices of linkages, and the misfit of files with nine digits.
+pub const ONE_MOTION: f64 = 1e-8;

@@ -290,3 +290,59 @@ fn a_point_that_cannot_slide_is_heavier() {
     assert!((finite(held) / expected - 1.0).abs() < 1e-12, "{held:?} {expected}");
     assert!(finite(held) > finite(response.effective_mass));
 }
+
+#[test]
+fn friction_of_one_motion_has_the_energetic_restitution() {
+    // A rod hinged at one end touches at its other end: at unit closing speed the end slides with t = |tan|.
+    let (mass, length) = (2.0, 0.8);
+    let rod = hinged_rod(mass, length);
+    let pose = pose_of(&rod, &Conditions::new(), &[]);
+    let link = rod.find_link("rod").expect("the rod");
+    let normal = Vector3::new(0.6, 0.8, 0.0);
+    let contact = Contact::new(link, Vector3::new(length, 0.0, 0.0), normal);
+    let response = pose.respond(&contact).expect("a response");
+    let (m, slope) = (finite(response.effective_mass), 0.75);
+    let (c, e) = (1.5, 0.6);
+    for coefficient in [0.0, 0.2, 0.9, 1.3, 1.4, 3.0] {
+        let impact =
+            RigidImpact::with_friction(&pose, &response, c, e, coefficient, None).expect("an impact");
+        let friction = impact.friction.expect("friction");
+        let product = coefficient * slope;
+        assert!((friction.slope - slope).abs() < ROUNDING && friction.is_wedged == (product >= 1.0));
+        let compression = m * c / (1.0 + product);
+        let after = closing_speed(&pose, &response.contact, &impact.after);
+        if product < 1.0 {
+            let reached = e * ((1.0 - product) / (1.0 + product)).sqrt();
+            assert!((after + reached * c).abs() < ROUNDING, "{coefficient}: {after}");
+            // Work of the normal impulse: restitution is e² of compression (Stronge).
+            let expansion = impact.impulse - compression;
+            let (work_in, work_out) = (0.5 * c * compression, 0.5 * reached * c * expansion);
+            assert!((work_out / work_in - e * e).abs() < ROUNDING, "{coefficient}");
+        } else {
+            assert!(after.abs() < ROUNDING && (impact.impulse - compression).abs() < ROUNDING);
+        }
+        // Kinetic energy by the inertia about the hinge.
+        let inertia = mass * length * length / 3.0;
+        let energy = |rates: &JointRates| 0.5 * inertia * rates.joints[0][0] * rates.joints[0][0];
+        assert!((energy(&impact.before) - energy(&impact.after) - impact.energy_loss).abs() < ROUNDING);
+        // Angular momentum about the hinge: the moment of normal and friction changes the rate.
+        let force = -normal * impact.impulse + friction.tangential_impulse;
+        let jump = impact.after.joints[0][0] - impact.before.joints[0][0];
+        assert!((length * force.y - inertia * jump).abs() < ROUNDING, "{coefficient}");
+        // The hinge carries the rest: m Δv_com = F + R.
+        let reaction = &impact.reactions.joints[0].reaction;
+        let along = value(reaction.force[0]);
+        assert!((along + force.x).abs() < ROUNDING, "{coefficient}: {along}");
+        let across = value(reaction.force[1]);
+        assert!((mass * jump * length / 2.0 - force.y - across).abs() < ROUNDING, "{coefficient}: {across}");
+        assert!(normal.dot(&friction.tangential_impulse).abs() < ROUNDING);
+    }
+    // A planar arm with two hinges has two motions at its tip.
+    let arm = model("planar_2r");
+    let pose = pose_of(&arm, &Conditions::new(), &[("elbow", 0.7)]);
+    let contact =
+        Contact::new(arm.find_link("outer").expect("a link"), Vector3::new(0.4, 0.0, 0.0), Vector3::y());
+    let response = pose.respond(&contact).expect("a response");
+    let refused = RigidImpact::with_friction(&pose, &response, 1.0, 0.5, 0.3, None);
+    assert!(matches!(refused, Err(percuss_impact::ImpactError::SeveralMotions)));
+}

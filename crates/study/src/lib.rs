@@ -73,7 +73,7 @@ pub use reports::impact::additions::{GreatestSpeedRecord, PercussionRecord, Refl
 pub use reports::impact::question::{ImpactQuestion, PercussionRequest};
 pub use reports::impact::reactions::{ReactionPlace, ReactionRecord};
 pub use reports::impact::report::{
-    BaseRateRecord, ImpactLawRecord, ImpactReport, JointRateRecord, OtherBodyRecord, impact,
+    BaseRateRecord, FrictionRecord, ImpactLawRecord, ImpactReport, JointRateRecord, OtherBodyRecord, impact,
 };
 pub use reports::kinematics::changed_sheet::changed_sheet;
 pub use reports::kinematics::question::{

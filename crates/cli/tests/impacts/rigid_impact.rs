@@ -92,12 +92,47 @@ fn a_free_body_on_the_other_side_and_a_floating_base() {
 }
 
 #[test]
+fn friction_at_the_stop_of_a_linkage() {
+    // e_kinematic = e √((1−µt)/(1+µt)); t is the sliding of the point at unit closing speed.
+    let report = json(&format!("{FOUR_BAR} --speed 2 --friction 0.2 --format json"));
+    let number = |key: &str| report["friction"][key].as_f64().expect("a number");
+    // At (0.35, 0.1) of the coupler, per unit rate of the crank: v = (−0.3 + 0.1·5/21, −0.35·5/21).
+    let slope = (0.3 - 0.5 / 21.0) * 12.0;
+    assert!((number("slope") / slope - 1.0).abs() < ROUNDING);
+    let product = 0.2 * slope;
+    let reached = 0.3 * ((1.0 - product) / (1.0 + product)).sqrt();
+    assert!((number("kinematic_restitution") - reached).abs() < ROUNDING, "{report}");
+    let mass = 417_304.0 / 6125.0;
+    close(&report["impulse"], mass * 2.0 * (1.0 / (1.0 + product) + 0.3 / (1.0 - product * product).sqrt()));
+    close(&named(&report["rates"], "joint", "crank_hinge")["after"][0], reached * 24.0);
+    // Beyond µt = 1 the contact wedges.
+    let wedged = json(&format!("{FOUR_BAR} --speed 2 --friction 0.4 --format json"));
+    assert_eq!(wedged["friction"]["wedged"], true);
+    close(&named(&wedged["rates"], "joint", "crank_hinge")["after"][0], 0.0);
+    assert!(
+        percuss(&format!("{FOUR_BAR} --speed 2 --friction 0.4")).stdout.contains("wedged, without rebound")
+    );
+    for (command, words) in [
+        (format!("{FOUR_BAR} --speed 2 --friction -1"), "--friction: the coefficient"),
+        (
+            "impact models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --set elbow=1 --restitution 0 --speed 1 \
+             --friction 0.3"
+                .to_owned(),
+            "several directions",
+        ),
+    ] {
+        let outcome = percuss(&command);
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{command}: {}", outcome.stderr);
+    }
+}
+
+#[test]
 fn invalid_motions_are_refused() {
     let pendulum =
         "impact models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --set elbow=40deg";
     for (command, code, words) in [
-        (format!("{FOUR_BAR} --rates crank_hinge=-2 rocker_hinge=1"), 2, "--rates: joint"),
-        (format!("{FOUR_BAR} --rates crank_hinge=-2 rocker_hinge=1"), 2, "residual"),
+        (format!("{FOUR_BAR} --rates crank_hinge=-2 --rates rocker_hinge=1"), 2, "--rates: joint"),
+        (format!("{FOUR_BAR} --rates crank_hinge=-2 --rates rocker_hinge=1"), 2, "residual"),
         (format!("{FOUR_BAR} --rates crank_hinge=2"), 2, "open the gap"),
         (format!("{FOUR_BAR} --rates crank=2"), 2, "no joint"),
         (format!("{FOUR_BAR} --rates crank_hinge=2m/s"), 2, "crank_hinge"),

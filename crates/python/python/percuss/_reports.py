@@ -98,6 +98,7 @@ class _Impact:
 
     restitution: float
     speed: float | None
+    friction: float | None
     rates: Mapping[str, Position]
     base_twist: Sequence[float] | None
     law: Damping | None
@@ -365,6 +366,7 @@ def impact(
     conditions: Conditions | None = None,
     *,
     speed: float | None = None,
+    friction: float | None = None,
     rates: Mapping[str, Position] | None = None,
     base_twist: Sequence[float] | None = None,
     stiffness: float | None = None,
@@ -376,14 +378,14 @@ def impact(
 ) -> Report:
     """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
     joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
-    speed is assumed. rates: driving joints and their rates before the impact, rad/s or m/s; the others follow.
+    speed is assumed. friction: coefficient, for a contact of one relative motion. rates: driving joints and their rates before the impact, rad/s or m/s; the others follow.
     base_twist: velocity of a floating base, rad/s then m/s, world axes. stiffness, exponent, law: contact law for the
     peak forces of all bearings. rate_limit: largest jumps of joint rates, for the greatest closing speed. reflected:
     joints whose reflected inertia is added. percussion: joints whose centre of percussion is added, "JOINT" in the
     tangent plane or "JOINT:X,Y,Z" along a line. Components that redundant loops leave open are None. As ``percuss
     impact``."""
     damping = None if stiffness is None else Damping(restitution, stiffness, exponent, law=law)
-    asked = _Impact(restitution, speed, rates or {}, base_twist, damping, rate_limit or {}, reflected, percussion)
+    asked = _Impact(restitution, speed, friction, rates or {}, base_twist, damping, rate_limit or {}, reflected, percussion)
     return Report(json.loads(_percuss.impact(model, contact, _asked(conditions), asked)))
 
 

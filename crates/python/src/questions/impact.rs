@@ -14,6 +14,7 @@ use pyo3::types::{PyAny, PyDict};
 pub struct Impact<'py> {
     restitution: f64,
     speed: Option<f64>,
+    friction: Option<f64>,
     rates: Bound<'py, PyDict>,
     base_twist: Option<[f64; 6]>,
     law: Option<Damping>,
@@ -46,6 +47,7 @@ impl Impact<'_> {
         Ok(ImpactQuestion {
             restitution: self.restitution,
             speed: self.speed,
+            friction: self.friction,
             rates: rates(&self.rates, "rates")?,
             base_twist: self.base_twist,
             law: self.law.as_ref().map(Damping::question).transpose()?,

@@ -87,6 +87,8 @@ pub enum Field {
     Restitution,
     /// Closing speed of an impact.
     ClosingSpeed,
+    /// Coefficient of friction of an impact.
+    Friction,
     /// Rates of driving joints before an impact.
     Rates,
     /// Velocity of a floating base before an impact.
@@ -138,6 +140,7 @@ impl Field {
             Field::Directions => ("--directions", "map.directions"),
             Field::Restitution => ("--restitution", "impact.restitution"),
             Field::ClosingSpeed => ("--speed", "impact.speed"),
+            Field::Friction => ("--friction", "impact.friction"),
             Field::Rates => ("--rates", "impact.rates"),
             Field::BaseTwist => ("--base-twist", "impact.base_twist"),
             Field::RateLimit => ("--rate-limit", "impact.rate_limit"),

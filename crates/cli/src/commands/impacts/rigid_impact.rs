@@ -51,8 +51,9 @@ fn text(report: &ImpactReport) -> String {
     out += &format!("\n{}", rate_table(report));
     out += &format!("\n{}{}", reaction_table(report), wrap_lines(&legend(report)));
     out += &drive_table(report).map_or_else(String::new, |table| format!("\n{table}"));
-    out += "\nNot included: friction, compliance of the links, several impacts at once.\n\
-            Gravity, springs and dampers have no effect during an instantaneous impact.\n\
+    let friction = if report.friction.is_some() { "" } else { "friction, " };
+    out += &format!("\nNot included: {friction}compliance of the links, several impacts at once.\n");
+    out += "Gravity, springs and dampers have no effect during an instantaneous impact.\n\
             See docs/howto/IMPACT.md.\n";
     out
 }
@@ -76,6 +77,20 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
                 .to_owned(),
         },
     ));
+    if let Some(friction) = report.friction {
+        let end = if friction.wedged { "wedged, without rebound" } else { "rebounds" };
+        facts.push((
+            "friction",
+            format!(
+                "coefficient {}; the point slides with {} of the closing speed: {end}, separation speed {} of the \
+                 closing speed; impulse on the contact link {} N·s (world)",
+                number(friction.coefficient),
+                short_number(friction.slope),
+                short_number(friction.kinematic_restitution),
+                triple(&friction.tangential_impulse_world),
+            ),
+        ));
+    }
     let sliding = report.mass.effective_mass.map_or_else(String::new, |m| format!("{} kg", number(m)));
     facts.push(("effective mass", format!("{sliding} (sliding contact point)")));
     facts.push((

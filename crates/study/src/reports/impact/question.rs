@@ -10,6 +10,8 @@ pub struct ImpactQuestion {
     pub restitution: f64,
     /// Closing speed, m/s; `None` if the rates give it.
     pub speed: Option<f64>,
+    /// Coefficient of friction, for a contact of one relative motion; `None` without friction.
+    pub friction: Option<f64>,
     /// Rates of driving joints before the impact; empty for the motion of least energy.
     pub rates: Vec<(String, GivenRates)>,
     /// Velocity of a floating base before the impact: angular, then that of the root's origin, world axes.

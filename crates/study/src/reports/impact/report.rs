@@ -59,6 +59,21 @@ pub struct OtherBodyRecord {
     pub speed_change: f64,
 }
 
+/// Coulomb friction at a contact of one relative motion.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct FrictionRecord {
+    /// Coefficient of friction µ.
+    pub coefficient: f64,
+    /// Sliding speed of the contact point per closing speed, t.
+    pub slope: f64,
+    /// True for µt ≥ 1: the contact does not rebound.
+    pub wedged: bool,
+    /// Separation speed divided by closing speed.
+    pub kinematic_restitution: f64,
+    /// Impulse of the friction on the contact link, N·s, world axes.
+    pub tangential_impulse_world: [f64; 3],
+}
+
 /// Compliant contact with the peak force of the impact.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ImpactLawRecord {
@@ -88,14 +103,16 @@ pub struct ImpactReport {
     pub percuss: &'static str,
     /// Effective mass, contact, pose and conditions: the report of `percuss mass`. Its findings are in `diagnostics`.
     pub mass: MassReport,
-    /// Coefficient of restitution e.
+    /// Coefficient of restitution e; with friction the energetic one.
     pub restitution: f64,
     /// Closing speed before the impact, m/s.
     pub closing_speed: f64,
-    /// Impulse between the two sides, N·s; −impulse · normal acts on the contact link.
+    /// Normal impulse between the two sides, N·s; −impulse · normal acts on the contact link.
     pub impulse: f64,
     /// Lost kinetic energy, J.
     pub energy_loss: f64,
+    /// Friction, if requested.
+    pub friction: Option<FrictionRecord>,
     /// Mass of the contact point if it cannot slide in the tangent plane (nᵀΛn), kg; null if not finite. The effective
     /// mass is that of a sliding contact, 1/(nᵀΛ⁻¹n).
     pub sticking_mass: Option<f64>,
@@ -143,8 +160,13 @@ pub fn impact(
     }
     let (speed, before) = motion_before(&evaluated, impact)?;
     let is_given = before.is_some();
-    let rigid = RigidImpact::new(pose, response, speed, impact.restitution, before)
-        .map_err(|error| impact_error(error, impact))?;
+    let rigid = match impact.friction {
+        None => RigidImpact::new(pose, response, speed, impact.restitution, before),
+        Some(friction) => {
+            RigidImpact::with_friction(pose, response, speed, impact.restitution, friction, before)
+        }
+    };
+    let rigid = rigid.map_err(|error| impact_error(error, impact))?;
     let mut mass = build_mass_report(&evaluated)?;
     let mut diagnostics = std::mem::take(&mut mass.diagnostics);
     let contact_law = match &impact.law {
@@ -171,6 +193,7 @@ pub fn impact(
         closing_speed: rigid.closing_speed,
         impulse: rigid.impulse,
         energy_loss: rigid.energy_loss,
+        friction: friction_record(&evaluated, &rigid),
         sticking_mass,
         sticking_status,
         motion_before: if is_given { "given" } else { "least-energy" },
@@ -235,12 +258,28 @@ fn motion_before(
 /// Error of an impact, about the part of the question at fault.
 fn impact_error(error: ImpactError, impact: &ImpactQuestion) -> StudyError {
     match error {
+        ImpactError::Friction { .. } | ImpactError::SeveralMotions => {
+            StudyError::input(Field::Friction, error)
+        }
         ImpactError::Restitution { .. } => StudyError::input(Field::Restitution, error),
         ImpactError::ClosingSpeed { .. } if impact.speed.is_some() => {
             StudyError::input(Field::ClosingSpeed, error)
         }
         _ => StudyError::NoImpact(error),
     }
+}
+
+/// Friction with its impulse in world axes.
+fn friction_record(evaluated: &EvaluatedQuestion, rigid: &RigidImpact) -> Option<FrictionRecord> {
+    let friction = rigid.friction?;
+    let x_wl = evaluated.pose.link(evaluated.contact.link);
+    Some(FrictionRecord {
+        coefficient: friction.coefficient,
+        slope: friction.slope,
+        wedged: friction.is_wedged,
+        kinematic_restitution: friction.kinematic_restitution,
+        tangential_impulse_world: x_wl.vector(&friction.tangential_impulse).into(),
+    })
 }
 
 /// Rates of every movable joint.

@@ -35,6 +35,12 @@ pub struct ImpactTable {
     /// speed must agree, unless the other side is a free body.
     #[cfg_attr(feature = "flags", arg(long, value_name = "V", allow_hyphen_values = true, help_heading = IMPACT))]
     pub speed: Option<Speed>,
+    /// Coefficient of friction, for a linkage with one motion.
+    ///
+    /// Coulomb friction with the energetic restitution of Stronge, for a contact whose two sides have one relative motion, such
+    /// as the stop of a suspension. Reactions include the friction.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "MU", allow_hyphen_values = true, help_heading = IMPACT))]
+    pub friction: Option<Plain>,
     /// Rate of a driving joint before the impact.
     ///
     /// The other joints follow from the loops. The given joints must determine all others. Units: rad/s, deg/s, m/s.
@@ -44,7 +50,6 @@ pub struct ImpactTable {
             long,
             value_name = "JOINT=RATE",
             allow_hyphen_values = true,
-            num_args = 1..,
             value_parser = named::joint_rates,
             help_heading = IMPACT
         )
@@ -141,6 +146,7 @@ impl ImpactTable {
         Ok(ImpactQuestion {
             restitution,
             speed: self.speed.map(|speed| speed.0.value),
+            friction: self.friction.map(|friction| friction.0),
             rates: self.rates.clone(),
             base_twist,
             law: self.law(restitution)?,
