@@ -152,7 +152,6 @@ const EXPLAINED: [(&str, &[&str]); 17] = [
             "friction",
             "stiffness",
             "reflected",
-            "percussion",
             "format",
         ],
     ),
