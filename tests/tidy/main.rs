@@ -47,7 +47,7 @@ fn files(ending: &str) -> Vec<PathBuf> {
 }
 
 /// Permitted dependencies between the crates of the workspace, without those of tests.
-const ARROWS: [(&str, &[&str]); 18] = [
+const ARROWS: [(&str, &[&str]); 19] = [
     ("percuss-spatial", &[]),
     ("percuss-tables", &[]),
     ("percuss-units", &[]),
@@ -56,6 +56,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
     ("percuss-suspension", &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-units"]),
     ("percuss-dynamics", &["percuss-spatial", "percuss-mechanism"]),
     ("percuss-generate", &["percuss-spatial", "percuss-mechanism", "percuss-dynamics"]),
+    ("percuss-impact", &["percuss-spatial", "percuss-mechanism", "percuss-dynamics"]),
     ("percuss-contact", &[]),
     ("percuss-render", &[]),
     ("percuss-oracle", &["percuss-spatial", "percuss-mechanism"]),
@@ -70,6 +71,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
             "percuss-suspension",
             "percuss-dynamics",
             "percuss-generate",
+            "percuss-impact",
             "percuss-contact",
         ],
     ),
@@ -93,6 +95,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
             "percuss-formats",
             "percuss-suspension",
             "percuss-dynamics",
+            "percuss-impact",
             "percuss-contact",
             "percuss-study",
         ],
@@ -199,13 +202,14 @@ fn files_and_folders_import_one_way() {
 }
 
 /// Crates re-exported by the façade; true if all types of the crate are at the root, false if they are in a module.
-const FACADE: [(&str, bool); 7] = [
+const FACADE: [(&str, bool); 8] = [
     ("dynamics", true),
     ("formats", true),
     ("suspension", false),
     ("mechanism", true),
     ("spatial", false),
     ("contact", false),
+    ("impact", false),
     ("study", false),
 ];
 

@@ -51,6 +51,7 @@ pub use model::conditions::{Base, ConditionOfJoint, Conditions, ConditionsError}
 pub use model::configuration::{Configuration, ConfigurationError};
 pub use model::input;
 pub use model::velocities::StateSizeError;
+pub use motion::constraint_action::{ConstraintAction, ConstraintGroup, ConstraintSource};
 pub use motion::forward_dynamics::{Accelerations, PointForce};
 pub use motion::gap::Gap;
 pub use motion::limits::BranchLimits;

@@ -23,7 +23,8 @@
 //! [`ContactResponse`] (m̄, its error, velocities, shares of the links). For many configurations or contacts:
 //! [`Workspace`], [`Batch`], [`ContactMap`]. For matrices of another solver: [`effective_mass()`].
 //!
-//! [`contact`] has the contact laws and the parameters of simulators. Matrices and vectors are those of [`nalgebra`], which is
+//! [`impact`] has rigid impacts: impulses, rates after the impact, and the reactions in all joints and loops. [`contact`] has
+//! the contact laws and the parameters of simulators. Matrices and vectors are those of [`nalgebra`], which is
 //! re-exported. Every type has exactly one name. The guide `docs/howto/RUST.md` of the repository has more examples.
 
 // Links to the pages of the crates, not copies: a copy shows `Matrix<f64, Const<3>, Const<1>, ArrayStorage<f64, 3, 1>>` where the
@@ -34,13 +35,14 @@ pub use percuss_contact as contact;
 pub use percuss_dynamics::{
     Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchError, BatchPositions,
     BranchLimits, ConditionOfJoint, Conditions, ConditionsError, Configuration, ConfigurationError,
-    ConstraintRank, Contact, ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse,
-    ContactStatus, Contributions, DenseReason, DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass,
-    ErrorBudget, Frame, Gap, InverseOperationalInertia, LayoutError, LocatedContact, LoopState, MapAnswers,
-    MapError, MassGradient, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer,
-    PointForce, PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops,
-    Route, RouteChoice, RouteError, RowAnswer, RowHandler, RowPath, Singularity, StateSizeError, System,
-    Travel, TravelError, Workspace, effective_mass, input,
+    ConstraintAction, ConstraintGroup, ConstraintRank, ConstraintSource, Contact, ContactColumns,
+    ContactError, ContactMap, ContactPart, ContactResponse, ContactStatus, Contributions, DenseReason,
+    DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass, ErrorBudget, Frame, Gap,
+    InverseOperationalInertia, LayoutError, LocatedContact, LoopState, MapAnswers, MapError, MassGradient,
+    MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer, PointForce,
+    PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops, Route,
+    RouteChoice, RouteError, RowAnswer, RowHandler, RowPath, Singularity, StateSizeError, System, Travel,
+    TravelError, Workspace, effective_mass, input,
 };
 #[doc(no_inline)]
 pub use percuss_formats::{
@@ -48,6 +50,7 @@ pub use percuss_formats::{
     MeshError, MeshFolders, Orientation, Purpose, Shape, Solid, Source, Surface, SurfaceError, Triangles,
     load, load_file, read_mesh, write_urdf, write_urdf_with,
 };
+pub use percuss_impact as impact;
 pub use percuss_mechanism as mechanism;
 #[doc(no_inline)]
 pub use percuss_mechanism::{

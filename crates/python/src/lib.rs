@@ -33,6 +33,8 @@ mod module {
     #[pymodule_export]
     use crate::questions::damping::{damp, damp_mass, impact_history, laws, regions, tools};
     #[pymodule_export]
+    use crate::questions::impact::impact;
+    #[pymodule_export]
     use crate::questions::kinematics::kinematics;
     #[pymodule_export]
     use crate::questions::reports::{

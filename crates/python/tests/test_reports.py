@@ -232,6 +232,24 @@ def test_safe_speeds() -> None:
         percuss.safe_speed(model, contact, "nose", force=1.0)
 
 
+def test_impacts() -> None:
+    model = percuss.load(ROOT / "models/four_bar.urdf")
+    contact = percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
+    report = percuss.impact(model, contact, 0.3, rates={"crank_hinge": "-120deg/s"}, reflected=["crank_hinge"])
+    flags = ("--link", "coupler", "--point", "0.35,0.1,0", "--normal", "0,1,0", "--restitution", "0.3")
+    more = ("--rates", "crank_hinge=-120deg/s", "--reflected", "crank_hinge", "--format", "json")
+    assert without_paths(report) == without_paths(printed("impact", "models/four_bar.urdf", *flags, *more))
+    hinge = report.reactions[0]
+    assert hinge["name"] == "crank_hinge" and hinge["force"][2] is None and hinge["open_by"] == ["rocker_pin"]
+    # The rates of 52163/110250 kg·m² at the crank (models/four_bar.urdf).
+    assert report.reflected_inertia[0]["free"] == pytest.approx(52163 / 110250, rel=1e-12)
+    peaks = percuss.impact(model, contact, 0.3, speed=1.0, stiffness=1e5)
+    assert peaks.contact_law["peak_force"] > 0 and peaks.reactions[0]["peak_force"][0] is not None
+    for given, words in (({}, "closing speed"), ({"rates": {"nope": 1.0}}, "nope"), ({"speed": -1.0}, "closing speed")):
+        with pytest.raises(percuss.InputError, match=words):
+            percuss.impact(model, contact, 0.3, **given)  # type: ignore[arg-type]
+
+
 @pytest.mark.parametrize("path", sorted((ROOT / "models").glob("*.toml")), ids=lambda path: path.stem)
 def test_studies(path) -> None:  # type: ignore[no-untyped-def]
     report = percuss.run_study(path)

@@ -69,6 +69,12 @@ pub use reports::explain::{
     Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
 };
 pub use reports::generated_code::{CodeError, generate_code};
+pub use reports::impact::additions::{GreatestSpeedRecord, PercussionRecord, ReflectedRecord};
+pub use reports::impact::question::{ImpactQuestion, PercussionRequest};
+pub use reports::impact::reactions::{ReactionPlace, ReactionRecord};
+pub use reports::impact::report::{
+    BaseRateRecord, FrictionRecord, ImpactLawRecord, ImpactReport, JointRateRecord, OtherBodyRecord, impact,
+};
 pub use reports::kinematics::changed_sheet::changed_sheet;
 pub use reports::kinematics::question::{
     AxlePosition, KinematicVariable, KinematicsError, KinematicsQuestion, TorqueReaction, VehicleData,
@@ -101,6 +107,7 @@ pub use study_file::tables::contact::{
 pub use study_file::tables::damping::{DampingTable, LawName, SeparationName, Tools};
 #[cfg(feature = "flags")]
 pub use study_file::tables::headings;
+pub use study_file::tables::impact::ImpactTable;
 pub use study_file::tables::map::{MapTable, StudyMap, StudyMapQuestion};
 pub use study_file::tables::mass::{GivenTolerance, MassTable, StudyMass};
 pub use study_file::tables::model::{Acceptable, ModelTable};
@@ -119,3 +126,4 @@ pub use values::quantities::{
     Area, Energy, Force, Length, LinkPoint, Mass, Momentum, Plain, Point, PositiveMass, Pressure, Ratio,
     Speed, Stiffness, Time, Vector,
 };
+pub use values::rates::GivenRates;

@@ -183,3 +183,7 @@ pub(crate) const FACETS: usize = 8_000_000;
 pub(crate) const LEAST_EDGE: f64 = 1e-6;
 /// Number of directions at a point.
 pub(crate) const DIRECTIONS: std::ops::RangeInclusive<usize> = 1..=1_000_000;
+
+/// Relative difference between a given closing speed and that of given rates, up to which both agree: numbers typed
+/// with six digits.
+pub(crate) const SAME_SPEED: f64 = 1e-5;

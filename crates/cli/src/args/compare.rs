@@ -1,8 +1,8 @@
 //! Flags of `percuss compare`.
 
 use super::contact::ContactArgs;
-use super::format::MassFormat;
 use super::model::ReadingArgs;
+use super::output::MassFormat;
 use clap::Args;
 use percuss_study::headings::{OUTPUT, POSE};
 use percuss_study::{StudyFigure, StudyTable, Vary};

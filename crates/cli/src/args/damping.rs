@@ -1,9 +1,8 @@
 //! Flags of `percuss damp` and of `percuss safe-speed`.
 
 use super::contact::ContactArgs;
-use super::format::CheckFormat;
 use super::model::ReadingArgs;
-use super::writing::WritingArgs;
+use super::output::{CheckFormat, WritingArgs};
 use clap::Args;
 use percuss_study::headings::{LIMIT, OUTPUT};
 use percuss_study::{DampingTable, JointStop, Mass, SafeSpeedTable};

@@ -1,7 +1,7 @@
 //! Flags of `percuss import` and `percuss template`.
 
+use super::output::WritingArgs;
 use super::value_parsers::{kilograms, metres, moments};
-use super::writing::WritingArgs;
 use clap::{Args, ValueEnum};
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::headings::OUTPUT;

@@ -1,8 +1,7 @@
 //! Flags of `percuss kinematics`.
 
-use crate::args::format::KinematicsFormat;
 use crate::args::model::ModelArgs;
-use crate::args::writing::WritingArgs;
+use crate::args::output::{KinematicsFormat, WritingArgs};
 use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_study::headings::{ANSWER, OUTPUT, POSE};

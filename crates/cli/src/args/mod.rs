@@ -3,29 +3,29 @@
 mod compare;
 mod contact;
 mod damping;
-mod format;
 mod generate;
 mod help;
+mod impact;
 mod import;
 mod kinematics;
 mod map;
 mod model;
+mod output;
 #[cfg(test)]
 mod study_keys_tests;
 mod value_parsers;
-mod writing;
 
 pub use compare::CompareArgs;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, SafeSpeedArgs};
-pub use format::{CheckFormat, KinematicsFormat, MassFormat, SchemaFormat};
 pub use generate::{GenerateArgs, LanguageName};
 pub use help::short_help::{requested_command, short_help};
+pub use impact::ImpactArgs;
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
 pub use kinematics::KinematicsArgs;
 pub use map::MapArgs;
 pub use model::ModelArgs;
-pub use writing::WritingArgs;
+pub use output::{CheckFormat, KinematicsFormat, MassFormat, SchemaFormat, WritingArgs};
 
 use crate::terminal::failure::Failure;
 use clap::{Args, CommandFactory, Parser, Subcommand};
@@ -127,6 +127,12 @@ pub enum Command {
         override_usage = "percuss safe-speed MODEL --link L --point X,Y,Z --normal X,Y,Z …\n                          --region NAME (--force F | --pressure P --area A)\n                          [--load KG]"
     )]
     SafeSpeed(Box<SafeSpeedArgs>),
+    /// Rigid impact: impulse, rates after it, and reactions in all joints and loop closures.
+    #[command(
+        after_help = examples::IMPACT,
+        override_usage = "percuss impact MODEL (--at NAME | --link L --point X,Y,Z\n                      (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                      --restitution E (--speed V | --rates JOINT=RATE…) …"
+    )]
+    Impact(Box<ImpactArgs>),
     /// Write C or Rust code that computes the effective mass from a configuration.
     ///
     /// The code needs no library: for controllers, simulation models and microcontrollers.

@@ -42,12 +42,13 @@ const OTHER_NAMES: [(&str, &str); 11] = [
 ];
 
 /// Commands whose flags a study keeps, each with its own table, whose keys go before those of the others.
-const KEPT: [(&str, &str); 6] = [
+const KEPT: [(&str, &str); 7] = [
     ("mass", "mass"),
     ("damp", "damping"),
     ("sweep", "sweep"),
     ("map", "map"),
     ("safe-speed", "safe_speed"),
+    ("impact", "impact"),
     ("compare", "sweep"),
 ];
 /// Tables that several commands share.

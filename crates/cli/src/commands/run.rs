@@ -3,11 +3,11 @@
 use crate::args::{CheckFormat, MassFormat, RunArgs};
 use crate::commands::compare;
 use crate::commands::damp;
+use crate::commands::impacts::{rigid_impact, safe_speed};
 use crate::commands::map;
 use crate::commands::mass;
 use crate::commands::mass::MassRequests;
 use crate::commands::report;
-use crate::commands::safe_speed;
 use crate::commands::sweep;
 use crate::commands::sweep::SweepOutput;
 use crate::files::output::record_input;
@@ -107,6 +107,9 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
                 damp::write_history(&report, &damping.question, path)?;
             }
         }
+    }
+    if let (Some(question), Some(requested)) = (&study.question, &study.impact) {
+        rigid_impact::show(&study.model, question, requested, CheckFormat::Text, strict)?;
     }
     if let Some(requested) = &study.map {
         map::show(&study.model, &requested.question, &map_output(requested, MassFormat::Text, strict)?)?;

@@ -118,6 +118,11 @@ fn maps_lists_and_safe_speeds() {
         &format!("safe-speed {arm} --normal 1,0,0 --region skull --pressure 110 --area 1"),
         &format!("safe-speed {arm} --normal 1,0,0 --energy 10"),
         "damp --mass 12kg --stiffness 1e8 --exponent 1.5 --restitution 0.4 --speed 0.5",
+        "impact models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --restitution 0.3 --speed 2",
+        &format!(
+            "impact {arm} --normal 0,1,0 --set elbow=40deg --restitution 0.1 --speed 1 --stiffness 2e5 --reflected elbow \
+             --percussion elbow --rate-limit elbow=1"
+        ),
     ]);
 }
 
@@ -189,6 +194,7 @@ fn help_of_every_command() {
         "import",
         "damp",
         "safe-speed",
+        "impact",
         "generate",
         "run",
         "completions",

@@ -12,7 +12,6 @@ use crate::kinematics::outcome::{
 use crate::kinematics::remarks::RemarkFlags;
 use crate::recursion::closing_speed::closing_floor;
 use crate::tolerances::{FILE_MISFITS, IMMOVABLE, LEAST_OTHER_MASS, NEARLY_IMMOVABLE, SAME_BOTH_WAYS};
-use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId};
 use percuss_spatial::Twist;
 
@@ -206,19 +205,7 @@ impl ContactQuery<'_> {
         if let Some(gap) = rank.gap.filter(|_| !rank.clear) {
             remarks.push(Remark::UnclearRank { gap });
         }
-        let mut joint_velocities: Vec<Vec<f64>> =
-            model.mechanism.joints().iter().map(|j| vec![0.0; j.kind().dofs()]).collect();
-        let mut base_velocity = Twist::zero();
-        for body in model.bodies.iter().filter(|b| !b.v.is_empty()) {
-            let v = &found.velocities[body.v.clone()];
-            match body.joint {
-                Some(id) => joint_velocities[id.index()].copy_from_slice(v),
-                None => {
-                    base_velocity =
-                        Twist::new(Vector3::new(v[0], v[1], v[2]), Vector3::new(v[3], v[4], v[5]));
-                }
-            }
-        }
+        let (joint_velocities, base_velocity) = model.split_velocities(&found.velocities);
         ContactResponse {
             effective_mass: found.mass,
             route: found.route,

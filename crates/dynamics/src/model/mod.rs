@@ -18,7 +18,9 @@ pub(crate) use structure::cluster::{Cluster, ClusterGroup};
 pub(crate) use structure::group::{Constraint, ConstraintRows, ConstraintTerm, Group};
 
 use crate::model::conditions::{Base, CompiledHold};
+use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId, Mechanism};
+use percuss_spatial::Twist;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -91,6 +93,21 @@ impl Model {
     /// Tree velocities at the coordinates `u`: G u.
     pub fn expand(&self, u: &[f64]) -> Vec<f64> {
         self.velocity_coordinates.iter().map(|f| f.map_or(0.0, |f| f.multiplier * u[f.index])).collect()
+    }
+
+    /// Splits tree velocities into the velocities of every joint, in joint order, and the twist of a floating base.
+    pub fn split_velocities(&self, tree: &[f64]) -> (Vec<Vec<f64>>, Twist<f64>) {
+        let mut joints: Vec<Vec<f64>> =
+            self.mechanism.joints().iter().map(|j| vec![0.0; j.kind().dofs()]).collect();
+        let mut base = Twist::zero();
+        for body in self.bodies.iter().filter(|b| !b.v.is_empty()) {
+            let v = &tree[body.v.clone()];
+            match body.joint {
+                Some(id) => joints[id.index()].copy_from_slice(v),
+                None => base = Twist::new(Vector3::new(v[0], v[1], v[2]), Vector3::new(v[3], v[4], v[5])),
+            }
+        }
+        (joints, base)
     }
 
     /// Sums entries over tree velocities into entries over coordinates. Each entry is multiplied by

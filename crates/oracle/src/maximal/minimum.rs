@@ -8,6 +8,11 @@ use nalgebra::{DMatrix, DVector};
 
 /// Solves the definition (D).
 pub(super) fn minimum(system: &System) -> Answer {
+    minimum_and_response(system).0
+}
+
+/// Solves the definition (D); the second value is v* in scaled velocities, `None` unless the outcome is finite.
+pub(super) fn minimum_and_response(system: &System) -> (Answer, Option<DVector<f64>>) {
     let tree = kernel_of_independent_rows(&system.tree);
     let (within, singular_values) = kernel(&(&system.extra * &tree), system.threshold);
     let basis = tree * within;
@@ -26,7 +31,7 @@ pub(super) fn minimum(system: &System) -> Answer {
     let mut closing = basis.tr_mul(&system.contact);
     let speed = closing.norm();
     if speed <= limits::IMMOVABLE * system.contact.norm() {
-        return answer(Outcome::Immovable);
+        return (answer(Outcome::Immovable), None);
     }
     // After the reflection only the first basis column has a closing speed.
     let mut basis = basis;
@@ -44,7 +49,7 @@ pub(super) fn minimum(system: &System) -> Answer {
     let response = particular - &free * z;
     let momenta = &system.energy * &response;
     if momenta.norm() <= limits::MASSLESS * heaviest * response.norm() {
-        return answer(Outcome::Massless);
+        return (answer(Outcome::Massless), None);
     }
     let (links, joints) = system.counts;
     let mut answer = answer(Outcome::Finite(momenta.norm_squared()));
@@ -55,7 +60,7 @@ pub(super) fn minimum(system: &System) -> Answer {
             Owner::Rotor(i) => answer.rotors[i] += value * value,
         }
     }
-    answer
+    (answer, Some(response))
 }
 
 /// Orthonormal basis (columns) of the kernel of a matrix with independent rows.

@@ -23,6 +23,8 @@ pub(super) struct System {
     pub contact: DVector<f64>,
     /// Numbers of links and joints.
     pub counts: (usize, usize),
+    /// Length L.
+    pub length: f64,
 }
 
 /// Owner of the energy in a row of W.
@@ -60,7 +62,7 @@ fn energy_rows(index: usize, link: &Link, r_wl: &Matrix3<f64>) -> Vec<Row> {
 }
 
 /// Armature of the question, if given, else of the mechanism.
-fn armature(question: &Question, joint: usize) -> Vec<f64> {
+pub(super) fn armature(question: &Question, joint: usize) -> Vec<f64> {
     let own = &question.mechanism.joints()[joint];
     match question.armature.iter().rev().find(|(id, _)| id.index() == joint) {
         None => own.armature().to_vec(),
@@ -156,6 +158,7 @@ pub(super) fn assemble(question: &Question) -> System {
         owners,
         contact: contact_row(question, &x_wl).dense(links.len(), length),
         counts: (links.len(), joints.len()),
+        length,
     }
 }
 

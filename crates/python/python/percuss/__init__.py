@@ -7,8 +7,8 @@
     >>> response.effective_mass  # kg
 
 load, pose, respond: one contact. sweep: one contact at many configurations, arrays in and out. effective_mass: matrices of your own
-solver. mass, sweep_report, map, damp, safe_speed, compare, explain, run_study: the reports of the command line. kinematics: wheel angles
-and motion ratios of suspensions. SI units throughout; quaternions are w, x, y, z.
+solver. mass, sweep_report, map, damp, impact, safe_speed, compare, explain, run_study: the reports of the command line. kinematics: wheel
+angles and motion ratios of suspensions. SI units throughout; quaternions are w, x, y, z.
 """
 
 from __future__ import annotations
@@ -68,6 +68,7 @@ from ._reports import (
     damp_contact,
     damp_stop,
     explain,
+    impact,
     impact_history,
     map,
     map_point,
@@ -128,6 +129,7 @@ __all__ = [
     "effective_mass",
     "effective_masses",
     "explain",
+    "impact",
     "impact_history",
     "kinematics",
     "laws",

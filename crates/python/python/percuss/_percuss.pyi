@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._kinematics import _Question
 from ._matrices import MatrixBatch
-from ._reports import Conditions, Damping, Design, _SafeSpeed
+from ._reports import Conditions, Damping, Design, _Impact, _SafeSpeed
 
 __all__ = [
     "Accelerations",
@@ -45,6 +45,7 @@ __all__ = [
     "regions",
     "run_command",
     "run_study",
+    "impact",
     "safe_speed",
     "starting_study",
     "study_schema",
@@ -503,6 +504,9 @@ def map_point_report(model: Model, contact: Contact | str, conditions: Condition
 def explain(model: Model, contact: Contact | str, conditions: Conditions) -> str: ...
 def tolerate(
     model: Model, contact: Contact | str, conditions: Conditions, tolerance: str, samples: tuple[int, int] | None
+) -> str: ...
+def impact(
+    model: Model, contact: Contact | str, conditions: Conditions, impact: _Impact
 ) -> str: ...
 def safe_speed(
     model: Model,

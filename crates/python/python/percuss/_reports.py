@@ -93,6 +93,21 @@ class Design:
 
 
 @dataclass(frozen=True)
+class _Impact:
+    """Impact question in the form that the extension reads."""
+
+    restitution: float
+    speed: float | None
+    friction: float | None
+    rates: Mapping[str, Position]
+    base_twist: Sequence[float] | None
+    law: Damping | None
+    rate_limits: Mapping[str, Position]
+    reflected: Sequence[str]
+    percussion: Sequence[str]
+
+
+@dataclass(frozen=True)
 class _SafeSpeed:
     """Safe-speed question in the form that the extension reads."""
 
@@ -342,6 +357,36 @@ def compare(
 def compare_study(path: str | os.PathLike[str], name: str = "as given") -> Report:
     """Compares the variants of a study (TOML) with its model, under the given name. As ``percuss compare STUDY``."""
     return Report(json.loads(_percuss.compare_study(path, name)))
+
+
+def impact(
+    model: Model,
+    contact: Contact | str,
+    restitution: float,
+    conditions: Conditions | None = None,
+    *,
+    speed: float | None = None,
+    friction: float | None = None,
+    rates: Mapping[str, Position] | None = None,
+    base_twist: Sequence[float] | None = None,
+    stiffness: float | None = None,
+    exponent: float | None = None,
+    law: str = "kelvin-voigt",
+    rate_limit: Mapping[str, Position] | None = None,
+    reflected: Sequence[str] = (),
+    percussion: Sequence[str] = (),
+) -> Report:
+    """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
+    joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
+    speed is assumed. friction: coefficient, for a contact of one relative motion. rates: driving joints and their rates before the impact, rad/s or m/s; the others follow.
+    base_twist: velocity of a floating base, rad/s then m/s, world axes. stiffness, exponent, law: contact law for the
+    peak forces of all bearings. rate_limit: largest jumps of joint rates, for the greatest closing speed. reflected:
+    joints whose reflected inertia is added. percussion: joints whose centre of percussion is added, "JOINT" in the
+    tangent plane or "JOINT:X,Y,Z" along a line. Components that redundant loops leave open are None. As ``percuss
+    impact``."""
+    damping = None if stiffness is None else Damping(restitution, stiffness, exponent, law=law)
+    asked = _Impact(restitution, speed, friction, rates or {}, base_twist, damping, rate_limit or {}, reflected, percussion)
+    return Report(json.loads(_percuss.impact(model, contact, _asked(conditions), asked)))
 
 
 def safe_speed(

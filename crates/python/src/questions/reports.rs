@@ -23,7 +23,7 @@ pub fn json(report: &impl Serialize) -> PyResult<String> {
 }
 
 /// Evaluates `answer` for a contact of a model under conditions and returns the report as JSON.
-fn contact_report<R: Serialize + Send>(
+pub fn contact_report<R: Serialize + Send>(
     py: Python<'_>,
     model: &Model,
     contact: GivenContact<'_>,

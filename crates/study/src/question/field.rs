@@ -83,6 +83,22 @@ pub enum Field {
     Edge,
     /// Number of directions of a map at a point.
     Directions,
+    /// Coefficient of restitution of an impact.
+    Restitution,
+    /// Closing speed of an impact.
+    ClosingSpeed,
+    /// Coefficient of friction of an impact.
+    Friction,
+    /// Rates of driving joints before an impact.
+    Rates,
+    /// Velocity of a floating base before an impact.
+    BaseTwist,
+    /// Largest jump of a joint rate.
+    RateLimit,
+    /// Joint of a reflected inertia.
+    Reflected,
+    /// Joint of a centre of percussion.
+    Percussion,
 }
 
 impl Field {
@@ -122,6 +138,14 @@ impl Field {
             Field::Speed => ("--speed", "damping.speed"),
             Field::Edge => ("--edge", "map.edge"),
             Field::Directions => ("--directions", "map.directions"),
+            Field::Restitution => ("--restitution", "impact.restitution"),
+            Field::ClosingSpeed => ("--speed", "impact.speed"),
+            Field::Friction => ("--friction", "impact.friction"),
+            Field::Rates => ("--rates", "impact.rates"),
+            Field::BaseTwist => ("--base-twist", "impact.base_twist"),
+            Field::RateLimit => ("--rate-limit", "impact.rate_limit"),
+            Field::Reflected => ("--reflected", "impact.reflected"),
+            Field::Percussion => ("--percussion", "impact.percussion"),
         }
     }
 

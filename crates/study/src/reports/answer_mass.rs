@@ -22,7 +22,7 @@ pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyE
 }
 
 /// Report without a damper, with the requested motion ratios.
-fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassReport, StudyError> {
+pub(crate) fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassReport, StudyError> {
     let motion_ratios = motion_ratios(evaluated, &evaluated.prepared.question.ratio_at)?;
     let named_contact = named_contact(evaluated)?;
     Ok(MassReport { motion_ratios, named_contact, ..MassReport::of(evaluated) })

@@ -7,6 +7,7 @@ pub(crate) mod contact_list;
 pub(crate) mod drawing;
 pub(crate) mod explain;
 pub(crate) mod generated_code;
+pub(crate) mod impact;
 pub(crate) mod kinematics;
 pub(crate) mod mass_report;
 pub(crate) mod motion_ratio;

@@ -15,9 +15,11 @@ use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::travel::vary::Varied;
 use crate::reports::compare::Design;
+use crate::reports::impact::question::ImpactQuestion;
 use crate::study_file::closure::ClosureText;
 use crate::study_file::keys::{StudyKeys, UnknownKey};
 use crate::study_file::tables::damping::DampingTable;
+use crate::study_file::tables::impact::ImpactTable;
 use crate::study_file::tables::map::StudyMap;
 use crate::study_file::tables::mass::StudyMass;
 use crate::study_file::tables::report::StudyReport;
@@ -51,6 +53,8 @@ pub struct StudyFile {
     pub variants: Vec<Variant>,
     /// Damper for a restitution, if requested.
     pub damping: Option<StudyDamping>,
+    /// Rigid impact, if requested.
+    pub impact: Option<ImpactQuestion>,
     /// Sweep, if requested.
     pub sweep: Option<StudySweep>,
     /// Map of surfaces or directions, if requested.
@@ -302,6 +306,7 @@ impl StudyReader<'_> {
         };
         let damping = self.damping(study, &model, &question, folder)?;
         let map = study.map.as_ref().map(|map| map.map(&question, folder)).transpose().map_err(refused)?;
+        let impact = study.impact.as_ref().map(ImpactTable::question).transpose().map_err(refused)?;
         let safe_speed = match &study.safe_speed {
             None => None,
             Some(text) => {
@@ -318,6 +323,7 @@ impl StudyReader<'_> {
         let of_contact = study.mass.is_some()
             || !variants.is_empty()
             || sweep.is_some()
+            || impact.is_some()
             || (damping.is_some() && !stops)
             || (map.is_none() && safe_speed.is_none() && !stops);
         let asks = match study.contact.missing() {
@@ -346,6 +352,7 @@ impl StudyReader<'_> {
             mass: mass.unwrap_or_default(),
             variants,
             damping,
+            impact,
             sweep,
             map,
             safe_speed,

@@ -6,6 +6,7 @@ use crate::question::mass_question::{Hold, MassQuestion};
 use crate::study_file::closure::ClosureText;
 use crate::study_file::tables::contact::{ConditionsTable, ContactTable, PoseTable, QuestionTables};
 use crate::study_file::tables::damping::DampingTable;
+use crate::study_file::tables::impact::ImpactTable;
 use crate::study_file::tables::map::MapTable;
 use crate::study_file::tables::mass::MassTable;
 use crate::study_file::tables::model::ModelTable;
@@ -47,6 +48,8 @@ pub(crate) struct StudyText {
     pub variant: Vec<VariantText>,
     /// The damper that gives a restitution: percuss damp.
     pub damping: Option<DampingTable>,
+    /// Rigid impact at the contact: percuss impact.
+    pub impact: Option<ImpactTable>,
     /// The contact over rows of positions: percuss sweep.
     pub sweep: Option<SweepTable>,
     /// The surface of links, or all directions at a point: percuss map.

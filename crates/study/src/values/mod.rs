@@ -5,4 +5,5 @@ pub(crate) mod message_text;
 pub(crate) mod named;
 pub(crate) mod position;
 pub(crate) mod quantities;
+pub(crate) mod rates;
 pub(crate) mod value;

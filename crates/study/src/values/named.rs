@@ -2,6 +2,7 @@
 
 use crate::values::position::GivenPosition;
 use crate::values::quantities::{Mass, Point};
+use crate::values::rates::GivenRates;
 use percuss_units::Dimension;
 use std::fmt::Display;
 use std::str::FromStr;
@@ -19,6 +20,11 @@ fn named<T: FromStr<Err: Display>>(text: &str, expected: &str) -> Result<(String
 /// `JOINT=VALUE` of a flag: position of a joint, with optional units.
 pub fn joint_position(text: &str) -> Result<(String, GivenPosition), String> {
     named(text, "JOINT=VALUE, such as elbow=30deg")
+}
+
+/// `JOINT=RATE` of a flag: velocities of a joint, with optional units.
+pub fn joint_rates(text: &str) -> Result<(String, GivenRates), String> {
+    named(text, "JOINT=RATE, such as crank=2rad/s")
 }
 
 /// `JOINT=VALUES` of a flag: reflected inertias separated by commas.

@@ -8,7 +8,7 @@ use clap::{Arg, Command};
 const COLUMN: usize = 30;
 
 /// Explained flags of each command. Other flags are only listed.
-const EXPLAINED: [(&str, &[&str]); 16] = [
+const EXPLAINED: [(&str, &[&str]); 17] = [
     ("percuss", &[]),
     ("check", &["format", "strict"]),
     (
@@ -136,6 +136,23 @@ const EXPLAINED: [(&str, &[&str]); 16] = [
             "input",
             "load",
             "list_regions",
+        ],
+    ),
+    (
+        "impact",
+        &[
+            "at",
+            "link",
+            "point",
+            "normal",
+            "set",
+            "restitution",
+            "speed",
+            "rates",
+            "friction",
+            "stiffness",
+            "reflected",
+            "format",
         ],
     ),
     (

@@ -1,15 +1,16 @@
 //! Sections of the other questions of a study: variants, damper, map, safe speed.
 
 use super::findings::add_warnings;
-use crate::commands::{compare, damp, map, safe_speed};
+use crate::commands::impacts::{rigid_impact, safe_speed};
+use crate::commands::{compare, damp, map};
 use crate::files::html::Page;
 use crate::pictures::clipping::clip_outliers;
 use crate::pictures::map_files;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use percuss_study::{
-    ComparisonReport, DampingQuestion, DampingReport, MapAnswer, PointMapReport, SafeSpeedReport, StudyError,
-    StudyFile, impact_history,
+    ComparisonReport, DampingQuestion, DampingReport, ImpactReport, MapAnswer, PointMapReport,
+    SafeSpeedReport, StudyError, StudyFile, impact_history,
 };
 
 /// Section of the variants.
@@ -69,6 +70,21 @@ pub(super) fn add_damper(
         }
     }
     Ok(())
+}
+
+/// Section of a rigid impact: impulse, rates and reactions.
+pub(super) fn add_impact(report: &ImpactReport, page: &mut Page) {
+    page.section("Impact");
+    page.facts(rigid_impact::results(report));
+    page.heading("Rates of the joints");
+    page.table(rigid_impact::rate_table(report).rows());
+    page.heading("Reactions");
+    page.table(rigid_impact::reaction_table(report).rows());
+    page.paragraph("soft", &rigid_impact::legend(report).replace('\n', " "));
+    if let Some(table) = rigid_impact::drive_table(report) {
+        page.table(table.rows());
+    }
+    add_warnings(&report.diagnostics, page);
 }
 
 /// Section of a map of surfaces.

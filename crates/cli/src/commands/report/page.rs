@@ -44,6 +44,9 @@ pub(super) fn text(
     if let (Some(damper), Some(damping)) = (damper, &study.damping) {
         answers::add_damper(damper, &damping.question, &mut page)?;
     }
+    if let Some(report) = &results.impact {
+        answers::add_impact(report, &mut page);
+    }
     match &results.mapped {
         None => {}
         Some(MapResult::Surfaces(answer)) => answers::add_surface(answer, &mut page),

@@ -4,13 +4,13 @@ use super::sweep::{SweepSection, run_sweep};
 use crate::args::RunArgs;
 use crate::commands::compare;
 use crate::commands::damp;
+use crate::commands::impacts::safe_speed;
 use crate::commands::mass::MassRequests;
-use crate::commands::safe_speed;
 use crate::terminal::failure::Failure;
 use percuss_study::{
-    CheckReport, ComparisonReport, DampingReport, DiagnosticRecord, DrawnMechanism, Input, MapAnswer,
-    MassReport, Names, PointMapReport, SafeSpeedReport, StudyFile, StudyMapQuestion, check as check_of,
-    draw_mechanism, map as map_of, map_point, mass_with_drawing,
+    CheckReport, ComparisonReport, DampingReport, DiagnosticRecord, DrawnMechanism, ImpactReport, Input,
+    MapAnswer, MassReport, Names, PointMapReport, SafeSpeedReport, StudyFile, StudyMapQuestion,
+    check as check_of, draw_mechanism, impact as impact_of, map as map_of, map_point, mass_with_drawing,
 };
 
 /// Result of a map.
@@ -27,6 +27,7 @@ pub(super) struct StudyResults {
     pub contents: Option<CheckReport>,
     /// Damper of a joint stop.
     pub stop: Option<DampingReport>,
+    pub impact: Option<ImpactReport>,
     pub sweep: Option<SweepSection>,
     pub compared: Option<ComparisonReport>,
     pub mapped: Option<MapResult>,
@@ -65,8 +66,11 @@ impl StudyResults {
         };
         let speeds =
             study.safe_speed.as_ref().map(|requested| requested.reports(&study.model)).transpose()?;
+        let impact = study.question.as_ref().zip(study.impact.as_ref());
+        let impact =
+            impact.map(|(question, requested)| impact_of(&study.model, question, requested)).transpose()?;
         let sweep = study.sweep.as_ref().map(|requested| run_sweep(study, requested)).transpose()?;
-        Ok(Self { mass, mechanism, contents, stop, sweep, compared, mapped, speeds })
+        Ok(Self { mass, mechanism, contents, stop, impact, sweep, compared, mapped, speeds })
     }
 
     /// Input files of all results, without duplicates.
@@ -103,6 +107,7 @@ impl StudyResults {
         let own = self.mass.iter().flat_map(|mass| &mass.diagnostics);
         let own = own.chain(self.contents.iter().flat_map(|contents| &contents.diagnostics));
         let own = own.chain(self.stop.iter().flat_map(|stop| &stop.diagnostics));
+        let own = own.chain(self.impact.iter().flat_map(|impact| &impact.diagnostics));
         let all = own.chain(&self.mechanism.diagnostics).chain(sweep);
         let mut each: Vec<DiagnosticRecord> = Vec::new();
         for record in all.chain(compared).chain(mapped).chain(speeds) {

@@ -9,6 +9,7 @@ use crate::thresholds::{
 };
 use percuss_dynamics::{AssemblyError, ConditionsError, ConfigurationError, ContactError, TravelError};
 use percuss_formats::{MeshError, SurfaceError};
+use percuss_impact::{ImpactError, PercussionError, RatesError, ReflectedError};
 use percuss_mechanism::{JointKind, UnknownName};
 use percuss_units::QuantityError;
 
@@ -55,6 +56,68 @@ pub enum Fault {
     OtherMass {
         /// Given mass, kg.
         mass: f64,
+    },
+    /// Restitution or closing speed of an impact out of range.
+    #[error(transparent)]
+    Impact(#[from] ImpactError),
+    /// Rates that do not fit a joint, do not determine the motion, or are inadmissible.
+    #[error(transparent)]
+    Rates(#[from] RatesError),
+    /// Reflected inertia that cannot be computed.
+    #[error(transparent)]
+    Reflected(#[from] ReflectedError),
+    /// Centre of percussion that cannot be computed.
+    #[error(transparent)]
+    Percussion(#[from] PercussionError),
+    /// Impact without a speed and without rates.
+    #[error(
+        "no motion before the impact is given; expected the closing speed, or the rates of the driving joints"
+    )]
+    NoClosingSpeed,
+    /// Closing speed that differs from the speed of the given rates.
+    #[error(
+        "{speed} m/s is given, but the given rates close the gap at {closing} m/s; leave one of the two out"
+    )]
+    OtherSpeed {
+        /// Given speed, m/s.
+        speed: f64,
+        /// Closing speed of the given rates, m/s.
+        closing: f64,
+    },
+    /// Rates that open the gap.
+    #[error(
+        "the closing speed is {closing} m/s; expected a speed above zero: the rates open the gap, so no impact occurs"
+    )]
+    GapOpens {
+        /// Closing speed of the given rates, m/s.
+        closing: f64,
+    },
+    /// Velocity of a fixed base.
+    #[error("the base is fixed; a velocity requires a floating base")]
+    BaseIsFixed,
+    /// Wrong number of rates of a joint.
+    #[error("joint \"{joint}\": {got} rates are given; expected {expected}")]
+    RateCount {
+        /// Joint.
+        joint: String,
+        /// Number of given rates.
+        got: usize,
+        /// Number of velocities of the joint.
+        expected: usize,
+    },
+    /// Limit of a rate that is not positive.
+    #[error("joint \"{joint}\": the limit is {value}; expected a number above zero")]
+    RateLimit {
+        /// Joint.
+        joint: String,
+        /// Given limit.
+        value: f64,
+    },
+    /// Joint without motion.
+    #[error("joint \"{joint}\" is fixed; expected a joint that moves")]
+    NoMotion {
+        /// Joint.
+        joint: String,
     },
     /// Link listed twice in the estimate.
     #[error("the estimate names link \"{link}\" twice; name it once")]

@@ -5,6 +5,7 @@ use crate::question::field::{Field, Names, assembly_error_message};
 use percuss_contact::ContactLawError;
 use percuss_contact::exports::ExportError;
 use percuss_dynamics::{AssemblyError, EffectiveMass, ResponseError, RouteError};
+use percuss_impact::ImpactError;
 
 /// Error of a question. [`message`](Self::message) uses the names of flags or study keys, depending on the
 /// source of the question.
@@ -93,6 +94,14 @@ pub enum StudyError {
         /// True if there is no sign of further branches.
         complete: bool,
     },
+    /// Impact at a singular pose.
+    #[error(
+        "the pose is singular: the motion of an impact depends on the branch; use a nearby pose on the required branch"
+    )]
+    SingularImpact,
+    /// Impact of a contact that transmits no impulse, or without a closing motion.
+    #[error(transparent)]
+    NoImpact(ImpactError),
     /// Damper of a contact without a finite mass.
     #[error("the contact is {status}: a damper for a restitution does not exist")]
     NoDamper {
@@ -133,6 +142,8 @@ impl StudyError {
     pub fn has_no_result(&self) -> bool {
         match self {
             StudyError::NoDamper { .. }
+            | StudyError::SingularImpact
+            | StudyError::NoImpact(_)
             | StudyError::BranchMassesDiffer { .. }
             | StudyError::LargestMassUnknown { .. }
             | StudyError::MassUnknown

@@ -18,6 +18,13 @@ use std::str::FromStr;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LawName(String);
 
+impl LawName {
+    /// The name.
+    pub(crate) fn name(&self) -> &str {
+        &self.0
+    }
+}
+
 impl FromStr for LawName {
     type Err = ContactLawError;
     fn from_str(text: &str) -> Result<Self, Self::Err> {

@@ -18,6 +18,8 @@ pub const ANSWER: &str = "Result";
 pub const OUTPUT: &str = "Output";
 /// Restitution, stiffness and law of a damper.
 pub const DAMPER: &str = "Damper";
+/// Restitution, motion and contact law of an impact.
+pub const IMPACT: &str = "Impact";
 /// Rows of a sweep.
 pub const ROWS: &str = "Rows";
 /// Surfaces and directions of a map.

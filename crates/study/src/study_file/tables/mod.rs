@@ -5,6 +5,7 @@ pub(crate) mod contact;
 pub(crate) mod damping;
 #[cfg(feature = "flags")]
 pub mod headings;
+pub(crate) mod impact;
 pub(crate) mod map;
 pub(crate) mod mass;
 pub(crate) mod model;

@@ -1,6 +1,7 @@
-//! Formats of results.
+//! Formats of results, and flags of the writing of files.
 
-use clap::ValueEnum;
+use clap::{Args, ValueEnum};
+use percuss_study::headings::OUTPUT;
 
 /// Formats of `percuss check`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -40,4 +41,19 @@ pub enum KinematicsFormat {
     Csv,
     /// JSON for programs, in SI units.
     Json,
+}
+
+/// Flags of the writing of files.
+#[derive(Debug, Args)]
+pub struct WritingArgs {
+    /// Replace an output file that percuss did not write.
+    #[arg(long, help_heading = OUTPUT)]
+    pub force: bool,
+}
+
+impl WritingArgs {
+    /// Applies the flag to all files of this run.
+    pub fn apply(&self) {
+        crate::files::output::allow_replacement(self.force);
+    }
 }

@@ -1,0 +1,271 @@
+//! Command `percuss impact`.
+
+use crate::args::{CheckFormat, ImpactArgs};
+use crate::commands::mass::facts as mass_facts;
+use crate::terminal::escape::line;
+use crate::terminal::failure::Failure;
+use crate::terminal::limits::COMPONENT_ROUNDING;
+use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::text::{Table, number, short_number, triple};
+use crate::terminal::wrap::{fact_line, wrap_lines};
+use percuss_study::{
+    ImpactQuestion, ImpactReport, MassQuestion, Model, ReactionPlace, ReactionRecord, ReflectedRecord,
+    Status, impact,
+};
+
+/// Runs the command.
+pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
+    let contact = args.contact.question()?;
+    let question = args.impact.question()?;
+    let model = args.model.load()?;
+    show(&model, &contact, &question, args.format, args.model.reading.strict)
+}
+
+/// Computes an impact and writes it.
+pub fn show(
+    model: &Model,
+    contact: &MassQuestion,
+    question: &ImpactQuestion,
+    format: CheckFormat,
+    strict: bool,
+) -> Result<(), Failure> {
+    let mut report = impact(model, contact, question)?;
+    report.mass.point_in_sheet = model.point_in_sheet(&report.mass.contact.point_world);
+    write_diagnostics(&report.diagnostics, strict)?;
+    match format {
+        CheckFormat::Json => write_json(&report),
+        CheckFormat::Text => write_out(&text(&report)),
+    }
+}
+
+/// Report as text.
+fn text(report: &ImpactReport) -> String {
+    let mut out = String::new();
+    for (name, value) in results(report) {
+        out += &fact_line(name, &line(&value));
+    }
+    out.push('\n');
+    for (name, value) in mass_facts(&report.mass) {
+        out += &fact_line(name, &line(&value));
+    }
+    out += &format!("\n{}", rate_table(report));
+    out += &format!("\n{}{}", reaction_table(report), wrap_lines(&legend(report)));
+    out += &drive_table(report).map_or_else(String::new, |table| format!("\n{table}"));
+    let friction = if report.friction.is_some() { "" } else { "friction, " };
+    out += &format!("\nNot included: {friction}compliance of the links, several impacts at once.\n");
+    out += "Gravity, springs and dampers have no effect during an instantaneous impact.\n\
+            See docs/howto/IMPACT.md.\n";
+    out
+}
+
+/// Impulse, energy, masses and additional results.
+pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
+    let mut facts = vec![
+        ("impulse", format!("{} N·s", number(report.impulse))),
+        ("energy loss", format!("{} J", number(report.energy_loss))),
+        (
+            "closing speed",
+            format!("{} m/s, restitution {}", number(report.closing_speed), number(report.restitution)),
+        ),
+    ];
+    facts.push((
+        "motion before",
+        match report.motion_before {
+            "given" => "as given".to_owned(),
+            _ => "assumed: the motion of least energy with this closing speed, v* times the speed; another motion has \
+                  the same impulse and reactions, but other rates (--rates)"
+                .to_owned(),
+        },
+    ));
+    if let Some(friction) = report.friction {
+        let end = if friction.wedged { "wedged, without rebound" } else { "rebounds" };
+        facts.push((
+            "friction",
+            format!(
+                "coefficient {}; the point slides with {} of the closing speed: {end}, separation speed {} of the \
+                 closing speed; impulse on the contact link {} N·s (world)",
+                number(friction.coefficient),
+                short_number(friction.slope),
+                short_number(friction.kinematic_restitution),
+                triple(&friction.tangential_impulse_world),
+            ),
+        ));
+    }
+    let sliding = report.mass.effective_mass.map_or_else(String::new, |m| format!("{} kg", number(m)));
+    facts.push(("effective mass", format!("{sliding} (sliding contact point)")));
+    facts.push((
+        "sticking mass",
+        match (report.sticking_status, report.sticking_mass) {
+            (Status::Finite, Some(mass)) => {
+                format!("{} kg, if the point cannot slide sideways", number(mass))
+            }
+            (Status::Massless, _) => "massless".to_owned(),
+            _ => "immovable: the point closes the gap only by sliding sideways".to_owned(),
+        },
+    ));
+    if let Some(other) = report.other_body {
+        let change = number(other.speed_change);
+        facts.push(("other body", format!("{} kg, its speed changes by {change} m/s", number(other.mass))));
+    }
+    if let Some(law) = &report.contact_law {
+        let change = law.mass_change_over_penetration.map_or_else(String::new, |change| {
+            format!("; the effective mass changes by {:+.2} % over the penetration", 100.0 * change)
+        });
+        let stiffness = number(law.stiffness);
+        facts.push((
+            "peak force",
+            format!("{} N at the contact ({}, {stiffness} N/m^p){change}", number(law.peak_force), law.law),
+        ));
+    }
+    if let Some(greatest) = &report.greatest_closing_speed {
+        let by = format!("{} m/s, limited by {}", number(greatest.speed), greatest.joint);
+        facts.push(("greatest speed", by));
+    }
+    facts.extend(report.reflected_inertia.iter().map(|record| ("reflected", reflected(record))));
+    for centre in &report.percussion {
+        let along = if centre.direction.is_some() { "along the line" } else { "in the tangent plane" };
+        facts.push((
+            "percussion",
+            format!(
+                "least impulse at {} {along}: contact point {} m, {} m away; {} of the impulse remains, {} at the \
+                 given point",
+                centre.joint,
+                triple(&centre.point_link),
+                number(centre.distance),
+                short_number(rounded(centre.remaining_ratio, 1.0)),
+                short_number(centre.given_ratio),
+            ),
+        ));
+    }
+    facts
+}
+
+/// Inertia reflected to a joint as text.
+fn reflected(record: &ReflectedRecord) -> String {
+    let value = |status: Status, value: Option<f64>| match (status, value) {
+        (Status::Finite, Some(value)) => format!("{} {}", number(value), record.unit),
+        (status, _) => status.name().to_owned(),
+    };
+    let free = value(record.free_status, record.free);
+    let held = record.held_status.map_or_else(
+        || "no driving joint".to_owned(),
+        |status| format!("{} with the other drivers held", value(status, record.held)),
+    );
+    format!("{}: {free} free; {held}", record.joint)
+}
+
+/// A value that is rounding relative to `size` is shown as 0.
+fn rounded(value: f64, size: f64) -> f64 {
+    if value.abs() < COMPONENT_ROUNDING * size { 0.0 } else { value }
+}
+
+/// Rates of the joints and of a floating base.
+pub fn rate_table(report: &ImpactReport) -> Table<4> {
+    let mut table = Table::new(["rate, rad/s or m/s", "before", "after", ""]);
+    let values = report.rates.iter().flat_map(|r| r.before.iter().chain(&r.after));
+    let largest = values.fold(0.0, |most: f64, v| most.max(v.abs()));
+    let list = |values: &[f64]| {
+        values.iter().map(|v| short_number(rounded(*v, largest))).collect::<Vec<_>>().join(",")
+    };
+    for rate in &report.rates {
+        let note = if rate.undetermined { "undetermined: a motion without mass" } else { "" };
+        table.row([rate.joint.clone(), list(&rate.before), list(&rate.after), note.to_owned()]);
+    }
+    if let Some(base) = &report.base {
+        let name = |what: &str| format!("base, {what} (world)");
+        table.row([name("angular"), list(&base.angular_before), list(&base.angular_after), String::new()]);
+        table.row([name("linear"), list(&base.linear_before), list(&base.linear_after), String::new()]);
+    }
+    table
+}
+
+/// Table of reactions.
+pub fn reaction_table(report: &ImpactReport) -> Table<4> {
+    let largest = |components: fn(&ReactionRecord) -> &[Option<f64>; 3]| {
+        let all = report.reactions.iter().flat_map(move |r| components(r).iter().flatten());
+        all.fold(0.0, |most: f64, v| most.max(v.abs()))
+    };
+    let force = largest(|r| &r.force).max(report.impulse);
+    // Moments are compared with the forces at the characteristic length.
+    let moment = largest(|r| &r.moment).max(force * report.mass.characteristic_length);
+    let shown = |components: &[Option<f64>; 3], size: f64| {
+        components.iter().map(|v| component(*v, size)).collect::<Vec<_>>().join(", ")
+    };
+    let [force_header, moment_header] = ["force N·s", "moment N·m·s"];
+    // The last column is wrapped if the table is too wide.
+    let mut table = Table::new(match report.contact_law {
+        Some(_) => ["reaction", "peak N", force_header, moment_header],
+        None => ["reaction", force_header, moment_header, ""],
+    });
+    for record in report.reactions.iter().filter(|record| !is_unloaded(record, force, moment)) {
+        let (at, force, moment) = (place(record), shown(&record.force, force), shown(&record.moment, moment));
+        table.row(match record.peak_force {
+            Some(peak) => {
+                let known: Option<Vec<f64>> = peak.into_iter().collect();
+                let norm = known.map(|values| values.iter().map(|v| v * v).sum::<f64>().sqrt());
+                [at, component(norm, 0.0), force, moment]
+            }
+            None => [at, force, moment, String::new()],
+        });
+    }
+    table
+}
+
+/// True if a place transmits nothing beyond rounding.
+fn is_unloaded(record: &ReactionRecord, force: f64, moment: f64) -> bool {
+    let none = |components: &[Option<f64>; 3], size| {
+        components.iter().all(|v| v.is_some_and(|v| rounded(v, size) == 0.0))
+    };
+    none(&record.force, force) && none(&record.moment, moment)
+}
+
+/// Component as text; a value that is rounding relative to `size` is shown as 0, an indeterminate one as ?.
+fn component(value: Option<f64>, size: f64) -> String {
+    let digits = |v: f64| number(format!("{v:.3e}").parse().unwrap_or(v));
+    value.map_or_else(|| "?".to_owned(), |v| digits(rounded(v, size)))
+}
+
+/// Explanation of the table of reactions.
+pub fn legend(report: &ImpactReport) -> String {
+    let mut legend = "Action of the parent on the child, along two transverse axes and the axis of the joint (--format json \
+                      has the axes). Joints without any reaction are left out.\n"
+        .to_owned();
+    let mut open: Vec<&str> =
+        report.reactions.iter().flat_map(|r| r.open_by.iter().map(String::as_str)).collect();
+    open.sort_unstable();
+    open.dedup();
+    if !open.is_empty() {
+        legend += &format!(
+            "?: indeterminate; redundant constraints leave the component open: {}.\n",
+            line(&open.join(", "))
+        );
+    }
+    legend
+}
+
+/// Name of the place of a reaction.
+fn place(record: &ReactionRecord) -> String {
+    match record.place {
+        ReactionPlace::Joint => record.name.clone(),
+        ReactionPlace::Closure => format!("{} (closure)", record.name),
+        ReactionPlace::Hold => format!("{} (held point)", record.name),
+        ReactionPlace::Ground => format!("{} (ground)", record.name),
+    }
+}
+
+/// Impulses of gears, locks, mimics and couplings; `None` without any.
+pub fn drive_table(report: &ImpactReport) -> Option<Table<3>> {
+    let mut table = Table::new(["drive", "gear N·m·s, N·s", "lock, mimic or coupling"]);
+    let scale = report.impulse * report.mass.characteristic_length.max(1.0);
+    for record in &report.reactions {
+        let is_geared = record.gear.iter().any(|gear| *gear != 0.0);
+        let is_held = record.constraint.iter().any(|v| v.is_none_or(|v| rounded(v, scale) != 0.0));
+        if !is_geared && !is_held {
+            continue;
+        }
+        let gear: Vec<String> = record.gear.iter().map(|v| component(Some(*v), scale)).collect();
+        let constraint: Vec<String> = record.constraint.iter().map(|v| component(*v, scale)).collect();
+        table.row([record.name.clone(), gear.join(", "), constraint.join(", ")]);
+    }
+    (table.rows().len() > 1).then_some(table)
+}

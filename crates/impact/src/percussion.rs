@@ -1,0 +1,176 @@
+//! Centre of percussion: the contact point with the least reaction at a joint.
+
+use crate::reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};
+use crate::tolerances::NO_INFLUENCE;
+use nalgebra::{Matrix2, Vector2, Vector3};
+use percuss_dynamics::{Contact, Direction, Frame, Pose, ResponseError};
+use percuss_mechanism::JointId;
+use percuss_spatial::plane_basis;
+
+/// Error of a centre of percussion.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PercussionError {
+    /// A contact is invalid.
+    #[error(transparent)]
+    Contact(#[from] ResponseError),
+    /// The reactions cannot be computed.
+    #[error(transparent)]
+    Reactions(#[from] ReactionError),
+    /// Redundant constraints leave the reaction at the joint open.
+    #[error("joint \"{joint}\": redundant loops leave components of its reaction open ({})", loops.join(", "))]
+    Indeterminate {
+        /// The joint.
+        joint: String,
+        /// Loops that leave the components open.
+        loops: Vec<String>,
+    },
+    /// The direction of the line is too short or not finite.
+    #[error("the direction of the line is {direction:?}; expected a vector of length above zero")]
+    Direction {
+        /// Given direction.
+        direction: [f64; 3],
+    },
+    /// The reaction does not depend on the position of the contact point.
+    #[error("joint \"{joint}\": its reaction does not depend on the position of the contact point")]
+    NoInfluence {
+        /// The joint.
+        joint: String,
+    },
+}
+
+/// Contact point with the least impulse at a joint, at unit impulse at the contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PercussionCentre {
+    /// Contact point, m, in the frame of the contact link.
+    pub point: Vector3<f64>,
+    /// Displacement from the given contact point, m, in the axes of the contact link.
+    pub displacement: Vector3<f64>,
+    /// Impulse at the joint for the given point, per unit impulse at the contact.
+    pub given_reaction: f64,
+    /// Remaining impulse at the joint for the best point, per unit impulse at the contact.
+    pub remaining_reaction: f64,
+}
+
+/// Point along a line through the contact point (direction in the axes of the contact link) with the least impulse at a
+/// joint.
+///
+/// With a fixed normal, the impulse R at the joint is an affine function of the point, R(s) = R₀ + s R₁. The best point
+/// is s = −R₀·R₁/|R₁|². The remaining impulse is zero in general only for planar bodies. Indeterminate components are
+/// left out of R; an impulse of which all components are indeterminate is refused.
+///
+/// # Errors
+/// [`PercussionError`].
+pub fn centre_of_percussion(
+    pose: &Pose,
+    contact: &Contact,
+    joint: JointId,
+    direction: Vector3<f64>,
+) -> Result<PercussionCentre, PercussionError> {
+    let length = direction.norm();
+    if !(length.is_finite() && length > 0.0) {
+        return Err(PercussionError::Direction { direction: direction.into() });
+    }
+    let line = direction / length;
+    let affine = AffineReaction::new(pose, contact, joint, &[line])?;
+    let r1 = affine.derivatives[0];
+    if r1.norm() * affine.size <= NO_INFLUENCE * affine.given.norm().max(1.0) {
+        return Err(affine.no_influence(pose));
+    }
+    let s = -affine.given.dot(&r1) / r1.norm_squared();
+    Ok(affine.centre(contact, line * s, affine.given + r1 * s))
+}
+
+/// Point of the tangent plane with the least impulse at a joint. See [`centre_of_percussion`]. If a line of points has
+/// the least impulse, the point nearest to the given contact point.
+///
+/// # Errors
+/// [`PercussionError`].
+pub fn centre_of_percussion_in_plane(
+    pose: &Pose,
+    contact: &Contact,
+    joint: JointId,
+) -> Result<PercussionCentre, PercussionError> {
+    let normal = pose.locate(contact).map_err(ResponseError::from)?.normal_link;
+    let (t1, t2) = plane_basis(&normal);
+    let affine = AffineReaction::new(pose, contact, joint, &[t1, t2])?;
+    let [r1, r2] = [affine.derivatives[0], affine.derivatives[1]];
+    let gram = Matrix2::new(r1.norm_squared(), r1.dot(&r2), r1.dot(&r2), r2.norm_squared());
+    let right = -Vector2::new(r1.dot(&affine.given), r2.dot(&affine.given));
+    // Least squares of least norm by the eigenvectors of the 2×2 matrix.
+    let eigen = gram.symmetric_eigen();
+    let largest = eigen.eigenvalues.amax();
+    if largest.sqrt() * affine.size <= NO_INFLUENCE * affine.given.norm().max(1.0) {
+        return Err(affine.no_influence(pose));
+    }
+    let mut x = Vector2::zeros();
+    for k in 0..2 {
+        if eigen.eigenvalues[k] > NO_INFLUENCE * largest {
+            let axis = eigen.eigenvectors.column(k);
+            x += axis * (axis.dot(&right) / eigen.eigenvalues[k]);
+        }
+    }
+    Ok(affine.centre(contact, t1 * x[0] + t2 * x[1], affine.given + r1 * x[0] + r2 * x[1]))
+}
+
+/// Impulse at a joint as an affine function of the contact point.
+struct AffineReaction {
+    joint: JointId,
+    given: Vector3<f64>,
+    /// Derivatives by displacements along the given directions, 1/m.
+    derivatives: Vec<Vector3<f64>>,
+    /// Length of the displacements, m.
+    size: f64,
+}
+
+impl AffineReaction {
+    /// Reactions at the contact point and at points displaced along `directions` (axes of the contact link).
+    fn new(
+        pose: &Pose,
+        contact: &Contact,
+        joint: JointId,
+        directions: &[Vector3<f64>],
+    ) -> Result<Self, PercussionError> {
+        // The normal stays fixed while the point moves, also for normals along a line.
+        let normal = pose.locate(contact).map_err(ResponseError::from)?.normal_link;
+        let size = pose.mechanism().characteristic_length();
+        let at = |displacement: Vector3<f64>| {
+            let moved = Contact {
+                point: contact.point + displacement,
+                normal: Direction::Along(normal, Frame::Link),
+                ..*contact
+            };
+            impulse_at_joint(pose, &moved, joint)
+        };
+        let given = at(Vector3::zeros())?;
+        let derivative = |d: &Vector3<f64>| Ok((at(d * size)? - given) / size);
+        let derivatives: Result<Vec<Vector3<f64>>, PercussionError> =
+            directions.iter().map(derivative).collect();
+        Ok(Self { joint, given, derivatives: derivatives?, size })
+    }
+
+    fn centre(&self, contact: &Contact, displacement: Vector3<f64>, rest: Vector3<f64>) -> PercussionCentre {
+        PercussionCentre {
+            point: contact.point + displacement,
+            displacement,
+            given_reaction: self.given.norm(),
+            remaining_reaction: rest.norm(),
+        }
+    }
+
+    fn no_influence(&self, pose: &Pose) -> PercussionError {
+        PercussionError::NoInfluence { joint: pose.mechanism().joint(self.joint).name().to_owned() }
+    }
+}
+
+/// Determinate components of the impulse at a joint to a unit impulse at the contact; indeterminate ones are 0.
+fn impulse_at_joint(pose: &Pose, contact: &Contact, joint: JointId) -> Result<Vector3<f64>, PercussionError> {
+    let reactions = reactions_to_unit_impulse(pose, &pose.respond(contact)?)?;
+    let reaction = &reactions.joints[joint.index()].reaction;
+    let values = reaction.force.map(|component| component.value());
+    if values.iter().all(Option::is_none) {
+        let joint = pose.mechanism().joint(joint).name().to_owned();
+        return Err(PercussionError::Indeterminate { joint, loops: reaction.loops.clone() });
+    }
+    Ok(Vector3::from(values.map(Option::unwrap_or_default)))
+}

@@ -1,0 +1,135 @@
+//! Impulsive reactions, component by component.
+
+use percuss_mechanism::JointId;
+use percuss_spatial::Transform;
+
+/// Component of a reaction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Component {
+    /// The value, which every solution of the constraint equations shares.
+    Determinate(f64),
+    /// Redundant constraints leave the value open: it depends on the stiffnesses of the parts.
+    Indeterminate,
+}
+
+impl Component {
+    /// The value; `None` if indeterminate.
+    pub fn value(self) -> Option<f64> {
+        match self {
+            Component::Determinate(value) => Some(value),
+            Component::Indeterminate => None,
+        }
+    }
+
+    /// The component times a factor.
+    pub fn scaled(self, factor: f64) -> Self {
+        match self {
+            Component::Determinate(value) => Component::Determinate(factor * value),
+            Component::Indeterminate => Component::Indeterminate,
+        }
+    }
+}
+
+/// Impulsive reaction: action of the parent on the child link (joint), of the predecessor on the successor (closure), or
+/// of the ground on the link (held contact, root link).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reaction {
+    /// X_rf: frame of the components, in the frame of the root link. The moment refers to its origin: the origin of
+    /// the child link, of the successor's loop frame, or the held point. The axes are two transverse directions and
+    /// the axis of the joint or closure, or those of the link without an axis.
+    pub frame: Transform<f64>,
+    /// Impulse along the axes of the frame, N·s.
+    pub force: [Component; 3],
+    /// Moment impulse about the origin of the frame, along its axes, N·m·s.
+    pub moment: [Component; 3],
+    /// Names of the loops whose redundancy leaves components open; empty if all are determinate.
+    pub loops: Vec<String>,
+}
+
+impl Reaction {
+    /// The reaction times a factor.
+    pub fn scaled(&self, factor: f64) -> Self {
+        let scale = |components: [Component; 3]| components.map(|c| c.scaled(factor));
+        Self {
+            frame: self.frame,
+            force: scale(self.force),
+            moment: scale(self.moment),
+            loops: self.loops.clone(),
+        }
+    }
+
+    /// Magnitude of the impulse, N·s; `None` if a component is indeterminate.
+    pub fn force_magnitude(&self) -> Option<f64> {
+        magnitude(&self.force)
+    }
+
+    /// Magnitude of the moment impulse, N·m·s; `None` if a component is indeterminate.
+    pub fn moment_magnitude(&self) -> Option<f64> {
+        magnitude(&self.moment)
+    }
+}
+
+/// Euclidean norm of three components; `None` if a component is indeterminate.
+fn magnitude(components: &[Component; 3]) -> Option<f64> {
+    let values: Option<Vec<f64>> = components.iter().map(|c| c.value()).collect();
+    values.map(|values| values.iter().map(|x| x * x).sum::<f64>().sqrt())
+}
+
+/// Impulses on one velocity of a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DriveImpulse {
+    /// Impulse in the gear between rotor and joint: armature · Δq̇, N·m·s or N·s. The rotor receives it, the joint the
+    /// opposite.
+    pub gear: f64,
+    /// Impulse of a lock, a mimic or a coupling on the joint, N·m·s or N·s; zero for a free joint.
+    pub constraint: Component,
+}
+
+/// Reaction in a joint of the tree.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointReaction {
+    /// The joint.
+    pub joint: JointId,
+    /// Wrench of the parent on the child link. Along free axes it is the impulse of gear, mimic and coupling.
+    pub reaction: Reaction,
+    /// Impulses on each velocity of the joint.
+    pub drives: Vec<DriveImpulse>,
+}
+
+/// Reactions in all joints, closures and held contacts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reactions {
+    /// Action of the ground on the root link, in root axes at the root origin; `None` for a floating base.
+    pub ground: Option<Reaction>,
+    /// Reactions in the joints, in joint order. Fixed joints are included.
+    pub joints: Vec<JointReaction>,
+    /// Reactions in the closures, in the order of the mechanism.
+    pub closures: Vec<Reaction>,
+    /// Reactions at the held contacts, in the order of the conditions.
+    pub holds: Vec<Reaction>,
+    /// Largest unbalanced generalised impulse over scaled coordinates, relative to the impulse at the contact: the
+    /// error of the motion and of the multipliers.
+    pub residual: f64,
+}
+
+impl Reactions {
+    /// All reactions times a factor; the relative residual is kept.
+    pub fn scaled(&self, factor: f64) -> Self {
+        let joint = |j: &JointReaction| JointReaction {
+            joint: j.joint,
+            reaction: j.reaction.scaled(factor),
+            drives: j
+                .drives
+                .iter()
+                .map(|d| DriveImpulse { gear: factor * d.gear, constraint: d.constraint.scaled(factor) })
+                .collect(),
+        };
+        Self {
+            ground: self.ground.as_ref().map(|r| r.scaled(factor)),
+            joints: self.joints.iter().map(joint).collect(),
+            closures: self.closures.iter().map(|r| r.scaled(factor)).collect(),
+            holds: self.holds.iter().map(|r| r.scaled(factor)).collect(),
+            residual: self.residual,
+        }
+    }
+}

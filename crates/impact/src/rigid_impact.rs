@@ -1,0 +1,141 @@
+//! Rigid impact at one contact.
+
+use crate::error::ImpactError;
+use crate::friction::{Friction, frictional_impulse};
+use crate::motion::joint_rates::JointRates;
+use crate::motion::undetermined::undetermined_joints;
+use crate::reactions::reaction::Reactions;
+use crate::reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};
+use percuss_dynamics::{ContactResponse, EffectiveMass, LocatedContact, Pose};
+use percuss_mechanism::JointId;
+
+/// Rigid impact at one contact, frictionless unless [`with_friction`](Self::with_friction).
+///
+/// | quantity       | equation                  | unit       |
+/// |----------------|---------------------------|------------|
+/// | impulse        | p = (1+e) m̄ c             | N·s        |
+/// | rates after    | q̇⁺ = q̇⁻ − (1+e) c v*      | rad/s, m/s |
+/// | energy loss    | ½ m̄ (1−e²) c²             | J          |
+///
+/// The equations are exact for every mechanism with ideal joints. Sources: Wittenburg 2008, §6; Zheng and Hemami 1985.
+#[derive(Clone, Debug)]
+pub struct RigidImpact {
+    /// e: separation speed divided by closing speed.
+    pub restitution: f64,
+    /// c: closing speed before the impact, m/s.
+    pub closing_speed: f64,
+    /// p: impulse between the two sides, N·s. −p n̂ acts on the contact link.
+    pub impulse: f64,
+    /// Lost kinetic energy, J.
+    pub energy_loss: f64,
+    /// Rates before the impact. If none were given: v* c, the motion of least energy with this closing speed.
+    pub before: JointRates,
+    /// Rates after the impact.
+    pub after: JointRates,
+    /// Joints whose rates after the impact are not determined: a motion without mass moves them.
+    pub undetermined: Vec<JointId>,
+    /// Friction; `None` for a frictionless impact.
+    pub friction: Option<Friction>,
+    /// Reactions to the impulse.
+    pub reactions: Reactions,
+}
+
+impl RigidImpact {
+    /// Impact with the closing speed `closing_speed` (m/s) and the coefficient of restitution `restitution`.
+    ///
+    /// `before`: rates before the impact; `None` for the motion v* c. Other motions with the same closing speed have
+    /// the same impulse and the same reactions.
+    ///
+    /// # Errors
+    /// [`ImpactError`]: values out of range; an immovable or massless contact.
+    pub fn new(
+        pose: &Pose,
+        response: &ContactResponse,
+        closing_speed: f64,
+        restitution: f64,
+        before: Option<JointRates>,
+    ) -> Result<Self, ImpactError> {
+        if !(0.0..=1.0).contains(&restitution) {
+            return Err(ImpactError::Restitution { got: restitution });
+        }
+        if !(closing_speed.is_finite() && closing_speed > 0.0) {
+            return Err(ImpactError::ClosingSpeed { got: closing_speed });
+        }
+        let mass = match response.effective_mass {
+            EffectiveMass::Finite(mass) => mass,
+            EffectiveMass::Immovable => return Err(ImpactError::Immovable),
+            EffectiveMass::Massless => return Err(ReactionError::Massless.into()),
+        };
+        let reactions = reactions_to_unit_impulse(pose, response)?;
+        let impulse = (1.0 + restitution) * mass * closing_speed;
+        let star = JointRates { joints: response.joint_velocities.clone(), base: response.base_velocity };
+        let rest = JointRates::at_rest(pose.mechanism());
+        let before = before.unwrap_or_else(|| rest.plus_scaled(&star, closing_speed));
+        let after = before.plus_scaled(&star, -(1.0 + restitution) * closing_speed);
+        Ok(Self {
+            restitution,
+            closing_speed,
+            impulse,
+            energy_loss: 0.5 * mass * (1.0 - restitution * restitution) * closing_speed * closing_speed,
+            before,
+            after,
+            undetermined: undetermined_joints(pose, response),
+            friction: None,
+            reactions: reactions.scaled(impulse),
+        })
+    }
+}
+
+impl RigidImpact {
+    /// Impact as by [`new`](Self::new), with the coefficient of friction `friction`. The restitution is the energetic one
+    /// of Stronge; see [`Friction`].
+    ///
+    /// # Errors
+    /// [`ImpactError`]: as for [`new`](Self::new); a contact whose sides have several relative motions.
+    pub fn with_friction(
+        pose: &Pose,
+        response: &ContactResponse,
+        closing_speed: f64,
+        restitution: f64,
+        friction: f64,
+        before: Option<JointRates>,
+    ) -> Result<Self, ImpactError> {
+        let smooth = Self::new(pose, response, closing_speed, restitution, before)?;
+        let found = frictional_impulse(pose, response, closing_speed, restitution, friction)?;
+        let reached = found.friction.kinematic_restitution;
+        let star = JointRates { joints: response.joint_velocities.clone(), base: response.base_velocity };
+        Ok(Self {
+            impulse: found.normal,
+            // All kinetic energy of the contact is in its one motion.
+            energy_loss: 0.5 * smooth.impulse / (1.0 + restitution)
+                * closing_speed
+                * (1.0 - reached * reached),
+            after: smooth.before.plus_scaled(&star, -(1.0 + reached) * closing_speed),
+            friction: Some(found.friction),
+            reactions: reactions_to_unit_impulse(pose, &found.response)?.scaled(found.total),
+            ..smooth
+        })
+    }
+}
+
+/// Closing speed c = j q̇ of a contact at given rates, m/s; negative if the gap opens.
+pub fn closing_speed(pose: &Pose, contact: &LocatedContact, rates: &JointRates) -> f64 {
+    let row = pose.contact_row(contact);
+    row.iter().zip(rates.coordinates(pose)).map(|(j, u)| j * u).sum()
+}
+
+/// Greatest closing speed, m/s, at which the jump of no joint rate exceeds its limit, min limit / ((1+e) |v*|), with the
+/// joint that limits it. `None` if the impact changes no limited rate.
+///
+/// `limits`: joint, velocity index within the joint, and largest permitted jump, rad/s or m/s. Source: Walker 1994.
+pub fn greatest_closing_speed(
+    response: &ContactResponse,
+    restitution: f64,
+    limits: &[(JointId, usize, f64)],
+) -> Option<(f64, JointId)> {
+    let speed = |&(joint, k, limit): &(JointId, usize, f64)| {
+        let rate = response.joint_velocities.get(joint.index())?.get(k)?.abs();
+        (rate > 0.0).then_some((limit / ((1.0 + restitution) * rate), joint))
+    };
+    limits.iter().filter_map(speed).min_by(|(a, _), (b, _)| a.total_cmp(b))
+}

@@ -1,0 +1,6 @@
+//! Rigid impact at a contact: impulse, rates, reactions, reflected inertias, centres of percussion.
+
+pub(crate) mod additions;
+pub(crate) mod question;
+pub(crate) mod reactions;
+pub(crate) mod report;

@@ -1,0 +1,329 @@
+//! Report of a rigid impact, as JSON.
+
+use crate::damper::damped_contact::damping_report;
+use crate::evaluation::prepared_question::EvaluatedQuestion;
+use crate::evaluation::status::Status;
+use crate::model::loading::Model;
+use crate::model::record::DiagnosticRecord;
+use crate::question::damping_question::DampingQuestion;
+use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::question::mass_question::MassQuestion;
+use crate::reports::answer_mass::build_mass_report;
+use crate::reports::impact::additions::{
+    GreatestSpeedRecord, PercussionRecord, ReflectedRecord, greatest_speed, percussion, rates_of, reflected,
+};
+use crate::reports::impact::question::ImpactQuestion;
+use crate::reports::impact::reactions::{ReactionRecord, records};
+use crate::reports::mass_report::MassReport;
+use crate::thresholds::SAME_SPEED;
+use percuss_dynamics::{Base, Pose};
+use percuss_impact::{
+    DriverRate, ImpactError, JointRates, RigidImpact, closing_speed, held_point_mass, rates_from_drivers,
+};
+use percuss_spatial::{Twist, Vector3};
+use serde::Serialize;
+
+/// Rates of a joint before and after the impact.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JointRateRecord {
+    /// The joint.
+    pub joint: String,
+    /// Velocities before the impact, rad/s or m/s, in the layout of the joint's kind.
+    pub before: Vec<f64>,
+    /// Velocities after the impact.
+    pub after: Vec<f64>,
+    /// True if a motion without mass moves the joint: its rates after the impact are not determined.
+    pub undetermined: bool,
+}
+
+/// Velocity of a floating base, world axes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct BaseRateRecord {
+    /// Angular velocity before the impact, rad/s.
+    pub angular_before: [f64; 3],
+    /// Velocity of the root's origin before the impact, m/s.
+    pub linear_before: [f64; 3],
+    /// Angular velocity after the impact, rad/s.
+    pub angular_after: [f64; 3],
+    /// Velocity of the root's origin after the impact, m/s.
+    pub linear_after: [f64; 3],
+}
+
+/// Free body on the other side.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct OtherBodyRecord {
+    /// Mass, kg.
+    pub mass: f64,
+    /// Change of its velocity along the normal, m/s.
+    pub speed_change: f64,
+}
+
+/// Coulomb friction at a contact of one relative motion.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct FrictionRecord {
+    /// Coefficient of friction µ.
+    pub coefficient: f64,
+    /// Sliding speed of the contact point per closing speed, t.
+    pub slope: f64,
+    /// True for µt ≥ 1: the contact does not rebound.
+    pub wedged: bool,
+    /// Separation speed divided by closing speed.
+    pub kinematic_restitution: f64,
+    /// Impulse of the friction on the contact link, N·s, world axes.
+    pub tangential_impulse_world: [f64; 3],
+}
+
+/// Compliant contact with the peak force of the impact.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ImpactLawRecord {
+    /// Contact law.
+    pub law: &'static str,
+    /// Stiffness, N/m^p.
+    pub stiffness: f64,
+    /// Exponent p.
+    pub exponent: f64,
+    /// Duration of the contact, s; null if infinite.
+    pub duration: Option<f64>,
+    /// Largest penetration, m.
+    pub max_penetration: Option<f64>,
+    /// Largest force at the contact, N.
+    pub peak_force: f64,
+    /// Relative change of m̄ over the penetration: the order of the error of all peak forces; null if the penetration is
+    /// not reachable.
+    pub mass_change_over_penetration: Option<f64>,
+}
+
+/// Report of `percuss impact`, as JSON. All keys are always present; a value is null if not applicable.
+#[derive(Clone, Debug, Serialize)]
+pub struct ImpactReport {
+    /// `percuss.impact/1`.
+    pub schema: &'static str,
+    /// Version of percuss.
+    pub percuss: &'static str,
+    /// Effective mass, contact, pose and conditions: the report of `percuss mass`. Its findings are in `diagnostics`.
+    pub mass: MassReport,
+    /// Coefficient of restitution e; with friction the energetic one.
+    pub restitution: f64,
+    /// Closing speed before the impact, m/s.
+    pub closing_speed: f64,
+    /// Normal impulse between the two sides, N·s; −impulse · normal acts on the contact link.
+    pub impulse: f64,
+    /// Lost kinetic energy, J.
+    pub energy_loss: f64,
+    /// Friction, if requested.
+    pub friction: Option<FrictionRecord>,
+    /// Mass of the contact point if it cannot slide in the tangent plane (nᵀΛn), kg; null if not finite. The effective
+    /// mass is that of a sliding contact, 1/(nᵀΛ⁻¹n).
+    pub sticking_mass: Option<f64>,
+    /// Kind of the sticking mass.
+    pub sticking_status: Status,
+    /// Motion before the impact: `given`, or `least-energy`, the motion v* times the closing speed.
+    pub motion_before: &'static str,
+    /// Rates of every movable joint.
+    pub rates: Vec<JointRateRecord>,
+    /// Velocity of a floating base; null for a fixed base.
+    pub base: Option<BaseRateRecord>,
+    /// Free body on the other side; null without one.
+    pub other_body: Option<OtherBodyRecord>,
+    /// Reactions in all joints, closures and held points, and that of the ground.
+    pub reactions: Vec<ReactionRecord>,
+    /// Largest unbalanced impulse of the reactions, relative to the impulse.
+    pub reaction_residual: f64,
+    /// Compliant contact, if a contact law was requested.
+    pub contact_law: Option<ImpactLawRecord>,
+    /// Greatest closing speed by limits of joint rates, if requested.
+    pub greatest_closing_speed: Option<GreatestSpeedRecord>,
+    /// Reflected inertias, if requested.
+    pub reflected_inertia: Vec<ReflectedRecord>,
+    /// Centres of percussion, if requested.
+    pub percussion: Vec<PercussionRecord>,
+    /// Findings about the file and the result.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Rigid impact at a contact of a model.
+///
+/// # Errors
+/// [`StudyError`], as for [`mass`](crate::mass()); a restitution or a speed out of range, rates that the constraints do
+/// not allow or that do not close the gap; an immovable or massless contact, a singular pose.
+pub fn impact(
+    model: &Model,
+    question: &MassQuestion,
+    impact: &ImpactQuestion,
+) -> Result<ImpactReport, StudyError> {
+    let evaluated = EvaluatedQuestion::new(model, question)?;
+    let EvaluatedQuestion { prepared, pose, result, .. } = &evaluated;
+    let response = &result.response;
+    if response.singular_pose {
+        return Err(StudyError::SingularImpact);
+    }
+    let (speed, before) = motion_before(&evaluated, impact)?;
+    let is_given = before.is_some();
+    let rigid = match impact.friction {
+        None => RigidImpact::new(pose, response, speed, impact.restitution, before),
+        Some(friction) => {
+            RigidImpact::with_friction(pose, response, speed, impact.restitution, friction, before)
+        }
+    };
+    let rigid = rigid.map_err(|error| impact_error(error, impact))?;
+    let mut mass = build_mass_report(&evaluated)?;
+    let mut diagnostics = std::mem::take(&mut mass.diagnostics);
+    let contact_law = match &impact.law {
+        None => None,
+        Some(law) => {
+            let (record, found) = peak_force(&evaluated, law, &rigid)?;
+            diagnostics = found;
+            Some(record)
+        }
+    };
+    let peak = contact_law.as_ref().map(|law| law.peak_force / rigid.impulse);
+    let sticking =
+        held_point_mass(pose, &response.contact).map_err(|error| StudyError::input(Field::Link, error))?;
+    let sticking = match prepared.other_mass() {
+        None => sticking,
+        Some(other) => sticking.against_mass(Some(other)),
+    };
+    let (sticking_status, sticking_mass) = Status::classify(sticking);
+    let held: Vec<String> = prepared.question.hold.iter().map(|hold| hold.link.clone()).collect();
+    Ok(ImpactReport {
+        schema: "percuss.impact/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        restitution: rigid.restitution,
+        closing_speed: rigid.closing_speed,
+        impulse: rigid.impulse,
+        energy_loss: rigid.energy_loss,
+        friction: friction_record(&evaluated, &rigid),
+        sticking_mass,
+        sticking_status,
+        motion_before: if is_given { "given" } else { "least-energy" },
+        rates: joint_rates(pose, &rigid),
+        base: base_rates(&evaluated, &rigid),
+        other_body: prepared
+            .other_mass()
+            .map(|mass| OtherBodyRecord { mass, speed_change: rigid.impulse / mass }),
+        reactions: records(pose, &rigid.reactions, &held, peak),
+        reaction_residual: rigid.reactions.residual,
+        contact_law,
+        greatest_closing_speed: greatest_speed(&evaluated, impact)?,
+        reflected_inertia: reflected(&evaluated, impact)?,
+        percussion: percussion(&evaluated, impact)?,
+        mass,
+        diagnostics,
+    })
+}
+
+/// Closing speed and rates before the impact; no rates for the motion of least energy.
+fn motion_before(
+    evaluated: &EvaluatedQuestion,
+    impact: &ImpactQuestion,
+) -> Result<(f64, Option<JointRates>), StudyError> {
+    let EvaluatedQuestion { prepared, pose, result, .. } = evaluated;
+    let is_fixed = prepared.question.base == Base::Fixed;
+    if impact.base_twist.is_some() && is_fixed {
+        return Err(StudyError::input(Field::BaseTwist, Fault::BaseIsFixed));
+    }
+    if impact.rates.is_empty() && impact.base_twist.is_none() {
+        let speed =
+            impact.speed.ok_or_else(|| StudyError::input(Field::ClosingSpeed, Fault::NoClosingSpeed))?;
+        return Ok((speed, None));
+    }
+    let driver = |given| {
+        let (joint, rates) = rates_of(&prepared.model.mechanism, Field::Rates, given)?;
+        Ok(DriverRate { joint, rates })
+    };
+    let drivers: Vec<DriverRate> = impact.rates.iter().map(driver).collect::<Result<_, StudyError>>()?;
+    let [wx, wy, wz, vx, vy, vz] = impact.base_twist.unwrap_or_default();
+    let base = Twist::new(
+        pose.base().inverse_vector(&Vector3::new(wx, wy, wz)),
+        pose.base().inverse_vector(&Vector3::new(vx, vy, vz)),
+    );
+    let rates =
+        rates_from_drivers(pose, &drivers, base).map_err(|error| StudyError::input(Field::Rates, error))?;
+    let closing = closing_speed(pose, &result.response.contact, &rates);
+    let speed = match (impact.speed, prepared.other_mass()) {
+        // The other body moves with the difference of both speeds.
+        (Some(speed), Some(_)) => speed,
+        (Some(speed), None) if (speed - closing).abs() > SAME_SPEED * speed.abs().max(closing.abs()) => {
+            return Err(StudyError::input(Field::ClosingSpeed, Fault::OtherSpeed { speed, closing }));
+        }
+        _ => closing,
+    };
+    if speed.is_nan() || speed <= 0.0 {
+        return Err(StudyError::input(Field::Rates, Fault::GapOpens { closing: speed }));
+    }
+    Ok((speed, Some(rates)))
+}
+
+/// Error of an impact, about the part of the question at fault.
+fn impact_error(error: ImpactError, impact: &ImpactQuestion) -> StudyError {
+    match error {
+        ImpactError::Friction { .. } | ImpactError::SeveralMotions => {
+            StudyError::input(Field::Friction, error)
+        }
+        ImpactError::Restitution { .. } => StudyError::input(Field::Restitution, error),
+        ImpactError::ClosingSpeed { .. } if impact.speed.is_some() => {
+            StudyError::input(Field::ClosingSpeed, error)
+        }
+        _ => StudyError::NoImpact(error),
+    }
+}
+
+/// Friction with its impulse in world axes.
+fn friction_record(evaluated: &EvaluatedQuestion, rigid: &RigidImpact) -> Option<FrictionRecord> {
+    let friction = rigid.friction?;
+    let x_wl = evaluated.pose.link(evaluated.contact.link);
+    Some(FrictionRecord {
+        coefficient: friction.coefficient,
+        slope: friction.slope,
+        wedged: friction.is_wedged,
+        kinematic_restitution: friction.kinematic_restitution,
+        tangential_impulse_world: x_wl.vector(&friction.tangential_impulse).into(),
+    })
+}
+
+/// Rates of every movable joint.
+fn joint_rates(pose: &Pose, rigid: &RigidImpact) -> Vec<JointRateRecord> {
+    let mechanism = pose.mechanism();
+    let movable = mechanism.joint_ids().filter(|id| mechanism.joint(*id).kind().dofs() > 0);
+    let record = |id| JointRateRecord {
+        joint: mechanism.joint(id).name().to_owned(),
+        before: rigid.before.joint(id).to_vec(),
+        after: rigid.after.joint(id).to_vec(),
+        undetermined: rigid.undetermined.contains(&id),
+    };
+    movable.map(record).collect()
+}
+
+/// Velocity of a floating base in world axes.
+fn base_rates(evaluated: &EvaluatedQuestion, rigid: &RigidImpact) -> Option<BaseRateRecord> {
+    let x_wr = evaluated.pose.base();
+    let world = |v: &Vector3<f64>| x_wr.vector(v).into();
+    (evaluated.prepared.question.base == Base::Floating).then(|| BaseRateRecord {
+        angular_before: world(&rigid.before.base.angular),
+        linear_before: world(&rigid.before.base.linear),
+        angular_after: world(&rigid.after.base.angular),
+        linear_after: world(&rigid.after.base.linear),
+    })
+}
+
+/// Peak force of a compliant contact with the restitution and the closing speed of the impact, and all findings.
+fn peak_force(
+    evaluated: &EvaluatedQuestion,
+    law: &DampingQuestion,
+    rigid: &RigidImpact,
+) -> Result<(ImpactLawRecord, Vec<DiagnosticRecord>), StudyError> {
+    let damping =
+        DampingQuestion { restitution: rigid.restitution, speed: Some(rigid.closing_speed), ..law.clone() };
+    let report = damping_report(evaluated, &damping)?;
+    let record = ImpactLawRecord {
+        law: report.damper.law,
+        stiffness: report.damper.stiffness,
+        exponent: report.damper.exponent,
+        duration: report.damper.contact_duration,
+        max_penetration: report.damper.max_penetration,
+        peak_force: report.damper.peak_force.unwrap_or_default(),
+        mass_change_over_penetration: report.drift.and_then(|drift| drift.over_penetration),
+    };
+    Ok((record, report.diagnostics))
+}

@@ -1,0 +1,69 @@
+//! Velocities of a joint as given by the user.
+
+use crate::values::quantities::Speed;
+use percuss_mechanism::JointKind;
+use percuss_units::{Dimension, Quantity, QuantityError};
+use std::str::FromStr;
+
+/// Velocities of a joint, in the layout of the joint's kind. Each number keeps the dimension of its unit until the kind
+/// of the joint is known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenRates {
+    values: Vec<Quantity>,
+}
+
+impl FromStr for GivenRates {
+    type Err = QuantityError;
+    /// Reads comma-separated numbers with optional units: `2`, `30deg/s`, `0.1,0,2`.
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        let value = |part: &str| part.parse::<Speed>().map(|speed| speed.0);
+        Ok(Self { values: text.split(',').map(value).collect::<Result<_, _>>()? })
+    }
+}
+
+impl GivenRates {
+    /// Velocities from numbers in SI units.
+    ///
+    /// # Errors
+    /// [`QuantityError::NotFinite`].
+    pub fn from_numbers(numbers: &[f64]) -> Result<Self, QuantityError> {
+        Ok(Self { values: numbers.iter().map(|x| Quantity::number(*x)).collect::<Result<_, _>>()? })
+    }
+
+    /// Values in SI units, if the units match the kind of the joint.
+    ///
+    /// # Errors
+    /// [`QuantityError::WrongUnit`].
+    pub(crate) fn values_for_joint(&self, kind: JointKind) -> Result<Vec<f64>, QuantityError> {
+        let value = |(k, quantity): (usize, &Quantity)| {
+            quantity.in_dimension(rate_dimension(kind, k), &quantity.to_string())
+        };
+        self.values.iter().enumerate().map(value).collect()
+    }
+}
+
+/// Dimension of velocity `k` of a joint.
+pub(crate) fn rate_dimension(kind: JointKind, k: usize) -> Dimension {
+    let turns = match kind {
+        JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => true,
+        JointKind::Prismatic | JointKind::Fixed => false,
+        JointKind::Planar => k == 2,
+        JointKind::Floating => k < 3,
+    };
+    if turns { Dimension::AngularSpeed } else { Dimension::Speed }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_checked_against_the_kind_of_the_joint() {
+        let rates: GivenRates = "180deg/s".parse().expect("a rate");
+        let values = rates.values_for_joint(JointKind::Revolute).expect("an angular speed");
+        assert!((values[0] - std::f64::consts::PI).abs() < 1e-15);
+        assert!(rates.values_for_joint(JointKind::Prismatic).is_err());
+        let planar: GivenRates = "10mm/s,1,2".parse().expect("rates");
+        assert_eq!(planar.values_for_joint(JointKind::Planar).expect("planar rates"), [0.01, 1.0, 2.0]);
+    }
+}
