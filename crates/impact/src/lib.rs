@@ -11,6 +11,7 @@
 
 mod error;
 mod friction;
+mod group_rows;
 mod motion;
 mod percussion;
 mod reactions;

@@ -1,7 +1,7 @@
 //! Reflected inertia at a joint, and the mass of a point that is held in the tangent plane.
 
+use crate::group_rows::GroupRows;
 use crate::motion::driver_rates::lengths;
-use crate::reactions::multipliers::GroupRows;
 use nalgebra::{DMatrix, Vector3};
 use percuss_dynamics::{EffectiveMass, LocatedContact, MatrixError, MatrixOptions, MatrixView, Pose};
 use percuss_mechanism::JointId;

@@ -1,7 +1,7 @@
 //! Rates of all joints from the rates of the drivers.
 
+use crate::group_rows::GroupRows;
 use crate::motion::joint_rates::JointRates;
-use crate::reactions::multipliers::GroupRows;
 use crate::tolerances::{DETERMINED, INADMISSIBLE, OPEN_PER_FLOOR};
 use faer::Mat;
 use percuss_dynamics::Pose;

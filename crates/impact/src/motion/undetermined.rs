@@ -1,7 +1,7 @@
 //! Joints whose rates after the impact are not determined, because of a motion without mass.
 
+use crate::group_rows::GroupRows;
 use crate::motion::driver_rates::{kernel, lengths};
-use crate::reactions::multipliers::GroupRows;
 use crate::tolerances::{MASSLESS_ENERGY, UNDETERMINED};
 use faer::{Mat, Side};
 use percuss_dynamics::{ContactResponse, Pose, Remark};

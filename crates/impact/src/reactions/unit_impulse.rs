@@ -1,8 +1,8 @@
 //! Reactions to a unit impulse at a contact.
 
+use crate::group_rows::GroupRows;
 use crate::motion::joint_rates::JointRates;
 use crate::reactions::link_loads::{LinkLoads, path_to_root};
-use crate::reactions::multipliers::GroupRows;
 use crate::reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
 use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{ConstraintSource, ContactResponse, EffectiveMass, Pose};
