@@ -241,6 +241,16 @@ Examples:
 The parts of a study run in this order: the contact (over its [sweep] or with
 its [[variant]]s), the stop of a joint, the [map], the [safe_speed].";
 
+pub const IMPACT: &str = "\
+Examples:
+  percuss impact models/four_bar.urdf --link coupler --point 0.35,0.1,0 \\
+      --normal 0,1,0 --restitution 0.3 --speed 2
+  percuss impact models/four_bar.urdf --link coupler --point 0.35,0.1,0 \\
+      --normal 0,1,0 --restitution 0.3 --rates crank_hinge=-120deg/s
+  percuss impact models/planar_2r.urdf --link outer --point 0.4,0,0 \\
+      --normal 0,1,0 --set elbow=40deg --restitution 0 --speed 1 \\
+      --stiffness 200N/mm --reflected shoulder --percussion shoulder:1,0,0";
+
 #[cfg(test)]
 mod tests {
     #[test]
@@ -266,13 +276,3 @@ mod tests {
         }
     }
 }
-
-pub const IMPACT: &str = "\
-Examples:
-  percuss impact models/four_bar.urdf --link coupler --point 0.35,0.1,0 \\
-      --normal 0,1,0 --restitution 0.3 --speed 2
-  percuss impact models/four_bar.urdf --link coupler --point 0.35,0.1,0 \\
-      --normal 0,1,0 --restitution 0.3 --rates crank_hinge=-120deg/s
-  percuss impact models/planar_2r.urdf --link outer --point 0.4,0,0 \\
-      --normal 0,1,0 --set elbow=40deg --restitution 0 --speed 1 \\
-      --stiffness 200N/mm --reflected shoulder --percussion shoulder:1,0,0";
