@@ -248,7 +248,7 @@ Examples:
   percuss impact models/four_bar.urdf --link coupler --point 0.35,0.1,0 \\
       --normal 0,1,0 --restitution 0.3 --rates crank_hinge=-120deg/s
   percuss impact models/planar_2r.urdf --link outer --point 0.4,0,0 \\
-      --normal 0,1,0 --set elbow=40deg --restitution 0 --speed 1 \\
+      --normal 0,1,0 --set elbow=40deg --restitution 0.1 --speed 1 \\
       --stiffness 200N/mm --reflected shoulder --percussion shoulder:1,0,0";
 
 #[cfg(test)]
