@@ -6,12 +6,13 @@ pub mod bench;
 pub mod cases;
 pub mod coverage;
 pub mod differences;
-pub mod gauge;
 pub mod imposed;
 pub mod judge;
+mod measures;
 pub mod motion;
 pub mod readers;
 pub mod rig;
 pub mod routes;
 pub mod subjects;
-pub mod tally;
+
+pub use measures::{gauge, tally};

@@ -1,6 +1,6 @@
 //! m̄ of one contact at many configurations, with SIMD lanes and threads.
 //!
-//! Two kinds of mechanisms have a SIMD kernel: trees without mimics (on the ground or floating), and linkages of few
+//! Two kinds of mechanisms have a SIMD kernel: trees (on the ground or floating), and linkages of few
 //! degrees of freedom. A lane with an uncertain result (massless, immovable, close to either, or with too much
 //! rounding) is computed again by [`Workspace`]. For all other mechanisms, [`Workspace`] computes every
 //! configuration. Every result equals that of [`Batch::effective_mass`] at the same configuration, bit for bit.

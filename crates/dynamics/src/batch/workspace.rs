@@ -27,7 +27,7 @@ pub struct Workspace {
     groups: Vec<GroupMobility>,
     mobility_workspace: MobilityWorkspace,
     recursion: RecursionWorkspace,
-    /// SIMD kernel for trees without mimics and for linkages of few degrees of freedom.
+    /// SIMD kernel for trees and for linkages of few degrees of freedom.
     kernel: Option<LaneKernel>,
     /// Contact for which the SIMD kernel is prepared.
     kernel_contact: Option<Contact>,
@@ -154,7 +154,7 @@ impl Workspace {
     }
 
     /// m̄ of a contact at the current positions. Equal within rounding to [`Pose::respond`].
-    /// Bitwise equal, except for mechanisms with a SIMD kernel (trees without mimics against the ground, linkages of
+    /// Bitwise equal, except for mechanisms with a SIMD kernel (trees against the ground, linkages of
     /// few degrees of freedom). If the recursion is inaccurate, the dense route runs and allocates. For normals given
     /// in the world, the root link is at the pose of [`set_base`](Self::set_base), by default at the world's origin.
     /// No error estimate is returned; use [`Pose::respond`]. The findings are in [`remarks`](Self::remarks).

@@ -316,7 +316,7 @@ impl<T: Lanes> PackedInertia<T> {
     /// Eliminates a rotation about axis `Z`: I ← I − U D⁻¹ Uᵀ. Row `Z` becomes U · armature/D. `over_d`: U D⁻¹.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn eliminate_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
-        self.subtract_turn::<Z>(pivot, over_d);
+        self.subtract_dyad(&pivot.u, over_d);
         each!(k in [0 1 2] {
             self.angular[at(k, Z)] = pivot.u.moment[k] * pivot.armature_part;
             self.coupling[Z][k] = pivot.u.force[k] * pivot.armature_part;
@@ -326,7 +326,7 @@ impl<T: Lanes> PackedInertia<T> {
     /// Eliminates a rotation without armature about axis `Z`; row `Z` of A and of C is then zero.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn eliminate_bare_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
-        self.subtract_turn::<Z>(pivot, over_d);
+        self.subtract_dyad(&pivot.u, over_d);
         self.clear_row::<Z>();
     }
 
@@ -337,13 +337,6 @@ impl<T: Lanes> PackedInertia<T> {
             self.angular[at(k, Z)] = T::zero();
             self.coupling[Z][k] = T::zero();
         });
-    }
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn subtract_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
-        self.subtract_angular::<Z>(&pivot.u, over_d);
-        self.subtract_coupling::<Z, 3>(&pivot.u, over_d);
-        self.subtract_linear::<3>(&pivot.u, over_d);
     }
 
     /// I − U D⁻¹ Uᵀ for a motion along several axes. `over_d`: U D⁻¹.

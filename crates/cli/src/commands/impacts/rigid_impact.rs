@@ -111,10 +111,11 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
         let change = law.mass_change_over_penetration.map_or_else(String::new, |change| {
             format!("; the effective mass changes by {:+.2} % over the penetration", 100.0 * change)
         });
-        let stiffness = number(law.stiffness);
+        let power = if law.exponent == 1.0 { String::new() } else { format!("^{}", number(law.exponent)) };
+        let stiffness = format!("{} N/m{power}", number(law.stiffness));
         facts.push((
             "peak force",
-            format!("{} N at the contact ({}, {stiffness} N/m^p){change}", number(law.peak_force), law.law),
+            format!("{} N at the contact ({}, {stiffness}){change}", number(law.peak_force), law.law),
         ));
     }
     if let Some(greatest) = &report.greatest_closing_speed {

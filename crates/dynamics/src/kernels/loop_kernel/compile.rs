@@ -26,7 +26,7 @@ impl LoopPlan {
     }
 
     /// Same plan, ordered at the given positions; only coordinates with `may(coordinate)` can be dependent. Also
-    /// `None` if the mechanism has couplings, held contacts, or closures that bind the full orientation.
+    /// `None` if the mechanism has couplings, held contacts, floating joints, or closures that bind the full orientation.
     pub fn compile_driven(
         assembly: &Assembly,
         positions: &[f64],
@@ -35,7 +35,8 @@ impl LoopPlan {
         let plan = Self::at(assembly, positions, may)?;
         let binds = |(form, _): &(RowForm, _)| matches!(form, RowForm::Orientation(..));
         let fits = |block: &Block| block.predecessor.is_some() && !block.forms.iter().any(binds);
-        plan.blocks.iter().all(fits).then_some(plan)
+        let floats = plan.bodies.iter().any(|body| matches!(body.motion, LoopMotion::Floating(_)));
+        (!floats && plan.blocks.iter().all(fits)).then_some(plan)
     }
 
     /// Plan with rows and columns ordered by the pivots at `positions`; only coordinates with `may(coordinate)` can be

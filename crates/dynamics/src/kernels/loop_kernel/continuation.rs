@@ -106,9 +106,8 @@ pub(crate) struct LoopContinuation {
 }
 
 impl LoopContinuation {
-    /// Starts at a closed pose. `dependent`: true for each coordinate that can be dependent; `given`: indices of the
-    /// positions that the rows give. `None` if the assembly is not a supported linkage, or the given positions do not
-    /// drive it.
+    /// Starts at a closed pose. `dependent`: true for each coordinate that can be dependent; `given`: indices of the positions that the
+    /// rows give. `None` if the assembly is not a supported linkage, or the given positions do not drive it.
     pub fn of(
         assembly: &Assembly,
         contact: &Contact,
@@ -122,8 +121,7 @@ impl LoopContinuation {
         let (mut following, mut free) = (Vec::new(), Vec::new());
         for (body, own) in plan.bodies.iter().zip(&model.bodies).filter(|(_, own)| own.mimic.is_none()) {
             match body.motion {
-                LoopMotion::Fixed | LoopMotion::Base => {}
-                LoopMotion::Floating(_) => return None,
+                LoopMotion::Fixed | LoopMotion::Base | LoopMotion::Floating(_) => {}
                 LoopMotion::Turn(position) | LoopMotion::Slide(position) => {
                     let Some(velocity) = body.velocities.first() else { continue };
                     let (q, column, factor) = (position.q, velocity.column, velocity.factor);
@@ -240,6 +238,7 @@ impl LoopContinuation {
         let room = &self.linkage.scratch;
         let entry = |r: usize, c: usize| room[(rows + r * n + c) * lanes + lane];
         let over = |k: usize| room[(plan.layout.inverse_pivots + k) * lanes + lane];
+        let below = |k: usize| plan.pivots[k].rows.iter().copied().filter(|r| *r < rank);
         let v = &mut self.neighbourhood.scratch;
         v.clear();
         v.extend((0..rank).map(|k| 1.0 + 0.1 * k as f64));
@@ -250,8 +249,7 @@ impl LoopContinuation {
             // L y = v, U x = y.
             for k in 0..rank {
                 let known = v[k] * over(k);
-                let below = plan.pivots[k].rows.iter().filter(|r| **r < rank);
-                below.for_each(|&r| v[r] -= entry(r, k) * known);
+                below(k).for_each(|r| v[r] -= entry(r, k) * known);
             }
             for k in (0..rank).rev() {
                 let ahead = plan.pivots[k].columns.iter().filter(|c| **c < rank);
@@ -267,8 +265,7 @@ impl LoopContinuation {
                 ahead.for_each(|&c| v[c] -= entry(k, c) * known);
             }
             for k in (0..rank).rev() {
-                let below = plan.pivots[k].rows.iter().filter(|r| **r < rank);
-                let known: f64 = below.map(|&r| entry(r, k) * v[r]).sum();
+                let known: f64 = below(k).map(|r| entry(r, k) * v[r]).sum();
                 v[k] -= known * over(k);
             }
         }

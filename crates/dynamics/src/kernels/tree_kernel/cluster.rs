@@ -10,6 +10,7 @@
 //!
 //! (composite rigid bodies, Featherstone 2008, §6.2). At the parent body, I ← I − U D⁻¹ Uᵀ and f ← f − U D⁻¹ t.
 
+use super::cluster_joint::{ClusterJoint, MOST};
 use super::parent_transform::{LanePositions, propagate_to_parent, transform_to_parent};
 use super::plan::{ScheduledStep, TreeMotion, TreePlan};
 use super::propagation::{PropagatedWrench, SCRATCH_NUMBERS, add_to_parent};
@@ -19,8 +20,6 @@ use crate::tolerances::COMMON_LOSS;
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{PackedInertia, PackedWrench};
 
-/// Largest number of coordinates of a cluster.
-const MOST: usize = 4;
 /// Numbers of a wrench.
 const WRENCH: usize = 6;
 
@@ -36,22 +35,6 @@ pub(super) struct MimicCluster {
     parent: Option<usize>,
     /// Bounds of the sums of the terms of the diagonal of D, kg·m² or kg.
     sizes: [f64; MOST],
-}
-
-/// Joint of a cluster.
-#[derive(Clone, Debug)]
-pub(super) struct ClusterJoint {
-    /// Index of the cluster.
-    cluster: usize,
-    /// Index of the body within the cluster, and of its parent body; `None` for the parent of the cluster.
-    body: usize,
-    parent: Option<usize>,
-    /// Coordinate, multiplier and armature; `None` for a locked joint.
-    velocity: Option<(usize, f64, f64)>,
-    /// For each coordinate: true if joints beyond this one have it.
-    beyond: [bool; MOST],
-    /// True for the joint that is visited last.
-    is_last: bool,
 }
 
 impl MimicCluster {

@@ -4,6 +4,7 @@
 //! either, results lost to rounding) are left to [`crate::analysis::routes`], as are loops and contacts between two links.
 
 mod cluster;
+mod cluster_joint;
 mod contact_path;
 mod hinge;
 mod light_bodies;

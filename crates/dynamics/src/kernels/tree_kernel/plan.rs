@@ -2,7 +2,7 @@
 //! that a pivot is an entry of the inertia. The transform from each frame to its parent has the least number of
 //! rotations about and shifts along coordinate axes (Denavit and Hartenberg 1955).
 
-use super::cluster::ClusterJoint;
+use super::cluster_joint::ClusterJoint;
 use super::sizes::Sizes;
 use crate::kernels::estimate::is_positive;
 use crate::model::joint_motion::JointMotion;

@@ -1,0 +1,4 @@
+//! Counts and worst deviations of comparisons.
+
+pub mod gauge;
+pub mod tally;
