@@ -337,3 +337,16 @@ def test_safe_speeds_by_energy_momentum_and_rows() -> None:
     for limit in ({}, {"force": 1.0, "energy": 1.0}, {"pressure": 1e6}):
         with pytest.raises(percuss.InputError, match="one limit is required"):
             percuss.safe_speed(model, contact, region, **limit)  # type: ignore[arg-type]
+
+
+def test_the_gradient_gives_every_rate() -> None:
+    arm = percuss.load(ROOT / "models/six_r_arm.urdf")
+    contact = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
+    for place, rates in seeded(arm, 9):
+        pose = arm.pose(place)
+        gradient = pose.effective_mass_gradient(contact)
+        assert gradient is not None
+        total = sum(float(gradient[name] @ np.atleast_1d(rate)) for name, rate in rates.items())
+        assert total == pytest.approx(pose.effective_mass_rate(contact, rates), rel=1e-12)
+    pendulum = percuss.load(ROOT / "models/physical_pendulum.urdf").pose()
+    assert pendulum.effective_mass_gradient(percuss.Contact("body", [0, 0, -0.5], [0, 0, 1])) is None
