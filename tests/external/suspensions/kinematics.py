@@ -28,7 +28,8 @@ from touch import Linkage, moved_car
 ROOT = Path(__file__).resolve().parents[3]
 # Both programs close the loops to some 1e-15 m and solve linear systems of condition up to 1e4; lengths in m, angles in rad.
 TOLERANCE = 1e-9
-# Step of the difference for second derivatives, m: the error of fourth order is below 1e-10, rounding 1e-15/STEP below 1e-11.
+# Longer step of the differences for second derivatives, m; the shorter one is a quarter. Extrapolation removes the error of fourth
+# order, which is 1e-6 for a rocker near its dead centre. Rounding: 1e-15 over the shorter step, 2e-11.
 STEP = 3e-4
 Z = np.array([0.0, 0.0, 1.0])
 
@@ -452,10 +453,14 @@ def expected_values(s, data, drawn):
     ends = ["_left", "_right"] if axle else [""]
     lines = []
     roll = s if not axle else Suspension(car, s.forces, s.travels, s.rack, [1.0, -1.0])
-    nearby = {by: s.moved(by * STEP) for by in (-2, -1, 1, 2)}
+    nearby = {by: s.moved(by * STEP) for by in (-2, -1, -0.5, -0.25, 0.25, 0.5, 1, 2)}
 
     def slope(of):
-        return (of(nearby[-2]) - 8 * of(nearby[-1]) + 8 * of(nearby[1]) - of(nearby[2])) / (12 * STEP)
+        wide, narrow = (
+            (of(nearby[-2 * part]) - 8 * of(nearby[-part]) + 8 * of(nearby[part]) - of(nearby[2 * part])) / (12 * part * STEP)
+            for part in (1, 0.25)
+        )
+        return narrow + (narrow - wide) / (4**4 - 1)
 
     rate_sum = 0.0
     for k, end in enumerate(ends):
