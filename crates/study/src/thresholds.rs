@@ -83,8 +83,9 @@ pub(crate) const SAME_START: f64 = 1e-6;
 pub(crate) const NEAREST_HALVINGS: usize = 20;
 /// Least part of the way in one step of this search: each halving starts at the nearest pose known.
 pub(crate) const LEAST_PART_OF_HALVING: f64 = 0.1;
-/// Part of the gap above which a halving that fails in such steps is tried again in the least steps of a travel.
-pub(crate) const LONG_HALVING: f64 = 1.0 / 32.0;
+/// Part of the gap above which a halving that fails in such steps is tried again, and the least part then.
+pub(crate) const LONG_HALVING: f64 = 0.125;
+pub(crate) const LEAST_PART_OF_LONG_HALVING: f64 = 0.01;
 /// Largest gap at which a stop touches, in characteristic lengths: the tolerance of several travels, with a margin.
 pub(crate) const TOUCH_TOLERANCE: f64 = 1e-10;
 /// Largest number of Newton steps for several travels: from a near pose some five steps are needed.

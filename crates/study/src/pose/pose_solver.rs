@@ -10,7 +10,8 @@ use crate::question::field::{Field, Names};
 use crate::question::mass_question::MassQuestion;
 use crate::question::travel::moved::{Moved, MovedPoint};
 use crate::thresholds::{
-    HALVINGS, LEAST_PART, LEAST_PART_OF_HALVING, LONG_HALVING, LONG_TRAVEL, NEAREST_HALVINGS, SAME_START,
+    HALVINGS, LEAST_PART, LEAST_PART_OF_HALVING, LEAST_PART_OF_LONG_HALVING, LONG_HALVING, LONG_TRAVEL,
+    NEAREST_HALVINGS, SAME_START,
 };
 use percuss_dynamics::{Configuration, Gap, Pose, System, TravelError};
 use percuss_mechanism::{JointId, Mechanism, NamedContact};
@@ -127,10 +128,11 @@ fn touch_pose(
             for _ in 0..NEAREST_HALVINGS {
                 let middle = 0.5 * (low + high);
                 let found = with_part(middle, &from, LEAST_PART_OF_HALVING);
-                // The first halvings are long ways, which coarse steps may fail to follow.
-                let is_long = high - low > LONG_HALVING;
-                let found = found
-                    .or_else(|error| if is_long { with_part(middle, &from, LEAST_PART) } else { Err(error) });
+                // The first halvings are long ways, which coarse steps of several travels may fail to follow.
+                let is_long = travels.len() > 1 && high - low > LONG_HALVING;
+                let found = found.or_else(|error| {
+                    if is_long { with_part(middle, &from, LEAST_PART_OF_LONG_HALVING) } else { Err(error) }
+                });
                 match found {
                     Ok(pose) => (low, from) = (middle, pose),
                     Err(_) => high = middle,
