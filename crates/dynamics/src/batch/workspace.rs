@@ -85,7 +85,7 @@ impl Assembly {
 impl Workspace {
     /// Sets the positions of all joints one after another, in joint order (layouts of
     /// [`JointKind`](percuss_mechanism::JointKind)). Quaternions must be unit quaternions. Entries of mimics are not
-    /// read. Loops must be closed, as at the positions of a [`Pose`] of the same assembly. The values are checked
+    /// read. Loops must be closed, as at the positions of a [`Pose`](crate::Pose) of the same assembly. The values are checked
     /// with the next computation of m̄.
     ///
     /// # Errors
@@ -153,11 +153,11 @@ impl Workspace {
         }
     }
 
-    /// m̄ of a contact at the current positions. Equal within rounding to [`Pose::respond`].
+    /// m̄ of a contact at the current positions. Equal within rounding to [`Pose::respond`](crate::Pose::respond).
     /// Bitwise equal, except for mechanisms with a SIMD kernel (trees against the ground, linkages of
     /// few degrees of freedom). If the recursion is inaccurate, the dense route runs and allocates. For normals given
     /// in the world, the root link is at the pose of [`set_base`](Self::set_base), by default at the world's origin.
-    /// No error estimate is returned; use [`Pose::respond`]. The findings are in [`remarks`](Self::remarks).
+    /// No error estimate is returned; use [`Pose::respond`](crate::Pose::respond). The findings are in [`remarks`](Self::remarks).
     ///
     /// # Errors
     /// [`ResponseError`]: an invalid contact; a position that is not finite, a quaternion that is not of unit length,
