@@ -415,7 +415,7 @@ pub(crate) const POOLED_WORKSPACES: usize = 64;
 pub(crate) const LINKAGE_COORDINATES: usize = 64;
 /// Largest number of degrees of freedom of such a linkage, whose energy is a full matrix over these.
 pub(crate) const LINKAGE_FREEDOMS: usize = 16;
-/// Gap of the loops as drawn, relative to the mechanism's size, that is rounding of the file: 64 roundings.
+/// Largest gap of the loops as drawn, relative to the mechanism's size, that counts as rounding of the file: 64 roundings.
 pub(crate) const EXACT_AS_DRAWN: f64 = 64.0 * f64::EPSILON;
 /// Largest remainder of a redundant row, as a fraction of the remainder below which a row counts as redundant: a factor of four
 /// leaves no doubt.
@@ -437,8 +437,8 @@ pub(crate) const FOLLOWERS_DRIFT: f64 = 1.0 / 3.0;
 pub(crate) const LONGEST_FOLLOWED: f64 = 2.0;
 /// Step of the finite differences for ‖A′‖, relative to the size; leaves five digits.
 pub(crate) const CURVATURE_STEP: f64 = 1e-5;
-/// Error of a linkage's rows as a multiple of the gap of its loops divided by its smallest length. The rows of a body change by at
-/// most its turn per unit of rate; three turns in one loop add up in the worst of the tested linkages.
+/// Error of a linkage's rows as a multiple of the gap of its loops divided by its smallest length. The factor is
+/// empirical: with it the true errors of the tested linkages are at most a tenth of the statement.
 pub(crate) const OPEN_ROUNDINGS: f64 = 3.0;
 /// Roundings of a linkage's rows in lanes, for the frame of the ground and for the root of the depth of the tree. With these
 /// constants the true errors of the tested linkages are at most a tenth of the statement.

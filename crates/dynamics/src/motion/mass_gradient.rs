@@ -131,7 +131,8 @@ impl<'a> BodyResponse<'a> {
     }
 
     /// Adds a wrench of which the power on the relative twist of two bodies enters the balance with the factor `factor`.
-    /// `rate(b, W)`: change of the wrench while body b of `others` (or of the two) has the twist W and all others are at rest.
+    /// `rate(b, W)`: change of the wrench while body number b (0: the first, 1: the second, then `others`) has the twist W and all other
+    /// bodies are at rest.
     fn add_wrench(
         &mut self,
         (on, against): (Option<usize>, Option<usize>),

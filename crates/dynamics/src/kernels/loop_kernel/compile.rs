@@ -17,8 +17,8 @@ use percuss_mechanism::{ClosureKind, JointKind};
 use percuss_spatial::{SpatialInertia, Transform, plane_basis};
 
 impl LoopPlan {
-    /// `None` for planar joints, redundant rows that contradict each other, many degrees of
-    /// freedom, several independent subtrees, or negative inertias.
+    /// `None` for planar joints, redundant rows that contradict each other, many degrees of freedom, several independent subtrees,
+    /// or negative inertias.
     pub fn of(assembly: &Assembly) -> Option<Self> {
         // The rows may be singular as drawn.
         let plan = Self::at(assembly, &assembly.facts().reference, &|_| true);

@@ -112,8 +112,8 @@ fn sizes(own: &Cluster, plan: &TreePlan) -> [f64; MOST] {
     std::array::from_fn(|y| roots[y] * roots[y] + armatures[y])
 }
 
-/// Marks the steps of a cluster. Their kinetic energy bounds the errors of the sums over the joints of the cluster only up to the
-/// number of its bodies: a term of two joints is bounded by the twists of both.
+/// Marks the steps of a cluster. A term of two joints is bounded by the twists of both bodies, so that the bound by the kinetic energy
+/// of one body is multiplied by four times the number of bodies.
 fn add_joints(own: &Cluster, plan: &mut TreePlan, cluster: usize) {
     let mut beyond = vec![[false; MOST]; own.bodies.len()];
     for (at, &number) in own.bodies.iter().enumerate().rev() {
@@ -208,7 +208,7 @@ pub(super) fn eliminate_cluster_joint<T: Lanes>(
             if joint.beyond[y] {
                 let momentum = get_wrench::<T>(scratch, cluster.momentum(Some(joint.body), y));
                 let entry = factor * along_axis(&momentum, slides);
-                // On the diagonal the term and its mirror image.
+                // On the diagonal the term occurs twice.
                 add(scratch, cluster.diagonal(x, y), if x == y { entry + entry } else { entry });
             }
             y += 1;
@@ -278,7 +278,7 @@ fn eliminate_coordinates<T: Lanes>(
         largest_loss = largest_loss.max(loss);
         let momentum = get_wrench::<T>(scratch, cluster.momentum(None, k));
         let (t, test) = (get::<T>(scratch, cluster.test(k)), get::<T>(scratch, cluster.test_size(k)));
-        // Zero off the contact path.
+        // t is zero off the contact path.
         let rate = propagated.add_response(sizes[k], t, test, over);
         let (part, m, w) = (rate.abs(), &momentum.moment, &momentum.force);
         propagated.moment_size = (m[0].abs() + m[1].abs() + m[2].abs()).mul_add(part, propagated.moment_size);
@@ -311,7 +311,7 @@ fn eliminate_coordinates<T: Lanes>(
     propagated.loss = propagated.loss.max(largest_loss);
     if let Some(parent) = cluster.parent {
         let slot = &mut scratch[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
-        // All terms of the parent: those of the other children are counted too large.
+        // The factor applies to all terms of the parent, so that those of its other children are overestimated.
         let factor = T::one().max(largest_loss * T::from_f64(1.0 / COMMON_LOSS));
         for k in [SIZES, SIZES + 1] {
             let size: T = T::load(&slot[k * T::WIDTH..]);
