@@ -247,9 +247,12 @@ def test_impacts() -> None:
     assert report.reflected_inertia[0]["free"] == pytest.approx(52163 / 110250, rel=1e-12)
     peaks = percuss.impact(model, contact, 0.3, speed=1.0, stiffness=1e5)
     assert peaks.contact_law["peak_force"] > 0 and peaks.reactions[0]["peak_force"][0] is not None
-    for given, words in (({}, "closing speed"), ({"rates": {"nope": 1.0}}, "nope"), ({"speed": -1.0}, "closing speed")):
-        with pytest.raises(percuss.InputError, match=words):
-            percuss.impact(model, contact, 0.3, **given)
+    with pytest.raises(percuss.InputError, match="closing speed"):
+        percuss.impact(model, contact, 0.3)
+    with pytest.raises(percuss.InputError, match="nope"):
+        percuss.impact(model, contact, 0.3, rates={"nope": 1.0})
+    with pytest.raises(percuss.InputError, match="closing speed"):
+        percuss.impact(model, contact, 0.3, speed=-1.0)
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "models").glob("*.toml")), ids=lambda path: path.stem)
