@@ -8,12 +8,16 @@ pub type Rebuilt<'py> =
     (Bound<'py, PyAny>, (Bound<'py, PyAny>, &'static str, Bound<'py, PyTuple>, Bound<'py, PyDict>));
 
 /// Description of an object for pickle: the result of `owner.method(*arguments, **keywords)`.
-pub fn result_of<'py>(
+pub fn result_of<'py, A>(
     owner: Bound<'py, PyAny>,
     method: &'static str,
-    arguments: impl IntoPyObject<'py, Target = PyTuple, Output = Bound<'py, PyTuple>, Error = PyErr>,
+    arguments: A,
     keywords: &[(&str, Bound<'py, PyAny>)],
-) -> PyResult<Rebuilt<'py>> {
+) -> PyResult<Rebuilt<'py>>
+where
+    A: IntoPyObject<'py, Target = PyTuple, Output = Bound<'py, PyTuple>>,
+    PyErr: From<A::Error>,
+{
     let py = owner.py();
     let given = PyDict::new(py);
     for (name, value) in keywords {
