@@ -86,8 +86,9 @@ pub(super) fn evaluate<T: Lanes>(
     response_after_elimination(plan, (struck, of_rows), (beyond, far), rows, least, room)
 }
 
-/// 1/m̄ after the elimination of A. First pair: the contact, and the points and normals of the rows. Second pair: excess of the angles beyond their accepted range, and distance of the
-/// farthest body (m). `rows`: errors of the entries of A, in roundings. `least`: the largest 1/|pivot|.
+/// 1/m̄ after the elimination of A. First pair: the contact, and the points and normals of the rows. Second pair: excess of the
+/// angles beyond their accepted range, and distance of the farthest body (m). `rows`: errors of the entries of A, in roundings.
+/// `least`: the largest 1/|pivot|.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn response_after_elimination<T: Lanes>(
     plan: &LoopPlan,
