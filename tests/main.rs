@@ -16,6 +16,7 @@ mod identities {
     mod orderings;
     mod outcomes;
     mod routes;
+    mod row_contacts;
     mod workspaces;
 }
 

@@ -32,8 +32,10 @@ pub use batch::contact_map::{
     ContactColumns, ContactMap, ContactStatus, MapAnswers, MapError, PrincipalMass,
 };
 pub use batch::driven_path::{DrivenPath, PathAnswer};
+pub use batch::error::BatchError;
+pub use batch::row_contacts::BatchContacts;
 pub use batch::row_path::{RowAnswer, RowHandler, RowPath};
-pub use batch::rows::{Batch, BatchAnswer, BatchError, BatchPositions};
+pub use batch::rows::{Batch, BatchAnswer, BatchPositions};
 pub use batch::workspace::Workspace;
 pub use dense::matrices::{
     ConstraintRank, LayoutError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView,

@@ -33,11 +33,11 @@ pub use nalgebra;
 pub use percuss_contact as contact;
 #[doc(no_inline)]
 pub use percuss_dynamics::{
-    Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchError, BatchPositions,
-    BranchLimits, ConditionOfJoint, Conditions, ConditionsError, Configuration, ConfigurationError,
-    ConstraintAction, ConstraintGroup, ConstraintRank, ConstraintSource, Contact, ContactColumns,
-    ContactError, ContactMap, ContactPart, ContactResponse, ContactStatus, Contributions, DenseReason,
-    DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass, ErrorBudget, Frame, Gap,
+    Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchContacts, BatchError,
+    BatchPositions, BranchLimits, ConditionOfJoint, Conditions, ConditionsError, Configuration,
+    ConfigurationError, ConstraintAction, ConstraintGroup, ConstraintRank, ConstraintSource, Contact,
+    ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse, ContactStatus, Contributions,
+    DenseReason, DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass, ErrorBudget, Frame, Gap,
     InverseOperationalInertia, LayoutError, LocatedContact, LoopState, MapAnswers, MapError, MassGradient,
     MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer, PointForce,
     PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops, Route,

@@ -15,7 +15,7 @@ mod module {
     #[pymodule_export]
     use crate::analysis::matrices::{MatrixResponse, effective_mass, effective_masses, matrix_findings};
     #[pymodule_export]
-    use crate::analysis::model::{Joint, Model, load, loads, model_of_bytes};
+    use crate::analysis::model::{Joint, Model, joint_of_parts, load, loads, model_of_bytes};
     #[pymodule_export]
     use crate::analysis::motion::{Accelerations, Travel};
     #[pymodule_export]
@@ -25,11 +25,13 @@ mod module {
     #[pymodule_export]
     use crate::analysis::suspension::{load_suspension, suspension_template, suspension_templates};
     #[pymodule_export]
-    use crate::analysis::system::{Assembly, System, Workspace};
+    use crate::analysis::system::{Assembly, System};
+    #[pymodule_export]
+    use crate::analysis::system_methods::Workspace;
     #[pymodule_export]
     use crate::command::run_command;
     #[pymodule_export]
-    use crate::conversion::diagnostic::Diagnostic;
+    use crate::conversion::diagnostic::{Diagnostic, diagnostic_of_parts};
     #[pymodule_export]
     use crate::questions::damping::{damp, damp_mass, impact_history, laws, regions, tools};
     #[pymodule_export]

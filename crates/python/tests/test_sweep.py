@@ -53,6 +53,67 @@ def test_a_sweep_answers_as_poses_do(case: Case) -> None:
     assert workspace.status == "finite"
 
 
+@pytest.mark.parametrize("case", PLAIN, ids=str)
+def test_points_and_normals_of_rows(case: Case) -> None:
+    model = percuss.load(case.path)
+    q, random = poses(case), np.random.default_rng(5)
+    points, normals = random.uniform(-0.1, 0.1, (2, len(q), 3))
+    contact = percuss.Contact(case.contact.link, [0, 0, 0], [1, 0, 0], against=case.contact.against)
+    swept = percuss.sweep(model.assemble(), contact, q, points=points, normals=normals)
+    for row, answer, status in zip(range(len(q)), swept.effective_mass, swept.status, strict=True):
+        own = percuss.Contact(contact.link, points[row], normals[row], against=contact.against)
+        alone = model.pose(q[row]).respond(own)
+        assert status == {"finite": percuss.FINITE, "immovable": percuss.IMMOVABLE, "massless": percuss.MASSLESS}[alone.status]
+        if alone.effective_mass is not None:
+            assert answer == pytest.approx(alone.effective_mass, rel=1e-9)
+    only_points = percuss.sweep(model.assemble(), contact, q, points=points)
+    ones = np.tile([1.0, 0.0, 0.0], (len(q), 1))
+    both = percuss.sweep(model.assemble(), contact, q, points=points, normals=ones)
+    assert np.array_equal(only_points.effective_mass, both.effective_mass, equal_nan=True)
+
+
+def test_base_poses_of_rows() -> None:
+    model = percuss.load(ROOT / "models/six_r_arm.urdf")
+    system, random = model.system(base="floating"), np.random.default_rng(6)
+    q = random.uniform(-1, 1, (20, model.position_count))
+    base = random.normal(size=(20, 7))
+    base[:, 3:] /= np.linalg.norm(base[:, 3:], axis=1, keepdims=True)
+    contact = percuss.Contact("tool", [0.08, 0, 0], [0, 0, 1], normal_frame="world")
+    swept = percuss.sweep(system, contact, q, base_pose=base)
+    alone = [system.pose(row, base_pose=at).respond(contact).effective_mass for row, at in zip(q, base, strict=True)]
+    assert swept.effective_mass == pytest.approx(alone, rel=1e-11)
+    assert (swept.remarks == 0).all()
+    normals = random.normal(size=(20, 3))
+    turned = percuss.sweep(system, contact, q, base_pose=base, normals=normals)
+    one = percuss.Contact("tool", [0.08, 0, 0], normals[3], normal_frame="world")
+    assert turned.effective_mass[3] == pytest.approx(system.pose(q[3], base_pose=base[3]).respond(one).effective_mass, rel=1e-11)
+    fixed = percuss.sweep(system, contact, q, base_pose=base[3], normals=normals)
+    assert fixed.effective_mass[3] == pytest.approx(turned.effective_mass[3], rel=1e-12)
+
+
+def test_wrong_points_and_normals() -> None:
+    model = percuss.load(ROOT / "models/six_r_arm.urdf")
+    contact = percuss.Contact("tool", [0.08, 0, 0], [0, 0, 1])
+    q, three = np.zeros((4, model.position_count)), np.ones((4, 3))
+    bad = three.copy()
+    bad[2, 1] = np.nan
+    with pytest.raises(percuss.InputError, match=r"points\[2, 1\] is NaN"):
+        percuss.sweep(model, contact, q, points=bad)
+    with pytest.raises(percuss.InputError, match=r"normals\[1\] has no length"):
+        percuss.sweep(model, contact, q, normals=three * np.array([[1], [0], [1], [1]]))
+    with pytest.raises(percuss.InputError, match=r"normals has shape \(3, 3\); expected \(4, 3\)"):
+        percuss.sweep(model, contact, q, normals=three[:3])
+    with pytest.raises(percuss.InputError, match=r"base_pose has shape \(3, 7\)"):
+        percuss.sweep(model, contact, q, base_pose=np.ones((3, 7)))
+    toward = percuss.Contact("tool", [0.08, 0, 0], toward=("tool", [1, 0, 0]))
+    with pytest.raises(percuss.InputError, match="toward"):
+        percuss.sweep(model, toward, q, points=three)
+    loops = percuss.load(ROOT / "models/four_bar.urdf")
+    hit = percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
+    with pytest.raises(percuss.InputError, match="positions of all joints"):
+        percuss.sweep(loops, hit, [[0.1]], joints=["crank_hinge"], normals=[[0, 1, 0]])
+
+
 LAYOUTS: dict[str, Callable[[NDArray[np.float64]], object]] = {
     "fortran": np.asfortranarray,
     "every other row": lambda q: np.repeat(q, 2, axis=0)[::2],

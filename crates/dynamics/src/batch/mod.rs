@@ -2,7 +2,9 @@
 
 pub(crate) mod contact_map;
 pub(crate) mod driven_path;
+pub(crate) mod error;
 pub(crate) mod pool;
+pub(crate) mod row_contacts;
 pub(crate) mod row_path;
 pub(crate) mod rows;
 pub(crate) mod workspace;

@@ -6,15 +6,18 @@
 //! configuration. Every result equals that of [`Batch::effective_mass`] at the same configuration, bit for bit.
 
 use crate::analysis::assembly::Assembly;
+use crate::batch::error::BatchError;
 use crate::batch::pool::WorkerPool;
+use crate::batch::row_contacts::{BatchContacts, RowContacts, in_root_axes};
 use crate::batch::workspace::Workspace;
 use crate::kernels::aligned::Aligned;
-use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns};
+use crate::kernels::estimate::{CertifiedMass, LaneContacts, MassColumns, PositionColumns};
 use crate::kernels::lane_kernel::LaneKernel;
 use crate::kinematics::contact::Contact;
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
 use crate::kinematics::remarks::RemarkFlags;
 use crate::model::velocities::{StateSizeError, check_positions};
+use percuss_spatial::Transform;
 use percuss_spatial::lanes::Instructions;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -69,50 +72,6 @@ impl BatchAnswer {
     }
 }
 
-/// Error of a batch run.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum BatchError {
-    /// Too few numbers for the configurations.
-    #[error(
-        "{got} numbers are given; {configurations} configurations of {positions} positions, {stride} apart, need {needed}"
-    )]
-    Short {
-        /// Number of given values.
-        got: usize,
-        /// Number of required values.
-        needed: usize,
-        /// Number of configurations.
-        configurations: usize,
-        /// Number of positions per configuration.
-        positions: usize,
-        /// The stride.
-        stride: usize,
-    },
-    /// The stride is too small; configurations would overlap.
-    #[error("the stride is {stride}; expected at least {least}")]
-    Stride {
-        /// The given stride.
-        stride: usize,
-        /// The smallest valid stride.
-        least: usize,
-    },
-    /// The output columns have different lengths.
-    #[error("there is room for {masses} masses and {errors} errors; expected as many of both")]
-    Columns {
-        /// Length of the column of masses.
-        masses: usize,
-        /// Length of the column of errors.
-        errors: usize,
-    },
-    /// The caller stopped the run.
-    #[error("stopped after {done} configurations")]
-    Stopped {
-        /// Number of finished configurations.
-        done: usize,
-    },
-}
-
 /// One contact, ready for many configurations.
 #[derive(Clone, Debug)]
 pub struct Batch {
@@ -136,6 +95,8 @@ struct Worker {
     workspace: Workspace,
     /// Findings that hold at every configuration.
     remarks: RemarkFlags,
+    /// Pose of the root link in the world, for normals given in the world.
+    base_of_normal: Option<Transform<f64>>,
 }
 
 impl Assembly {
@@ -158,6 +119,7 @@ impl Workspace {
         let assembly = Arc::clone(self.assembly());
         let model = assembly.model();
         model.check_contact(contact)?;
+        let base_of_normal = self.base_of_normal(contact);
         let (contact, remarks) = self.contact_in_root(contact);
         let contact = &contact;
         let mut workspace = self.clone();
@@ -165,11 +127,15 @@ impl Workspace {
             workspace.take_kernel().and_then(|mut lanes| lanes.set_contact(model, contact).then_some(lanes));
         let worker = Worker {
             read: in_lanes.iter().flat_map(LaneKernel::read_positions).collect(),
-            columns: Aligned::zeros(if in_lanes.is_some() { model.positions.max(1) * BLOCK } else { 0 }),
+            columns: Aligned::zeros(match in_lanes {
+                Some(_) => (model.positions + LaneContacts::COUNT) * BLOCK,
+                None => 0,
+            }),
             row: vec![0.0; model.positions],
             workspace,
             kernel: in_lanes,
             remarks,
+            base_of_normal,
         };
         let instructions = Instructions::best();
         Ok(Batch {
@@ -243,7 +209,7 @@ impl Batch {
     ) -> Result<(), BatchError> {
         self.check(positions, answers.len())?;
         self.pool
-            .with_worker(&self.worker, |worker| worker.compute_portion(&self.contact, positions, 0, answers));
+            .with_worker(&self.worker, |worker| worker.compute_portion(self.fixed(), positions, 0, answers));
         Ok(())
     }
 
@@ -261,15 +227,51 @@ impl Batch {
         errors: &mut [f64],
         other: impl FnMut(usize, BatchAnswer),
     ) -> Result<(), BatchError> {
+        self.run_columns_of(None, positions, masses, errors, other)
+    }
+
+    /// Like [`run_columns`](Self::run_columns), with another contact point and normal at each configuration: m̄ of the point
+    /// `contacts.points[3c..3c + 3]` on the contact link along `contacts.normals[3c..3c + 3]`, at configuration c. The link, the
+    /// other side and the frame of the normal are those of the contact of the batch.
+    ///
+    /// # Errors
+    /// As for [`run_columns`](Self::run_columns); [`BatchError::ContactCount`]: too few or too many points or normals;
+    /// [`BatchError::Contact`]: numbers that are not finite, or a normal of length zero; [`BatchError::NormalAlongLine`].
+    pub fn run_contacts(
+        &self,
+        positions: BatchPositions<'_>,
+        contacts: BatchContacts<'_>,
+        masses: &mut [f64],
+        errors: &mut [f64],
+        other: impl FnMut(usize, BatchAnswer),
+    ) -> Result<(), BatchError> {
+        contacts.check(self.assembly.model(), &self.contact, masses.len())?;
+        self.run_columns_of(Some(contacts), positions, masses, errors, other)
+    }
+
+    /// Computes m̄ at the configurations, for the contact of the batch or for one contact at each configuration.
+    fn run_columns_of(
+        &self,
+        contacts: Option<BatchContacts<'_>>,
+        positions: BatchPositions<'_>,
+        masses: &mut [f64],
+        errors: &mut [f64],
+        other: impl FnMut(usize, BatchAnswer),
+    ) -> Result<(), BatchError> {
         if errors.len() != masses.len() {
             return Err(BatchError::Columns { masses: masses.len(), errors: errors.len() });
         }
         self.check(positions, masses.len())?;
         let mut columns = AnswerColumns { masses, errors, other };
-        self.pool.with_worker(&self.worker, |worker| {
-            worker.compute_portion(&self.contact, positions, 0, &mut columns)
-        });
+        let contacts = RowContacts { contacts, ..self.fixed() };
+        self.pool
+            .with_worker(&self.worker, |worker| worker.compute_portion(contacts, positions, 0, &mut columns));
         Ok(())
+    }
+
+    /// The contact of the batch at every configuration.
+    fn fixed(&self) -> RowContacts<'_> {
+        RowContacts { contact: &self.contact, contacts: None }
     }
 
     /// Like [`run`](Self::run), with progress reports. `watch` receives the number of finished configurations from
@@ -292,7 +294,7 @@ impl Batch {
             }
             let first = number * PORTION;
             self.pool.with_worker(&self.worker, |worker| {
-                worker.compute_portion(&self.contact, positions, first, portion)
+                worker.compute_portion(self.fixed(), positions, first, portion)
             });
             let done = done.fetch_add(portion.len(), Ordering::Relaxed) + portion.len();
             if watch(done).is_break() {
@@ -386,13 +388,20 @@ impl Worker {
     /// Computes `places.count()` configurations, starting at configuration `first`.
     fn compute_portion(
         &mut self,
-        contact: &Contact,
+        contacts: RowContacts<'_>,
         positions: BatchPositions<'_>,
         first: usize,
         places: &mut (impl ResultSink + ?Sized),
     ) {
-        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks } = self;
+        let Worker { kernel: in_lanes, read, columns, row, workspace, remarks, base_of_normal } = self;
         let count = places.count();
+        let of_rows = contacts.contacts;
+        let contact_column = row.len();
+        let mut conversion = None;
+        if let Some(lanes) = in_lanes {
+            lanes.set_lane_contacts(of_rows.map(|_| LaneContacts { first_column: contact_column }));
+            conversion = lanes.conversion();
+        }
         for block in (0..count).step_by(BLOCK) {
             let (start, here) = (first + block, BLOCK.min(count - block));
             let [mut masses, mut errors] = [[f64::NAN; BLOCK]; 2];
@@ -403,7 +412,7 @@ impl Worker {
                     lanes.effective_masses(columns, first, MassColumns { masses, errors });
                 };
                 let mut done = 0;
-                if let BatchPositions::Columns { values, stride } = positions {
+                if let (BatchPositions::Columns { values, stride }, None) = (positions, of_rows) {
                     done = here - here % width;
                     ask(PositionColumns { values, stride }, start, 0, done);
                 }
@@ -412,11 +421,15 @@ impl Worker {
                     let padded = left.next_multiple_of(width);
                     // Unused lanes repeat the last configuration.
                     for lane in 0..padded {
-                        positions.copy_to_columns(
-                            start + done + lane.min(left - 1),
-                            read,
-                            &mut columns[lane..],
-                        );
+                        let configuration = start + done + lane.min(left - 1);
+                        positions.copy_to_columns(configuration, read, &mut columns[lane..]);
+                        if let (Some(contacts), Some(conversion)) = (of_rows, &conversion) {
+                            let [point, normal] = contacts.at(configuration);
+                            let normal = in_root_axes(normal, base_of_normal.as_ref());
+                            let [point, normal] = conversion.convert(&point, &normal);
+                            let numbers = point.iter().chain(&normal).enumerate();
+                            numbers.for_each(|(k, x)| columns[(contact_column + k) * BLOCK + lane] = *x);
+                        }
                     }
                     ask(PositionColumns { values: columns, stride: BLOCK }, 0, done, padded);
                 }
@@ -429,7 +442,8 @@ impl Worker {
             }
             for lane in (0..here).filter(|lane| !clear(*lane)) {
                 row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
-                places.store_one(block + lane, compute_one(workspace, contact, row, *remarks));
+                let contact = contacts.at(start + lane, base_of_normal.as_ref());
+                places.store_one(block + lane, compute_one(workspace, &contact, row, *remarks));
             }
         }
     }

@@ -128,6 +128,11 @@ impl Workspace {
         }
     }
 
+    /// Pose of the root link by which [`contact_in_root`](Self::contact_in_root) converts the normal of a contact, if it does.
+    pub(crate) fn base_of_normal(&self, contact: &Contact) -> Option<Transform<f64>> {
+        self.base.filter(|_| contact.has_world_normal())
+    }
+
     /// Removes and returns the SIMD kernel; afterwards the workspace uses the recursion.
     pub(crate) fn take_kernel(&mut self) -> Option<LaneKernel> {
         self.kernel_contact = None;

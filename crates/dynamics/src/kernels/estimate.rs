@@ -1,9 +1,9 @@
 //! Positions by columns and certified results, shared by the SIMD kernels.
 
 use crate::tolerances::{LANES_TRUSTED_ERROR, UNIT_QUATERNION};
-use nalgebra::Matrix3;
-use percuss_spatial::SpatialInertia;
+use nalgebra::{Matrix3, Vector3};
 use percuss_spatial::lanes::Lanes;
+use percuss_spatial::{SpatialInertia, Transform};
 
 /// Largest number of lanes.
 pub(crate) const WIDEST: usize = 8;
@@ -64,6 +64,57 @@ impl PositionColumns<'_> {
     pub fn at<T: Lanes>(&self, q: usize, first: usize) -> T {
         T::load(&self.values[q * self.stride + first..])
     }
+}
+
+/// Contact points and unit normals of the configurations, in the frames of a kernel: six further columns after those of the
+/// positions.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LaneContacts {
+    /// Index of the first of the six columns.
+    pub first_column: usize,
+}
+
+impl LaneContacts {
+    /// Number of columns.
+    pub const COUNT: usize = 6;
+
+    /// Contact points, m.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn points<T: Lanes>(&self, columns: PositionColumns<'_>, first: usize) -> [T; 3] {
+        let q = self.first_column;
+        [columns.at(q, first), columns.at(q + 1, first), columns.at(q + 2, first)]
+    }
+
+    /// Unit normals.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn normals<T: Lanes>(&self, columns: PositionColumns<'_>, first: usize) -> [T; 3] {
+        let q = self.first_column + 3;
+        [columns.at(q, first), columns.at(q + 1, first), columns.at(q + 2, first)]
+    }
+}
+
+/// Conversion of a contact point and its normal, as given, to the frames of a kernel.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ContactConversion {
+    /// From the frame of the contact link to that of its body in the kernel.
+    pub point: Transform<f64>,
+    /// From the axes of the normal as given to those of the kernel.
+    pub normal: Matrix3<f64>,
+}
+
+impl ContactConversion {
+    /// Point (m) and unit normal in the frames of the kernel, from the point in the frame of the link (m) and a normal of any
+    /// length.
+    #[inline]
+    pub fn convert(&self, point: &Vector3<f64>, normal: &Vector3<f64>) -> [Vector3<f64>; 2] {
+        [self.point.point(point), self.normal * normal.normalize()]
+    }
+}
+
+/// Frame `b` in frame `a`, both given in a third one. The difference of the origins is rounded before it is rotated: distant
+/// origins lose no more digits than their difference has lost.
+pub(crate) fn relative_frame(a: &Transform<f64>, b: &Transform<f64>) -> Transform<f64> {
+    Transform::new(a.rotation.transpose() * b.rotation, a.inverse_point(&b.translation))
 }
 
 /// Deviation of a quaternion from unit norm, beyond rounding.

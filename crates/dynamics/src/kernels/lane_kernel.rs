@@ -2,7 +2,9 @@
 //! few degrees of freedom use their velocities, for all contacts.
 
 use crate::analysis::assembly::Assembly;
-use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns};
+use crate::kernels::estimate::{
+    CertifiedMass, ContactConversion, LaneContacts, MassColumns, PositionColumns,
+};
 use crate::kernels::loop_kernel::LoopKernel;
 use crate::kernels::tree_kernel::TreeKernel;
 use crate::kinematics::contact::Contact;
@@ -32,6 +34,23 @@ impl LaneKernel {
                 linkage.set_contact(model, contact);
                 true
             }
+        }
+    }
+
+    /// Conversion of points and normals to the frames of the kernel, for the current contact. `None` if the kernel does not
+    /// support contacts that differ from row to row.
+    pub fn conversion(&self) -> Option<ContactConversion> {
+        match self {
+            Self::Tree(tree) => Some(tree.conversion()),
+            Self::Loop(linkage) => linkage.conversion(),
+        }
+    }
+
+    /// Reads the points and normals of the rows from columns (`None`: those of the current contact).
+    pub fn set_lane_contacts(&mut self, columns: Option<LaneContacts>) {
+        match self {
+            Self::Tree(tree) => tree.set_lane_contacts(columns),
+            Self::Loop(linkage) => linkage.set_lane_contacts(columns),
         }
     }
 

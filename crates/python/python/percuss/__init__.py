@@ -52,6 +52,8 @@ from ._percuss import (
     sweep,
     tools,
 )
+from ._percuss import diagnostic_of_parts as _diagnostic
+from ._percuss import joint_of_parts as _joint
 from ._percuss import model_of_bytes as _model_of_bytes
 from ._percuss import sweep_of_arrays as _sweep_of_arrays
 from ._remarks import RemarkFlags
@@ -167,6 +169,11 @@ def _contact(
     return Contact(
         link, point, normal, against=against, toward=toward, normal_frame=normal_frame, turning=turning
     )
+
+
+def _result_of(owner: _Any, method: str, arguments: tuple[_Any, ...], keywords: dict[str, _Any]) -> _Any:
+    """Rebuilds a pickled object: the result of a method of another object."""
+    return getattr(owner, method)(*arguments, **keywords)
 
 
 def _model(text: bytes, name: str, accept: list[str]) -> Model:

@@ -29,11 +29,13 @@ __all__ = [
     "compare_study",
     "damp",
     "damp_mass",
+    "diagnostic_of_parts",
     "effective_mass",
     "effective_masses",
     "explain",
     "impact",
     "impact_history",
+    "joint_of_parts",
     "kinematics",
     "laws",
     "load",
@@ -127,6 +129,7 @@ class Diagnostic:
     def element(self) -> str | None: ...
     @property
     def message(self) -> str: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Joint:
@@ -144,6 +147,7 @@ class Joint:
     def mimics(self) -> str | None: ...
     @property
     def positions(self) -> tuple[int, int]: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Contact:
@@ -242,6 +246,7 @@ class System:
         base_pose: ArrayLike | None = None,
         other_assembly: bool = False,
     ) -> Pose: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Assembly:
@@ -266,6 +271,7 @@ class Assembly:
         other_assembly: bool = False,
     ) -> Pose: ...
     def workspace(self, contact: Contact, *, base_pose: ArrayLike | None = None) -> Workspace: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Workspace:
@@ -274,6 +280,7 @@ class Workspace:
     def status(self) -> _Status | None: ...
     @property
     def findings(self) -> list[Diagnostic] | None: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Pose:
@@ -322,6 +329,7 @@ class Pose:
     def outside_limits(self) -> dict[str, tuple[float, tuple[float, float]]]: ...
     def rank(self) -> _PoseRank: ...
     def respond(self, contact: Contact, *, route: _Route = "auto") -> Response: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Travel:
@@ -338,6 +346,7 @@ class Travel:
     def pose(
         self, start: Pose, displacement: float, *, driver: str | None = None, q: _Positions | None = None
     ) -> Pose: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Accelerations:
@@ -382,6 +391,7 @@ class Response:
         self, link: str, point: ArrayLike, *, frame: _Frame | None = None
     ) -> _Array | None: ...
     def against_mass(self, mass: float) -> Response: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class MatrixResponse:
@@ -429,6 +439,19 @@ def sweep_of_arrays(
     link: str,
     no_answer: str | None,
 ) -> Sweep: ...
+def diagnostic_of_parts(
+    severity: str,
+    code: str,
+    place: tuple[str | None, int | None, int | None, str | None],
+    message: str,
+) -> Diagnostic: ...
+def joint_of_parts(
+    names: tuple[str, str, str],
+    kind: str,
+    limits: tuple[float, float] | None,
+    mimics: str | None,
+    positions: tuple[int, int],
+) -> Joint: ...
 def model_of_bytes(bytes: bytes, name: str, accept: Sequence[str]) -> Model: ...
 def effective_mass(
     M: Any,
@@ -459,6 +482,8 @@ def sweep(
     joints: Sequence[str] | None = None,
     base_pose: ArrayLike | None = None,
     other_assembly: bool = False,
+    points: ArrayLike | None = None,
+    normals: ArrayLike | None = None,
 ) -> Sweep: ...
 def load_suspension(
     path: str | os.PathLike[str],

@@ -164,6 +164,20 @@ impl Contact {
 }
 
 impl Contact {
+    /// Contact with the links by name.
+    pub fn of_resolved(mechanism: &Mechanism, contact: &Resolved) -> Self {
+        let name = |link| mechanism.link(link).name().to_owned();
+        let normal = match contact.normal {
+            Direction::Along(normal, frame) => NormalGiven::Along(normal.into(), frame),
+            Direction::Toward(link, point) => NormalGiven::Toward(name(link), point.into()),
+            Direction::TurningToward(link, point) | Direction::TurningAwayFrom(link, point) => {
+                NormalGiven::TurningToward(name(link), point.into())
+            }
+        };
+        let (link, against) = (name(contact.link), contact.against.map(name));
+        Self { link, against, point: contact.point.into(), normal }
+    }
+
     /// Resolves the link names in a mechanism.
     pub fn resolve(&self, mechanism: &Mechanism) -> PyResult<Resolved> {
         let find = |name: &str| mechanism.find_link(name).map_err(input);

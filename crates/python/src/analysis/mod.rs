@@ -11,3 +11,4 @@ pub(crate) mod pose_methods;
 pub(crate) mod response;
 pub(crate) mod suspension;
 pub(crate) mod system;
+pub(crate) mod system_methods;

@@ -2,10 +2,39 @@
 
 use crate::conversion::errors;
 use percuss::study::Model as Read;
-use percuss::{Accept, DEFAULT_MAX_SIZE, LoadOptions, Source};
+use percuss::{Accept, DEFAULT_MAX_SIZE, JointKind, LoadOptions, Source};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;
+
+/// Name, parent and child; kind; limits; followed joint; range of positions.
+type JointParts = ((String, String, String), String, Option<(f64, f64)>, Option<String>, (usize, usize));
+
+/// Rebuilds a pickled joint.
+#[pyfunction]
+pub fn joint_of_parts(
+    names: (String, String, String),
+    kind: &str,
+    limits: Option<(f64, f64)>,
+    mimics: Option<String>,
+    positions: (usize, usize),
+) -> PyResult<Joint> {
+    let kind = JOINT_KINDS.into_iter().map(JointKind::name).find(|name| *name == kind);
+    let kind = kind.ok_or_else(|| errors::input("an unknown kind of joint"))?;
+    let (name, parent, child) = names;
+    Ok(Joint { name, kind, parent, child, limits, mimics, positions })
+}
+
+/// The kinds of joints.
+const JOINT_KINDS: [JointKind; 7] = [
+    JointKind::Fixed,
+    JointKind::Revolute,
+    JointKind::Continuous,
+    JointKind::Prismatic,
+    JointKind::Planar,
+    JointKind::Spherical,
+    JointKind::Floating,
+];
 
 /// A joint of a model.
 #[pyclass(frozen, get_all, module = "percuss")]
@@ -29,6 +58,13 @@ pub struct Joint {
 
 #[pymethods]
 impl Joint {
+    /// Pickles a joint as its parts.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, JointParts)> {
+        let ends = (self.name.clone(), self.parent.clone(), self.child.clone());
+        let parts = (ends, self.kind.to_owned(), self.limits, self.mimics.clone(), self.positions);
+        Ok((py.import("percuss")?.getattr("_joint")?, parts))
+    }
+
     fn __repr__(&self) -> String {
         format!("<Joint \"{}\": {}, \"{}\" to \"{}\">", self.name, self.kind, self.parent, self.child)
     }

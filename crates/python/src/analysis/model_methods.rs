@@ -11,8 +11,8 @@ use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::collections::BTreeMap;
 
-/// Reconstructor and its arguments, for pickle.
-type Rebuilt<'py> = (Bound<'py, PyAny>, (Vec<u8>, String, Vec<String>));
+/// Function that rebuilds a model, and its arguments.
+type RebuiltModel<'py> = (Bound<'py, PyAny>, (Vec<u8>, String, Vec<String>));
 
 #[pymethods]
 impl Model {
@@ -156,12 +156,17 @@ impl Model {
     }
 
     /// Pickles a model as its source text; a model from hardpoints is pickled as URDF.
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Rebuilt<'py>> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<RebuiltModel<'py>> {
         let (bytes, accept) = match self.source.as_deref() {
             Some((source, accept)) => (source.bytes.clone(), accept.clone()),
             None => (self.to_urdf().into_bytes(), Vec::new()),
         };
-        let name = self.read.inputs.first().map_or_else(|| "<text>".to_owned(), |input| input.path.clone());
+        let mut name =
+            self.read.inputs.first().map_or_else(|| "<text>".to_owned(), |input| input.path.clone());
+        if self.source.is_none() {
+            // The ending of a sheet or of a table would be read as such.
+            name.push_str(".urdf");
+        }
         Ok((py.import("percuss")?.getattr("_model")?, (bytes, name, accept)))
     }
 

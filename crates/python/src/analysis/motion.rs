@@ -24,8 +24,13 @@ const RESIDUAL_TOLERANCE: f64 = 1e-6;
 #[derive(Clone, Debug)]
 pub struct Travel {
     model: Model,
+    /// Pose from which the travel is measured.
+    start: Pose,
     travel: Moved,
 }
+
+/// Pose, link, point (m) and direction of a travel.
+type TravelArguments = (Pose, String, [f64; 3], [f64; 3]);
 
 impl Travel {
     /// Refuses a pose of another model than that of the travel.
@@ -55,7 +60,7 @@ impl Travel {
         let on = pose.model.read.mechanism.find_link(link).map_err(input)?;
         let (point, direction) = (triple(point, "point")?, triple(direction, "direction")?);
         let travel = Moved::new(&pose.pose, on, point.into(), direction.into()).map_err(errors::travel)?;
-        Ok(Self { model: pose.model.clone(), travel })
+        Ok(Self { model: pose.model.clone(), start: pose.clone(), travel })
     }
 
     /// The link of the point.
@@ -74,6 +79,14 @@ impl Travel {
     #[getter]
     fn direction<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, self.travel.direction().copied().unwrap_or_default().as_slice())
+    }
+
+    /// Pickles a travel as the arguments of its constructor.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, TravelArguments)> {
+        let direction = self.travel.direction().copied().unwrap_or_default();
+        let (point, direction) = ((*self.travel.point()).into(), direction.into());
+        let class = py.get_type::<Self>().into_any();
+        Ok((class, (self.start.clone(), self.link().to_owned(), point, direction)))
     }
 
     /// Displacement of the point at a pose of the same model, m.
@@ -219,12 +232,14 @@ pub fn effective_mass_gradient(
 fn refuse_opening(pose: &Pose, velocities: &[Vec<f64>]) -> PyResult<()> {
     let mechanism = &pose.model.read.mechanism;
     let moves = |joint: &JointId| velocities[joint.index()].iter().any(|rate| *rate != 0.0);
-    if let Some(joint) = mechanism.joint_ids().find(|joint| moves(joint) && pose.system.is_locked(*joint)) {
+    if let Some(joint) =
+        mechanism.joint_ids().find(|joint| moves(joint) && pose.system.system.is_locked(*joint))
+    {
         let name = mechanism.joint(joint).name();
         return Err(input(format_args!("velocity of \"{name}\": it is locked; expected 0")));
     }
     let rows = pose.pose.constraint_matrix();
-    let order = pose.system.coordinate_joints();
+    let order = pose.system.system.coordinate_joints();
     let rate = |column: usize| match order[column] {
         (Some(joint), number) => velocities[joint.index()][number],
         (None, _) => 0.0,

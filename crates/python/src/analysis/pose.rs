@@ -1,11 +1,13 @@
 //! Poses: a mechanism at one configuration. The Python methods are in `pose_methods.rs`.
 
 use crate::analysis::model::Model;
+use crate::analysis::system::System;
 use crate::conversion::errors::input;
+use percuss::Pose as Posed;
 use percuss::nalgebra::Matrix3;
 use percuss::spatial::Transform;
-use percuss::{Pose as Posed, System};
 use pyo3::prelude::*;
+use std::sync::Arc;
 
 /// Mechanism at one configuration with closed loops. Immutable, so that threads can share it.
 #[pyclass(frozen, module = "percuss")]
@@ -13,6 +15,8 @@ use pyo3::prelude::*;
 pub struct Pose {
     pub model: Model,
     pub system: System,
+    /// Guess of its assembly: joint and position.
+    pub guess: Arc<Vec<(String, Vec<f64>)>>,
     pub pose: Posed,
 }
 

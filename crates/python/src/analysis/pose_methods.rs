@@ -8,12 +8,16 @@ use crate::analysis::motion::{
 };
 use crate::analysis::pose::Pose;
 use crate::analysis::response::{Response, route_choice};
+use crate::analysis::system::{by_name, seven_numbers};
 use crate::conversion::arrays::{matrix, triple};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::{self, input};
+use crate::conversion::pickle::{Rebuilt, result_of};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::LocatedContact;
 use percuss::nalgebra::{DMatrix, Matrix3, Vector3};
+use percuss::spatial::Transform;
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::collections::BTreeMap;
@@ -75,7 +79,7 @@ impl Pose {
     /// another assembly mode, an unclear rank.
     #[getter]
     fn findings(&self, py: Python<'_>) -> Vec<Diagnostic> {
-        let found = py.detach(|| percuss::study::pose_findings(&self.system, &self.pose));
+        let found = py.detach(|| percuss::study::pose_findings(&self.system.system, &self.pose));
         found.into_iter().map(Diagnostic).collect()
     }
 
@@ -231,7 +235,7 @@ impl Pose {
     /// opened), with the loops closed again: exact to second order. None if the loops do not close there, or if nothing
     /// moves.
     fn advanced_along(&self, py: Python<'_>, response: &Response, distance: f64) -> PyResult<Option<Self>> {
-        if !Arc::ptr_eq(&response.model.read.mechanism, &self.model.read.mechanism) {
+        if !Arc::ptr_eq(&response.pose.model.read.mechanism, &self.model.read.mechanism) {
             return Err(input("the response is of another model; expected one of this pose"));
         }
         if !distance.is_finite() {
@@ -264,13 +268,22 @@ impl Pose {
     fn respond(&self, py: Python<'_>, contact: &Contact, route: &str) -> PyResult<Response> {
         let (contact, route) = (contact.resolve(&self.model.read.mechanism)?, route_choice(route)?);
         let response = py.detach(|| self.pose.respond_by_route(&contact, route)).map_err(errors::response)?;
-        Ok(Response {
-            model: self.model.clone(),
-            system: self.system.clone(),
-            pose: self.pose.clone(),
-            contact,
-            response,
-        })
+        let own = self.clone();
+        Ok(Response { pose: own, contact, route, masses: Vec::new(), response })
+    }
+
+    /// Pickles a pose as its system or assembly, and all positions. The loops are closed again: to rounding.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Rebuilt<'py>> {
+        let base = self.pose.base();
+        let base = (*base != Transform::identity()).then(|| seven_numbers(base));
+        let keywords =
+            [("base_pose", base.into_bound_py_any(py)?), ("other_assembly", true.into_bound_py_any(py)?)];
+        let system = self.system.clone().into_bound_py_any(py)?;
+        let owner = match self.guess.is_empty() {
+            true => system,
+            false => system.call_method1("assemble", (by_name(py, &self.guess)?,))?,
+        };
+        result_of(owner, "pose", (self.positions(py),), &keywords)
     }
 
     fn __repr__(&self) -> String {

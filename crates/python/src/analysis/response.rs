@@ -1,16 +1,16 @@
 //! Response to a contact at a pose.
 
-use crate::analysis::model::Model;
+use crate::analysis::contact::Contact as PickledContact;
 use crate::analysis::pose::Pose;
 use crate::conversion::arrays::triple;
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::input;
+use crate::conversion::pickle::{Rebuilt, result_of};
 use numpy::PyArray1;
 use percuss::nalgebra::Vector3;
 use percuss::study::response_findings;
-use percuss::{
-    Contact, ContactResponse, EffectiveMass, PointVelocity, Pose as Posed, Remark, Route, RouteChoice, System,
-};
+use percuss::{Contact, ContactResponse, EffectiveMass, PointVelocity, Remark, Route, RouteChoice};
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
@@ -18,10 +18,11 @@ use pyo3::types::{PyAny, PyDict};
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Response {
-    pub model: Model,
-    pub system: System,
-    pub pose: Posed,
+    pub pose: Pose,
     pub contact: Contact,
+    pub route: RouteChoice,
+    /// Masses given to `against_mass`, kg.
+    pub masses: Vec<f64>,
     pub response: ContactResponse,
 }
 
@@ -46,6 +47,15 @@ pub fn route_choice(name: &str) -> PyResult<RouteChoice> {
         "dense" => Ok(RouteChoice::Only(Route::Dense)),
         "articulated" => Ok(RouteChoice::Only(Route::Articulated)),
         _ => Err(input(format_args!("route is \"{name}\"; expected \"auto\", \"dense\" or \"articulated\""))),
+    }
+}
+
+/// Name of a choice of routes.
+fn route_name(choice: RouteChoice) -> &'static str {
+    match choice {
+        RouteChoice::Auto => "auto",
+        RouteChoice::Only(Route::Dense) => "dense",
+        RouteChoice::Only(Route::Articulated) => "articulated",
     }
 }
 
@@ -127,7 +137,9 @@ impl Response {
     /// followed.
     #[getter]
     fn findings(&self, py: Python<'_>) -> Vec<Diagnostic> {
-        let found = py.detach(|| response_findings(&self.system, &self.pose, &self.contact, &self.response));
+        let found = py.detach(|| {
+            response_findings(&self.pose.system.system, &self.pose.pose, &self.contact, &self.response)
+        });
         found.into_iter().map(Diagnostic).collect()
     }
 
@@ -135,7 +147,7 @@ impl Response {
     #[getter]
     fn joint_velocities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let by_name = PyDict::new(py);
-        let joints = self.model.read.mechanism.joints();
+        let joints = self.pose.model.read.mechanism.joints();
         for (joint, velocities) in joints.iter().zip(&self.response.joint_velocities) {
             by_name.set_item(joint.name(), PyArray1::from_slice(py, velocities))?;
         }
@@ -155,7 +167,7 @@ impl Response {
     fn contributions<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
         let Some(shares) = &self.response.contributions else { return Ok(None) };
         let by_name = PyDict::new(py);
-        for (link, share) in self.model.read.mechanism.links().iter().zip(&shares.links) {
+        for (link, share) in self.pose.model.read.mechanism.links().iter().zip(&shares.links) {
             by_name.set_item(link.name(), share)?;
         }
         Ok(Some(by_name))
@@ -167,7 +179,7 @@ impl Response {
         let Some(shares) = &self.response.contributions else { return Ok(None) };
         let by_name = PyDict::new(py);
         for &(joint, share) in &shares.rotors {
-            by_name.set_item(self.model.read.mechanism.joint(joint).name(), share)?;
+            by_name.set_item(self.pose.model.read.mechanism.joint(joint).name(), share)?;
         }
         Ok(Some(by_name))
     }
@@ -187,7 +199,7 @@ impl Response {
     /// Limits of m̄ along the branches that cross at a singular pose, kg; None for a branch along which the gap does
     /// not close.
     fn branch_limits(&self, py: Python<'_>) -> Vec<Option<f64>> {
-        let limits = py.detach(|| self.pose.branch_limits(&self.contact).limits);
+        let limits = py.detach(|| self.pose.pose.branch_limits(&self.contact).limits);
         let limit = |mass: EffectiveMass| match mass {
             EffectiveMass::Finite(m) => Some(m),
             EffectiveMass::Immovable => None,
@@ -207,11 +219,10 @@ impl Response {
         point: &Bound<'py, PyAny>,
         frame: Option<&str>,
     ) -> PyResult<Option<Bound<'py, PyArray1<f64>>>> {
-        let link = self.model.read.mechanism.find_link(link).map_err(input)?;
+        let link = self.pose.model.read.mechanism.find_link(link).map_err(input)?;
         let point = Vector3::from(triple(point, "point")?);
-        let pose = Pose { model: self.model.clone(), system: self.system.clone(), pose: self.pose.clone() };
-        let axes = pose.axes(frame)?;
-        Ok(match self.pose.point_velocity(&self.response, link, &point) {
+        let axes = self.pose.axes(frame)?;
+        Ok(match self.pose.pose.point_velocity(&self.response, link, &point) {
             Some(PointVelocity::Known(velocity)) => {
                 Some(PyArray1::from_slice(py, (axes * velocity).as_slice()))
             }
@@ -222,7 +233,25 @@ impl Response {
     /// The response with a free body of this mass (kg) as the other side.
     fn against_mass(&self, mass: f64) -> PyResult<Self> {
         let response = self.response.clone().against_mass(mass).map_err(input)?;
-        Ok(Self { response, ..self.clone() })
+        let masses = self.masses.iter().copied().chain([mass]).collect();
+        Ok(Self { response, masses, ..self.clone() })
+    }
+
+    /// Pickles a response as its pose and contact.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Rebuilt<'py>> {
+        let pose = self.pose.clone().into_bound_py_any(py)?;
+        let contact = PickledContact::of_resolved(&self.pose.model.read.mechanism, &self.contact);
+        let route = route_name(self.route).into_bound_py_any(py)?;
+        let Some((last, before)) = self.masses.split_last() else {
+            return result_of(pose, "respond", (contact,), &[("route", route)]);
+        };
+        let keywords = PyDict::new(py);
+        keywords.set_item("route", route)?;
+        let mut owner = pose.call_method("respond", (contact,), Some(&keywords))?;
+        for mass in before {
+            owner = owner.call_method1("against_mass", (*mass,))?;
+        }
+        result_of(owner, "against_mass", (*last,), &[])
     }
 
     fn __repr__(&self) -> String {

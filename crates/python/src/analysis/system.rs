@@ -1,22 +1,12 @@
-//! Systems (a mechanism under conditions), assemblies (systems with closed loops), and workspaces for one configuration
-//! after another.
+//! Systems (a mechanism under conditions) and assemblies (systems with closed loops), and what a caller gives for them. Their
+//! Python methods are in `system_methods.rs`.
 
-use crate::analysis::contact::Contact;
 use crate::analysis::model::Model;
-use crate::analysis::pose::Pose;
-use crate::analysis::response::status;
 use crate::conversion::arrays::{Numbers, list, triple};
-use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::{self, input};
-use crate::conversion::labels::Labels;
-use numpy::PyArray1;
-use percuss::nalgebra::Vector3;
+use percuss::nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use percuss::spatial::{Transform, rotation_from_quaternion};
-use percuss::study::response_findings;
-use percuss::{
-    Assembly as Assembled, Base, Batch, Conditions, Configuration, Contact as Resolved, DepartingAxis,
-    Direction, DrawnGap, EffectiveMass, Frame, Mechanism, RigidLoops, System as Compiled,
-};
+use percuss::{Assembly as Assembled, Base, Conditions, Configuration, Mechanism, System as Compiled};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::sync::Arc;
@@ -27,6 +17,16 @@ use std::sync::Arc;
 pub struct System {
     pub model: Model,
     pub system: Compiled,
+    pub conditions: Arc<GivenConditions>,
+}
+
+/// Conditions as given, for pickle.
+#[derive(Debug)]
+pub struct GivenConditions {
+    pub base: Base,
+    pub lock: Vec<String>,
+    pub armature: Vec<(String, Vec<f64>)>,
+    pub hold: Vec<LinkPointVector>,
 }
 
 /// System with assembled loops. Immutable, so that threads can share it.
@@ -34,8 +34,10 @@ pub struct System {
 #[derive(Clone, Debug)]
 pub struct Assembly {
     pub model: Model,
-    pub system: Compiled,
+    pub system: System,
     pub assembly: Arc<Assembled>,
+    /// Positions from which the loops were assembled.
+    pub guess: Arc<Vec<(String, Vec<f64>)>>,
 }
 
 /// Parses a base name.
@@ -45,6 +47,21 @@ pub fn base(name: &str) -> PyResult<Base> {
         "floating" => Ok(Base::Floating),
         _ => Err(input(format_args!("base is \"{name}\"; expected \"fixed\" or \"floating\""))),
     }
+}
+
+/// Name of a base.
+pub fn base_name(base: Base) -> &'static str {
+    match base {
+        Base::Fixed => "fixed",
+        Base::Floating => "floating",
+    }
+}
+
+/// Dict of numbers by name.
+pub fn by_name<'py>(py: Python<'py>, given: &[(String, Vec<f64>)]) -> PyResult<Bound<'py, PyDict>> {
+    let found = PyDict::new(py);
+    given.iter().try_for_each(|(name, values)| found.set_item(name, values))?;
+    Ok(found)
 }
 
 /// Link, point and vector, if given.
@@ -116,9 +133,6 @@ pub fn configuration(
 /// Pose of the root link in the world: 7 numbers, x, y, z (m), w, x, y, z (a unit quaternion).
 pub fn root_frame(given: &Bound<'_, PyAny>) -> PyResult<Transform<f64>> {
     let values = list(given, "base_pose")?;
-    let [x, y, z, quaternion @ ..] = &values[..] else {
-        return Err(input(format_args!("base_pose has {} numbers; expected 7", values.len())));
-    };
     if let Ok(axes) = given.getattr("shape").and_then(|shape| shape.extract::<Vec<usize>>())
         && axes != [7]
     {
@@ -127,6 +141,14 @@ pub fn root_frame(given: &Bound<'_, PyAny>) -> PyResult<Transform<f64>> {
             crate::conversion::arrays::shape(&axes)
         )));
     }
+    root_frame_of(&values)
+}
+
+/// Pose of the root link in the world from 7 numbers.
+pub fn root_frame_of(values: &[f64]) -> PyResult<Transform<f64>> {
+    let [x, y, z, quaternion @ ..] = values else {
+        return Err(input(format_args!("base_pose has {} numbers; expected 7", values.len())));
+    };
     let quaternion = <[f64; 4]>::try_from(quaternion)
         .map_err(|_| input(format_args!("base_pose has {} numbers; expected 7", values.len())))?;
     if let Some(value) = values.iter().find(|value| value.is_nan() || value.abs() > 1e100) {
@@ -141,6 +163,13 @@ pub fn root_frame(given: &Bound<'_, PyAny>) -> PyResult<Transform<f64>> {
     Ok(Transform::new(rotation_from_quaternion(quaternion.map(|x| x / norm)), Vector3::new(*x, *y, *z)))
 }
 
+/// Numbers of a base pose: x, y, z (m), w, x, y, z.
+pub fn seven_numbers(base: &Transform<f64>) -> [f64; 7] {
+    let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(base.rotation));
+    let [x, y, z] = base.translation.into();
+    [x, y, z, turn.w, turn.i, turn.j, turn.k]
+}
+
 impl System {
     pub fn new(
         model: &Model,
@@ -149,19 +178,22 @@ impl System {
         armature: Option<&Bound<'_, PyDict>>,
         hold: Vec<Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let mut conditions = Conditions::new().base(base(root)?);
-        for joint in lock {
+        let hold = hold.iter().map(|hold| link_point_vector(hold, "hold", "normal"));
+        let hold = hold.collect::<PyResult<_>>()?;
+        let given =
+            GivenConditions { base: base(root)?, lock, armature: numbers(armature, "armature")?, hold };
+        let mut conditions = Conditions::new().base(given.base);
+        for joint in &given.lock {
             conditions = conditions.lock(joint);
         }
-        for (joint, values) in numbers(armature, "armature")? {
-            conditions = conditions.armature(joint, values);
+        for (joint, values) in &given.armature {
+            conditions = conditions.armature(joint, values.clone());
         }
-        for hold in &hold {
-            let (link, point, normal) = link_point_vector(hold, "hold", "normal")?;
-            conditions = conditions.hold(link, point, normal.map(Vector3::from));
+        for (link, point, normal) in &given.hold {
+            conditions = conditions.hold(link, *point, normal.map(Vector3::from));
         }
         let system = Compiled::new(Arc::clone(&model.read.mechanism), &conditions).map_err(input)?;
-        Ok(Self { model: model.clone(), system })
+        Ok(Self { model: model.clone(), system, conditions: Arc::new(given) })
     }
 
     /// System with every joint free and a fixed base.
@@ -172,291 +204,5 @@ impl System {
     /// Assembly of the loops from all joints at 0.
     pub fn assemble_at_zero(&self, py: Python<'_>) -> PyResult<Arc<Assembled>> {
         py.detach(|| self.system.reference().map(Arc::clone)).map_err(errors::assembly)
-    }
-}
-
-#[pymethods]
-impl System {
-    /// The model.
-    #[getter]
-    fn model(&self) -> Model {
-        self.model.clone()
-    }
-
-    /// n: independent velocities of the tree, without locked joints and mimics; a floating base counts 6.
-    #[getter]
-    fn coordinates(&self) -> usize {
-        self.system.coordinates()
-    }
-
-    /// Joint (None for the base) and velocity number of each coordinate, in the order of M, A, j.
-    #[getter]
-    fn coordinate_joints(&self) -> Vec<(Option<String>, usize)> {
-        let name = |joint| self.model.read.mechanism.joint(joint).name().to_owned();
-        self.system.coordinate_joints().into_iter().map(|(joint, number)| (joint.map(name), number)).collect()
-    }
-
-    /// Assembles the loops, from all joints at 0 or from guesses (joint to position). Raises AssemblyError.
-    #[pyo3(signature = (guess=None))]
-    pub fn assemble(&self, py: Python<'_>, guess: Option<&Bound<'_, PyDict>>) -> PyResult<Assembly> {
-        let assembly = match guess {
-            None => self.assemble_at_zero(py)?,
-            Some(_) => {
-                let given = configuration(&self.model.read.mechanism, None, guess)?;
-                py.detach(|| self.system.assemble(&given)).map_err(errors::assembly)?
-            }
-        };
-        Ok(Assembly { model: self.model.clone(), system: self.system.clone(), assembly })
-    }
-
-    /// The pose at a configuration, with closed loops.
-    ///
-    /// q: dict of driving joints to their positions (rad, m; quaternions w, x, y, z), others at 0; or the positions of
-    /// all joints, (p,): driving joints keep the given positions, dependent joints take the nearest solution; a pandas
-    /// Series is matched by name (Model.position_names). guess: initial positions in the search for dependent joints.
-    /// base_pose: pose of the root link in the world, x, y, z (m), w, x, y, z; contacts with normal_frame="world" and
-    /// travels refer to that world. other_assembly: accepts a pose on another assembly mode, beyond the reach of the
-    /// branch of the first closed pose. Raises AssemblyError.
-    #[pyo3(signature = (q=None, *, guess=None, base_pose=None, other_assembly=false))]
-    pub fn pose(
-        &self,
-        py: Python<'_>,
-        q: Option<&Bound<'_, PyAny>>,
-        guess: Option<&Bound<'_, PyDict>>,
-        base_pose: Option<&Bound<'_, PyAny>>,
-        other_assembly: bool,
-    ) -> PyResult<Pose> {
-        let mut given = configuration(&self.model.read.mechanism, q, guess)?;
-        if let Some(frame) = base_pose {
-            given.set_base(root_frame(frame)?);
-        }
-        if other_assembly {
-            given.allow_other_assembly();
-        }
-        let pose = py.detach(|| self.system.pose(&given)).map_err(errors::assembly)?;
-        Ok(Pose { model: self.model.clone(), system: self.system.clone(), pose })
-    }
-
-    fn __repr__(&self) -> String {
-        let root = match self.system.base() {
-            Base::Fixed => "fixed",
-            Base::Floating => "floating",
-        };
-        format!(
-            "<System of \"{}\": {} coordinates, {root} base>",
-            self.model.read.mechanism.name(),
-            self.system.coordinates()
-        )
-    }
-}
-
-#[pymethods]
-impl Assembly {
-    /// The model.
-    #[getter]
-    fn model(&self) -> Model {
-        self.model.clone()
-    }
-
-    /// Degrees of freedom at a generic pose; a floating base counts 6.
-    #[getter]
-    fn degrees_of_freedom(&self) -> usize {
-        self.assembly.degrees_of_freedom()
-    }
-
-    /// Rows of A that are redundant at a generic pose.
-    #[getter]
-    fn redundant_constraints(&self) -> usize {
-        self.assembly.redundant_constraints()
-    }
-
-    /// Groups of loops and couplings with redundant rows; a group cannot be separated further.
-    #[getter]
-    fn redundant_loops(&self) -> Vec<Vec<String>> {
-        self.assembly.redundant_loops().to_vec()
-    }
-
-    /// Joints that drive the loops.
-    #[getter]
-    fn drivers(&self) -> Vec<String> {
-        let name = |joint| self.model.read.mechanism.joint(joint).name().to_owned();
-        self.assembly.drivers().into_iter().map(name).collect()
-    }
-
-    /// Loops and couplings that leave their joints no motion at a generic pose, without regard to locks and holds, as
-    /// dicts: "loops" and "joints" (names), and "departing": for each loop whose other axes fit a planar motion, the
-    /// axis that does not fit, with "closure", "joint" (None: the loop's own axis), "slides" (true for the axis of a
-    /// slide, which should be normal to the direction), "angle" (rad) and "direction", shared by the other hinges
-    /// ((3,), root link's axes).
-    fn rigid_loops<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let name = |joint| self.model.read.mechanism.joint(joint).name();
-        let departing = |axis: &DepartingAxis| {
-            let found = PyDict::new(py);
-            found.set_item("closure", &axis.closure)?;
-            found.set_item("joint", axis.joint.map(name))?;
-            found.set_item("slides", axis.slides)?;
-            found.set_item("angle", axis.angle)?;
-            found.set_item("direction", PyArray1::from_slice(py, axis.direction.as_slice()))?;
-            PyResult::Ok(found)
-        };
-        let one = |rigid: RigidLoops| {
-            let found = PyDict::new(py);
-            found.set_item("loops", &rigid.loops)?;
-            found.set_item("joints", rigid.joints.iter().map(|joint| name(*joint)).collect::<Vec<_>>())?;
-            let departing = rigid.departing.iter().map(departing).collect::<PyResult<Vec<_>>>()?;
-            found.set_item("departing", departing)?;
-            Ok(found)
-        };
-        self.assembly.rigid_loops().into_iter().map(one).collect()
-    }
-
-    /// Loops and couplings that are open as drawn (all joints at 0, or at the guess), as dicts: "constraint", "gap"
-    /// (m), "size" of its group (m), "moved" (the joint with the largest motion in closing, and this motion, rad or m;
-    /// or None), "is_wide": the gap exceeds a hundredth of the size, so it is not rounding.
-    fn drawn_gaps<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let one = |gap: DrawnGap| {
-            let found = PyDict::new(py);
-            found.set_item("constraint", gap.constraint)?;
-            found.set_item("gap", gap.gap)?;
-            found.set_item("size", gap.size)?;
-            let name = |(joint, by)| (self.model.read.mechanism.joint(joint).name(), by);
-            found.set_item("moved", gap.moved.map(name))?;
-            found.set_item("is_wide", gap.is_wide)?;
-            Ok(found)
-        };
-        self.assembly.drawn_gaps().into_iter().map(one).collect()
-    }
-
-    /// The pose at a configuration of this assembly; parameters as for System.pose.
-    #[pyo3(signature = (q=None, *, guess=None, base_pose=None, other_assembly=false))]
-    fn pose(
-        &self,
-        py: Python<'_>,
-        q: Option<&Bound<'_, PyAny>>,
-        guess: Option<&Bound<'_, PyDict>>,
-        base_pose: Option<&Bound<'_, PyAny>>,
-        other_assembly: bool,
-    ) -> PyResult<Pose> {
-        let mut given = configuration(&self.model.read.mechanism, q, guess)?;
-        if let Some(frame) = base_pose {
-            given.set_base(root_frame(frame)?);
-        }
-        if other_assembly {
-            given.allow_other_assembly();
-        }
-        let pose = py.detach(|| self.assembly.pose(&given)).map_err(errors::assembly)?;
-        Ok(Pose { model: self.model.clone(), system: self.system.clone(), pose })
-    }
-
-    /// Workspace of a contact, for one configuration after another. base_pose: pose of the root link in the world, for
-    /// normals in the world; as for pose.
-    #[pyo3(signature = (contact, *, base_pose=None))]
-    fn workspace(&self, contact: &Contact, base_pose: Option<&Bound<'_, PyAny>>) -> PyResult<Workspace> {
-        let base = base_pose.map(root_frame).transpose()?;
-        let contact = contact.resolve(&self.model.read.mechanism)?;
-        let batch = self.assembly.batch(&in_root_axes(contact, base.as_ref())).map_err(errors::response)?;
-        Ok(Workspace { of: self.clone(), contact, base, batch, last: None, positions: Vec::new() })
-    }
-
-    fn __repr__(&self) -> String {
-        format!(
-            "<Assembly of \"{}\": {} degrees of freedom, {} redundant constraints>",
-            self.model.read.mechanism.name(),
-            self.assembly.degrees_of_freedom(),
-            self.assembly.redundant_constraints()
-        )
-    }
-}
-
-/// Contact with a world normal converted to the root link's axes: batches place the root link at the world's origin.
-pub fn in_root_axes(contact: Resolved, base: Option<&Transform<f64>>) -> Resolved {
-    let normal = match (contact.normal, base, contact.against) {
-        (Direction::Along(normal, Frame::World), Some(base), _)
-        | (Direction::Along(normal, Frame::Against), Some(base), None) => {
-            Direction::Along(base.inverse_vector(&normal), Frame::World)
-        }
-        (normal, ..) => normal,
-    };
-    Resolved { normal, ..contact }
-}
-
-/// Workspace of a contact, for one configuration after another. Concurrent use by two threads raises an error.
-#[pyclass(module = "percuss")]
-#[derive(Debug)]
-pub struct Workspace {
-    of: Assembly,
-    contact: Resolved,
-    base: Option<Transform<f64>>,
-    batch: Batch,
-    last: Option<EffectiveMass>,
-    /// Positions of the last configuration.
-    positions: Vec<f64>,
-}
-
-#[pymethods]
-impl Workspace {
-    /// m̄ in kg at the positions of all joints, (p,), with closed loops; None unless finite, with the outcome in
-    /// status. A pandas Series is matched by name. findings holds the findings about the last result; Pose.respond
-    /// returns more quantities.
-    fn effective_mass(&mut self, q: &Bound<'_, PyAny>) -> PyResult<Option<f64>> {
-        let mut q = Numbers::of(q, "q", &[1], "one dimension: the positions of all joints")?;
-        if q.labels != Labels::default() {
-            let names = position_names(&self.of.model.read.mechanism);
-            q = q.in_order_of("q", &names, ": the positions of all joints")?;
-        }
-        self.last = None;
-        let answer = match q.array.as_slice() {
-            Ok(positions) => self.solve_at(positions),
-            Err(_) => self.solve_at(&q.array.as_array().iter().copied().collect::<Vec<f64>>()),
-        }?;
-        self.last = Some(answer);
-        Ok(if let EffectiveMass::Finite(m) = answer { Some(m) } else { None })
-    }
-
-    /// Outcome of the last configuration: "finite", "immovable" or "massless"; None before the first configuration, and
-    /// after an error.
-    #[getter]
-    fn status(&self) -> Option<&'static str> {
-        self.last.map(status)
-    }
-
-    /// Findings about the last configuration and its result, as in reports of the command line. Reading this property
-    /// computes them, by Pose.respond at that configuration. None before the first configuration, and after an error.
-    #[getter]
-    fn findings(&self, py: Python<'_>) -> PyResult<Option<Vec<Diagnostic>>> {
-        if self.last.is_none() {
-            return Ok(None);
-        }
-        let Assembly { model, system, assembly } = &self.of;
-        let mut configuration =
-            Configuration::from_positions(&model.read.mechanism, &self.positions).map_err(input)?;
-        if let Some(base) = self.base {
-            configuration.set_base(base);
-        }
-        py.detach(|| {
-            let pose = assembly.pose(&configuration).map_err(errors::assembly)?;
-            let response = pose.respond(&self.contact).map_err(errors::response)?;
-            let found = response_findings(system, &pose, &self.contact, &response);
-            Ok(Some(found.into_iter().map(Diagnostic).collect()))
-        })
-    }
-
-    fn __repr__(&self) -> &'static str {
-        "<Workspace>"
-    }
-}
-
-impl Workspace {
-    /// m̄ at the positions of all joints; keeps the positions for `findings`.
-    fn solve_at(&mut self, positions: &[f64]) -> PyResult<EffectiveMass> {
-        if let Some(at) = positions.iter().position(|x| !x.is_finite()) {
-            return Err(input(format_args!("q[{at}] is {}; expected finite numbers", positions[at])));
-        }
-        let answer = self.batch.effective_mass(positions).map_err(input)?;
-        self.positions.clear();
-        self.positions.extend_from_slice(positions);
-        answer
-            .mass
-            .ok_or_else(|| errors::no_answer("there is no answer at these positions; Pose.respond says why"))
     }
 }

@@ -1,7 +1,41 @@
 //! Findings of the reader and of the solver as Python objects.
 
+use crate::conversion::errors::input;
+use percuss::Severity;
 use percuss::study::DiagnosticRecord;
 use pyo3::prelude::*;
+use std::collections::BTreeSet;
+use std::sync::{Mutex, PoisonError};
+
+/// Severity, code, place (path, line, column, element) and text of a finding.
+type Parts = (String, String, (Option<String>, Option<u32>, Option<u32>, Option<String>), String);
+
+/// Rebuilds a pickled finding.
+#[pyfunction]
+pub fn diagnostic_of_parts(
+    severity: &str,
+    code: &str,
+    place: (Option<String>, Option<u32>, Option<u32>, Option<String>),
+    message: String,
+) -> PyResult<Diagnostic> {
+    let severities = [Severity::Error, Severity::Warning, Severity::Note];
+    let found = severities.into_iter().find(|known| known.name() == severity);
+    let severity = found.ok_or_else(|| input(format_args!("severity is \"{severity}\"")))?;
+    let (path, line, column, element) = place;
+    Ok(Diagnostic(DiagnosticRecord { severity, code: shared(code), path, line, column, element, message }))
+}
+
+/// The text with the lifetime of the program; each text is kept once.
+fn shared(text: &str) -> &'static str {
+    static KEPT: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
+    let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(found) = kept.get(text) {
+        return found;
+    }
+    let found: &'static str = Box::leak(text.into());
+    kept.insert(found);
+    found
+}
 
 /// Finding about a file or about a result.
 #[pyclass(frozen, module = "percuss")]
@@ -50,6 +84,14 @@ impl Diagnostic {
     #[getter]
     fn message(&self) -> &str {
         &self.0.message
+    }
+
+    /// Pickles a finding as its parts.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts)> {
+        let record = self.0.clone();
+        let place = (record.path, record.line, record.column, record.element);
+        let parts = (record.severity.name().to_owned(), record.code.to_owned(), place, record.message);
+        Ok((py.import("percuss")?.getattr("_diagnostic")?, parts))
     }
 
     fn __str__(&self) -> String {

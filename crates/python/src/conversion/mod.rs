@@ -4,4 +4,5 @@ pub(crate) mod arrays;
 pub(crate) mod diagnostic;
 pub(crate) mod errors;
 pub(crate) mod labels;
+pub(crate) mod pickle;
 pub(crate) mod threads;

@@ -2,16 +2,19 @@
 
 pub(crate) mod columns;
 pub(crate) mod portions;
+pub(crate) mod row_contacts;
 
 use crate::analysis::contact::Contact;
 use crate::analysis::matrices::mass_and_code;
 use crate::analysis::model::Model;
-use crate::analysis::system::{Assembly, System, in_root_axes, position_names, root_frame};
+use crate::analysis::system::{Assembly, System, position_names};
+use crate::analysis::system_methods::in_root_axes;
 use crate::conversion::arrays::{float64_matrix as matrix, shape};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::{self, input};
 use crate::sweep::columns::{Columns, MASSLESS_TO_ROUNDING, zeros};
 use crate::sweep::portions::{run_fixed_portions, run_timed_portions};
+use crate::sweep::row_contacts::{BasePose, RowContacts};
 use numpy::ndarray::{ArrayView2, s};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use percuss::study::row_findings;
@@ -92,11 +95,14 @@ fn model_and_assembly(model_or_assembly: &Bound<'_, PyAny>) -> PyResult<(Model, 
 ///
 /// A DataFrame is matched by its column names, which are those of joints or of Model.position_names, in any order.
 ///
-/// base_pose: pose of the root link in the world, x, y, z (m), w, x, y, z, for normals in the world; default: the
-/// world's origin. other_assembly: also solves rows on another assembly mode, beyond the reach of the branch of the
+/// points, normals: (N, 3), a contact point (m, in the contact link's frame) and a normal (in the frame of the contact's
+/// normal, of any length) for each row, instead of those of the contact. A DataFrame has the columns x, y, z.
+///
+/// base_pose: pose of the root link in the world, x, y, z (m), w, x, y, z, for normals in the world: (7,), or (N, 7), one
+/// for each row; default: the world's origin. other_assembly: also solves rows on another assembly mode, beyond the reach of the branch of the
 /// first closed pose; otherwise these rows have no answer. Ctrl-C stops the sweep.
 #[pyfunction]
-#[pyo3(signature = (model, contact, q, *, joints=None, base_pose=None, other_assembly=false))]
+#[pyo3(signature = (model, contact, q, *, joints=None, base_pose=None, other_assembly=false, points=None, normals=None))]
 #[allow(clippy::too_many_arguments, reason = "the question of a sweep")]
 pub fn sweep(
     py: Python<'_>,
@@ -106,10 +112,10 @@ pub fn sweep(
     joints: Option<&Bound<'_, PyAny>>,
     base_pose: Option<&Bound<'_, PyAny>>,
     other_assembly: bool,
+    points: Option<&Bound<'_, PyAny>>,
+    normals: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Sweep> {
     let (model, assembly) = model_and_assembly(model)?;
-    let base = base_pose.map(root_frame).transpose()?;
-    let resolved = in_root_axes(contact.resolve(&model.read.mechanism)?, base.as_ref());
     let joints = joints.map(column_names).transpose()?;
     let (names, hint) = match &joints {
         Some(names) => (names.clone(), ": those of joints"),
@@ -119,8 +125,12 @@ pub fn sweep(
         }
     };
     let q = matrix(q, "q", "(N, p): a row for each configuration", &names, hint)?;
-    let batch = assembly.batch(&resolved).map_err(errors::response)?;
     let count = q.shape()[0];
+    let base = BasePose::of(base_pose, count)?;
+    let given = contact.resolve(&model.read.mechanism)?;
+    let contacts = RowContacts::of(&given, points, normals, &base, count)?;
+    let resolved = in_root_axes(given, base.one());
+    let batch = assembly.batch(&resolved).map_err(errors::response)?;
     let (effective_mass, mut masses) = zeros(py, count);
     let (error, mut errors) = zeros(py, count);
     let (status, mut codes) = zeros(py, count);
@@ -131,7 +141,7 @@ pub fn sweep(
         errors: errors.as_slice_mut()?,
         codes: codes.as_slice_mut()?,
         remarks: flags.as_slice_mut()?,
-        has_base_pose: base.is_some(),
+        has_base_pose: base.is_given(),
     };
     match joints {
         None => {
@@ -144,12 +154,18 @@ pub fn sweep(
                     if count == expected { "; of its transpose, q.T, there are as many" } else { "" }
                 )));
             }
-            solve_all_positions(py, &batch, &q, columns)?;
+            solve_all_positions(py, (&batch, contacts.as_ref()), &q, columns)?;
         }
         Some(names) => {
             let position_indices = drivers(&model, &names, q.shape())?;
             match assembly.groups().is_empty() {
-                true => solve_tree(py, &batch, &model, &q, &position_indices, columns)?,
+                true => solve_tree(py, (&batch, contacts.as_ref()), &model, &q, &position_indices, columns)?,
+                false if contacts.is_some() => {
+                    return Err(input(
+                        "points, normals and a base_pose for each row need the positions of all joints if the model has loops: \
+                         give q without joints, with the positions of a Pose in each row",
+                    ));
+                }
                 false => {
                     let path = PathColumns {
                         model: &model,
@@ -245,7 +261,7 @@ enum Rows<'a> {
 /// cache.
 fn solve_rows(
     py: Python<'_>,
-    batch: &Batch,
+    (batch, contacts): (&Batch, Option<&RowContacts>),
     q: ArrayView2<'_, f64>,
     layout: Rows<'_>,
     columns: Columns<'_>,
@@ -281,7 +297,14 @@ fn solve_rows(
                 let rounding = answer.is_massless_to_rounding();
                 codes[at] = if rounding { MASSLESS_TO_ROUNDING } else { mass_and_code(answer.mass).1 };
             };
-            batch.run_columns(positions, masses, errors, other).map_err(BlockFailure::Refused)?;
+            let done = match contacts {
+                None => batch.run_columns(positions, masses, errors, other),
+                Some(contacts) => {
+                    let contacts = contacts.of_rows(row_positions);
+                    batch.run_contacts(positions, contacts, masses, errors, other)
+                }
+            };
+            done.map_err(BlockFailure::Refused)?;
             buffers().push(buffer);
             Ok(())
         });
@@ -346,7 +369,7 @@ impl<'a> Rows<'a> {
 /// Solves rows with all positions.
 fn solve_all_positions(
     py: Python<'_>,
-    batch: &Batch,
+    batch: (&Batch, Option<&RowContacts>),
     q: &PyReadonlyArray2<'_, f64>,
     columns: Columns<'_>,
 ) -> PyResult<()> {
@@ -361,7 +384,7 @@ fn solve_all_positions(
 /// Solves rows with some positions and the others at 0, for mechanisms without loops.
 fn solve_tree(
     py: Python<'_>,
-    batch: &Batch,
+    batch: (&Batch, Option<&RowContacts>),
     model: &Model,
     q: &PyReadonlyArray2<'_, f64>,
     position_indices: &[(JointId, usize)],

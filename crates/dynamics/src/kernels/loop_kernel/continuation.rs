@@ -539,7 +539,7 @@ impl Work for Closing<'_> {
             orientation *= get::<T>(room, plan.layout.inverse_pivots + k);
         }
         orientation.store(&mut outcome.orientation);
-        let answer = response_after_elimination(plan, struck, placed, seen.roundings, least, room);
+        let answer = response_after_elimination(plan, (struck, None), placed, seen.roundings, least, room);
         let mut answers = MassColumns { masses: &mut outcome.masses, errors: &mut outcome.errors };
         answers.store(0, answer.response, answer.error);
         seen.residual.store(&mut outcome.residuals);

@@ -9,11 +9,11 @@
 //! inertias. [`crate::recursion`] computes the same m̄ cluster by cluster; for few degrees of freedom the energy is
 //! cheaper. A test compares the two.
 
-use super::frames::{direction, fill_frames, frame, point};
+use super::frames::{direction, direction_of, fill_frames, frame, point, point_of};
 use super::layout::{FRAME, add_scaled, cross, dot, get, get_vector, minus, plus, put_vector, size, times};
 use super::plan::{BodyDirection, BodyPoint, LoopBody, LoopMotion, LoopPlan};
 use super::rows::{RowRoundings, eliminate, fill_rates, fill_rows};
-use crate::kernels::estimate::{PositionColumns, quaternion_norm_excess};
+use crate::kernels::estimate::{ContactConversion, LaneContacts, PositionColumns, quaternion_norm_excess};
 use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
 
@@ -24,6 +24,18 @@ pub(super) struct LoopContact {
     /// Body on the other side; `None` for the ground.
     pub against: Option<usize>,
     pub normal: LoopNormal,
+    /// Points and fixed normals of the rows, which replace those of `on` and `normal`.
+    pub columns: Option<LaneContacts>,
+    /// Of points, and of normals in fixed directions.
+    pub conversion: ContactConversion,
+}
+
+impl LoopContact {
+    /// Points and normals of the rows in the frames of their bodies, if they are given by columns.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_rows<T: Lanes>(&self, columns: PositionColumns<'_>, first: usize) -> Option<[[T; 3]; 2]> {
+        self.columns.map(|rows| [rows.points(columns, first), rows.normals(columns, first)])
+    }
 }
 
 /// Unit normal.
@@ -70,15 +82,17 @@ pub(super) fn evaluate<T: Lanes>(
     }
     let rows: RowRoundings<T> = fill_rows::<T, false>(plan, room).roundings;
     let least: T = eliminate::<T, false>(plan, room);
-    response_after_elimination(plan, struck, (beyond, far), rows, least, room)
+    let of_rows = struck.of_rows(columns, first);
+    response_after_elimination(plan, (struck, of_rows), (beyond, far), rows, least, room)
 }
 
-/// 1/m̄ after the elimination of A. First pair: excess of the angles beyond their accepted range, and distance of the
-/// farthest body (m). `rows`: errors of the entries of A, in roundings. `least`: the largest 1/|pivot|.
+/// 1/m̄ after the elimination of A. First pair: the contact, and the points and normals of the rows. Second pair: excess of the
+/// angles beyond their accepted range, and distance of the farthest body (m). `rows`: errors of the entries of A, in roundings.
+/// `least`: the largest 1/|pivot|.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn response_after_elimination<T: Lanes>(
     plan: &LoopPlan,
-    struck: &LoopContact,
+    contact: (&LoopContact, Option<[[T; 3]; 2]>),
     (beyond, far): (T, T),
     rows: RowRoundings<T>,
     least: T,
@@ -94,7 +108,7 @@ pub(super) fn response_after_elimination<T: Lanes>(
     // Error of the positions: the residual of the loops divided by the pivots, and at least the residual itself.
     let open = rows.open * amplified.max(T::one());
     let entries = rows.rods + open + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
-    let mut answer: LoopResponse<T> = solve_response(plan, struck, entries * amplified, room);
+    let mut answer: LoopResponse<T> = solve_response(plan, contact, entries * amplified, room);
     answer.error = beyond.mul_add(T::from_f64(f64::MAX), answer.error);
     answer
 }
@@ -161,7 +175,7 @@ fn fill_twists<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) {
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn solve_response<T: Lanes>(
     plan: &LoopPlan,
-    struck: &LoopContact,
+    (struck, of_rows): (&LoopContact, Option<[[T; 3]; 2]>),
     lost: T,
     room: &mut [f64],
 ) -> LoopResponse<T> {
@@ -172,10 +186,16 @@ fn solve_response<T: Lanes>(
         add_energy(plan, i, body, room, &mut d, &mut sizes);
     }
     let (mut t, mut tests) = ([T::zero(); MOST], [T::zero(); MOST]);
-    let at: [T; 3] = point(room, &struck.on);
+    let at: [T; 3] = match of_rows {
+        Some([at, _]) => point_of(room, struck.on.body, at),
+        None => point(room, &struck.on),
+    };
     let (mut turned, mut refused) = (T::one(), T::zero());
     let normal = match &struck.normal {
-        LoopNormal::Along(heading) => direction(room, heading),
+        LoopNormal::Along(heading) => match of_rows {
+            Some([_, normal]) => direction_of(room, heading.body, normal),
+            None => direction(room, heading),
+        },
         LoopNormal::Toward { end, drawn, shortest, least_cosine } => {
             let end = point(room, end);
             let line = minus(&end, &at);

@@ -111,8 +111,13 @@ pub(super) fn axis<T: Lanes>(room: &[f64], body: usize, k: usize) -> [T; 3] {
 /// Direction fixed in a body or in the root, in root axes. `room`: workspace with the frames of the bodies.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn direction<T: Lanes>(room: &[f64], heading: &BodyDirection) -> [T; 3] {
-    let own: [T; 3] = splat(&heading.e);
-    match heading.body {
+    direction_of(room, heading.body, splat(&heading.e))
+}
+
+/// Directions of the lanes in a body or in the root, in root axes.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn direction_of<T: Lanes>(room: &[f64], body: Option<usize>, own: [T; 3]) -> [T; 3] {
+    match body {
         Some(body) => {
             let (turn, _) = frame::<T>(room, body);
             [dot(&turn[0], &own), dot(&turn[1], &own), dot(&turn[2], &own)]
@@ -125,8 +130,13 @@ pub(super) fn direction<T: Lanes>(room: &[f64], heading: &BodyDirection) -> [T; 
 /// frames of the bodies.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn point<T: Lanes>(room: &[f64], place: &BodyPoint) -> [T; 3] {
-    let own: [T; 3] = splat(&place.at);
-    match place.body {
+    point_of(room, place.body, splat(&place.at))
+}
+
+/// Points of the lanes in a body or in the root, in the coordinates of the kernel's root frame, m.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn point_of<T: Lanes>(room: &[f64], body: Option<usize>, own: [T; 3]) -> [T; 3] {
+    match body {
         Some(body) => {
             let (turn, origin) = frame::<T>(room, body);
             plus(&origin, &[dot(&turn[0], &own), dot(&turn[1], &own), dot(&turn[2], &own)])

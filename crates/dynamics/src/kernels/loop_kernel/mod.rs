@@ -17,12 +17,14 @@ pub(crate) use continuation::LoopContinuation;
 
 use crate::analysis::assembly::Assembly;
 use crate::kernels::aligned::Aligned;
-use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDEST};
+use crate::kernels::estimate::{
+    CertifiedMass, ContactConversion, LaneContacts, MassColumns, PositionColumns, WIDEST, relative_frame,
+};
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::model::Model;
 use crate::tolerances::SHORTEST_LINE;
 use energy::{LoopContact, LoopNormal, LoopResponse, evaluate};
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::LinkId;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
 use plan::{BodyDirection, BodyPoint, LoopMotion, LoopPlan};
@@ -52,14 +54,19 @@ impl LoopKernel {
     pub fn set_contact(&mut self, model: &Model, contact: &Contact) {
         let on = self.point(model, contact.link, &contact.point);
         let against = contact.against.and_then(|link| model.body_of(link));
+        let on_link = &model.link_frames[contact.link.index()];
+        let to_body = relative_frame(&self.plan.frame(on_link.body), &on_link.frame);
+        let mut conversion = ContactConversion { point: to_body, normal: Matrix3::identity() };
         let normal = match contact.normal {
             Direction::Along(n, frame) => {
-                let n = n.normalize();
-                LoopNormal::Along(match (frame, contact.against) {
-                    (Frame::Link, _) => self.direction(model, contact.link, &n),
-                    (Frame::Against, Some(other)) => self.direction(model, other, &n),
-                    (Frame::World, _) | (Frame::Against, None) => BodyDirection { body: None, e: n.into() },
-                })
+                let (body, axes) = match (frame, contact.against) {
+                    (Frame::Link, _) => self.axes(model, contact.link),
+                    (Frame::Against, Some(other)) => self.axes(model, other),
+                    (Frame::World, _) | (Frame::Against, None) => (None, Matrix3::identity()),
+                };
+                conversion.normal = axes;
+                let [_, e] = conversion.convert(&contact.point, &n);
+                LoopNormal::Along(BodyDirection { body, e: e.into() })
             }
             // m̄ is the same for both senses of the normal.
             Direction::Toward(link, to)
@@ -79,7 +86,27 @@ impl LoopKernel {
                 }
             }
         };
-        self.contact = Some(LoopContact { on, against, normal });
+        self.contact = Some(LoopContact { on, against, normal, columns: None, conversion });
+    }
+
+    /// Conversion of points and normals to the frames of the kernel, for the current contact. `None` before a contact is set,
+    /// and for a normal along a line.
+    pub fn conversion(&self) -> Option<ContactConversion> {
+        let contact = self.contact.as_ref().filter(|contact| matches!(contact.normal, LoopNormal::Along(_)));
+        contact.map(|contact| contact.conversion)
+    }
+
+    /// Reads points and normals from columns (`None`: those of the current contact).
+    pub fn set_lane_contacts(&mut self, columns: Option<LaneContacts>) {
+        if let Some(contact) = &mut self.contact {
+            contact.columns = columns;
+        }
+    }
+
+    /// Body of a link, and the rotation from the link's axes to those of the body in the plan.
+    fn axes(&self, model: &Model, link: LinkId) -> (Option<usize>, Matrix3<f64>) {
+        let on = &model.link_frames[link.index()];
+        (on.body, relative_frame(&self.plan.frame(on.body), &on.frame).rotation)
     }
 
     fn point(&self, model: &Model, link: LinkId, at: &nalgebra::Vector3<f64>) -> BodyPoint {

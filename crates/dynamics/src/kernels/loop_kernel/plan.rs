@@ -156,13 +156,16 @@ pub(super) struct LoopPlan {
 impl LoopPlan {
     /// Converts a point from the body frame of the model, or from the root frame, to the frame of the plan.
     pub fn point(&self, body: Option<usize>, at: &Vector3<f64>) -> BodyPoint {
-        let at = body.map_or_else(|| at - self.centre, |b| self.bodies[b].frame.inverse_point(at));
-        BodyPoint { body, at: at.into() }
+        BodyPoint { body, at: self.frame(body).inverse_point(at).into() }
+    }
+
+    /// The plan's frame of a body, or of the root, in that of the model.
+    pub fn frame(&self, body: Option<usize>) -> Transform<f64> {
+        body.map_or_else(|| Transform::from_translation(self.centre), |b| self.bodies[b].frame)
     }
 
     /// Converts a direction from the body frame of the model, or from the root frame, to the frame of the plan.
     pub fn direction(&self, body: Option<usize>, e: &Vector3<f64>) -> BodyDirection {
-        let e = body.map_or(*e, |b| self.bodies[b].frame.inverse_vector(e));
-        BodyDirection { body, e: e.into() }
+        BodyDirection { body, e: self.frame(body).inverse_vector(e).into() }
     }
 }

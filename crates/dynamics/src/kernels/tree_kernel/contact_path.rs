@@ -1,31 +1,54 @@
 //! Contact of a tree: the bodies between the root and the contact, and those whose twists are computed.
 
+use super::parent_transform::LanePositions;
 use super::plan::ScheduledStep;
+use crate::kernels::estimate::{ContactConversion, LaneContacts};
 use crate::tolerances::{LARGEST_AMPLIFICATION, NO_BOUND};
+use nalgebra::Matrix3;
+use percuss_spatial::lanes::Lanes;
+use percuss_spatial::{Transform, splat};
 
 /// Contact point and direction of the contact force, in the frames of the plan.
 #[derive(Clone, Debug)]
 pub(super) struct TreeContact {
     /// Contact point in the frame of the contact link's body, m.
     pub point: [f64; 3],
-    pub normal: TreeNormal,
+    /// Unit normal.
+    pub normal: [f64; 3],
+    pub normal_frame: TreeNormalFrame,
+    /// Points and normals of the rows, which replace the two above.
+    pub columns: Option<LaneContacts>,
+    pub conversion: ContactConversion,
 }
 
 impl TreeContact {
-    /// Distance of the contact point from the origin of the body's frame, m.
-    pub fn arm(&self) -> f64 {
-        let p = self.point;
-        (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt()
+    /// Contact points of the lanes, m.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn points<T: Lanes>(&self, at: LanePositions<'_>) -> [T; 3] {
+        self.columns.map_or_else(|| splat(&self.point), |rows| rows.points(at.columns, at.first))
+    }
+
+    /// Unit normals of the lanes.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn normals<T: Lanes>(&self, at: LanePositions<'_>) -> [T; 3] {
+        self.columns.map_or_else(|| splat(&self.normal), |rows| rows.normals(at.columns, at.first))
+    }
+
+    /// Distances of the contact points from the origin of the body's frame, m.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn arms<T: Lanes>(&self, at: LanePositions<'_>) -> T {
+        let p = self.points::<T>(at);
+        p[0].mul_add(p[0], p[1].mul_add(p[1], p[2] * p[2])).sqrt()
     }
 }
 
-/// Unit normal.
+/// Frame of the normal.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum TreeNormal {
-    /// In the frame of the contact link's body.
-    Body([f64; 3]),
-    /// In the frame of the root link.
-    Root([f64; 3]),
+pub(super) enum TreeNormalFrame {
+    /// The frame of the contact link's body.
+    Body,
+    /// The frame of the root link.
+    Root,
 }
 
 /// Data of a contact for a tree.
@@ -49,7 +72,14 @@ impl ContactPath {
     /// Path before a contact is set, for `steps` steps. `travel`: largest translation of a joint (m) for which the bounds of
     /// sizes hold.
     pub fn none(steps: usize, travel: f64) -> Self {
-        let contact = TreeContact { point: [0.0; 3], normal: TreeNormal::Body([0.0; 3]) };
+        let conversion = ContactConversion { point: Transform::identity(), normal: Matrix3::identity() };
+        let contact = TreeContact {
+            point: [0.0; 3],
+            normal: [0.0; 3],
+            normal_frame: TreeNormalFrame::Body,
+            columns: None,
+            conversion,
+        };
         Self {
             path: Vec::with_capacity(steps),
             on_path: vec![false; steps],

@@ -51,7 +51,7 @@ pub(super) fn light_body_errors<T: Lanes>(
                 errors.of_wrenches += moment.mul_add(angular, force * linear);
             }
             if selection.path.last() == Some(&index) {
-                let arm = T::from_f64(selection.contact.arm());
+                let arm = selection.contact.arms::<T>(at);
                 errors.of_wrenches += T::from_f64(normal_error) * arm.mul_add(angular, linear);
             }
         }

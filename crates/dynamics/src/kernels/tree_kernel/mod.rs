@@ -16,12 +16,14 @@ mod recursion;
 mod sizes;
 
 use crate::kernels::aligned::Aligned;
-use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDEST};
+use crate::kernels::estimate::{
+    CertifiedMass, ContactConversion, LaneContacts, MassColumns, PositionColumns, WIDEST, relative_frame,
+};
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::model::Model;
 use cluster::MimicCluster;
-use contact_path::{ContactPath, TreeContact, TreeNormal};
-use nalgebra::Vector3;
+use contact_path::{ContactPath, TreeContact, TreeNormalFrame};
+use nalgebra::Matrix3;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
 use plan::{ScheduledStep, TreePlan};
 use propagation::SCRATCH_NUMBERS;
@@ -71,13 +73,14 @@ impl TreeKernel {
         let last = self.steps.len() - 1;
         let own = &self.steps[last - body].step.own.frame;
         let link = &model.link_frames[contact.link.index()].frame;
-        let n = n.normalize();
-        let normal = match (frame, other) {
-            (Frame::Link, _) => TreeNormal::Body(own.inverse_vector(&link.vector(&n)).into()),
-            (Frame::Against, Some(other)) => TreeNormal::Root(other.frame.vector(&n).into()),
-            (Frame::World, _) | (Frame::Against, None) => TreeNormal::Root(n.into()),
+        let point = relative_frame(own, link);
+        let (normal_frame, normal) = match (frame, other) {
+            (Frame::Link, _) => (TreeNormalFrame::Body, point.rotation),
+            (Frame::Against, Some(other)) => (TreeNormalFrame::Root, other.frame.rotation),
+            (Frame::World, _) | (Frame::Against, None) => (TreeNormalFrame::Root, Matrix3::identity()),
         };
-        let point: Vector3<f64> = own.inverse_point(&link.point(&contact.point));
+        let conversion = ContactConversion { point, normal };
+        let [point, normal] = conversion.convert(&contact.point, &n);
         let ContactPath { path, on_path, .. } = &mut self.selection;
         path.iter().for_each(|&at| on_path[at] = false);
         path.clear();
@@ -91,8 +94,19 @@ impl TreeKernel {
         self.selection.subtree_root = self.steps[last - body].subtree_root;
         let root = self.selection.subtree_root;
         self.selection.amplification = self.selection.light_bodies.find(&self.steps, root);
-        self.selection.contact = TreeContact { point: point.into(), normal };
+        let (point, normal) = (point.into(), normal.into());
+        self.selection.contact = TreeContact { point, normal, normal_frame, columns: None, conversion };
         true
+    }
+
+    /// Conversion of points and normals to the frames of the kernel, for the current contact.
+    pub fn conversion(&self) -> ContactConversion {
+        self.selection.contact.conversion
+    }
+
+    /// Reads points and normals from columns (`None`: those of the current contact).
+    pub fn set_lane_contacts(&mut self, columns: Option<LaneContacts>) {
+        self.selection.contact.columns = columns;
     }
 
     /// m̄ at one configuration for the current contact, with its rounding error. `None` if m̄ is not finite, or if its

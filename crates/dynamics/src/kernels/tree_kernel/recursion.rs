@@ -11,7 +11,7 @@
 //! compares the two.
 
 use super::cluster::{MimicCluster, eliminate_cluster_joint};
-use super::contact_path::{ContactPath, TreeNormal};
+use super::contact_path::{ContactPath, TreeNormalFrame};
 use super::hinge::eliminate_hinge;
 use super::light_bodies::light_body_errors;
 use super::parent_transform::{LanePositions, propagate_to_parent};
@@ -24,7 +24,7 @@ use super::sizes::Sizes;
 use crate::kernels::estimate::{PositionColumns, excess_beyond, quaternion_norm_excess};
 use crate::tolerances::{LOSS_ROUNDINGS, NO_BOUND, NORMAL_ROUNDINGS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
-use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, splat, turn_vector};
+use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, turn_vector};
 use std::ops::Range;
 
 /// Results of some lanes.
@@ -183,9 +183,9 @@ fn nan_unless_finite<T: Lanes>(columns: PositionColumns<'_>, positions: Range<us
 
 /// Error of the normal by its rotations from the root link to the contact link, relative to the error of a wrench.
 fn normal_error(selection: &ContactPath) -> f64 {
-    match selection.contact.normal {
-        TreeNormal::Body(_) => 0.0,
-        TreeNormal::Root(_) => NORMAL_ROUNDINGS / ROUTE_ROUNDINGS * selection.path.len() as f64,
+    match selection.contact.normal_frame {
+        TreeNormalFrame::Body => 0.0,
+        TreeNormalFrame::Root => NORMAL_ROUNDINGS / ROUTE_ROUNDINGS * selection.path.len() as f64,
     }
 }
 
@@ -198,37 +198,31 @@ fn contact_wrench<T: Lanes>(
     scratch: &[f64],
 ) -> PropagatedWrench<T> {
     let contact = &selection.contact;
-    let n = match contact.normal {
-        TreeNormal::Body(n) => splat(&n),
-        TreeNormal::Root(n) => {
-            let mut n = splat(&n);
-            for &place in &selection.path {
-                let placed = &steps[place];
-                let slot =
-                    &scratch[placed.number * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
-                rotate_to_body(&placed.step, &mut n, at, slot);
-            }
-            n
+    let mut n: [T; 3] = contact.normals(at);
+    if let TreeNormalFrame::Root = contact.normal_frame {
+        for &place in &selection.path {
+            let placed = &steps[place];
+            let slot = &scratch[placed.number * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+            rotate_to_body(&placed.step, &mut n, at, slot);
         }
-    };
-    let p = contact.point;
-    let arm = contact.arm();
-    let q: [T; 3] = splat(&p);
+    }
+    let arm: T = contact.arms(at);
+    let q: [T; 3] = contact.points(at);
     let moment = [
         q[1].mul_add(n[2], -(q[2] * n[1])),
         q[2].mul_add(n[0], -(q[0] * n[2])),
         q[0].mul_add(n[1], -(q[1] * n[0])),
     ];
     let contact_body = selection.path.last().map(|&place| &steps[place].step.share);
-    let power = contact_body.map_or(NO_BOUND, |share| match share.is_light() {
-        true => 0.0,
-        false => arm * share.angular + share.linear,
+    let power = contact_body.map_or(T::from_f64(NO_BOUND), |share| match share.is_light() {
+        true => T::zero(),
+        false => arm.mul_add(T::from_f64(share.angular), T::from_f64(share.linear)),
     });
     PropagatedWrench {
         wrench: PackedWrench { moment, force: n },
-        moment_size: T::from_f64(arm),
+        moment_size: arm,
         force_size: T::one(),
-        by_energy: T::from_f64(normal_error(selection) * power),
+        by_energy: T::from_f64(normal_error(selection)) * power,
         ..PropagatedWrench::none()
     }
 }

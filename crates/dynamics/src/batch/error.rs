@@ -1,0 +1,74 @@
+//! Errors of batches.
+
+use crate::kinematics::contact::ContactError;
+
+/// Error of a batch run.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BatchError {
+    /// Too few numbers for the configurations.
+    #[error(
+        "{got} numbers are given; {configurations} configurations of {positions} positions, {stride} apart, need {needed}"
+    )]
+    Short {
+        /// Number of given values.
+        got: usize,
+        /// Number of required values.
+        needed: usize,
+        /// Number of configurations.
+        configurations: usize,
+        /// Number of positions per configuration.
+        positions: usize,
+        /// The stride.
+        stride: usize,
+    },
+    /// The stride is too small; configurations would overlap.
+    #[error("the stride is {stride}; expected at least {least}")]
+    Stride {
+        /// The given stride.
+        stride: usize,
+        /// The smallest valid stride.
+        least: usize,
+    },
+    /// The output columns have different lengths.
+    #[error("there is room for {masses} masses and {errors} errors; expected as many of both")]
+    Columns {
+        /// Length of the column of masses.
+        masses: usize,
+        /// Length of the column of errors.
+        errors: usize,
+    },
+    /// Wrong number of contact points or normals.
+    #[error(
+        "{points} numbers of points and {normals} of normals are given; expected three for each of the {configurations} \
+         configurations, or three for all"
+    )]
+    ContactCount {
+        /// Number of given coordinates of points.
+        points: usize,
+        /// Number of given coordinates of normals.
+        normals: usize,
+        /// Number of configurations.
+        configurations: usize,
+    },
+    /// An invalid contact of a configuration.
+    #[error("configuration {configuration}: {error}")]
+    Contact {
+        /// Index of the configuration.
+        configuration: usize,
+        /// The reason.
+        error: ContactError,
+    },
+    /// Normals of the configurations are given for a contact whose normal is along a line.
+    #[error(
+        "the normal of the contact is along a line between two points; normals for each configuration need a contact with a \
+         fixed normal"
+    )]
+    NormalAlongLine,
+    /// The caller stopped the run.
+    #[error("stopped after {done} configurations")]
+    Stopped {
+        /// Number of finished configurations.
+        done: usize,
+    },
+}

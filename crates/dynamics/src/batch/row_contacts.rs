@@ -1,0 +1,77 @@
+//! Contact points and normals that differ from configuration to configuration.
+
+use crate::batch::error::BatchError;
+use crate::kinematics::contact::{Contact, Direction};
+use crate::model::Model;
+use crate::tolerances::{LARGEST_NUMBER, SHORTEST_DIRECTION};
+use nalgebra::Vector3;
+use percuss_spatial::Transform;
+
+/// Contact points and normals that differ from configuration to configuration, on the link of one contact.
+#[derive(Clone, Copy, Debug)]
+pub struct BatchContacts<'a> {
+    /// Points in the frame of the contact link, m: three numbers for each configuration, or three for all.
+    pub points: &'a [f64],
+    /// Normals of any length, in the frame of the contact's normal: three numbers for each configuration, or three for all.
+    pub normals: &'a [f64],
+}
+
+impl BatchContacts<'_> {
+    /// Point (m) and normal of a configuration, as given.
+    #[inline]
+    pub(super) fn at(&self, configuration: usize) -> [Vector3<f64>; 2] {
+        [self.points, self.normals].map(|numbers| {
+            let first = if numbers.len() == 3 { 0 } else { 3 * configuration };
+            Vector3::new(numbers[first], numbers[first + 1], numbers[first + 2])
+        })
+    }
+
+    /// Checks the number of points and normals, and each contact.
+    pub(super) fn check(
+        &self,
+        model: &Model,
+        contact: &Contact,
+        configurations: usize,
+    ) -> Result<(), BatchError> {
+        let Direction::Along(_, frame) = contact.normal else { return Err(BatchError::NormalAlongLine) };
+        let (points, normals) = (self.points.len(), self.normals.len());
+        if [points, normals].iter().any(|n| *n != 3 && configurations.checked_mul(3) != Some(*n)) {
+            return Err(BatchError::ContactCount { points, normals, configurations });
+        }
+        for configuration in 0..configurations {
+            let [point, normal] = self.at(configuration);
+            let square = normal.norm_squared();
+            // True for ordinary numbers only; all others are checked one by one.
+            if square > SHORTEST_DIRECTION && square + point.norm_squared() < LARGEST_NUMBER {
+                continue;
+            }
+            let contact = Contact { point, normal: Direction::Along(normal, frame), ..*contact };
+            model.check_contact(&contact).map_err(|error| BatchError::Contact { configuration, error })?;
+        }
+        Ok(())
+    }
+}
+
+/// Contacts of a portion.
+#[derive(Clone, Copy)]
+pub(super) struct RowContacts<'a> {
+    pub contact: &'a Contact,
+    /// Points and normals of the configurations, if they differ.
+    pub contacts: Option<BatchContacts<'a>>,
+}
+
+impl RowContacts<'_> {
+    /// Contact at a configuration. `base`: see [`in_root_axes`].
+    pub fn at(&self, configuration: usize, base: Option<&Transform<f64>>) -> Contact {
+        let Direction::Along(_, frame) = self.contact.normal else { return *self.contact };
+        self.contacts.map_or(*self.contact, |contacts| {
+            let [point, normal] = contacts.at(configuration);
+            Contact { point, normal: Direction::Along(in_root_axes(normal, base), frame), ..*self.contact }
+        })
+    }
+}
+
+/// Normal given in the world in the axes of the root link, if the pose of the root link is given.
+pub(super) fn in_root_axes(normal: Vector3<f64>, base: Option<&Transform<f64>>) -> Vector3<f64> {
+    base.map_or(normal, |x_wr| x_wr.inverse_vector(&normal))
+}

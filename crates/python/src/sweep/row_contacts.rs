@@ -1,0 +1,155 @@
+//! Contact points, normals and base poses that differ from row to row.
+
+use crate::analysis::system::{root_frame, root_frame_of};
+use crate::conversion::arrays::{float64, float64_matrix, shape};
+use crate::conversion::errors::input;
+use crate::conversion::labels::AXES;
+use numpy::PyUntypedArrayMethods;
+use percuss::input::{LARGEST_NUMBER, not_a_number};
+use percuss::nalgebra::Vector3;
+use percuss::spatial::Transform;
+use percuss::{BatchContacts, Contact as Resolved, Direction, Frame};
+use pyo3::prelude::*;
+use pyo3::types::PyAny;
+use std::ops::Range;
+
+/// Shortest accepted normal, of any unit: that of a single contact.
+const SHORTEST_NORMAL: f64 = 1e-9;
+
+/// Pose of the root link in the world, as given.
+pub enum BasePose {
+    NotGiven,
+    /// The same for all rows.
+    One(Transform<f64>),
+    /// One for each row.
+    Rows(Vec<Transform<f64>>),
+}
+
+impl BasePose {
+    /// Reads base_pose: (7,) or (N, 7).
+    pub fn of(given: Option<&Bound<'_, PyAny>>, rows: usize) -> PyResult<Self> {
+        let Some(given) = given else { return Ok(Self::NotGiven) };
+        let expected = "(7,) or (N, 7): x, y, z (m), w, x, y, z (unit quaternion)";
+        let found = float64(given, "base_pose", &[0, 1, 2], expected)?;
+        if found.ndim() < 2 {
+            return root_frame(given).map(Self::One);
+        }
+        if found.shape() != [rows, 7] {
+            return Err(input(format_args!(
+                "base_pose has shape {}; expected (7,), or ({rows}, 7): one for each row of q",
+                shape(found.shape())
+            )));
+        }
+        let numbers: Vec<f64> = found.as_array().iter().copied().collect();
+        numbers.chunks(7).map(root_frame_of).collect::<PyResult<_>>().map(Self::Rows)
+    }
+
+    /// The pose that holds for all rows.
+    pub fn one(&self) -> Option<&Transform<f64>> {
+        match self {
+            Self::One(base) => Some(base),
+            Self::NotGiven | Self::Rows(_) => None,
+        }
+    }
+
+    pub fn is_given(&self) -> bool {
+        !matches!(self, Self::NotGiven)
+    }
+}
+
+/// Point and normal of each row, or of all rows.
+pub struct RowContacts {
+    points: Vec<f64>,
+    normals: Vec<f64>,
+}
+
+impl RowContacts {
+    /// Reads points and normals: (N, 3). `contact`: the contact as given, whose point and normal hold where none are given.
+    /// `None` if all rows have the same contact.
+    pub fn of(
+        contact: &Resolved,
+        points: Option<&Bound<'_, PyAny>>,
+        normals: Option<&Bound<'_, PyAny>>,
+        base: &BasePose,
+        rows: usize,
+    ) -> PyResult<Option<Self>> {
+        let Direction::Along(normal, frame) = contact.normal else {
+            let refused = points.is_some() || normals.is_some();
+            return match refused {
+                true => {
+                    Err(input("points and normals need a contact with a normal, and this one has toward"))
+                }
+                false => Ok(None),
+            };
+        };
+        let in_world = frame == Frame::World || (frame == Frame::Against && contact.against.is_none());
+        let bases = match base {
+            BasePose::Rows(bases) if in_world => Some(bases),
+            _ => None,
+        };
+        if points.is_none() && normals.is_none() && bases.is_none() {
+            return Ok(None);
+        }
+        let read = |given: Option<&Bound<'_, PyAny>>, what: &str, constant: &Vector3<f64>| match given {
+            Some(given) => three_per_row(given, what, rows),
+            None => Ok(constant.as_slice().to_vec()),
+        };
+        let points = read(points, "points", &contact.point)?;
+        let mut normals = read(normals, "normals", &normal)?;
+        check_normals(&normals)?;
+        if let Some(bases) = bases {
+            let given =
+                |row: usize| if normals.len() == 3 { &normals[..3] } else { &normals[3 * row..3 * row + 3] };
+            let turned = |(row, base): (usize, &Transform<f64>)| {
+                base.inverse_vector(&Vector3::from_column_slice(given(row))).data.0[0]
+            };
+            normals = bases.iter().enumerate().flat_map(turned).collect();
+        } else if let (true, Some(base)) = (in_world, base.one()) {
+            for normal in normals.chunks_mut(3) {
+                normal.copy_from_slice(base.inverse_vector(&Vector3::from_column_slice(normal)).as_slice());
+            }
+        }
+        Ok(Some(Self { points, normals }))
+    }
+
+    /// Contacts of some rows.
+    pub fn of_rows(&self, rows: Range<usize>) -> BatchContacts<'_> {
+        let part = |numbers: &'_ [f64]| match numbers.len() {
+            3 => 0..3,
+            _ => 3 * rows.start..3 * rows.end,
+        };
+        BatchContacts {
+            points: &self.points[part(&self.points)],
+            normals: &self.normals[part(&self.normals)],
+        }
+    }
+}
+
+/// Three numbers for each row; columns x, y, z in any order if they have names.
+fn three_per_row(given: &Bound<'_, PyAny>, what: &str, rows: usize) -> PyResult<Vec<f64>> {
+    let found = float64_matrix(given, what, "(N, 3): x, y, z for each row of q", &AXES, "")?;
+    if found.shape() != [rows, 3] {
+        return Err(input(format_args!(
+            "{what} has shape {}; expected ({rows}, 3): x, y, z for each row of q",
+            shape(found.shape())
+        )));
+    }
+    let numbers: Vec<f64> = found.as_array().iter().copied().collect();
+    if let Some((at, value)) = not_a_number(&numbers) {
+        return Err(input(format_args!(
+            "{what}[{}, {}] is {value:e}; expected finite numbers of at most {LARGEST_NUMBER:e}",
+            at / 3,
+            at % 3
+        )));
+    }
+    Ok(numbers)
+}
+
+/// Refuses normals without a length.
+fn check_normals(normals: &[f64]) -> PyResult<()> {
+    let length = |normal: &[f64]| Vector3::from_column_slice(normal).norm();
+    match normals.chunks(3).position(|normal| length(normal) < SHORTEST_NORMAL) {
+        Some(row) => Err(input(format_args!("normals[{row}] has no length; expected a direction"))),
+        None => Ok(()),
+    }
+}

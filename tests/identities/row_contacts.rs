@@ -1,0 +1,115 @@
+//! A contact point and a normal for each configuration: every result equals that of a batch of this contact alone, bit for bit.
+
+use nalgebra::Vector3;
+use percuss_dynamics::{
+    BatchAnswer, BatchContacts, BatchError, BatchPositions, Contact, Direction, EffectiveMass, Frame,
+};
+use percuss_spatial::rotation_about;
+use percuss_tests::subjects::{Subject, of_linkages, of_trees};
+use rand::{Rng, SeedableRng, rngs::StdRng};
+
+const COUNT: usize = 13;
+
+fn any(rng: &mut StdRng) -> Vector3<f64> {
+    Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0))
+}
+
+/// A result, with the bits of its numbers.
+fn bits(answer: &BatchAnswer) -> (Option<u64>, Option<EffectiveMass>, Option<u64>) {
+    match answer.mass {
+        Some(EffectiveMass::Finite(m)) => (Some(m.to_bits()), None, answer.error.map(f64::to_bits)),
+        other => (None, other, answer.error.map(f64::to_bits)),
+    }
+}
+
+/// Trees and linkages, normals in each frame, on a tilted base; one third with one point or one normal for all rows.
+#[test]
+fn each_row_equals_a_batch_of_its_contact() {
+    let mut rng = StdRng::seed_from_u64(11);
+    let (mut rows, mut in_lanes) = (0, 0);
+    let subjects = of_trees(24, 3, 21).into_iter().chain(of_linkages(44, 12));
+    for (k, Subject { name, pose, contact, .. }) in subjects.enumerate() {
+        let Direction::Along(_, frame) = contact.normal else { continue };
+        let frame = [frame, Frame::World, Frame::Link][k % 3];
+        let contact = contact.normal(Direction::Along(Vector3::x(), frame));
+        let mut workspace = pose.assembly().workspace();
+        let tilt = rotation_about(&any(&mut rng).normalize(), 1.0);
+        workspace.set_base(&percuss_spatial::Transform::new(tilt, any(&mut rng))).expect("a rigid frame");
+        let batch = workspace.batch(&contact).expect("a contact that fits");
+        let mut given: [Vec<f64>; 2] =
+            [0, 1].map(|_| (0..3 * COUNT).map(|_| rng.random_range(-1.0..1.0)).collect());
+        if k % 3 == 1 {
+            given[k % 2].truncate(3);
+        }
+        let contacts = BatchContacts { points: &given[0], normals: &given[1] };
+        let width = pose.positions().len();
+        let values = pose.positions().repeat(COUNT);
+        let by_columns: Vec<f64> = pose.positions().iter().flat_map(|x| [*x; COUNT]).collect();
+        for positions in [
+            BatchPositions::Rows { values: &values, stride: width },
+            BatchPositions::Columns { values: &by_columns, stride: COUNT },
+        ] {
+            let (mut masses, mut errors) = (vec![0.0; COUNT], vec![0.0; COUNT]);
+            let mut others = vec![None; COUNT];
+            let other = |at: usize, answer| others[at] = Some(answer);
+            batch.run_contacts(positions, contacts, &mut masses, &mut errors, other).expect("enough");
+            for row in 0..COUNT {
+                let of = |numbers: &[f64]| {
+                    let first = if numbers.len() == 3 { 0 } else { 3 * row };
+                    Vector3::from_column_slice(&numbers[first..first + 3])
+                };
+                let normal = Direction::Along(of(&given[1]), frame);
+                let alone = Contact { point: of(&given[0]), normal, ..contact };
+                let mut alone = workspace.batch(&alone).expect("a contact that fits");
+                let expected = alone.effective_mass(pose.positions()).expect("positions");
+                let lane = BatchAnswer {
+                    mass: Some(EffectiveMass::Finite(masses[row])),
+                    error: Some(errors[row]),
+                    remarks: expected.remarks,
+                };
+                let found = others[row].unwrap_or(lane);
+                assert_eq!(bits(&found), bits(&expected), "{name}, row {row}");
+                assert_eq!(found.remarks, expected.remarks, "{name}, row {row}");
+                rows += 1;
+                in_lanes += usize::from(others[row].is_none());
+            }
+        }
+        // The contact of the batch is as before.
+        let mut answers = [BatchAnswer::NONE; 1];
+        batch
+            .run(BatchPositions::Rows { values: pose.positions(), stride: width }, &mut answers)
+            .expect("enough");
+        let mut fresh = workspace.batch(&contact).expect("a contact that fits");
+        let expected = fresh.effective_mass(pose.positions()).expect("positions");
+        assert_eq!(bits(&answers[0]), bits(&expected), "{name}");
+    }
+    println!("{rows} rows, {in_lanes} of them in lanes");
+    assert!(rows > 2000 && in_lanes * 2 > rows, "{rows} rows, {in_lanes} in lanes");
+}
+
+#[test]
+fn wrong_contacts_are_refused() {
+    let subjects = of_trees(4, 1, 22);
+    let Subject { pose, contact, .. } =
+        subjects.iter().find(|s| matches!(s.contact.normal, Direction::Along(..))).expect("a fixed normal");
+    let batch = pose.assembly().batch(contact).expect("a contact that fits");
+    let values = pose.positions().repeat(2);
+    let two = BatchPositions::Rows { values: &values, stride: pose.positions().len() };
+    let ask = |positions, points: &[f64], normals: &[f64], count: usize| {
+        let (mut masses, mut errors) = (vec![0.0; count], vec![0.0; count]);
+        batch.run_contacts(positions, BatchContacts { points, normals }, &mut masses, &mut errors, |_, _| {})
+    };
+    let x = [1.0, 0.0, 0.0];
+    assert!(matches!(ask(two, &[0.0; 6], &[1.0; 5], 2), Err(BatchError::ContactCount { normals: 5, .. })));
+    assert!(matches!(ask(two, &[0.0; 9], &x, 2), Err(BatchError::ContactCount { points: 9, .. })));
+    let no_normal = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    assert!(matches!(ask(two, &x, &no_normal, 2), Err(BatchError::Contact { configuration: 1, .. })));
+    for bad in [f64::NAN, f64::INFINITY, 1e200] {
+        let points = [0.0, 0.0, 0.0, 0.0, bad, 0.0];
+        assert!(
+            matches!(ask(two, &points, &x, 2), Err(BatchError::Contact { configuration: 1, .. })),
+            "{bad}"
+        );
+    }
+    assert!(ask(two, &[], &[], 0).is_ok());
+}
