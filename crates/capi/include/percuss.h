@@ -151,6 +151,21 @@
 #define PERCUSS_DAMPER_HUNT_CROSSLEY 1
 
 /*
+ The position of the axle is unknown: no support angles.
+ */
+#define PERCUSS_AXLE_UNKNOWN 0
+
+/*
+ Front axle.
+ */
+#define PERCUSS_AXLE_FRONT 1
+
+/*
+ Rear axle.
+ */
+#define PERCUSS_AXLE_REAR 2
+
+/*
  Value of an option of percuss_matrix_options for its default.
  */
 #define PERCUSS_DEFAULT -1.0
@@ -176,6 +191,11 @@ typedef struct percuss_conditions percuss_conditions;
 typedef struct percuss_configuration percuss_configuration;
 
 /*
+ Quantities of a suspension, one row per state. Immutable, so that threads can share it.
+ */
+typedef struct percuss_kinematics percuss_kinematics;
+
+/*
  A mechanism. Immutable, so that threads can share it.
  */
 typedef struct percuss_model percuss_model;
@@ -189,6 +209,11 @@ typedef struct percuss_pose percuss_pose;
  A response to a contact: m̄, v*, contributions. Immutable, so that threads can share it.
  */
 typedef struct percuss_response percuss_response;
+
+/*
+ A suspension read from its sheet. Immutable, so that threads can share it.
+ */
+typedef struct percuss_suspension percuss_suspension;
 
 /*
  A mechanism under conditions. Immutable, so that threads can share it.
@@ -484,6 +509,91 @@ typedef struct percuss_impact {
    */
   double rebound_speed;
 } percuss_impact;
+
+/*
+ State of a suspension apart from the variable of the rows, and data of the vehicle.
+ */
+typedef struct percuss_vehicle {
+  /*
+   Travels with one value for all rows, m; 0: none.
+   */
+  double wheel_travel;
+  /*
+   See wheel_travel.
+   */
+  double heave;
+  /*
+   See wheel_travel.
+   */
+  double roll;
+  /*
+   Displacement of the rack for all rows, m.
+   */
+  double steer;
+  /*
+   PERCUSS_AXLE_….
+   */
+  int32_t axle;
+  /*
+   1 for brakes whose torque acts on the vehicle body.
+   */
+  int32_t inboard_brakes;
+  /*
+   1 for a drive whose torque acts on the vehicle body.
+   */
+  int32_t inboard_drive;
+  /*
+   Not used.
+   */
+  int32_t reserved;
+  /*
+   Share of the front axle in the braking force, 0 to 1; NaN if unknown.
+   */
+  double brake_bias;
+  /*
+   Share of this axle in the driving force, 0 to 1; NaN if unknown.
+   */
+  double drive_share;
+  /*
+   Height of the centre of mass above the ground, m; NaN if unknown.
+   */
+  double cg_height;
+  /*
+   Wheelbase, m; NaN if unknown.
+   */
+  double wheelbase;
+  /*
+   Sprung mass above one wheel, kg; NaN if unknown.
+   */
+  double sprung_mass;
+  /*
+   Vertical rate of the tyre, N/m; NaN if unknown.
+   */
+  double tyre_rate;
+} percuss_vehicle;
+
+/*
+ Variable of the rows.
+ */
+typedef int32_t percuss_wheel_motion;
+
+/*
+ Column of a table. The texts are valid as long as the table.
+ */
+typedef struct percuss_column {
+  /*
+   The quantity, with _left or _right for one of two wheels: camber, toe_left, motion_ratio_spring, …
+   */
+  const char *name;
+  /*
+   SI unit; "" for a plain number.
+   */
+  const char *unit;
+  /*
+   Reason for the absence of all values; null if a row has a value.
+   */
+  const char *missing;
+} percuss_column;
 
 /*
  Options for reading matrices. Initialise them with percuss_matrix_options_init.
@@ -811,6 +921,26 @@ typedef struct percuss_rank {
  The contact ends when the spring has its free length again; the damper pulls shortly before.
  */
 #define PERCUSS_GAP_CLOSES 1
+
+/*
+ Travel of the wheel of one side, m, upward.
+ */
+#define PERCUSS_WHEEL_TRAVEL 0
+
+/*
+ Both wheels upward by the same travel, m.
+ */
+#define PERCUSS_HEAVE 1
+
+/*
+ The left wheel upward and the right wheel downward, m.
+ */
+#define PERCUSS_ROLL 2
+
+/*
+ Displacement of the rack to the left, m.
+ */
+#define PERCUSS_STEER 3
 
 #ifdef __cplusplus
 extern "C" {
@@ -1529,6 +1659,118 @@ percuss_status percuss_damper_impact(const struct percuss_damper *damper,
                                      const struct percuss_spring *spring,
                                      double speed,
                                      struct percuss_impact *impact);
+
+/*
+ Reads a suspension: a sheet (TOML), a table of hardpoints (CSV) or a file of Chrono::Vehicle (JSON), as the command
+ percuss does. path: UTF-8. Free it with percuss_suspension_free.
+
+ Errors: PERCUSS_ERROR_LOAD, with every error of the file in the message.
+
+ Pointers:
+ path ends with a zero byte; suspension is null or points to storage for a pointer.
+ */
+percuss_status percuss_suspension_load_file(const char *path, struct percuss_suspension **suspension);
+
+/*
+ Reads a suspension from memory: length bytes of UTF-8 without a terminating zero byte. name replaces the file name in
+ messages; its ending (.toml, .csv, .json) determines the format, and its folder is that of a table named in a sheet.
+
+ Errors: as percuss_suspension_load_file; PERCUSS_ERROR_TEXT.
+
+ Pointers:
+ name ends with a zero byte; bytes has length bytes; suspension is null or points to storage for a pointer.
+ */
+percuss_status percuss_suspension_load_memory(const char *name,
+                                              const char *bytes,
+                                              size_t length,
+                                              struct percuss_suspension **suspension);
+
+/*
+ Frees a suspension and sets the handle to null; a null handle is ignored. Objects made from it stay valid.
+
+ Pointers:
+ suspension is null or points to a handle that no other call uses.
+ */
+percuss_status percuss_suspension_free(struct percuss_suspension **suspension);
+
+/*
+ The mechanism of a suspension, for effective masses at its named contacts (percuss_model_find_contact). Its diagnostics are
+ those of the sheet. Free the model with percuss_model_free.
+
+ Pointers:
+ suspension is a handle; model is null or points to storage for a pointer.
+ */
+percuss_status percuss_suspension_model(const struct percuss_suspension *suspension,
+                                        struct percuss_model **model);
+
+/*
+ Sets all travels to 0 and all data of the vehicle to unknown.
+
+ Pointers:
+ vehicle is null or points to storage for one.
+ */
+percuss_status percuss_vehicle_init(struct percuss_vehicle *vehicle);
+
+/*
+ Camber, toe, roll centre, motion ratios, wheel rates and all other quantities of docs/howto/KINEMATICS.md at the given
+ values of a variable (m), one row each. A row whose pose cannot be reached has NaN and a problem. vehicle may be
+ null. Derivatives of an axle are those of heave; for the variable PERCUSS_ROLL those of roll. Free the table with
+ percuss_kinematics_free.
+
+ Errors: PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_ASSEMBLY: a suspension without a wheel or, to be
+ steered, without a rack; travels that do not fit.
+
+ Pointers:
+ values has count numbers; vehicle is null or points to one; table is null or points to storage for a pointer.
+ */
+percuss_status percuss_suspension_kinematics(const struct percuss_suspension *suspension,
+                                             percuss_wheel_motion variable,
+                                             const double *values,
+                                             size_t count,
+                                             const struct percuss_vehicle *vehicle,
+                                             struct percuss_kinematics **table);
+
+/*
+ Frees a table and sets the handle to null; a null handle is ignored.
+
+ Pointers:
+ table is null or points to a handle that no other call uses.
+ */
+percuss_status percuss_kinematics_free(struct percuss_kinematics **table);
+
+/*
+ Numbers of rows and columns of a table. Each pointer may be null.
+
+ Pointers:
+ Every pointer is null or points to storage for a number.
+ */
+percuss_status percuss_kinematics_counts(const struct percuss_kinematics *table, size_t *rows, size_t *columns);
+
+/*
+ Column number index, from 0.
+
+ Pointers:
+ column is null or points to storage for one.
+ */
+percuss_status percuss_kinematics_column(const struct percuss_kinematics *table,
+                                         size_t index,
+                                         struct percuss_column *column);
+
+/*
+ All values, SI units, row by row; NaN where a value is missing. length is rows times columns.
+
+ Pointers:
+ values has space for length numbers.
+ */
+percuss_status percuss_kinematics_values(const struct percuss_kinematics *table, double *values, size_t length);
+
+/*
+ The reason why row number row, from 0, has no pose; null for a row with a pose. Valid as long as the table.
+
+ Pointers:
+ problem is null or points to storage for a pointer.
+ */
+percuss_status percuss_kinematics_problem(const struct percuss_kinematics *table, size_t row, const char **problem);
 
 /*
  Sets the default options.

@@ -1,6 +1,6 @@
 // percuss for C++17: a thin layer over percuss.h. Objects own their handles; failures are exceptions with a message.
 //
-// Model, System, Assembly, Pose and Batch are immutable and may be shared between threads. A Conditions, Configuration
+// Model, Suspension, Kinematics, System, Assembly, Pose and Batch are immutable and may be shared between threads. A Conditions, Configuration
 // or Workspace is for one thread at a time (otherwise percuss::Error with PERCUSS_ERROR_BUSY).
 #ifndef PERCUSS_HPP
 #define PERCUSS_HPP
@@ -138,8 +138,90 @@ class Model {
   const percuss_model *get() const noexcept { return handle_.get(); }
 
  private:
+  friend class Suspension;
   explicit Model(percuss_model *handle) : handle_(handle) {}
   detail::Owner<percuss_model, percuss_model_free> handle_;
+};
+
+/// Quantities of a suspension over its travel, one row per value of the variable.
+class Kinematics {
+ public:
+  /// A column; the texts are valid as long as this object, missing is null if a row has a value.
+  using Column = percuss_column;
+
+  std::size_t rows() const noexcept { return rows_; }
+  const std::vector<Column> &columns() const noexcept { return columns_; }
+  /// The number of the column of this name, such as camber or toe_left.
+  std::size_t find_column(std::string_view name) const {
+    for (std::size_t i = 0; i < columns_.size(); i++) {
+      if (columns_[i].name == name) return i;
+    }
+    throw Error(PERCUSS_ERROR_NAME, "no column is named " + std::string(name));
+  }
+  /// SI units; NaN for a missing value.
+  double operator()(std::size_t row, std::size_t column) const { return values_.at(row * columns_.size() + column); }
+  /// The reason why a row has no pose; null for a row with a pose.
+  const char *problem(std::size_t row) const {
+    const char *problem = nullptr;
+    check(percuss_kinematics_problem(handle_.get(), row, &problem));
+    return problem;
+  }
+
+ private:
+  friend class Suspension;
+  explicit Kinematics(percuss_kinematics *handle) : handle_(handle) {
+    std::size_t columns = 0;
+    check(percuss_kinematics_counts(handle, &rows_, &columns));
+    columns_.resize(columns);
+    for (std::size_t i = 0; i < columns; i++) check(percuss_kinematics_column(handle, i, &columns_[i]));
+    values_.resize(rows_ * columns);
+    check(percuss_kinematics_values(handle, values_.data(), values_.size()));
+  }
+  detail::Owner<percuss_kinematics, percuss_kinematics_free> handle_;
+  std::size_t rows_ = 0;
+  std::vector<Column> columns_;
+  std::vector<double> values_;
+};
+
+/// A suspension read from its sheet of hardpoints.
+class Suspension {
+ public:
+  /// Reads a sheet, a table or a JSON file.
+  static Suspension load_file(const std::string &path) {
+    percuss_suspension *handle = nullptr;
+    check(percuss_suspension_load_file(path.c_str(), &handle));
+    return Suspension(handle);
+  }
+  /// Reads text; the ending of name determines the format.
+  static Suspension load_text(std::string_view text, const std::string &name = "sheet.toml") {
+    percuss_suspension *handle = nullptr;
+    check(percuss_suspension_load_memory(name.c_str(), text.data(), text.size(), &handle));
+    return Suspension(handle);
+  }
+  /// The mechanism, with its named contacts.
+  Model model() const {
+    percuss_model *handle = nullptr;
+    check(percuss_suspension_model(get(), &handle));
+    return Model(handle);
+  }
+  /// Data of a vehicle of which nothing is known.
+  static percuss_vehicle unknown_vehicle() {
+    percuss_vehicle vehicle;
+    check(percuss_vehicle_init(&vehicle));
+    return vehicle;
+  }
+  /// Quantities at values (m) of a variable, PERCUSS_WHEEL_TRAVEL, PERCUSS_HEAVE, PERCUSS_ROLL or PERCUSS_STEER.
+  Kinematics kinematics(percuss_wheel_motion variable, const std::vector<double> &values,
+                        const percuss_vehicle &vehicle = unknown_vehicle()) const {
+    percuss_kinematics *handle = nullptr;
+    check(percuss_suspension_kinematics(get(), variable, values.data(), values.size(), &vehicle, &handle));
+    return Kinematics(handle);
+  }
+  const percuss_suspension *get() const noexcept { return handle_.get(); }
+
+ private:
+  explicit Suspension(percuss_suspension *handle) : handle_(handle) {}
+  detail::Owner<percuss_suspension, percuss_suspension_free> handle_;
 };
 
 /// The base, locks, armatures and held contacts of an analysis. Setters return the object itself. Setters of a

@@ -16,6 +16,7 @@ mod dense;
 mod evaluation;
 mod laws;
 mod setup;
+mod suspension;
 mod version;
 
 pub use boundary::status::*;
@@ -30,4 +31,5 @@ pub use setup::conditions::*;
 pub use setup::configuration::*;
 pub use setup::model::*;
 pub use setup::system::*;
+pub use suspension::*;
 pub use version::*;

@@ -29,7 +29,7 @@ fn versions() -> String {
 }
 
 /// Types first, in reading order.
-const FILES: [&str; 12] = [
+const FILES: [&str; 13] = [
     "boundary/status",
     "version",
     "setup/model",
@@ -42,6 +42,7 @@ const FILES: [&str; 12] = [
     "evaluation/workspace",
     "evaluation/batch",
     "laws",
+    "suspension",
 ];
 
 fn generated() -> String {

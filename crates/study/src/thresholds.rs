@@ -86,6 +86,20 @@ pub(crate) const LEAST_PART_OF_HALVING: f64 = 0.1;
 /// Part of the gap above which a halving that fails in such steps is tried again, and the least part then.
 pub(crate) const LONG_HALVING: f64 = 0.125;
 pub(crate) const LEAST_PART_OF_LONG_HALVING: f64 = 0.01;
+/// Accuracy of the smallest gap of a stop that is not reached, m.
+pub(crate) const NEAREST_ACCURACY: f64 = 1e-9;
+/// First and longest step along the path to the smallest gap, and the step below which another joint drives; rad or characteristic
+/// lengths. The halvings leave some 1e-3 of the path.
+pub(crate) const FIRST_APPROACH_STEP: f64 = 1e-4;
+pub(crate) const LONGEST_APPROACH_STEP: f64 = 0.05;
+pub(crate) const LEAST_APPROACH_STEP: f64 = 1e-8;
+/// Largest number of these steps: from the first to the longest step some ten, then some thirty along the path, and the
+/// interpolations.
+pub(crate) const APPROACH_STEPS: usize = 100;
+/// Largest number of Newton steps back to this path.
+pub(crate) const APPROACH_ROUNDS: usize = 8;
+/// Least cosine of the angle between the tangents before and after a step.
+pub(crate) const LEAST_TANGENT_COSINE: f64 = 0.95;
 /// Largest gap at which a stop touches, in characteristic lengths: the tolerance of several travels, with a margin.
 pub(crate) const TOUCH_TOLERANCE: f64 = 1e-10;
 /// Largest number of Newton steps for several travels: from a near pose some five steps are needed.

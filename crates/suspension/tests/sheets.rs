@@ -345,6 +345,7 @@ fn an_axle_on_level_links_is_its_mass() {
         ("solid-axle-four-links", &["lower_link", "upper_link"][..]),
         ("solid-axle-panhard", &["lower_link", "middle_link", "panhard_rod"]),
         ("solid-axle-watt", &["lower_link", "middle_link", "watt_left_rod", "watt_right_rod"]),
+        ("solid-axle-leaf-springs", &["leaf_front", "leaf_back"]),
     ] {
         let mut car = Car::example(name);
         car.without(rods);
@@ -352,7 +353,9 @@ fn an_axle_on_level_links_is_its_mass() {
             let (a, b) = (car.point(from) * 1e3, car.point(to) * 1e3);
             car.set(to, [b.x, b.y, a.z]);
         };
-        level(&mut car, "lower_link_chassis", "lower_link_outer");
+        if name != "solid-axle-leaf-springs" {
+            level(&mut car, "lower_link_chassis", "lower_link_outer");
+        }
         let crank = match name {
             "solid-axle-four-links" => {
                 level(&mut car, "upper_link_chassis", "upper_link_outer");
@@ -363,9 +366,15 @@ fn an_axle_on_level_links_is_its_mass() {
                 level(&mut car, "panhard_chassis", "panhard_axle");
                 0.0
             }
-            _ => {
+            "solid-axle-watt" => {
                 level(&mut car, "middle_link_chassis", "middle_link_axle");
                 car.body("watt_crank").0
+            }
+            _ => {
+                // The links to the rear eyes are level: eyes and shackles are at rest.
+                level(&mut car, "leaf_front_eye", "leaf_clamp_front");
+                level(&mut car, "leaf_back_eye", "leaf_clamp_back");
+                0.0
             }
         };
         // The axle rises without pitch, yaw and roll: all its parts have the same speed, and the rods' ends on the
@@ -375,6 +384,25 @@ fn an_axle_on_level_links_is_its_mass() {
         // Rounding of the dense system of this test: 30 unknowns, with kilograms and metres in one matrix.
         assert!((found / expected - 1.0).abs() < 1e-9, "{name}: {found} and {expected}");
     }
+}
+
+/// A leaf of uniform stress bends to an arc: its end moves on a circle of 3/4 of the free length (f²/(2R) = κ²l³/6 with f = κl²/2).
+#[test]
+fn leaf_links_have_three_quarters_of_the_free_length() {
+    let car = Car::example("solid-axle-leaf-springs");
+    let imported = built(&sheet("solid-axle-leaf-springs"), &ImportOptions::default());
+    for (link, eye, clamp) in [
+        ("leaf_front", "leaf_front_eye", "leaf_clamp_front"),
+        ("leaf_back", "leaf_back_eye", "leaf_clamp_back"),
+    ] {
+        let (_, found) = imported.understood.lengths.iter().find(|(name, _)| name == link).expect(link);
+        let expected = 0.75 * (car.point(eye) - car.point(clamp)).norm();
+        assert!((found / expected - 1.0).abs() < 1e-14, "{link}: {found} and {expected}");
+    }
+    let (_, found) =
+        imported.understood.lengths.iter().find(|(name, _)| name == "shackle").expect("a shackle");
+    let expected = (car.point("leaf_back_eye") - car.point("shackle_chassis")).norm();
+    assert!((found / expected - 1.0).abs() < 1e-14, "{found} and {expected}");
 }
 
 /// Expected mass: a double wishbone at the pushrod's outer end, plus the rocker's inertia over its lever arms.

@@ -36,12 +36,15 @@ CARRIERS = {
     "solid-axle-panhard": ["axle"],
     "solid-axle-watt": ["axle", "watt_crank"],
     "solid-axle-de-dion": ["axle"],
+    "solid-axle-leaf-springs": ["axle"],
     "twist-beam": ["trailing_arm", "beam"],
     "swing-axle": ["axle_tube"],
     "swing-arm": ["swing_arm"],
     "telescopic-fork": ["fork_lower"],
 }
-AXLES = {"solid-axle-four-links", "solid-axle-panhard", "solid-axle-watt", "solid-axle-de-dion"}
+AXLES = {
+    "solid-axle-four-links", "solid-axle-panhard", "solid-axle-watt", "solid-axle-de-dion", "solid-axle-leaf-springs",
+}  # fmt: skip
 # Motorcycles: one wheel, in the middle plane.
 MIDDLE = {"swing-arm", "telescopic-fork"}
 # Rods: their end points; the first is at the universal joint.
@@ -65,7 +68,23 @@ RODS = {
     "panhard_rod": ("panhard_chassis", "panhard_axle"),
     "watt_left_rod": ("watt_left_chassis", "watt_left_crank"),
     "watt_right_rod": ("watt_right_chassis", "watt_right_crank"),
+    "leaf_front": ("leaf_front_eye", "leaf_front_joint"),
+    "leaf_back": ("leaf_back_joint", "leaf_back_eye"),
 }
+
+
+def with_leaf_points(points):
+    """Points with those that follow for a leaf spring: ends of the links of 3/4 of the free length from the eyes; the point of
+    the middle plane on the line of the eyes in side view, at the wheel's centre."""
+    if "leaf_front_eye" not in points:
+        return points
+    front, back, x = points["leaf_front_eye"], points["leaf_back_eye"], points["wheel_centre"][0]
+    height = np.interp(x, [back[0], front[0]], [back[2], front[2]])
+    return points | {
+        "leaf_front_joint": 0.25 * front + 0.75 * points["leaf_clamp_front"],
+        "leaf_back_joint": 0.25 * back + 0.75 * points["leaf_clamp_back"],
+        "leaf_roll_point": np.array([x, 0.0, height]),
+    }
 
 
 @dataclass
@@ -172,7 +191,7 @@ class Side:
         return link if link in SHARED_BODIES or link == CHASSIS else link + self.ending
 
     def point(self, name):
-        at = self.car.points[name]
+        at = with_leaf_points(self.car.points)[name]
         return at if name in SHARED else self.mirror @ at
 
     def has(self, name):
@@ -343,6 +362,8 @@ def axle(car, built, sides):
     """A solid axle with both its wheels."""
     both = sides[0]
     both.body("axle")
+    if car.template == "solid-axle-leaf-springs":
+        return leaf_springs(both, sides)
     for side in sides:
         side.rod("lower_link", CHASSIS, "axle")
         if car.template == "solid-axle-four-links":
@@ -359,6 +380,27 @@ def axle(car, built, sides):
         both.join("hinge", "axle", "watt_crank", "watt_pivot", np.array([1.0, 0, 0]))
         both.rod("watt_left_rod", CHASSIS, "watt_crank")
         both.rod("watt_right_rod", CHASSIS, "watt_crank")
+
+
+def leaf_springs(both, sides):
+    """An axle on leaf springs: it moves along x and z, yaws and rolls about the roll point."""
+    x, _, z = np.eye(3)
+    at = both.point("leaf_roll_point")
+    steps = [("axle_forward", "slide", x), ("axle_up", "slide", z), ("axle_yaw", "hinge", z), ("axle", "hinge", x)]
+    last = CHASSIS
+    for name, kind, along in steps:
+        if name != "axle":
+            both.built.bodies[name] = Body(0.0, at, np.zeros((3, 3)))
+        both.built.joints.append(Joint(kind, last, name, at, along))
+        last = name
+    for side in sides:
+        side.rod("leaf_front", CHASSIS, "axle")
+        side.body("shackle")
+        side.join("hinge", CHASSIS, "shackle", "shackle_chassis", np.array([0.0, 1, 0]))
+        side.rod("leaf_back", "axle", "shackle")
+        side.wheel("axle")
+        side.seats()
+        side.anti_roll_bar()
 
 
 def build(car, which):

@@ -213,8 +213,8 @@ def main():
                     mirrored(checker, car, random_spelling(rng), rng, f"{template}-{case}-mirrored")
     print(f"suspensions: off by at most {checker.worst:.1e}; left from right by {checker.worst_mirrored:.1e}")
     print(f"suspensions: {checker.stops.text()}")
-    # Each example has two stops; most random cars have two.
-    touched, least = checker.stops.touched(), templates * (2 + args.count)
+    # Each example has two stops; most random cars have two, but few of those of a single template may reach them.
+    touched, least = checker.stops.touched(), 2 if args.template else templates * (2 + args.count)
     checker.verdict(touched >= least, f"{touched} stops at the touch, at least {least} are expected")
     if args.count >= 4 and not args.template:
         every = [*checker.stops.kinds.values(), checker.stops.not_reached, checker.stops.remaining]

@@ -20,7 +20,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cars import MIDDLE, build
+from cars import MIDDLE, build, with_leaf_points
 from mechanics import Independent
 from sheets import example, written
 from touch import Linkage, moved_car
@@ -93,8 +93,15 @@ class Watt:
     right: tuple
 
 
+@dataclass
+class Guided:
+    """Carrier of which a point stays in the vehicle's middle plane, and which does not pitch: its x axis stays horizontal."""
+
+    point: np.ndarray
+
+
 # Number of equations of each part.
-COUNTS = {Rod: 1, Coincident: 3, OnLine: 2, Sliding: 5, Watt: 1}
+COUNTS = {Rod: 1, Coincident: 3, OnLine: 2, Sliding: 5, Watt: 1, Guided: 2}
 
 
 def across(line):
@@ -144,6 +151,11 @@ class Carrier:
                         rows.append(np.concatenate([e, np.zeros(3)]))
                     for e in across(along):
                         add(e @ c, e, c)
+                case Guided(point):
+                    at, x = self.point(pose, point), r @ np.array([1.0, 0, 0])
+                    add(at[1], np.array([0, 1.0, 0]), at)
+                    errors.append(x[2])
+                    rows.append(np.concatenate([np.cross(x, Z), np.zeros(3)]))
                 case Watt():
                     error, row = self.watt(pose, part)
                     errors.append(error)
@@ -275,6 +287,11 @@ def linkage(car):
             Rod(p["panhard_chassis"], p["panhard_axle"]),
         ]
         return Carrier(rods, [wheel, right @ wheel]), arms, axis
+    elif car.template == "solid-axle-leaf-springs":
+        p = with_leaf_points(p)
+        eye, joint = p["leaf_front_eye"], p["leaf_front_joint"]
+        rods = [Rod(eye, joint), Rod(right @ eye, right @ joint), Guided(p["leaf_roll_point"])]
+        return Carrier(rods, [wheel, right @ wheel]), arms, axis
     elif car.template == "solid-axle-watt":
         inner, outer = p["lower_link_chassis"], p["lower_link_outer"]
         rods = [
@@ -303,6 +320,7 @@ CARRIERS = {
     "solid-axle-panhard": ["axle"],
     "solid-axle-de-dion": ["axle"],
     "solid-axle-watt": ["axle"],
+    "solid-axle-leaf-springs": ["axle"],
     "pushrod-rocker": ["lower_arm", "upper_arm", "upright", "rocker"],
     "pushrod-third-spring": ["lower_arm", "upper_arm", "upright", "rocker"],
     "twist-beam": ["trailing_arm", "beam"],

@@ -4,7 +4,9 @@ import tomllib
 
 import numpy as np
 
-from cars import AXLES, CARRIERS, MIDDLE, MIRROR, RODS, SHARED, SHARED_BODIES, Car, Given, StopKeys, Wheel, unit
+from cars import (
+    AXLES, CARRIERS, MIDDLE, MIRROR, RODS, SHARED, SHARED_BODIES, Car, Given, StopKeys, Wheel, unit, with_leaf_points,
+)  # fmt: skip
 
 # One unit of the sheet in metres.
 LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
@@ -98,7 +100,7 @@ def random_car(rng, path):
     for name, given in list(car.bodies.items()):
         given.mass *= rng.uniform(0.4, 2.5)
         if name in RODS and given.inertia is None:
-            a, b = (car.points[end] for end in RODS[name])
+            a, b = (with_leaf_points(car.points)[end] for end in RODS[name])
             kind = rng.integers(3)
             if kind == 0:
                 del car.bodies[name]

@@ -6,6 +6,7 @@ use crate::boundary::names::{c_string, element_at};
 use crate::boundary::status::{
     Failure, PERCUSS_ERROR_LOAD, PERCUSS_ERROR_NAME, PERCUSS_ERROR_TEXT, guard_call, percuss_status,
 };
+use percuss::study::DiagnosticRecord;
 use percuss::{
     DEFAULT_MAX_SIZE, Diagnostic, JointId, JointKind, LinkId, LoadOptions, Mechanism, Severity, Source, load,
 };
@@ -32,7 +33,7 @@ pub(crate) struct Model {
     diagnostics: Vec<DiagnosticTexts>,
 }
 
-struct DiagnosticTexts {
+pub(crate) struct DiagnosticTexts {
     severity: i32,
     code: CString,
     message: CString,
@@ -115,19 +116,36 @@ pub struct percuss_diagnostic {
     pub path: *const c_char,
 }
 
+/// PERCUSS_NOTE or PERCUSS_WARNING.
+fn severity_number(severity: Severity) -> i32 {
+    match severity {
+        Severity::Note => PERCUSS_NOTE,
+        Severity::Warning | Severity::Error => PERCUSS_WARNING,
+    }
+}
+
 impl DiagnosticTexts {
     /// Diagnostic for C; unknown positions are 0.
     fn from_diagnostic(diagnostic: &Diagnostic) -> Self {
         Self {
-            severity: match diagnostic.severity {
-                Severity::Note => PERCUSS_NOTE,
-                Severity::Warning | Severity::Error => PERCUSS_WARNING,
-            },
+            severity: severity_number(diagnostic.severity),
             code: c_string(diagnostic.code),
             message: c_string(&diagnostic.message),
             path: c_string(&diagnostic.path),
             line: diagnostic.line.unwrap_or(0),
             column: diagnostic.column.unwrap_or(0),
+        }
+    }
+
+    /// Diagnostic of a suspension for C; unknown positions are 0.
+    pub fn from_record(record: &DiagnosticRecord) -> Self {
+        Self {
+            severity: severity_number(record.severity),
+            code: c_string(record.code),
+            message: c_string(&record.message),
+            path: c_string(record.path.as_deref().unwrap_or_default()),
+            line: record.line.unwrap_or(0),
+            column: record.column.unwrap_or(0),
         }
     }
 }
@@ -137,13 +155,18 @@ impl Model {
     fn load(source: &Source) -> Result<Arc<Self>, Failure> {
         let loaded =
             load(source, &LoadOptions::default()).map_err(Failure::with_status(PERCUSS_ERROR_LOAD))?;
-        let mechanism = Arc::new(loaded.mechanism);
+        let diagnostics = loaded.diagnostics.iter().map(DiagnosticTexts::from_diagnostic).collect();
+        Ok(Self::new(Arc::new(loaded.mechanism), diagnostics))
+    }
+
+    /// A mechanism with its names for C.
+    pub fn new(mechanism: Arc<Mechanism>, diagnostics: Vec<DiagnosticTexts>) -> Arc<Self> {
         let (mut first, mut at) = (Vec::new(), (0, 0));
         for joint in mechanism.joints() {
             first.push(at);
             at = (at.0 + joint.kind().positions(), at.1 + joint.kind().dofs());
         }
-        Ok(Arc::new(Self {
+        Arc::new(Self {
             links: mechanism.link_ids().collect(),
             joints: mechanism.joint_ids().collect(),
             first,
@@ -151,9 +174,9 @@ impl Model {
             velocities: at.1,
             link_names: mechanism.links().iter().map(|link| c_string(link.name())).collect(),
             joint_names: mechanism.joints().iter().map(|joint| c_string(joint.name())).collect(),
-            diagnostics: loaded.diagnostics.iter().map(DiagnosticTexts::from_diagnostic).collect(),
+            diagnostics,
             mechanism,
-        }))
+        })
     }
 
     /// Id of link number `index`, from 0.
@@ -202,18 +225,24 @@ pub unsafe extern "C" fn percuss_model_load_memory(
     guard_call(|| {
         clear_handle(model)?;
         let name = input_text(name, "name")?;
-        let bytes: &[u8] = input_slice(bytes.cast(), length, "bytes")?;
-        if bytes.len() as u64 > DEFAULT_MAX_SIZE {
-            let message = format_args!("{name}: {length} bytes; at most {DEFAULT_MAX_SIZE} are read");
-            return Err(Failure::new(PERCUSS_ERROR_LOAD, message));
-        }
-        let urdf = std::str::from_utf8(bytes).map_err(|error| {
-            Failure::new(
-                PERCUSS_ERROR_TEXT,
-                format_args!("{name}: not UTF-8 at byte {}", error.valid_up_to()),
-            )
-        })?;
+        let urdf = input_document(name, bytes, length)?;
         write_handle(Model::load(&Source::from_text(name, urdf))?, model)
+    })
+}
+
+/// UTF-8 text of a document in the caller's memory, at most as large as a file.
+pub(crate) fn input_document<'a>(
+    name: &str,
+    bytes: *const c_char,
+    length: usize,
+) -> Result<&'a str, Failure> {
+    let bytes: &[u8] = input_slice(bytes.cast(), length, "bytes")?;
+    if bytes.len() as u64 > DEFAULT_MAX_SIZE {
+        let message = format_args!("{name}: {length} bytes; at most {DEFAULT_MAX_SIZE} are read");
+        return Err(Failure::new(PERCUSS_ERROR_LOAD, message));
+    }
+    std::str::from_utf8(bytes).map_err(|error| {
+        Failure::new(PERCUSS_ERROR_TEXT, format_args!("{name}: not UTF-8 at byte {}", error.valid_up_to()))
     })
 }
 

@@ -44,6 +44,10 @@ ASSERT(sizeof(percuss_rank) == 32);
 ASSERT(sizeof(percuss_spring) == 24);
 ASSERT(sizeof(percuss_damper) == 32);
 ASSERT(sizeof(percuss_impact) == 64);
+ASSERT(sizeof(percuss_vehicle) == 96);
+AT(percuss_vehicle, axle, 32);
+AT(percuss_vehicle, brake_bias, 48);
+ASSERT(sizeof(percuss_column) == 24);
 ASSERT(PERCUSS_OK == 0 && PERCUSS_ERROR_INTERNAL == 99);
 ASSERT(PERCUSS_FINITE == 0 && PERCUSS_IMMOVABLE == 1 && PERCUSS_MASSLESS == 2 && PERCUSS_NO_ANSWER == 3 &&
        PERCUSS_MASSLESS_TO_ROUNDING == 4);

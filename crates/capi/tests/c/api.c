@@ -339,6 +339,86 @@ static void laws(void)
   CHECK(near_to(damper.ratio, 0.215454, 1e-5));
 }
 
+/* The column of this name. */
+static size_t column_of(const percuss_kinematics *table, const char *name)
+{
+  size_t columns;
+  OK(percuss_kinematics_counts(table, NULL, &columns));
+  for (size_t i = 0; i < columns; i++) {
+    percuss_column column;
+    OK(percuss_kinematics_column(table, i, &column));
+    if (strcmp(column.name, name) == 0) return i;
+  }
+  fprintf(stderr, "no column %s\n", name);
+  exit(1);
+}
+
+/* Kinematics of a swing axle of 0.5 m: camber = -asin(h/0.5). */
+static void suspensions(void)
+{
+  percuss_suspension *suspension = NULL;
+  OK(percuss_suspension_load_memory("axle.toml", SWING_AXLE, strlen(SWING_AXLE), &suspension));
+  const double travels[4] = {-0.1, 0.0, 0.1, 0.9};
+  percuss_kinematics *table = NULL;
+  OK(percuss_suspension_kinematics(suspension, PERCUSS_WHEEL_TRAVEL, travels, 4, NULL, &table));
+  size_t rows, columns;
+  OK(percuss_kinematics_counts(table, &rows, &columns));
+  CHECK(rows == 4 && columns > 10);
+  double *values = malloc(rows * columns * sizeof *values);
+  CHECK(values != NULL);
+  OK(percuss_kinematics_values(table, values, rows * columns));
+  const size_t camber = column_of(table, "camber"), ratio = column_of(table, "motion_ratio_spring");
+  for (size_t row = 0; row < 3; row++) {
+    const char *problem = "unset";
+    OK(percuss_kinematics_problem(table, row, &problem));
+    CHECK(problem == NULL);
+    CHECK(fabs(values[row * columns + camber] + asin(travels[row] / 0.5)) < 1e-12);
+  }
+  CHECK(near_to(values[columns + ratio], 0.5, 1e-12));
+  /* A travel beyond the axle. */
+  const char *problem = NULL;
+  OK(percuss_kinematics_problem(table, 3, &problem));
+  CHECK(problem != NULL && strlen(problem) > 0 && isnan(values[3 * columns + camber]));
+  percuss_column column;
+  OK(percuss_kinematics_column(table, camber, &column));
+  CHECK(strcmp(column.unit, "rad") == 0 && column.missing == NULL);
+  FAILS(percuss_kinematics_column(table, columns, &column), PERCUSS_ERROR_NAME, "column");
+  FAILS(percuss_kinematics_problem(table, rows, &problem), PERCUSS_ERROR_NAME, "row");
+  FAILS(percuss_kinematics_values(table, values, rows * columns - 1), PERCUSS_ERROR_LENGTH, "values");
+  free(values);
+  OK(percuss_kinematics_free(&table));
+  CHECK(table == NULL);
+  /* Data of the vehicle. */
+  percuss_vehicle vehicle;
+  OK(percuss_vehicle_init(&vehicle));
+  CHECK(vehicle.heave == 0.0 && vehicle.axle == PERCUSS_AXLE_UNKNOWN && isnan(vehicle.wheelbase));
+  vehicle.axle = PERCUSS_AXLE_REAR;
+  vehicle.brake_bias = 1.5;
+  FAILS(percuss_suspension_kinematics(suspension, PERCUSS_HEAVE, travels, 3, &vehicle, &table), PERCUSS_ERROR_ARGUMENT,
+        "brake_bias");
+  vehicle.brake_bias = 0.6;
+  vehicle.heave = 0.01;
+  FAILS(percuss_suspension_kinematics(suspension, PERCUSS_HEAVE, travels, 3, &vehicle, &table), PERCUSS_ERROR_ARGUMENT,
+        "heave");
+  vehicle.heave = 0.0;
+  FAILS(percuss_suspension_kinematics(suspension, PERCUSS_STEER, travels, 3, NULL, &table), PERCUSS_ERROR_ASSEMBLY,
+        "no tie rod");
+  FAILS(percuss_suspension_kinematics(suspension, 7, travels, 3, NULL, &table), PERCUSS_ERROR_ARGUMENT, "variable");
+  FAILS(percuss_suspension_kinematics(suspension, PERCUSS_HEAVE, travels, 0, NULL, &table), PERCUSS_ERROR_LENGTH, "values");
+  CHECK(table == NULL);
+  /* The mechanism, with its named contacts: it stays when the suspension is freed. */
+  percuss_model *model = NULL;
+  OK(percuss_suspension_model(suspension, &model));
+  OK(percuss_suspension_free(&suspension));
+  percuss_contact contact;
+  OK(percuss_model_find_contact(model, "spring", &contact, NULL));
+  OK(percuss_model_free(&model));
+  FAILS(percuss_suspension_load_memory("robot.urdf", PENDULUM, strlen(PENDULUM), &suspension), PERCUSS_ERROR_LOAD,
+        "no sheet");
+  FAILS(percuss_suspension_load_file("/nowhere/axle.toml", &suspension), PERCUSS_ERROR_LOAD, "axle.toml");
+  CHECK(suspension == NULL);
+}
+
 /* Options for matrices: defaults, noise of rows, an accuracy for each matrix. */
 static void options_of_matrices(void)
 {
@@ -404,6 +484,7 @@ int main(void)
   the_four_bar();
   options_of_matrices();
   laws();
+  suspensions();
   puts("every function answered as it should");
   return 0;
 }

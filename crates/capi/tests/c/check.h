@@ -36,6 +36,14 @@ static const char PENDULUM[] =
     "<mass value=\"2\"/></inertial></link><joint name=\"hinge\" type=\"continuous\"><parent link=\"ground\"/>"
     "<child link=\"rod\"/><axis xyz=\"0 1 0\"/></joint></robot>";
 
+/* A swing axle: the wheel centre 0.5 m from a hinge along x, the spring vertical at half of this distance. */
+static const char SWING_AXLE[] =
+    "template = \"swing-axle\"\nunit = \"m\"\naxes = \"iso\"\n[points]\nwheel_centre = [0, 0.7, 0.3]\n"
+    "pivot_front = [0.1, 0.2, 0.3]\npivot_back = [-0.1, 0.2, 0.3]\nspring_seat = [0, 0.45, 0.3]\n"
+    "spring_chassis_seat = [0, 0.45, 0.6]\n[spring]\nrate = \"20 N/mm\"\n[axle_tube]\nmass = 6\ncom = [0, 0.4, 0.3]\n"
+    "inertia = [0.1, 0.02, 0.1]\n[spindle]\nmass = 4\ninertia = [0.02, 0.03, 0.02]\n[wheel]\nmass = 15\n"
+    "inertia = [0.5, 0.9, 0.5]\nradius = 0.3\n";
+
 /* A planar four-bar: crank 0.2 m, coupler 0.7 m, rocker 0.5 m, its pivots 0.6 m apart. */
 static const char FOUR_BAR[] =
     "<robot name=\"four_bar\"><link name=\"ground\"/>"

@@ -176,12 +176,32 @@ static void laws() {
   throws(PERCUSS_ERROR_LAW, "restitution", [&] { damper(0, spring, 1.5); });
 }
 
+static void suspensions() {
+  using namespace percuss;
+  const Suspension suspension = Suspension::load_text(SWING_AXLE);
+  const std::vector<double> travels{-0.1, 0.0, 0.1, 0.9};
+  const Kinematics table = suspension.kinematics(PERCUSS_HEAVE, travels);
+  const std::size_t camber = table.find_column("camber");
+  CHECK(table.rows() == 4 && std::string(table.columns()[camber].unit) == "rad");
+  for (std::size_t row = 0; row < 3; row++) {
+    CHECK(table.problem(row) == nullptr && std::abs(table(row, camber) + std::asin(travels[row] / 0.5)) < 1e-12);
+  }
+  CHECK(table.problem(3) != nullptr && std::isnan(table(3, camber)));
+  CHECK(suspension.model().gap_as_drawn("spring") == 0.0);
+  throws(PERCUSS_ERROR_NAME, "chamber", [&] { table.find_column("chamber"); });
+  throws(PERCUSS_ERROR_ASSEMBLY, "no tie rod", [&] { suspension.kinematics(PERCUSS_STEER, travels); });
+  percuss_vehicle vehicle = Suspension::unknown_vehicle();
+  vehicle.wheelbase = -1.0;
+  throws(PERCUSS_ERROR_ARGUMENT, "wheelbase", [&] { suspension.kinematics(PERCUSS_HEAVE, travels, vehicle); });
+}
+
 int main() {
   pendulum();
   four_bar();
   rules();
   workspaces_and_matrices();
   laws();
+  suspensions();
   puts("C++");
   return 0;
 }

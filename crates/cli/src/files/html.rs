@@ -32,7 +32,7 @@ table.data{font-size:.9rem;font-variant-numeric:tabular-nums}td.hash{font:.72rem
 img{max-width:100%;height:auto;display:block}figure{margin:.8rem 0;break-inside:avoid}figcaption{font-size:.9rem;margin-top:.3rem}\
 @media(max-width:46rem){nav{columns:1}td.name{width:9rem}}\
 @page{size:A4;margin:16mm 16mm 18mm;@bottom-right{content:counter(page) ' / ' counter(pages);font:8pt sans-serif;color:#5c636e}}\
-@media print{body{margin:0;padding:0;max-width:none;font-size:10pt}h2,h3{break-after:avoid}nav{columns:2}a{color:inherit}\
+@media print{body{margin:0;padding:0;max-width:none;font-size:10pt}h2,h3,p.intro{break-after:avoid}nav{columns:2}a{color:inherit}\
 .result,.warning,.note,pre{print-color-adjust:exact;-webkit-print-color-adjust:exact}\
 tr,figure,table.short{break-inside:avoid}pre{font-size:7.6pt}table.data{font-size:8.4pt}td.hash{font-size:6.4pt}td.name{width:36mm}p{orphans:3;widows:3}}";
 
@@ -172,7 +172,8 @@ impl Page {
                     (false, true) => " class=\"long\"",
                     (false, false) => "",
                 };
-                format!("<{tag}{class}>{}</{tag}>", escape_text(cell))
+                // A percent sign stays on the line of its number.
+                format!("<{tag}{class}>{}</{tag}>", escape_text(cell).replace(" %", "\u{a0}%"))
             };
             let cells: String = row.iter().zip(&is_number).map(cell).collect();
             let (begin, end) = if i == 0 { ("<thead>", "</thead>") } else { ("", "") };

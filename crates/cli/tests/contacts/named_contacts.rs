@@ -79,6 +79,71 @@ fn a_given_pose_is_kept_and_its_gap_is_stated() {
     assert!(far.stderr.contains("closes by 500.00 mm only, and 100.00 mm remain"), "{}", far.stderr);
 }
 
+/// Swing axle without an anti-roll bar, on a hinge along x.
+const SWING_AXLE: &str = r#"template = "swing-axle"
+unit = "m"
+axes = "iso"
+build = "both"
+[points]
+wheel_centre = [0, 0.7, 0.3]
+pivot_front = [0.1, 0.2, 0.32]
+pivot_back = [-0.1, 0.2, 0.32]
+bump_stop_pad = [0, 0.45, 0.4]
+bump_stop = [0, 0.44, 0.47]
+rebound_stop_pad = [0, 0.5, 0.28]
+rebound_stop = [0, 0.49, 0.2]
+[bump_stop]
+gap = 0.4
+[rebound_stop]
+gap = 0.7
+[axle_tube]
+mass = 6
+com = [0, 0.4, 0.3]
+inertia = [0.1, 0.02, 0.1]
+[spindle]
+mass = 4
+inertia = [0.02, 0.03, 0.02]
+"#;
+
+/// Stops of two wheels with gaps that are too long: the smallest gap of a pad on a hinge is a closed form.
+#[test]
+fn the_remaining_gap_of_two_wheels_is_that_of_the_closed_form() {
+    let folder = Scratch::new("contacts-remaining");
+    let file = folder.write("axle.toml", SWING_AXLE);
+    let pivot = [0.2, 0.32];
+    for (stop, gap, pad, face) in
+        [("bump_stop", 0.4, [0.45, 0.4], [0.44, 0.47]), ("rebound_stop", 0.7, [0.5, 0.28], [0.49, 0.2])]
+    {
+        // The pad at r from the hinge turns in the plane x = 0: n · r is at most |r| there, for a unit normal n.
+        let [r, line]: [[f64; 2]; 2] =
+            [[pad, pivot], [face, pad]].map(|[to, from]| [to[0] - from[0], to[1] - from[1]]);
+        let closed = r[0].hypot(r[1]) - (r[0] * line[0] + r[1] * line[1]) / line[0].hypot(line[1]);
+        let remaining = 1e3 * (gap - closed);
+        let outcome = percuss(&format!("mass {file} --at {stop}_left"));
+        let text = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(outcome.code, 1, "{text}");
+        assert!(text.contains(&format!("and {remaining:.2} mm remain")), "{stop}: {remaining} mm: {text}");
+    }
+    // Two bars of different lengths, each in front of its own plane: the shorter one reaches its largest distance first.
+    let bar = |side: &str, length: f64, y: f64| {
+        format!(
+            r#"<link name="bar_{side}"><inertial><mass value="2"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.05" iyz="0"
+            izz="0.1"/></inertial></link><joint name="hinge_{side}" type="continuous"><parent link="ground"/>
+            <child link="bar_{side}"/><origin xyz="0 {y} 0"/><axis xyz="0 1 0"/></joint>
+            <contact name="stop_{side}" type="stop"><body link="bar_{side}" xyz="0 0 -{length}"/><other link="world"/>
+            <normal xyz="1 0 0"/><gap value="0.6"/></contact>"#
+        )
+    };
+    let bars = [bar("left", 0.5, 1.0), bar("right", 0.7, -1.0)].concat();
+    let bars =
+        folder.write("bars.urdf", &format!(r#"<robot name="bars"><link name="ground"/>{bars}</robot>"#));
+    for side in ["left", "right"] {
+        let outcome = percuss(&format!("mass {bars} --at stop_{side}"));
+        let text = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains("closes by 500.00 mm only, and 100.00 mm remain"), "{side}: {text}");
+    }
+}
+
 #[test]
 fn the_list_has_every_contact_and_the_reason_of_a_missing_one() {
     let folder = Scratch::new("contacts-list");
@@ -184,8 +249,8 @@ fn stops_of_every_sheet_touch_and_survive_the_import() {
             assert!((mass / by_hand - 1.0).abs() < 1e-9, "{line}: {mass}, {by_hand}");
         }
     }
-    // Thirteen sheets with one side, four axles and a third spring with both; two stops on each side.
-    assert_eq!(stops, 2 * 13 + 4 * 5);
+    // Thirteen sheets with one side, five axles and a third spring with both; two stops on each side.
+    assert_eq!(stops, 2 * 13 + 4 * 6);
 }
 
 /// Heave and roll move each wheel by the sum and the difference, at one pose and in a sweep.

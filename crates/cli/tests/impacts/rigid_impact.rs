@@ -89,6 +89,35 @@ fn a_free_body_on_the_other_side_and_a_floating_base() {
     let falling = json(&format!("{contact} --restitution 0 --base-twist 0,0,0,0,0,-3 --format json"));
     close(&falling["closing_speed"], 3.0);
     close(&falling["base"]["linear_after"][2], 0.0);
+    assert!(!falling["diagnostics"].to_string().contains("base-at-rest"), "{falling}");
+    // Rates of joints without a velocity of the base: a note. Two bars of 2 kg in line, hinged at their ends; the second
+    // turns about the hinge.
+    let bar = |name: &str| {
+        format!(
+            r#"<link name="{name}"><inertial><origin xyz="0 0 -0.3"/><mass value="2"/>
+            <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.05" iyz="0" izz="0.1"/></inertial></link>"#
+        )
+    };
+    let text = format!(
+        r#"<robot name="bars">{}{}<joint name="elbow" type="continuous"><parent link="body"/><child link="tip"/>
+        <origin xyz="0 0 -0.5"/><axis xyz="0 1 0"/></joint></robot>"#,
+        bar("body"),
+        bar("tip")
+    );
+    let bars = scratch.write("bars.urdf", &text);
+    let elbow = format!(
+        "impact {bars} --link tip --point 0,0,-0.5 --normal 1,0,0 --restitution 0 --rates elbow=-1 --format json"
+    );
+    let base = "--base floating";
+    let codes = |flags: &str| json(&format!("{elbow} {flags}"))["diagnostics"].to_string();
+    let floating = codes(base);
+    assert!(
+        floating.contains("base-at-rest") && floating.contains("(--base-twist)") && floating.contains("note"),
+        "{floating}"
+    );
+    for other in ["--base floating --base-twist 0,0,0,0,0,0", ""] {
+        assert!(!codes(other).contains("base-at-rest"), "{other}");
+    }
 }
 
 #[test]

@@ -14,7 +14,7 @@ const HALF_TURNS: usize = 12;
 const PAD: f64 = 9.0;
 const FACE: f64 = 13.0;
 /// Half length of the ground.
-const GROUND: f64 = 30.0;
+const GROUND: f64 = 22.0;
 /// Length of a hatch line, and distance between two.
 const HATCH: f64 = 6.0;
 /// Projected length below which a spring or a damper is seen along its axis and drawn as a circle.

@@ -52,6 +52,7 @@ macro_rules! finding_kinds {
 }
 
 finding_kinds! {
+    BaseAtRest = "base-at-rest", Note, Report;
     BaseNotGiven = "base-not-given", Warning, Pose;
     DefaultDistance = "default-distance", Note, Report;
     DrawnOpen = "drawn-open", Warning, Model;

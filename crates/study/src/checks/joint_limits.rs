@@ -39,7 +39,7 @@ impl LimitedJoints {
 }
 
 /// Finding for a number without a unit that turns a joint by more than `turns` turns: it is probably in degrees. `how`: verb of the
-/// message. `None` for another joint or number.
+/// message. `None` for another joint or number, and outside the limits of the joint: that finding has the same hint.
 pub(crate) fn many_turns_finding(
     mechanism: &Mechanism,
     joint: JointId,
@@ -48,8 +48,12 @@ pub(crate) fn many_turns_finding(
     how: &str,
 ) -> Option<Finding> {
     let on = mechanism.joint(joint);
-    let is_free = on.kind() == JointKind::Continuous && number.dimension.is_none();
-    (is_free && number.value.abs() > turns * TAU).then(|| {
+    let turns_freely = match on.kind() {
+        JointKind::Continuous => true,
+        JointKind::Revolute => on.limits().is_none_or(|limits| !Pose::is_outside(number.value, limits)),
+        _ => false,
+    };
+    (turns_freely && number.dimension.is_none() && number.value.abs() > turns * TAU).then(|| {
         let message = format!(
             "joint \"{}\" {how} {}, {:.1} turns; a number without a unit is in rad: for degrees write {}deg",
             on.name(),

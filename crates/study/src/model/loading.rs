@@ -115,6 +115,11 @@ impl Model {
         Some(SheetPoint { point: point.into(), unit, axes })
     }
 
+    /// True for a model read from a suspension's sheet, table or JSON.
+    pub fn has_sheet(&self) -> bool {
+        self.origin.sheet.is_some()
+    }
+
     /// Reads a URDF file, or a suspension's sheet, table or JSON as in `percuss import`. The file extension
     /// selects the format; `-` is a URDF on the standard input. `max_size`: largest file size, bytes.
     ///

@@ -146,8 +146,9 @@ impl JoinedTravels {
             let step = rates.lu().solve(&missing).filter(|step| step.iter().all(|x| x.is_finite()));
             let Some(step) = step else { return reached.ok_or(None) };
             // Near a dead centre of a driver the step is long, and the loops would be followed over several turns.
-            let is_long =
-                |(driver, step): (&JointId, &f64)| (step / unit(&pose, *driver)).abs() > LONGEST_DRIVER_STEP;
+            let is_long = |(driver, step): (&JointId, &f64)| {
+                (step / joint_unit(&pose, *driver)).abs() > LONGEST_DRIVER_STEP
+            };
             if from.drivers.iter().zip(step.iter()).any(is_long) {
                 return reached.ok_or(None);
             }
@@ -170,7 +171,7 @@ impl JoinedTravels {
     }
 
     /// Drivers of the travels at a pose; a joint drives one travel at most, and set joints drive none.
-    fn select_drivers(&self, pose: &Pose) -> Option<Vec<JointId>> {
+    pub fn select_drivers(&self, pose: &Pose) -> Option<Vec<JointId>> {
         let mut drivers = Vec::new();
         for travel in &self.travels {
             let taken = [&self.set[..], &drivers].concat();
@@ -187,13 +188,14 @@ type JointRate = (JointId, f64);
 fn mean_rates(from: &Pose, to: &Pose, part: f64) -> Vec<JointRate> {
     let mechanism = from.mechanism();
     let is_single = |joint: &JointId| mechanism.joint(*joint).kind().positions() == 1;
-    let rate =
-        |joint: JointId| (joint, (to.joint(joint)[0] - from.joint(joint)[0]) / (unit(from, joint) * part));
+    let rate = |joint: JointId| {
+        (joint, (to.joint(joint)[0] - from.joint(joint)[0]) / (joint_unit(from, joint) * part))
+    };
     mechanism.joint_ids().filter(is_single).map(rate).collect()
 }
 
 /// Unit of the motion of a joint: 1 rad, or the characteristic length of the mechanism.
-fn unit(pose: &Pose, joint: JointId) -> f64 {
+pub(crate) fn joint_unit(pose: &Pose, joint: JointId) -> f64 {
     let mechanism = pose.mechanism();
     let is_prismatic = mechanism.joint(joint).kind() == JointKind::Prismatic;
     if is_prismatic { mechanism.characteristic_length() } else { 1.0 }
@@ -215,7 +217,7 @@ fn dead_centre_text(pose: &Pose, [first, last]: &[Vec<JointRate>; 2]) -> String 
 }
 
 /// Pose with the drivers at given positions, on the branch of the pose `from`.
-fn move_drivers(
+pub(crate) fn move_drivers(
     configuration: &Configuration,
     drivers: &[JointId],
     from: &Pose,
@@ -230,6 +232,6 @@ fn move_drivers(
 }
 
 /// Positions of joints with one position each.
-fn positions(pose: &Pose, joints: &[JointId]) -> Vec<f64> {
+pub(crate) fn positions(pose: &Pose, joints: &[JointId]) -> Vec<f64> {
     joints.iter().map(|joint| pose.joint(*joint)[0]).collect()
 }

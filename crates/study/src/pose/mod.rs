@@ -4,6 +4,7 @@ pub(crate) mod determined_system;
 pub(crate) mod driver;
 pub(crate) mod joined_motion;
 pub(crate) mod joined_travels;
+pub(crate) mod nearest_approach;
 pub(crate) mod point_travel;
 pub(crate) mod pose_solver;
 pub(crate) mod positions;

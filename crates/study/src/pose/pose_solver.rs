@@ -2,6 +2,7 @@
 
 use crate::pose::driver::Driver;
 use crate::pose::joined_travels::JoinedTravels;
+use crate::pose::nearest_approach::ClosingPath;
 use crate::pose::point_travel::PointTravel;
 use crate::pose::touch::touching_stops;
 use crate::pose::unreachable_range::UnreachedRow;
@@ -57,14 +58,11 @@ fn solve_all(
         [] => Ok(start.clone()),
         [alone] => alone.solve_pose(start.clone(), names),
         [first, ..] => {
-            let drivers = travels.iter().map(|travel| travel.driver.joint).collect();
             let distances: Vec<f64> = travels.iter().map(|travel| travel.distance).collect();
-            let set = first.travel.set().to_vec();
             let is_elsewhere = |travel: &DrivenTravel| travel.travel.displacement(start).abs() > SAME_START;
             let selects_drivers = travels.iter().any(is_elsewhere);
-            let travels = travels.iter().map(|travel| travel.travel.travel().clone()).collect();
             // The configuration of the first travel holds the rack.
-            JoinedTravels { travels, drivers, set, least_part, selects_drivers }.pose(
+            joined_travels(travels, least_part, selects_drivers).pose(
                 &first.driver.configuration,
                 start,
                 &distances,
@@ -138,9 +136,36 @@ fn touch_pose(
                     Err(_) => high = middle,
                 }
             }
-            Err(not_reached(Some(low * gap), why))
+            // With the part of the gap as the parameter, the last halvings fail where the rate of the gap is small.
+            match closing_path_end(&travels, &from) {
+                Some((part, pose)) if part >= 1.0 => match with_part(1.0, &pose, LEAST_PART) {
+                    Err(StudyError::TravelNotReached { .. }) => Err(not_reached(Some(low * gap), why)),
+                    reached => reached,
+                },
+                Some((part, _)) => Err(not_reached(Some(low.max(part) * gap), why)),
+                None => Err(not_reached(Some(low * gap), why)),
+            }
         }
         reached => reached,
+    }
+}
+
+/// Largest part of the gaps that the travels to stops close, from a pose near this part, and its pose.
+fn closing_path_end(travels: &[DrivenTravel], near: &Pose) -> Option<(f64, Pose)> {
+    let first = travels.first()?;
+    let joined = joined_travels(travels, LEAST_PART, true);
+    let gaps = travels.iter().map(|travel| travel.distance).collect();
+    ClosingPath { travels: &joined, configuration: &first.driver.configuration, gaps }.nearest(near)
+}
+
+/// Travels that are solved together.
+fn joined_travels(travels: &[DrivenTravel], least_part: f64, selects_drivers: bool) -> JoinedTravels {
+    JoinedTravels {
+        travels: travels.iter().map(|travel| travel.travel.travel().clone()).collect(),
+        drivers: travels.iter().map(|travel| travel.driver.joint).collect(),
+        set: travels.first().map_or_else(Vec::new, |first| first.travel.set().to_vec()),
+        least_part,
+        selects_drivers,
     }
 }
 

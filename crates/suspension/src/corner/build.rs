@@ -23,7 +23,11 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
     let mut left = Corner::new();
     let mut middle = design.axle.then(Corner::new);
     if let (Some(middle), Some(wheel)) = (&mut middle, design.point("wheel_centre")) {
-        let at = Vector3::new(wheel.x, 0.0, wheel.z);
+        let guided = design.parts.iter().find_map(|part| match part {
+            Part::GuidedAxle { at } => design.point(at),
+            _ => None,
+        });
+        let at = guided.unwrap_or_else(|| Vector3::new(wheel.x, 0.0, wheel.z));
         middle.mark_shared(AXLE, at);
         left.mark_shared(AXLE, at);
     }
@@ -119,7 +123,7 @@ fn add_damper_stops(design: &Design, corner: &mut Corner, findings: &mut Finding
 fn is_on_axle(design: &Design, part: &Part) -> bool {
     let central = |point: &str| is_central(design.axle, point);
     match part {
-        Part::Axle => true,
+        Part::Axle | Part::GuidedAxle { .. } => true,
         Part::Swivel { at, .. } => central(at),
         Part::Rod { ends, .. } => ends.iter().all(|(_, point)| central(point)),
         Part::Hinge { .. }
@@ -180,9 +184,18 @@ impl CornerBuilder<'_> {
                 self.add_hinge_joint(link, parent, first, axis, self.design.hinge_comment);
                 self.draw_hinge(link, [self.point(first), self.point(second)], outer.as_deref());
             }
-            Part::Swivel { link, parent, at } => {
+            Part::Swivel { link, parent, at, axis } => {
                 self.add_link(link, at, None);
-                self.add_hinge_joint(link, parent, at, Vector3::x(), "about the vehicle's x");
+                let about = axis.map_or(Vector3::x(), Vector3::from);
+                let comment = format!("about the vehicle's {}", ["x", "y", "z"][about.iamax()]);
+                self.add_hinge_joint(link, parent, at, about, &comment);
+                // A crank about x is drawn by its rods.
+                if axis.is_some()
+                    && let Some(outer) = self.outer_point(link)
+                {
+                    let (ends, spot) = ([self.point(at), self.point(outer)], self.design.spot(outer));
+                    self.corner.drawing.add_rod(link, ends, &spot);
+                }
             }
             Part::Ball { link, joint, parent, at, comment, outer } => {
                 let spot = self.design.spot(at);
@@ -209,6 +222,7 @@ impl CornerBuilder<'_> {
                 let right = Vector3::new(wheel.x, 0.0 - wheel.y, wheel.z);
                 self.corner.drawing.add_line(AXLE, [left, right]);
             }
+            Part::GuidedAxle { at } => self.add_guided_axle(at),
             Part::Fixed { link, on, at } => {
                 let Some(body) = self.body(link) else { return };
                 let name = format!("{link}_fixed");
@@ -250,6 +264,38 @@ impl CornerBuilder<'_> {
         self.corner.add_joint((&name, JointKind::Floating), [CHASSIS, link], Vector3::x(), &spot, comment);
     }
 
+    /// Adds the axle on slides along x and z and on pins along z and x through a point of the middle plane.
+    fn add_guided_axle(&mut self, at: &str) {
+        let (pivot, spot) = (self.point(at), self.design.spot(at));
+        let mut parent = CHASSIS;
+        let steps = [
+            (
+                "axle_forward",
+                "axle_forward_slide",
+                JointKind::Prismatic,
+                Vector3::x(),
+                "along the vehicle's x",
+            ),
+            ("axle_up", "axle_up_slide", JointKind::Prismatic, Vector3::z(), "along the vehicle's z"),
+            ("axle_yaw", "axle_yaw_hinge", JointKind::Revolute, Vector3::z(), "yaw, about the vehicle's z"),
+            (AXLE, "axle_roll_hinge", JointKind::Revolute, Vector3::x(), "roll, about the axle's x"),
+        ];
+        for (link, joint, kind, axis, comment) in steps {
+            let body = self.body(link);
+            self.corner.add_link(
+                link,
+                pivot,
+                body.as_ref(),
+                "frame in the middle plane, at the line of the eyes",
+            );
+            self.corner.add_joint((joint, kind), [parent, link], axis, &spot, comment);
+            parent = link;
+        }
+        let wheel = self.point("wheel_centre");
+        let ends = [1.0, -1.0].map(|side| Vector3::new(wheel.x, side * wheel.y, wheel.z));
+        self.corner.drawing.add_line(AXLE, ends);
+    }
+
     /// Adds a revolute joint from the parent to the link, at the point `at`.
     fn add_hinge_joint(&mut self, link: &str, parent: &str, at: &str, axis: Vector3<f64>, comment: &str) {
         let spot = self.design.spot(at);
@@ -278,6 +324,7 @@ impl CornerBuilder<'_> {
             | Part::Ball { .. }
             | Part::Free { .. }
             | Part::Axle
+            | Part::GuidedAxle { .. }
             | Part::Fixed { .. }
             | Part::Wheel { .. }
             | Part::Strut { .. }

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 /// Step in building a mechanism. The link name `SECTION.on` stands for the link chosen in the file. A `comment`
 /// describes the link in the model; without it, the comment names the point of the link frame.
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "lowercase")]
+#[serde(deny_unknown_fields, rename_all = "snake_case")]
 pub(crate) enum Part {
     /// Link on a hinge through two points; the link frame is at the first. `outer`: end of the arm in the drawing;
     /// without it, the first ball joint, rod or wheel on the link.
@@ -21,8 +21,8 @@ pub(crate) enum Part {
         comment: Option<String>,
         outer: Option<String>,
     },
-    /// Link on a hinge parallel to the vehicle's x axis.
-    Swivel { link: String, parent: String, at: String },
+    /// Link on a hinge parallel to an axis of the vehicle: x, or `axis`.
+    Swivel { link: String, parent: String, at: String, axis: Option<[f64; 3]> },
     /// Link on a ball joint. `outer`: other end in the drawing of a link on the chassis; without it, the wheel centre.
     Ball {
         link: String,
@@ -36,6 +36,9 @@ pub(crate) enum Part {
     Free { link: String, at: String, comment: Option<String>, joint_comment: Option<String> },
     /// Free body of the axle, with its frame half way between the wheels.
     Axle,
+    /// Axle that moves forward and upward, yaws and rolls about the point `at` of the vehicle's middle plane, but neither
+    /// moves sideways there nor pitches; the link frame is at this point.
+    GuidedAxle { at: String },
     /// Link fixed to another.
     Fixed { link: String, on: String, at: String },
     /// Spindle and wheel.
@@ -80,6 +83,8 @@ pub(crate) struct Design {
     pub axle: bool,
     /// Hardpoints with their positions in the file.
     pub points: BTreeMap<&'static str, (Vector3<f64>, Spot)>,
+    /// Points that follow from the hardpoints, by name.
+    pub derived: &'static [(String, DerivedPoint)],
     /// Bodies by link.
     pub bodies: BTreeMap<&'static str, GivenBody>,
     /// Pins of universal joints by link: fixed in the parent, fixed in the link. Without them, the first pin is
@@ -95,6 +100,16 @@ pub(crate) struct Design {
     pub unchecked_rods: bool,
     /// Comment of each hinge in the model.
     pub hinge_comment: &'static str,
+}
+
+/// Point that follows from hardpoints.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, untagged)]
+pub(crate) enum DerivedPoint {
+    /// Point of a line, at a part of the distance from the first end.
+    OnLine { from: String, to: String, part: f64 },
+    /// Point of the vehicle's middle plane at the height of a line in side view, above or below another point.
+    InMiddlePlane { line: [String; 2], above: String },
 }
 
 /// Gap and direction of a stop, as given in the file.
@@ -126,7 +141,11 @@ impl Design {
     /// joint with a single position. Without such a joint, no joint would drive the wheel travel.
     pub fn builds_rods_as_links(&self) -> bool {
         let has_pin = |part: &&Part| match part {
-            Part::Hinge { .. } | Part::Swivel { .. } | Part::Strut { .. } | Part::Slide { .. } => true,
+            Part::Hinge { .. }
+            | Part::Swivel { .. }
+            | Part::GuidedAxle { .. }
+            | Part::Strut { .. }
+            | Part::Slide { .. } => true,
             Part::Rod { link, .. } => self.bodies.contains_key(link.as_str()),
             Part::Ball { .. }
             | Part::Free { .. }
@@ -139,13 +158,36 @@ impl Design {
         self.rods_are_links || !self.unchecked_rods && !self.parts.iter().any(has_pin)
     }
 
-    /// Position of a point; `None` if the file does not contain the point.
+    /// Position of a point; `None` if the file does not contain the point, or a hardpoint from which it follows.
     pub fn point(&self, key: &str) -> Option<Vector3<f64>> {
-        self.points.get(key).map(|(at, _)| *at)
+        if let Some((at, _)) = self.points.get(key) {
+            return Some(*at);
+        }
+        match &self.derived.iter().find(|(name, _)| name == key)?.1 {
+            DerivedPoint::OnLine { from, to, part } => {
+                let from = self.point(from)?;
+                Some(from + *part * (self.point(to)? - from))
+            }
+            DerivedPoint::InMiddlePlane { line: [first, second], above } => {
+                let (first, second, above) = (self.point(first)?, self.point(second)?, self.point(above)?);
+                let part = (above.x - first.x) / (second.x - first.x);
+                // A line that is vertical in side view has no height there: its middle.
+                let part = if part.is_finite() { part } else { 0.5 };
+                Some(Vector3::new(above.x, 0.0, first.z + part * (second.z - first.z)))
+            }
+        }
     }
 
     /// Place of a point in the file; the key alone if the file does not contain the point.
     pub fn spot(&self, key: &str) -> Spot {
+        let derived = self.derived.iter().find(|(name, _)| name == key);
+        let key = match derived.map(|(_, point)| point) {
+            Some(
+                DerivedPoint::OnLine { from: given, .. }
+                | DerivedPoint::InMiddlePlane { line: [given, _], .. },
+            ) => given,
+            None => key,
+        };
         self.points
             .get(key)
             .map_or_else(|| Spot { path: Some(shortened(key)), ..Spot::default() }, |(_, spot)| spot.clone())

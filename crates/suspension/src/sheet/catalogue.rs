@@ -8,7 +8,7 @@ use crate::limits::MAX_SHEET_KEYS;
 use std::sync::LazyLock;
 
 /// Texts of the data files, in the order of the list of templates.
-const FILES: [&str; 17] = [
+const FILES: [&str; 18] = [
     include_str!("templates/double-wishbone.toml"),
     include_str!("templates/double-wishbone-rods.toml"),
     include_str!("templates/macpherson-strut.toml"),
@@ -24,6 +24,7 @@ const FILES: [&str; 17] = [
     include_str!("templates/solid-axle/solid-axle-panhard.toml"),
     include_str!("templates/solid-axle/solid-axle-watt.toml"),
     include_str!("templates/solid-axle/solid-axle-de-dion.toml"),
+    include_str!("templates/solid-axle/solid-axle-leaf-springs.toml"),
     include_str!("templates/motorcycle/swing-arm.toml"),
     include_str!("templates/motorcycle/telescopic-fork.toml"),
 ];
@@ -123,7 +124,8 @@ mod tests {
             } else {
                 template.parts_with_bar().collect()
             };
-            let has = |key: &str| template.point(key).is_some();
+            let is_derived = |key: &str| template.derived.iter().any(|(known, _)| known == key);
+            let has = |key: &str| template.point(key).is_some() || is_derived(key);
             for (key, _) in &template.points {
                 assert_ne!(description_of(&keys().points, key), "", "{}: {key}", template.name);
             }
@@ -135,6 +137,7 @@ mod tests {
                 | Part::Strut { line: points, .. }
                 | Part::Slide { line: points, .. } => points.to_vec(),
                 Part::Swivel { at, .. }
+                | Part::GuidedAxle { at }
                 | Part::Ball { at, .. }
                 | Part::Free { at, .. }
                 | Part::Fixed { at, .. }
@@ -156,6 +159,6 @@ mod tests {
                 assert!(template.on.iter().any(|(key, _)| key == section), "{}: {section}", template.name);
             }
         }
-        assert_eq!(templates().count(), 17);
+        assert_eq!(templates().count(), 18);
     }
 }

@@ -134,6 +134,7 @@ impl SheetReader<'_> {
             parts: template.parts.iter().chain(bar).collect(),
             axle: template.axle,
             points,
+            derived: &template.derived,
             bodies,
             on,
             stops,

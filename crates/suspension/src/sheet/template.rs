@@ -1,6 +1,6 @@
 //! Template of a sheet, as read from its data file in `templates`.
 
-use crate::corner::design::Part;
+use crate::corner::design::{DerivedPoint, Part};
 use crate::options::Side;
 use percuss_spatial::Matrix3;
 use serde::{Deserialize, Deserializer};
@@ -31,6 +31,9 @@ pub(crate) struct Template {
     /// Hardpoints with example values in mm, in the axes of ISO 8855, left side.
     #[serde(deserialize_with = "in_file_order")]
     pub points: Vec<(String, [f64; 3])>,
+    /// Points that follow from the hardpoints.
+    #[serde(default, deserialize_with = "in_file_order")]
+    pub derived: Vec<(String, DerivedPoint)>,
     /// Bodies with example values.
     #[serde(deserialize_with = "in_file_order")]
     pub bodies: Vec<(String, ExampleBody)>,
@@ -140,7 +143,7 @@ impl Template {
                 | Part::Fixed { link, .. }
                 | Part::Strut { link, .. }
                 | Part::Slide { link, .. } => link == key,
-                Part::Axle => key == "axle",
+                Part::Axle | Part::GuidedAxle { .. } => key == "axle",
                 Part::Close { .. } => false,
             };
             let is_body_of_rod = |part: &Part| {

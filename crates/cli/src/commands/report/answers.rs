@@ -62,7 +62,7 @@ pub(super) fn add_damper(
         }
         page.facts(damp::export_facts(export));
         for snippet in &export.snippets {
-            page.paragraph("soft", &format!("{}:", snippet.title));
+            page.paragraph("soft intro", &format!("{}:", snippet.title));
             page.code(snippet.text.trim_end());
         }
         if !export.sources.is_empty() {
@@ -77,7 +77,7 @@ pub(super) fn add_impact(report: &ImpactReport, page: &mut Page) {
     page.section("Impact");
     page.facts(rigid_impact::results(report));
     page.heading("Rates of the joints");
-    page.table(rigid_impact::rate_table(report).rows());
+    add_rates(report, page);
     page.heading("Reactions");
     page.table(rigid_impact::reaction_table(report).rows());
     page.paragraph("soft", &rigid_impact::legend(report).replace('\n', " "));
@@ -85,6 +85,19 @@ pub(super) fn add_impact(report: &ImpactReport, page: &mut Page) {
         page.table(table.rows());
     }
     add_warnings(&report.diagnostics, page);
+}
+
+/// Table of the rates before and after an impact, without the joints at rest, such as those of the other side of a vehicle.
+fn add_rates(report: &ImpactReport, page: &mut Page) {
+    let table = rigid_impact::rate_table(report);
+    let is_at_rest =
+        |row: &[String; 4]| row[1..3].iter().all(|rates| rates.split(',').all(|rate| rate == "0"));
+    let moving: Vec<_> = table.rows().iter().filter(|row| !is_at_rest(row)).cloned().collect();
+    page.table(&moving);
+    let resting = table.rows().len() - moving.len();
+    if resting > 0 {
+        page.paragraph("soft", &format!("{resting} joints without motion are left out."));
+    }
 }
 
 /// Section of a map of surfaces.

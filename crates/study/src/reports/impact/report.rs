@@ -1,5 +1,7 @@
 //! Report of a rigid impact, as JSON.
 
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::damping_report;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
@@ -177,6 +179,7 @@ pub fn impact(
             Some(record)
         }
     };
+    diagnostics.extend(base_at_rest_finding(&evaluated, impact).map(DiagnosticRecord::from));
     let peak = contact_law.as_ref().map(|law| law.peak_force / rigid.impulse);
     let sticking =
         held_point_mass(pose, &response.contact).map_err(|error| StudyError::input(Field::Link, error))?;
@@ -253,6 +256,23 @@ fn motion_before(
         return Err(StudyError::input(Field::Rates, Fault::GapOpens { closing: speed }));
     }
     Ok((speed, Some(rates)))
+}
+
+/// Finding about a floating base without a given velocity, if rates of joints are given.
+fn base_at_rest_finding(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Option<Finding> {
+    let question = &evaluated.prepared.question;
+    let is_assumed =
+        question.base == Base::Floating && !impact.rates.is_empty() && impact.base_twist.is_none();
+    let mechanism = &evaluated.prepared.model.mechanism;
+    is_assumed.then(|| {
+        let message = format!(
+            "the base \"{}\" floats and is at rest before the impact, because rates of joints are given without its \
+             velocity{}",
+            mechanism.link(mechanism.root()).name(),
+            Field::BaseTwist.hint(question.names)
+        );
+        Finding::about_result(FindingKind::BaseAtRest, message)
+    })
 }
 
 /// Error of an impact, about the part of the question at fault.
