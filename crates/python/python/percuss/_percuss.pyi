@@ -32,6 +32,7 @@ __all__ = [
     "effective_mass",
     "effective_masses",
     "explain",
+    "extremes",
     "impact",
     "impact_history",
     "kinematics",
@@ -508,6 +509,9 @@ def tolerate(
 ) -> str: ...
 def impact(
     model: Model, contact: Contact | str, conditions: Conditions, impact: _Impact
+) -> str: ...
+def extremes(
+    model: Model, contact: Contact | str, conditions: Conditions, ranges: Sequence[str], starts: int
 ) -> str: ...
 def safe_speed(
     model: Model,

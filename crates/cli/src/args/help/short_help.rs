@@ -8,7 +8,7 @@ use clap::{Arg, Command};
 const COLUMN: usize = 30;
 
 /// Explained flags of each command. Other flags are only listed.
-const EXPLAINED: [(&str, &[&str]); 17] = [
+const EXPLAINED: [(&str, &[&str]); 18] = [
     ("percuss", &[]),
     ("check", &["format", "strict"]),
     (
@@ -152,8 +152,14 @@ const EXPLAINED: [(&str, &[&str]); 17] = [
             "friction",
             "stiffness",
             "reflected",
+            "also",
+            "sticking",
             "format",
         ],
+    ),
+    (
+        "extremes",
+        &["at", "link", "point", "normal", "along_line", "against", "set", "range", "starts", "format"],
     ),
     (
         "generate",

@@ -3,13 +3,14 @@
 use crate::question::errors::table_error::TableError;
 use crate::question::field::{Field, Names, assembly_error_message, contact_error_message};
 use crate::question::pose_file::GivenPoseError;
+use crate::question::travel::vary::VaryError;
 use crate::thresholds::{
     DIRECTIONS, GRID_ROWS, LARGEST_COORDINATE, LEAST_EDGE, LEAST_OTHER_MASS, ROWS, SAMPLES,
     SHORTEST_DIRECTION,
 };
 use percuss_dynamics::{AssemblyError, ConditionsError, ConfigurationError, ContactError, TravelError};
 use percuss_formats::{MeshError, SurfaceError};
-use percuss_impact::{ImpactError, PercussionError, RatesError, ReflectedError};
+use percuss_impact::{ExtremesError, ImpactError, PercussionError, RangeError, RatesError, ReflectedError};
 use percuss_mechanism::{JointKind, UnknownName};
 use percuss_units::QuantityError;
 
@@ -69,6 +70,15 @@ pub enum Fault {
     /// Centre of percussion that cannot be computed.
     #[error(transparent)]
     Percussion(#[from] PercussionError),
+    /// Reflected inertia over a range.
+    #[error(transparent)]
+    ReflectedRange(#[from] RangeError),
+    /// Text of a range of a reflected inertia.
+    #[error(transparent)]
+    Vary(#[from] VaryError),
+    /// Search for extremes.
+    #[error(transparent)]
+    Extremes(#[from] ExtremesError),
     /// Impact without a speed and without rates.
     #[error(
         "no motion before the impact is given; expected the closing speed, or the rates of the driving joints"
