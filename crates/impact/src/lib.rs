@@ -37,7 +37,7 @@ pub use motion::joint_rates::JointRates;
 pub use percussion::{
     PercussionCentre, PercussionError, centre_of_percussion, centre_of_percussion_in_plane,
 };
-pub use ranges::extremes::{Extreme, ExtremeMass, ExtremesError, JointRange, extreme_effective_mass};
+pub use ranges::extremes::{ExtremeKind, ExtremeMass, ExtremesError, JointRange, extreme_effective_mass};
 pub use ranges::reflected_range::{RangeError, ReflectedRange, ReflectedSample, reflected_inertia_over};
 pub use reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
 pub use reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};

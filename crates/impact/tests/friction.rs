@@ -318,7 +318,8 @@ fn integration_agrees_with_the_closed_form_of_the_plane() {
                 for slip in [-3.0, -0.4, 0.7, 2.0] {
                     for law in PROCESS_LAWS {
                         let solve = |across: f64| {
-                            frictional_collision(&w, &Vector3::new(-1.0, slip, across), mu, e, law).expect("an end")
+                            frictional_collision(&w, &Vector3::new(-1.0, slip, across), mu, e, law)
+                                .expect("an end")
                         };
                         let (exact, other) = (solve(0.0), solve(1e-11));
                         let error = (exact.impulse - other.impulse).norm() / exact.impulse.norm();

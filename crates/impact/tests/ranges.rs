@@ -3,7 +3,9 @@
 use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, System};
 use percuss_formats::load_file;
-use percuss_impact::{Extreme, ExtremesError, JointRange, extreme_effective_mass, reflected_inertia_over};
+use percuss_impact::{
+    ExtremeKind, ExtremesError, JointRange, extreme_effective_mass, reflected_inertia_over,
+};
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
 };
@@ -45,26 +47,26 @@ fn extremes_of_a_planar_arm() {
     let search = |ranges: &[JointRange], extreme| {
         extreme_effective_mass(&system, &system.configuration(), &contact, ranges, extreme, 16)
     };
-    let least = search(&ranges, Extreme::Least).expect("a minimum");
+    let least = search(&ranges, ExtremeKind::Least).expect("a minimum");
     let EffectiveMass::Finite(mass) = least.effective_mass else { panic!("{least:?}") };
     assert!((mass / m2 - 1.0).abs() < 1e-9, "{least:?}");
     assert!(least.residual < 1e-6 && least.agreeing >= 8, "{least:?}");
-    let most = search(&ranges, Extreme::Most).expect("a maximum");
+    let most = search(&ranges, ExtremeKind::Most).expect("a maximum");
     let EffectiveMass::Finite(mass) = most.effective_mass else { panic!("{most:?}") };
     let expected = m2 + m1 / 0.3_f64.sin().powi(2);
     assert!((mass / expected - 1.0).abs() < 1e-9, "{most:?} {expected}");
     assert_eq!(most.active_limits, [(joint("elbow"), false)], "{most:?}");
     assert!(most.residual < 1e-6 && most.agreeing >= 4, "{most:?}");
     // The same call has the same result.
-    assert_eq!(search(&ranges, Extreme::Most).expect("a maximum"), most);
+    assert_eq!(search(&ranges, ExtremeKind::Most).expect("a maximum"), most);
     // With the stretched arm inside the range the tip is immovable along the arm.
     let wide = [range("shoulder", -3.0, 3.0), range("elbow", -1.0, 2.0)];
-    let most = search(&wide, Extreme::Most).expect("a maximum");
+    let most = search(&wide, ExtremeKind::Most).expect("a maximum");
     assert_eq!(most.effective_mass, EffectiveMass::Immovable, "{most:?}");
     assert!(most.positions[1].abs() < 1e-3 && (most.positions[0].sin().abs() - 1.0).abs() < 1e-3, "{most:?}");
     let empty = [range("elbow", 1.0, 1.0)];
-    assert!(matches!(search(&empty, Extreme::Most), Err(ExtremesError::Range { .. })));
-    assert!(matches!(search(&[], Extreme::Most), Err(ExtremesError::NoJoint)));
+    assert!(matches!(search(&empty, ExtremeKind::Most), Err(ExtremesError::Range { .. })));
+    assert!(matches!(search(&[], ExtremeKind::Most), Err(ExtremesError::NoJoint)));
 }
 
 #[test]
@@ -88,17 +90,17 @@ fn extremes_of_a_linkage_are_those_of_its_sweep() {
     };
     let sweep: Vec<f64> = (0..=600).map(|k| mass(lower + (upper - lower) * f64::from(k) / 600.0)).collect();
     let ranges = [JointRange { joint: crank, lower, upper }];
-    for extreme in [Extreme::Least, Extreme::Most] {
+    for extreme in [ExtremeKind::Least, ExtremeKind::Most] {
         let found = extreme_effective_mass(&system, &system.configuration(), &contact, &ranges, extreme, 8);
         let found = found.expect("an extreme");
         let EffectiveMass::Finite(value) = found.effective_mass else { panic!("{found:?}") };
         let of_sweep = match extreme {
-            Extreme::Least => sweep.iter().copied().fold(f64::INFINITY, f64::min),
-            Extreme::Most => sweep.iter().copied().fold(0.0, f64::max),
+            ExtremeKind::Least => sweep.iter().copied().fold(f64::INFINITY, f64::min),
+            ExtremeKind::Most => sweep.iter().copied().fold(0.0, f64::max),
         };
         // The grid misses an interior extreme by the square of its step.
         assert!((value / of_sweep - 1.0).abs() < 1e-4, "{found:?} {of_sweep}");
-        let beyond = if extreme == Extreme::Least { value - of_sweep } else { of_sweep - value };
+        let beyond = if extreme == ExtremeKind::Least { value - of_sweep } else { of_sweep - value };
         assert!(beyond <= 1e-9 * of_sweep, "{found:?} {of_sweep}");
         assert!((mass(found.positions[0]) / value - 1.0).abs() < 1e-9);
     }

@@ -16,6 +16,8 @@ const OPTIMAL: f64 = 1e-9;
 const SAME_VALUE: f64 = 1e-6;
 /// 1/m̄ relative to its largest value at which a contact is immovable.
 const IMMOVABLE: f64 = 1e-12;
+/// Relative difference of values that is rounding.
+const SAME_TO_ROUNDING: f64 = 1e-13;
 /// Distance from a limit, relative to the range, at which the limit is active.
 const AT_LIMIT: f64 = 1e-9;
 
@@ -72,7 +74,7 @@ pub struct JointRange {
 
 /// Extreme to search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extreme {
+pub enum ExtremeKind {
     /// Smallest effective mass.
     Least,
     /// Largest effective mass; immovable if a pose has no motion that closes the gap.
@@ -110,7 +112,7 @@ pub fn extreme_effective_mass(
     configuration: &Configuration,
     contact: &Contact,
     ranges: &[JointRange],
-    extreme: Extreme,
+    extreme: ExtremeKind,
     starts: usize,
 ) -> Result<ExtremeMass, ExtremesError> {
     if ranges.is_empty() {
@@ -137,7 +139,7 @@ pub fn extreme_effective_mass(
     let best = found.iter().min_by(|a, b| a.value.total_cmp(&b.value)).ok_or(ExtremesError::NoStart)?.clone();
     let largest = found.iter().map(|point| point.inverse_mass).fold(0.0, f64::max);
     let largest = largest.max(search.typical()?);
-    let is_immovable = extreme == Extreme::Most && best.inverse_mass <= IMMOVABLE * largest;
+    let is_immovable = extreme == ExtremeKind::Most && best.inverse_mass <= IMMOVABLE * largest;
     let same = |point: &&Point| {
         (point.inverse_mass - best.inverse_mass).abs()
             <= SAME_VALUE * best.inverse_mass.max(IMMOVABLE * largest)
@@ -199,12 +201,21 @@ impl Point {
     }
 }
 
+impl Point {
+    /// True if another point has the same value to rounding and a smaller residual: values resolve positions to the square root
+    /// of rounding only.
+    fn is_equal_but_worse_than(&self, other: &Self) -> bool {
+        (other.value - self.value).abs() <= SAME_TO_ROUNDING * self.value.abs()
+            && other.residual() < self.residual()
+    }
+}
+
 struct Search<'a> {
     system: &'a System,
     configuration: &'a Configuration,
     contact: &'a Contact,
     ranges: &'a [JointRange],
-    extreme: Extreme,
+    extreme: ExtremeKind,
 }
 
 impl Search<'_> {
@@ -232,7 +243,7 @@ impl Search<'_> {
     /// Value and gradient. `None`: a pose that is not reachable, or a massless contact.
     fn point(&self, unit: Vec<f64>, from: Option<&Pose>) -> Result<Option<(Point, Pose)>, ExtremesError> {
         let Ok(pose) = self.pose(&unit, from) else { return Ok(None) };
-        let sign = if self.extreme == Extreme::Most { 1.0 } else { -1.0 };
+        let sign = if self.extreme == ExtremeKind::Most { 1.0 } else { -1.0 };
         let Some(gradient) = pose.effective_mass_gradient(self.contact)? else {
             return Ok(match pose.respond(self.contact)?.effective_mass {
                 EffectiveMass::Immovable => {
@@ -306,7 +317,7 @@ impl Search<'_> {
                 let gain: f64 =
                     moved.iter().zip(&at.unit).zip(&at.gradient).map(|((b, a), g)| (b - a) * g).sum();
                 if let Some((point, pose)) = self.point(moved, Some(&pose))?
-                    && point.value <= at.value + 1e-4 * gain
+                    && (point.value <= at.value + 1e-4 * gain || at.is_equal_but_worse_than(&point))
                 {
                     next = Some((point, pose));
                     break;

@@ -152,8 +152,6 @@ const EXPLAINED: [(&str, &[&str]); 18] = [
             "friction",
             "stiffness",
             "reflected",
-            "also",
-            "sticking",
             "format",
         ],
     ),

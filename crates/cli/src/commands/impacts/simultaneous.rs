@@ -148,6 +148,9 @@ pub fn sticking_note(sticking: &StickingRecord) -> String {
         Some(false) => {
             "Warning: the given friction does not suffice; the points slide, and this result is not valid. "
         }
+        None if sticking.sticks.iter().zip(&sticking.required_friction).any(|(s, mu)| *s && mu.is_none()) => {
+            "Redundant contacts leave the needed friction open (?): it is assumed to suffice. "
+        }
         None => "Friction is assumed to suffice (compare the needed coefficient, or give --friction). ",
     };
     if sticking.consistent_subsets > 1 {

@@ -3,7 +3,6 @@
 use crate::question::errors::table_error::TableError;
 use crate::question::field::{Field, Names, assembly_error_message, contact_error_message};
 use crate::question::pose_file::GivenPoseError;
-use crate::question::travel::vary::VaryError;
 use crate::thresholds::{
     DIRECTIONS, GRID_ROWS, LARGEST_COORDINATE, LEAST_EDGE, LEAST_OTHER_MASS, ROWS, SAMPLES,
     SHORTEST_DIRECTION,
@@ -74,8 +73,11 @@ pub enum Fault {
     #[error(transparent)]
     ReflectedRange(#[from] RangeError),
     /// Text of a range of a reflected inertia.
-    #[error(transparent)]
-    Vary(#[from] VaryError),
+    #[error("{message}")]
+    RangeText {
+        /// Message of the reader of ranges.
+        message: String,
+    },
     /// Search for extremes.
     #[error(transparent)]
     Extremes(#[from] ExtremesError),

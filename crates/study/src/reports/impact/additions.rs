@@ -155,7 +155,9 @@ pub(crate) fn reflected_over(
         let Some((name, _)) = range_of(evaluated, text) else { continue };
         let joint = find_joint(mechanism, Field::Reflected, name)?;
         let kind = mechanism.joint(joint).kind();
-        let range: Vary = text.parse().map_err(|error| StudyError::input(Field::Reflected, error))?;
+        let range: Vary = Vary::parse(text).map_err(|error| {
+            StudyError::input(Field::Reflected, Fault::RangeText { message: error.to_string() })
+        })?;
         let dimension = match kind {
             JointKind::Revolute | JointKind::Continuous => Dimension::Angle,
             JointKind::Prismatic => Dimension::Length,

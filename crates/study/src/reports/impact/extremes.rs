@@ -7,7 +7,7 @@ use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::impact::additions::find_joint;
-use percuss_impact::{Extreme, ExtremeMass, ExtremesError, JointRange, extreme_effective_mass};
+use percuss_impact::{ExtremeKind, ExtremeMass, ExtremesError, JointRange, extreme_effective_mass};
 use percuss_mechanism::JointKind;
 use percuss_units::{Dimension, Quantity};
 use serde::Serialize;
@@ -115,7 +115,7 @@ pub fn extremes(
                 error => StudyError::input(Field::Range, error),
             })
     };
-    let (least, most) = (search(Extreme::Least)?, search(Extreme::Most)?);
+    let (least, most) = (search(ExtremeKind::Least)?, search(ExtremeKind::Most)?);
     let mechanism = &model.mechanism;
     let name = |range: &JointRange| mechanism.joint(range.joint).name().to_owned();
     let record = |found: &ExtremeMass| {

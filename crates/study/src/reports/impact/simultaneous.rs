@@ -76,7 +76,8 @@ pub struct StickingRecord {
     pub tangential_impulses: Vec<Option<f64>>,
     /// Coefficient of friction that the sticking needs; null if open, and for contacts that let go.
     pub required_friction: Vec<Option<f64>>,
-    /// True if the given friction suffices at all contacts with a known requirement; null without a given friction.
+    /// True if the given friction suffices at all contacts that stick, false if it does not at one of them; null without a
+    /// given friction, and if open requirements leave the answer open.
     pub friction_suffices: Option<bool>,
     /// Opening speed of each contact after the impact, m/s.
     pub opening_speeds: Vec<f64>,
@@ -291,6 +292,16 @@ fn spread(laws: &[SimultaneousLawRecord], contacts: usize) -> f64 {
     (0..contacts).map(of_contact).fold(0.0, f64::max)
 }
 
+/// True if a coefficient of friction suffices at all contacts that stick; `None` if open requirements decide.
+fn friction_suffices(found: &StickingImpact, coefficient: f64) -> Option<bool> {
+    let sticking = found.contacts.iter().filter(|contact| contact.sticks);
+    let required: Vec<Option<f64>> = sticking.map(|contact| contact.required_friction).collect();
+    if required.iter().flatten().any(|needed| *needed > coefficient) {
+        return Some(false);
+    }
+    required.iter().all(Option::is_some).then_some(true)
+}
+
 /// Record of a plastic impact.
 fn sticking_record(
     evaluated: &EvaluatedQuestion,
@@ -311,7 +322,7 @@ fn sticking_record(
         sticks: found.contacts.iter().map(|c| c.sticks).collect(),
         normal_impulses: found.contacts.iter().map(|c| c.normal_impulse).collect(),
         tangential_impulses: found.contacts.iter().map(|c| c.tangential_impulse).collect(),
-        friction_suffices: question.friction.map(|mu| required.iter().flatten().all(|needed| *needed <= mu)),
+        friction_suffices: question.friction.and_then(|mu| friction_suffices(found, mu)),
         required_friction: required,
         opening_speeds: found.contacts.iter().map(|c| c.opening_speed).collect(),
         energy_loss: found.energy_loss,

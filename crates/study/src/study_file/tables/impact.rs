@@ -147,7 +147,7 @@ pub struct ImpactTable {
     /// the best constant armature and its error.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "JOINT[=FROM:TO:COUNT]", allow_hyphen_values = true, help_heading = ADDITIONAL)
+        arg(long, value_name = "JOINT", allow_hyphen_values = true, help_heading = ADDITIONAL)
     )]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
