@@ -72,6 +72,7 @@ check() {
 # The longest first.
 check suspensions "$venv/bin/python" "$here/suspensions/check.py" --percuss "$percuss" --count 2
 check kinematics "$venv/bin/python" "$here/suspensions/kinematics.py" --percuss "$percuss" --count 4
+check impacts "$venv/bin/python" "$here/impacts.py" --percuss "$percuss" --count 20
 check robots "$venv/bin/python" "$here/compare.py" --probe "$programs/percuss-probe" "$@"
 check engines "$here/engines.sh" "$percuss"
 check integrators env PYTHONPATH="$here" "$venv/bin/python" "$here/contact/integrators.py" --percuss "$percuss"

@@ -50,6 +50,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Damp(args) => commands::damp::run(args),
         Command::SafeSpeed(args) => commands::impacts::safe_speed::run(args),
         Command::Impact(args) => commands::impacts::rigid_impact::run(args),
+        Command::Extremes(args) => commands::impacts::extremes::run(args),
         Command::Generate(args) => commands::generate::run(args),
         Command::Run(args) => commands::run::run(args),
         Command::Init(args) => commands::init::run(args),

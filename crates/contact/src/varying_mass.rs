@@ -1,7 +1,7 @@
 //! Impact with an effective mass that changes over the penetration.
 
 use crate::error::positive;
-use crate::{CompliantContact, ContactLawError, Damper, Separation};
+use crate::{CompliantContact, ContactLawError, Damper, Sample, Separation};
 use serde::Serialize;
 
 /// Steps of the integration over the duration of the impact with the mass at the touch.
@@ -35,6 +35,34 @@ pub fn impact_with_varying_mass(
     contact: CompliantContact,
     profile: &[(f64, f64)],
     speed: f64,
+) -> Result<Option<VaryingMassImpact>, ContactLawError> {
+    integrate(damper, contact, profile, speed, |_| ())
+}
+
+/// Motion of an impact with an effective mass that changes over the penetration, at every step of the integration: time,
+/// penetration, rate and contact force, from the touch to the end. See [`impact_with_varying_mass`]. `None`: the contact does not
+/// end.
+///
+/// # Errors
+/// As for [`impact_with_varying_mass`].
+pub fn history_with_varying_mass(
+    damper: Damper,
+    contact: CompliantContact,
+    profile: &[(f64, f64)],
+    speed: f64,
+) -> Result<Option<Vec<Sample>>, ContactLawError> {
+    let mut samples = Vec::new();
+    let ended = integrate(damper, contact, profile, speed, |sample| samples.push(sample))?;
+    Ok(ended.map(|_| samples))
+}
+
+/// Integrates the impact and passes the state at the touch, after every step and at the end to `record`.
+fn integrate(
+    damper: Damper,
+    contact: CompliantContact,
+    profile: &[(f64, f64)],
+    speed: f64,
+    mut record: impl FnMut(Sample),
 ) -> Result<Option<VaryingMassImpact>, ContactLawError> {
     let speed = positive("approach speed, m/s", speed)?;
     for (_, mass) in profile {
@@ -70,7 +98,15 @@ pub fn impact_with_varying_mass(
     let along = |(x, w): (f64, f64), (dx, dw): (f64, f64), h: f64| (x + h * dx, w + h * dw);
     let mut state = (0.0, mass(0.0).sqrt() * speed);
     let (mut deepest, mut peak_force) = (0.0f64, force(0.0, speed));
-    for _ in 0..MOST_STEPS {
+    let sample = |time: f64, state: (f64, f64)| Sample {
+        time,
+        penetration: state.0,
+        rate: rate(state),
+        force: force(state.0, rate(state)),
+    };
+    record(sample(0.0, state));
+    for number in 0..MOST_STEPS {
+        let time = number as f64 * step;
         let a = rates(state);
         let b = rates(along(state, a, 0.5 * step));
         let c = rates(along(state, b, 0.5 * step));
@@ -84,6 +120,7 @@ pub fn impact_with_varying_mass(
             let (before, after) = (remaining(state), remaining(next));
             let fraction = if before > after { (before / (before - after)).clamp(0.0, 1.0) } else { 1.0 };
             let end = (state.0 + fraction * (next.0 - state.0), state.1 + fraction * (next.1 - state.1));
+            record(sample(time + fraction * step, end));
             return Ok(Some(VaryingMassImpact {
                 restitution: -rate(end) / speed,
                 max_penetration: deepest,
@@ -94,6 +131,7 @@ pub fn impact_with_varying_mass(
         deepest = deepest.max(next.0);
         peak_force = peak_force.max(force(next.0, rate(next)));
         state = next;
+        record(sample(time + step, state));
     }
     Ok(None)
 }

@@ -1,6 +1,8 @@
 //! Impacts with a mass that changes over the penetration.
 
-use percuss_contact::{CompliantContact, Damper, Law, Separation, impact_with_varying_mass};
+use percuss_contact::{
+    CompliantContact, Damper, Law, Separation, history_with_varying_mass, impact_with_varying_mass,
+};
 
 const STIFFNESS: f64 = 2e5;
 
@@ -84,5 +86,47 @@ fn a_bar_on_a_hinge_moves_as_its_own_equation_says() {
             assert!((found.restitution - rebound).abs() < 1e-4, "{touch} {damper:?}: {found:?}, {rebound}");
             assert!((found.max_penetration / deepest - 1.0).abs() < 1e-4, "{touch}: {found:?}, {deepest}");
         }
+    }
+}
+
+/// The restitution that is reached differs from that of a constant mass by K/k if the mass is symmetric about the touch, and
+/// by K/√k otherwise: the penetration decreases as 1/√k.
+#[test]
+fn the_error_of_a_constant_mass_has_its_order() {
+    let (m0, speed, e) = (2.0, 1.0, 0.5);
+    let reached = |stiffness: f64, symmetric: bool| {
+        let contact = CompliantContact::new(m0, stiffness).expect("a contact");
+        let damper = dampers(contact, e, speed)[0];
+        let depth = 1.5 * damper.impact(contact, speed).expect("an impact").max_penetration;
+        let mass = |d: f64| if symmetric { m0 * (1.0 + 100.0 * d * d) } else { m0 * (1.0 + 3.0 * d) };
+        let profile: Vec<(f64, f64)> =
+            (0..=80).map(|i| f64::from(i) / 80.0 * depth).map(|d| (d, mass(d))).collect();
+        let found = impact_with_varying_mass(damper, contact, &profile, speed).unwrap().expect("an end");
+        (found.restitution - e).abs()
+    };
+    for (symmetric, order) in [(true, 1.0), (false, 0.5)] {
+        let (soft, hard) = (1e5, 1.6e6);
+        let found = (reached(soft, symmetric) / reached(hard, symmetric)).ln() / (hard / soft).ln();
+        assert!((found - order).abs() < 0.02, "{symmetric}: {found}");
+    }
+}
+
+/// The history ends at the key figures, and its forces change the momentum of a constant mass.
+#[test]
+fn the_history_agrees_with_the_key_figures() {
+    let contact = CompliantContact::new(3.0, STIFFNESS).expect("a contact");
+    let profile = [(0.0, 3.0), (1e-3, 3.0), (1.0, 3.0)];
+    for damper in dampers(contact, 0.4, 0.5) {
+        let found = impact_with_varying_mass(damper, contact, &profile, 0.5).unwrap().expect("an end");
+        let samples = history_with_varying_mass(damper, contact, &profile, 0.5).unwrap().expect("an end");
+        let last = samples.last().expect("samples");
+        assert_eq!(-last.rate / 0.5, found.restitution);
+        let deepest = samples.iter().map(|s| s.penetration).fold(0.0, f64::max);
+        assert_eq!(deepest, found.max_penetration);
+        let impulse: f64 =
+            samples.windows(2).map(|w| 0.5 * (w[0].force + w[1].force) * (w[1].time - w[0].time)).sum();
+        assert!((impulse - 3.0 * 0.5 * (1.0 + found.restitution)).abs() < 1e-5, "{impulse}");
+        let exact = damper.impact(contact, 0.5).expect("an impact").duration.expect("an end");
+        assert!((last.time / exact - 1.0).abs() < 1e-3, "{} {exact}", last.time);
     }
 }

@@ -1,5 +1,6 @@
 //! Errors of an impact.
 
+use crate::mobility::delassus::DelassusError;
 use crate::reactions::unit_impulse::ReactionError;
 
 /// Error of an impact.
@@ -27,12 +28,48 @@ pub enum ImpactError {
         /// Given value.
         got: f64,
     },
-    /// Friction at a contact with several relative motions.
+    /// The law of restitution has no solution, or the integration found no end.
     #[error(
-        "friction requires a contact whose sides have one relative motion, as a linkage of one degree of freedom; this \
-         contact point can move in several directions"
+        "the impact with friction has no end by the {law} law of restitution; expected another law, or less friction"
     )]
-    SeveralMotions,
+    NoEnd {
+        /// Name of the law.
+        law: &'static str,
+    },
+    /// Too many simultaneous contacts.
+    #[error("{got} simultaneous contacts; at most {most} are supported")]
+    TooManyContacts {
+        /// Given number.
+        got: usize,
+        /// Largest number.
+        most: usize,
+    },
+    /// A list has another length than the list of contacts.
+    #[error("{got} values of {what} for {expected} contacts; expected one for each contact")]
+    ContactValues {
+        /// Quantity.
+        what: &'static str,
+        /// Given number.
+        got: usize,
+        /// Number of contacts.
+        expected: usize,
+    },
+    /// A ratio of stiffnesses or the exponent is out of range.
+    #[error("{what} is {got}; expected {valid}")]
+    OutOfRange {
+        /// Quantity.
+        what: &'static str,
+        /// Given value.
+        got: f64,
+        /// Valid values.
+        valid: &'static str,
+    },
+    /// No subset of sticking contacts satisfies the conditions.
+    #[error("no subset of sticking contacts is free of pulling and closing contacts")]
+    NoConsistentSubset,
+    /// The mobility of the contacts cannot be computed.
+    #[error(transparent)]
+    Mobility(#[from] DelassusError),
     /// The reactions cannot be computed.
     #[error(transparent)]
     Reactions(#[from] ReactionError),

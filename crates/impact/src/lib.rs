@@ -6,27 +6,45 @@
 //! loss ½ m̄ (1−e²) c². Trees and loops, redundant constraints, massless links, fixed and floating bases are covered.
 //! Components of a reaction that redundant constraints leave open are reported as [`Component::Indeterminate`].
 //!
-//! Contacts of one relative motion may have Coulomb [`Friction`]. The impact is instantaneous: gravity, springs and
-//! dampers have no effect. This crate reads no files and contains no contact laws.
+//! [`Friction`] is that of Coulomb at one contact, with the laws of restitution of Stronge, Poisson and Newton. [`Delassus`] is the
+//! mobility of several contact points: [`simultaneous_impact`] has the laws of several contacts without friction, and
+//! [`sticking_impact`] the plastic impact with sticking points.
+//!
+//! The impact is instantaneous: gravity, springs and dampers have no effect. This crate reads no files and contains no
+//! laws of compliant contacts.
 
 mod error;
+mod extrapolation;
 mod friction;
 mod group_rows;
+mod mobility;
 mod motion;
 mod percussion;
+mod ranges;
 mod reactions;
 mod reflected;
 mod rigid_impact;
+mod several;
 mod tolerances;
 
 pub use error::ImpactError;
-pub use friction::Friction;
+pub use friction::collision::{frictional_collision, jamming_threshold, sticking_threshold};
+pub use friction::impulse::{Friction, FrictionLaw, LawResult};
+pub use friction::phases::{Collision, Phase, PhaseKind, RestitutionLaw};
+pub use mobility::delassus::{Delassus, DelassusError};
 pub use motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
 pub use motion::joint_rates::JointRates;
 pub use percussion::{
     PercussionCentre, PercussionError, centre_of_percussion, centre_of_percussion_in_plane,
 };
+pub use ranges::extremes::{ExtremeKind, ExtremeMass, ExtremesError, JointRange, extreme_effective_mass};
+pub use ranges::reflected_range::{RangeError, ReflectedRange, ReflectedSample, reflected_inertia_over};
 pub use reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
 pub use reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};
-pub use reflected::{ReflectedError, ReflectedInertia, held_point_mass, reflected_inertia};
+pub use reflected::{ReflectedError, ReflectedInertia, driving_joints, held_point_mass, reflected_inertia};
 pub use rigid_impact::{RigidImpact, closing_speed, greatest_closing_speed};
+pub use several::energetic::ContactStiffness;
+pub use several::laws::{
+    SimultaneousImpact, SimultaneousLaw, simultaneous_impact, simultaneous_impact_of_matrix,
+};
+pub use several::sticking::{StickingContact, StickingImpact, sticking_impact};

@@ -39,25 +39,31 @@ pub enum PercussionError {
     },
 }
 
-/// Contact point with the least impulse at a joint, at unit impulse at the contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Contact point with the least impulse at a joint, at unit impulse at the contact. Components that redundant constraints
+/// leave open do not count: the least value is that of the determinate components.
+#[derive(Clone, Debug, PartialEq)]
 pub struct PercussionCentre {
     /// Contact point, m, in the frame of the contact link.
     pub point: Vector3<f64>,
     /// Displacement from the given contact point, m, in the axes of the contact link.
     pub displacement: Vector3<f64>,
-    /// Impulse at the joint for the given point, per unit impulse at the contact.
+    /// Impulse at the joint for the given point, per unit impulse at the contact: its determinate components.
     pub given_reaction: f64,
-    /// Remaining impulse at the joint for the best point, per unit impulse at the contact.
+    /// Remaining impulse at the joint for the best point, per unit impulse at the contact: its determinate components.
     pub remaining_reaction: f64,
+    /// True for each component of the impulse, along two transverse directions and the axis of the joint, that redundant
+    /// constraints leave open.
+    pub is_open: [bool; 3],
+    /// Loops that leave these components open; empty if all are determinate.
+    pub loops: Vec<String>,
 }
 
 /// Point along a line through the contact point (direction in the axes of the contact link) with the least impulse at a
 /// joint.
 ///
 /// With a fixed normal, the impulse R at the joint is an affine function of the point, R(s) = R₀ + s R₁. The best point
-/// is s = −R₀·R₁/|R₁|². The remaining impulse is zero in general only for planar bodies. Indeterminate components are
-/// left out of R; an impulse of which all components are indeterminate is refused.
+/// is s = −R₀·R₁/|R₁|². The remaining impulse is zero in general only for planar bodies. R has the determinate components
+/// only, and [`PercussionCentre::is_open`] names the others; an impulse without a determinate component is refused.
 ///
 /// # Errors
 /// [`PercussionError`].
@@ -121,6 +127,8 @@ struct AffineReaction {
     derivatives: Vec<Vector3<f64>>,
     /// Length of the displacements, m.
     size: f64,
+    is_open: [bool; 3],
+    loops: Vec<String>,
 }
 
 impl AffineReaction {
@@ -142,11 +150,24 @@ impl AffineReaction {
             };
             impulse_at_joint(pose, &moved, joint)
         };
-        let given = at(Vector3::zeros())?;
-        let derivative = |d: &Vector3<f64>| Ok((at(d * size)? - given) / size);
-        let derivatives: Result<Vec<Vector3<f64>>, PercussionError> =
-            directions.iter().map(derivative).collect();
-        Ok(Self { joint, given, derivatives: derivatives?, size })
+        let first = at(Vector3::zeros())?;
+        let mut is_open = first.is_open;
+        let mut derivatives = Vec::new();
+        for direction in directions {
+            let other = at(direction * size)?;
+            is_open = [0, 1, 2].map(|k| is_open[k] || other.is_open[k]);
+            derivatives.push((other.values - first.values) / size);
+        }
+        // A component that is open at one of the points does not count at any.
+        let determinate = |v: Vector3<f64>| Vector3::from_fn(|k, _| if is_open[k] { 0.0 } else { v[k] });
+        Ok(Self {
+            joint,
+            given: determinate(first.values),
+            derivatives: derivatives.into_iter().map(determinate).collect(),
+            size,
+            is_open,
+            loops: first.loops,
+        })
     }
 
     fn centre(&self, contact: &Contact, displacement: Vector3<f64>, rest: Vector3<f64>) -> PercussionCentre {
@@ -155,6 +176,8 @@ impl AffineReaction {
             displacement,
             given_reaction: self.given.norm(),
             remaining_reaction: rest.norm(),
+            is_open: self.is_open,
+            loops: self.loops.clone(),
         }
     }
 
@@ -163,14 +186,26 @@ impl AffineReaction {
     }
 }
 
-/// Determinate components of the impulse at a joint to a unit impulse at the contact; indeterminate ones are 0.
-fn impulse_at_joint(pose: &Pose, contact: &Contact, joint: JointId) -> Result<Vector3<f64>, PercussionError> {
-    let reactions = reactions_to_unit_impulse(pose, &pose.respond(contact)?)?;
-    let reaction = &reactions.joints[joint.index()].reaction;
+/// Impulse at a joint to a unit impulse at the contact.
+struct JointImpulse {
+    /// Components; 0 for open ones.
+    values: Vector3<f64>,
+    is_open: [bool; 3],
+    loops: Vec<String>,
+}
+
+/// Impulse at a joint.
+fn impulse_at_joint(pose: &Pose, contact: &Contact, joint: JointId) -> Result<JointImpulse, PercussionError> {
+    let mut reactions = reactions_to_unit_impulse(pose, &pose.respond(contact)?)?;
+    let reaction = reactions.joints.swap_remove(joint.index()).reaction;
     let values = reaction.force.map(|component| component.value());
     if values.iter().all(Option::is_none) {
         let joint = pose.mechanism().joint(joint).name().to_owned();
-        return Err(PercussionError::Indeterminate { joint, loops: reaction.loops.clone() });
+        return Err(PercussionError::Indeterminate { joint, loops: reaction.loops });
     }
-    Ok(Vector3::from(values.map(Option::unwrap_or_default)))
+    Ok(JointImpulse {
+        values: Vector3::from(values.map(Option::unwrap_or_default)),
+        is_open: values.map(|value| value.is_none()),
+        loops: if values.iter().any(Option::is_none) { reaction.loops } else { Vec::new() },
+    })
 }

@@ -1,6 +1,7 @@
 //! Reflected inertia at a joint, and the mass of a point that is held in the tangent plane.
 
 use crate::group_rows::GroupRows;
+use crate::mobility::delassus::relative_jacobian;
 use crate::motion::driver_rates::lengths;
 use nalgebra::{DMatrix, Vector3};
 use percuss_dynamics::{EffectiveMass, LocatedContact, MatrixError, MatrixOptions, MatrixView, Pose};
@@ -65,7 +66,7 @@ pub fn reflected_inertia(
     };
     let own = row(master, index, multiplier);
     let free = system.least_mass(&own, &[])?;
-    let drivers = system.drivers(pose);
+    let drivers = driving_velocities(pose);
     let held = if drivers.contains(&(master, index)) {
         let others: Vec<Vec<f64>> = drivers
             .iter()
@@ -88,15 +89,33 @@ pub fn held_point_mass(pose: &Pose, contact: &LocatedContact) -> Result<Effectiv
     let system = PoseMatrices::new(pose);
     let own = pose.link_in_root(contact.link);
     let normal = own.vector(&contact.normal_link);
-    let mut jacobian = pose.point_jacobian(contact.link, &contact.point_link);
-    if let Some(against) = contact.against {
-        let point = pose.link_in_root(against).inverse_point(&own.point(&contact.point_link));
-        jacobian -= pose.point_jacobian(against, &point);
-    }
+    let jacobian = relative_jacobian(pose, contact);
     let along = |direction: Vector3<f64>| (direction.transpose() * &jacobian).iter().copied().collect();
     let (t1, t2) = plane_basis(&normal);
     let row: Vec<f64> = along(normal);
     Ok(system.least_mass(&row, &[along(t1), along(t2)])?)
+}
+
+/// Velocities that drive at a pose: those of the drivers of the loops, and those outside loops.
+pub(crate) fn driving_velocities(pose: &Pose) -> Vec<(JointId, usize)> {
+    let coordinates = pose.coordinate_joints();
+    let mut bound = vec![false; coordinates.len()];
+    for group in pose.constraint_groups() {
+        group.coordinates.iter().for_each(|&c| bound[c] = true);
+    }
+    let of_loops = pose.assembly().drivers();
+    let drives = |(c, (joint, k)): (usize, &(Option<JointId>, usize))| {
+        let joint = (*joint)?;
+        (!bound[c] || of_loops.contains(&joint)).then_some((joint, *k))
+    };
+    coordinates.iter().enumerate().filter_map(drives).collect()
+}
+
+/// Joints that drive at a pose, in the order of the coordinates.
+pub fn driving_joints(pose: &Pose) -> Vec<JointId> {
+    let mut joints: Vec<JointId> = driving_velocities(pose).into_iter().map(|(joint, _)| joint).collect();
+    joints.dedup();
+    joints
 }
 
 /// M and independent rows of A at a pose.
@@ -105,41 +124,22 @@ struct PoseMatrices {
     lengths: Vec<f64>,
     mass: DMatrix<f64>,
     constraints: Vec<Vec<f64>>,
-    /// Coordinates that are bound by constraints.
-    bound: Vec<bool>,
 }
 
 impl PoseMatrices {
     fn new(pose: &Pose) -> Self {
         let coordinates = pose.coordinate_joints();
         let n = coordinates.len();
-        let (mut constraints, mut bound) = (Vec::new(), vec![false; n]);
+        let mut constraints = Vec::new();
         for group in pose.constraint_groups().into_iter().map(GroupRows::new) {
             let rows = group.independent_rows();
-            group.coordinates().iter().for_each(|&c| bound[c] = true);
             for i in 0..rows.nrows() {
                 let mut row = vec![0.0; n];
                 group.coordinates().iter().enumerate().for_each(|(at, &c)| row[c] = rows[(i, at)]);
                 constraints.push(row);
             }
         }
-        Self {
-            lengths: lengths(pose, &coordinates),
-            mass: pose.mass_matrix(),
-            coordinates,
-            constraints,
-            bound,
-        }
-    }
-
-    /// Velocities that drive: those of the drivers of the loops, and those outside loops.
-    fn drivers(&self, pose: &Pose) -> Vec<(JointId, usize)> {
-        let of_loops = pose.assembly().drivers();
-        let drives = |(c, (joint, k)): (usize, &(Option<JointId>, usize))| {
-            let joint = (*joint)?;
-            (!self.bound[c] || of_loops.contains(&joint)).then_some((joint, *k))
-        };
-        self.coordinates.iter().enumerate().filter_map(drives).collect()
+        Self { lengths: lengths(pose, &coordinates), mass: pose.mass_matrix(), coordinates, constraints }
     }
 
     /// min { vᵀMv : Av = 0, held v = 0, row v = 1 }.

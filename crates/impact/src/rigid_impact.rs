@@ -1,7 +1,7 @@
 //! Rigid impact at one contact.
 
 use crate::error::ImpactError;
-use crate::friction::{Friction, frictional_impulse};
+use crate::friction::impulse::{Friction, FrictionLaw, frictional_impulse};
 use crate::motion::joint_rates::JointRates;
 use crate::motion::undetermined::undetermined_joints;
 use crate::reactions::reaction::Reactions;
@@ -87,30 +87,25 @@ impl RigidImpact {
 }
 
 impl RigidImpact {
-    /// Impact as by [`new`](Self::new), with the coefficient of friction `friction`. The restitution is the energetic one
-    /// of Stronge; see [`Friction`].
+    /// Impact as by [`new`](Self::new), with friction; see [`Friction`]. The sliding velocity before the impact is that of
+    /// `before`; without rates, that of the motion v* c.
     ///
     /// # Errors
-    /// [`ImpactError`]: as for [`new`](Self::new); a contact whose sides have several relative motions.
+    /// [`ImpactError`]: as for [`new`](Self::new); an impact without an end.
     pub fn with_friction(
         pose: &Pose,
         response: &ContactResponse,
         closing_speed: f64,
         restitution: f64,
-        friction: f64,
+        friction: FrictionLaw,
         before: Option<JointRates>,
     ) -> Result<Self, ImpactError> {
         let smooth = Self::new(pose, response, closing_speed, restitution, before)?;
-        let found = frictional_impulse(pose, response, closing_speed, restitution, friction)?;
-        let reached = found.friction.kinematic_restitution;
-        let star = JointRates { joints: response.joint_velocities.clone(), base: response.base_velocity };
+        let found = frictional_impulse(pose, response, closing_speed, restitution, friction, &smooth.before)?;
         Ok(Self {
             impulse: found.normal,
-            // All kinetic energy of the contact is in its one motion.
-            energy_loss: 0.5 * smooth.impulse / (1.0 + restitution)
-                * closing_speed
-                * (1.0 - reached * reached),
-            after: smooth.before.plus_scaled(&star, -(1.0 + reached) * closing_speed),
+            energy_loss: found.energy_loss,
+            after: smooth.before.plus_scaled(&found.change, 1.0),
             friction: Some(found.friction),
             reactions: reactions_to_unit_impulse(pose, &found.response)?.scaled(found.total),
             ..smooth

@@ -36,3 +36,36 @@ pub const UNDETERMINED: f64 = 1e-6;
 /// Distance of the mobility matrix from rank one, relative to its norm, up to which a contact has one relative motion:
 /// rounding of matrices of linkages, and the misfit of files with nine digits.
 pub const ONE_MOTION: f64 = 1e-8;
+
+/// Eigenvalue of a mobility matrix, relative to the largest, below which a contact point cannot move in a direction:
+/// rounding of W.
+pub const MASSLESS_RESPONSE: f64 = 1e-12;
+
+/// Mobility of sticking along the normal, relative to that of a sliding contact, below which a sticking contact cannot
+/// rebound: rounding of the Schur complement.
+pub const WEDGED: f64 = 1e-12;
+
+/// Coupling out of a plane, relative to the norm of the mobility matrix, up to which a frictional impact is planar.
+pub const PLANAR: f64 = 1e-13;
+
+/// Error of one integration step, relative to the closing speed.
+pub const STEP_ERROR: f64 = 1e-14;
+
+/// Sliding speed, relative to the closing speed, at which the sliding ends in the integration. The remaining part is
+/// linear to this order.
+pub const SLIDING_ENDS: f64 = 1e-14;
+
+/// Largest number of integration steps of one impact.
+pub const MOST_STEPS: usize = 20_000;
+
+/// Violation of a complementarity condition, relative to the largest speed or impulse, that is rounding.
+pub const COMPLEMENTARY: f64 = 1e-10;
+
+/// Largest number of simultaneous contacts: all subsets of contacts are examined.
+pub const MOST_CONTACTS: usize = 12;
+
+/// Smallest coefficient of restitution of the energetic law of several contacts.
+pub const LEAST_ENERGETIC: f64 = 0.01;
+
+/// Energy created by a law of restitution, relative to the energy of the closing motion, that is rounding.
+pub const CREATED_ENERGY: f64 = 1e-10;

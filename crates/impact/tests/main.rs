@@ -2,5 +2,10 @@
 
 mod cases;
 mod closed_forms;
+mod friction;
 mod maximal_coordinates;
+mod mobility;
 mod properties;
+mod ranges;
+mod several;
+mod sticking;

@@ -35,7 +35,7 @@ mod module {
     #[pymodule_export]
     use crate::questions::damping::{damp, damp_mass, impact_history, laws, regions, tools};
     #[pymodule_export]
-    use crate::questions::impact::impact;
+    use crate::questions::impact::{extremes, impact};
     #[pymodule_export]
     use crate::questions::kinematics::kinematics;
     #[pymodule_export]

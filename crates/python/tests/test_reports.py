@@ -247,12 +247,32 @@ def test_impacts() -> None:
     assert report.reflected_inertia[0]["free"] == pytest.approx(52163 / 110250, rel=1e-12)
     peaks = percuss.impact(model, contact, 0.3, speed=1.0, stiffness=1e5)
     assert peaks.contact_law["peak_force"] > 0 and peaks.reactions[0]["peak_force"][0] is not None
+    friction = percuss.impact(model, contact, 0.3, speed=1.0, friction=0.2, restitution_law="poisson").friction
+    assert friction["law"] == "poisson" and len(friction["laws"]) == 4
+    with pytest.raises(percuss.InputError, match="restitution_law"):
+        percuss.impact(model, contact, 0.3, speed=1.0, friction=0.2, restitution_law="kane")
+    also = ["coupler:0.1,0.1,0:0,1,0"]
+    several = percuss.impact(model, contact, 0.3, speed=1.0, also=also, sticking=True).simultaneous
+    assert [law["law"] for law in several["laws"]] == ["newton", "poisson", "energetic"]
+    assert len(several["delassus"]) == 6 and len(several["sticking"]["sticks"]) == 2
     with pytest.raises(percuss.InputError, match="closing speed"):
         percuss.impact(model, contact, 0.3)
     with pytest.raises(percuss.InputError, match="nope"):
         percuss.impact(model, contact, 0.3, rates={"nope": 1.0})
     with pytest.raises(percuss.InputError, match="closing speed"):
         percuss.impact(model, contact, 0.3, speed=-1.0)
+
+
+def test_extremes() -> None:
+    model = percuss.load(ROOT / "models/planar_2r.urdf")
+    contact = percuss.Contact("outer", [0.4, 0, 0], [0, 1, 0])
+    report = percuss.extremes(model, contact, ranges={"elbow": (0.3, 2.5)})
+    assert report.least["effective_mass"] < report.most["effective_mass"]
+    assert report.least["residual"] < 1e-6 and report.least["agreeing"] > 1
+    wide = percuss.extremes(model, contact, ranges={"elbow": (0.3, 2.5)}, starts=5)
+    assert wide.least["effective_mass"] == pytest.approx(report.least["effective_mass"], rel=1e-9)
+    with pytest.raises(percuss.InputError, match="nope"):
+        percuss.extremes(model, contact, ranges={"nope": (0.0, 1.0)})
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "models").glob("*.toml")), ids=lambda path: path.stem)

@@ -69,11 +69,20 @@ pub use reports::explain::{
     Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
 };
 pub use reports::generated_code::{CodeError, generate_code};
-pub use reports::impact::additions::{GreatestSpeedRecord, PercussionRecord, ReflectedRecord};
-pub use reports::impact::question::{ImpactQuestion, PercussionRequest};
+pub use reports::impact::additions::{
+    GreatestSpeedRecord, PercussionRecord, ReflectedRangeRecord, ReflectedRecord,
+};
+pub use reports::impact::extremes::{
+    ExtremePosition, ExtremeRecord, ExtremesQuestion, ExtremesReport, GivenRange, extremes,
+};
+pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
+pub use reports::impact::question::{FurtherContact, ImpactQuestion, PercussionRequest};
 pub use reports::impact::reactions::{ReactionPlace, ReactionRecord};
 pub use reports::impact::report::{
-    BaseRateRecord, FrictionRecord, ImpactLawRecord, ImpactReport, JointRateRecord, OtherBodyRecord, impact,
+    BaseRateRecord, ImpactLawRecord, ImpactReport, JointRateRecord, OtherBodyRecord, impact,
+};
+pub use reports::impact::simultaneous::{
+    RatesAfterRecord, SimultaneousLawRecord, SimultaneousRecord, StickingRecord, TouchingRecord,
 };
 pub use reports::kinematics::changed_sheet::changed_sheet;
 pub use reports::kinematics::question::{
@@ -107,7 +116,7 @@ pub use study_file::tables::contact::{
 pub use study_file::tables::damping::{DampingTable, LawName, SeparationName, Tools};
 #[cfg(feature = "flags")]
 pub use study_file::tables::headings;
-pub use study_file::tables::impact::ImpactTable;
+pub use study_file::tables::impact::{ImpactTable, RestitutionLawName};
 pub use study_file::tables::map::{MapTable, StudyMap, StudyMapQuestion};
 pub use study_file::tables::mass::{GivenTolerance, MassTable, StudyMass};
 pub use study_file::tables::model::{Acceptable, ModelTable};

@@ -1,9 +1,9 @@
-//! Flags of `percuss impact`.
+//! Flags of `percuss impact` and `percuss extremes`.
 
 use super::{CheckFormat, ContactArgs, ModelArgs};
 use clap::Args;
-use percuss_study::ImpactTable;
 use percuss_study::headings::ANSWER;
+use percuss_study::{ExtremesQuestion, GivenRange, ImpactTable};
 
 /// Flags of `percuss impact`.
 #[derive(Debug, Args)]
@@ -17,4 +17,29 @@ pub struct ImpactArgs {
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = ANSWER)]
     pub format: CheckFormat,
+}
+
+/// Flags of `percuss extremes`.
+#[derive(Debug, Args)]
+pub struct ExtremesArgs {
+    #[command(flatten)]
+    pub model: ModelArgs,
+    #[command(flatten)]
+    pub contact: ContactArgs,
+    /// Range of a driving joint; default: the limits of all driving joints with limits.
+    #[arg(long, value_name = "JOINT=FROM:TO", allow_hyphen_values = true, help_heading = ANSWER)]
+    pub range: Vec<GivenRange>,
+    /// Number of starts of the search.
+    #[arg(long, value_name = "N", default_value_t = 32, value_parser = clap::value_parser!(u16).range(1..=10_000), help_heading = ANSWER)]
+    pub starts: u16,
+    /// Format of the result.
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = ANSWER)]
+    pub format: CheckFormat,
+}
+
+impl ExtremesArgs {
+    /// Ranges and number of starts.
+    pub fn question(&self) -> ExtremesQuestion {
+        ExtremesQuestion { ranges: self.range.clone(), starts: usize::from(self.starts) }
+    }
 }

@@ -20,7 +20,7 @@ pub use contact::ContactArgs;
 pub use damping::{DampArgs, SafeSpeedArgs};
 pub use generate::{GenerateArgs, LanguageName};
 pub use help::short_help::{requested_command, short_help};
-pub use impact::ImpactArgs;
+pub use impact::{ExtremesArgs, ImpactArgs};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
 pub use kinematics::KinematicsArgs;
 pub use map::MapArgs;
@@ -133,6 +133,12 @@ pub enum Command {
         override_usage = "percuss impact MODEL (--at NAME | --link L --point X,Y,Z\n                      (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                      --restitution E (--speed V | --rates JOINT=RATE…) …"
     )]
     Impact(Box<ImpactArgs>),
+    /// Smallest and largest effective mass over ranges of the driving joints.
+    #[command(
+        after_help = examples::EXTREMES,
+        override_usage = "percuss extremes MODEL (--at NAME | --link L --point X,Y,Z\n                        (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                        [--range JOINT=FROM:TO]… [--starts N] …"
+    )]
+    Extremes(Box<ExtremesArgs>),
     /// Write C or Rust code that computes the effective mass from a configuration.
     ///
     /// The code needs no library: for controllers, simulation models and microcontrollers.

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Every page, with the number of its commands.
-const PAGES: [(&str, usize); 36] = [
+const PAGES: [(&str, usize); 37] = [
     ("README.md", 4),
     ("docs/INTRODUCTION.md", 1),
     ("docs/SUMMARY.md", 0),
@@ -21,7 +21,8 @@ const PAGES: [(&str, usize); 36] = [
     ("docs/howto/CLUSTER.md", 0),
     ("docs/howto/CODE.md", 2),
     ("docs/howto/DESIGNS.md", 8),
-    ("docs/howto/IMPACT.md", 3),
+    ("docs/howto/IMPACT.md", 6),
+    ("docs/howto/IMPACT_RECIPES.md", 5),
     ("docs/howto/KINEMATICS.md", 3),
     ("docs/howto/LOOPS.md", 2),
     ("docs/howto/MAPS.md", 2),

@@ -143,16 +143,180 @@ fn friction_at_the_stop_of_a_linkage() {
     );
     for (command, words) in [
         (format!("{FOUR_BAR} --speed 2 --friction -1"), "--friction: the coefficient"),
-        (
-            "impact models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --set elbow=1 --restitution 0 --speed 1 \
-             --friction 0.3"
-                .to_owned(),
-            "several directions",
-        ),
+        (format!("{FOUR_BAR} --speed 2 --restitution-law newton"), "--friction"),
     ] {
         let outcome = percuss(&command);
         assert!(outcome.code == 2 && outcome.stderr.contains(words), "{command}: {}", outcome.stderr);
     }
+}
+
+/// Arm with two motions of its tip.
+const ARM: &str = "impact models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --set elbow=40deg \
+                   --rates shoulder=1 --rates elbow=0.5";
+
+#[test]
+fn friction_with_several_motions_lists_phases_thresholds_and_laws() {
+    let command = format!("{ARM} --restitution 0.5 --friction 0.3");
+    let report = json(&format!("{command} --format json"));
+    let friction = &report["friction"];
+    assert_eq!(friction["law"], "energetic");
+    assert!(friction["slope"].is_null() && friction["sticking_threshold"].is_number());
+    assert!(!friction["phases"].as_array().expect("phases").is_empty());
+    let number = |value: &Value| value.as_f64().expect("a number");
+    for law in friction["laws"].as_array().expect("laws") {
+        if law["law"] == "energetic" {
+            close(&law["normal_impulse"], number(&report["impulse"]));
+            close(&law["energy_loss"], number(&report["energy_loss"]));
+            let separation = number(&law["separation_speed"]) / number(&report["closing_speed"]);
+            close(&friction["kinematic_restitution"], separation);
+        }
+        assert_eq!(law["creates_energy"], number(&law["energy_loss"]) < 0.0, "{law}");
+    }
+    // Friction acts within the cone and against the sliding or at rest.
+    let tangential = friction["tangential_impulse_world"].as_array().expect("three");
+    let size = tangential.iter().map(|x| number(x).powi(2)).sum::<f64>().sqrt();
+    assert!(size <= 0.3 * number(&report["impulse"]) * (1.0 + ROUNDING));
+    let text = percuss(&command).stdout;
+    for words in ["phases", "thresholds", "law of restitution", "energetic (used)", "can stick from"] {
+        assert!(text.contains(words), "{words} is missing in\n{text}");
+    }
+    // Without friction all laws are the frictionless impact.
+    let smooth = json(&format!("{ARM} --restitution 0.5 --format json"));
+    let none = json(&format!("{ARM} --restitution 0.5 --friction 0 --format json"));
+    close(&none["impulse"], number(&smooth["impulse"]));
+    for law in none["friction"]["laws"].as_array().expect("laws") {
+        if law["law"] != "algebraic" {
+            close(&law["normal_impulse"], number(&smooth["impulse"]));
+        }
+    }
+    // The sliding of an assumed motion is stated.
+    let assumed = percuss(
+        "impact models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --set elbow=40deg --restitution 0.5 --speed 1 \
+         --friction 0.3",
+    );
+    assert!(assumed.stdout.contains("by the assumed motion"), "{}", assumed.stdout);
+}
+
+/// Free body of 5 kg and 0.3 kg·m² about y that falls on two points.
+const TWO_POINTS: &str = "impact models/floating_body.urdf --base floating --link body --point 0.3,0,0 --normal 0,0,-1 \
+                          --base-twist 0,0,0,0,0,-1 --restitution 0.5 --also body:-0.2,0,0:0,0,-1";
+
+#[test]
+fn several_contacts_show_the_spread_of_the_laws() {
+    let report = json(&format!("{TWO_POINTS} --format json"));
+    let several = &report["simultaneous"];
+    let contacts = several["contacts"].as_array().expect("contacts");
+    assert_eq!(contacts.len(), 2);
+    close(&contacts[0]["effective_mass"], 1.0 / (0.2 + 0.09 / 0.3));
+    close(&contacts[1]["closing_speed"], 1.0);
+    // W over the normals: 1/5 + x x'/0.3.
+    close(&several["delassus"][0][3], 0.2 - 0.06 / 0.3);
+    assert_eq!(several["delassus"].as_array().expect("rows").len(), 6);
+    let laws = several["laws"].as_array().expect("laws");
+    let law = |name: &str| laws.iter().find(|law| law["law"] == name).expect("a law");
+    for name in ["newton", "poisson"] {
+        (0..2).for_each(|i| close(&law(name)["opening_speeds"][i], 0.5));
+    }
+    // W is diagonal here: the energetic law has independent contacts, so that all laws agree.
+    let spread = several["spread"].as_f64().expect("a spread");
+    assert!(spread < 1e-9, "{spread}");
+    // With coupled contacts they differ, and depend on the stiffness ratio.
+    let coupled = TWO_POINTS.replace("body:-0.2", "body:-0.1");
+    let spread = |more: &str| {
+        let report = json(&format!("{coupled}{more} --format json"));
+        report["simultaneous"]["spread"].as_f64().expect("a spread")
+    };
+    assert!(spread("") > 0.01);
+    assert!((spread("") - spread(" --stiffness-ratio 1,10")).abs() > 1e-4);
+    let text = percuss(&coupled).stdout;
+    for words in ["energetic", "do not determine", "taken as closed", "alone"] {
+        assert!(text.contains(words), "{words} is missing in\n{text}");
+    }
+    for (more, words) in [
+        (" --stiffness-ratio 1", "--stiffness-ratio"),
+        (" --also nope", "--also"),
+        (" --also body:0,0,0", "--also"),
+    ] {
+        let outcome = percuss(&format!("{TWO_POINTS}{more}"));
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}: {}", outcome.stderr);
+    }
+}
+
+#[test]
+fn sticking_points_let_go_and_need_friction() {
+    let report = json(&format!("{TWO_POINTS} --sticking --friction 0.1 --format json"));
+    let sticking = &report["simultaneous"]["sticking"];
+    assert_eq!(sticking["sticks"], serde_json::json!([true, true]));
+    // All momentum is lost: 3 N·s and 2 N·s at the distances 0.2 and 0.3 m from the centre, without friction.
+    close(&sticking["normal_impulses"][0], 2.0);
+    close(&sticking["normal_impulses"][1], 3.0);
+    close(&sticking["energy_loss"], 2.5);
+    let map = sticking["impact_map"].as_array().expect("rows");
+    assert_eq!((map.len(), sticking["coordinates"].as_array().expect("names").len()), (6, 6));
+    let text = percuss(&format!("{TWO_POINTS} --sticking")).stdout;
+    assert!(text.contains("Plastic impact with sticking points"), "{text}");
+}
+
+#[test]
+fn the_best_constant_armature_of_the_crank() {
+    let command = format!("{FOUR_BAR} --speed 2 --reflected crank_hinge=0:360deg:361");
+    let report = json(&format!("{command} --format json"));
+    let range = &report["reflected_over"][0];
+    assert_eq!(range["held"].as_array().expect("values").len(), 361);
+    let number = |key: &str| range[key].as_f64().expect("a number");
+    let (a, b) = (number("least"), number("most"));
+    close(&range["best_constant"], 2.0 * a * b / (a + b));
+    assert!((number("largest_error") - 0.7146).abs() < 1e-3, "{range}");
+    close(&range["held"][0], 52163.0 / 110_250.0);
+    assert!(percuss(&command).stdout.contains("the best constant is"));
+    let outcome = percuss(&format!("{FOUR_BAR} --speed 2 --reflected crank_hinge=0:1m:5"));
+    assert!(outcome.code == 2 && outcome.stderr.contains("--reflected"), "{}", outcome.stderr);
+}
+
+#[test]
+fn extremes_of_an_arm() {
+    let command = "extremes models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --normal-frame world \
+                   --range shoulder=-180deg:180deg --range elbow=20deg:160deg";
+    let report = json(&format!("{command} --format json"));
+    for key in ["least", "most"] {
+        let found = &report[key];
+        // The mass at the positions of the extreme, by percuss mass.
+        let position = |i: usize| found["positions"][i]["position"].as_f64().expect("a position");
+        let mass = json(&format!(
+            "mass models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --normal-frame world --set shoulder={} \
+             --set elbow={} --format json",
+            position(0),
+            position(1)
+        ));
+        let (a, b) = (found["effective_mass"].as_f64().expect("a mass"), mass["effective_mass"].as_f64());
+        assert!((a / b.expect("a mass") - 1.0).abs() < 1e-9, "{key}: {found}");
+        assert!(found["residual"].as_f64().expect("a residual") < 1e-6, "{found}");
+        assert!(found["agreeing"].as_u64().expect("a number") > 1, "{found}");
+    }
+    let text = percuss(command).stdout;
+    assert!(text.contains("starts agree") && text.contains("no proof"), "{text}");
+    for (more, words) in [
+        ("--range nope=0:1", "--range"),
+        ("--range elbow=1:0", "--range"),
+        ("--range elbow=0:1m", "--range"),
+        ("--range elbow", "--range"),
+    ] {
+        let arm = "extremes models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0";
+        let outcome = percuss(&format!("{arm} {more}"));
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}: {}", outcome.stderr);
+    }
+    // Without limits and ranges nothing varies.
+    let outcome = percuss("extremes models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0");
+    assert!(outcome.code == 2 && outcome.stderr.contains("no joint varies"), "{}", outcome.stderr);
+}
+
+#[test]
+fn a_centre_of_percussion_names_open_components() {
+    let command = format!("{FOUR_BAR} --speed 2 --percussion crank_hinge");
+    let report = json(&format!("{command} --format json"));
+    assert_eq!(report["percussion"][0]["open_components"], serde_json::json!([false, false, true]));
+    assert_eq!(report["percussion"][0]["open_by"], serde_json::json!(["rocker_pin"]));
+    assert!(percuss(&command).stdout.contains("determinate components only"));
 }
 
 #[test]

@@ -7,7 +7,7 @@
     >>> response.effective_mass  # kg
 
 load, pose, respond: one contact. sweep: one contact at many configurations, arrays in and out. effective_mass: matrices of your own
-solver. mass, sweep_report, map, damp, impact, safe_speed, compare, explain, run_study: the reports of the command line. kinematics: wheel
+solver. mass, sweep_report, map, damp, impact, extremes, safe_speed, compare, explain, run_study: the reports of the command line. kinematics: wheel
 angles and motion ratios of suspensions. SI units throughout; quaternions are w, x, y, z.
 """
 
@@ -70,6 +70,7 @@ from ._reports import (
     damp_contact,
     damp_stop,
     explain,
+    extremes,
     impact,
     impact_history,
     map,
@@ -131,6 +132,7 @@ __all__ = [
     "effective_mass",
     "effective_masses",
     "explain",
+    "extremes",
     "impact",
     "impact_history",
     "kinematics",

@@ -33,6 +33,7 @@ __all__ = [
     "effective_mass",
     "effective_masses",
     "explain",
+    "extremes",
     "impact",
     "impact_history",
     "joint_of_parts",
@@ -533,6 +534,9 @@ def tolerate(
 ) -> str: ...
 def impact(
     model: Model, contact: Contact | str, conditions: Conditions, impact: _Impact
+) -> str: ...
+def extremes(
+    model: Model, contact: Contact | str, conditions: Conditions, ranges: Sequence[str], starts: int
 ) -> str: ...
 def safe_speed(
     model: Model,

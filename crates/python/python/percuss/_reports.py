@@ -99,6 +99,11 @@ class _Impact:
     restitution: float
     speed: float | None
     friction: float | None
+    restitution_law: str
+    also: Sequence[str]
+    sticking: bool
+    stiffness_ratios: Sequence[float]
+    contact_exponent: float | None
     rates: Mapping[str, Position]
     base_twist: Sequence[float] | None
     law: Damping | None
@@ -375,18 +380,44 @@ def impact(
     rate_limit: Mapping[str, Position] | None = None,
     reflected: Sequence[str] = (),
     percussion: Sequence[str] = (),
+    restitution_law: str = "energetic",
+    also: Sequence[str] = (),
+    sticking: bool = False,
+    stiffness_ratio: Sequence[float] = (),
+    contact_exponent: float | None = None,
 ) -> Report:
     """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
     joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
-    speed is assumed. friction: coefficient, for a contact of one relative motion. rates: driving joints and their rates before the impact, rad/s or m/s; the others follow.
+    speed is assumed. friction: coefficient (Coulomb), with restitution_law "energetic" (Stronge), "poisson", "newton" or
+    "algebraic". rates: driving joints and their rates before the impact, rad/s or m/s; the others follow.
     base_twist: velocity of a floating base, rad/s then m/s, world axes. stiffness, exponent, law: contact law for the
     peak forces of all bearings. rate_limit: largest jumps of joint rates, for the greatest closing speed. reflected:
     joints whose reflected inertia is added. percussion: joints whose centre of percussion is added, "JOINT" in the
-    tangent plane or "JOINT:X,Y,Z" along a line. Components that redundant loops leave open are None. As ``percuss
-    impact``."""
+    tangent plane or "JOINT:X,Y,Z" along a line. Components that redundant loops leave open are None. also: further
+    contacts that touch at the same time, the name of a contact or "LINK:X,Y,Z:NX,NY,NZ" (point in the link's frame,
+    normal in world axes); stiffness_ratio and contact_exponent: their stiffnesses relative to the first, and the exponent of
+    their forces, for the energetic law. sticking: adds the plastic impact with sticking points. As ``percuss impact``."""
     damping = None if stiffness is None else Damping(restitution, stiffness, exponent, law=law)
-    asked = _Impact(restitution, speed, friction, rates or {}, base_twist, damping, rate_limit or {}, reflected, percussion)
+    asked = _Impact(
+        restitution, speed, friction, restitution_law, also, sticking, stiffness_ratio, contact_exponent, rates or {},
+        base_twist, damping, rate_limit or {}, reflected, percussion,
+    )
     return Report(json.loads(_percuss.impact(model, contact, _asked(conditions), asked)))
+
+
+def extremes(
+    model: Model,
+    contact: Contact | str,
+    conditions: Conditions | None = None,
+    *,
+    ranges: Mapping[str, tuple[float, float]] | None = None,
+    starts: int = 32,
+) -> Report:
+    """Smallest and largest effective mass of a contact over ranges of its driving joints (rad or m); without ranges, over the
+    limits of all driving joints with limits. Local searches from a number of starts; the report has the positions, the active
+    limits, the optimality residual and the number of agreeing starts. As ``percuss extremes``."""
+    given = [f"{joint}={lower!r}:{upper!r}" for joint, (lower, upper) in (ranges or {}).items()]
+    return Report(json.loads(_percuss.extremes(model, contact, _asked(conditions), given, starts)))
 
 
 def safe_speed(

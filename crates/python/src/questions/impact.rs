@@ -5,7 +5,10 @@ use crate::conversion::arrays::list;
 use crate::conversion::errors::input;
 use crate::questions::question::{Conditions, Damping, GivenContact};
 use crate::questions::reports::contact_report;
-use percuss::study::{self, GivenRates, ImpactQuestion, PercussionRequest};
+use percuss::impact::RestitutionLaw;
+use percuss::study::{
+    self, ExtremesQuestion, FurtherContact, GivenRange, GivenRates, ImpactQuestion, PercussionRequest,
+};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
@@ -15,6 +18,11 @@ pub struct Impact<'py> {
     restitution: f64,
     speed: Option<f64>,
     friction: Option<f64>,
+    restitution_law: String,
+    also: Vec<String>,
+    sticking: bool,
+    stiffness_ratios: Vec<f64>,
+    contact_exponent: Option<f64>,
     rates: Bound<'py, PyDict>,
     base_twist: Option<[f64; 6]>,
     law: Option<Damping>,
@@ -37,6 +45,14 @@ fn rates(given: &Bound<'_, PyDict>, what: &str) -> PyResult<Vec<(String, GivenRa
     given.iter().map(one).collect()
 }
 
+/// Law of restitution by name.
+fn law(name: &str) -> PyResult<RestitutionLaw> {
+    RestitutionLaw::ALL.into_iter().find(|law| law.name() == name).ok_or_else(|| {
+        let names = RestitutionLaw::ALL.map(RestitutionLaw::name).join(", ");
+        input(format_args!("restitution_law: \"{name}\"; expected one of {names}"))
+    })
+}
+
 impl Impact<'_> {
     /// Converts the fields to a question of the study crate.
     fn question(&self) -> PyResult<ImpactQuestion> {
@@ -44,10 +60,18 @@ impl Impact<'_> {
             text.parse::<PercussionRequest>()
                 .map_err(|error| input(format_args!("percussion: \"{text}\": {error}")))
         };
+        let further = |text: &String| {
+            text.parse::<FurtherContact>().map_err(|error| input(format_args!("also: \"{text}\": {error}")))
+        };
         Ok(ImpactQuestion {
             restitution: self.restitution,
             speed: self.speed,
             friction: self.friction,
+            restitution_law: law(&self.restitution_law)?,
+            also: self.also.iter().map(further).collect::<PyResult<_>>()?,
+            sticking: self.sticking,
+            stiffness_ratios: self.stiffness_ratios.clone(),
+            contact_exponent: self.contact_exponent,
             rates: rates(&self.rates, "rates")?,
             base_twist: self.base_twist,
             law: self.law.as_ref().map(Damping::question).transpose()?,
@@ -56,6 +80,25 @@ impl Impact<'_> {
             percussion: self.percussion.iter().map(percussion).collect::<PyResult<_>>()?,
         })
     }
+}
+
+/// Smallest and largest effective mass over ranges of driving joints, "JOINT=FROM:TO".
+#[pyfunction]
+pub fn extremes(
+    py: Python<'_>,
+    model: &Model,
+    contact: GivenContact<'_>,
+    conditions: Conditions<'_>,
+    ranges: Vec<String>,
+    starts: usize,
+) -> PyResult<String> {
+    let range = |text: &String| {
+        text.parse::<GivenRange>().map_err(|error| input(format_args!("ranges: \"{text}\": {error}")))
+    };
+    let requested = ExtremesQuestion { ranges: ranges.iter().map(range).collect::<PyResult<_>>()?, starts };
+    contact_report(py, model, contact, &conditions, |model, question| {
+        study::extremes(model, question, &requested)
+    })
 }
 
 /// Report on a rigid impact at a contact of a model.

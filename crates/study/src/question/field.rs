@@ -89,12 +89,20 @@ pub enum Field {
     ClosingSpeed,
     /// Coefficient of friction of an impact.
     Friction,
+    /// Law of restitution of an impact with friction.
+    RestitutionLaw,
+    /// Further contacts of an impact.
+    Also,
+    /// Stiffness ratios of several contacts.
+    StiffnessRatio,
     /// Rates of driving joints before an impact.
     Rates,
     /// Velocity of a floating base before an impact.
     BaseTwist,
     /// Largest jump of a joint rate.
     RateLimit,
+    /// Range of a joint in a search for extremes.
+    Range,
     /// Joint of a reflected inertia.
     Reflected,
     /// Joint of a centre of percussion.
@@ -141,9 +149,13 @@ impl Field {
             Field::Restitution => ("--restitution", "impact.restitution"),
             Field::ClosingSpeed => ("--speed", "impact.speed"),
             Field::Friction => ("--friction", "impact.friction"),
+            Field::RestitutionLaw => ("--restitution-law", "impact.restitution_law"),
+            Field::Also => ("--also", "impact.also"),
+            Field::StiffnessRatio => ("--stiffness-ratio", "impact.stiffness_ratio"),
             Field::Rates => ("--rates", "impact.rates"),
             Field::BaseTwist => ("--base-twist", "impact.base_twist"),
             Field::RateLimit => ("--rate-limit", "impact.rate_limit"),
+            Field::Range => ("--range", "range"),
             Field::Reflected => ("--reflected", "impact.reflected"),
             Field::Percussion => ("--percussion", "impact.percussion"),
         }

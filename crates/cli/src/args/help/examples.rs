@@ -251,6 +251,15 @@ Examples:
       --normal 0,1,0 --set elbow=40deg --restitution 0.1 --speed 1 \\
       --stiffness 200N/mm --reflected shoulder --percussion shoulder:1,0,0";
 
+pub const EXTREMES: &str = "\
+Examples:
+  percuss extremes models/planar_2r.urdf --link outer --point 0.4,0,0 \\
+      --normal 0,1,0 --normal-frame world --range shoulder=-180deg:180deg \\
+      --range elbow=20deg:160deg
+  The limits of the file, more starts:
+    percuss extremes models/six_r_arm.urdf --link tool --point 0,0,0 \\
+      --normal 0,0,1 --starts 200";
+
 #[cfg(test)]
 mod tests {
     #[test]

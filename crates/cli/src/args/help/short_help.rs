@@ -8,7 +8,7 @@ use clap::{Arg, Command};
 const COLUMN: usize = 30;
 
 /// Explained flags of each command. Other flags are only listed.
-const EXPLAINED: [(&str, &[&str]); 17] = [
+const EXPLAINED: [(&str, &[&str]); 18] = [
     ("percuss", &[]),
     ("check", &["format", "strict"]),
     (
@@ -154,6 +154,10 @@ const EXPLAINED: [(&str, &[&str]); 17] = [
             "reflected",
             "format",
         ],
+    ),
+    (
+        "extremes",
+        &["at", "link", "point", "normal", "along_line", "against", "set", "range", "starts", "format"],
     ),
     (
         "generate",

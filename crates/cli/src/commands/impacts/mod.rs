@@ -1,4 +1,6 @@
 //! Commands about impacts: rigid impact, safe speed.
 
+pub(crate) mod extremes;
 pub(crate) mod rigid_impact;
 pub(crate) mod safe_speed;
+pub(crate) mod simultaneous;

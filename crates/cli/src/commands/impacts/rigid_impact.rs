@@ -1,6 +1,7 @@
 //! Command `percuss impact`.
 
 use crate::args::{CheckFormat, ImpactArgs};
+use crate::commands::impacts::simultaneous;
 use crate::commands::mass::facts as mass_facts;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
@@ -9,8 +10,8 @@ use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, short_number, triple};
 use crate::terminal::wrap::{fact_line, wrap_lines};
 use percuss_study::{
-    ImpactQuestion, ImpactReport, MassQuestion, Model, ReactionPlace, ReactionRecord, ReflectedRecord,
-    Status, impact,
+    FrictionRecord, ImpactQuestion, ImpactReport, MassQuestion, Model, ReactionPlace, ReactionRecord,
+    ReflectedRangeRecord, ReflectedRecord, Status, impact,
 };
 
 /// Runs the command.
@@ -41,6 +42,12 @@ pub fn show(
 /// Report as text.
 fn text(report: &ImpactReport) -> String {
     let mut out = String::new();
+    if let Some(several) = &report.simultaneous {
+        out += &simultaneous::text(report, several);
+        if several.contacts.len() > 1 {
+            out += &format!("\nImpact of {} alone\n", line(&several.contacts[0].name));
+        }
+    }
     for (name, value) in results(report) {
         out += &fact_line(name, &line(&value));
     }
@@ -48,11 +55,15 @@ fn text(report: &ImpactReport) -> String {
     for (name, value) in mass_facts(&report.mass) {
         out += &fact_line(name, &line(&value));
     }
+    if let Some(table) = law_table(report) {
+        out += &format!("\n{table}{}", wrap_lines(&law_note(report)));
+    }
     out += &format!("\n{}", rate_table(report));
     out += &format!("\n{}{}", reaction_table(report), wrap_lines(&legend(report)));
     out += &drive_table(report).map_or_else(String::new, |table| format!("\n{table}"));
     let friction = if report.friction.is_some() { "" } else { "friction, " };
-    out += &format!("\nNot included: {friction}compliance of the links, several impacts at once.\n");
+    let several = if report.simultaneous.is_some() { "" } else { ", several impacts at once (--also)" };
+    out += &format!("\nNot included: {friction}compliance of the links{several}.\n");
     out += "Gravity, springs and dampers have no effect during an instantaneous impact.\n\
             See docs/howto/IMPACT.md.\n";
     out
@@ -77,20 +88,7 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
                 .to_owned(),
         },
     ));
-    if let Some(friction) = report.friction {
-        let end = if friction.wedged { "wedged, without rebound" } else { "rebounds" };
-        facts.push((
-            "friction",
-            format!(
-                "coefficient {}; the point slides with {} of the closing speed: {end}, separation speed {} of the \
-                 closing speed; impulse on the contact link {} N·s (world)",
-                number(friction.coefficient),
-                short_number(friction.slope),
-                short_number(friction.kinematic_restitution),
-                triple(&friction.tangential_impulse_world),
-            ),
-        ));
-    }
+    facts.extend(report.friction.iter().flat_map(|friction| friction_facts(friction, report)));
     let sliding = report.mass.effective_mass.map_or_else(String::new, |m| format!("{} kg", number(m)));
     facts.push(("effective mass", format!("{sliding} (sliding contact point)")));
     facts.push((
@@ -123,13 +121,19 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
         facts.push(("greatest speed", by));
     }
     facts.extend(report.reflected_inertia.iter().map(|record| ("reflected", reflected(record))));
+    facts.extend(report.reflected_over.iter().map(|range| ("armature", armature(range))));
     for centre in &report.percussion {
         let along = if centre.direction.is_some() { "along the line" } else { "in the tangent plane" };
+        let open = if centre.open_by.is_empty() {
+            String::new()
+        } else {
+            format!("; determinate components only, others are left open by {}", centre.open_by.join(", "))
+        };
         facts.push((
             "percussion",
             format!(
                 "least impulse at {} {along}: contact point {} m, {} m away; {} of the impulse remains, {} at the \
-                 given point",
+                 given point{open}",
                 centre.joint,
                 triple(&centre.point_link),
                 number(centre.distance),
@@ -139,6 +143,89 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
         ));
     }
     facts
+}
+
+/// Friction: result, phases and thresholds.
+fn friction_facts(friction: &FrictionRecord, report: &ImpactReport) -> Vec<(&'static str, String)> {
+    let end = if friction.wedged { "wedged, without rebound" } else { "rebounds" };
+    let slides = match friction.slope {
+        Some(slope) => format!("the point slides with {} of the closing speed", short_number(slope)),
+        None => {
+            let speed = |v: &[f64; 3]| short_number(v.iter().map(|x| x * x).sum::<f64>().sqrt());
+            let assumed = if report.motion_before == "given" { "" } else { " (by the assumed motion)" };
+            format!(
+                "the point slides with {} m/s before{assumed} and {} m/s after the impact",
+                speed(&friction.sliding_before_world),
+                speed(&friction.sliding_after_world),
+            )
+        }
+    };
+    let mut facts = vec![(
+        "friction",
+        format!(
+            "coefficient {}; {slides}: {end}, separation speed {} of the closing speed; impulse on the contact link {} N·s \
+             (world)",
+            number(friction.coefficient),
+            short_number(friction.kinematic_restitution),
+            triple(&friction.tangential_impulse_world),
+        ),
+    )];
+    let phases: Vec<String> =
+        friction.phases.iter().map(|phase| format!("{} ({})", phase.kind, phase.stage)).collect();
+    if !phases.is_empty() {
+        facts.push(("phases", phases.join(", ")));
+    }
+    let threshold = |value: Option<f64>, none: &str| value.map_or_else(|| none.to_owned(), short_number);
+    if friction.slope.is_none() {
+        facts.push((
+            "thresholds",
+            format!(
+                "the contact can stick from a coefficient of {}, and jam from {}",
+                threshold(friction.sticking_threshold, "none (it cannot)"),
+                threshold(friction.jamming_threshold, "none (it cannot)"),
+            ),
+        ));
+    } else if let Some(wedges) = friction.jamming_threshold {
+        facts.push((
+            "thresholds",
+            format!("the contact wedges from a coefficient of {}", short_number(wedges)),
+        ));
+    }
+    facts
+}
+
+/// Laws of restitution side by side; `None` without friction.
+pub fn law_table(report: &ImpactReport) -> Option<Table<5>> {
+    let friction = report.friction.as_ref()?;
+    let mut table =
+        Table::new(["law of restitution", "impulse N·s", "friction N·s", "separation m/s", "energy loss J"]);
+    let shown = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), short_number);
+    for law in &friction.laws {
+        let mark = if law.law == friction.law { " (used)" } else { "" };
+        let created = if law.creates_energy { " (creates energy)" } else { "" };
+        table.row([
+            format!("{}{mark}", law.law),
+            shown(law.normal_impulse),
+            shown(law.tangential_impulse),
+            shown(law.separation_speed),
+            format!("{}{created}", shown(law.energy_loss)),
+        ]);
+    }
+    Some(table)
+}
+
+/// Explanation of the laws of restitution.
+pub fn law_note(report: &ImpactReport) -> String {
+    let used = report.friction.iter().flat_map(|f| f.laws.iter().filter(|law| law.law == f.law));
+    let warning = if used.into_iter().any(|law| law.creates_energy) {
+        "Warning: the law that is used creates energy; its result is not valid. "
+    } else {
+        ""
+    };
+    format!(
+        "{warning}Rigid contact without tangential compliance: a ball with a soft surface can spin back. The laws differ in the meaning \
+         of the restitution (docs/howto/IMPACT.md).\n"
+    )
 }
 
 /// Inertia reflected to a joint as text.
@@ -153,6 +240,25 @@ fn reflected(record: &ReflectedRecord) -> String {
         |status| format!("{} with the other drivers held", value(status, record.held)),
     );
     format!("{}: {free} free; {held}", record.joint)
+}
+
+/// Reflected inertia over a range as text.
+fn armature(range: &ReflectedRangeRecord) -> String {
+    let (Some(least), Some(most), Some(constant), Some(error)) =
+        (range.least, range.most, range.best_constant, range.largest_error)
+    else {
+        return format!("{}: not finite over the range", range.joint);
+    };
+    let unit = range.unit;
+    format!(
+        "{}: {} to {} {unit} over {} positions; the best constant is {} {unit}, wrong by up to {} %",
+        range.joint,
+        number(least),
+        number(most),
+        range.positions.len(),
+        number(constant),
+        short_number(100.0 * error),
+    )
 }
 
 /// A value that is rounding relative to `size` is shown as 0.

@@ -1,7 +1,7 @@
 //! Sections of the other questions of a study: variants, damper, map, safe speed.
 
 use super::findings::add_warnings;
-use crate::commands::impacts::{rigid_impact, safe_speed};
+use crate::commands::impacts::{rigid_impact, safe_speed, simultaneous};
 use crate::commands::{compare, damp, map};
 use crate::files::html::Page;
 use crate::pictures::clipping::clip_outliers;
@@ -76,6 +76,20 @@ pub(super) fn add_damper(
 pub(super) fn add_impact(report: &ImpactReport, page: &mut Page) {
     page.section("Impact");
     page.facts(rigid_impact::results(report));
+    if let Some(table) = rigid_impact::law_table(report) {
+        page.table(table.rows());
+        page.paragraph("soft", &rigid_impact::law_note(report).replace('\n', " "));
+    }
+    if let Some(several) = &report.simultaneous {
+        page.heading("Several contacts at once");
+        page.table(simultaneous::contact_table(several).rows());
+        page.table(simultaneous::law_table(several).rows());
+        page.paragraph("soft", &simultaneous::law_note(several).replace('\n', " "));
+        if let Some(sticking) = &several.sticking {
+            page.table(simultaneous::sticking_table(several, sticking).rows());
+            page.paragraph("soft", &simultaneous::sticking_note(sticking).replace('\n', " "));
+        }
+    }
     page.heading("Rates of the joints");
     add_rates(report, page);
     page.heading("Reactions");

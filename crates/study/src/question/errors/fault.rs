@@ -9,7 +9,7 @@ use crate::thresholds::{
 };
 use percuss_dynamics::{AssemblyError, ConditionsError, ConfigurationError, ContactError, TravelError};
 use percuss_formats::{MeshError, SurfaceError};
-use percuss_impact::{ImpactError, PercussionError, RatesError, ReflectedError};
+use percuss_impact::{ExtremesError, ImpactError, PercussionError, RangeError, RatesError, ReflectedError};
 use percuss_mechanism::{JointKind, UnknownName};
 use percuss_units::QuantityError;
 
@@ -69,6 +69,18 @@ pub enum Fault {
     /// Centre of percussion that cannot be computed.
     #[error(transparent)]
     Percussion(#[from] PercussionError),
+    /// Reflected inertia over a range.
+    #[error(transparent)]
+    ReflectedRange(#[from] RangeError),
+    /// Text of a range of a reflected inertia.
+    #[error("{message}")]
+    RangeText {
+        /// Message of the reader of ranges.
+        message: String,
+    },
+    /// Search for extremes.
+    #[error(transparent)]
+    Extremes(#[from] ExtremesError),
     /// Impact without a speed and without rates.
     #[error(
         "no motion before the impact is given; expected the closing speed, or the rates of the driving joints"

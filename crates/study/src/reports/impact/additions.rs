@@ -4,12 +4,16 @@ use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
+use crate::question::travel::vary::Vary;
 use crate::reports::impact::question::{ImpactQuestion, PercussionRequest};
 use crate::values::rates::GivenRates;
+use percuss_dynamics::EffectiveMass;
 use percuss_impact::{
     centre_of_percussion, centre_of_percussion_in_plane, greatest_closing_speed, reflected_inertia,
+    reflected_inertia_over,
 };
-use percuss_mechanism::{JointId, Mechanism};
+use percuss_mechanism::{JointId, JointKind, Mechanism};
+use percuss_units::Dimension;
 use serde::Serialize;
 
 /// Inertia reflected to a joint.
@@ -31,6 +35,29 @@ pub struct ReflectedRecord {
     pub held_status: Option<Status>,
 }
 
+/// Inertia reflected to a joint over a range of its positions.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ReflectedRangeRecord {
+    /// The joint.
+    pub joint: String,
+    /// Unit: `kg·m²` or `kg`.
+    pub unit: &'static str,
+    /// Positions of the joint, rad or m.
+    pub positions: Vec<f64>,
+    /// Inertia with all other joints free at each position; null if not finite.
+    pub free: Vec<Option<f64>>,
+    /// Inertia with the other drivers at rest; null if not finite, and for a joint that is no driver.
+    pub held: Vec<Option<f64>>,
+    /// Smallest held inertia (free for a joint that is no driver); null without a finite one.
+    pub least: Option<f64>,
+    /// Largest held inertia.
+    pub most: Option<f64>,
+    /// Constant with the smallest largest relative error: the harmonic mean of both.
+    pub best_constant: Option<f64>,
+    /// Largest relative error of this constant.
+    pub largest_error: Option<f64>,
+}
+
 /// Centre of percussion of a joint.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PercussionRecord {
@@ -44,8 +71,13 @@ pub struct PercussionRecord {
     pub distance: f64,
     /// Impulse at the joint for the given point, per impulse at the contact.
     pub given_ratio: f64,
-    /// Remaining impulse at the joint for the best point, per impulse at the contact.
+    /// Remaining impulse at the joint for the best point, per impulse at the contact. Both ratios are those of the determinate
+    /// components.
     pub remaining_ratio: f64,
+    /// True for each component of the impulse (two transverse directions, the axis of the joint) that redundant loops leave open.
+    pub open_components: [bool; 3],
+    /// Loops that leave these components open.
+    pub open_by: Vec<String>,
 }
 
 /// Greatest closing speed by the limits of joint rates.
@@ -80,7 +112,7 @@ pub(crate) fn reflected(
 ) -> Result<Vec<ReflectedRecord>, StudyError> {
     let mechanism = &evaluated.prepared.model.mechanism;
     let mut records = Vec::new();
-    for name in &question.reflected {
+    for name in question.reflected.iter().filter(|name| range_of(evaluated, name).is_none()) {
         let joint = find_joint(mechanism, Field::Reflected, name)?;
         let columns = evaluated.pose.motion_subspace(joint);
         if columns.is_empty() {
@@ -105,6 +137,56 @@ pub(crate) fn reflected(
     Ok(records)
 }
 
+/// Joint and range of a request `JOINT=FROM:TO:COUNT`; `None` for the name of a joint.
+fn range_of<'t>(evaluated: &EvaluatedQuestion, text: &'t str) -> Option<(&'t str, &'t str)> {
+    let mechanism = &evaluated.prepared.model.mechanism;
+    if mechanism.find_joint(text).is_ok() { None } else { text.rsplit_once('=') }
+}
+
+/// Reflected inertias over the requested ranges of positions.
+pub(crate) fn reflected_over(
+    evaluated: &EvaluatedQuestion,
+    question: &ImpactQuestion,
+) -> Result<Vec<ReflectedRangeRecord>, StudyError> {
+    let prepared = &evaluated.prepared;
+    let mechanism = &prepared.model.mechanism;
+    let mut records = Vec::new();
+    for text in &question.reflected {
+        let Some((name, _)) = range_of(evaluated, text) else { continue };
+        let joint = find_joint(mechanism, Field::Reflected, name)?;
+        let kind = mechanism.joint(joint).kind();
+        let range: Vary = Vary::parse(text).map_err(|error| {
+            StudyError::input(Field::Reflected, Fault::RangeText { message: error.to_string() })
+        })?;
+        let dimension = match kind {
+            JointKind::Revolute | JointKind::Continuous => Dimension::Angle,
+            JointKind::Prismatic => Dimension::Length,
+            _ => {
+                return Err(StudyError::input(Field::Reflected, Fault::NoMotion { joint: name.to_owned() }));
+            }
+        };
+        let values = range
+            .values(dimension)
+            .map_err(|error| StudyError::input(Field::Reflected, Fault::Range(error)))?;
+        let positions: Vec<f64> = (0..values.count).map(|row| values.value_at(row)).collect();
+        let found = reflected_inertia_over(&prepared.system, &prepared.configuration, joint, &positions)
+            .map_err(|error| StudyError::input(Field::Reflected, error))?;
+        let known = |mass: EffectiveMass| mass.kilograms();
+        records.push(ReflectedRangeRecord {
+            joint: name.to_owned(),
+            unit: if dimension == Dimension::Angle { "kg·m²" } else { "kg" },
+            free: found.samples.iter().map(|s| known(s.inertia.free)).collect(),
+            held: found.samples.iter().map(|s| s.inertia.held.and_then(known)).collect(),
+            positions,
+            least: found.least,
+            most: found.most,
+            best_constant: found.best_constant,
+            largest_error: found.largest_error,
+        });
+    }
+    Ok(records)
+}
+
 /// Centres of percussion of the requested joints.
 pub(crate) fn percussion(
     evaluated: &EvaluatedQuestion,
@@ -125,6 +207,8 @@ pub(crate) fn percussion(
             distance: found.displacement.norm(),
             given_ratio: found.given_reaction,
             remaining_ratio: found.remaining_reaction,
+            open_components: found.is_open,
+            open_by: found.loops,
         })
     };
     question.percussion.iter().map(centre).collect()

@@ -1,6 +1,10 @@
 //! Rigid impact at a contact: impulse, rates, reactions, reflected inertias, centres of percussion.
 
 pub(crate) mod additions;
+pub(crate) mod errors;
+pub(crate) mod extremes;
+pub(crate) mod friction;
 pub(crate) mod question;
 pub(crate) mod reactions;
 pub(crate) mod report;
+pub(crate) mod simultaneous;

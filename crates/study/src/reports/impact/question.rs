@@ -1,7 +1,9 @@
 //! Input of an impact, in addition to its contact.
 
 use crate::question::damping_question::DampingQuestion;
+use crate::question::mass_question::Hold;
 use crate::values::rates::GivenRates;
+use percuss_impact::RestitutionLaw;
 
 /// Restitution, motion before the impact, and additional requests.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -10,8 +12,18 @@ pub struct ImpactQuestion {
     pub restitution: f64,
     /// Closing speed, m/s; `None` if the rates give it.
     pub speed: Option<f64>,
-    /// Coefficient of friction, for a contact of one relative motion; `None` without friction.
+    /// Coefficient of friction; `None` without friction.
     pub friction: Option<f64>,
+    /// Meaning of the coefficient of restitution with friction.
+    pub restitution_law: RestitutionLaw,
+    /// Further contacts that touch at the same time.
+    pub also: Vec<FurtherContact>,
+    /// True for a plastic impact with sticking points, in addition.
+    pub sticking: bool,
+    /// Stiffness of each contact relative to the first, of the energetic law of several contacts; empty for equal ones.
+    pub stiffness_ratios: Vec<f64>,
+    /// Exponent of the contact forces of the energetic law; `None` for 1.
+    pub contact_exponent: Option<f64>,
     /// Rates of driving joints before the impact; empty for the motion of least energy.
     pub rates: Vec<(String, GivenRates)>,
     /// Velocity of a floating base before the impact: angular, then that of the root's origin, world axes.
@@ -20,10 +32,44 @@ pub struct ImpactQuestion {
     pub law: Option<DampingQuestion>,
     /// Largest permitted jumps of joint rates.
     pub rate_limits: Vec<(String, GivenRates)>,
-    /// Joints whose reflected inertia is requested.
+    /// Joints whose reflected inertia is requested, by name, or over a range of positions as `JOINT=FROM:TO:COUNT`.
     pub reflected: Vec<String>,
     /// Joints whose centre of percussion is requested, along a line (axes of the contact link) or in the tangent plane.
     pub percussion: Vec<PercussionRequest>,
+}
+
+/// Further contact of an impact.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FurtherContact {
+    /// Contact of the model.
+    Named(String),
+    /// Point of a link (m, link's frame) against the ground, with the normal out of the link, world axes.
+    Point {
+        /// The link.
+        link: String,
+        /// The point.
+        point: [f64; 3],
+        /// The normal.
+        normal: [f64; 3],
+    },
+}
+
+impl std::str::FromStr for FurtherContact {
+    type Err = String;
+    /// Reads `NAME` or `LINK:X,Y,Z:NX,NY,NZ`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        if !text.contains(':') {
+            return Ok(Self::Named(text.to_owned()));
+        }
+        let hold: Hold =
+            text.parse().map_err(|error| format!("the name of a contact is expected, or: {error}"))?;
+        match hold.normal {
+            Some(normal) => Ok(Self::Point { link: hold.link, point: hold.point, normal }),
+            None => {
+                Err("expected the name of a contact or LINK:X,Y,Z:NX,NY,NZ, such as foot:0,0,0:0,0,-1".into())
+            }
+        }
+    }
 }
 
 /// Request of a centre of percussion.

@@ -13,15 +13,19 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::answer_mass::build_mass_report;
 use crate::reports::impact::additions::{
-    GreatestSpeedRecord, PercussionRecord, ReflectedRecord, greatest_speed, percussion, rates_of, reflected,
+    GreatestSpeedRecord, PercussionRecord, ReflectedRangeRecord, ReflectedRecord, greatest_speed, percussion,
+    rates_of, reflected, reflected_over,
 };
+use crate::reports::impact::errors::impact_error;
+use crate::reports::impact::friction::{FrictionRecord, friction_record};
 use crate::reports::impact::question::ImpactQuestion;
 use crate::reports::impact::reactions::{ReactionRecord, records};
+use crate::reports::impact::simultaneous::{SimultaneousRecord, simultaneous};
 use crate::reports::mass_report::MassReport;
 use crate::thresholds::SAME_SPEED;
 use percuss_dynamics::{Base, Pose};
 use percuss_impact::{
-    DriverRate, ImpactError, JointRates, RigidImpact, closing_speed, held_point_mass, rates_from_drivers,
+    DriverRate, FrictionLaw, JointRates, RigidImpact, closing_speed, held_point_mass, rates_from_drivers,
 };
 use percuss_spatial::{Twist, Vector3};
 use serde::Serialize;
@@ -59,21 +63,6 @@ pub struct OtherBodyRecord {
     pub mass: f64,
     /// Change of its velocity along the normal, m/s.
     pub speed_change: f64,
-}
-
-/// Coulomb friction at a contact of one relative motion.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct FrictionRecord {
-    /// Coefficient of friction µ.
-    pub coefficient: f64,
-    /// Sliding speed of the contact point per closing speed, t.
-    pub slope: f64,
-    /// True for µt ≥ 1: the contact does not rebound.
-    pub wedged: bool,
-    /// Separation speed divided by closing speed.
-    pub kinematic_restitution: f64,
-    /// Impulse of the friction on the contact link, N·s, world axes.
-    pub tangential_impulse_world: [f64; 3],
 }
 
 /// Compliant contact with the peak force of the impact.
@@ -115,6 +104,9 @@ pub struct ImpactReport {
     pub energy_loss: f64,
     /// Friction, if requested.
     pub friction: Option<FrictionRecord>,
+    /// Several contacts at once, if further contacts or sticking points are requested. All other results are those of the first
+    /// contact alone.
+    pub simultaneous: Option<SimultaneousRecord>,
     /// Mass of the contact point if it cannot slide in the tangent plane (nᵀΛn), kg; null if not finite. The effective
     /// mass is that of a sliding contact, 1/(nᵀΛ⁻¹n).
     pub sticking_mass: Option<f64>,
@@ -138,6 +130,8 @@ pub struct ImpactReport {
     pub greatest_closing_speed: Option<GreatestSpeedRecord>,
     /// Reflected inertias, if requested.
     pub reflected_inertia: Vec<ReflectedRecord>,
+    /// Reflected inertias over ranges of positions, if requested.
+    pub reflected_over: Vec<ReflectedRangeRecord>,
     /// Centres of percussion, if requested.
     pub percussion: Vec<PercussionRecord>,
     /// Findings about the file and the result.
@@ -165,6 +159,7 @@ pub fn impact(
     let rigid = match impact.friction {
         None => RigidImpact::new(pose, response, speed, impact.restitution, before),
         Some(friction) => {
+            let friction = FrictionLaw { coefficient: friction, restitution: impact.restitution_law };
             RigidImpact::with_friction(pose, response, speed, impact.restitution, friction, before)
         }
     };
@@ -197,6 +192,7 @@ pub fn impact(
         impulse: rigid.impulse,
         energy_loss: rigid.energy_loss,
         friction: friction_record(&evaluated, &rigid),
+        simultaneous: simultaneous(&evaluated, impact, &rigid)?,
         sticking_mass,
         sticking_status,
         motion_before: if is_given { "given" } else { "least-energy" },
@@ -210,6 +206,7 @@ pub fn impact(
         contact_law,
         greatest_closing_speed: greatest_speed(&evaluated, impact)?,
         reflected_inertia: reflected(&evaluated, impact)?,
+        reflected_over: reflected_over(&evaluated, impact)?,
         percussion: percussion(&evaluated, impact)?,
         mass,
         diagnostics,
@@ -272,33 +269,6 @@ fn base_at_rest_finding(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) 
             Field::BaseTwist.hint(question.names)
         );
         Finding::about_result(FindingKind::BaseAtRest, message)
-    })
-}
-
-/// Error of an impact, about the part of the question at fault.
-fn impact_error(error: ImpactError, impact: &ImpactQuestion) -> StudyError {
-    match error {
-        ImpactError::Friction { .. } | ImpactError::SeveralMotions => {
-            StudyError::input(Field::Friction, error)
-        }
-        ImpactError::Restitution { .. } => StudyError::input(Field::Restitution, error),
-        ImpactError::ClosingSpeed { .. } if impact.speed.is_some() => {
-            StudyError::input(Field::ClosingSpeed, error)
-        }
-        _ => StudyError::NoImpact(error),
-    }
-}
-
-/// Friction with its impulse in world axes.
-fn friction_record(evaluated: &EvaluatedQuestion, rigid: &RigidImpact) -> Option<FrictionRecord> {
-    let friction = rigid.friction?;
-    let x_wl = evaluated.pose.link(evaluated.contact.link);
-    Some(FrictionRecord {
-        coefficient: friction.coefficient,
-        slope: friction.slope,
-        wedged: friction.is_wedged,
-        kinematic_restitution: friction.kinematic_restitution,
-        tangential_impulse_world: x_wl.vector(&friction.tangential_impulse).into(),
     })
 }
 

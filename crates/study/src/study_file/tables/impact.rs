@@ -5,17 +5,46 @@ use super::damping::LawName;
 use super::headings::{ADDITIONAL, IMPACT};
 use crate::question::damping_question::{DampingQuestion, check_units};
 use crate::question::errors::refusal::InvalidKey;
-use crate::reports::impact::question::{ImpactQuestion, PercussionRequest};
+use crate::reports::impact::question::{FurtherContact, ImpactQuestion, PercussionRequest};
 #[cfg(feature = "flags")]
 use crate::values::named;
 use crate::values::quantities::{Plain, Ratio, Speed, Stiffness};
 use crate::values::rates::GivenRates;
 use crate::values::value::{self, PositionText, Words};
 use percuss_contact::Law;
+use percuss_impact::RestitutionLaw;
 use percuss_units::Dimension;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
+
+/// Law of restitution of an impact with friction.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
+pub enum RestitutionLawName {
+    /// Stronge: e² of the work of compression is returned.
+    #[default]
+    Energetic,
+    /// Poisson: e times the impulse of compression.
+    Poisson,
+    /// Newton: e times the closing speed.
+    Newton,
+    /// Newton, with the friction of the first sliding or no sliding after the impact.
+    Algebraic,
+}
+
+impl RestitutionLawName {
+    /// The law.
+    pub fn law(self) -> RestitutionLaw {
+        match self {
+            Self::Energetic => RestitutionLaw::Energetic,
+            Self::Poisson => RestitutionLaw::Poisson,
+            Self::Newton => RestitutionLaw::Newton,
+            Self::Algebraic => RestitutionLaw::Algebraic,
+        }
+    }
+}
 
 /// Rigid impact at the contact: impulse, rates after the impact, and reactions.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
@@ -35,12 +64,39 @@ pub struct ImpactTable {
     /// speed must agree, unless the other side is a free body.
     #[cfg_attr(feature = "flags", arg(long, value_name = "V", allow_hyphen_values = true, help_heading = IMPACT))]
     pub speed: Option<Speed>,
-    /// Coefficient of friction, for a linkage with one motion.
+    /// Coefficient of friction (Coulomb).
     ///
-    /// Coulomb friction with the energetic restitution of Stronge, for a contact whose two sides have one relative motion, such
-    /// as the stop of a suspension. Reactions include the friction.
+    /// The restitution is the energetic one of Stronge (--restitution-law). Sliding, sticking and jamming are found; the sliding
+    /// before the impact is that of the rates. Reactions include the friction.
     #[cfg_attr(feature = "flags", arg(long, value_name = "MU", allow_hyphen_values = true, help_heading = IMPACT))]
     pub friction: Option<Plain>,
+    /// Law of restitution with friction: energetic, poisson, newton, algebraic.
+    ///
+    /// All laws are printed side by side. Newton's law and its algebraic form can create energy.
+    #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "friction", help_heading = IMPACT))]
+    pub restitution_law: Option<RestitutionLawName>,
+    /// Further contact that touches at the same time: NAME or LINK:X,Y,Z:NX,NY,NZ.
+    ///
+    /// A contact of the model, or a point (link's frame) against the ground with its normal (out of the link, world axes). Adds the
+    /// laws of Newton, Poisson and the energetic law for all contacts, without friction, and the Delassus matrix.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "CONTACT", help_heading = ADDITIONAL))]
+    #[serde(deserialize_with = "value::words")]
+    #[schemars(with = "Option<Words>")]
+    pub also: Vec<FurtherContact>,
+    /// Plastic impact in which the contact points stick.
+    ///
+    /// Adds the impulses, the contacts that let go, the friction that sticking needs, and the impact map.
+    #[cfg_attr(feature = "flags", arg(long, help_heading = ADDITIONAL))]
+    pub sticking: bool,
+    /// Stiffness of the contacts relative to the first, in the energetic law of several contacts.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "R,R,…", value_delimiter = ',', requires = "also", help_heading = ADDITIONAL)
+    )]
+    pub stiffness_ratio: Vec<f64>,
+    /// Exponent of the contact forces in the energetic law of several contacts (1; 1.5 for spheres).
+    #[cfg_attr(feature = "flags", arg(long, value_name = "P", requires = "also", help_heading = ADDITIONAL))]
+    pub contact_exponent: Option<Plain>,
     /// Rate of a driving joint before the impact.
     ///
     /// The other joints follow from the loops. The given joints must determine all others. Units: rad/s, deg/s, m/s.
@@ -87,8 +143,12 @@ pub struct ImpactTable {
     pub law: Option<LawName>,
     /// Reflected inertia at a joint, free and held.
     ///
-    /// Free: all other joints move. Held: the other driving joints are at rest.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT", help_heading = ADDITIONAL))]
+    /// Free: all other joints move. Held: the other driving joints are at rest. JOINT=FROM:TO:COUNT: over a range of positions, with
+    /// the best constant armature and its error.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "JOINT", allow_hyphen_values = true, help_heading = ADDITIONAL)
+    )]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub reflected: Vec<String>,
@@ -147,6 +207,11 @@ impl ImpactTable {
             restitution,
             speed: self.speed.map(|speed| speed.0.value),
             friction: self.friction.map(|friction| friction.0),
+            restitution_law: self.restitution_law.unwrap_or_default().law(),
+            also: self.also.clone(),
+            sticking: self.sticking,
+            stiffness_ratios: self.stiffness_ratio.clone(),
+            contact_exponent: self.contact_exponent.map(|exponent| exponent.0),
             rates: self.rates.clone(),
             base_twist,
             law: self.law(restitution)?,

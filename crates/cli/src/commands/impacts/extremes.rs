@@ -1,0 +1,63 @@
+//! Command `percuss extremes`.
+
+use crate::args::{CheckFormat, ExtremesArgs};
+use crate::terminal::escape::line;
+use crate::terminal::failure::Failure;
+use crate::terminal::report::{write_json, write_out};
+use crate::terminal::text::{number, short_number};
+use crate::terminal::wrap::{fact_line, wrap_lines};
+use percuss_study::{ExtremeRecord, ExtremesReport, Status, extremes};
+
+/// Runs the command.
+pub fn run(args: &ExtremesArgs) -> Result<(), Failure> {
+    let contact = args.contact.question()?;
+    let model = args.model.load()?;
+    let report = extremes(&model, &contact, &args.question())?;
+    match args.format {
+        CheckFormat::Json => write_json(&report),
+        CheckFormat::Text => write_out(&text(&report)),
+    }
+}
+
+/// Report as text.
+fn text(report: &ExtremesReport) -> String {
+    let mut out = String::new();
+    for (name, record) in [("smallest", &report.least), ("largest", &report.most)] {
+        out += &fact_line(name, &line(&value(record)));
+        out += &fact_line("  at", &line(&positions(record)));
+        out += &fact_line(
+            "  search",
+            &format!(
+                "{} of {} starts agree; optimality residual {}",
+                record.agreeing,
+                report.starts,
+                short_number(record.residual)
+            ),
+        );
+    }
+    let range = |(joint, lower, upper): &(String, f64, f64)| {
+        format!("{joint} {} to {}", short_number(*lower), short_number(*upper))
+    };
+    let ranges: Vec<String> = report.ranges.iter().map(range).collect();
+    out += &fact_line("ranges", &line(&format!("{} (rad or m)", ranges.join(", "))));
+    out + &wrap_lines(
+        "\nLocal searches from several starts: no proof of a global extreme. Few agreeing starts suggest more (--starts).\n",
+    )
+}
+
+/// Effective mass as text.
+fn value(record: &ExtremeRecord) -> String {
+    match (record.status, record.effective_mass) {
+        (Status::Finite, Some(mass)) => format!("{} kg", number(mass)),
+        (status, _) => status.name().to_owned(),
+    }
+}
+
+/// Positions as text.
+fn positions(record: &ExtremeRecord) -> String {
+    let one = |position: &percuss_study::ExtremePosition| {
+        let limit = position.limit.map_or_else(String::new, |limit| format!(" ({limit} limit)"));
+        format!("{} {}{limit}", position.joint, number(position.position))
+    };
+    record.positions.iter().map(one).collect::<Vec<_>>().join(", ")
+}

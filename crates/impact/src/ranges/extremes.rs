@@ -1,0 +1,360 @@
+//! Extreme effective masses over ranges of joint positions.
+
+use crate::motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
+use crate::reflected::driving_velocities;
+use percuss_dynamics::{
+    AssemblyError, Configuration, ConfigurationError, Contact, EffectiveMass, Pose, ResponseError, System,
+};
+use percuss_mechanism::JointId;
+use percuss_spatial::Twist;
+
+/// Largest number of steps of one search.
+const MOST_STEPS: usize = 200;
+/// Projected gradient over the ranges, relative to the value, at which a search ends.
+const OPTIMAL: f64 = 1e-9;
+/// Relative difference of values up to which two searches agree.
+const SAME_VALUE: f64 = 1e-6;
+/// 1/m̄ relative to its largest value at which a contact is immovable.
+const IMMOVABLE: f64 = 1e-12;
+/// Relative difference of values that is rounding.
+const SAME_TO_ROUNDING: f64 = 1e-13;
+/// Distance from a limit, relative to the range, at which the limit is active.
+const AT_LIMIT: f64 = 1e-9;
+
+/// Error of a search for extremes.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ExtremesError {
+    /// A range is empty or not finite.
+    #[error("joint \"{joint}\": the range {lower} to {upper} is empty or not finite")]
+    Range {
+        /// The joint.
+        joint: String,
+        /// Lower end, rad or m.
+        lower: f64,
+        /// Upper end.
+        upper: f64,
+    },
+    /// No joint varies.
+    #[error("no joint varies; give the range of at least one driving joint")]
+    NoJoint,
+    /// A varied joint does not drive, or has several velocities.
+    #[error("joint \"{joint}\" is no driving joint with one velocity")]
+    NoDriver {
+        /// The joint.
+        joint: String,
+    },
+    /// No start has a pose with a finite effective mass.
+    #[error("no start of the search has a pose with a finite effective mass")]
+    NoStart,
+    /// The configuration cannot be set.
+    #[error(transparent)]
+    Configuration(#[from] ConfigurationError),
+    /// A pose does not close.
+    #[error(transparent)]
+    Assembly(#[from] AssemblyError),
+    /// A contact is invalid.
+    #[error(transparent)]
+    Contact(#[from] ResponseError),
+    /// The motions of the drivers are not determined.
+    #[error(transparent)]
+    Rates(#[from] RatesError),
+}
+
+/// Range of a driving joint with one velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointRange {
+    /// The joint.
+    pub joint: JointId,
+    /// Lower end, rad or m.
+    pub lower: f64,
+    /// Upper end, rad or m.
+    pub upper: f64,
+}
+
+/// Extreme to search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ExtremeKind {
+    /// Smallest effective mass.
+    Least,
+    /// Largest effective mass; immovable if a pose has no motion that closes the gap.
+    Most,
+}
+
+/// Extreme effective mass over ranges of positions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExtremeMass {
+    /// Effective mass at the extreme; immovable is a valid largest value.
+    pub effective_mass: EffectiveMass,
+    /// Positions of the varied joints, in the order of the ranges.
+    pub positions: Vec<f64>,
+    /// Joints at a limit, true for the upper one.
+    pub active_limits: Vec<(JointId, bool)>,
+    /// Optimality: largest component of the projected gradient of m̄, times its range, relative to m̄; 0 at an exact
+    /// stationary point of the constrained problem. Zero for an immovable contact.
+    pub residual: f64,
+    /// Number of starts.
+    pub starts: usize,
+    /// Number of starts that reached this value to six digits.
+    pub agreeing: usize,
+}
+
+/// Largest or smallest effective mass of a contact over ranges of driving joints: local searches from several starts.
+///
+/// 1/m̄ is minimised or maximised, since it is smooth where the contact is immovable, by a projected quasi-Newton method with the
+/// gradient in closed form. The starts are the points of a Halton sequence; the same call has the same result. No method of this kind
+/// proves a global extreme: the number of agreeing starts shows the confidence.
+///
+/// # Errors
+/// [`ExtremesError`].
+pub fn extreme_effective_mass(
+    system: &System,
+    configuration: &Configuration,
+    contact: &Contact,
+    ranges: &[JointRange],
+    extreme: ExtremeKind,
+    starts: usize,
+) -> Result<ExtremeMass, ExtremesError> {
+    if ranges.is_empty() {
+        return Err(ExtremesError::NoJoint);
+    }
+    let mechanism = system.mechanism();
+    for range in ranges {
+        let joint = mechanism.joint(range.joint);
+        let name = || joint.name().to_owned();
+        let (lower, upper) = (range.lower, range.upper);
+        if !(lower.is_finite() && upper.is_finite() && lower < upper) {
+            return Err(ExtremesError::Range { joint: name(), lower, upper });
+        }
+        if joint.kind().dofs() != 1 {
+            return Err(ExtremesError::NoDriver { joint: name() });
+        }
+    }
+    let search = Search { system, configuration, contact, ranges, extreme };
+    let mut found: Vec<Point> = Vec::new();
+    for start in 0..starts.max(1) {
+        let unit: Vec<f64> = (0..ranges.len()).map(|k| halton(start + 1, PRIMES[k % PRIMES.len()])).collect();
+        found.extend(search.run(unit)?);
+    }
+    let best = found.iter().min_by(|a, b| a.value.total_cmp(&b.value)).ok_or(ExtremesError::NoStart)?.clone();
+    let largest = found.iter().map(|point| point.inverse_mass).fold(0.0, f64::max);
+    let largest = largest.max(search.typical()?);
+    let is_immovable = extreme == ExtremeKind::Most && best.inverse_mass <= IMMOVABLE * largest;
+    let same = |point: &&Point| {
+        (point.inverse_mass - best.inverse_mass).abs()
+            <= SAME_VALUE * best.inverse_mass.max(IMMOVABLE * largest)
+    };
+    let at_limit = |k: usize| match best.unit[k] {
+        x if x <= AT_LIMIT => Some((ranges[k].joint, false)),
+        x if x >= 1.0 - AT_LIMIT => Some((ranges[k].joint, true)),
+        _ => None,
+    };
+    Ok(ExtremeMass {
+        effective_mass: if is_immovable {
+            EffectiveMass::Immovable
+        } else {
+            EffectiveMass::Finite(1.0 / best.inverse_mass)
+        },
+        positions: search.positions(&best.unit),
+        active_limits: (0..ranges.len()).filter_map(at_limit).collect(),
+        residual: if is_immovable { 0.0 } else { best.residual() / best.inverse_mass },
+        starts: starts.max(1),
+        agreeing: found.iter().filter(same).count(),
+    })
+}
+
+const PRIMES: [usize; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+
+/// Element of the Halton sequence.
+fn halton(mut index: usize, base: usize) -> f64 {
+    let (mut value, mut part) = (0.0, 1.0);
+    while index > 0 {
+        part /= base as f64;
+        value += part * (index % base) as f64;
+        index /= base;
+    }
+    value
+}
+
+/// Point of a search.
+#[derive(Clone, Debug)]
+struct Point {
+    /// Positions as parts of their ranges.
+    unit: Vec<f64>,
+    /// 1/m̄, 1/kg.
+    inverse_mass: f64,
+    /// Function to be minimised: ±1/m̄.
+    value: f64,
+    /// Its gradient over the ranges.
+    gradient: Vec<f64>,
+}
+
+impl Point {
+    /// Largest component of the projected gradient.
+    fn residual(&self) -> f64 {
+        let component = |k: usize| {
+            let blocked = (self.unit[k] <= AT_LIMIT && self.gradient[k] > 0.0)
+                || (self.unit[k] >= 1.0 - AT_LIMIT && self.gradient[k] < 0.0);
+            if blocked { 0.0 } else { self.gradient[k].abs() }
+        };
+        (0..self.unit.len()).map(component).fold(0.0, f64::max)
+    }
+}
+
+impl Point {
+    /// True if another point has the same value to rounding and a smaller residual: values resolve positions to the square root
+    /// of rounding only.
+    fn is_equal_but_worse_than(&self, other: &Self) -> bool {
+        (other.value - self.value).abs() <= SAME_TO_ROUNDING * self.value.abs()
+            && other.residual() < self.residual()
+    }
+}
+
+struct Search<'a> {
+    system: &'a System,
+    configuration: &'a Configuration,
+    contact: &'a Contact,
+    ranges: &'a [JointRange],
+    extreme: ExtremeKind,
+}
+
+impl Search<'_> {
+    fn positions(&self, unit: &[f64]) -> Vec<f64> {
+        self.ranges.iter().zip(unit).map(|(r, x)| r.lower + x * (r.upper - r.lower)).collect()
+    }
+
+    fn pose(&self, unit: &[f64], from: Option<&Pose>) -> Result<Pose, ExtremesError> {
+        let mut wanted = self.configuration.clone();
+        for (range, position) in self.ranges.iter().zip(self.positions(unit)) {
+            wanted.set(self.system.mechanism().joint(range.joint).name(), &[position])?;
+        }
+        Ok(match from {
+            None => self.system.pose(&wanted)?,
+            Some(from) => self.system.pose_from(from, &wanted)?,
+        })
+    }
+
+    /// 1/m̄ at the given configuration: a size for comparisons.
+    fn typical(&self) -> Result<f64, ExtremesError> {
+        let response = self.pose(&vec![0.5; self.ranges.len()], None)?.respond(self.contact)?;
+        Ok(response.effective_mass.kilograms().map_or(0.0, |mass| 1.0 / mass))
+    }
+
+    /// Value and gradient. `None`: a pose that is not reachable, or a massless contact.
+    fn point(&self, unit: Vec<f64>, from: Option<&Pose>) -> Result<Option<(Point, Pose)>, ExtremesError> {
+        let Ok(pose) = self.pose(&unit, from) else { return Ok(None) };
+        let sign = if self.extreme == ExtremeKind::Most { 1.0 } else { -1.0 };
+        let Some(gradient) = pose.effective_mass_gradient(self.contact)? else {
+            return Ok(match pose.respond(self.contact)?.effective_mass {
+                EffectiveMass::Immovable => {
+                    let gradient = vec![0.0; unit.len()];
+                    Some((Point { unit, inverse_mass: 0.0, value: 0.0, gradient }, pose))
+                }
+                _ => None,
+            });
+        };
+        let inverse_mass = 1.0 / gradient.effective_mass;
+        let drivers = driving_velocities(&pose);
+        let mut derivatives = Vec::with_capacity(unit.len());
+        for range in self.ranges {
+            if !drivers.contains(&(range.joint, 0)) {
+                let joint = self.system.mechanism().joint(range.joint).name().to_owned();
+                return Err(ExtremesError::NoDriver { joint });
+            }
+            let mut rates: Vec<DriverRate> = Vec::new();
+            for &(joint, k) in &drivers {
+                let rate = f64::from(u8::from(joint == range.joint));
+                match rates.last_mut() {
+                    Some(last) if last.joint == joint => last.rates.push(0.0),
+                    _ if k == 0 => rates.push(DriverRate { joint, rates: vec![rate] }),
+                    _ => {}
+                }
+            }
+            let motion = rates_from_drivers(&pose, &rates, Twist::zero())?;
+            let slope = gradient.rate(&motion.joints);
+            derivatives.push(-sign * slope * inverse_mass * inverse_mass * (range.upper - range.lower));
+        }
+        let value = sign * inverse_mass;
+        Ok(Some((Point { unit, inverse_mass, value, gradient: derivatives }, pose)))
+    }
+
+    /// Local search from one start; `None` if the start has no finite mass.
+    fn run(&self, unit: Vec<f64>) -> Result<Option<Point>, ExtremesError> {
+        let n = unit.len();
+        let Some((mut at, mut pose)) = self.point(unit, None)? else { return Ok(None) };
+        let scale = at.inverse_mass;
+        let mut inverse_hessian = identity(n);
+        for _ in 0..MOST_STEPS {
+            let residual = at.residual();
+            if residual <= OPTIMAL * at.inverse_mass || at.inverse_mass <= IMMOVABLE * scale {
+                break;
+            }
+            let is_free: Vec<bool> = (0..n)
+                .map(|k| {
+                    let lower = at.unit[k] <= AT_LIMIT && at.gradient[k] > 0.0;
+                    let upper = at.unit[k] >= 1.0 - AT_LIMIT && at.gradient[k] < 0.0;
+                    !(lower || upper)
+                })
+                .collect();
+            let direction = |inverse: &[Vec<f64>]| -> Vec<f64> {
+                let row = |r: usize| -> f64 {
+                    (0..n).filter(|&c| is_free[c]).map(|c| -inverse[r][c] * at.gradient[c]).sum()
+                };
+                (0..n).map(|r| if is_free[r] { row(r) } else { 0.0 }).collect()
+            };
+            let mut step = direction(&inverse_hessian);
+            let slope = |step: &[f64]| step.iter().zip(&at.gradient).map(|(s, g)| s * g).sum::<f64>();
+            if slope(&step) >= 0.0 {
+                inverse_hessian = identity(n);
+                step = direction(&inverse_hessian);
+            }
+            let largest = step.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
+            let mut length = (0.25 / largest).min(1.0);
+            let mut next = None;
+            for _ in 0..50 {
+                let moved: Vec<f64> =
+                    at.unit.iter().zip(&step).map(|(x, s)| (x + length * s).clamp(0.0, 1.0)).collect();
+                let gain: f64 =
+                    moved.iter().zip(&at.unit).zip(&at.gradient).map(|((b, a), g)| (b - a) * g).sum();
+                if let Some((point, pose)) = self.point(moved, Some(&pose))?
+                    && (point.value <= at.value + 1e-4 * gain || at.is_equal_but_worse_than(&point))
+                {
+                    next = Some((point, pose));
+                    break;
+                }
+                length *= 0.5;
+            }
+            let Some((point, new_pose)) = next else { break };
+            update(&mut inverse_hessian, &at, &point);
+            let stays = point.unit == at.unit;
+            (at, pose) = (point, new_pose);
+            if stays {
+                break;
+            }
+        }
+        Ok(Some(at))
+    }
+}
+
+fn identity(n: usize) -> Vec<Vec<f64>> {
+    (0..n).map(|r| (0..n).map(|c| f64::from(u8::from(r == c))).collect()).collect()
+}
+
+/// BFGS update of the inverse Hessian; left out without positive curvature.
+fn update(inverse: &mut [Vec<f64>], from: &Point, to: &Point) {
+    let n = from.unit.len();
+    let s: Vec<f64> = (0..n).map(|k| to.unit[k] - from.unit[k]).collect();
+    let y: Vec<f64> = (0..n).map(|k| to.gradient[k] - from.gradient[k]).collect();
+    let sy: f64 = s.iter().zip(&y).map(|(a, b)| a * b).sum();
+    let size = s.iter().map(|x| x * x).sum::<f64>().sqrt() * y.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if sy <= 1e-10 * size {
+        return;
+    }
+    let hy: Vec<f64> = (0..n).map(|r| (0..n).map(|c| inverse[r][c] * y[c]).sum()).collect();
+    let yhy: f64 = y.iter().zip(&hy).map(|(a, b)| a * b).sum();
+    for r in 0..n {
+        for c in 0..n {
+            inverse[r][c] += (1.0 + yhy / sy) * s[r] * s[c] / sy - (hy[r] * s[c] + s[r] * hy[c]) / sy;
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! Results over ranges of joint positions: extreme effective masses, reflected inertia of a driver.
+
+pub(crate) mod extremes;
+pub(crate) mod reflected_range;

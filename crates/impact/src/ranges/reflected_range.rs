@@ -1,0 +1,93 @@
+//! Reflected inertia over the range of a driving joint, and the best constant armature.
+
+use crate::reflected::{ReflectedError, ReflectedInertia, reflected_inertia};
+use percuss_dynamics::{AssemblyError, Configuration, ConfigurationError, EffectiveMass, System};
+use percuss_mechanism::JointId;
+
+/// Error of a reflected inertia over a range.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RangeError {
+    /// A position of the range is not reachable.
+    #[error("joint \"{joint}\" at {position}: {error}")]
+    Position {
+        /// The joint.
+        joint: String,
+        /// Position, rad or m.
+        position: f64,
+        /// Reason.
+        error: AssemblyError,
+    },
+    /// The joint cannot be set.
+    #[error(transparent)]
+    Configuration(#[from] ConfigurationError),
+    /// The inertia cannot be computed.
+    #[error(transparent)]
+    Reflected(#[from] ReflectedError),
+}
+
+/// Reflected inertia at one position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReflectedSample {
+    /// Position of the joint, rad or m.
+    pub position: f64,
+    /// Inertia at the joint, free and held.
+    pub inertia: ReflectedInertia,
+}
+
+/// Reflected inertia over a range of positions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReflectedRange {
+    /// Inertia at each position, in the given order.
+    pub samples: Vec<ReflectedSample>,
+    /// Smallest finite held inertia, kg·m² or kg (free for a joint that does not drive); `None` without a finite one.
+    pub least: Option<f64>,
+    /// Largest finite held inertia.
+    pub most: Option<f64>,
+    /// Constant with the smallest largest relative error: the harmonic mean 2ab/(a+b) of the extremes a and b.
+    pub best_constant: Option<f64>,
+    /// Largest relative error of this constant, (b−a)/(b+a).
+    pub largest_error: Option<f64>,
+}
+
+/// Reflected inertia of velocity 0 of a joint with one velocity at `positions` (rad or m), from the other positions of `configuration`.
+/// Loops are followed from position to position. Simulators of trees take a constant armature for a linkage: the best constant and its
+/// error show how good this is.
+///
+/// # Errors
+/// [`RangeError`].
+pub fn reflected_inertia_over(
+    system: &System,
+    configuration: &Configuration,
+    joint: JointId,
+    positions: &[f64],
+) -> Result<ReflectedRange, RangeError> {
+    let name = system.mechanism().joint(joint).name().to_owned();
+    let mut pose = None;
+    let mut samples = Vec::with_capacity(positions.len());
+    for &position in positions {
+        let mut wanted = configuration.clone();
+        wanted.set(&name, &[position])?;
+        let next = match &pose {
+            None => system.pose(&wanted),
+            Some(last) => system.pose_from(last, &wanted),
+        };
+        let next = next.map_err(|error| RangeError::Position { joint: name.clone(), position, error })?;
+        samples.push(ReflectedSample { position, inertia: reflected_inertia(&next, joint, 0)? });
+        pose = Some(next);
+    }
+    let value = |sample: &ReflectedSample| match sample.inertia.held.unwrap_or(sample.inertia.free) {
+        EffectiveMass::Finite(value) => Some(value),
+        _ => None,
+    };
+    let least = samples.iter().filter_map(value).min_by(f64::total_cmp);
+    let most = samples.iter().filter_map(value).max_by(f64::total_cmp);
+    let both = least.zip(most);
+    Ok(ReflectedRange {
+        samples,
+        least,
+        most,
+        best_constant: both.map(|(a, b)| 2.0 * a * (b / (a + b))),
+        largest_error: both.map(|(a, b)| (b - a) / (b + a)),
+    })
+}

@@ -1,0 +1,170 @@
+//! Energetic law of several simultaneous contacts.
+
+use crate::error::ImpactError;
+use crate::extrapolation::{controlled_step, step};
+use crate::tolerances::{LEAST_ENERGETIC, MOST_STEPS, STEP_ERROR};
+use nalgebra::{DMatrix, DVector};
+
+/// Stiffness ratios of the contacts, and exponent of their forces k δ^η.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactStiffness {
+    /// Stiffness of each contact; only the ratios matter.
+    pub ratios: Vec<f64>,
+    /// η: 1 for linear springs, 3/2 for spheres (Hertz).
+    pub exponent: f64,
+}
+
+/// Normal impulses by the energetic law with the stiffness ratios of the contacts.
+///
+/// The forces are k_i δ_i^η, with δ_i′ = −u_i while the gap closes and −u_i/e_i² while it opens: e_i² of the energy of each contact is
+/// returned. All impulses follow from u′ = W F; the pose is constant. This is the law of Liu, Zhao and Brogliato 2008, with the distribution
+/// dP_i/dP_j = (k_i/k_j)^{1/(η+1)} (E_i/E_j)^{η/(η+1)} of the stored energies E, in time.
+///
+/// # Errors
+/// [`ImpactError`]: coefficients of restitution below 0.01 (the law has no limit for e → 0 in several contacts), stiffnesses
+/// or an exponent out of range, an impact without an end.
+pub(crate) fn energetic_impulses(
+    matrix: &DMatrix<f64>,
+    before: &DVector<f64>,
+    restitution: &[f64],
+    stiffness: &ContactStiffness,
+) -> Result<DVector<f64>, ImpactError> {
+    for &e in restitution {
+        if e < LEAST_ENERGETIC {
+            let valid = "a number from 0.01 to 1 for the energetic law";
+            return Err(ImpactError::OutOfRange { what: "the coefficient of restitution", got: e, valid });
+        }
+    }
+    for &ratio in &stiffness.ratios {
+        if !(ratio.is_finite() && ratio > 0.0) {
+            let valid = "a number above zero";
+            return Err(ImpactError::OutOfRange { what: "a ratio of stiffnesses", got: ratio, valid });
+        }
+    }
+    if !(1.0..=10.0).contains(&stiffness.exponent) {
+        let (what, valid) = ("the exponent of the contact forces", "a number from 1 to 10");
+        return Err(ImpactError::OutOfRange { what, got: stiffness.exponent, valid });
+    }
+    let contacts = Contacts::new(matrix, before, restitution, stiffness);
+    let impulses = contacts.integrate().ok_or(ImpactError::NoEnd { law: "energetic" })?;
+    Ok(impulses)
+}
+
+/// State of a contact during the impact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Mode {
+    Open,
+    Compression,
+    Expansion,
+}
+
+/// Contacts in units of the largest closing speed and of the largest mobility.
+struct Contacts<'a> {
+    mobility: DMatrix<f64>,
+    before: DVector<f64>,
+    ratios: Vec<f64>,
+    restitution: &'a [f64],
+    exponent: f64,
+    /// Impulse of one unit, N·s.
+    unit: f64,
+}
+
+impl<'a> Contacts<'a> {
+    fn new(
+        matrix: &DMatrix<f64>,
+        before: &DVector<f64>,
+        restitution: &'a [f64],
+        stiffness: &ContactStiffness,
+    ) -> Self {
+        let (speed, mobility) = (before.amax(), matrix.diagonal().amax());
+        let largest = stiffness.ratios.iter().copied().fold(0.0, f64::max);
+        Self {
+            mobility: matrix / mobility,
+            before: before / speed,
+            ratios: stiffness.ratios.iter().map(|ratio| ratio / largest).collect(),
+            restitution,
+            exponent: stiffness.exponent,
+            unit: speed / mobility,
+        }
+    }
+
+    /// Opening speed of a contact. State: depths δ, then impulses.
+    fn velocity(&self, y: &[f64], i: usize) -> f64 {
+        let k = self.ratios.len();
+        self.before[i] + (0..k).map(|c| self.mobility[(i, c)] * y[k + c]).sum::<f64>()
+    }
+
+    /// Rates of the state in given modes: smooth functions, continued beyond the ends of the modes.
+    fn rates(&self, modes: &[Mode], y: &[f64], r: &mut [f64]) {
+        let k = modes.len();
+        for (i, mode) in modes.iter().enumerate() {
+            let factor = match mode {
+                Mode::Open => 0.0,
+                Mode::Compression => 1.0,
+                Mode::Expansion => 1.0 / (self.restitution[i] * self.restitution[i]),
+            };
+            r[i] = -factor * self.velocity(y, i);
+            let force = self.ratios[i] * y[i].abs().powf(self.exponent).copysign(y[i]);
+            r[k + i] = if *mode == Mode::Open { 0.0 } else { force };
+        }
+    }
+
+    /// Mode after the current one, if a contact has left it.
+    fn next_mode(&self, mode: Mode, y: &[f64], i: usize) -> Option<Mode> {
+        let u = self.velocity(y, i);
+        match mode {
+            Mode::Open => (u < 0.0).then_some(Mode::Compression),
+            Mode::Compression => (u > 0.0).then_some(Mode::Expansion),
+            Mode::Expansion if y[i] <= 0.0 => Some(Mode::Open),
+            Mode::Expansion => (u < 0.0).then_some(Mode::Compression),
+        }
+    }
+
+    /// Impulses, N·s; `None` if the impact does not end.
+    fn integrate(&self) -> Option<DVector<f64>> {
+        let k = self.ratios.len();
+        let mut modes: Vec<Mode> = vec![Mode::Open; k];
+        let mut y = vec![0.0; 2 * k];
+        let largest_step = 0.1 / (k as f64).sqrt();
+        let mut h = 1e-3 * largest_step;
+        for _ in 0..MOST_STEPS {
+            let mut changed = false;
+            for i in 0..k {
+                if let Some(next) = self.next_mode(modes[i], &y, i) {
+                    modes[i] = next;
+                    changed = true;
+                    if next == Mode::Open {
+                        y[i] = 0.0;
+                    }
+                }
+            }
+            if !changed && modes.iter().all(|mode| *mode == Mode::Open) {
+                return Some(DVector::from_fn(k, |i, _| y[k + i] * self.unit));
+            }
+            let rates = |y: &[f64], r: &mut [f64]| self.rates(&modes, y, r);
+            let (next, taken, proposal) = controlled_step(&rates, &y, h.min(largest_step), STEP_ERROR);
+            h = proposal;
+            let leaves = |y: &[f64]| (0..k).any(|i| self.next_mode(modes[i], y, i).is_some());
+            if !leaves(&next) {
+                y = next;
+                continue;
+            }
+            // The first end of a mode, by bisection over the length of the step.
+            let (mut low, mut high, mut found) = (0.0, taken, next);
+            loop {
+                let middle = 0.5 * (low + high);
+                if middle <= low || middle >= high {
+                    break;
+                }
+                let (at, _) = step(&rates, &y, middle, STEP_ERROR);
+                if leaves(&at) {
+                    (high, found) = (middle, at);
+                } else {
+                    low = middle;
+                }
+            }
+            y = found;
+        }
+        None
+    }
+}

@@ -1,0 +1,136 @@
+//! Laws of several simultaneous contacts without friction.
+
+use crate::error::ImpactError;
+use crate::mobility::delassus::Delassus;
+use crate::several::complementarity::complementarity;
+use crate::several::energetic::{ContactStiffness, energetic_impulses};
+use crate::tolerances::{COMPLEMENTARY, CREATED_ENERGY, MOST_CONTACTS};
+use nalgebra::{DMatrix, DVector};
+
+/// Law of several simultaneous contacts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SimultaneousLaw {
+    /// Newton in the form of Moreau: u⁺ + e u⁻ ≥ 0 ⊥ P ≥ 0.
+    Newton,
+    /// Poisson (Glocker and Pfeiffer 1995): compression u ≥ 0 ⊥ P_c ≥ 0, then expansion u⁺ ≥ 0 ⊥ P_e − e P_c ≥ 0.
+    Poisson,
+    /// Energetic with the stiffness ratios of the contacts (Liu, Zhao and Brogliato 2008).
+    Energetic,
+}
+
+impl SimultaneousLaw {
+    /// All laws.
+    pub const ALL: [Self; 3] = [Self::Newton, Self::Poisson, Self::Energetic];
+
+    /// Name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Newton => "newton",
+            Self::Poisson => "poisson",
+            Self::Energetic => "energetic",
+        }
+    }
+}
+
+/// Result of a law for several contacts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SimultaneousImpact {
+    /// The law.
+    pub law: SimultaneousLaw,
+    /// Normal impulse of each contact, N·s; `None` if redundant contacts leave it open.
+    pub impulses: Vec<Option<f64>>,
+    /// Opening speed of each contact after the impact, m/s.
+    pub after: Vec<f64>,
+    /// Lost kinetic energy, J; negative if the law creates energy.
+    pub energy_loss: f64,
+    /// True if the law creates energy: it is not valid here.
+    pub creates_energy: bool,
+    /// Impulses of which the rates follow; of least norm if open.
+    pub solution: DVector<f64>,
+}
+
+/// Frictionless impact of several contacts by one law.
+///
+/// The rates after several simultaneous impacts are no function of masses, constraints and e: they depend on the ratios of the contact
+/// stiffnesses. The energetic law takes these ratios as input; Newton's and Poisson's law are other members of the family. The
+/// spread of the laws shows how much remains open.
+///
+/// `before`: opening speeds, k; `restitution`: e of each contact.
+///
+/// # Errors
+/// [`ImpactError`]: values out of range, no contact that closes, no solution.
+pub fn simultaneous_impact(
+    delassus: &Delassus,
+    before: &DVector<f64>,
+    restitution: &[f64],
+    law: SimultaneousLaw,
+    stiffness: &ContactStiffness,
+) -> Result<SimultaneousImpact, ImpactError> {
+    simultaneous_impact_of_matrix(&delassus.normal_matrix(), before, restitution, law, stiffness)
+}
+
+/// As [`simultaneous_impact`], from the Delassus matrix of the normals, k×k.
+///
+/// # Errors
+/// As for [`simultaneous_impact`].
+pub fn simultaneous_impact_of_matrix(
+    matrix: &DMatrix<f64>,
+    before: &DVector<f64>,
+    restitution: &[f64],
+    law: SimultaneousLaw,
+    stiffness: &ContactStiffness,
+) -> Result<SimultaneousImpact, ImpactError> {
+    let k = before.len();
+    if k > MOST_CONTACTS {
+        return Err(ImpactError::TooManyContacts { got: k, most: MOST_CONTACTS });
+    }
+    for (what, got) in [
+        ("restitution", restitution.len()),
+        ("stiffness", stiffness.ratios.len()),
+        ("rows of the Delassus matrix", matrix.nrows()),
+    ] {
+        if got != k {
+            return Err(ImpactError::ContactValues { what, got, expected: k });
+        }
+    }
+    if let Some(&got) = restitution.iter().find(|e| !(0.0..=1.0).contains(*e)) {
+        return Err(ImpactError::Restitution { got });
+    }
+    let closing = before.iter().fold(f64::NEG_INFINITY, |most, u| most.max(-u));
+    if !(closing.is_finite() && closing > 0.0) {
+        return Err(ImpactError::ClosingSpeed { got: closing });
+    }
+    let no_end = ImpactError::NoEnd { law: law.name() };
+    let (solution, is_open) = match law {
+        SimultaneousLaw::Newton => {
+            let q = DVector::from_fn(k, |i, _| before[i] * (1.0 + restitution[i]));
+            let found = complementarity(matrix, &q).ok_or(no_end)?;
+            (found.z, found.is_open)
+        }
+        SimultaneousLaw::Poisson => {
+            let compression = complementarity(matrix, before).ok_or(no_end)?;
+            let least = DVector::from_fn(k, |i, _| restitution[i] * compression.z[i]);
+            let at_least = &compression.z + &least;
+            let q = before + matrix * &at_least;
+            // Rounding of a vanishing opening speed is no further impulse.
+            let q = q.map(|u| if u.abs() <= COMPLEMENTARY * closing { 0.0 } else { u });
+            let more = complementarity(matrix, &q).ok_or(no_end)?;
+            let is_open = compression.is_open.iter().zip(&more.is_open).map(|(a, b)| *a || *b).collect();
+            (at_least + more.z, is_open)
+        }
+        SimultaneousLaw::Energetic => {
+            (energetic_impulses(matrix, before, restitution, stiffness)?, vec![false; k])
+        }
+    };
+    let after = before + matrix * &solution;
+    let energy_loss = -0.5 * solution.dot(&(before + &after));
+    let size = 0.5 * solution.dot(&solution.map(|p| p.abs())).max(0.0) * matrix.amax();
+    Ok(SimultaneousImpact {
+        law,
+        impulses: (0..k).map(|i| (!is_open[i]).then_some(solution[i])).collect(),
+        after: after.iter().copied().collect(),
+        energy_loss,
+        creates_energy: energy_loss < -CREATED_ENERGY * size,
+        solution,
+    })
+}

@@ -1,0 +1,7 @@
+//! Several simultaneous contacts: laws of Newton and Poisson and energetic law without friction, plastic impacts with sticking
+//! points.
+
+pub(crate) mod complementarity;
+pub(crate) mod energetic;
+pub(crate) mod laws;
+pub(crate) mod sticking;

@@ -1,0 +1,125 @@
+//! Extremes and reflected inertias over ranges of positions.
+
+use nalgebra::{Matrix3, Vector3};
+use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, System};
+use percuss_formats::load_file;
+use percuss_impact::{
+    ExtremeKind, ExtremesError, JointRange, extreme_effective_mass, reflected_inertia_over,
+};
+use percuss_mechanism::{
+    Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
+};
+use percuss_spatial::Transform;
+use std::sync::Arc;
+
+/// Planar arm with point masses at the ends of its links of length 1.
+fn arm(m1: f64, m2: f64) -> Arc<Mechanism> {
+    let none = Inertial { mass: 0.0, com: Vector3::zeros(), about_com: Matrix3::zeros() };
+    let point = |mass| Inertial { mass, com: Vector3::x(), about_com: Matrix3::zeros() };
+    let mut builder = MechanismBuilder::new("arm").link(LinkDescription::new("ground", none));
+    for (name, parent, at, joint, mass) in
+        [("inner", "ground", 0.0, "shoulder", m1), ("outer", "inner", 1.0, "elbow", m2)]
+    {
+        builder = builder.link(LinkDescription::new(name, point(mass)));
+        let mut hinge = JointDescription::new(joint, JointKind::Continuous, parent, name);
+        hinge.axis = Vector3::z();
+        hinge.origin = Transform::from_translation(Vector3::new(at, 0.0, 0.0));
+        builder = builder.joint(hinge);
+    }
+    Arc::new(builder.build().expect("a mechanism").mechanism)
+}
+
+#[test]
+fn extremes_of_a_planar_arm() {
+    // Λ = m₂ 1 + (m₁/sin²q₂) u₂u₂ᵀ, so m₂ ≤ m̄ ≤ m₂ + m₁/sin²q₂; both are reached by turning the shoulder.
+    let (m1, m2) = (3.0, 2.0);
+    let mechanism = arm(m1, m2);
+    let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
+    let contact = Contact {
+        link: mechanism.find_link("outer").expect("the outer link"),
+        against: None,
+        point: Vector3::x(),
+        normal: Direction::Along(Vector3::y(), Frame::World),
+    };
+    let joint = |name: &str| mechanism.find_joint(name).expect("a joint");
+    let range = |name: &str, lower, upper| JointRange { joint: joint(name), lower, upper };
+    let ranges = [range("shoulder", -3.0, 3.0), range("elbow", 0.3, 2.0)];
+    let search = |ranges: &[JointRange], extreme| {
+        extreme_effective_mass(&system, &system.configuration(), &contact, ranges, extreme, 16)
+    };
+    let least = search(&ranges, ExtremeKind::Least).expect("a minimum");
+    let EffectiveMass::Finite(mass) = least.effective_mass else { panic!("{least:?}") };
+    assert!((mass / m2 - 1.0).abs() < 1e-9, "{least:?}");
+    assert!(least.residual < 1e-6 && least.agreeing >= 8, "{least:?}");
+    let most = search(&ranges, ExtremeKind::Most).expect("a maximum");
+    let EffectiveMass::Finite(mass) = most.effective_mass else { panic!("{most:?}") };
+    let expected = m2 + m1 / 0.3_f64.sin().powi(2);
+    assert!((mass / expected - 1.0).abs() < 1e-9, "{most:?} {expected}");
+    assert_eq!(most.active_limits, [(joint("elbow"), false)], "{most:?}");
+    assert!(most.residual < 1e-6 && most.agreeing >= 4, "{most:?}");
+    // The same call has the same result.
+    assert_eq!(search(&ranges, ExtremeKind::Most).expect("a maximum"), most);
+    // With the stretched arm inside the range the tip is immovable along the arm.
+    let wide = [range("shoulder", -3.0, 3.0), range("elbow", -1.0, 2.0)];
+    let most = search(&wide, ExtremeKind::Most).expect("a maximum");
+    assert_eq!(most.effective_mass, EffectiveMass::Immovable, "{most:?}");
+    assert!(most.positions[1].abs() < 1e-3 && (most.positions[0].sin().abs() - 1.0).abs() < 1e-3, "{most:?}");
+    let empty = [range("elbow", 1.0, 1.0)];
+    assert!(matches!(search(&empty, ExtremeKind::Most), Err(ExtremesError::Range { .. })));
+    assert!(matches!(search(&[], ExtremeKind::Most), Err(ExtremesError::NoJoint)));
+}
+
+#[test]
+fn extremes_of_a_linkage_are_those_of_its_sweep() {
+    let path = format!("{}/../../models/four_bar.urdf", env!("CARGO_MANIFEST_DIR"));
+    let mechanism = Arc::new(load_file(&path).expect("a model").mechanism);
+    let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
+    let crank = mechanism.find_joint("crank_hinge").expect("the crank");
+    let contact = Contact {
+        link: mechanism.find_link("coupler").expect("the coupler"),
+        against: None,
+        point: Vector3::new(0.35, 0.1, 0.0),
+        normal: Direction::Along(Vector3::x(), Frame::World),
+    };
+    let (lower, upper) = (-0.6, 0.6);
+    let mass = |turn: f64| {
+        let mut configuration = system.configuration();
+        configuration.set("crank_hinge", &[turn]).expect("a position");
+        let pose = system.pose(&configuration).expect("a pose");
+        pose.respond(&contact).expect("a response").effective_mass.kilograms().expect("a finite mass")
+    };
+    let sweep: Vec<f64> = (0..=600).map(|k| mass(lower + (upper - lower) * f64::from(k) / 600.0)).collect();
+    let ranges = [JointRange { joint: crank, lower, upper }];
+    for extreme in [ExtremeKind::Least, ExtremeKind::Most] {
+        let found = extreme_effective_mass(&system, &system.configuration(), &contact, &ranges, extreme, 8);
+        let found = found.expect("an extreme");
+        let EffectiveMass::Finite(value) = found.effective_mass else { panic!("{found:?}") };
+        let of_sweep = match extreme {
+            ExtremeKind::Least => sweep.iter().copied().fold(f64::INFINITY, f64::min),
+            ExtremeKind::Most => sweep.iter().copied().fold(0.0, f64::max),
+        };
+        // The grid misses an interior extreme by the square of its step.
+        assert!((value / of_sweep - 1.0).abs() < 1e-4, "{found:?} {of_sweep}");
+        let beyond = if extreme == ExtremeKind::Least { value - of_sweep } else { of_sweep - value };
+        assert!(beyond <= 1e-9 * of_sweep, "{found:?} {of_sweep}");
+        assert!((mass(found.positions[0]) / value - 1.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn the_best_constant_armature_of_the_four_bar() {
+    let path = format!("{}/../../models/four_bar.urdf", env!("CARGO_MANIFEST_DIR"));
+    let mechanism = Arc::new(load_file(&path).expect("a model").mechanism);
+    let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
+    let crank = mechanism.find_joint("crank_hinge").expect("the crank");
+    let positions: Vec<f64> = (0..=360).map(|k| std::f64::consts::TAU * f64::from(k) / 360.0).collect();
+    let range = reflected_inertia_over(&system, &system.configuration(), crank, &positions).expect("a range");
+    let (least, most) = (range.least.expect("finite"), range.most.expect("finite"));
+    assert!((least / 0.197_244_7 - 1.0).abs() < 1e-3 && (most / 1.184_969_7 - 1.0).abs() < 1e-3);
+    let constant = range.best_constant.expect("finite");
+    let worst = range.largest_error.expect("finite");
+    assert!((worst - 0.7146).abs() < 1e-3, "{worst}");
+    // Both ends have the same relative error, and no other constant has a smaller one.
+    assert!((constant / least - 1.0 - worst).abs() < 1e-12 && (1.0 - constant / most - worst).abs() < 1e-12);
+    assert_eq!(range.samples.len(), 361);
+}

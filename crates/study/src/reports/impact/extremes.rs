@@ -1,0 +1,181 @@
+//! Extreme effective masses over ranges of joint positions.
+
+use crate::evaluation::prepared_question::PreparedQuestion;
+use crate::evaluation::status::Status;
+use crate::model::loading::Model;
+use crate::question::errors::question_error::{Fault, StudyError};
+use crate::question::field::Field;
+use crate::question::mass_question::MassQuestion;
+use crate::reports::impact::additions::find_joint;
+use percuss_impact::{ExtremeKind, ExtremeMass, ExtremesError, JointRange, extreme_effective_mass};
+use percuss_mechanism::JointKind;
+use percuss_units::{Dimension, Quantity};
+use serde::Serialize;
+
+/// Number of starts without a given one.
+pub const DEFAULT_STARTS: usize = 32;
+/// Largest number of starts.
+pub const MOST_STARTS: usize = 10_000;
+
+/// Ranges of the joints, and number of starts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ExtremesQuestion {
+    /// Ranges of joints; empty for the limits of all driving joints with limits.
+    pub ranges: Vec<GivenRange>,
+    /// Number of starts of the search; 0 for the default.
+    pub starts: usize,
+}
+
+/// Range of a joint.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenRange {
+    /// The joint.
+    pub joint: String,
+    /// Lower end.
+    pub lower: Quantity,
+    /// Upper end.
+    pub upper: Quantity,
+}
+
+impl std::str::FromStr for GivenRange {
+    type Err = String;
+    /// Reads `JOINT=FROM:TO`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = || "expected JOINT=FROM:TO, such as elbow=10deg:170deg".to_owned();
+        let (joint, range) =
+            text.rsplit_once('=').filter(|(joint, _)| !joint.is_empty()).ok_or_else(wrong)?;
+        let (lower, upper) = range.split_once(':').ok_or_else(wrong)?;
+        let end = |text: &str| Quantity::parse(text).map_err(|error| error.to_string());
+        Ok(Self { joint: joint.to_owned(), lower: end(lower)?, upper: end(upper)? })
+    }
+}
+
+/// Position of a joint at an extreme.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ExtremePosition {
+    /// The joint.
+    pub joint: String,
+    /// Position, rad or m.
+    pub position: f64,
+    /// `lower` or `upper` if the extreme is at an end of the range; null otherwise.
+    pub limit: Option<&'static str>,
+}
+
+/// Extreme effective mass.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ExtremeRecord {
+    /// Effective mass, kg; null if not finite.
+    pub effective_mass: Option<f64>,
+    /// Kind of the effective mass; `immovable` is a valid largest value.
+    pub status: Status,
+    /// Positions of the varied joints.
+    pub positions: Vec<ExtremePosition>,
+    /// Largest component of the projected gradient times its range, relative to the mass: zero at an exact optimum.
+    pub residual: f64,
+    /// Number of starts that reached this value to six digits.
+    pub agreeing: usize,
+}
+
+/// Report of `percuss extremes`, as JSON.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ExtremesReport {
+    /// `percuss.extremes/1`.
+    pub schema: &'static str,
+    /// Version of percuss.
+    pub percuss: &'static str,
+    /// Ranges of the varied joints: joint, lower and upper end, rad or m.
+    pub ranges: Vec<(String, f64, f64)>,
+    /// Number of starts.
+    pub starts: usize,
+    /// Smallest effective mass.
+    pub least: ExtremeRecord,
+    /// Largest effective mass.
+    pub most: ExtremeRecord,
+}
+
+/// Smallest and largest effective mass of a contact over ranges of its driving joints.
+///
+/// # Errors
+/// [`StudyError`], as for [`mass`](crate::mass()); an invalid range; a joint that does not drive.
+pub fn extremes(
+    model: &Model,
+    question: &MassQuestion,
+    extremes: &ExtremesQuestion,
+) -> Result<ExtremesReport, StudyError> {
+    let prepared = PreparedQuestion::new(model, question)?;
+    let pose = prepared.pose()?;
+    let contact = prepared.contact_at(&pose);
+    let ranges = ranges(&prepared, extremes)?;
+    let starts = if extremes.starts == 0 { DEFAULT_STARTS } else { extremes.starts.min(MOST_STARTS) };
+    let search = |extreme| {
+        extreme_effective_mass(&prepared.system, &prepared.configuration, &contact, &ranges, extreme, starts)
+            .map_err(|error| match error {
+                ExtremesError::Assembly(error) => StudyError::from(error),
+                ExtremesError::Contact(error) => StudyError::from(error),
+                error => StudyError::input(Field::Range, error),
+            })
+    };
+    let (least, most) = (search(ExtremeKind::Least)?, search(ExtremeKind::Most)?);
+    let mechanism = &model.mechanism;
+    let name = |range: &JointRange| mechanism.joint(range.joint).name().to_owned();
+    let record = |found: &ExtremeMass| {
+        let (status, effective_mass) = Status::classify(found.effective_mass);
+        let position = |(range, position): (&JointRange, &f64)| {
+            let limit = found.active_limits.iter().find(|(joint, _)| *joint == range.joint);
+            ExtremePosition {
+                joint: name(range),
+                position: *position,
+                limit: limit.map(|(_, is_upper)| if *is_upper { "upper" } else { "lower" }),
+            }
+        };
+        ExtremeRecord {
+            effective_mass,
+            status,
+            positions: ranges.iter().zip(&found.positions).map(position).collect(),
+            residual: found.residual,
+            agreeing: found.agreeing,
+        }
+    };
+    Ok(ExtremesReport {
+        schema: "percuss.extremes/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        ranges: ranges.iter().map(|range| (name(range), range.lower, range.upper)).collect(),
+        starts,
+        least: record(&least),
+        most: record(&most),
+    })
+}
+
+/// Ranges in SI units; without given ones, the limits of all driving joints with limits.
+fn ranges(prepared: &PreparedQuestion, question: &ExtremesQuestion) -> Result<Vec<JointRange>, StudyError> {
+    let mechanism = &prepared.model.mechanism;
+    if question.ranges.is_empty() {
+        let drivers = percuss_impact::driving_joints(&prepared.pose()?);
+        let limited = drivers.into_iter().filter_map(|joint| {
+            let limits = mechanism.joint(joint).limits()?;
+            let is_single = mechanism.joint(joint).kind().dofs() == 1;
+            (is_single && limits.lower < limits.upper).then_some(JointRange {
+                joint,
+                lower: limits.lower,
+                upper: limits.upper,
+            })
+        });
+        return Ok(limited.collect());
+    }
+    let range = |given: &GivenRange| {
+        let joint = find_joint(mechanism, Field::Range, &given.joint)?;
+        let dimension = match mechanism.joint(joint).kind() {
+            JointKind::Revolute | JointKind::Continuous => Dimension::Angle,
+            JointKind::Prismatic => Dimension::Length,
+            _ => {
+                return Err(StudyError::input(Field::Range, Fault::NoMotion { joint: given.joint.clone() }));
+            }
+        };
+        let end = |end: Quantity| {
+            end.in_dimension(dimension, &end.to_string())
+                .map_err(|error| StudyError::input(Field::Range, Fault::Range(error)))
+        };
+        Ok(JointRange { joint, lower: end(given.lower)?, upper: end(given.upper)? })
+    };
+    question.ranges.iter().map(range).collect()
+}

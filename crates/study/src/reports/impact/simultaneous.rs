@@ -1,0 +1,334 @@
+//! Impact of several contacts at once.
+
+use crate::evaluation::prepared_question::EvaluatedQuestion;
+use crate::question::errors::question_error::StudyError;
+use crate::question::field::Field;
+use crate::reports::impact::errors::impact_error;
+use crate::reports::impact::question::{FurtherContact, ImpactQuestion};
+use nalgebra::DVector;
+use percuss_dynamics::{Contact, Direction, Frame, Gap, LocatedContact};
+use percuss_impact::{
+    ContactStiffness, Delassus, ImpactError, JointRates, RigidImpact, SimultaneousLaw, StickingImpact,
+    simultaneous_impact, sticking_impact,
+};
+use percuss_spatial::Vector3;
+use serde::Serialize;
+
+/// One of several contacts.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TouchingRecord {
+    /// Name of the contact, or its link and number.
+    pub name: String,
+    /// Contact link.
+    pub link: String,
+    /// Point, world frame, m.
+    pub point_world: [f64; 3],
+    /// Normal out of the contact link, world axes.
+    pub normal_world: [f64; 3],
+    /// Gap of a named contact at the pose, m: it is taken as closed; null for others.
+    pub gap: Option<f64>,
+    /// Closing speed before the impact, m/s; negative if the gap opens.
+    pub closing_speed: f64,
+    /// Effective mass of the contact alone, kg; null if immovable.
+    pub effective_mass: Option<f64>,
+    /// Principal masses of the point, kg, ascending; null for a direction in which it cannot move.
+    pub principal_masses: [Option<f64>; 3],
+    /// Directions of the principal masses, world axes.
+    pub principal_directions_world: [[f64; 3]; 3],
+}
+
+/// Rates of a joint after an impact.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RatesAfterRecord {
+    /// The joint.
+    pub joint: String,
+    /// Velocities after the impact, rad/s or m/s.
+    pub after: Vec<f64>,
+}
+
+/// Result of one law for several contacts without friction.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SimultaneousLawRecord {
+    /// `newton`, `poisson` or `energetic`.
+    pub law: &'static str,
+    /// Normal impulse of each contact, N·s; null if redundant contacts leave it open.
+    pub impulses: Vec<Option<f64>>,
+    /// Opening speed of each contact after the impact, m/s; empty if the law has no solution.
+    pub opening_speeds: Vec<f64>,
+    /// Lost kinetic energy, J; null if the law has no solution.
+    pub energy_loss: Option<f64>,
+    /// True if the law creates energy: its result is not valid.
+    pub creates_energy: bool,
+    /// Rates of all movable joints after the impact.
+    pub rates: Vec<RatesAfterRecord>,
+    /// Reason why the law has no solution; null otherwise.
+    pub refusal: Option<String>,
+}
+
+/// Plastic impact with sticking points.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StickingRecord {
+    /// For each contact: true if it sticks, false if it lets go.
+    pub sticks: Vec<bool>,
+    /// Normal impulse of each contact, N·s; null if open.
+    pub normal_impulses: Vec<Option<f64>>,
+    /// Magnitude of the tangential impulse, N·s; null if open.
+    pub tangential_impulses: Vec<Option<f64>>,
+    /// Coefficient of friction that the sticking needs; null if open, and for contacts that let go.
+    pub required_friction: Vec<Option<f64>>,
+    /// True if the given friction suffices at all contacts that stick, false if it does not at one of them; null without a
+    /// given friction, and if open requirements leave the answer open.
+    pub friction_suffices: Option<bool>,
+    /// Opening speed of each contact after the impact, m/s.
+    pub opening_speeds: Vec<f64>,
+    /// Lost kinetic energy, J.
+    pub energy_loss: f64,
+    /// Number of subsets of sticking contacts without pulling and closing contacts; that with the most contacts is given.
+    pub consistent_subsets: usize,
+    /// Names of the rates of the impact map: joints, with the number of the velocity, and `base`.
+    pub coordinates: Vec<String>,
+    /// Impact map Δ: q̇⁺ = Δ q̇⁻ over these rates.
+    pub impact_map: Vec<Vec<f64>>,
+    /// Rates of all movable joints after the impact.
+    pub rates: Vec<RatesAfterRecord>,
+}
+
+/// Impact of several contacts at once.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SimultaneousRecord {
+    /// The contacts; the first is that of all other results.
+    pub contacts: Vec<TouchingRecord>,
+    /// Delassus matrix W, 1/kg: three rows for each contact, the opening direction and two tangents.
+    pub delassus: Vec<Vec<f64>>,
+    /// Axes of the rows: for each contact the opening direction and the two tangents, world axes.
+    pub delassus_axes_world: Vec<[[f64; 3]; 3]>,
+    /// Stiffness of each contact relative to the first, in the energetic law.
+    pub stiffness_ratios: Vec<f64>,
+    /// Exponent of the contact forces in the energetic law.
+    pub contact_exponent: f64,
+    /// Results of the laws without friction; empty for one contact.
+    pub laws: Vec<SimultaneousLawRecord>,
+    /// Largest difference of an opening speed between two laws, divided by the largest closing speed; null for one contact.
+    pub spread: Option<f64>,
+    /// Plastic impact with sticking points, if requested.
+    pub sticking: Option<StickingRecord>,
+}
+
+/// Impact of several contacts; `None` unless further contacts or sticking points are requested.
+pub(crate) fn simultaneous(
+    evaluated: &EvaluatedQuestion,
+    question: &ImpactQuestion,
+    rigid: &RigidImpact,
+) -> Result<Option<SimultaneousRecord>, StudyError> {
+    if question.also.is_empty() && !question.sticking {
+        return Ok(None);
+    }
+    let EvaluatedQuestion { prepared, pose, result, .. } = evaluated;
+    let refuse = |error: ImpactError| several_error(error, question);
+    let mut located = vec![result.response.contact.clone()];
+    let mut masses = vec![result.response.effective_mass.kilograms()];
+    let mut names = vec![prepared.question.at.clone().unwrap_or_else(|| prepared.question.link.clone())];
+    let mut gaps = vec![None];
+    for contact in &question.also {
+        let (name, contact, gap) = further_contact(evaluated, contact)?;
+        names.push(name);
+        gaps.push(gap);
+        let response = pose.respond(&contact)?;
+        masses.push(response.effective_mass.kilograms());
+        located.push(pose.locate(&contact).map_err(|error| StudyError::input(Field::Also, error))?);
+    }
+    let k = located.len();
+    let mut delassus = Delassus::new(pose, &located).map_err(|error| refuse(error.into()))?;
+    let mut velocities = delassus.velocities(pose, &rigid.before);
+    if let Some(mass) = prepared.other_mass() {
+        delassus.add_free_body(0, mass);
+        velocities[0] = -rigid.closing_speed;
+    }
+    let ratios = match question.stiffness_ratios.len() {
+        0 => vec![1.0; k],
+        _ => question.stiffness_ratios.clone(),
+    };
+    let stiffness = ContactStiffness { ratios, exponent: question.contact_exponent.unwrap_or(1.0) };
+    let speeds = DVector::from_fn(k, |i, _| velocities[3 * i]);
+    let closing = (0..k).map(|i| -velocities[3 * i]).fold(0.0, f64::max);
+    let mut laws = Vec::new();
+    if k > 1 {
+        for law in SimultaneousLaw::ALL {
+            let restitution = vec![question.restitution; k];
+            let found = simultaneous_impact(&delassus, &speeds, &restitution, law, &stiffness);
+            laws.push(match found {
+                Ok(found) => {
+                    let own = |row: usize| if row % 3 == 0 { found.solution[row / 3] } else { 0.0 };
+                    let impulses = DVector::from_fn(3 * k, |row, _| own(row));
+                    let change = delassus.rate_change(pose, &impulses);
+                    SimultaneousLawRecord {
+                        law: law.name(),
+                        impulses: found.impulses,
+                        opening_speeds: found.after,
+                        energy_loss: Some(found.energy_loss),
+                        creates_energy: found.creates_energy,
+                        rates: rates_after(evaluated, &rigid.before.plus_scaled(&change, 1.0)),
+                        refusal: None,
+                    }
+                }
+                // The other laws have results.
+                Err(error) if has_other_laws(&error, question.restitution) => SimultaneousLawRecord {
+                    law: law.name(),
+                    impulses: vec![None; k],
+                    opening_speeds: Vec::new(),
+                    energy_loss: None,
+                    creates_energy: false,
+                    rates: Vec::new(),
+                    refusal: Some(error.to_string()),
+                },
+                Err(error) => return Err(refuse(error)),
+            });
+        }
+    }
+    let sticking = question
+        .sticking
+        .then(|| sticking_impact(&delassus, &velocities).map_err(refuse))
+        .transpose()?
+        .map(|found| sticking_record(evaluated, question, rigid, &delassus, &found));
+    let base = pose.base();
+    let world = |v: &Vector3<f64>| -> [f64; 3] { base.vector(v).into() };
+    let contacts = (0..k).map(|i| {
+        let principal = delassus.principal_masses(i);
+        TouchingRecord {
+            name: names[i].clone(),
+            link: pose.mechanism().link(located[i].link).name().to_owned(),
+            point_world: point_world(evaluated, &located[i]),
+            normal_world: located[i].normal_world.into(),
+            gap: gaps[i],
+            closing_speed: -velocities[3 * i],
+            effective_mass: masses[i],
+            principal_masses: [0, 1, 2].map(|c| Some(principal[c].0).filter(|mass| mass.is_finite())),
+            principal_directions_world: [0, 1, 2].map(|c| world(&principal[c].1)),
+        }
+    });
+    let axes = |i: usize| [0, 1, 2].map(|c| world(&delassus.axes(i).column(c).into_owned()));
+    let w = delassus.matrix();
+    Ok(Some(SimultaneousRecord {
+        contacts: contacts.collect(),
+        delassus: w.row_iter().map(|row| row.iter().copied().collect()).collect(),
+        delassus_axes_world: (0..k).map(axes).collect(),
+        stiffness_ratios: stiffness.ratios,
+        contact_exponent: stiffness.exponent,
+        spread: (k > 1).then(|| spread(&laws, k) / closing),
+        laws,
+        sticking,
+    }))
+}
+
+/// True if an error concerns one law only.
+fn has_other_laws(error: &ImpactError, restitution: f64) -> bool {
+    match error {
+        ImpactError::NoEnd { .. } => true,
+        ImpactError::OutOfRange { got, .. } => *got == restitution,
+        _ => false,
+    }
+}
+
+/// Error of several contacts, about the part of the question at fault.
+fn several_error(error: ImpactError, question: &ImpactQuestion) -> StudyError {
+    match error {
+        ImpactError::TooManyContacts { .. } | ImpactError::Mobility(_) => {
+            StudyError::input(Field::Also, error)
+        }
+        ImpactError::ContactValues { .. } | ImpactError::OutOfRange { .. } => {
+            StudyError::input(Field::StiffnessRatio, error)
+        }
+        error => impact_error(error, question),
+    }
+}
+
+/// Further contact with its name, and its gap at the pose.
+fn further_contact(
+    evaluated: &EvaluatedQuestion,
+    contact: &FurtherContact,
+) -> Result<(String, Contact, Option<f64>), StudyError> {
+    let pose = &evaluated.pose;
+    let mechanism = pose.mechanism();
+    match contact {
+        FurtherContact::Named(name) => {
+            let named =
+                mechanism.find_contact(name).map_err(|error| StudyError::input(Field::Also, error))?;
+            let gap = Gap::new(pose, named).map(|gap| gap.at(pose));
+            Ok((name.clone(), Contact::named(named, mechanism.root()), gap))
+        }
+        FurtherContact::Point { link, point, normal } => {
+            let id = mechanism.find_link(link).map_err(|error| StudyError::input(Field::Also, error))?;
+            let normal = Direction::Along(Vector3::from(*normal), Frame::World);
+            let contact = Contact { link: id, against: None, point: Vector3::from(*point), normal };
+            Ok((link.clone(), contact, None))
+        }
+    }
+}
+
+/// Contact point in the world.
+fn point_world(evaluated: &EvaluatedQuestion, contact: &LocatedContact) -> [f64; 3] {
+    evaluated.pose.link(contact.link).point(&contact.point_link).into()
+}
+
+/// Rates of all movable joints.
+fn rates_after(evaluated: &EvaluatedQuestion, rates: &JointRates) -> Vec<RatesAfterRecord> {
+    let mechanism = evaluated.pose.mechanism();
+    let movable = mechanism.joint_ids().filter(|id| mechanism.joint(*id).kind().dofs() > 0);
+    movable
+        .map(|id| RatesAfterRecord {
+            joint: mechanism.joint(id).name().to_owned(),
+            after: rates.joint(id).to_vec(),
+        })
+        .collect()
+}
+
+/// Largest difference of an opening speed between two laws.
+fn spread(laws: &[SimultaneousLawRecord], contacts: usize) -> f64 {
+    let of_contact = |i: usize| {
+        let speeds = laws.iter().filter_map(|law| law.opening_speeds.get(i).copied());
+        let (least, most) = speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(u), b.max(u)));
+        (most - least).max(0.0)
+    };
+    (0..contacts).map(of_contact).fold(0.0, f64::max)
+}
+
+/// True if a coefficient of friction suffices at all contacts that stick; `None` if open requirements decide.
+fn friction_suffices(found: &StickingImpact, coefficient: f64) -> Option<bool> {
+    let sticking = found.contacts.iter().filter(|contact| contact.sticks);
+    let required: Vec<Option<f64>> = sticking.map(|contact| contact.required_friction).collect();
+    if required.iter().flatten().any(|needed| *needed > coefficient) {
+        return Some(false);
+    }
+    required.iter().all(Option::is_some).then_some(true)
+}
+
+/// Record of a plastic impact.
+fn sticking_record(
+    evaluated: &EvaluatedQuestion,
+    question: &ImpactQuestion,
+    rigid: &RigidImpact,
+    delassus: &Delassus,
+    found: &StickingImpact,
+) -> StickingRecord {
+    let pose = &evaluated.pose;
+    let required: Vec<Option<f64>> = found.contacts.iter().map(|c| c.required_friction).collect();
+    let change = delassus.rate_change(pose, &found.impulses);
+    let name = |(joint, k): (Option<percuss_mechanism::JointId>, usize)| {
+        let name = joint.map_or("base", |joint| pose.mechanism().joint(joint).name());
+        let single = joint.is_some_and(|joint| pose.mechanism().joint(joint).kind().dofs() == 1);
+        if single { name.to_owned() } else { format!("{name}[{k}]") }
+    };
+    StickingRecord {
+        sticks: found.contacts.iter().map(|c| c.sticks).collect(),
+        normal_impulses: found.contacts.iter().map(|c| c.normal_impulse).collect(),
+        tangential_impulses: found.contacts.iter().map(|c| c.tangential_impulse).collect(),
+        friction_suffices: question.friction.and_then(|mu| friction_suffices(found, mu)),
+        required_friction: required,
+        opening_speeds: found.contacts.iter().map(|c| c.opening_speed).collect(),
+        energy_loss: found.energy_loss,
+        consistent_subsets: found.consistent_subsets,
+        coordinates: pose.coordinate_joints().into_iter().map(name).collect(),
+        impact_map: found.map.row_iter().map(|row| row.iter().copied().collect()).collect(),
+        rates: rates_after(evaluated, &rigid.before.plus_scaled(&change, 1.0)),
+    }
+}
