@@ -8,7 +8,7 @@ use clap::{Arg, Command};
 const COLUMN: usize = 30;
 
 /// Explained flags of each command. Other flags are only listed.
-const EXPLAINED: [(&str, &[&str]); 17] = [
+const EXPLAINED: [(&str, &[&str]); 18] = [
     ("percuss", &[]),
     ("check", &["format", "strict"]),
     (
@@ -155,6 +155,7 @@ const EXPLAINED: [(&str, &[&str]); 17] = [
             "format",
         ],
     ),
+    ("convert", &["output", "to"]),
     (
         "generate",
         &[
