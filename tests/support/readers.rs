@@ -10,8 +10,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::{env, fs, process};
 
 /// Names of the readers: the ending of their files.
-pub const READERS: [&str; 12] = [
+pub const READERS: [&str; 13] = [
     "urdf",
+    "mjcf",
     "sheet.toml",
     "sheet.csv",
     "sheet.xlsx",
@@ -43,7 +44,7 @@ static MODEL: LazyLock<Model> = LazyLock::new(|| {
 pub fn read(reader: &str, bytes: &[u8]) -> bool {
     let named = || Source { name: format!("fuzzed.{reader}"), bytes: bytes.to_vec() };
     match reader {
-        "urdf" => load(&named(), &LoadOptions::default()).is_ok(),
+        "urdf" | "mjcf" => load(&named(), &LoadOptions::default()).is_ok(),
         "sheet.toml" | "sheet.csv" | "sheet.xlsx" | "sheet.json" => {
             import(&named(), &ImportOptions::default()).is_ok()
         }

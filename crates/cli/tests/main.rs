@@ -53,6 +53,7 @@ mod suspensions {
 
 /// Files that are written or replaced.
 mod files {
+    mod convert;
     mod generated_code;
     mod outputs;
     mod special_files;

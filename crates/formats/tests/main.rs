@@ -4,6 +4,7 @@ mod gazebo_joints;
 mod loading;
 mod loops;
 mod malformed;
+mod mjcf;
 mod mutation;
 mod plausible;
 mod round_trip;

@@ -137,6 +137,18 @@ def test_what_a_model_tells(path: Path) -> None:
     assert jacobian.shape == (3, model.system().coordinates)
 
 
+def test_models_are_read_and_written_as_mjcf() -> None:
+    model = percuss.load(MODELS / "four_bar.urdf")
+    again = percuss.loads(model.to_mjcf(), name="four_bar.xml")
+    assert again.total_mass == pytest.approx(model.total_mass)
+    contact = percuss.Contact("coupler", [0.35, 0.1, 0.0], normal=[0.0, 1.0, 0.0])
+    masses = [m.pose({"crank_hinge": 0.4}).respond(contact).effective_mass for m in (model, again)]
+    assert masses[1] == pytest.approx(masses[0], rel=1e-12)
+    joint = "<joint name='j' type='continuous'><parent link='a'/><child link='b'/></joint>"
+    with pytest.raises(percuss.InputError, match="without mass"):
+        percuss.loads(f"<robot name='r'><link name='a'/><link name='b'/>{joint}</robot>").to_mjcf()
+
+
 def test_contacts_compare_print_and_travel() -> None:
     contact = percuss.Contact("a", (1, 2, 3), np.array([0, 0, 1]), against="b", normal_frame="world")
     assert contact == pickle.loads(pickle.dumps(contact)) == eval(repr(contact), {"Contact": percuss.Contact})

@@ -1,4 +1,4 @@
-//! Flags of `percuss generate`.
+//! Flags of `percuss generate` and `percuss convert`.
 
 use super::{ContactArgs, ModelArgs, WritingArgs};
 use crate::terminal::failure::Failure;
@@ -104,3 +104,43 @@ impl GenerateArgs {
 
 /// Longest prefix of names.
 const LONGEST_NAME: usize = 40;
+
+/// Format of a converted model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ModelFormat {
+    /// MuJoCo's format; loops are equality constraints.
+    Mjcf,
+    /// URDF; loops are elements of URDF+.
+    Urdf,
+}
+
+/// Flags of `percuss convert`.
+#[derive(Debug, Args)]
+pub struct ConvertArgs {
+    #[command(flatten)]
+    pub model: ModelArgs,
+    /// File to write; - writes to stdout.
+    #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
+    pub output: String,
+    /// Format; default: from the ending of the file, .xml or .mjcf, or .urdf.
+    #[arg(long, value_enum, value_name = "FORMAT", help_heading = OUTPUT)]
+    pub to: Option<ModelFormat>,
+    #[command(flatten)]
+    pub writing: WritingArgs,
+}
+
+impl ConvertArgs {
+    /// Format of the flag, else of the file name.
+    pub fn format(&self) -> Result<ModelFormat, Failure> {
+        let ending = self.output.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
+        match (self.to, ending.as_str()) {
+            (Some(format), _) => Ok(format),
+            (None, "xml" | "mjcf") => Ok(ModelFormat::Mjcf),
+            (None, "urdf") => Ok(ModelFormat::Urdf),
+            _ => Err(Failure::bad_input(format!(
+                "--output {}: the ending names no format; use .xml, .mjcf or .urdf, or give --to mjcf or --to urdf",
+                self.output
+            ))),
+        }
+    }
+}

@@ -18,7 +18,7 @@ mod value_parsers;
 pub use compare::CompareArgs;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, SafeSpeedArgs};
-pub use generate::{GenerateArgs, LanguageName};
+pub use generate::{ConvertArgs, GenerateArgs, LanguageName, ModelFormat};
 pub use help::short_help::{requested_command, short_help};
 pub use impact::{ExtremesArgs, ImpactArgs};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
@@ -37,7 +37,7 @@ use std::path::Path;
 
 /// The effective mass of a mechanism at a contact.
 ///
-/// percuss reads a URDF and computes the effective mass at a contact point along the impact normal.
+/// percuss reads a URDF or MJCF and computes the effective mass at a contact point along the impact normal.
 #[derive(Debug, Parser)]
 #[command(name = "percuss", version, arg_required_else_help = true, max_term_width = 80, after_help = examples::TOP)]
 pub struct Cli {
@@ -147,6 +147,9 @@ pub enum Command {
         override_usage = "percuss generate MODEL (--at NAME | --link L --point X,Y,Z\n                        (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                        [--language c|rust] [-o FOLDER] …"
     )]
     Generate(Box<GenerateArgs>),
+    /// Convert a model to MJCF or URDF, with its loops.
+    #[command(after_help = examples::CONVERT)]
+    Convert(Box<ConvertArgs>),
     /// Run a study: the flags of mass, sweep and damp, kept in a TOML file.
     #[command(after_help = examples::RUN)]
     Run(RunArgs),

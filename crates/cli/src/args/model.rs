@@ -9,9 +9,9 @@ use percuss_study::{Changes, Model, ModelTable};
 /// Model file, and options of its reading.
 #[derive(Debug, Args)]
 pub struct ModelArgs {
-    /// URDF file, or a suspension sheet or table.
+    /// URDF or MJCF file, or a suspension sheet or table.
     ///
-    /// - reads a URDF from the standard input. A sheet or table (.toml, .csv, .xlsx, .xlsm, .json) is read as by `percuss import`.
+    /// - reads a URDF or MJCF from the standard input. A sheet or table (.toml, .csv, .xlsx, .xlsm, .json) is read as by `percuss import`.
     pub model: String,
     #[command(flatten)]
     pub reading: ReadingArgs,

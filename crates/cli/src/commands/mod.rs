@@ -4,7 +4,7 @@ pub(crate) mod check;
 pub(crate) mod compare;
 pub(crate) mod contact_list;
 pub(crate) mod damp;
-pub(crate) mod generate;
+pub(crate) mod exports;
 pub(crate) mod impacts;
 pub(crate) mod init;
 pub(crate) mod map;

@@ -26,6 +26,17 @@ pub(crate) const MAX_NESTED_REFERENCES: usize = 256;
 /// Largest length of a quoted message of the XML parser, characters.
 pub(crate) const MAX_PARSER_MESSAGE: usize = 200;
 
+// MJCF: the files and the bodies.
+
+/// Largest number of included files: each is opened and parsed.
+pub(crate) const MAX_INCLUDED_FILES: usize = 1_000;
+/// Largest total size of the main file and all included files, bytes.
+pub(crate) const MAX_INCLUDED_BYTES: u64 = 64 << 20;
+/// Largest number of visits to elements of the kinematic tree: a `<replicate>` visits its contents for each copy.
+pub(crate) const MAX_TREE_VISITS: usize = 1_000_000;
+/// Largest total number of triangles in the meshes from which inertias are computed.
+pub(crate) const MAX_INERTIA_TRIANGLES: usize = 20_000_000;
+
 // URDF: the elements.
 
 /// Largest number of links in a file; the same limit holds for joints, for loops and for couplings.
@@ -36,6 +47,8 @@ pub const LONGEST_NAME: usize = 1024;
 pub(crate) const MAX_SUGGESTIONS: usize = 10;
 /// Largest number of names compared with an unknown name: the comparison is quadratic in the length of the names.
 pub(crate) const MAX_CANDIDATES: usize = 2_000;
+/// Longest name that is compared with others in MJCF, bytes.
+pub(crate) const LONGEST_COMPARED_NAME: usize = 100;
 /// Longest chain of mimic joints.
 pub(crate) const MAX_MIMIC_CHAIN: usize = 100;
 /// Largest number of joints on the paths from the coupled links to the root, summed over all couplings.

@@ -5,6 +5,7 @@ pub(crate) mod limits;
 pub(crate) mod prescan;
 pub(crate) mod report;
 pub(crate) mod source;
+pub(crate) mod xml;
 
 pub use limits::{LONGEST_NAME, MOST_FINDINGS, OBLIQUE_PINS};
 pub use report::{Place, Report, cut, quoted, shortened};

@@ -19,6 +19,8 @@ pub enum Place<'a, 'i> {
     Element(Node<'a, 'i>),
     /// An attribute of an element; the element if the attribute is absent.
     Attribute(Node<'a, 'i>, &'a str),
+    /// Byte offset in the text, and the XML path of the element there.
+    Named(usize, &'a str),
 }
 
 /// Finding with its position as a byte offset.
@@ -67,6 +69,7 @@ impl Report {
         let (offset, element) = match place {
             Place::File => (None, None),
             Place::Offset(offset) => (Some(offset), None),
+            Place::Named(offset, path) => (Some(offset), Some(path.to_owned())),
             Place::Element(node) => (Some(node.range().start), Some(element_path(node))),
             Place::Attribute(node, name) => {
                 let offset = node.attribute_node(name).map_or(node.range().start, |a| a.range().start);

@@ -1,8 +1,8 @@
 //! Construction of a mechanism from a source in URDF.
 
 use crate::reading::limits;
-use crate::reading::prescan;
 use crate::reading::report::{Place, Report, cut, shortened};
+use crate::reading::xml;
 use crate::urdf::consistency;
 use crate::urdf::descriptions;
 use crate::urdf::elements::dialect::ROBOT;
@@ -10,10 +10,11 @@ use crate::urdf::elements::nodes::Nodes;
 use crate::urdf::elements::shapes::shape::{Shape, link_shapes};
 use crate::urdf::elements::survey::{check_element, report_xacro_elements};
 use crate::urdf::texts::Texts;
-use crate::{DEFAULT_MAX_SIZE, Diagnostic, LoadError, Source};
+use crate::{Diagnostic, LoadError};
 use percuss_mechanism::{Accept, Built, Mechanism, MechanismBuilder, Severity, Subject};
-use roxmltree::{Document, Node, ParsingOptions};
+use roxmltree::{Document, Node};
 use std::collections::HashSet;
+use std::path::PathBuf;
 
 /// Options of the reader.
 #[derive(Clone, Copy, Debug, Default)]
@@ -31,9 +32,11 @@ pub struct Loaded {
     pub shapes: Vec<Vec<Shape>>,
     /// Warnings and notes, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
+    /// Further files that were read: included files and meshes.
+    pub files: Vec<PathBuf>,
 }
 
-/// Reads a URDF, closed loops and couplings included.
+/// Reads the text of a URDF, closed loops and couplings included; `report` contains findings about its bytes.
 ///
 /// Units of URDF: m, kg, kg·m², rad. Inertias in a rotated frame are transformed to the link's axes, I = R I′ Rᵀ. Meshes,
 /// packages and external entities are not opened.
@@ -41,27 +44,21 @@ pub struct Loaded {
 /// # Errors
 /// [`LoadError`] with all findings if a finding is an error (at most 50 findings of each severity; further findings are only
 /// counted).
-pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError> {
-    let mut report = Report::default();
-    let Some(text) = source.text(&mut report) else {
-        return Err(LoadError { diagnostics: report.finish(&source.name, "") });
-    };
+pub(crate) fn load_text(
+    name: &str,
+    text: &str,
+    options: &LoadOptions,
+    mut report: Report,
+) -> Result<Loaded, LoadError> {
     let mechanism = build_mechanism(text, options, &mut report);
     let failed = report.has_errors();
-    let diagnostics = report.finish(&source.name, text);
+    let diagnostics = report.finish(name, text);
     match mechanism {
-        Some((mechanism, shapes)) if !failed => Ok(Loaded { mechanism, shapes, diagnostics }),
+        Some((mechanism, shapes)) if !failed => {
+            Ok(Loaded { mechanism, shapes, diagnostics, files: Vec::new() })
+        }
         Some(_) | None => Err(LoadError { diagnostics }),
     }
-}
-
-/// Reads a URDF or URDF+ file of at most [`DEFAULT_MAX_SIZE`] bytes, with the default options. `-` is the standard
-/// input. See [`load`].
-///
-/// # Errors
-/// [`LoadError`], also if the file cannot be read.
-pub fn load_file(path: &str) -> Result<Loaded, LoadError> {
-    load(&Source::read(path, DEFAULT_MAX_SIZE)?, &LoadOptions::default())
 }
 
 /// Builds the mechanism and the shapes of all links; `None` after an error.
@@ -70,17 +67,7 @@ fn build_mechanism(
     options: &LoadOptions,
     report: &mut Report,
 ) -> Option<(Mechanism, Vec<Vec<Shape>>)> {
-    if !prescan::check_bounds(text, report) {
-        return None;
-    }
-    let parsing = ParsingOptions { allow_dtd: true, nodes_limit: limits::MAX_NODES, entity_resolver: None };
-    let document = match Document::parse_with_options(text, parsing) {
-        Ok(document) => document,
-        Err(error) => {
-            report_parse_error(text, &error, report);
-            return None;
-        }
-    };
+    let document = xml::parse(text, report)?;
     let robot = document.root_element();
     if !check_root_tag(robot, report) {
         return None;
@@ -144,50 +131,6 @@ fn known_warnings<'a>(document: &'a Document<'_>) -> HashSet<(&'a str, &'a str)>
     known.filter(|(code, _)| *code == KNOWN_WARNING).collect()
 }
 
-/// Reports text that is not well-formed XML.
-fn report_parse_error(text: &str, error: &roxmltree::Error, report: &mut Report) {
-    use roxmltree::Error;
-    let position = error.pos();
-    let place = match error {
-        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => Place::Offset(text.len()),
-        _ => Place::Offset(byte_offset(text, position.row, position.col)),
-    };
-    let remedy = match error {
-        Error::UnknownNamespace(prefix, _) if prefix == "xacro" => {
-            report.add_xacro_error(place, "the prefix \"xacro:\"");
-            return;
-        }
-        Error::NodesLimitReached => {
-            report.error("too-complex", Place::File, || {
-                format!("more than {} elements, comments and stretches of text", limits::MAX_NODES)
-            });
-            return;
-        }
-        Error::UnknownNamespace(prefix, _) => {
-            format!(": declare the prefix in the root element, xmlns:{}=\"...\"", shortened(prefix))
-        }
-        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => {
-            ": the file ends too early; was it cut off?".to_owned()
-        }
-        Error::EntityReferenceLoop(_) => ": entities that grow without bound are refused".to_owned(),
-        // `roxmltree::Error` has further variants; for these the parser's message is enough.
-        _ => String::new(),
-    };
-    // The parser's message repeats the position.
-    let message = error.to_string().replace(&format!(" at {}:{}", position.row, position.col), "");
-    report.error("not-xml", place, || {
-        format!("not well-formed XML: {}{remedy}", cut(&message, limits::MAX_PARSER_MESSAGE))
-    });
-}
-
-/// Byte offset of a line and column (in characters), both from 1.
-fn byte_offset(text: &str, row: u32, column: u32) -> usize {
-    let start: usize = text.split_inclusive('\n').take(row.saturating_sub(1) as usize).map(str::len).sum();
-    let line = &text[start..];
-    let within = line.char_indices().nth(column.saturating_sub(1) as usize).map_or(line.len(), |(i, _)| i);
-    start + within
-}
-
 /// True for `<robot>`; otherwise reports the probable kind of the file.
 fn check_root_tag(root: Node<'_, '_>, report: &mut Report) -> bool {
     let name = root.tag_name().name();
@@ -196,14 +139,9 @@ fn check_root_tag(root: Node<'_, '_>, report: &mut Report) -> bool {
         "sdf" | "gazebo" => {
             "this is an SDF file (Gazebo's), which is not read; `sdf2urdf` of sdformat_tools converts what URDF can hold"
         }
-        "mujoco" => {
-            "this is an MJCF file (MuJoCo's), which is not read; `mjcf-urdf-simple-converter` (PyPI) converts trees with their inertias"
-        }
         "COLLADA" => "this is a COLLADA mesh; the URDF names it, load that",
         "html" | "HTML" => "this is a web page; a download may have gone wrong",
-        "mujocoinclude" => {
-            "this is a part of an MJCF file (MuJoCo's), which is not read; `mjcf-urdf-simple-converter` (PyPI) converts the whole"
-        }
+        "mujocoinclude" => "this is a part of an MJCF file (MuJoCo's); load the file that includes it",
         "launch" => "this is a ROS launch file; load the URDF it names",
         _ => "a URDF's root is <robot>",
     };

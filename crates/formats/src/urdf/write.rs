@@ -1,12 +1,11 @@
 //! Writer of mechanisms as URDF+.
 
-use crate::reading::limits::DECIMAL_NOTATION_RANGE;
+use crate::xml_text::{append, escape_attribute, escape_comment, format_number, format_vector};
 use percuss_mechanism::{
     Closure, ClosureKind, ContactNormal, Coupling, Joint, JointKind, Link, LoopFrame, Mechanism, NamedContact,
 };
 use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
 use std::collections::HashMap;
-use std::fmt::Write;
 
 /// Comments of a written file. Each is a single line; characters that XML forbids in comments are replaced.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -77,11 +76,6 @@ fn write_comment(out: &mut String, comments: &HashMap<String, String>, name: &st
     if let Some(text) = comments.get(name) {
         append(out, format_args!("  <!-- {} -->\n", escape_comment(text)));
     }
-}
-
-fn append(out: &mut String, text: std::fmt::Arguments<'_>) {
-    // Writing to a string cannot fail.
-    let _ = out.write_fmt(text);
 }
 
 fn write_link(out: &mut String, link: &Link) {
@@ -197,47 +191,4 @@ fn origin_element(frame: &Transform<f64>) -> String {
     // Adding 0 turns −0 into 0.
     let rpy = format_vector(&Vector3::from(rpy_from_rotation(&frame.rotation).map(|angle| angle + 0.0)));
     format!("<origin xyz=\"{xyz}\" rpy=\"{rpy}\"/>")
-}
-
-fn format_vector(v: &Vector3<f64>) -> String {
-    format!("{} {} {}", format_number(v.x), format_number(v.y), format_number(v.z))
-}
-
-/// Shortest decimal that reads back as the same bits; in exponent notation for very small and very large numbers.
-fn format_number(x: f64) -> String {
-    let size = x.abs();
-    if x == 0.0 || DECIMAL_NOTATION_RANGE.contains(&size) { format!("{x}") } else { format!("{x:e}") }
-}
-
-/// Escapes text for an attribute in double quotes. Characters forbidden in XML 1.0 become U+FFFD.
-fn escape_attribute(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\t' => out.push_str("&#9;"),
-            '\n' => out.push_str("&#10;"),
-            '\r' => out.push_str("&#13;"),
-            '\u{0}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => out.push('\u{fffd}'),
-            other => out.push(other),
-        }
-    }
-    out
-}
-
-/// Text for an XML comment: on one line and without `--`.
-fn escape_comment(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.trim().chars() {
-        match c {
-            '-' if out.ends_with('-') => out.push_str(" -"),
-            '\u{fffe}' | '\u{ffff}' => out.push('\u{fffd}'),
-            c if c.is_control() => out.push(' '),
-            other => out.push(other),
-        }
-    }
-    out
 }

@@ -6,7 +6,7 @@ use crate::analysis::system::{Assembly, System, position_names};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors;
 use percuss::study::Changes;
-use percuss::{JointKind, write_urdf};
+use percuss::{JointKind, write_mjcf, write_urdf};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::collections::BTreeMap;
@@ -93,6 +93,11 @@ impl Model {
         write_urdf(&self.read.mechanism)
     }
 
+    /// The mechanism as MJCF, for MuJoCo 3.2.3 and later. Loops become equality constraints.
+    fn to_mjcf(&self) -> PyResult<String> {
+        write_mjcf(&self.read.mechanism, "").map(|written| written.text).map_err(errors::input)
+    }
+
     /// Names of the hardpoints that `changed` can move; empty unless the model comes from a sheet.
     #[getter]
     fn hardpoints(&self) -> Vec<String> {
@@ -155,15 +160,16 @@ impl Model {
         System::unconstrained(self)?.pose(py, q, guess, base_pose, other_assembly)
     }
 
-    /// Pickles a model as its source text; a model from hardpoints is pickled as URDF.
+    /// Pickles a model as its source text; a model from hardpoints or from several files is pickled as URDF.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<RebuiltModel<'py>> {
-        let (bytes, accept) = match self.source.as_deref() {
+        let source = self.source.as_deref().filter(|_| self.read.inputs.len() <= 1);
+        let (bytes, accept) = match source {
             Some((source, accept)) => (source.bytes.clone(), accept.clone()),
             None => (self.to_urdf().into_bytes(), Vec::new()),
         };
         let mut name =
             self.read.inputs.first().map_or_else(|| "<text>".to_owned(), |input| input.path.clone());
-        if self.source.is_none() {
+        if source.is_none() {
             // The ending of a sheet or of a table would be read as such.
             name.push_str(".urdf");
         }

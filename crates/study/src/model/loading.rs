@@ -62,7 +62,7 @@ pub struct Model {
 /// Origin of a model, for building design variants.
 #[derive(Clone, Debug, Default)]
 pub struct Origin {
-    /// Sheet of the suspension before any moves; `None` for a URDF.
+    /// Sheet of the suspension before any moves; `None` for a URDF or MJCF.
     pub(crate) sheet: Option<Arc<OriginSheet>>,
     /// Changes applied.
     pub(crate) changes: Changes,
@@ -120,8 +120,8 @@ impl Model {
         self.origin.sheet.is_some()
     }
 
-    /// Reads a URDF file, or a suspension's sheet, table or JSON as in `percuss import`. The file extension
-    /// selects the format; `-` is a URDF on the standard input. `max_size`: largest file size, bytes.
+    /// Reads a URDF or MJCF file, or a suspension's sheet, table or JSON as in `percuss import`. The file extension
+    /// selects a suspension's file, the content URDF or MJCF; `-` is one of these on the standard input. `max_size`: largest file size, bytes.
     ///
     /// # Errors
     /// [`LoadError`] with all findings; errors have their file positions.
@@ -142,7 +142,7 @@ impl Model {
         Self::read_source(&Source::read(path, max_size)?, options, worksheet)
     }
 
-    /// Reads a URDF or a suspension's sheet from memory.
+    /// Reads a URDF, an MJCF or a suspension's sheet from memory.
     ///
     /// # Errors
     /// [`LoadError`], as for [`load`](Self::load).
@@ -172,9 +172,11 @@ impl Model {
             return Err(LoadError::of_file(&source.name, "conflict", &message));
         }
         let loaded = load(source, options)?;
+        let mut inputs = vec![input];
+        inputs.extend(loaded.files.iter().filter_map(|file| Input::from_file(file)));
         Ok(Self {
             mechanism: Arc::new(loaded.mechanism),
-            inputs: vec![input],
+            inputs,
             shapes: Arc::new(loaded.shapes),
             diagnostics: loaded.diagnostics.into_iter().map(Into::into).collect(),
             origin: Origin::default(),

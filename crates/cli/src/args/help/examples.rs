@@ -202,6 +202,14 @@ An engineering aid, not a certification. Take the limits of force or pressure
 from the edition of the standard that applies to you. The table of regions is
 informative.";
 
+pub const CONVERT: &str = "\
+Examples:
+  percuss convert models/four_bar.urdf -o four_bar.xml
+  percuss convert robot.xml -o robot.urdf
+  percuss convert my.toml --to mjcf -o - > suspension.xml
+
+Loops, mimics and armatures are kept; shapes and meshes are not written.";
+
 pub const GENERATE: &str = "\
 Examples:
   C code for a controller, with its self-test:
@@ -276,6 +284,7 @@ mod tests {
             super::DAMP,
             super::SAFE_SPEED,
             super::GENERATE,
+            super::CONVERT,
             super::INIT,
             super::RUN,
         ] {

@@ -155,6 +155,7 @@ const EXPLAINED: [(&str, &[&str]); 18] = [
             "format",
         ],
     ),
+    ("convert", &["output", "to"]),
     (
         "extremes",
         &["at", "link", "point", "normal", "along_line", "against", "set", "range", "starts", "format"],

@@ -1,0 +1,4 @@
+//! Commands that write a mechanism in another form.
+
+pub(crate) mod convert;
+pub(crate) mod generate;

@@ -1,0 +1,268 @@
+//! Mesh assets, and their inertias. A file is opened only if an inertia depends on it.
+
+use crate::meshes::files::{DEFAULT_MAX_MESH_SIZE, Triangles, read_mesh};
+use crate::mjcf::bodies::mesh_inertia::{MeshInertia, MeshRule, mesh_inertia};
+use crate::mjcf::document::findings::{Findings, similar_name};
+use crate::mjcf::document::tree::{ElementId, ElementTree};
+use crate::mjcf::values::attributes::Attributes;
+use crate::mjcf::values::classes::{Classes, DefaultKind};
+use crate::mjcf::values::orientation::rotation_from_quat;
+use crate::mjcf::values::settings::Settings;
+use crate::reading::limits::{MAX_INERTIA_TRIANGLES, MAX_TOTAL_ATTRIBUTES};
+use crate::reading::report::quoted;
+use crate::urdf::elements::shapes::shape::Solid;
+use percuss_mechanism::Severity;
+use percuss_spatial::{Matrix3, Transform, Vector3};
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+/// Mesh asset.
+#[derive(Debug)]
+struct Mesh {
+    element: ElementId,
+    /// File relative to the folder of the model; `None` for vertices in the model.
+    file: Option<String>,
+    scale: [f64; 3],
+    /// Origin and orientation of the mesh in the coordinates of the file.
+    reference: Transform<f64>,
+    rule: MeshRule,
+    /// Inertia in the frame of the mesh; computed at the first use. `None` inside: an error is reported.
+    inertia: Option<Option<MeshInertia>>,
+}
+
+/// Mesh assets by name.
+#[derive(Debug)]
+pub(crate) struct Meshes<'t> {
+    tree: &'t ElementTree,
+    folder: PathBuf,
+    meshes: HashMap<String, Mesh>,
+    /// Files that were opened.
+    pub opened: Vec<PathBuf>,
+    triangles: usize,
+}
+
+impl<'t> Meshes<'t> {
+    /// Reads the assets of a model whose main file is `name`.
+    pub fn read(
+        tree: &'t ElementTree,
+        name: &str,
+        settings: &Settings,
+        classes: &Classes,
+        findings: &mut Findings<'_>,
+    ) -> Self {
+        let folder = Path::new(name).parent().map(Path::to_owned).unwrap_or_default();
+        let mut meshes = HashMap::new();
+        for element in tree.in_sections("asset").filter(|element| tree.tag(*element) == "mesh") {
+            let attributes =
+                Attributes::with_class(tree, element, DefaultKind::Mesh, classes, None, findings);
+            let Some((name, mesh)) = read_mesh_asset(attributes, settings, findings) else { continue };
+            if meshes.insert(name, mesh).is_some() {
+                findings.error("duplicate-name", element, || {
+                    "the name of the mesh was given before; names must be unique".to_owned()
+                });
+            }
+        }
+        Self { tree, folder, meshes, opened: Vec::new(), triangles: 0 }
+    }
+
+    /// Solid of an asset for drawings, with the frame of its file in the geom; `None` for an unknown name or vertices in the model.
+    pub fn solid(&self, name: &str) -> Option<(Solid, Transform<f64>)> {
+        let mesh = self.meshes.get(name)?;
+        let solid = Solid::Mesh { file: mesh.file.clone()?, scale: mesh.scale };
+        // The scale acts along the axes of the rotated mesh; without a rotation it commutes with the shift.
+        let shift = mesh.reference.translation.component_mul(&Vector3::from(mesh.scale));
+        let is_turned = mesh.reference.rotation != Matrix3::identity();
+        (!is_turned).then(|| (solid, Transform::from_translation(-shift)))
+    }
+
+    /// Inertia of an asset, in the frame of the mesh; `None`, with an error at the geom, if it cannot be computed.
+    pub fn inertia(
+        &mut self,
+        name: &str,
+        geom: ElementId,
+        is_shell: bool,
+        findings: &mut Findings<'_>,
+    ) -> Option<MeshInertia> {
+        let Some(mesh) = self.meshes.get(name) else {
+            findings.attribute_error("unknown-mesh", geom, "mesh", || {
+                let guess = similar_name(name, self.meshes.keys().map(String::as_str));
+                format!("the mesh {} does not exist{guess}", quoted(name))
+            });
+            return None;
+        };
+        if let Some(known) = mesh.inertia.filter(|_| !is_shell) {
+            return known;
+        }
+        let rule = if is_shell { MeshRule::Shell } else { mesh.rule };
+        let computed = self.compute(name, rule, geom, findings);
+        if let Some(mesh) = self.meshes.get_mut(name).filter(|_| !is_shell) {
+            mesh.inertia = Some(computed);
+        }
+        computed
+    }
+
+    /// Reads the triangles of a mesh and computes its inertia.
+    fn compute(
+        &mut self,
+        name: &str,
+        rule: MeshRule,
+        geom: ElementId,
+        findings: &mut Findings<'_>,
+    ) -> Option<MeshInertia> {
+        let mesh = self.meshes.get(name)?;
+        let element = mesh.element;
+        let remedy = "give the body an <inertial>";
+        if rule == MeshRule::Convex {
+            findings.error("unsupported", element, || {
+                format!("inertia=\"convex\" (the convex hull) is not computed; use exact, legacy or shell, or {remedy}")
+            });
+            return None;
+        }
+        let read = match &mesh.file {
+            Some(file) => {
+                let path = self.folder.join(file);
+                let read = read_mesh(&path, DEFAULT_MAX_MESH_SIZE).map_err(|error| error.to_string());
+                self.opened.push(path);
+                read
+            }
+            None => inline_triangles(Attributes::new(self.tree, element), findings),
+        };
+        let triangles = match read {
+            Ok(triangles) => triangles,
+            Err(message) => {
+                findings.error("bad-mesh", element, || {
+                    format!(
+                        "the inertia of a body depends on the mesh {}: {message}; or {remedy}",
+                        quoted(name)
+                    )
+                });
+                return None;
+            }
+        };
+        self.triangles = self.triangles.saturating_add(triangles.len());
+        if self.triangles > MAX_INERTIA_TRIANGLES {
+            findings.error("too-complex", element, || {
+                format!(
+                    "the meshes of the inertias have more than {MAX_INERTIA_TRIANGLES} triangles; {remedy}"
+                )
+            });
+            return None;
+        }
+        let mesh = self.meshes.get(name)?;
+        let (scale, reference) = (Vector3::from(mesh.scale), mesh.reference);
+        let place = |p: [f64; 3]| reference.inverse_point(&p.into()).component_mul(&scale).into();
+        let triangles: Triangles = triangles.into_iter().map(|corners| corners.map(place)).collect();
+        let inertia = mesh_inertia(&triangles, rule);
+        if inertia.volume <= 0.0 {
+            findings.error("bad-mesh", element, || {
+                format!(
+                    "the mesh {} encloses no volume ({} m³); its faces may be oriented inward: {remedy}",
+                    quoted(name),
+                    inertia.volume
+                )
+            });
+            return None;
+        }
+        let unit = if rule == MeshRule::Shell { "m²" } else { "m³" };
+        let words = match rule {
+            MeshRule::Legacy => {
+                "legacy (absolute volumes of pyramids, wrong for hollow or concave meshes; \"exact\" is right)"
+            }
+            MeshRule::Exact => "exact",
+            MeshRule::Shell => "shell",
+            MeshRule::Convex => "convex",
+        };
+        findings.add_once(Severity::Note, "mesh-inertia", words, geom, || {
+            format!(
+                "the inertia follows from the mesh {}: {:.6e} {unit}, rule {words}",
+                quoted(name),
+                inertia.volume
+            )
+        });
+        Some(inertia)
+    }
+}
+
+/// Name and description of a mesh asset; `None`, with an error, if it has no name.
+fn read_mesh_asset(
+    attributes: Attributes<'_>,
+    settings: &Settings,
+    findings: &mut Findings<'_>,
+) -> Option<(String, Mesh)> {
+    let file = attributes.text("file").map(str::trim);
+    let base = |file: &str| file.rsplit(['/', '\\']).next().unwrap_or(file).to_owned();
+    let stem = |file: &str| {
+        let base = base(file);
+        base.rsplit_once('.').map_or(base.clone(), |(stem, _)| stem.to_owned())
+    };
+    let Some(name) = attributes.text("name").map(str::to_owned).or_else(|| file.map(stem)) else {
+        findings.error("missing-attribute", attributes.element, || {
+            "<mesh> has neither a name nor a file".to_owned()
+        });
+        return None;
+    };
+    let rules = [
+        ("convex", MeshRule::Convex),
+        ("legacy", MeshRule::Legacy),
+        ("exact", MeshRule::Exact),
+        ("shell", MeshRule::Shell),
+    ];
+    let default = if settings.exact_mesh_inertia { MeshRule::Exact } else { MeshRule::Legacy };
+    let rule = attributes.word("inertia", &rules, findings).unwrap_or(default);
+    let rotation = attributes.numbers::<4>("refquat", findings).map(rotation_from_quat);
+    if rotation == Some(None) {
+        findings.attribute_error("zero-axis", attributes.element, "refquat", || {
+            "refquat is zero; a quaternion w x y z is expected".to_owned()
+        });
+    }
+    let file = file.map(|file| {
+        let file = if settings.strip_path { base(file) } else { file.to_owned() };
+        match settings.mesh_folder.as_str() {
+            "" => file,
+            folder => Path::new(folder).join(file).to_string_lossy().into_owned(),
+        }
+    });
+    let mesh = Mesh {
+        element: attributes.element,
+        file,
+        scale: attributes.numbers::<3>("scale", findings).unwrap_or([1.0; 3]),
+        reference: Transform::new(
+            rotation.flatten().unwrap_or_else(Matrix3::identity),
+            attributes.numbers::<3>("refpos", findings).unwrap_or_default().into(),
+        ),
+        rule,
+        inertia: None,
+    };
+    Some((name, mesh))
+}
+
+/// Triangles of the attributes `vertex` and `face`.
+fn inline_triangles(attributes: Attributes<'_>, findings: &mut Findings<'_>) -> Result<Triangles, String> {
+    if attributes.text("builtin").is_some_and(|name| name != "none") {
+        return Err("meshes that MuJoCo makes itself (builtin) are not computed; use a file".to_owned());
+    }
+    let (Some(_), Some(_)) = (attributes.text("vertex"), attributes.text("face")) else {
+        return Err(
+            "it has neither a file nor both vertex and face (the convex hull is not computed)".to_owned()
+        );
+    };
+    let invalid = || "its numbers are invalid".to_owned();
+    let vertices = attributes.list("vertex", MAX_TOTAL_ATTRIBUTES, findings).ok_or_else(invalid)?;
+    let faces = attributes.list("face", MAX_TOTAL_ATTRIBUTES, findings).ok_or_else(invalid)?;
+    let vertex = |index: f64| {
+        let start = if index >= 0.0 && index.fract() == 0.0 {
+            (index as usize).saturating_mul(3)
+        } else {
+            usize::MAX
+        };
+        let values = vertices.get(start..start.saturating_add(3));
+        values
+            .map(|v| [v[0], v[1], v[2]])
+            .ok_or_else(|| format!("a face names vertex {index} of {} (the first is 0)", vertices.len() / 3))
+    };
+    let triangle = |corners: &[f64]| Ok([vertex(corners[0])?, vertex(corners[1])?, vertex(corners[2])?]);
+    if faces.len() % 3 != 0 {
+        return Err(format!("face has {} numbers; three for each triangle are expected", faces.len()));
+    }
+    faces.chunks_exact(3).map(triangle).collect()
+}

@@ -1,0 +1,178 @@
+//! Bodies as links and joints of a mechanism. A body with several joints, or with a joint outside its origin, becomes a chain of massless
+//! links.
+
+use crate::mjcf::bodies::body::{Bodies, Body, BodyJoint, JointType};
+use crate::mjcf::document::tree::ElementId;
+use crate::mjcf::names::UniqueNames;
+use crate::mjcf::relations::joint_relations::{JointRelations, Relation};
+use crate::mjcf::relations::references::JointKey;
+use percuss_mechanism::{
+    Geometry, Inertial, JointDescription, JointKind, Limits, LinkDescription, MimicDescription,
+};
+use percuss_spatial::{Transform, Vector3, rotation_about};
+use std::collections::HashMap;
+
+/// Links and joints of a model with their elements.
+#[derive(Debug, Default)]
+pub(crate) struct Chains {
+    pub links: Vec<LinkDescription>,
+    pub link_elements: Vec<ElementId>,
+    /// True for a massless link within a body.
+    pub is_auxiliary: Vec<bool>,
+    pub joints: Vec<JointDescription>,
+    pub joint_elements: Vec<ElementId>,
+    /// Name of the link of every body.
+    pub link_names: Vec<String>,
+}
+
+/// Converts the bodies to links and joints. `inertias` and `extents`: inertia and extent of each body.
+pub(crate) fn build_chains(
+    bodies: &Bodies,
+    inertias: Vec<Option<Inertial>>,
+    extents: Vec<Geometry>,
+    relations: &mut JointRelations,
+) -> Chains {
+    let mut link_names = UniqueNames::default();
+    let mut joint_names = UniqueNames::default();
+    let named = bodies.bodies.iter().map(|body| body.name.as_str()).filter(|name| !name.is_empty());
+    link_names.reserve(named);
+    joint_names.reserve(bodies.joint_by_name.keys().map(String::as_str));
+    let mut builder =
+        ChainBuilder { chains: Chains::default(), link_names, joint_names, joints: HashMap::new() };
+    for (index, body) in bodies.bodies.iter().enumerate() {
+        let name = match body.name.as_str() {
+            "" => builder.link_names.take(format!("body{index}")),
+            name => name.to_owned(),
+        };
+        builder.chains.link_names.push(name);
+    }
+    builder.name_joints(bodies);
+    for (index, ((body, inertial), geometry)) in bodies.bodies.iter().zip(inertias).zip(extents).enumerate() {
+        let link = LinkDescription { name: builder.chains.link_names[index].clone(), inertial, geometry };
+        if index > 0 {
+            builder.add_joints(index, body, relations);
+        }
+        builder.add_link(link, body.element, false);
+    }
+    builder.chains
+}
+
+struct ChainBuilder {
+    chains: Chains,
+    link_names: UniqueNames,
+    joint_names: UniqueNames,
+    /// Name of every joint.
+    joints: HashMap<JointKey, String>,
+}
+
+impl ChainBuilder {
+    /// Gives every joint a name.
+    fn name_joints(&mut self, bodies: &Bodies) {
+        for (index, body) in bodies.bodies.iter().enumerate() {
+            for (position, joint) in body.joints.iter().enumerate() {
+                let name = match joint.name.as_str() {
+                    "" => self.joint_names.take(format!("{}_joint", self.chains.link_names[index])),
+                    name => name.to_owned(),
+                };
+                self.joints.insert((index, position), name);
+            }
+        }
+    }
+
+    fn add_link(&mut self, link: LinkDescription, element: ElementId, is_auxiliary: bool) {
+        self.chains.links.push(link);
+        self.chains.link_elements.push(element);
+        self.chains.is_auxiliary.push(is_auxiliary);
+    }
+
+    fn add_joint(&mut self, joint: JointDescription, element: ElementId) {
+        self.chains.joints.push(joint);
+        self.chains.joint_elements.push(element);
+    }
+
+    /// Adds the joints of a body, from the parent to the body, with massless links between them.
+    ///
+    /// The frame after joint i is parallel to the body's frame as drawn, with its origin at the anchor of the joint. A fixed joint leads
+    /// from the last anchor back to the body's origin, unless they coincide.
+    fn add_joints(&mut self, index: usize, body: &Body, relations: &mut JointRelations) {
+        let body_name = self.chains.link_names[index].clone();
+        let mut parent = self.chains.link_names[body.parent].clone();
+        let mut origin = body.pose;
+        let mut anchor = Vector3::zeros();
+        for (position, joint) in body.joints.iter().enumerate() {
+            let own_anchor = needed_anchor(joint);
+            origin = origin * Transform::from_translation(own_anchor - anchor);
+            anchor = own_anchor;
+            let joint_name = self.joints[&(index, position)].clone();
+            let is_last = position + 1 == body.joints.len() && anchor == Vector3::zeros();
+            let child = if is_last {
+                body_name.clone()
+            } else {
+                self.link_names.take(format!("{body_name}/{joint_name}"))
+            };
+            let relation = relations.get((index, position));
+            let joint_element = joint.element;
+            let described = self.describe(joint, &joint_name, relation, (&parent, &child), origin);
+            self.add_joint(described, joint_element);
+            if is_last {
+                return;
+            }
+            self.add_link(LinkDescription::massless(child.clone()), joint_element, true);
+            parent = child;
+            origin = Transform::identity();
+        }
+        let name = self.joint_names.take(format!("{body_name}_fixed"));
+        let fixed = JointDescription::new(name, JointKind::Fixed, parent, body_name);
+        self.add_joint(fixed.origin(origin * Transform::from_translation(-anchor)), body.element);
+    }
+
+    fn describe(
+        &self,
+        joint: &BodyJoint,
+        name: &str,
+        relation: Option<Relation>,
+        (parent, child): (&str, &str),
+        origin: Transform<f64>,
+    ) -> JointDescription {
+        let limits = joint.limits.map(|[lower, upper]| Limits { lower, upper });
+        let kind = match joint.kind {
+            JointType::Free => JointKind::Floating,
+            JointType::Ball => JointKind::Spherical,
+            JointType::Slide => JointKind::Prismatic,
+            JointType::Hinge if limits.is_some() => JointKind::Revolute,
+            JointType::Hinge => JointKind::Continuous,
+        };
+        let described =
+            JointDescription::new(name, kind, parent, child).origin(origin).axis(joint.axis.into());
+        if let Some(Relation::Locked(position)) = relation {
+            let motion = match joint.kind {
+                JointType::Slide => Transform::from_translation(joint.axis * position),
+                _ => Transform::new(rotation_about(&joint.axis, position), Vector3::zeros()),
+            };
+            return JointDescription { kind: JointKind::Fixed, origin: origin * motion, ..described };
+        }
+        let mimic = match relation {
+            Some(Relation::Mimic { master, multiplier, offset }) => {
+                Some(MimicDescription { joint: self.joints[&master].clone(), multiplier, offset })
+            }
+            _ => None,
+        };
+        let armature = if joint.armature == 0.0 { Vec::new() } else { vec![joint.armature] };
+        let armature = match (kind, armature[..].first()) {
+            // One value for all velocities suits only joints with one unit.
+            (JointKind::Floating, Some(value)) => vec![*value; 6],
+            _ => armature,
+        };
+        JointDescription { limits, mimic, armature, ..described }
+    }
+}
+
+/// Anchor of a joint; the origin if the place of the anchor has no effect: for slides and free joints, and for hinges whose axis passes
+/// through the origin.
+fn needed_anchor(joint: &BodyJoint) -> Vector3<f64> {
+    match joint.kind {
+        JointType::Free | JointType::Slide => Vector3::zeros(),
+        JointType::Hinge if joint.anchor.cross(&joint.axis) == Vector3::zeros() => Vector3::zeros(),
+        JointType::Ball | JointType::Hinge => joint.anchor,
+    }
+}

@@ -1,0 +1,165 @@
+//! Main file and included files of a model, joined to one tree.
+//!
+//! An `<include>` is replaced by the elements below the root of its file. MuJoCo searches the file relative to the folder of the main
+//! file, then relative to the folder of the including file, and accepts each file once.
+
+use crate::Source;
+use crate::mjcf::document::tree::{Attribute, Element, ElementId, ElementTree, FileText};
+use crate::reading::limits::{MAX_ELEMENT_DEPTH, MAX_ELEMENTS, MAX_INCLUDED_BYTES, MAX_INCLUDED_FILES};
+use crate::reading::report::{Place, Report, quoted, shortened};
+use crate::reading::xml;
+use roxmltree::Node;
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
+/// Tree of a model with one report per file.
+pub(crate) struct Files {
+    pub tree: ElementTree,
+    pub reports: Vec<Report>,
+}
+
+/// Reads the main file (`text`, named `name`) and its included files. Defects are reported; after an error the tree may be
+/// incomplete.
+pub(crate) fn read_files(name: &str, text: &str, report: Report) -> Files {
+    let folder = Path::new(name).parent().map(Path::to_owned).unwrap_or_default();
+    let mut reader = FileReader {
+        files: Files { tree: ElementTree::default(), reports: vec![report] },
+        folder,
+        included: HashSet::new(),
+        bytes: text.len() as u64,
+    };
+    reader.included.extend(std::fs::canonicalize(name).ok());
+    reader.files.tree.files.push(FileText { name: name.to_owned(), text: text.to_owned() });
+    reader.append_file(0, None, 0);
+    reader.files
+}
+
+struct FileReader {
+    files: Files,
+    /// Folder of the main file.
+    folder: PathBuf,
+    /// Canonical paths of all files.
+    included: HashSet<PathBuf>,
+    /// Total size of all files, bytes.
+    bytes: u64,
+}
+
+impl FileReader {
+    /// Parses file number `file` and appends its elements below `parent`, which is at nesting depth `depth`. The root element is
+    /// appended only for the main file.
+    fn append_file(&mut self, file: usize, parent: Option<ElementId>, depth: usize) {
+        let text = self.files.tree.files[file].text.clone();
+        let Some(document) = xml::parse(&text, &mut self.files.reports[file]) else { return };
+        let root = document.root_element();
+        match parent {
+            None => self.append_element(root, file, None, depth),
+            Some(_) => {
+                let children: Vec<_> = root.children().filter(Node::is_element).collect();
+                children.into_iter().for_each(|child| self.append_element(child, file, parent, depth));
+            }
+        }
+    }
+
+    /// Appends an element and its descendants; an `<include>` is replaced by the contents of its file.
+    fn append_element(&mut self, node: Node<'_, '_>, file: usize, parent: Option<ElementId>, depth: usize) {
+        let offset = node.range().start;
+        if depth > MAX_ELEMENT_DEPTH || self.files.tree.elements.len() >= MAX_ELEMENTS {
+            self.files.reports[file].add_once(
+                percuss_mechanism::Severity::Error,
+                "too-complex",
+                String::new(),
+                Place::Offset(offset),
+                || {
+                    format!(
+                        "with all included files, the model has more than {MAX_ELEMENTS} elements, or elements nested \
+                         deeper than {MAX_ELEMENT_DEPTH} levels"
+                    )
+                },
+            );
+            return;
+        }
+        if node.tag_name().name() == "include" && parent.is_some() {
+            self.include(node, file, parent, depth);
+            return;
+        }
+        let attribute = |a: roxmltree::Attribute<'_, '_>| Attribute {
+            name: a.name().to_owned(),
+            value: a.value().to_owned(),
+            offset: a.range().start,
+        };
+        let id = ElementId(self.files.tree.elements.len() as u32);
+        self.files.tree.elements.push(Element {
+            tag: node.tag_name().name().to_owned(),
+            attributes: node.attributes().map(attribute).collect(),
+            children: Vec::new(),
+            parent,
+            file,
+            offset,
+        });
+        if let Some(parent) = parent {
+            self.files.tree.elements[parent.0 as usize].children.push(id);
+        }
+        for child in node.children().filter(Node::is_element) {
+            self.append_element(child, file, Some(id), depth + 1);
+        }
+    }
+
+    /// Appends the contents of an included file below `parent`.
+    fn include(&mut self, node: Node<'_, '_>, file: usize, parent: Option<ElementId>, depth: usize) {
+        let place = Place::Element(node);
+        let Some(name) = node.attribute("file").filter(|name| !name.trim().is_empty()) else {
+            self.files.reports[file].error("missing-attribute", place, || {
+                "<include> has no attribute \"file\"; it names an MJCF file".to_owned()
+            });
+            return;
+        };
+        if self.files.tree.files.len() > MAX_INCLUDED_FILES {
+            self.files.reports[file]
+                .error("too-complex", place, || format!("more than {MAX_INCLUDED_FILES} included files"));
+            return;
+        }
+        let of_including = Path::new(&self.files.tree.files[file].name).parent().map(Path::to_owned);
+        let candidates = [Some(self.folder.join(name)), of_including.map(|folder| folder.join(name))];
+        let Some(path) = candidates.iter().flatten().find(|path| path.is_file()).cloned() else {
+            self.files.reports[file].error("no-such-file", Place::Attribute(node, "file"), || {
+                let tried = candidates[0].as_deref().unwrap_or(Path::new(name)).display().to_string();
+                format!(
+                    "the included file {} does not exist; it is searched in the folder of the main file ({})",
+                    quoted(name),
+                    shortened(&tried)
+                )
+            });
+            return;
+        };
+        let canonical = std::fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
+        if !self.included.insert(canonical) {
+            self.files.reports[file].error("included-twice", Place::Attribute(node, "file"), || {
+                format!(
+                    "the file {} is part of the model already; MuJoCo accepts each file once, and a circle of files has no end",
+                    quoted(name)
+                )
+            });
+            return;
+        }
+        let left = MAX_INCLUDED_BYTES.saturating_sub(self.bytes);
+        let source = match Source::read(&path.to_string_lossy(), left) {
+            Ok(source) => source,
+            Err(error) => {
+                self.files.reports[file].error("unreadable", Place::Attribute(node, "file"), || {
+                    let reason = error.diagnostics.first().map(|d| d.message.clone()).unwrap_or_default();
+                    format!("the included file {} cannot be read: {reason}", quoted(name))
+                });
+                return;
+            }
+        };
+        self.bytes += source.bytes.len() as u64;
+        let mut report = Report::default();
+        let text = source.text(&mut report).map(str::to_owned);
+        let index = self.files.tree.files.len();
+        self.files.tree.files.push(FileText { name: source.name, text: text.clone().unwrap_or_default() });
+        self.files.reports.push(report);
+        if text.is_some() {
+            self.append_file(index, parent, depth);
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Findings about the elements of a model, with their positions in the main file and in the included files.
+
+use crate::Diagnostic;
+use crate::mjcf::document::tree::{ElementId, ElementTree};
+use crate::reading::limits::{LONGEST_COMPARED_NAME, MAX_CANDIDATES};
+use crate::reading::report::{Place, Report, shortened};
+use percuss_mechanism::{Severity, near_names};
+
+/// Collected findings, bounded in number for each file.
+pub(crate) struct Findings<'t> {
+    tree: &'t ElementTree,
+    /// One report for each file of the tree.
+    reports: Vec<Report>,
+}
+
+impl<'t> Findings<'t> {
+    /// Continues the reports of the files of a tree.
+    pub fn new(tree: &'t ElementTree, reports: Vec<Report>) -> Self {
+        Self { tree, reports }
+    }
+
+    /// Adds a finding about an element.
+    pub fn add(
+        &mut self,
+        severity: Severity,
+        code: &'static str,
+        element: ElementId,
+        message: impl FnOnce() -> String,
+    ) {
+        let (file, offset) = (self.tree.element(element).file, self.tree.element(element).offset);
+        let path = self.path(element);
+        self.reports[file].add(severity, code, Place::Named(offset, &path), message);
+    }
+
+    /// Adds an error about an element.
+    pub fn error(&mut self, code: &'static str, element: ElementId, message: impl FnOnce() -> String) {
+        self.add(Severity::Error, code, element, message);
+    }
+
+    /// Adds a warning about an element.
+    pub fn warning(&mut self, code: &'static str, element: ElementId, message: impl FnOnce() -> String) {
+        self.add(Severity::Warning, code, element, message);
+    }
+
+    /// Adds a note about an element.
+    pub fn note(&mut self, code: &'static str, element: ElementId, message: impl FnOnce() -> String) {
+        self.add(Severity::Note, code, element, message);
+    }
+
+    /// Adds an error about an attribute of an element.
+    pub fn attribute_error(
+        &mut self,
+        code: &'static str,
+        element: ElementId,
+        attribute: &str,
+        message: impl FnOnce() -> String,
+    ) {
+        let (file, offset) =
+            (self.tree.element(element).file, self.tree.attribute_offset(element, attribute));
+        let path = self.path(element);
+        self.reports[file].error(code, Place::Named(offset, &path), message);
+    }
+
+    /// Adds a finding once per code and `kind`; repetitions are counted.
+    pub fn add_once(
+        &mut self,
+        severity: Severity,
+        code: &'static str,
+        kind: &str,
+        element: ElementId,
+        message: impl FnOnce() -> String,
+    ) {
+        let (file, offset) = (self.tree.element(element).file, self.tree.element(element).offset);
+        let path = self.path(element);
+        self.reports[file].add_once(severity, code, kind.to_owned(), Place::Named(offset, &path), message);
+    }
+
+    /// True if a finding is an error.
+    pub fn has_errors(&self) -> bool {
+        self.reports.iter().any(Report::has_errors)
+    }
+
+    /// Diagnostics of all files: those of the main file first.
+    pub fn finish(self) -> Vec<Diagnostic> {
+        let files = self.reports.into_iter().zip(&self.tree.files);
+        files.flat_map(|(report, file)| report.finish(&file.name, &file.text)).collect()
+    }
+
+    /// XML path of an element: `mujoco/worldbody/body[arm]/joint`.
+    fn path(&self, element: ElementId) -> String {
+        let mut steps = Vec::new();
+        let mut current = Some(element);
+        while let Some(id) = current {
+            let element = self.tree.element(id);
+            let tag = shortened(&element.tag);
+            steps.push(match self.tree.attribute(id, "name") {
+                Some(name) if element.parent.is_some() => format!("{tag}[{}]", shortened(name)),
+                _ => tag,
+            });
+            current = element.parent;
+        }
+        steps.reverse();
+        steps.join("/")
+    }
+}
+
+/// ` (did you mean "…"?)` with the most similar of the first names; empty if none is similar. The comparison is quadratic in the
+/// length of the names, so long names are left out.
+pub(crate) fn similar_name<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> String {
+    if name.len() > LONGEST_COMPARED_NAME {
+        return String::new();
+    }
+    let candidates = names.take(MAX_CANDIDATES).filter(|known| known.len() <= LONGEST_COMPARED_NAME);
+    near_names(name, candidates)
+        .first()
+        .map(|near| format!(" (did you mean \"{near}\"?)"))
+        .unwrap_or_default()
+}

@@ -1,0 +1,7 @@
+//! XML of an MJCF model: all files as one tree, the grammar of its elements, and findings with their positions.
+
+pub(crate) mod check;
+pub(crate) mod files;
+pub(crate) mod findings;
+pub(crate) mod grammar;
+pub(crate) mod tree;

@@ -1,0 +1,86 @@
+//! Elements of a model. The tree contains the elements of all included files.
+
+/// Index of an element in its [`ElementTree`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct ElementId(pub(super) u32);
+
+/// XML element with its position.
+#[derive(Debug)]
+pub(crate) struct Element {
+    pub tag: String,
+    pub attributes: Vec<Attribute>,
+    pub children: Vec<ElementId>,
+    pub parent: Option<ElementId>,
+    /// Index of the file in [`ElementTree::files`].
+    pub file: usize,
+    /// Byte offset in the file.
+    pub offset: usize,
+}
+
+/// Attribute with its position.
+#[derive(Debug)]
+pub(crate) struct Attribute {
+    pub name: String,
+    pub value: String,
+    /// Byte offset in the file of the element.
+    pub offset: usize,
+}
+
+/// File that was read.
+#[derive(Debug)]
+pub(crate) struct FileText {
+    /// Path, as the user or the `<include>` gave it.
+    pub name: String,
+    pub text: String,
+}
+
+/// All elements of a model; the first element is the root of the main file.
+#[derive(Debug, Default)]
+pub(crate) struct ElementTree {
+    pub elements: Vec<Element>,
+    /// The main file, then the included files.
+    pub files: Vec<FileText>,
+}
+
+impl ElementTree {
+    /// Root element of the main file.
+    pub fn root(&self) -> ElementId {
+        ElementId(0)
+    }
+
+    /// The element with this index.
+    pub fn element(&self, id: ElementId) -> &Element {
+        &self.elements[id.0 as usize]
+    }
+
+    /// Tag of an element.
+    pub fn tag(&self, id: ElementId) -> &str {
+        &self.element(id).tag
+    }
+
+    /// Child elements.
+    pub fn children(&self, id: ElementId) -> &[ElementId] {
+        &self.element(id).children
+    }
+
+    /// Child elements with a tag.
+    pub fn children_named<'t>(&'t self, id: ElementId, tag: &'t str) -> impl Iterator<Item = ElementId> + 't {
+        self.children(id).iter().copied().filter(move |child| self.tag(*child) == tag)
+    }
+
+    /// Children of all sections with a tag, in the order of the file: sections may occur several times.
+    pub fn in_sections<'t>(&'t self, tag: &'t str) -> impl Iterator<Item = ElementId> + 't {
+        self.children_named(self.root(), tag).flat_map(|section| self.children(section).iter().copied())
+    }
+
+    /// Value of an attribute of the element itself.
+    pub fn attribute(&self, id: ElementId, name: &str) -> Option<&str> {
+        self.element(id).attributes.iter().find(|a| a.name == name).map(|a| a.value.as_str())
+    }
+
+    /// Byte offset of an attribute; that of the element if the attribute is absent.
+    pub fn attribute_offset(&self, id: ElementId, name: &str) -> usize {
+        let element = self.element(id);
+        element.attributes.iter().find(|a| a.name == name).map_or(element.offset, |a| a.offset)
+    }
+}

@@ -1,0 +1,204 @@
+//! Construction of a mechanism from a model in MJCF.
+
+use crate::LoadError;
+use crate::mjcf::bodies::body::{Bodies, Body};
+use crate::mjcf::bodies::geom::GeomShape;
+use crate::mjcf::bodies::inertia::{body_inertias, inertia_element};
+use crate::mjcf::bodies::mesh::Meshes;
+use crate::mjcf::bodies::walk::read_bodies;
+use crate::mjcf::chain::{Chains, build_chains};
+use crate::mjcf::document::check::check_grammar;
+use crate::mjcf::document::files::{Files, read_files};
+use crate::mjcf::document::findings::Findings;
+use crate::mjcf::document::tree::{ElementId, ElementTree};
+use crate::mjcf::names::UniqueNames;
+use crate::mjcf::relations::actuator::reflected_armatures;
+use crate::mjcf::relations::equality::{BodyClosure, Constraints, EqualityReader};
+use crate::mjcf::relations::references::References;
+use crate::mjcf::relations::tendon::read_tendons;
+use crate::mjcf::values::classes::Classes;
+use crate::mjcf::values::settings::Settings;
+use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND};
+use crate::reading::report::{Report, cut};
+use crate::urdf::elements::shapes::shape::{Purpose, Shape};
+use crate::urdf::load::{LoadOptions, Loaded};
+use percuss_mechanism::{Built, ClosureDescription, Geometry, Mechanism, MechanismBuilder, Problem, Subject};
+use std::path::PathBuf;
+
+/// Reads the text of a model named `name`; `report` contains findings about its bytes.
+pub(crate) fn load_text(
+    name: &str,
+    text: &str,
+    options: &LoadOptions,
+    report: Report,
+) -> Result<Loaded, LoadError> {
+    let Files { tree, reports } = read_files(name, text, report);
+    let failed = reports.iter().any(Report::has_errors);
+    let mut findings = Findings::new(&tree, reports);
+    // After an error of a file the tree may be empty.
+    let model = if failed { None } else { read_model(&tree, options, &mut findings) };
+    let failed = findings.has_errors();
+    let diagnostics = findings.finish();
+    match model {
+        Some((mechanism, shapes, opened)) if !failed => {
+            let included = tree.files.iter().skip(1).map(|file| PathBuf::from(&file.name));
+            let files = included.chain(opened).collect();
+            Ok(Loaded { mechanism, shapes, diagnostics, files })
+        }
+        Some(_) | None => Err(LoadError { diagnostics }),
+    }
+}
+
+/// Mechanism, shapes of its links, and mesh files that were opened; `None` after an error.
+fn read_model(
+    tree: &ElementTree,
+    options: &LoadOptions,
+    findings: &mut Findings<'_>,
+) -> Option<(Mechanism, Vec<Vec<Shape>>, Vec<PathBuf>)> {
+    check_grammar(tree, findings);
+    let settings = Settings::read(tree, findings);
+    let classes = Classes::read(tree, findings);
+    let mut bodies = read_bodies(tree, &settings, &classes, findings);
+    if findings.has_errors() {
+        return None;
+    }
+    let references = References { bodies: &bodies };
+    let tendons = read_tendons(tree, &classes, &references, findings);
+    let added = reflected_armatures(tree, &classes, &bodies, &tendons, findings);
+    let reader = EqualityReader {
+        tree,
+        settings: &settings,
+        classes: &classes,
+        references: &references,
+        tendons: &tendons,
+    };
+    let Constraints { closures, joints: mut relations } = reader.read(findings);
+    if closures.len() > MAX_ELEMENTS_PER_KIND {
+        findings.error("too-complex", tree.root(), || {
+            format!("{} constraints; at most {MAX_ELEMENTS_PER_KIND} are read", closures.len())
+        });
+    }
+    for ((body, position), armature) in added {
+        bodies.bodies[body].joints[position].armature += armature;
+    }
+    let mut meshes = Meshes::read(tree, &tree.files[0].name, &settings, &classes, findings);
+    let inertias = body_inertias(&bodies.bodies, &mut meshes, &settings, findings);
+    if findings.has_errors() {
+        return None;
+    }
+    let body_shapes: Vec<Vec<Shape>> = bodies.bodies.iter().map(|body| shapes(body, &meshes)).collect();
+    let extents = bodies.bodies.iter().map(extent).collect();
+    let chains = build_chains(&bodies, inertias, extents, &mut relations);
+    let mechanism = build_mechanism(tree, &bodies, &chains, &closures, options, findings)?;
+    // Auxiliary links have no shapes.
+    let mut of_bodies = body_shapes.into_iter();
+    let of_links = chains
+        .is_auxiliary
+        .iter()
+        .map(|is_auxiliary| if *is_auxiliary { Vec::new() } else { of_bodies.next().unwrap_or_default() });
+    Some((mechanism, of_links.collect(), meshes.opened))
+}
+
+/// Builds the mechanism; findings of the builder get the positions of their elements.
+fn build_mechanism(
+    tree: &ElementTree,
+    bodies: &Bodies,
+    chains: &Chains,
+    closures: &[BodyClosure],
+    options: &LoadOptions,
+    findings: &mut Findings<'_>,
+) -> Option<Mechanism> {
+    let name = cut(tree.attribute(tree.root(), "model").unwrap_or("MuJoCo Model"), LONGEST_NAME);
+    let mut builder = MechanismBuilder::new(name).accept(options.accept);
+    builder = chains.links.iter().cloned().fold(builder, MechanismBuilder::link);
+    builder = chains.joints.iter().cloned().fold(builder, MechanismBuilder::joint);
+    let mut names = UniqueNames::default();
+    names.reserve(closures.iter().map(|closure| closure.name.as_str()).filter(|name| !name.is_empty()));
+    for closure in closures {
+        let name = match closure.name.as_str() {
+            "" => names.take(tree.tag(closure.element).to_owned()),
+            name => name.to_owned(),
+        };
+        let [(first, first_frame), (second, second_frame)] = closure.ends;
+        let (first, second) = (&chains.link_names[first], &chains.link_names[second]);
+        builder = builder.closure(ClosureDescription {
+            predecessor_frame: first_frame,
+            successor_frame: second_frame,
+            distance: closure.distance,
+            ..ClosureDescription::new(name, closure.kind, first, second)
+        });
+    }
+    let (mechanism, found) = match builder.build() {
+        Ok(Built { mechanism, mut findings }) => {
+            findings.extend(mechanism.implausible_inertias(options.accept));
+            (Some(mechanism), findings)
+        }
+        Err(error) => (None, error.findings),
+    };
+    for (subject, problem) in found {
+        let is_expected = match (&subject, &problem) {
+            // The links within a body are massless, and so is a link without geoms in MJCF.
+            (Subject::Link { index, .. }, Problem::Massless) => {
+                chains.is_auxiliary.get(*index) == Some(&true)
+            }
+            // MJCF normalises every axis.
+            (_, Problem::AxisNotUnit { .. }) => true,
+            _ => false,
+        };
+        if !is_expected {
+            let element = locate(tree, bodies, chains, closures, &subject, &problem);
+            findings.add(problem.severity(), problem.code(), element, || problem.to_string());
+        }
+    }
+    mechanism
+}
+
+/// Element of a finding of the builder.
+fn locate(
+    tree: &ElementTree,
+    bodies: &Bodies,
+    chains: &Chains,
+    closures: &[BodyClosure],
+    subject: &Subject,
+    problem: &Problem,
+) -> ElementId {
+    let of_inertia = matches!(
+        problem,
+        Problem::NegativeMass { .. }
+            | Problem::IndefiniteInertia { .. }
+            | Problem::TriangleInequality { .. }
+            | Problem::WideInertia { .. }
+            | Problem::DenseInertia { .. }
+            | Problem::InertiaWithoutMass { .. }
+    );
+    let found = match subject {
+        Subject::Link { index, name } if of_inertia => {
+            let body = bodies.body_by_name.get(name).map(|body| inertia_element(&bodies.bodies[*body]));
+            body.or_else(|| chains.link_elements.get(*index).copied())
+        }
+        Subject::Link { index, .. } => chains.link_elements.get(*index).copied(),
+        Subject::Joint { index, .. } => chains.joint_elements.get(*index).copied(),
+        Subject::Closure { index, .. } => closures.get(*index).map(|closure| closure.element),
+        Subject::Mechanism | Subject::Coupling { .. } | Subject::Contact { .. } => None,
+    };
+    found.unwrap_or_else(|| tree.root())
+}
+
+/// Shapes of a body: collision shapes first, then visual shapes.
+fn shapes(body: &Body, meshes: &Meshes<'_>) -> Vec<Shape> {
+    let of_purpose = |purpose: Purpose| {
+        let geoms = body.geoms.iter().filter(move |geom| geom.purpose == purpose);
+        geoms.filter_map(|geom| geom.shape(|name| meshes.solid(name)))
+    };
+    of_purpose(Purpose::Collision).chain(of_purpose(Purpose::Visual)).collect()
+}
+
+/// Extent of the shapes of a body; a mesh has an unknown extent and prevails.
+fn extent(body: &Body) -> Geometry {
+    let is_mesh = |shape: &GeomShape| matches!(shape, GeomShape::Mesh(_) | GeomShape::FittedToMesh);
+    if body.geoms.iter().any(|geom| is_mesh(&geom.shape)) {
+        return Geometry::Mesh;
+    }
+    let radius = body.geoms.iter().filter_map(|geom| geom.radius()).reduce(f64::max);
+    radius.map_or(Geometry::None, Geometry::Within)
+}

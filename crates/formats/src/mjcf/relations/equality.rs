@@ -1,0 +1,332 @@
+//! Equality constraints. A `connect` is a spherical closure, a `weld` a fixed one, an equality of a straight tendon a distance;
+//! equalities of joints and fixed tendons relate joint positions.
+
+use crate::mjcf::bodies::body::Bodies;
+use crate::mjcf::document::findings::{Findings, similar_name};
+use crate::mjcf::document::tree::{ElementId, ElementTree};
+use crate::mjcf::relations::joint_relations::{JointRelations, RelationDefect};
+use crate::mjcf::relations::references::{JointKey, References};
+use crate::mjcf::relations::tendon::{Tendon, TendonPath};
+use crate::mjcf::values::attributes::Attributes;
+use crate::mjcf::values::classes::{Classes, DefaultKind};
+use crate::mjcf::values::orientation::rotation_from_quat;
+use crate::mjcf::values::settings::Settings;
+use crate::reading::report::quoted;
+use percuss_mechanism::{ClosureKind, Severity};
+use percuss_spatial::{Matrix3, Transform, Vector3};
+use std::collections::HashMap;
+
+/// Body and loop frame of the predecessor and of the successor.
+type ClosureEnds = [(usize, Transform<f64>); 2];
+
+/// Closure between two bodies.
+#[derive(Clone, Debug)]
+pub(crate) struct BodyClosure {
+    pub element: ElementId,
+    /// Empty if the constraint has no name.
+    pub name: String,
+    pub kind: ClosureKind,
+    pub ends: ClosureEnds,
+    /// Length of a distance closure, m.
+    pub distance: Option<f64>,
+}
+
+/// Closures and relations of joints of a model.
+#[derive(Debug, Default)]
+pub(crate) struct Constraints {
+    pub closures: Vec<BodyClosure>,
+    pub joints: JointRelations,
+}
+
+/// Source of the constraints of a model.
+pub(crate) struct EqualityReader<'r, 't> {
+    pub tree: &'t ElementTree,
+    pub settings: &'r Settings,
+    pub classes: &'t Classes,
+    pub references: &'r References<'r>,
+    pub tendons: &'r HashMap<String, Tendon>,
+}
+
+impl EqualityReader<'_, '_> {
+    /// Reads all active constraints.
+    pub fn read(&self, findings: &mut Findings<'_>) -> Constraints {
+        let mut constraints = Constraints::default();
+        if !self.settings.equalities {
+            return constraints;
+        }
+        for element in self.tree.in_sections("equality") {
+            let attributes = Attributes::with_class(
+                self.tree,
+                element,
+                DefaultKind::Equality,
+                self.classes,
+                None,
+                findings,
+            );
+            if attributes.flag("active", findings) == Some(false) {
+                findings.add_once(Severity::Warning, "inactive-equality", "inactive", element, || {
+                    "the constraint is inactive and does not count".to_owned()
+                });
+                continue;
+            }
+            match self.tree.tag(element) {
+                "connect" => {
+                    let ends = self.connect_ends(attributes, findings);
+                    self.add_closure(attributes, ClosureKind::Spherical, ends, &mut constraints, findings);
+                }
+                "weld" => {
+                    let ends = self.weld_ends(attributes, findings);
+                    let scale = attributes.number("torquescale", findings).unwrap_or(1.0);
+                    let kind = if scale == 0.0 { ClosureKind::Spherical } else { ClosureKind::Fixed };
+                    self.add_closure(attributes, kind, ends, &mut constraints, findings);
+                }
+                "joint" => self.add_joint_equality(attributes, &mut constraints.joints, findings),
+                "tendon" => self.add_tendon_equality(attributes, &mut constraints, findings),
+                // The grammar reports other elements.
+                _ => {}
+            }
+        }
+        constraints
+    }
+
+    fn bodies(&self) -> &Bodies {
+        self.references.bodies
+    }
+
+    /// Adds a closure, unless its bodies cannot move relative to each other.
+    fn add_closure(
+        &self,
+        attributes: Attributes<'_>,
+        kind: ClosureKind,
+        ends: Option<ClosureEnds>,
+        constraints: &mut Constraints,
+        findings: &mut Findings<'_>,
+    ) {
+        let Some(ends) = ends else { return };
+        let element = attributes.element;
+        let [first, second] = ends.map(|(body, _)| self.bodies().bodies[body].moving_ancestor);
+        if first == second {
+            findings.add_once(Severity::Warning, "rigid-bodies", "closure", element, || {
+                "the two bodies cannot move relative to each other; the constraint has no effect".to_owned()
+            });
+            return;
+        }
+        let name = self.tree.attribute(element, "name").unwrap_or_default().to_owned();
+        constraints.closures.push(BodyClosure { element, name, kind, ends, distance: None });
+    }
+
+    /// Two sites with their bodies; `None` if the constraint has none, or, with an error, if one is missing.
+    fn sites(&self, attributes: Attributes<'_>, findings: &mut Findings<'_>) -> Option<Option<ClosureEnds>> {
+        let names = ["site1", "site2"].map(|name| attributes.text(name));
+        if names == [None, None] {
+            return None;
+        }
+        let mut site = |name: Option<&str>, attribute| {
+            let site =
+                self.references.site(name.unwrap_or_default(), attributes.element, attribute, findings)?;
+            Some((site.body, site.frame))
+        };
+        let sites = (site(names[0], "site1"), site(names[1], "site2"));
+        if let Some(name) =
+            ["body1", "body2", "anchor", "relpose"].into_iter().find(|n| attributes.text(n).is_some())
+        {
+            findings.attribute_error("two-notations", attributes.element, name, || {
+                format!(
+                    "{name} and sites are both given; a constraint is between two bodies or between two sites"
+                )
+            });
+        }
+        Some(match sites {
+            (Some(first), Some(second)) => Some([first, second]),
+            _ => None,
+        })
+    }
+
+    /// Bodies of a constraint; a missing second body is the world.
+    fn body_pair(&self, attributes: Attributes<'_>, findings: &mut Findings<'_>) -> Option<[usize; 2]> {
+        let element = attributes.element;
+        let Some(first) = attributes.text("body1") else {
+            findings.error("missing-attribute", element, || {
+                format!("<{}> has neither body1 nor site1 and site2", self.tree.tag(element))
+            });
+            return None;
+        };
+        let first = self.references.body(first, element, "body1", findings)?;
+        let second = match attributes.text("body2") {
+            Some(name) => self.references.body(name, element, "body2", findings)?,
+            None => 0,
+        };
+        Some([first, second])
+    }
+
+    /// Frame of the second body in the first, with all joints as drawn.
+    fn drawn_pose(&self, [first, second]: [usize; 2]) -> Transform<f64> {
+        let world_pose = |body: usize| self.bodies().bodies[body].world_pose;
+        world_pose(first).inverse() * world_pose(second)
+    }
+
+    /// Points of a `connect`: the anchor belongs to the first body; the point of the second body coincides with it as drawn.
+    fn connect_ends(&self, attributes: Attributes<'_>, findings: &mut Findings<'_>) -> Option<ClosureEnds> {
+        if let Some(sites) = self.sites(attributes, findings) {
+            return sites;
+        }
+        let bodies = self.body_pair(attributes, findings)?;
+        if attributes.text("anchor").is_none() {
+            findings.error("missing-attribute", attributes.element, || {
+                "<connect> has no attribute \"anchor\", the point in the frame of body1".to_owned()
+            });
+        }
+        let anchor = Vector3::from(attributes.numbers::<3>("anchor", findings)?);
+        let other = self.drawn_pose(bodies).inverse_point(&anchor);
+        Some([
+            (bodies[0], Transform::from_translation(anchor)),
+            (bodies[1], Transform::from_translation(other)),
+        ])
+    }
+
+    /// Frames of a `weld`: the anchor belongs to the second body. Without a relative pose, the frames coincide as drawn.
+    fn weld_ends(&self, attributes: Attributes<'_>, findings: &mut Findings<'_>) -> Option<ClosureEnds> {
+        if let Some(sites) = self.sites(attributes, findings) {
+            return sites;
+        }
+        let bodies = self.body_pair(attributes, findings)?;
+        let anchor = Vector3::from(attributes.numbers::<3>("anchor", findings).unwrap_or_default());
+        let declared = attributes.numbers::<7>("relpose", findings).and_then(|[x, y, z, quat @ ..]| {
+            // A zero quaternion, the default, stands for no relative pose.
+            Some(Transform::new(rotation_from_quat(quat)?, Vector3::new(x, y, z)))
+        });
+        let drawn = self.drawn_pose(bodies);
+        let first = declared.unwrap_or_else(|| Transform::new(drawn.rotation, drawn.point(&anchor)));
+        Some([(bodies[0], first), (bodies[1], Transform::new(Matrix3::identity(), anchor))])
+    }
+
+    /// Coefficients a₀ and a₁ of the polynomial; `None`, with an error, for a higher degree.
+    fn linear_coefficients(
+        &self,
+        attributes: Attributes<'_>,
+        findings: &mut Findings<'_>,
+    ) -> Option<[f64; 2]> {
+        // Coefficients that are not given keep their defaults.
+        let mut coefficients = [0.0, 1.0, 0.0, 0.0, 0.0];
+        if attributes.text("polycoef").is_some() {
+            let given = attributes.list("polycoef", 5, findings)?;
+            coefficients[..given.len()].copy_from_slice(&given);
+        }
+        let [constant, linear, higher @ ..] = coefficients;
+        if higher.iter().any(|coefficient| *coefficient != 0.0) {
+            findings.attribute_error("unsupported", attributes.element, "polycoef", || {
+                "a relation of degree 2 or more is not read, and the answer without it would be wrong; replace it by its tangent at \
+                 the pose of interest"
+                    .to_owned()
+            });
+            return None;
+        }
+        Some([constant, linear])
+    }
+
+    fn add_joint_equality(
+        &self,
+        attributes: Attributes<'_>,
+        relations: &mut JointRelations,
+        findings: &mut Findings<'_>,
+    ) {
+        let element = attributes.element;
+        let Some(name) = attributes.text("joint1") else {
+            findings.error("missing-attribute", element, || "<joint> has no attribute \"joint1\"".to_owned());
+            return;
+        };
+        let Some(dependent) = self.references.scalar_joint(name, element, "joint1", findings) else { return };
+        let coefficients = self.linear_coefficients(attributes, findings);
+        let driver = match attributes.text("joint2") {
+            Some(name) => {
+                let Some(joint) = self.references.scalar_joint(name, element, "joint2", findings) else {
+                    return;
+                };
+                Some(joint)
+            }
+            None => None,
+        };
+        let Some([constant, linear]) = coefficients else { return };
+        let mut terms = vec![(dependent, 1.0)];
+        terms.extend(driver.map(|joint| (joint, -linear)));
+        self.add_relation(element, &terms, constant, relations, findings);
+    }
+
+    /// Adds a relation of joint positions, with an error if a mechanism cannot express it.
+    fn add_relation(
+        &self,
+        element: ElementId,
+        terms: &[(JointKey, f64)],
+        constant: f64,
+        relations: &mut JointRelations,
+        findings: &mut Findings<'_>,
+    ) {
+        match relations.add(terms, constant) {
+            Ok(()) => {}
+            Err(RelationDefect::TooManyJoints(count)) => findings.error("unsupported", element, || {
+                format!(
+                    "a relation of {count} independent joints is not read, and the answer without it would be wrong; relations of two \
+                     joints are read"
+                )
+            }),
+            Err(RelationDefect::Contradiction) => findings.error("contradiction", element, || {
+                "earlier constraints determine these joints already, with other positions".to_owned()
+            }),
+        }
+    }
+
+    fn add_tendon_equality(
+        &self,
+        attributes: Attributes<'_>,
+        constraints: &mut Constraints,
+        findings: &mut Findings<'_>,
+    ) {
+        let element = attributes.element;
+        let mut tendon = |attribute: &'static str| {
+            let name = attributes.text(attribute)?;
+            let found = self.tendons.get(name);
+            if found.is_none() {
+                findings.attribute_error("unknown-reference", element, attribute, || {
+                    let names =
+                        self.tendons.keys().map(String::as_str).filter(|name| !name.starts_with('\u{0}'));
+                    format!("the tendon {} does not exist{}", quoted(name), similar_name(name, names))
+                });
+            }
+            Some(found)
+        };
+        let (first, second) = (tendon("tendon1"), tendon("tendon2"));
+        let Some(first) = first else {
+            findings
+                .error("missing-attribute", element, || "<tendon> has no attribute \"tendon1\"".to_owned());
+            return;
+        };
+        let (Some(first), second) = (first, second) else { return };
+        let Some([constant, linear]) = self.linear_coefficients(attributes, findings) else { return };
+        match (&first.path, second.map(|second| second.map(|tendon| &tendon.path))) {
+            (_, Some(None)) => {}
+            (TendonPath::Fixed(terms), None) => {
+                self.add_relation(element, terms, constant, &mut constraints.joints, findings);
+            }
+            (TendonPath::Fixed(terms), Some(Some(TendonPath::Fixed(others)))) => {
+                let others = others.iter().map(|(joint, coefficient)| (*joint, -linear * coefficient));
+                let terms: Vec<_> = terms.iter().copied().chain(others).collect();
+                self.add_relation(element, &terms, constant, &mut constraints.joints, findings);
+            }
+            (TendonPath::Line(sites), None) => {
+                let ends = sites.each_ref().map(|site| (site.body, site.frame));
+                let points =
+                    ends.map(|(body, frame)| self.bodies().bodies[body].world_pose.point(&frame.translation));
+                let before = constraints.closures.len();
+                self.add_closure(attributes, ClosureKind::Distance, Some(ends), constraints, findings);
+                if let Some(closure) = constraints.closures.get_mut(before) {
+                    closure.distance = Some((points[1] - points[0]).norm() + constant);
+                }
+            }
+            _ => findings.error("unsupported", element, || {
+                "of spatial tendons, only the length of a straight line between two sites is kept constant here; other equalities of \
+                 spatial tendons are not read, and the answer without them would be wrong"
+                    .to_owned()
+            }),
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Elements named by constraints and actuators.
+
+use crate::mjcf::bodies::body::{Bodies, JointType, Site};
+use crate::mjcf::document::findings::{Findings, similar_name};
+use crate::mjcf::document::tree::ElementId;
+use crate::reading::report::quoted;
+
+/// Body and position in its list of joints.
+pub(crate) type JointKey = (usize, usize);
+
+/// Search for named elements, with errors for unknown names.
+pub(crate) struct References<'b> {
+    pub bodies: &'b Bodies,
+}
+
+impl<'b> References<'b> {
+    /// Body with a name.
+    pub fn body(
+        &self,
+        name: &str,
+        element: ElementId,
+        attribute: &'static str,
+        findings: &mut Findings<'_>,
+    ) -> Option<usize> {
+        let found = self.bodies.body_by_name.get(name).copied();
+        if found.is_none() {
+            let names = self.bodies.body_by_name.keys().map(String::as_str);
+            self.report_unknown("body", name, element, attribute, names, findings);
+        }
+        found
+    }
+
+    /// Site with a name.
+    pub fn site(
+        &self,
+        name: &str,
+        element: ElementId,
+        attribute: &'static str,
+        findings: &mut Findings<'_>,
+    ) -> Option<&'b Site> {
+        let found = self.bodies.sites.get(name);
+        if found.is_none() {
+            let names = self.bodies.sites.keys().map(String::as_str);
+            self.report_unknown("site", name, element, attribute, names, findings);
+        }
+        found
+    }
+
+    /// Joint with a name.
+    pub fn joint(
+        &self,
+        name: &str,
+        element: ElementId,
+        attribute: &'static str,
+        findings: &mut Findings<'_>,
+    ) -> Option<JointKey> {
+        let found = self.bodies.joint_by_name.get(name).copied();
+        if found.is_none() {
+            let names = self.bodies.joint_by_name.keys().map(String::as_str);
+            self.report_unknown("joint", name, element, attribute, names, findings);
+        }
+        found
+    }
+
+    /// Hinge or slide with a name.
+    pub fn scalar_joint(
+        &self,
+        name: &str,
+        element: ElementId,
+        attribute: &'static str,
+        findings: &mut Findings<'_>,
+    ) -> Option<JointKey> {
+        let key = self.joint(name, element, attribute, findings)?;
+        if matches!(self.bodies.joint(key).kind, JointType::Hinge | JointType::Slide) {
+            return Some(key);
+        }
+        findings.attribute_error("joint-kind", element, attribute, || {
+            format!("the joint {} is neither a hinge nor a slide", quoted(name))
+        });
+        None
+    }
+
+    fn report_unknown<'n>(
+        &self,
+        kind: &str,
+        name: &str,
+        element: ElementId,
+        attribute: &'static str,
+        names: impl Iterator<Item = &'n str>,
+        findings: &mut Findings<'_>,
+    ) {
+        let is_replicated = self.bodies.replicated_names.contains_key(name);
+        findings.attribute_error("unknown-reference", element, attribute, || {
+            if is_replicated {
+                return format!(
+                    "the {kind} {} is in a <replicate>; elements that refer to it are not replicated: write one for each copy, \
+                     with its full name, such as {}",
+                    quoted(name),
+                    quoted(&format!("{name}0"))
+                );
+            }
+            format!("the {kind} {} does not exist{}", quoted(name), similar_name(name, names))
+        });
+    }
+}

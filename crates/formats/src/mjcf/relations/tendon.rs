@@ -1,0 +1,104 @@
+//! Tendons: linear combinations of joint positions, and lines through sites.
+
+use crate::mjcf::bodies::body::Site;
+use crate::mjcf::document::findings::Findings;
+use crate::mjcf::document::tree::{ElementId, ElementTree};
+use crate::mjcf::relations::references::{JointKey, References};
+use crate::mjcf::values::attributes::Attributes;
+use crate::mjcf::values::classes::{Classes, DefaultKind};
+use std::collections::HashMap;
+
+/// Path of a tendon.
+#[derive(Clone, Debug)]
+pub(crate) enum TendonPath {
+    /// Length Σ coefficient · q of hinges and slides.
+    Fixed(Vec<(JointKey, f64)>),
+    /// Straight line between two sites.
+    Line([Site; 2]),
+    /// Line through more sites, around geoms or over pulleys.
+    Wrapped,
+}
+
+/// Tendon.
+#[derive(Clone, Debug)]
+pub(crate) struct Tendon {
+    pub element: ElementId,
+    pub path: TendonPath,
+    /// Armature per rate of the length, kg or kg·m².
+    pub armature: f64,
+}
+
+/// Reads all tendons, by name. Unnamed tendons are kept for their armature, with a key that no reference has.
+pub(crate) fn read_tendons(
+    tree: &ElementTree,
+    classes: &Classes,
+    references: &References<'_>,
+    findings: &mut Findings<'_>,
+) -> HashMap<String, Tendon> {
+    let mut tendons = HashMap::new();
+    for (number, element) in tree.in_sections("tendon").enumerate() {
+        let attributes = Attributes::with_class(tree, element, DefaultKind::Tendon, classes, None, findings);
+        let path = match tree.tag(element) {
+            "fixed" => fixed_path(tree, element, references, findings),
+            "spatial" => spatial_path(tree, element, references, findings),
+            // The grammar reports other elements.
+            _ => continue,
+        };
+        let armature = attributes.number("armature", findings).unwrap_or(0.0);
+        let name = match tree.attribute(element, "name").unwrap_or_default() {
+            "" => format!("\u{0}{number}"),
+            name => name.to_owned(),
+        };
+        if tendons.insert(name, Tendon { element, path, armature }).is_some() {
+            findings.error("duplicate-name", element, || {
+                "the name of the tendon was given before; names must be unique".to_owned()
+            });
+        }
+    }
+    tendons
+}
+
+fn fixed_path(
+    tree: &ElementTree,
+    element: ElementId,
+    references: &References<'_>,
+    findings: &mut Findings<'_>,
+) -> TendonPath {
+    let mut terms = Vec::new();
+    for child in tree.children_named(element, "joint") {
+        let attributes = Attributes::new(tree, child);
+        let Some(coefficient) = attributes.number("coef", findings) else {
+            if attributes.text("coef").is_none() {
+                findings.error("missing-attribute", child, || {
+                    "the <joint> of a fixed tendon has no attribute \"coef\"".to_owned()
+                });
+            }
+            continue;
+        };
+        let name = attributes.text("joint").unwrap_or_default();
+        if let Some(joint) = references.scalar_joint(name, child, "joint", findings) {
+            terms.push((joint, coefficient));
+        }
+    }
+    TendonPath::Fixed(terms)
+}
+
+fn spatial_path(
+    tree: &ElementTree,
+    element: ElementId,
+    references: &References<'_>,
+    findings: &mut Findings<'_>,
+) -> TendonPath {
+    let children = tree.children(element);
+    let (&[first, second], true) = (children, children.iter().all(|child| tree.tag(*child) == "site")) else {
+        return TendonPath::Wrapped;
+    };
+    let mut site = |child| {
+        let name = tree.attribute(child, "site").unwrap_or_default();
+        references.site(name, child, "site", findings).cloned()
+    };
+    match (site(first), site(second)) {
+        (Some(first), Some(second)) => TendonPath::Line([first, second]),
+        _ => TendonPath::Wrapped,
+    }
+}

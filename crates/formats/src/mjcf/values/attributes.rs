@@ -1,0 +1,124 @@
+//! Typed values of an element's attributes, with the defaults of its class.
+
+use crate::mjcf::document::findings::{Findings, similar_name};
+use crate::mjcf::document::tree::{ElementId, ElementTree};
+use crate::mjcf::values::classes::{ClassId, Classes, DefaultKind};
+use crate::reading::report::quoted;
+use crate::urdf::elements::numbers::parse_numbers;
+
+/// Attributes of an element. A value that the element does not have itself comes from its class.
+#[derive(Clone, Copy)]
+pub(crate) struct Attributes<'t> {
+    pub tree: &'t ElementTree,
+    pub element: ElementId,
+    /// Classes, the class of the element, and its kind; `None` for an element without defaults.
+    defaults: Option<(&'t Classes, ClassId, DefaultKind)>,
+}
+
+impl<'t> Attributes<'t> {
+    /// Attributes without defaults.
+    pub fn new(tree: &'t ElementTree, element: ElementId) -> Self {
+        Self { tree, element, defaults: None }
+    }
+
+    /// Attributes with the defaults of the element's own class; else of `inherited`.
+    pub fn with_class(
+        tree: &'t ElementTree,
+        element: ElementId,
+        kind: DefaultKind,
+        classes: &'t Classes,
+        inherited: Option<ClassId>,
+        findings: &mut Findings<'_>,
+    ) -> Self {
+        let own = classes.named(tree, element, "class", findings);
+        Self { tree, element, defaults: Some((classes, own.or(inherited).unwrap_or(Classes::MAIN), kind)) }
+    }
+
+    /// Element that gives a value to one of the attributes: the element itself, or one in its class.
+    pub fn source(&self, names: &[&str]) -> Option<ElementId> {
+        if names.iter().any(|name| self.tree.attribute(self.element, name).is_some()) {
+            return Some(self.element);
+        }
+        let (classes, class, kind) = self.defaults?;
+        classes.find(self.tree, class, kind, names)
+    }
+
+    /// Text of an attribute.
+    pub fn text(&self, name: &str) -> Option<&'t str> {
+        self.tree.attribute(self.source(&[name])?, name)
+    }
+
+    /// N finite numbers; `None` if absent, or, with an error, if invalid.
+    pub fn numbers<const N: usize>(
+        &self,
+        name: &'static str,
+        findings: &mut Findings<'_>,
+    ) -> Option<[f64; N]> {
+        let source = self.source(&[name])?;
+        let text = self.tree.attribute(source, name)?;
+        match parse_numbers::<N>(text) {
+            Ok(values) => Some(values),
+            Err(defect) => {
+                findings.attribute_error("bad-number", source, name, || {
+                    format!("{name}={}: {defect}", quoted(text))
+                });
+                None
+            }
+        }
+    }
+
+    /// One finite number.
+    pub fn number(&self, name: &'static str, findings: &mut Findings<'_>) -> Option<f64> {
+        self.numbers::<1>(name, findings).map(|[value]| value)
+    }
+
+    /// From 1 to `most` finite numbers; `None` if absent, or, with an error, if invalid.
+    pub fn list(&self, name: &'static str, most: usize, findings: &mut Findings<'_>) -> Option<Vec<f64>> {
+        let source = self.source(&[name])?;
+        let text = self.tree.attribute(source, name)?;
+        let parsed: Result<Vec<f64>, String> =
+            text.split_ascii_whitespace().map(|word| parse_numbers::<1>(word).map(|[value]| value)).collect();
+        let count = |values: Vec<f64>| {
+            if (1..=most).contains(&values.len()) {
+                Ok(values)
+            } else {
+                Err(format!("got {} numbers; 1 to {most} are expected", values.len()))
+            }
+        };
+        match parsed.and_then(count) {
+            Ok(values) => Some(values),
+            Err(defect) => {
+                findings.attribute_error("bad-number", source, name, || {
+                    format!("{name}={}: {defect}", quoted(text))
+                });
+                None
+            }
+        }
+    }
+
+    /// One of the given words; `None` if absent, or, with an error, if it is another word.
+    pub fn word<T: Copy>(
+        &self,
+        name: &'static str,
+        words: &[(&'static str, T)],
+        findings: &mut Findings<'_>,
+    ) -> Option<T> {
+        let source = self.source(&[name])?;
+        let text = self.tree.attribute(source, name)?;
+        let found = words.iter().find(|(word, _)| *word == text).map(|(_, value)| *value);
+        if found.is_none() {
+            findings.attribute_error("bad-keyword", source, name, || {
+                let known = || words.iter().map(|(word, _)| *word);
+                let guess = similar_name(text, known());
+                let list = known().collect::<Vec<_>>().join(", ");
+                format!("{name}={} is unknown{guess}; it is one of {list}", quoted(text))
+            });
+        }
+        found
+    }
+
+    /// `true` or `false`.
+    pub fn flag(&self, name: &'static str, findings: &mut Findings<'_>) -> Option<bool> {
+        self.word(name, &[("true", true), ("false", false)], findings)
+    }
+}

@@ -1,0 +1,436 @@
+//! Links and joints as nested bodies.
+
+use super::error::MjcfError;
+use crate::xml_text::{append, escape_attribute, format_number, format_vector};
+use nalgebra::{Rotation3, UnitQuaternion};
+use percuss_mechanism::{Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
+use percuss_spatial::{Matrix3, Transform, Vector3, plane_basis};
+
+/// Largest depth of nested bodies: readers bound the nesting of elements.
+const MAX_DEPTH: usize = 200;
+/// Least moment of a moving body, kg·m², and least mass, kg, that MuJoCo accepts (mjMINVAL).
+const LEAST_INERTIA: f64 = 1e-15;
+/// Moment that takes the place of a smaller one, relative to the largest moment and to m·(size of the mechanism)²: a change of the
+/// kinetic energy of a few roundings.
+const RELATIVE_MOMENT: f64 = 1e-13;
+/// Moment that takes the place of a smaller one at least, kg·m².
+const RAISED_MOMENT: f64 = 2.0 * LEAST_INERTIA;
+/// Least moment of a body that is written by its inertia matrix, relative to the largest moment.
+const THIN_ROD: f64 = 1e-9;
+/// Tolerance of A + B ≥ C relative to the largest moment: MuJoCo's own rounding.
+const TRIANGLE_SLACK: f64 = 1e-12;
+
+/// Bodies of the file: links, without those massless links whose joints belong to the body of their child.
+pub(super) struct BodyTree {
+    /// Pose of every link in the world with all joints at 0.
+    pub world_poses: Vec<Transform<f64>>,
+    /// Inertia of each link; the moments of a thin rod and of a point mass are not 0.
+    pub inertials: Vec<Option<Inertial>>,
+    /// Part of the inertia of each link that its body keeps: 1, or less for a link that is split.
+    pub share: Vec<f64>,
+    /// Joints of the body of each link, from the parent to the link; `None` for a merged link.
+    chains: Vec<Option<Vec<JointId>>>,
+    /// Further lines within each body: sites, and halves of other links.
+    pub contents: Vec<String>,
+    /// Further lines within the world.
+    pub world_contents: String,
+    pub notes: Vec<String>,
+    /// True if the root link is the world.
+    root_is_world: bool,
+}
+
+impl BodyTree {
+    /// Finds the bodies.
+    ///
+    /// # Errors
+    /// [`MjcfError`] for links that MuJoCo refuses.
+    pub fn new(mechanism: &Mechanism) -> Result<Self, MjcfError> {
+        let count = mechanism.links().len();
+        let root = mechanism.root();
+        let mut world_poses = vec![Transform::identity(); count];
+        for &link in mechanism.order().iter().skip(1) {
+            if let Some(id) = mechanism.parent_joint(link) {
+                let joint = mechanism.joint(id);
+                world_poses[link.index()] = world_poses[joint.parent().index()] * *joint.origin();
+            }
+        }
+        let merged = merged_links(mechanism);
+        let is_merged = |link: LinkId| merged[link.index()];
+        let mut chains = Vec::with_capacity(count);
+        for link in mechanism.link_ids() {
+            let name = mechanism.link(link).name();
+            if name == "world" && link != root {
+                return Err(MjcfError::new(
+                    "link",
+                    name,
+                    "MuJoCo reserves this name for the ground; rename the link",
+                ));
+            }
+            if is_merged(link) {
+                chains.push(None);
+                continue;
+            }
+            let mut chain = Vec::new();
+            let mut current = link;
+            while let Some(id) = mechanism.parent_joint(current) {
+                chain.push(id);
+                current = mechanism.joint(id).parent();
+                if !is_merged(current) {
+                    break;
+                }
+            }
+            chain.reverse();
+            chains.push(Some(chain));
+        }
+        let mut tree = Self {
+            world_poses,
+            inertials: mechanism.links().iter().map(|link| link.inertial().copied()).collect(),
+            share: vec![1.0; count],
+            chains,
+            contents: vec![String::new(); count],
+            world_contents: String::new(),
+            notes: Vec::new(),
+            root_is_world: mechanism.link(root).name() == "world",
+        };
+        for link in mechanism.link_ids() {
+            let Some(chain) = &tree.chains[link.index()] else { continue };
+            if !chain.iter().any(|id| mechanism.joint(*id).kind().dofs() > 0) {
+                continue;
+            }
+            check_body(mechanism, link, chain)?;
+            if let Some(inertial) = &mut tree.inertials[link.index()]
+                && let Some(least) = raise_moments(inertial, mechanism.characteristic_length())
+            {
+                let name = mechanism.link(link).name();
+                tree.notes.push(format!(
+                    "link \"{name}\": moments below {least:.1e} kg·m² are raised to this value, since MuJoCo refuses moments of 0"
+                ));
+            }
+        }
+        Ok(tree)
+    }
+
+    /// Appends a line within the body of a link; within the world for `None`.
+    pub fn append_content(&mut self, mechanism: &Mechanism, link: Option<LinkId>, line: &str) {
+        match link.filter(|link| !(self.root_is_world && *link == mechanism.root())) {
+            Some(link) => self.contents[link.index()].push_str(line),
+            None => self.world_contents.push_str(line),
+        }
+    }
+
+    /// Writes all bodies.
+    ///
+    /// # Errors
+    /// [`MjcfError`] for joints without a form in MJCF, and for bodies nested too deep.
+    pub fn append_bodies(&self, mechanism: &Mechanism, out: &mut String) -> Result<(), MjcfError> {
+        let root = mechanism.root();
+        // Links to open, and the depth of bodies to close.
+        enum Step {
+            Open(LinkId, usize),
+            Close(usize),
+        }
+        let mut steps = Vec::new();
+        let children = |link: LinkId| self.child_bodies(mechanism, link);
+        if self.root_is_world {
+            steps.extend(children(root).into_iter().rev().map(|child| Step::Open(child, 0)));
+        } else {
+            // Floating bodies belong to the world: the root does not move.
+            let is_floating = |link: &LinkId| self.is_free(mechanism, *link);
+            let floating = children(root).into_iter().filter(is_floating);
+            steps.extend(floating.rev().map(|child| Step::Open(child, 0)).collect::<Vec<_>>());
+            steps.push(Step::Open(root, 0));
+        }
+        while let Some(step) = steps.pop() {
+            let (link, depth) = match step {
+                Step::Close(depth) => {
+                    append(out, format_args!("{}</body>\n", indent(depth)));
+                    continue;
+                }
+                Step::Open(link, depth) => (link, depth),
+            };
+            if depth > MAX_DEPTH {
+                let name = mechanism.link(link).name();
+                return Err(MjcfError::new(
+                    "link",
+                    name,
+                    format!("bodies are nested deeper than {MAX_DEPTH} levels"),
+                ));
+            }
+            self.open_body(mechanism, link, depth, out)?;
+            steps.push(Step::Close(depth));
+            let moves_with_root = |child: &LinkId| link != root || !self.is_free(mechanism, *child);
+            let below = children(link).into_iter().filter(moves_with_root);
+            steps.extend(below.rev().map(|child| Step::Open(child, depth + 1)).collect::<Vec<_>>());
+        }
+        out.push_str(&self.world_contents);
+        Ok(())
+    }
+
+    /// Bodies directly below the body of a link, through merged links.
+    fn child_bodies(&self, mechanism: &Mechanism, link: LinkId) -> Vec<LinkId> {
+        let through = |id: &JointId| {
+            let mut child = mechanism.joint(*id).child();
+            while self.chains[child.index()].is_none() {
+                let Some(below) = mechanism.child_joints(child).first() else { break };
+                child = mechanism.joint(*below).child();
+            }
+            child
+        };
+        mechanism.child_joints(link).iter().map(through).collect()
+    }
+
+    /// True for a body with a free joint of MuJoCo: a floating joint to the root.
+    fn is_free(&self, mechanism: &Mechanism, link: LinkId) -> bool {
+        let Some([id]) = self.chains[link.index()].as_deref() else { return false };
+        let joint = mechanism.joint(*id);
+        joint.kind() == JointKind::Floating && joint.parent() == mechanism.root()
+    }
+
+    /// Writes the opening tag and the contents of a body.
+    fn open_body(
+        &self,
+        mechanism: &Mechanism,
+        link: LinkId,
+        depth: usize,
+        out: &mut String,
+    ) -> Result<(), MjcfError> {
+        let chain = self.chains[link.index()].as_deref().unwrap_or_default();
+        let own = self.world_poses[link.index()];
+        let pose = match chain.first() {
+            Some(first) => self.world_poses[mechanism.joint(*first).parent().index()].inverse() * own,
+            None => Transform::identity(),
+        };
+        let lead = indent(depth);
+        let description = mechanism.link(link);
+        append(
+            out,
+            format_args!(
+                "{lead}<body name=\"{}\"{}>\n",
+                escape_attribute(description.name()),
+                pose_attributes(&pose)
+            ),
+        );
+        for &id in chain {
+            let joint = mechanism.joint(id);
+            // Frame of the joint in the body, with all joints at 0.
+            let frame = own.inverse() * self.world_poses[joint.child().index()];
+            let lines =
+                if self.is_free(mechanism, link) { free_joint(joint) } else { joint_lines(joint, &frame) };
+            for line in lines? {
+                append(out, format_args!("{lead}  {line}\n"));
+            }
+        }
+        if let Some(inertial) = &self.inertials[link.index()] {
+            append(out, format_args!("{lead}  {}\n", inertial_element(inertial, self.share[link.index()])));
+        }
+        for line in self.contents[link.index()].lines() {
+            append(out, format_args!("{lead}  {line}\n"));
+        }
+        Ok(())
+    }
+}
+
+/// True per link for links without a body of their own: massless links that move, with one child and no closure.
+fn merged_links(mechanism: &Mechanism) -> Vec<bool> {
+    let held = held_links(mechanism);
+    let mut merged = vec![false; mechanism.links().len()];
+    for &link in mechanism.order() {
+        let Some(own) = mechanism.parent_joint(link).map(|id| mechanism.joint(id)) else { continue };
+        let [below] = mechanism.child_joints(link) else { continue };
+        let is_free = [own.kind(), mechanism.joint(*below).kind()].contains(&JointKind::Floating);
+        // A link that does not move keeps its body, unless it is within a chain.
+        let moves = own.kind() != JointKind::Fixed || merged[own.parent().index()];
+        merged[link.index()] = moves && !is_free && is_massless(mechanism, link) && !held[link.index()];
+    }
+    merged
+}
+
+/// True per link for links at the ends of closures.
+fn held_links(mechanism: &Mechanism) -> Vec<bool> {
+    let mut held = vec![false; mechanism.links().len()];
+    for frame in mechanism.closures().iter().flat_map(|closure| [closure.predecessor(), closure.successor()])
+    {
+        if let Some(link) = frame.link {
+            held[link.index()] = true;
+        }
+    }
+    held
+}
+
+/// True for a link without mass and inertia.
+fn is_massless(mechanism: &Mechanism, link: LinkId) -> bool {
+    mechanism.link(link).inertial().is_none_or(|i| i.mass == 0.0 && i.about_com == Matrix3::zeros())
+}
+
+/// Refuses a body that MuJoCo refuses.
+fn check_body(mechanism: &Mechanism, link: LinkId, chain: &[JointId]) -> Result<(), MjcfError> {
+    let name = mechanism.link(link).name();
+    let kinds = || chain.iter().map(|id| mechanism.joint(*id).kind());
+    let dofs: usize = kinds().map(JointKind::dofs).sum();
+    if dofs > 6 {
+        let reason =
+            format!("MuJoCo allows 6 degrees of freedom between two bodies with mass; here are {dofs}");
+        return Err(MjcfError::new("link", name, reason));
+    }
+    let moving: Vec<JointKind> = kinds().filter(|kind| kind.dofs() > 0).collect();
+    let is_ball_before =
+        |pair: &[JointKind]| pair[0] == JointKind::Spherical && pair[1] != JointKind::Prismatic;
+    if moving.windows(2).any(is_ball_before) {
+        let reason = "MuJoCo allows no rotation after a ball joint without a mass between them";
+        return Err(MjcfError::new("link", name, reason));
+    }
+    let (mass, moments) = match mechanism.link(link).inertial() {
+        Some(inertial) => {
+            let moments = inertial.about_com.symmetric_eigenvalues();
+            (inertial.mass, [moments[0], moments[1], moments[2]])
+        }
+        None => (0.0, [0.0; 3]),
+    };
+    if mass < LEAST_INERTIA {
+        let reason = format!(
+            "MuJoCo refuses a moving body without mass ({mass} kg), and a small mass would be another mechanism; give the link a mass, or \
+             join it to another by a fixed joint"
+        );
+        return Err(MjcfError::new("link", name, reason));
+    }
+    let (sum, largest) = (moments.iter().sum::<f64>(), moments.iter().copied().fold(0.0, f64::max));
+    if sum - largest < largest * (1.0 - TRIANGLE_SLACK) {
+        let reason = format!(
+            "MuJoCo refuses moments with A + B < C, which no body has ({:.6e}, {:.6e}, {:.6e} kg·m²); correct the inertia",
+            moments[0], moments[1], moments[2]
+        );
+        return Err(MjcfError::new("link", name, reason));
+    }
+    Ok(())
+}
+
+/// Raises moments near 0 of a body with mass. Returns the new value if a moment changed. `size`: that of the mechanism, m.
+fn raise_moments(inertial: &mut Inertial, size: f64) -> Option<f64> {
+    let principal = inertial.about_com.symmetric_eigen();
+    let scale = principal.eigenvalues.max().max(inertial.mass * size * size);
+    let least = (RELATIVE_MOMENT * scale).max(RAISED_MOMENT);
+    if principal.eigenvalues.min() >= LEAST_INERTIA.max(least * 1e-2) {
+        return None;
+    }
+    for (moment, axis) in principal.eigenvalues.iter().zip(principal.eigenvectors.column_iter()) {
+        if *moment < least {
+            inertial.about_com += axis * axis.transpose() * (least - moment);
+        }
+    }
+    Some(least)
+}
+
+/// `<inertial>` with a share of the mass and inertia. A thin rod is written by its principal moments: MuJoCo's own decomposition may give a
+/// negative one.
+pub(super) fn inertial_element(inertial: &Inertial, share: f64) -> String {
+    let i = inertial.about_com * share;
+    let head = format!(
+        "<inertial pos=\"{}\" mass=\"{}\"",
+        format_vector(&inertial.com),
+        format_number(inertial.mass * share)
+    );
+    let principal = i.symmetric_eigen();
+    if principal.eigenvalues.min() > THIN_ROD * principal.eigenvalues.max() {
+        let moments = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|at| format_number(i[at]));
+        return format!("{head} fullinertia=\"{}\"/>", moments.join(" "));
+    }
+    let mut axes = principal.eigenvectors;
+    if axes.determinant() < 0.0 {
+        axes.column_mut(0).neg_mut();
+    }
+    let rotation = pose_attributes(&Transform::new(axes, Vector3::zeros()));
+    format!("{head}{rotation} diaginertia=\"{}\"/>", format_vector(&principal.eigenvalues))
+}
+
+/// Attributes `pos` and `quat`; none for the identity.
+pub(super) fn pose_attributes(pose: &Transform<f64>) -> String {
+    let mut text = String::new();
+    if pose.translation != Vector3::zeros() {
+        append(&mut text, format_args!(" pos=\"{}\"", format_vector(&pose.translation)));
+    }
+    if pose.rotation != Matrix3::identity() {
+        let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(pose.rotation));
+        let parts = [q.w, q.i, q.j, q.k].map(format_number);
+        append(&mut text, format_args!(" quat=\"{}\"", parts.join(" ")));
+    }
+    text
+}
+
+fn indent(depth: usize) -> String {
+    "  ".repeat(depth + 2)
+}
+
+/// Free joint of MuJoCo.
+fn free_joint(joint: &Joint) -> Result<Vec<String>, MjcfError> {
+    let name = escape_attribute(joint.name());
+    let armature = joint.armature();
+    if armature.iter().all(|value| *value == 0.0) {
+        return Ok(vec![format!("<freejoint name=\"{name}\"/>")]);
+    }
+    let armature = common_armature(joint, 0..armature.len())?;
+    Ok(vec![format!("<joint name=\"{name}\" type=\"free\"{armature}/>")])
+}
+
+/// Joints of MuJoCo for a joint whose frame in the body is given.
+fn joint_lines(joint: &Joint, frame: &Transform<f64>) -> Result<Vec<String>, MjcfError> {
+    let name = escape_attribute(joint.name());
+    let anchor = match frame.translation {
+        at if at == Vector3::zeros() => String::new(),
+        at => format!(" pos=\"{}\"", format_vector(&at)),
+    };
+    let line = |name: &str, kind: &str, axis: &Vector3<f64>, rest: &str| {
+        let axis = format_vector(&frame.vector(axis));
+        format!("<joint name=\"{name}\" type=\"{kind}\"{anchor} axis=\"{axis}\"{rest}/>")
+    };
+    let single = |index: usize| common_armature(joint, index..index + 1);
+    let limits =
+        joint.limits().filter(|limits| limits.lower < limits.upper).map_or(String::new(), |limits| {
+            format!(" range=\"{} {}\"", format_number(limits.lower), format_number(limits.upper))
+        });
+    Ok(match joint.kind() {
+        JointKind::Fixed => Vec::new(),
+        JointKind::Revolute | JointKind::Continuous => {
+            vec![line(&name, "hinge", joint.axis(), &format!("{}{limits}", single(0)?))]
+        }
+        JointKind::Prismatic => vec![line(&name, "slide", joint.axis(), &format!("{}{limits}", single(0)?))],
+        JointKind::Planar => {
+            let (e1, e2) = plane_basis(joint.axis());
+            vec![
+                line(&format!("{name}/x"), "slide", &e1, &single(0)?),
+                line(&format!("{name}/y"), "slide", &e2, &single(1)?),
+                line(&format!("{name}/angle"), "hinge", joint.axis(), &single(2)?),
+            ]
+        }
+        JointKind::Spherical => {
+            let armature = common_armature(joint, 0..3)?;
+            vec![format!("<joint name=\"{name}\" type=\"ball\"{anchor}{armature}/>")]
+        }
+        JointKind::Floating => {
+            // Isotropic armatures do not depend on the axes of the slides.
+            let (angular, linear) = (common_armature(joint, 0..3)?, common_armature(joint, 3..6)?);
+            let slides = [("x", Vector3::x()), ("y", Vector3::y()), ("z", Vector3::z())];
+            let mut lines: Vec<String> = slides
+                .iter()
+                .map(|(axis, along)| line(&format!("{name}/{axis}"), "slide", along, &linear))
+                .collect();
+            lines.push(format!("<joint name=\"{name}/ball\" type=\"ball\"{anchor}{angular}/>"));
+            lines
+        }
+    })
+}
+
+/// Attribute `armature` of velocities that have one value in MuJoCo.
+fn common_armature(joint: &Joint, velocities: std::ops::Range<usize>) -> Result<String, MjcfError> {
+    let Some(values) = joint.armature().get(velocities) else { return Ok(String::new()) };
+    match values {
+        [] => Ok(String::new()),
+        [first, rest @ ..] if rest.iter().all(|value| value == first) => {
+            Ok(if *first == 0.0 { String::new() } else { format!(" armature=\"{}\"", format_number(*first)) })
+        }
+        _ => Err(MjcfError::new(
+            "joint",
+            joint.name(),
+            "its armatures differ, and MuJoCo has one value for a ball or free joint; give them the same value",
+        )),
+    }
+}

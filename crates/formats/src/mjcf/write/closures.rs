@@ -1,0 +1,255 @@
+//! Loop closures as equality constraints.
+
+use super::body_tree::{BodyTree, inertial_element, pose_attributes};
+use super::error::MjcfError;
+use crate::xml_text::{append, escape_attribute, format_number, format_vector};
+use percuss_mechanism::{Closure, ClosureKind, LinkId, LoopFrame, Mechanism};
+use percuss_spatial::{Transform, Vector3, plane_basis};
+
+/// Largest error of the drawing at a closure that is written as joints to a second half: rotation, rad, and the same relative to the
+/// size of the mechanism.
+const DRAWING_TOLERANCE: f64 = 1e-9;
+
+/// Lines of the sections of constraints.
+#[derive(Debug, Default)]
+pub(super) struct Sections {
+    pub tendons: String,
+    pub equalities: String,
+}
+
+/// Writes all closures; sites and halves of links are added to the bodies.
+pub(super) fn write_closures(mechanism: &Mechanism, tree: &mut BodyTree) -> Result<Sections, MjcfError> {
+    let mut sections = Sections::default();
+    // Links are split first, since every half takes a part of the inertia.
+    let mut halves = vec![0usize; mechanism.links().len()];
+    for closure in mechanism.closures().iter().filter(|closure| needs_half(closure.kind())) {
+        halves[split_end(mechanism, closure)?.0.index()] += 1;
+    }
+    for (share, count) in tree.share.iter_mut().zip(&halves) {
+        *share = 1.0 / (1 + count) as f64;
+    }
+    for closure in mechanism.closures() {
+        let name = escape_attribute(closure.name());
+        match closure.kind() {
+            ClosureKind::Fixed => {
+                add_sites(mechanism, tree, closure, &name, &Vector3::zeros());
+                append(
+                    &mut sections.equalities,
+                    format_args!("    <weld name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n"),
+                );
+            }
+            ClosureKind::Spherical => {
+                add_connect(mechanism, tree, closure, &name, &Vector3::zeros(), &mut sections)
+            }
+            ClosureKind::Revolute => {
+                add_connect(mechanism, tree, closure, &name, &Vector3::zeros(), &mut sections);
+                let along = closure.axis() * mechanism.characteristic_length();
+                add_connect(mechanism, tree, closure, &format!("{name}/axis"), &along, &mut sections);
+            }
+            ClosureKind::Distance => add_rod(mechanism, tree, closure, &name, &mut sections),
+            ClosureKind::Prismatic
+            | ClosureKind::Cylindrical
+            | ClosureKind::Planar
+            | ClosureKind::Universal => {
+                add_half(mechanism, tree, closure, &name, &mut sections)?;
+            }
+        }
+    }
+    Ok(sections)
+}
+
+fn needs_half(kind: ClosureKind) -> bool {
+    match kind {
+        ClosureKind::Prismatic | ClosureKind::Cylindrical | ClosureKind::Planar | ClosureKind::Universal => {
+            true
+        }
+        ClosureKind::Fixed | ClosureKind::Revolute | ClosureKind::Spherical | ClosureKind::Distance => false,
+    }
+}
+
+/// Adds the sites `NAME/1` and `NAME/2` of a closure, shifted by `along` in the loop frames.
+fn add_sites(
+    mechanism: &Mechanism,
+    tree: &mut BodyTree,
+    closure: &Closure,
+    name: &str,
+    along: &Vector3<f64>,
+) {
+    for (number, LoopFrame { link, frame }) in [(1, closure.predecessor()), (2, closure.successor())] {
+        let shifted = *frame * Transform::from_translation(*along);
+        let line = format!("<site name=\"{name}/{number}\"{}/>\n", pose_attributes(&shifted));
+        tree.append_content(mechanism, *link, &line);
+    }
+}
+
+fn add_connect(
+    mechanism: &Mechanism,
+    tree: &mut BodyTree,
+    closure: &Closure,
+    name: &str,
+    along: &Vector3<f64>,
+    sections: &mut Sections,
+) {
+    add_sites(mechanism, tree, closure, name, along);
+    append(
+        &mut sections.equalities,
+        format_args!("    <connect name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n"),
+    );
+}
+
+/// Rod: the length of a tendon between two sites is kept. The constraint counts from the length as drawn.
+fn add_rod(
+    mechanism: &Mechanism,
+    tree: &mut BodyTree,
+    closure: &Closure,
+    name: &str,
+    sections: &mut Sections,
+) {
+    add_sites(mechanism, tree, closure, name, &Vector3::zeros());
+    let [first, second] =
+        [closure.predecessor(), closure.successor()].map(|end| world_frame(tree, end).translation);
+    let drawn = (second - first).norm();
+    let excess = closure.distance().map_or(0.0, |distance| distance - drawn);
+    append(
+        &mut sections.tendons,
+        format_args!(
+            "    <spatial name=\"{name}\">\n      <site site=\"{name}/1\"/>\n      <site site=\"{name}/2\"/>\n    </spatial>\n"
+        ),
+    );
+    append(
+        &mut sections.equalities,
+        format_args!(
+            "    <tendon name=\"{name}\" tendon1=\"{name}\" polycoef=\"{} 1 0 0 0\"/>\n",
+            format_number(excess)
+        ),
+    );
+}
+
+/// Loop frame in the world with all joints at 0.
+fn world_frame(tree: &BodyTree, end: &LoopFrame) -> Transform<f64> {
+    let link = end.link.map_or_else(Transform::identity, |link| tree.world_poses[link.index()]);
+    link * end.frame
+}
+
+/// Link that is split for a closure, its loop frame, and the other end; true if the link is the successor.
+fn split_end<'c>(
+    mechanism: &Mechanism,
+    closure: &'c Closure,
+) -> Result<(LinkId, &'c LoopFrame, &'c LoopFrame, bool), MjcfError> {
+    let has_mass = |end: &LoopFrame| {
+        end.link.filter(|link| {
+            *link != mechanism.root() && mechanism.link(*link).inertial().is_some_and(|i| i.mass > 0.0)
+        })
+    };
+    let (predecessor, successor) = (closure.predecessor(), closure.successor());
+    if let Some(link) = has_mass(successor) {
+        Ok((link, successor, predecessor, true))
+    } else if let Some(link) = has_mass(predecessor) {
+        Ok((link, predecessor, successor, false))
+    } else {
+        Err(MjcfError::new(
+            "loop",
+            closure.name(),
+            format!(
+                "a {} loop is written as joints to a second half of one of its links, and neither link has a mass; use spherical, \
+                 revolute, fixed or distance loops",
+                closure.kind().name()
+            ),
+        ))
+    }
+}
+
+/// Second half of a link, jointed to the other link of the closure and welded to the first half.
+fn add_half(
+    mechanism: &Mechanism,
+    tree: &mut BodyTree,
+    closure: &Closure,
+    name: &str,
+    sections: &mut Sections,
+) -> Result<(), MjcfError> {
+    let (link, own, base, is_successor) = split_end(mechanism, closure)?;
+    let (x_wb, x_wo) = (world_frame(tree, base), world_frame(tree, own));
+    // The split link's loop frame in the loop frame of the other link, as drawn.
+    let drawn = x_wb.inverse() * x_wo;
+    check_drawing(mechanism, closure, &drawn, is_successor)?;
+    let axis = closure.axis();
+    let (e1, e2) = plane_basis(axis);
+    // Joints from the other link to the half; axes in the loop frame of the half as drawn.
+    let in_half = |axis: &Vector3<f64>| drawn.inverse_vector(axis);
+    let joints: Vec<(&str, &str, Vector3<f64>)> = match closure.kind() {
+        ClosureKind::Prismatic => vec![("slide", "slide", *axis)],
+        ClosureKind::Cylindrical => vec![("slide", "slide", *axis), ("angle", "hinge", *axis)],
+        ClosureKind::Planar => vec![("x", "slide", e1), ("y", "slide", e2), ("angle", "hinge", *axis)],
+        // The pin of the other link comes first.
+        _ if is_successor => vec![("1", "hinge", in_half(axis)), ("2", "hinge", *closure.axis2())],
+        _ => vec![("1", "hinge", in_half(closure.axis2())), ("2", "hinge", *axis)],
+    };
+    let mut lines = String::new();
+    // The frame of the half is the loop frame of the split link.
+    let pose = base.frame * drawn;
+    append(&mut lines, format_args!("<body name=\"{name}/half\"{}>\n", pose_attributes(&pose)));
+    for (suffix, kind, axis) in joints {
+        append(
+            &mut lines,
+            format_args!(
+                "  <joint name=\"{name}/{suffix}\" type=\"{kind}\" axis=\"{}\"/>\n",
+                format_vector(&axis)
+            ),
+        );
+    }
+    if let Some(mut inertial) = tree.inertials[link.index()] {
+        inertial.com = own.frame.inverse_point(&inertial.com);
+        let rotation = own.frame.rotation;
+        let turned = rotation.transpose() * inertial.about_com * rotation;
+        inertial.about_com = turned * 0.5 + turned.transpose() * 0.5;
+        append(&mut lines, format_args!("  {}\n", inertial_element(&inertial, tree.share[link.index()])));
+    }
+    append(&mut lines, format_args!("  <site name=\"{name}/1\"/>\n</body>\n"));
+    tree.append_content(mechanism, base.link, &lines);
+    let site = format!("<site name=\"{name}/2\"{}/>\n", pose_attributes(&own.frame));
+    tree.append_content(mechanism, Some(link), &site);
+    append(
+        &mut sections.equalities,
+        format_args!("    <weld name=\"{name}\" site1=\"{name}/1\" site2=\"{name}/2\"/>\n"),
+    );
+    let split = mechanism.link(link).name();
+    tree.notes.push(format!(
+        "loop \"{}\": a part of the mass and inertia of link \"{split}\" is in the body \"{}/half\"",
+        closure.name(),
+        closure.name()
+    ));
+    Ok(())
+}
+
+/// Refuses a closure that is open as drawn: the joints of the half would keep the error.
+fn check_drawing(
+    mechanism: &Mechanism,
+    closure: &Closure,
+    drawn: &Transform<f64>,
+    is_successor: bool,
+) -> Result<(), MjcfError> {
+    // Frame of the successor in the predecessor.
+    let drawn = if is_successor { *drawn } else { drawn.inverse() };
+    let axis = closure.axis();
+    let p = drawn.translation / mechanism.characteristic_length();
+    let turned = (drawn.vector(axis) - axis).norm();
+    let across = p.cross(axis).norm();
+    let error = match closure.kind() {
+        ClosureKind::Prismatic => across.max((drawn.rotation - nalgebra::Matrix3::identity()).amax()),
+        ClosureKind::Cylindrical => across.max(turned),
+        ClosureKind::Planar => p.dot(axis).abs().max(turned),
+        _ => p.norm().max(axis.dot(&drawn.vector(closure.axis2())).abs()),
+    };
+    if error <= DRAWING_TOLERANCE {
+        return Ok(());
+    }
+    Err(MjcfError::new(
+        "loop",
+        closure.name(),
+        format!(
+            "the loop is open by {error:.1e} with all joints at 0 (rad, or relative to the size of the mechanism), and MJCF places the \
+             joints of a {} loop as drawn; correct the drawing",
+            closure.kind().name()
+        ),
+    ))
+}

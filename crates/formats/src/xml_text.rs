@@ -1,0 +1,55 @@
+//! Numbers, names and comments as text of XML files.
+
+use crate::reading::limits::DECIMAL_NOTATION_RANGE;
+use percuss_spatial::Vector3;
+use std::fmt::Write;
+
+/// Appends formatted text.
+pub(crate) fn append(out: &mut String, text: std::fmt::Arguments<'_>) {
+    // Writing to a string cannot fail.
+    let _ = out.write_fmt(text);
+}
+
+/// Three numbers with spaces between.
+pub(crate) fn format_vector(v: &Vector3<f64>) -> String {
+    format!("{} {} {}", format_number(v.x), format_number(v.y), format_number(v.z))
+}
+
+/// Shortest decimal that reads back as the same bits; in exponent notation for very small and very large numbers.
+pub(crate) fn format_number(x: f64) -> String {
+    let size = x.abs();
+    if x == 0.0 || DECIMAL_NOTATION_RANGE.contains(&size) { format!("{x}") } else { format!("{x:e}") }
+}
+
+/// Escapes text for an attribute in double quotes. Characters forbidden in XML 1.0 become U+FFFD.
+pub(crate) fn escape_attribute(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\t' => out.push_str("&#9;"),
+            '\n' => out.push_str("&#10;"),
+            '\r' => out.push_str("&#13;"),
+            '\u{0}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => out.push('\u{fffd}'),
+            other => out.push(other),
+        }
+    }
+    out
+}
+
+/// Text for an XML comment: on one line and without `--`.
+pub(crate) fn escape_comment(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.trim().chars() {
+        match c {
+            '-' if out.ends_with('-') => out.push_str(" -"),
+            '\u{fffe}' | '\u{ffff}' => out.push('\u{fffd}'),
+            c if c.is_control() => out.push(' '),
+            other => out.push(other),
+        }
+    }
+    out
+}
