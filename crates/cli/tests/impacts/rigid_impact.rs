@@ -290,7 +290,8 @@ fn extremes_of_an_arm() {
         ));
         let (a, b) = (found["effective_mass"].as_f64().expect("a mass"), mass["effective_mass"].as_f64());
         assert!((a / b.expect("a mass") - 1.0).abs() < 1e-9, "{key}: {found}");
-        assert!(found["residual"].as_f64().expect("a residual") < 1e-6, "{found}");
+        // The search compares masses: positions are accurate to the square root of rounding, times the curvature.
+        assert!(found["residual"].as_f64().expect("a residual") < 1e-5, "{found}");
         assert!(found["agreeing"].as_u64().expect("a number") > 1, "{found}");
     }
     let text = percuss(command).stdout;

@@ -62,7 +62,7 @@ fn text(report: &ImpactReport) -> String {
     out += &format!("\n{}{}", reaction_table(report), wrap_lines(&legend(report)));
     out += &drive_table(report).map_or_else(String::new, |table| format!("\n{table}"));
     let friction = if report.friction.is_some() { "" } else { "friction, " };
-    let several = if report.simultaneous.is_some() { "" } else { ", several impacts at once (--also)" };
+    let several = if report.simultaneous.is_some() { "" } else { ", several impacts at once" };
     out += &format!("\nNot included: {friction}compliance of the links{several}.\n");
     out += "Gravity, springs and dampers have no effect during an instantaneous impact.\n\
             See docs/howto/IMPACT.md.\n";
