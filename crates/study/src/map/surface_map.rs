@@ -29,7 +29,7 @@ const CONTACTS_PER_TASK: usize = 1 << 14;
 /// Reason for a link without a map.
 enum LinkMapError {
     /// Fault of the link; the link can be omitted.
-    NoSurface(Fault),
+    NoSurface(Box<Fault>),
     /// Error of the question.
     Question(StudyError),
 }
@@ -74,7 +74,7 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
             Err(LinkMapError::NoSurface(fault)) if question.links == MapLinks::All => {
                 left_out.push(OmittedLink { link: name.to_owned(), reason: fault.to_string() });
             }
-            Err(LinkMapError::NoSurface(fault)) => return Err(StudyError::input(Field::Link, fault)),
+            Err(LinkMapError::NoSurface(fault)) => return Err(StudyError::input(Field::Link, *fault)),
             Err(LinkMapError::Question(error)) => return Err(error),
         }
     }
@@ -145,14 +145,15 @@ impl MapContext<'_> {
     fn map_link(&self, link: LinkId, facets_left: usize) -> Result<(LinkMap, SkinFacets), LinkMapError> {
         let (question, prepared) = (self.question, self.prepared);
         let name = self.model.mechanism.link(link).name();
-        let no_shape = || LinkMapError::NoSurface(Fault::NoShape { link: name.to_owned() });
+        let no_shape = || LinkMapError::NoSurface(Box::new(Fault::NoShape { link: name.to_owned() }));
         if prepared.other_link() == Some(link) {
-            return Err(LinkMapError::NoSurface(Fault::OtherSide { link: name.to_owned() }));
+            return Err(LinkMapError::NoSurface(Box::new(Fault::OtherSide { link: name.to_owned() })));
         }
         let shapes = self.model.shapes.get(link.index()).ok_or_else(no_shape)?;
         let (purpose, shapes) = select_shapes(shapes, question.shapes);
-        let surface = Surface::read(shapes, &self.folders, question.max_mesh_size)
-            .map_err(|source| LinkMapError::NoSurface(Fault::Mesh { link: name.to_owned(), source }))?;
+        let surface = Surface::read(shapes, &self.folders, question.max_mesh_size).map_err(|source| {
+            LinkMapError::NoSurface(Box::new(Fault::Mesh { link: name.to_owned(), source }))
+        })?;
         for file in surface.files() {
             let mut meshes = self.meshes.borrow_mut();
             let input = Input::from_file(file).filter(|input| !meshes.contains(input));

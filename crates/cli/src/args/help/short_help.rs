@@ -8,7 +8,7 @@ use clap::{Arg, Command};
 const COLUMN: usize = 30;
 
 /// Explained flags of each command. Other flags are only listed.
-const EXPLAINED: [(&str, &[&str]); 18] = [
+const EXPLAINED: [(&str, &[&str]); 19] = [
     ("percuss", &[]),
     ("check", &["format", "strict"]),
     (

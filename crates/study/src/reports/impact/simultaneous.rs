@@ -125,7 +125,7 @@ pub(crate) fn simultaneous(
     }
     let EvaluatedQuestion { prepared, pose, result, .. } = evaluated;
     let refuse = |error: ImpactError| several_error(error, question);
-    let mut located = vec![result.response.contact.clone()];
+    let mut located = vec![result.response.contact];
     let mut masses = vec![result.response.effective_mass.kilograms()];
     let mut names = vec![prepared.question.at.clone().unwrap_or_else(|| prepared.question.link.clone())];
     let mut gaps = vec![None];
@@ -158,7 +158,7 @@ pub(crate) fn simultaneous(
             let found = simultaneous_impact(&delassus, &speeds, &restitution, law, &stiffness);
             laws.push(match found {
                 Ok(found) => {
-                    let own = |row: usize| if row % 3 == 0 { found.solution[row / 3] } else { 0.0 };
+                    let own = |row: usize| if row.is_multiple_of(3) { found.solution[row / 3] } else { 0.0 };
                     let impulses = DVector::from_fn(3 * k, |row, _| own(row));
                     let change = delassus.rate_change(pose, &impulses);
                     SimultaneousLawRecord {
