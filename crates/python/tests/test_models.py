@@ -138,7 +138,7 @@ def test_what_a_model_tells(path: Path) -> None:
 
 
 def test_models_are_read_and_written_as_mjcf() -> None:
-    model = percuss.load(MODELS / "four_bar.urdf")
+    model = percuss.load(ROOT / "models/four_bar.urdf")
     again = percuss.loads(model.to_mjcf(), name="four_bar.xml")
     assert again.total_mass == pytest.approx(model.total_mass)
     contact = percuss.Contact("coupler", [0.35, 0.1, 0.0], normal=[0.0, 1.0, 0.0])

@@ -46,7 +46,7 @@ def test_systems_and_assemblies(again: Callable[[Any], Any]) -> None:
     assert again(system).pose(q, base_pose=base).respond(contact).effective_mass == pytest.approx(expected, rel=1e-12)
     pose = again(system.pose(q, base_pose=base))
     assert again(pose.respond(contact, route="dense")).effective_mass == pytest.approx(expected, rel=1e-12)
-    assembly = again(percuss.load(ROOT / "models/four_bar.urdf").assemble({"coupler_hinge": 0.3}))
+    assembly = again(percuss.load(ROOT / "models/four_bar.urdf").assemble({"crank_pin": 0.3}))
     assert assembly.degrees_of_freedom == 1
     assert again(assembly.pose()).positions == pytest.approx(assembly.pose().positions, abs=1e-12)
 
