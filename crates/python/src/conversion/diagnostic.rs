@@ -1,8 +1,8 @@
 //! Findings of the reader and of the solver as Python objects.
 
-use crate::conversion::errors::input;
 use percuss::Severity;
 use percuss::study::DiagnosticRecord;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
@@ -20,7 +20,7 @@ pub fn diagnostic_of_parts(
 ) -> PyResult<Diagnostic> {
     let severities = [Severity::Error, Severity::Warning, Severity::Note];
     let found = severities.into_iter().find(|known| known.name() == severity);
-    let severity = found.ok_or_else(|| input(format_args!("severity is \"{severity}\"")))?;
+    let severity = found.ok_or_else(|| PyValueError::new_err(format!("severity is \"{severity}\"")))?;
     let (path, line, column, element) = place;
     Ok(Diagnostic(DiagnosticRecord { severity, code: shared(code), path, line, column, element, message }))
 }
