@@ -61,7 +61,8 @@ check() {
   local name=$1
   shift
   names+=("$name")
-  while [ "$(jobs -pr | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
+  # Polled: `wait -n` would miss a check that ends just before it.
+  while [ "$(jobs -pr | wc -l)" -ge "$(nproc)" ]; do sleep 0.5; done
   {
     local start=$SECONDS code=0
     "$@" > "$output/$name" 2>&1 || code=$?
