@@ -130,6 +130,24 @@ pub fn configuration(
     Ok(found)
 }
 
+/// Configuration of a pose, with its base pose and the permission of another assembly mode.
+pub fn pose_configuration(
+    mechanism: &Arc<Mechanism>,
+    q: Option<&Bound<'_, PyAny>>,
+    guess: Option<&Bound<'_, PyDict>>,
+    base_pose: Option<&Bound<'_, PyAny>>,
+    other_assembly: bool,
+) -> PyResult<Configuration> {
+    let mut given = configuration(mechanism, q, guess)?;
+    if let Some(frame) = base_pose {
+        given.set_base(root_frame(frame)?);
+    }
+    if other_assembly {
+        given.allow_other_assembly();
+    }
+    Ok(given)
+}
+
 /// Pose of the root link in the world: 7 numbers, x, y, z (m), w, x, y, z (a unit quaternion).
 pub fn root_frame(given: &Bound<'_, PyAny>) -> PyResult<Transform<f64>> {
     let values = list(given, "base_pose")?;

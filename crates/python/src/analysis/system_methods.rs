@@ -5,8 +5,8 @@ use crate::analysis::model::Model;
 use crate::analysis::pose::Pose;
 use crate::analysis::response::status;
 use crate::analysis::system::{
-    Assembly, GivenConditions, System, base_name, by_name, configuration, numbers, position_names,
-    root_frame, seven_numbers,
+    Assembly, GivenConditions, System, base_name, by_name, configuration, numbers, pose_configuration,
+    position_names, root_frame, seven_numbers,
 };
 use crate::conversion::arrays::Numbers;
 use crate::conversion::diagnostic::Diagnostic;
@@ -77,13 +77,7 @@ impl System {
         base_pose: Option<&Bound<'_, PyAny>>,
         other_assembly: bool,
     ) -> PyResult<Pose> {
-        let mut given = configuration(&self.model.read.mechanism, q, guess)?;
-        if let Some(frame) = base_pose {
-            given.set_base(root_frame(frame)?);
-        }
-        if other_assembly {
-            given.allow_other_assembly();
-        }
+        let given = pose_configuration(&self.model.read.mechanism, q, guess, base_pose, other_assembly)?;
         let pose = py.detach(|| self.system.pose(&given)).map_err(errors::assembly)?;
         Ok(Pose { model: self.model.clone(), system: self.clone(), guess: Arc::default(), pose })
     }
@@ -199,13 +193,7 @@ impl Assembly {
         base_pose: Option<&Bound<'_, PyAny>>,
         other_assembly: bool,
     ) -> PyResult<Pose> {
-        let mut given = configuration(&self.model.read.mechanism, q, guess)?;
-        if let Some(frame) = base_pose {
-            given.set_base(root_frame(frame)?);
-        }
-        if other_assembly {
-            given.allow_other_assembly();
-        }
+        let given = pose_configuration(&self.model.read.mechanism, q, guess, base_pose, other_assembly)?;
         let pose = py.detach(|| self.assembly.pose(&given)).map_err(errors::assembly)?;
         let (system, guess) = (self.system.clone(), Arc::clone(&self.guess));
         Ok(Pose { model: self.model.clone(), system, guess, pose })

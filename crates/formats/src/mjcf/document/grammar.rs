@@ -353,7 +353,28 @@ const SITE: &[(&str, Treatment)] = &[
 
 const CLASS_OF_TENDONS: &[(&str, Treatment)] = &[("armature", Read), ("limited", Silent), ("range", Silent)];
 
-const IN_CLASS: &[ElementRule] = &[
+/// Rules, and those of the twelve kinds of actuators, which `<default>` and `<actuator>` share.
+macro_rules! with_actuators {
+    ($($rule:expr),* $(,)?) => {
+        &[
+            $($rule,)*
+            open_element("general", ACTUATOR, NO_CHILDREN),
+            open_element("motor", ACTUATOR, NO_CHILDREN),
+            open_element("position", ACTUATOR, NO_CHILDREN),
+            open_element("velocity", ACTUATOR, NO_CHILDREN),
+            open_element("intvelocity", ACTUATOR, NO_CHILDREN),
+            open_element("orientation", ACTUATOR, NO_CHILDREN),
+            open_element("pid", ACTUATOR, NO_CHILDREN),
+            open_element("damper", ACTUATOR, NO_CHILDREN),
+            open_element("cylinder", ACTUATOR, NO_CHILDREN),
+            open_element("muscle", ACTUATOR, NO_CHILDREN),
+            open_element("adhesion", ACTUATOR, NO_CHILDREN),
+            open_element("dcmotor", ACTUATOR, NO_CHILDREN),
+        ]
+    };
+}
+
+const IN_CLASS: &[ElementRule] = with_actuators![
     element("default", &[("class", Read)], Content::Class),
     element("mesh", MESH, NO_CHILDREN),
     unread("material", Silent),
@@ -365,18 +386,6 @@ const IN_CLASS: &[ElementRule] = &[
     unread("pair", Silent),
     open_element("equality", &[("active", Read)], NO_CHILDREN),
     open_element("tendon", CLASS_OF_TENDONS, NO_CHILDREN),
-    open_element("general", ACTUATOR, NO_CHILDREN),
-    open_element("motor", ACTUATOR, NO_CHILDREN),
-    open_element("position", ACTUATOR, NO_CHILDREN),
-    open_element("velocity", ACTUATOR, NO_CHILDREN),
-    open_element("intvelocity", ACTUATOR, NO_CHILDREN),
-    open_element("orientation", ACTUATOR, NO_CHILDREN),
-    open_element("pid", ACTUATOR, NO_CHILDREN),
-    open_element("damper", ACTUATOR, NO_CHILDREN),
-    open_element("cylinder", ACTUATOR, NO_CHILDREN),
-    open_element("muscle", ACTUATOR, NO_CHILDREN),
-    open_element("adhesion", ACTUATOR, NO_CHILDREN),
-    open_element("dcmotor", ACTUATOR, NO_CHILDREN),
 ];
 
 const FLEX_EQUALITY: Treatment =
@@ -484,21 +493,7 @@ const ACTUATOR: &[(&str, Treatment)] = &[
     ("armature", Read),
 ];
 
-const IN_ACTUATOR: &[ElementRule] = &[
-    open_element("general", ACTUATOR, NO_CHILDREN),
-    open_element("motor", ACTUATOR, NO_CHILDREN),
-    open_element("position", ACTUATOR, NO_CHILDREN),
-    open_element("velocity", ACTUATOR, NO_CHILDREN),
-    open_element("intvelocity", ACTUATOR, NO_CHILDREN),
-    open_element("orientation", ACTUATOR, NO_CHILDREN),
-    open_element("pid", ACTUATOR, NO_CHILDREN),
-    open_element("damper", ACTUATOR, NO_CHILDREN),
-    open_element("cylinder", ACTUATOR, NO_CHILDREN),
-    open_element("muscle", ACTUATOR, NO_CHILDREN),
-    open_element("adhesion", ACTUATOR, NO_CHILDREN),
-    open_element("dcmotor", ACTUATOR, NO_CHILDREN),
-    open_element("plugin", ACTUATOR, Content::Unexamined),
-];
+const IN_ACTUATOR: &[ElementRule] = with_actuators![open_element("plugin", ACTUATOR, Content::Unexamined)];
 
 /// Tags of actuators, which share one set of defaults in each class.
 pub(crate) const ACTUATOR_TAGS: [&str; 13] = [

@@ -4,6 +4,7 @@ use crate::mjcf::bodies::body::{Bodies, JointType, Site};
 use crate::mjcf::document::findings::{Findings, similar_name};
 use crate::mjcf::document::tree::ElementId;
 use crate::reading::report::quoted;
+use std::collections::HashMap;
 
 /// Body and position in its list of joints.
 pub(crate) type JointKey = (usize, usize);
@@ -22,12 +23,7 @@ impl<'b> References<'b> {
         attribute: &'static str,
         findings: &mut Findings<'_>,
     ) -> Option<usize> {
-        let found = self.bodies.body_by_name.get(name).copied();
-        if found.is_none() {
-            let names = self.bodies.body_by_name.keys().map(String::as_str);
-            self.report_unknown("body", name, element, attribute, names, findings);
-        }
-        found
+        self.find((&self.bodies.body_by_name, "body"), name, (element, attribute), findings).copied()
     }
 
     /// Site with a name.
@@ -38,12 +34,7 @@ impl<'b> References<'b> {
         attribute: &'static str,
         findings: &mut Findings<'_>,
     ) -> Option<&'b Site> {
-        let found = self.bodies.sites.get(name);
-        if found.is_none() {
-            let names = self.bodies.sites.keys().map(String::as_str);
-            self.report_unknown("site", name, element, attribute, names, findings);
-        }
-        found
+        self.find((&self.bodies.sites, "site"), name, (element, attribute), findings)
     }
 
     /// Joint with a name.
@@ -54,10 +45,21 @@ impl<'b> References<'b> {
         attribute: &'static str,
         findings: &mut Findings<'_>,
     ) -> Option<JointKey> {
-        let found = self.bodies.joint_by_name.get(name).copied();
+        self.find((&self.bodies.joint_by_name, "joint"), name, (element, attribute), findings).copied()
+    }
+
+    /// Entry of a table of elements of one kind.
+    fn find<T>(
+        &self,
+        (table, kind): (&'b HashMap<String, T>, &str),
+        name: &str,
+        (element, attribute): (ElementId, &'static str),
+        findings: &mut Findings<'_>,
+    ) -> Option<&'b T> {
+        let found = table.get(name);
         if found.is_none() {
-            let names = self.bodies.joint_by_name.keys().map(String::as_str);
-            self.report_unknown("joint", name, element, attribute, names, findings);
+            let names = table.keys().map(String::as_str);
+            self.report_unknown(kind, name, element, attribute, names, findings);
         }
         found
     }
