@@ -193,7 +193,7 @@ fn shapes(body: &Body, meshes: &Meshes<'_>) -> Vec<Shape> {
     of_purpose(Purpose::Collision).chain(of_purpose(Purpose::Visual)).collect()
 }
 
-/// Extent of the shapes of a body; a mesh has an unknown extent and prevails.
+/// Extent of the shapes of a body; unknown if one of them is a mesh.
 fn extent(body: &Body) -> Geometry {
     let is_mesh = |shape: &GeomShape| matches!(shape, GeomShape::Mesh(_) | GeomShape::FittedToMesh);
     if body.geoms.iter().any(|geom| is_mesh(&geom.shape)) {

@@ -58,7 +58,7 @@ pub(crate) struct Classes {
 const MAIN: &str = "main";
 
 impl Classes {
-    /// The class `main`, which counts without a declaration too.
+    /// The class `main`, which exists without a declaration.
     pub const MAIN: ClassId = ClassId(0);
 
     /// Reads all `<default>` sections.
