@@ -7,11 +7,6 @@ use super::sizes::Sizes;
 use percuss_spatial::PackedInertia;
 use percuss_spatial::lanes::Lanes;
 
-/// Shapes of transforms for which hinge code is compiled.
-const SKEW: u8 = 0;
-const RIGHT: u8 = 1;
-const PARALLEL: u8 = 2;
-
 /// Eliminates a hinge and adds the remaining inertia to the parent, whose numbers are in `slot`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn eliminate_hinge<T: Lanes, const ON_PATH: bool>(
@@ -22,32 +17,21 @@ pub(super) fn eliminate_hinge<T: Lanes, const ON_PATH: bool>(
     slot: &mut [f64],
 ) {
     let HingeForm { shape, bare, leaf, is_parent_on_ground: next_to_last } = form;
-    macro_rules! without_armature {
-        ($shape:ident) => {
-            match (leaf, next_to_last) {
-                (true, _) => eliminate_hinge_variant::<T, ON_PATH, $shape, true, true, false>(
-                    placed, propagated, own, slot,
-                ),
-                (false, true) => eliminate_hinge_variant::<T, ON_PATH, $shape, true, false, true>(
-                    placed, propagated, own, slot,
-                ),
-                (false, false) => eliminate_hinge_variant::<T, ON_PATH, $shape, true, false, false>(
-                    placed, propagated, own, slot,
-                ),
-            }
+    macro_rules! variant {
+        ($bare:literal, $leaf:literal, $next_to_last:literal) => {
+            eliminate_hinge_variant::<T, ON_PATH, $bare, $leaf, $next_to_last>(
+                shape, placed, propagated, own, slot,
+            )
         };
     }
-    // Compile time grows with the number of variants. Joints with armature have the general form only.
-    match (shape, bare, leaf) {
-        (Shape::Right, true, _) => without_armature!(RIGHT),
-        (Shape::Parallel, true, _) => without_armature!(PARALLEL),
-        (_, true, _) => without_armature!(SKEW),
-        (_, false, true) => {
-            eliminate_hinge_variant::<T, ON_PATH, SKEW, false, true, false>(placed, propagated, own, slot)
-        }
-        (_, false, false) => {
-            eliminate_hinge_variant::<T, ON_PATH, SKEW, false, false, false>(placed, propagated, own, slot)
-        }
+    // Compile time grows with the number of variants. Leaves have no variant for a parent on the ground.
+    match (bare, leaf, next_to_last) {
+        (true, true, _) => variant!(true, true, false),
+        (true, false, true) => variant!(true, false, true),
+        (true, false, false) => variant!(true, false, false),
+        (false, true, _) => variant!(false, true, false),
+        (false, false, true) => variant!(false, false, true),
+        (false, false, false) => variant!(false, false, false),
     }
 }
 
@@ -56,11 +40,11 @@ pub(super) fn eliminate_hinge<T: Lanes, const ON_PATH: bool>(
 fn eliminate_hinge_variant<
     T: Lanes,
     const ON_PATH: bool,
-    const SHAPE: u8,
     const BARE: bool,
     const LEAF: bool,
     const NEXT_TO_LAST: bool,
 >(
+    shape: Shape,
     placed: &ScheduledStep,
     propagated: &mut PropagatedWrench<T>,
     own: &mut [f64],
@@ -99,31 +83,27 @@ fn eliminate_hinge_variant<
     let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
     let (along_z, along_x) = (of(transform.along_z), of(transform.shift[0]));
     let (tilt_c, tilt_s) = (of(transform.tilt.cos), of(transform.tilt.sin));
-    match (SHAPE, BARE) {
-        (SKEW, true) => {
-            inertia.screw_without::<2, 2>(c, s, along_z);
-            inertia.screw_without::<0, 2>(tilt_c, tilt_s, along_x);
-        }
-        (SKEW, false) => {
-            inertia.screw::<2>(c, s, along_z);
-            inertia.screw::<0>(tilt_c, tilt_s, along_x);
-        }
-        (_, true) => inertia.screw_without::<2, 2>(c, s, along_z),
-        (_, false) => inertia.screw::<2>(c, s, along_z),
+    if BARE {
+        inertia.screw_without::<2, 2>(c, s, along_z);
+    } else {
+        inertia.screw::<2>(c, s, along_z);
     }
-    if SHAPE == RIGHT {
-        inertia.turn_right::<0>();
-    }
-    if SHAPE != SKEW {
-        inertia.shift::<0>(along_x);
+    match shape {
+        Shape::Right => {
+            inertia.turn_right::<0>();
+            inertia.shift::<0>(along_x);
+        }
+        Shape::Parallel => inertia.shift::<0>(along_x),
+        _ if BARE => inertia.screw_without::<0, 2>(tilt_c, tilt_s, along_x),
+        _ => inertia.screw::<0>(tilt_c, tilt_s, along_x),
     }
     if ON_PATH {
         let wrench = &mut propagated.wrench;
         wrench.screw::<2>(c, s, along_z);
-        match SHAPE {
-            SKEW => wrench.turn::<0>(tilt_c, tilt_s),
-            RIGHT => wrench.turn_right::<0>(),
-            _ => {}
+        match shape {
+            Shape::Right => wrench.turn_right::<0>(),
+            Shape::Parallel => {}
+            Shape::Skew | Shape::General => wrench.turn::<0>(tilt_c, tilt_s),
         }
         wrench.shift::<0>(along_x);
         propagated.moment_size = of(step.reach).mul_add(propagated.force_size, propagated.moment_size);

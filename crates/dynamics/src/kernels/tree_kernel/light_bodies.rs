@@ -87,6 +87,11 @@ fn add_joint_velocities<T: Lanes>(
         }
         return;
     }
+    if let StepForm::Hinge(_) = placed.form {
+        let pivot = PackedInertia::load(own).turn_pivot::<2>(T::from_f64(step.armature[2]));
+        twist.angular[2] += rate(2) - twist.power(&pivot.u) * pivot.inverse_d;
+        return;
+    }
     let over_d = eliminated_columns::<T>(step, own);
     // The velocity eliminated last depends on the parent's twist alone.
     macro_rules! velocity {

@@ -1,6 +1,6 @@
 //! Transform from a body's frame to its parent's, with the joint's motion first.
 
-use super::plan::{TreeMotion, TreeStep};
+use super::plan::{Shape, TreeMotion, TreeStep};
 use super::propagation::{COSINE, PropagatedWrench, SINE, number};
 use crate::kernels::estimate::PositionColumns;
 use percuss_spatial::lanes::Lanes;
@@ -118,10 +118,12 @@ pub(super) fn transform_to_parent<T: Lanes>(
         (_, Some(turn)) => carried.turn::<2>(of(turn.cos), of(turn.sin)),
     }
     carried.screw::<0>(of(transform.tilt.cos), of(transform.tilt.sin), of(transform.shift[0]));
-    carried.shift::<1>(of(transform.shift[1]));
-    carried.shift::<2>(of(transform.shift[2]));
-    if let Some(turn) = transform.last_turn_z {
-        carried.turn::<2>(of(turn.cos), of(turn.sin));
+    if transform.shape == Shape::General {
+        carried.shift::<1>(of(transform.shift[1]));
+        carried.shift::<2>(of(transform.shift[2]));
+        if let Some(turn) = transform.last_turn_z {
+            carried.turn::<2>(of(turn.cos), of(turn.sin));
+        }
     }
 }
 
@@ -135,11 +137,13 @@ pub(super) fn transform_twist_to_body<T: Lanes>(
 ) {
     let of = T::from_f64;
     let transform = &step.parent_transform;
-    if let Some(turn) = transform.last_turn_z {
-        twist.turn_back::<2>(of(turn.cos), of(turn.sin));
+    if transform.shape == Shape::General {
+        if let Some(turn) = transform.last_turn_z {
+            twist.turn_back::<2>(of(turn.cos), of(turn.sin));
+        }
+        twist.shift_back::<2>(of(transform.shift[2]));
+        twist.shift_back::<1>(of(transform.shift[1]));
     }
-    twist.shift_back::<2>(of(transform.shift[2]));
-    twist.shift_back::<1>(of(transform.shift[1]));
     twist.shift_back::<0>(of(transform.shift[0]));
     twist.turn_back::<0>(of(transform.tilt.cos), of(transform.tilt.sin));
     match (step.motion, transform.turn_z) {
