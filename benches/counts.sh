@@ -16,8 +16,8 @@ if ! command -v valgrind > /dev/null; then
   echo "counts.sh: nothing is counted: there is no valgrind here"
   exit 0
 fi
-program=${PERCUSS_COUNTS:-${CARGO_TARGET_DIR:-target}/release/percuss-counts}
-[ -n "${PERCUSS_COUNTS:-}" ] || cargo build --locked --release -q -p percuss-benches --bin percuss-counts
+program=${PERCUSS_COUNTS:-${CARGO_TARGET_DIR:-target}/dist/percuss-counts}
+[ -n "${PERCUSS_COUNTS:-}" ] || cargo build --locked --profile dist -q -p percuss-benches --bin percuss-counts
 
 # count TASK TIMES: number of instructions, and units of work.
 count() {

@@ -9,8 +9,8 @@
 # one line `PROGRAM ROBOT VELOCITIES NANOSECONDS` each. All m̄ are compared to 1e-9 before timing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-cargo build --locked --release -q -p percuss-benches --bin percuss-peers
-"${CARGO_TARGET_DIR:-target}/release/percuss-peers" "$1" | tee /tmp/percuss-peers.$$
+cargo build --locked --profile dist -q -p percuss-benches --bin percuss-peers
+"${CARGO_TARGET_DIR:-target}/dist/percuss-peers" "$1" | tee /tmp/percuss-peers.$$
 [ $# -ge 2 ] && awk '
   NR == FNR { if ($4 + 0 > 0 && (!($2 in least) || $4 < least[$2])) least[$2] = $4; next }
   $2 in least && $NF + 0 > 0 && !/agrees|asked/ {
