@@ -9,6 +9,18 @@ pub(crate) const MOST_TURNS_SET: f64 = 1.0;
 /// The same for the ends of a range, which may follow a path over more than a turn.
 pub(crate) const MOST_TURNS_VARIED: f64 = 2.0;
 
+/// Wheel travel (m) against the sense of a bump or rebound stop beyond which it touches the wrong way. A stop drawn in touch is
+/// a fraction of a millimetre off.
+pub(crate) const TOUCH_WRONG_WAY: f64 = 1e-3;
+/// Wheel travel (m) to the touch of a stop that few vehicles have: gaps in a wrong unit lead to more.
+pub(crate) const FAR_TOUCH: f64 = 0.2;
+/// Closing of a stop per wheel travel below which its direction is doubtful. Stops of common suspensions close by 0.3 to 1.
+pub(crate) const SLOW_STOP: f64 = 0.25;
+/// Largest length (m) that a search accepts as a required value without a unit: quantities of suspensions are shorter, except
+/// radii, for which a unit can be written.
+pub(crate) const LONGEST_TARGET: f64 = 10.0;
+/// Largest change (m) of a coordinate in a search: the size of a suspension.
+pub(crate) const FARTHEST_COORDINATE: f64 = 2.0;
 /// Length, in any unit, up to which a vector has no direction. A vector typed with a few digits is longer; the difference
 /// of equal points is shorter.
 pub(crate) const SHORTEST_DIRECTION: f64 = 1e-9;

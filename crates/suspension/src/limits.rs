@@ -2,6 +2,8 @@
 //!
 //! Files may be hostile: every count below bounds time or memory.
 
+use std::ops::RangeInclusive;
+
 // Suspension files.
 
 /// Deepest nesting of JSON objects and arrays.
@@ -45,6 +47,12 @@ pub(crate) const MAX_SHIFT: f64 = 0.3;
 pub(crate) const MAX_CURVE_POINTS: usize = 64;
 /// Longest plausible control arm or link of a corner, m.
 pub(crate) const MAX_ARM_LENGTH: f64 = 1.8;
+/// Plausible radii of a loaded wheel, m: from karts to trucks.
+pub(crate) const WHEEL_RADII: RangeInclusive<f64> = 0.1..=1.0;
+/// Largest plausible mass of a wheel with its tyre, kg: that of a truck.
+pub(crate) const MAX_WHEEL_MASS: f64 = 150.0;
+/// Gap of a stop, m, below which a positive number is in another unit: stops are not adjusted to a fifth of a millimetre.
+pub(crate) const MIN_STOP_GAP: f64 = 2e-4;
 /// Largest plausible distance of a centre of mass or a spring mount from the box around the joints of its link, m. A larger
 /// distance suggests a value from another vehicle or in other axes. For a joint the limit is twice as large: one end of a
 /// trailing arm is 0.7 m away from all other joints.

@@ -600,7 +600,15 @@ def unsprung(car, travels, rates):
         assert pose is not None, "the loops do not close"
     there = moved_car(linkage, pose)
     own = Independent(there)
-    patches = [there.frames[f"contact_patch{end}"] for end in ends]
+
+    def lowest(end):
+        """Lowest point of a wheel at the pose: not the point that was lowest as drawn."""
+        link, centre = there.frames[f"wheel_centre{end}"]
+        radius = np.linalg.norm(there.frames[f"contact_patch{end}"][1] - centre)
+        spin = next(j.along for j in there.joints if j.kind == "hinge" and j.second == f"spindle{end}")
+        return link, centre + radius * unit(spin * spin[2] - Z)
+
+    patches = [lowest(end) for end in ends]
     jacobian = np.array([own.velocities.moving(link, at, Z) @ own.free for link, at in patches])
     masses = np.linalg.inv(jacobian @ np.linalg.solve(own.mass, jacobian.T))
     return np.array(rates) * (masses @ rates)

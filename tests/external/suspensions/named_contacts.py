@@ -138,6 +138,17 @@ def compare_stop(checker, path, pose, remaining, name, entry, where):
     off = abs(mass / own - 1) if isinstance(mass, float) else np.inf
     tally.worst_mass = max(tally.worst_mass, off)
     checker.verdict(off <= AT_TOUCH, f"{where}: {mass} where {own} is expected ({off:.1e})")
+    if others:
+        stops = [linkage.built.stops[stop] for stop in [name, *others]]
+        pads = [linkage.point(pose, linkage.group[stop.link], stop.pad) for stop in stops]
+        lines = [independent.velocities.moving(s.link, at, normal_at(s, at)) for s, at in zip(stops, pads)]
+        jacobian = np.array(lines) @ independent.free
+        inverse = jacobian @ np.linalg.solve(independent.mass, jacobian.T)
+        impulses = np.linalg.solve(inverse, np.ones(len(stops)))
+        own = impulses[0] if (impulses > 0).all() else None
+        found = named["effective_mass_together"]
+        alike = found is None if own is None else isinstance(found, float) and abs(found / own - 1) <= AT_TOUCH
+        checker.verdict(alike, f"{where}: {found} with {others}, {own} is expected")
     stated = report["effective_mass_error"]
     checker.verdict(off <= stated + OWN_ERROR, f"{where}: off by {off:.1e}; the stated error is {stated:.1e}")
     return True

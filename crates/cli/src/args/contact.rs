@@ -5,8 +5,8 @@ use clap::Args;
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::headings::{CONDITIONS, POSE};
 use percuss_study::{
-    ConditionsTable, ContactTable, GivenPosition, GivenTravel, Hold, Length, MassQuestion, Moved, Names,
-    PoseTable, QuestionTables, Vary, WheelMotion,
+    ConditionsTable, ContactTable, GivenTravel, Hold, Length, MassQuestion, Moved, Names, PoseTable,
+    QuestionTables, Vary, WheelMotion,
 };
 use std::path::Path;
 
@@ -26,9 +26,9 @@ pub struct ContactArgs {
     /// Opposite travel: the left wheel up, the right wheel down.
     #[arg(long, value_name = "DISTANCE", allow_hyphen_values = true, help_heading = POSE)]
     pub roll: Option<String>,
-    /// Position of the rack of a suspension with a sliding rack; short for --set rack=DISTANCE.
+    /// Position of a sliding rack: a length, or in a sweep FROM:TO:COUNT; short for --set and --vary rack=....
     #[arg(long, value_name = "DISTANCE", allow_hyphen_values = true, help_heading = POSE)]
-    pub steer: Option<GivenPosition>,
+    pub steer: Option<String>,
     #[command(flatten)]
     pub conditions: ConditionsTable,
     /// Fix a point of a link (m, link frame) to the ground: along a normal (world axes, out of the link), or in all
@@ -36,6 +36,9 @@ pub struct ContactArgs {
     #[arg(long, value_name = "LINK:X,Y,Z[:NX,NY,NZ]", help_heading = CONDITIONS)]
     pub hold: Vec<Hold>,
 }
+
+/// Joint of the rack of an imported suspension.
+const RACK: &str = "rack";
 
 impl ContactArgs {
     /// True if a flag of the contact, its pose or its conditions is given.
@@ -85,12 +88,15 @@ impl ContactArgs {
         given.into_iter().filter_map(|(motion, text)| Some((motion, text.as_ref()?)))
     }
 
-    /// Ranges given by --wheel-travel, --heave and --roll.
+    /// Ranges given by --steer, --wheel-travel, --heave and --roll. A travel starts from the positions of the joints, so the
+    /// rack is first.
     pub fn ranges(&self) -> Result<Vec<Vary>, Failure> {
-        let ranges = self.wheel_motions().filter(|(_, text)| text.contains(':'));
-        let range = |(motion, text): (WheelMotion, &String)| {
-            Vary::parse(&format!("{}={text}", motion.name()))
-                .map_err(|error| Failure::bad_input(format!("--{}: {error}", motion.name())))
+        let steer = self.steer.iter().map(|text| ("steer", RACK, text));
+        let motions = self.wheel_motions().map(|(motion, text)| (motion.name(), motion.name(), text));
+        let ranges = steer.chain(motions).filter(|(.., text)| text.contains(':'));
+        let range = |(flag, varied, text): (&str, &str, &String)| {
+            Vary::parse(&format!("{varied}={text}"))
+                .map_err(|error| Failure::bad_input(format!("--{flag}: {error}")))
         };
         ranges.map(range).collect()
     }
@@ -111,7 +117,10 @@ impl ContactArgs {
         let Self { contact, pose, conditions, hold, .. } = self;
         let tables = QuestionTables { contact, pose, conditions, hold };
         let mut question = tables.question(Path::new(""), DEFAULT_MAX_SIZE, Names::Flags)?;
-        question.set.extend(self.steer.iter().map(|position| ("rack".to_owned(), position.clone())));
+        if let Some(text) = self.steer.as_ref().filter(|text| !text.contains(':')) {
+            let position = text.parse().map_err(|error| Failure::bad_input(format!("--steer: {error}")))?;
+            question.set.push((RACK.to_owned(), position));
+        }
         question.travel.extend(self.wheel_travels()?);
         Ok(question)
     }

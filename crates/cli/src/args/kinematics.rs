@@ -79,10 +79,10 @@ pub struct KinematicsArgs {
     /// Largest change of each coordinate.
     #[arg(long, value_name = "LENGTH", default_value = "20mm", help_heading = SEARCH)]
     pub within: Length,
-    /// Format of the result.
-    #[arg(long, value_enum, default_value_t = KinematicsFormat::Table, help_heading = ANSWER)]
-    pub format: KinematicsFormat,
-    /// File of the result; with --solve, of the changed sheet (TOML).
+    /// Format of the result; default: from the ending of the file, otherwise table.
+    #[arg(long, value_enum, help_heading = ANSWER)]
+    pub format: Option<KinematicsFormat>,
+    /// File of the result, .txt, .csv or .json; with --solve, of the changed sheet (TOML).
     #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: Option<String>,
     #[command(flatten)]
@@ -114,6 +114,21 @@ impl KinematicsArgs {
             }
         }
         Ok(question)
+    }
+
+    /// Format of the result, from the flag or the ending of the file.
+    pub fn format(&self) -> Result<KinematicsFormat, Failure> {
+        let ending =
+            self.output.as_deref().filter(|_| self.solve.is_empty()).and_then(|path| path.rsplit_once('.'));
+        match (self.format, ending.map(|(_, ending)| ending.to_ascii_lowercase()).as_deref()) {
+            (Some(format), _) => Ok(format),
+            (None, Some("csv")) => Ok(KinematicsFormat::Csv),
+            (None, Some("json")) => Ok(KinematicsFormat::Json),
+            (None, None | Some("txt")) => Ok(KinematicsFormat::Table),
+            (None, Some(other)) => Err(Failure::bad_input(format!(
+                "--output: a file that ends in .{other} is not written; use .csv, .json or .txt, or give --format"
+            ))),
+        }
     }
 
     /// Search for coordinates, if the flags request one.

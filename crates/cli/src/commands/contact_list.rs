@@ -32,7 +32,7 @@ pub fn show(
     }
 }
 
-/// Numbers of a contact, in the units of the table: m̄ (kg), gap as drawn (mm), wheel travel at the pose of the result
+/// Numbers of a contact, in the units of the table: m̄ (kg), gap (mm; as drawn for a stop that was brought to the touch), wheel travel at the pose of the result
 /// (mm), wheel travel per closing of the contact, damping coefficient (N·s/m).
 fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
     let report = contact.report.as_ref();
@@ -42,7 +42,9 @@ fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
     let ratio = |report: &MassReport| Some(report.motion_ratios.first()?.wheel_per_contact);
     [
         report.and_then(|report| report.effective_mass),
-        named.and_then(|named| named.gap_as_drawn).map(|gap| 1e3 * gap),
+        named
+            .and_then(|named| if named.brought_to_touch { named.gap_as_drawn } else { named.gap })
+            .map(|gap| 1e3 * gap),
         travel.map(|wheel| 1e3 * wheel.travel),
         report.and_then(ratio),
         report.and_then(|report| report.damper.as_ref()?.damper.damping),
@@ -73,7 +75,21 @@ fn text(report: &ContactListReport) -> String {
     if dampers.rows().len() > 1 {
         let _ = write!(out, "\n{dampers}");
     }
-    out += "\nA stop is evaluated at the touch: \"gap\" is the gap as drawn, \"wheel travel\" the\nupward travel of the wheel at the touch. A contact without a gap is evaluated at\nthe pose as drawn, unless another is given.\n";
+    let named =
+        || report.contacts.iter().filter_map(|contact| contact.report.as_ref()?.named_contact.as_ref());
+    out += if named().any(|named| named.brought_to_touch) || named().all(|named| named.gap.is_none()) {
+        "\nA stop is evaluated at the touch: \"gap\" is the gap as drawn, \"wheel travel\" the\nupward travel of the wheel at the touch. A contact without a gap is evaluated at\nthe pose as drawn, unless another is given.\n"
+    } else {
+        "\nAll contacts are evaluated at the given pose: \"gap\" is the gap there, negative for a\npenetration.\n"
+    };
+    out += "\"wheel/contact\" is the upward speed of the wheel per closing speed, negative for\na contact that closes while the wheel moves down.\n";
+    let has_no_ratio = |contact: &ListedContact| {
+        matches!(contact.report.as_ref().and_then(|report| report.effective_mass), Some(_))
+            && numbers(contact)[3].is_none()
+    };
+    if report.contacts.iter().any(has_no_ratio) && named().any(|named| !named.wheel_travel.is_empty()) {
+        out += "It is not given where more than the wheel can move, such as a sliding rack or the\nother wheel: lock the rack (--lock rack), or see percuss kinematics.\n";
+    }
     for contact in &report.contacts {
         if let Some(problem) = &contact.problem {
             let _ = writeln!(out, "\n{}", wrap_hanging(&format!("{}: {problem}", contact.name), 2));

@@ -203,11 +203,11 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
             .ends_at
             .map(|depth| format!("unknown: the motion ends after {} {shown}", number(factor * depth)));
         let text: Vec<String> = [over, ends, slope].into_iter().flatten().collect();
-        facts.push(("mass drifts by", if text.is_empty() { "unknown".into() } else { text.join(", ") }));
+        facts.push(("m̄ over the stroke", if text.is_empty() { "unknown".into() } else { text.join(", ") }));
     }
     if let Some(stroke) = report.over_stroke {
         facts.push((
-            "with that drift",
+            "with varying m̄",
             format!(
                 "restitution {}, penetration {} {shown}, {} {mass_unit} at the largest penetration",
                 short_number(stroke.restitution),

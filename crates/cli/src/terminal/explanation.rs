@@ -122,13 +122,19 @@ pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)
             (true, _) if contact.touching.is_empty() => ("gap", format!("0, at the touch; {drawn}")),
             (true, _) => {
                 let others = contact.touching.join(", ");
-                ("gap", format!("0, at the touch together with {others}; {drawn}"))
+                ("gap", format!("0, at the touch, as that of {others}; {drawn}"))
             }
             (false, gap) if gap < 0.0 => {
                 ("gap", format!("{}: a penetration at this pose; {drawn}", millimetres(gap)))
             }
             (false, gap) => ("gap", format!("{} at this pose: no touch; {drawn}", millimetres(gap))),
         });
+    }
+    if let Some(together) = contact.effective_mass_together {
+        let others = contact.touching.join(", ");
+        let text =
+            format!("{} kg if {others} closes at the same speed; above: this stop alone", number(together));
+        facts.push(("both stops", text));
     }
     let travel = |wheel: &WheelTravelRecord| {
         let sense = if wheel.travel < 0.0 { "down" } else { "up" };

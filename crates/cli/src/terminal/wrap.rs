@@ -34,7 +34,8 @@ pub fn wrap_hanging(text: &str, indent: usize) -> String {
 
 /// Formats `name   value` with a line feed; the value has its own column.
 pub fn fact_line(name: &str, value: &str) -> String {
-    wrap_hanging(&format!("{name:<20} {value}"), VALUE_COLUMN) + "\n"
+    let padding = " ".repeat((VALUE_COLUMN - 1).saturating_sub(width(name)));
+    wrap_hanging(&format!("{name}{padding} {value}"), VALUE_COLUMN) + "\n"
 }
 
 /// Wraps a diagnostic. Continuation lines are indented, so that each line without indentation begins a message.

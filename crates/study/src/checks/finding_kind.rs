@@ -59,6 +59,7 @@ finding_kinds! {
     DriverOffZero = "driver-off-zero", Warning, Branch;
     DriversChosen = "drivers-chosen", Note, Branch;
     ExportsOwnLaw = "exports-own-law", Note, Report;
+    FarContactTravel = "far-contact-travel", Warning, Report;
     FarFromGuess = "far-from-guess", Warning, Pose;
     FarPoint = "far-point", Warning, Model;
     HoldPulls = "hold-pulls", Warning, Pose;
@@ -92,6 +93,7 @@ finding_kinds! {
     ShapeNotDrawn = "shape-not-drawn", Note, Report;
     SingularPose = "singular-pose", Warning, Pose;
     SmallRows = "small-rows", Warning, Report;
+    SlowStop = "slow-stop", Warning, Report;
     StandardTooFast = "standard-too-fast", Warning, Report;
     UncertainMass = "uncertain-mass", Warning, Pose;
     UnclearRank = "unclear-rank", Warning, Model;
@@ -100,6 +102,7 @@ finding_kinds! {
     UnknownError = "unknown-error", Warning, Pose;
     UnusedGuess = "unused-guess", Warning, Pose;
     WeaklyConstrained = "weakly-constrained", Warning, Model;
+    WrongWayStop = "wrong-way-stop", Warning, Report;
 }
 
 impl FindingKind {

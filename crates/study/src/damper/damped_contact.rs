@@ -21,7 +21,7 @@ use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
 use crate::thresholds::{DIFFERENCE, SAME_LIMIT, STROKES, WARNED_MASS_DRIFT};
 use percuss_contact::VaryingMassImpact;
-use percuss_contact::exports::{MassDrift, Options};
+use percuss_contact::exports::{MassDrift, Options, StopMotion};
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, System};
 use percuss_mechanism::{LinkId, Mechanism};
 
@@ -84,7 +84,9 @@ pub(crate) fn damping_report(
     let mut diagnostics = prepared.model.diagnostics.clone();
     diagnostics.extend(answer.findings.iter().cloned().map(DiagnosticRecord::from));
     diagnostics.extend(law_mismatch_diagnostic(damping));
-    diagnostics.extend(drift_diagnostic(&drift, ended, record.max_penetration, prepared.question.names));
+    let unit = if matches!(damping.options.stop, Some(StopMotion::Turn)) { "mrad" } else { "mm" };
+    let reached = ended.zip(record.max_penetration);
+    diagnostics.extend(drift_diagnostic(&drift, reached, unit, prepared.question.names));
     Ok(DampingReport {
         schema: "percuss.damp/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -182,29 +184,33 @@ fn over_stroke(
     })
 }
 
-/// Warning if m̄ changes strongly over the penetration, or if the penetration is not reachable.
+/// Warning if m̄ changes strongly over the penetration, or if the penetration is not reachable: `ended` has the end of the motion
+/// and the penetration that the impact needs. `unit`: name of 0.001 m or 0.001 rad.
 fn drift_diagnostic(
     drift: &Drift,
-    ended: Option<PenetrationEnd>,
-    depth: Option<f64>,
+    ended: Option<(PenetrationEnd, f64)>,
+    unit: &str,
     names: Names,
 ) -> Option<DiagnosticRecord> {
-    if let Some((PenetrationEnd { depth: reached, error }, depth)) = ended.zip(depth) {
+    if let Some((PenetrationEnd { depth: reached, error }, depth)) = ended {
+        let amount = |depth: f64| format!("{:.2} {unit}", 1e3 * depth);
         let why = match error {
             Some(error) => error.message(names),
             None => "the gap closes no further on this branch (a dead centre, or loops that do not close)"
                 .to_owned(),
         };
         let message = format!(
-            "the greatest penetration, {depth:.4e} m or rad, is unreachable: the motion of the impact ends after {reached:.4e}: \
-             {why}. The effective mass is that at the touch; a stiffer contact or a slower impact penetrates less"
+            "the contact would be compressed by {}, but the mechanism can move on by {} only: {why}. The effective mass is that \
+             at the touch; a stiffer contact or a slower impact penetrates less",
+            amount(depth),
+            amount(reached)
         );
         return Some(Finding::about_result(FindingKind::PenetrationUnreachable, message).into());
     }
     let over = drift.over_penetration.filter(|over| over.abs() > WARNED_MASS_DRIFT)?;
     let message = format!(
-        "the effective mass changes by {:+.1} % over the penetration: a single value has this uncertainty; a \
-         stiffer contact or a slower impact reduces it",
+        "the effective mass changes by {:+.1} % while the contact is compressed, and the damper is that of the mass at the \
+         touch: a result with varying mass is given beside it; a stiffer contact or a slower impact reduces the change",
         100.0 * over
     );
     Some(Finding::about_result(FindingKind::MassDrifts, message).into())

@@ -5,8 +5,10 @@ use crate::model::wheel_points::wheel_centres;
 use crate::pose::touch::touching_stops;
 use crate::question::errors::question_error::StudyError;
 use crate::thresholds::TOUCH_TOLERANCE;
-use percuss_dynamics::{Gap, Pose};
-use percuss_mechanism::LinkId;
+use nalgebra::DVector;
+use percuss_dynamics::{Contact, Gap, Pose};
+use percuss_impact::Delassus;
+use percuss_mechanism::{LinkId, NamedContact};
 use serde::Serialize;
 
 /// Named contact of a result. Lengths in m.
@@ -24,6 +26,9 @@ pub struct NamedContactRecord {
     pub brought_to_touch: bool,
     /// Stops that touch with it: those of the other side of the vehicle.
     pub touching: Vec<String>,
+    /// Effective mass of this stop, kg, in the motion in which all touching stops close at the same speed; null if it touches
+    /// alone, or if no impulses cause this motion.
+    pub effective_mass_together: Option<f64>,
     /// Upward travel of each wheel centre from the pose as drawn to the pose of the result.
     pub wheel_travel: Vec<WheelTravelRecord>,
 }
@@ -44,9 +49,10 @@ pub(crate) fn named_contact(evaluated: &EvaluatedQuestion) -> Result<Option<Name
     let Some(contact) = prepared.question.named_contact(mechanism)? else { return Ok(None) };
     let gap = Gap::new(pose, contact);
     let touches = |gap: &Gap| gap.at(pose).abs() <= TOUCH_TOLERANCE * mechanism.characteristic_length();
-    let stops = touching_stops(mechanism, &prepared.question, pose)?;
-    let touching = stops.iter().filter(|(_, gap)| touches(gap)).map(|(stop, _)| stop.name().to_owned());
-    let touching: Vec<String> = touching.collect();
+    let mut stops = touching_stops(mechanism, &prepared.question, pose)?;
+    stops.retain(|(_, gap)| touches(gap));
+    let touching: Vec<String> = stops.iter().map(|(stop, _)| stop.name().to_owned()).collect();
+    let stops: Vec<&NamedContact> = stops.into_iter().map(|(stop, _)| stop).collect();
     let wheels = wheel_centres(mechanism, contact.name());
     let drawn =
         (!wheels.is_empty()).then(|| prepared.system.pose(&prepared.system.configuration()).ok()).flatten();
@@ -61,7 +67,22 @@ pub(crate) fn named_contact(evaluated: &EvaluatedQuestion) -> Result<Option<Name
         gap_as_drawn: contact.gap(),
         gap: gap.as_ref().map(|gap| gap.at(pose)),
         brought_to_touch: touching.iter().any(|name| name == contact.name()),
+        effective_mass_together: mass_together(pose, &stops),
         touching: touching.into_iter().filter(|name| name != contact.name()).collect(),
         wheel_travel: wheels.into_iter().filter_map(travel).collect(),
     }))
+}
+
+/// Effective mass of the first of several stops, kg, in the motion in which all close at the same speed: the first impulse of
+/// W p = 1, with the inverse masses W over the normals. `None` for one stop, or if an impulse would pull.
+fn mass_together(pose: &Pose, stops: &[&NamedContact]) -> Option<f64> {
+    if stops.len() < 2 {
+        return None;
+    }
+    let root = pose.mechanism().root();
+    let located = stops.iter().map(|stop| pose.locate(&Contact::named(stop, root)).ok());
+    let located: Vec<_> = located.collect::<Option<_>>()?;
+    let matrix = Delassus::new(pose, &located).ok()?.normal_matrix();
+    let impulses = matrix.cholesky()?.solve(&DVector::from_element(stops.len(), 1.0));
+    impulses.iter().all(|impulse| *impulse > 0.0 && impulse.is_finite()).then(|| impulses[0])
 }

@@ -10,6 +10,7 @@ use crate::checks::held_contact::HeldContact;
 use crate::checks::joint_limits::many_turns_finding;
 use crate::evaluation::estimate::{EstimateRecord, PreparedEstimate};
 use crate::model::loading::{Input, Model};
+use crate::model::wheel_points::{LowestPoint, RACK};
 use crate::pose::pose_solver;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
@@ -22,7 +23,7 @@ use percuss_dynamics::{
     Base, BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactResponse, Direction,
     EffectiveMass, Frame, Pose, ResponseError, System,
 };
-use percuss_mechanism::{JointId, LinkId, Mechanism, UnknownName};
+use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism, UnknownName};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -38,6 +39,8 @@ pub(crate) struct PreparedQuestion<'a> {
     link: LinkId,
     against: Option<LinkId>,
     normal: Direction,
+    /// Wheel, if the contact is its patch.
+    wheel: Option<LowestPoint>,
     estimate: Option<PreparedEstimate>,
     held_contacts: Vec<HeldContact>,
 }
@@ -129,6 +132,8 @@ impl<'a> PreparedQuestion<'a> {
             }
         }
         let configuration = configuration(mechanism, question)?;
+        let named = question.named_contact(mechanism)?;
+        let wheel = named.and_then(|contact| LowestPoint::of(mechanism, contact));
         Ok(Self {
             model,
             question: resolved,
@@ -137,6 +142,7 @@ impl<'a> PreparedQuestion<'a> {
             link,
             against,
             normal,
+            wheel,
             estimate,
             held_contacts: held,
         })
@@ -152,10 +158,13 @@ impl<'a> PreparedQuestion<'a> {
         self.question.against_mass
     }
 
-    /// True if only m̄ of the mechanism alone is required: no estimate, no held contact, no free
-    /// body.
+    /// True if only m̄ of the mechanism alone is required, at a point of the link: no estimate, no held contact, no free
+    /// body, no wheel whose lowest point moves.
     pub fn needs_only_mass(&self) -> bool {
-        self.estimate.is_none() && self.question.hold.is_empty() && self.other_mass().is_none()
+        self.wheel.is_none()
+            && self.estimate.is_none()
+            && self.question.hold.is_empty()
+            && self.other_mass().is_none()
     }
 
     /// True if the contact point is given in the frame of the contact link; the conversion then needs no pose.
@@ -164,11 +173,18 @@ impl<'a> PreparedQuestion<'a> {
     }
 
     /// Contact at a pose. A point given in another frame is converted to the frame of the contact link at this
-    /// pose and is fixed to the link from then on.
+    /// pose and is fixed to the link from then on. A contact patch is the lowest point of its wheel.
     pub fn contact_at(&self, pose: &Pose) -> Contact {
         let given = Vector3::from(self.question.point);
-        let point = pose.point_in_link(self.link, self.against, self.question.frame, given);
+        let lowest = self.wheel.as_ref().and_then(|wheel| wheel.at(pose));
+        let point =
+            lowest.unwrap_or_else(|| pose.point_in_link(self.link, self.against, self.question.frame, given));
         Contact { link: self.link, against: self.against, point, normal: self.normal }
+    }
+
+    /// Contact of a row of a sweep with the contact `fixed` to its link, as [`contact_at`](Self::contact_at).
+    pub fn contact_of_row(&self, fixed: &Contact, pose: &Pose) -> Contact {
+        if self.wheel.is_some() { self.contact_at(pose) } else { *fixed }
     }
 
     /// Contact, if the point is given in the frame of the contact link.
@@ -346,7 +362,11 @@ pub(crate) fn configuration(
     let values = |field: Field, joint: &String, given: &GivenPosition| {
         let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(field, error))?;
         let wrong = |source| StudyError::input(field, Fault::Position { joint: joint.clone(), source });
-        given.values_for_joint(mechanism.joint(id).kind()).map_err(wrong)
+        let kind = mechanism.joint(id).kind();
+        if joint == RACK && kind == JointKind::Fixed {
+            return Err(StudyError::input(field, Fault::FixedRack));
+        }
+        given.values_for_joint(kind).map_err(wrong)
     };
     let mut configuration = match &question.pose {
         None => Configuration::zero(mechanism),

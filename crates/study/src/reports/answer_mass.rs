@@ -12,6 +12,7 @@ use crate::question::mass_question::MassQuestion;
 use crate::reports::drawing::{DrawnMechanism, draw_evaluated};
 use crate::reports::mass_report::MassReport;
 use crate::reports::motion_ratio::motion_ratios;
+use crate::reports::stop_findings::stop_findings;
 
 /// Evaluates one contact of a model.
 ///
@@ -25,7 +26,10 @@ pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyE
 pub(crate) fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassReport, StudyError> {
     let motion_ratios = motion_ratios(evaluated, &evaluated.prepared.question.ratio_at)?;
     let named_contact = named_contact(evaluated)?;
-    Ok(MassReport { motion_ratios, named_contact, ..MassReport::of(evaluated) })
+    let mut report = MassReport::of(evaluated);
+    let found = named_contact.iter().flat_map(|contact| stop_findings(contact, &motion_ratios));
+    report.diagnostics.extend(found.map(Into::into));
+    Ok(MassReport { motion_ratios, named_contact, ..report })
 }
 
 /// Evaluates one contact of a model and the damper for a restitution. The report has no damper, and a warning,
@@ -64,7 +68,9 @@ fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Resu
     let mut report = build_mass_report(evaluated)?;
     match damping_report(evaluated, damping) {
         Ok(mut damper) => {
-            report.diagnostics = std::mem::take(&mut damper.diagnostics);
+            let found = std::mem::take(&mut damper.diagnostics);
+            report.diagnostics.retain(|own| !found.contains(own));
+            report.diagnostics.extend(found);
             report.damper = Some(damper);
         }
         Err(error @ (StudyError::NoDamper { .. } | StudyError::BranchMassesDiffer { .. })) => {

@@ -227,7 +227,7 @@ impl SweepContext<'_> {
                 if first {
                     portion.tally.add(row, self.prepared.guess_findings(&pose));
                 }
-                match self.prepared.evaluate(&pose, &self.contact) {
+                match self.prepared.evaluate(&pose, &self.prepared.contact_of_row(&self.contact, &pose)) {
                     Err(error) => failed(varied, error),
                     Ok(answer) => {
                         let sweep_row = self.row_with_pose(row, varied, &pose, &answer, travel);
@@ -309,8 +309,10 @@ impl SweepContext<'_> {
         let estimate = answer.estimate.as_ref();
         let motion_ratio = match estimate {
             Some(estimate) => estimate.motion_ratio,
-            None => travel
-                .and_then(|travel| travel.motion_ratio(pose, &self.contact, answer.mechanism_response())),
+            None => travel.and_then(|travel| {
+                let contact = self.prepared.contact_of_row(&self.contact, pose);
+                travel.motion_ratio(pose, &contact, answer.mechanism_response())
+            }),
         };
         let (status, effective_mass) = Status::classify(answer.response.effective_mass);
         SweepRow {

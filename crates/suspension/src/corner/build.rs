@@ -5,6 +5,7 @@ use super::frames;
 use super::spindle::Spindle;
 use super::{Body, CHASSIS, Corner, RACK};
 use crate::findings::{Findings, Spot};
+use crate::limits::MIN_STOP_GAP;
 use percuss_formats::reading::OBLIQUE_PINS;
 use percuss_mechanism::{ClosureKind, ContactKind, ContactNormal, JointKind};
 use percuss_spatial::{Matrix3, Vector3};
@@ -69,6 +70,13 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
                         1e3 * gap
                     );
                     findings.warning("overlapping-stop", &stop.spot, message);
+                }
+                if stop.gap.is_some_and(|gap| gap > 0.0 && gap < MIN_STOP_GAP) {
+                    let message = format!(
+                        "the gap is {:.3} mm: is it in another unit? Write it with one: \"30 mm\"",
+                        1e3 * gap
+                    );
+                    findings.warning("implausible-gap", &stop.spot, message);
                 }
                 (ContactKind::Stop, ContactNormal::Fixed(normal), Some(gap))
             }

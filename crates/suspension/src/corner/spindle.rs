@@ -5,7 +5,7 @@ use super::frames;
 use super::{Body, Corner, GROUND};
 use crate::Wheel;
 use crate::findings::{Findings, Spot};
-use crate::limits::MOMENT_TOLERANCE;
+use crate::limits::{MAX_WHEEL_MASS, MOMENT_TOLERANCE, WHEEL_RADII};
 use percuss_mechanism::{ContactKind, ContactNormal, JointKind, Problem};
 use percuss_spatial::{Matrix3, Vector3, rotation_about};
 
@@ -79,7 +79,19 @@ impl Spindle {
         corner.add_link("wheel", at, Some(&body), "the wheel, as given on import");
         let joint = ("wheel_fixed", JointKind::Fixed);
         corner.add_joint(joint, ["spindle", "wheel"], Vector3::x(), spot, "the wheel's bolts");
+        if wheel.mass > MAX_WHEEL_MASS {
+            let message =
+                format!("the wheel's mass is {} kg; no wheel is so heavy: check its unit", wheel.mass);
+            findings.warning("implausible-wheel", spot, message);
+        }
         let Some(radius) = wheel.radius else { return };
+        if !WHEEL_RADII.contains(&radius) {
+            let message = format!(
+                "the wheel's radius is {:.1} mm; a vehicle has none such: check its unit",
+                1e3 * radius
+            );
+            findings.warning("implausible-wheel", spot, message);
+        }
         // Lowest direction in the plane of the wheel.
         let down = frames::unit(self.axis * self.axis.z - Vector3::z());
         let defect = "the axis of spin is vertical: the wheel has no lowest point";

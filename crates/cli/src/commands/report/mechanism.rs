@@ -25,8 +25,8 @@ pub(super) fn add_mechanism(results: &StudyResults, page: &mut Page) {
     let report = results.mass.as_ref();
     let mut caption = LEGEND.to_owned();
     if report.is_some() {
-        caption += " The red dot is the contact point, n its normal. Blue arrows are the velocities v* of the centres \
-                    of mass per unit closing speed, the longest as long as n.";
+        caption += " The red dot is the contact point, n its normal. Blue arrows are the velocities of the centres of \
+                    mass while the contact closes; the longest is drawn as long as n.";
     }
     let named = results.mechanism.points.len() + results.mechanism.elements.len();
     if named > limits::NAMED_POINTS {

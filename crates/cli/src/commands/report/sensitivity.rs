@@ -55,7 +55,11 @@ fn add_tornado(title: &str, unit: &str, mut bars: Vec<TornadoBar>, page: &mut Pa
     bars.sort_by(|a, b| b.effect.abs().total_cmp(&a.effect.abs()));
     let rest = bars.split_off(bars.len().min(limits::TORNADO_BARS));
     let caption = rest.first().map_or_else(String::new, |next| {
-        format!("{} more effects are at most {} kg each.", rest.len(), effect_text(next.effect))
+        format!(
+            "{} smaller effects are not shown; each is at most {} kg.",
+            rest.len(),
+            effect_text(next.effect)
+        )
     });
     let chart = Tornado {
         title: title.to_owned(),

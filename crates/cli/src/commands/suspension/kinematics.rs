@@ -20,12 +20,13 @@ pub fn run(args: &KinematicsArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));
     args.output.as_deref().map_or(Ok(()), check_writable)?;
+    args.format()?;
     if let Some(search) = args.search()? {
         return show_search(args, &model, &question, &search);
     }
     let report = kinematics(&model, &question)?;
     write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
-    let text = match args.format {
+    let text = match args.format()? {
         KinematicsFormat::Table => tables(&report),
         KinematicsFormat::Csv => rows_as_csv(&report),
         KinematicsFormat::Json => serde_json::to_string_pretty(&report).unwrap_or_default() + "\n",
@@ -61,7 +62,7 @@ fn show_search(
     }
     let report = search_targets(model, question, search)?;
     write_diagnostics(&model.diagnostics, args.model.reading.strict)?;
-    match args.format {
+    match args.format.unwrap_or(KinematicsFormat::Table) {
         KinematicsFormat::Table => write_out(&search_text(&report))?,
         KinematicsFormat::Csv => write_out(&search_as_csv(&report))?,
         KinematicsFormat::Json => write_json(&report)?,

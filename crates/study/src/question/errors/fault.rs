@@ -212,6 +212,11 @@ pub enum Fault {
         /// Joint.
         joint: String,
     },
+    /// Position of the rack of a suspension that was imported with a fixed one.
+    #[error(
+        "the rack is fixed in this suspension; write rack.slides = true in the sheet, or use percuss kinematics --steer"
+    )]
+    FixedRack,
     /// Joint with two ranges.
     #[error("\"{joint}\" is varied twice; give it one range")]
     VariedTwice {
@@ -220,8 +225,8 @@ pub enum Fault {
     },
     /// Travel that is not the last range, that is, not the fastest.
     #[error(
-        "\"{name}\" is not the last of the ranges; a travel starts from the joint positions of the pose, so it \
-         must vary fastest: give it last, and only once"
+        "\"{name}\" is not the last of the ranges: only one travel may have a range, and it comes last, because each of its rows \
+         starts from the joint positions of the other ranges; give another travel one length"
     )]
     TravelNotLast {
         /// Name of the travel's column.

@@ -11,7 +11,8 @@ use crate::reports::kinematics::report::evaluate_state;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
 use crate::reports::kinematics::values::{KinematicUnit, KinematicValues};
 use crate::thresholds::{
-    DIFFERENCE_OF_POINTS, MOST_EVALUATIONS, SCANNED_COORDINATES, SMALLEST_SEARCH_STEP, TARGET_ACCURACY,
+    DIFFERENCE_OF_POINTS, FARTHEST_COORDINATE, LONGEST_TARGET, MOST_EVALUATIONS, SCANNED_COORDINATES,
+    SMALLEST_SEARCH_STEP, TARGET_ACCURACY,
 };
 use nalgebra::{DMatrix, DVector};
 use percuss_units::{Dimension, LengthUnit, Quantity};
@@ -433,6 +434,12 @@ pub fn search_targets(
             "{unknowns} unknown coordinates (--solve) and {targets} values (--for); the same number of both is required"
         )));
     }
+    if search.within > FARTHEST_COORDINATE {
+        return Err(refuse(format!(
+            "--within {0} is {0} m, more than a suspension; write the unit, such as {0}mm",
+            search.within
+        )));
+    }
     let mut designs = Designs { model, question, search, required: Vec::new(), evaluations: 0 };
     let start = DVector::zeros(unknowns);
     let values = designs.quantities(&start)?.map_err(refuse)?;
@@ -441,6 +448,15 @@ pub fn search_targets(
             .map_err(|why| KinematicsError::Search { why: format!("--for: {why}") })?;
         let unit = unit_of(&values, &target.quantity);
         let text = target.value.to_string();
+        if unit == KinematicUnit::Length
+            && target.value.dimension.is_none()
+            && target.value.value.abs() > LONGEST_TARGET
+        {
+            return Err(refuse(format!(
+                "--for {}={text}: without a unit this is {text} m; write {text}mm",
+                target.quantity
+            )));
+        }
         let goal = target.value.in_dimension(dimension(unit), &text);
         let goal = goal.map_err(|error| KinematicsError::Search {
             why: format!("--for {}: {error}", target.quantity),

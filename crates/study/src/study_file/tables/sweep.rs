@@ -141,7 +141,7 @@ pub struct SweepTable {
         arg(
             long,
             value_name = "JOINT=FROM:TO:COUNT",
-            required_unless_present_any = ["input", "random", "wheel_travel", "heave", "roll"],
+            required_unless_present_any = ["input", "random", "wheel_travel", "heave", "roll", "steer"],
             help_heading = ROWS
         )
     )]
