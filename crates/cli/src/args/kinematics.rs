@@ -79,10 +79,10 @@ pub struct KinematicsArgs {
     /// Largest change of each coordinate.
     #[arg(long, value_name = "LENGTH", default_value = "20mm", help_heading = SEARCH)]
     pub within: Length,
-    /// Format of the result; default: from the ending of the file, otherwise table.
+    /// Format; default: by the file's ending, or table.
     #[arg(long, value_enum, help_heading = ANSWER)]
     pub format: Option<KinematicsFormat>,
-    /// File of the result, .txt, .csv or .json; with --solve, of the changed sheet (TOML).
+    /// File: .txt, .csv or .json; with --solve, the changed sheet.
     #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: Option<String>,
     #[command(flatten)]

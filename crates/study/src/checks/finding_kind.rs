@@ -92,8 +92,8 @@ finding_kinds! {
     RowsWithoutSpeed = "rows-without-speed", Warning, Report;
     ShapeNotDrawn = "shape-not-drawn", Note, Report;
     SingularPose = "singular-pose", Warning, Pose;
-    SmallRows = "small-rows", Warning, Report;
     SlowStop = "slow-stop", Warning, Report;
+    SmallRows = "small-rows", Warning, Report;
     StandardTooFast = "standard-too-fast", Warning, Report;
     UncertainMass = "uncertain-mass", Warning, Pose;
     UnclearRank = "unclear-rank", Warning, Model;

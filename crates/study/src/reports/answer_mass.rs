@@ -3,7 +3,7 @@
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::damping_report;
-use crate::evaluation::named_contact::named_contact;
+use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
 use crate::question::damping_question::DampingQuestion;
@@ -11,8 +11,8 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::drawing::{DrawnMechanism, draw_evaluated};
 use crate::reports::mass_report::MassReport;
-use crate::reports::motion_ratio::motion_ratios;
-use crate::reports::stop_findings::stop_findings;
+use crate::reports::motion_ratio::{MotionRatioRecord, motion_ratios};
+use crate::thresholds::{FAR_TOUCH, SLOW_STOP, TOUCH_WRONG_WAY};
 
 /// Evaluates one contact of a model.
 ///
@@ -79,4 +79,38 @@ fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Resu
         Err(error) => return Err(error),
     }
     Ok(report)
+}
+
+/// Findings about the way to the touch: a bump stop that touches while the wheel moves down, or a rebound stop while it moves
+/// up; a long travel; a stop that hardly closes. Each has a common cause in the sheet.
+fn stop_findings(contact: &NamedContactRecord, ratios: &[MotionRatioRecord]) -> Vec<Finding> {
+    let mut found = Vec::new();
+    let (true, Some(wheel)) = (contact.brought_to_touch, contact.wheel_travel.first()) else { return found };
+    let (name, millimetres) = (&contact.name, 1e3 * wheel.travel.abs());
+    let ways = [("bump_stop", 1.0, "down"), ("rebound_stop", -1.0, "up")];
+    for (stop, sign, sense) in ways.into_iter().filter(|(stop, ..)| name.starts_with(stop)) {
+        let other = ways.iter().find(|(other, ..)| *other != stop).map_or("", |(other, ..)| other);
+        if sign * wheel.travel < -TOUCH_WRONG_WAY {
+            let message = format!(
+                "{name} touches after the wheel has moved {sense} by {millimetres:.0} mm: is it the {other}, or are its pad and \
+                 face exchanged, or its direction reversed?"
+            );
+            found.push(Finding::about_result(FindingKind::WrongWayStop, message));
+        }
+    }
+    if wheel.travel.abs() > FAR_TOUCH {
+        let message = format!(
+            "{name} touches after {millimetres:.0} mm of wheel travel: check its gap with the unit, its points and its direction"
+        );
+        found.push(Finding::about_result(FindingKind::FarContactTravel, message));
+    }
+    let closing =
+        ratios.iter().find(|ratio| ratio.link == wheel.link).and_then(|ratio| ratio.contact_per_wheel);
+    if let Some(closing) = closing.map(f64::abs).filter(|closing| *closing < SLOW_STOP) {
+        let message = format!(
+            "{name} closes by {closing:.2} mm per millimetre of wheel travel: does its direction follow the motion of its pad?"
+        );
+        found.push(Finding::about_result(FindingKind::SlowStop, message));
+    }
+    found
 }

@@ -12,5 +12,4 @@ pub(crate) mod kinematics;
 pub(crate) mod mass_report;
 pub(crate) mod motion_ratio;
 pub(crate) mod safe_speed;
-pub(crate) mod stop_findings;
 pub(crate) mod tolerance;
