@@ -23,6 +23,8 @@ pub const ENGINE: Option<&[u8]> = None;
 pub struct PageContent<'a> {
     /// Title of the page.
     pub title: &'a str,
+    /// Mark of the program in the head of the page.
+    pub generator: &'a str,
     /// Model files and the question at first sight, as the script reads them.
     pub start: &'a Value,
     /// WebAssembly module, compressed by gzip.
@@ -43,7 +45,7 @@ pub fn page(content: &PageContent) -> String {
     let engine = STANDARD.encode(content.engine);
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"generator\" content=\"percuss {version}\">\n\
+         <meta name=\"generator\" content=\"{generator}\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n\
          <link rel=\"icon\" href=\"data:,\">\n<title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n\
@@ -51,7 +53,7 @@ pub fn page(content: &PageContent) -> String {
          <script type=\"application/json\" id=\"start\">{start}</script>\n\
          <script type=\"application/octet-stream\" id=\"engine\">{engine}</script>\n\
          <script>{SCRIPT}</script>\n</body>\n</html>\n",
-        version = env!("CARGO_PKG_VERSION"),
+        generator = escape_text(content.generator),
         start = script_data(content.start),
     )
 }

@@ -7,7 +7,7 @@ use serde_json::json;
 fn texts_of_a_model_stay_data() {
     let hostile = "</script><script>alert(1)</script><!--";
     let start = json!({ "name": hostile });
-    let html = page(&PageContent { title: hostile, start: &start, engine: b"engine" });
+    let html = page(&PageContent { title: hostile, generator: "percuss", start: &start, engine: b"engine" });
     let opened = html.matches("<script").count() - html.matches("\"<script").count();
     // Start, engine and the script; the bundle itself has no such text.
     assert_eq!(opened, 3, "a text of the model opened an element");
@@ -17,7 +17,7 @@ fn texts_of_a_model_stay_data() {
 
 #[test]
 fn the_page_loads_nothing() {
-    let html = page(&PageContent { title: "t", start: &json!({}), engine: b"engine" });
+    let html = page(&PageContent { title: "t", generator: "percuss", start: &json!({}), engine: b"engine" });
     let head = &html[..html.find("<style>").unwrap()];
     assert!(head.contains("default-src 'none'"));
     assert_eq!(head.matches("'sha256-").count(), 2);
@@ -29,6 +29,6 @@ fn the_page_loads_nothing() {
 fn the_page_without_its_engine_is_small() {
     const LARGEST_PAGE: usize = 2_600_000;
     const LARGEST_ENGINE: usize = 1_350_000;
-    let html = page(&PageContent { title: "t", start: &json!({}), engine: &[] });
+    let html = page(&PageContent { title: "t", generator: "percuss", start: &json!({}), engine: &[] });
     assert!(html.len() < LARGEST_PAGE - LARGEST_ENGINE / 3 * 4, "{} bytes", html.len());
 }
