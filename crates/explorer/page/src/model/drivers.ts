@@ -13,7 +13,7 @@ export interface Driver {
   range: [number, number];
 }
 
-const NAMES: Record<string, string> = { 'wheel-travel': 'wheel travel', heave: 'heave', roll: 'roll, one wheel' };
+const NAMES: Record<string, string> = { 'wheel-travel': 'wheel travel', heave: 'heave', roll: 'roll' };
 /** Range of a wheel without stops, m; of a joint without limits, rad or m. */
 const WHEEL_RANGE = 0.05;
 const TURN_RANGE = Math.PI;
@@ -62,18 +62,18 @@ export function drivers(opened: Opened): Driver[] {
   return motions.length ? [...motions, ...joints.filter((driver) => driver.name === 'rack')] : joints;
 }
 
-/** Joints from the contact link to the root come first in a curve. */
+/** Driver of the first curve: a motion of the wheels, otherwise the joint nearest to the contact link on its way to the root. */
 export function firstDriver(scene: Scene, all: Driver[], link: string | undefined): Driver | undefined {
   if (all[0]?.isMotion) return all[0];
-  const above = new Set<string>();
   let at = scene.links.findIndex((l) => l.name === link);
   for (let left = scene.links.length; left > 0; left--) {
     const joint = scene.joints.find((j) => j.child === at);
     if (!joint) break;
-    above.add(joint.name);
+    const driver = all.find((d) => d.name === joint.name);
+    if (driver) return driver;
     at = joint.parent;
   }
-  return all.find((driver) => above.has(driver.name)) ?? all[0];
+  return all[0];
 }
 
 /** Value that a study gives to a driver, SI; undefined if it gives none. */

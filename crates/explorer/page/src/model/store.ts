@@ -18,8 +18,8 @@ export interface Start {
 }
 
 /** Rows of the curve; a drag has fewer. */
-export const ROWS = 41;
-const ROWS_OF_DRAG = 21;
+export const ROWS = 81;
+const ROWS_OF_DRAG = 33;
 /** Time of rest before the work that a drag leaves out, ms. */
 const REST = 250;
 /** Work that takes longer is reported, ms. */
@@ -244,6 +244,10 @@ export class Store {
       this.future = [];
     }
     void this.update();
+  }
+
+  get isIdle(): boolean {
+    return this.opened !== undefined && !this.working && !this.gesture;
   }
 
   get inGesture(): boolean {

@@ -9,7 +9,7 @@ import { useStore } from './hooks';
 import { currentValue } from './result';
 import { useSize } from './size';
 
-const MARGIN = { left: 62, right: 18, top: 14, bottom: 40 };
+const MARGIN = { left: 70, right: 18, top: 14, bottom: 40 };
 /** Highest value shown, as a multiple of the median: a curve may go to infinity. */
 const MOST = 6;
 
@@ -82,7 +82,7 @@ function Plot() {
       return text;
     }).join('');
   };
-  const yTicks = ticks(low, high, Math.max(2, Math.floor((height - 60) / 42)));
+  const yTicks = ticks(low, high, Math.max(3, Math.floor((height - 54) / 30)));
   const yDecimals = Math.max(0, -Math.floor(Math.log10((yTicks[1] ?? 1) - (yTicks[0] ?? 0)) + 1e-9));
   const xTicks = ticks(from, to, Math.max(3, Math.floor((width - 80) / 80)));
   const set = (value: number) => {

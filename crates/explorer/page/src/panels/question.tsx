@@ -1,6 +1,6 @@
 // The question: contact and pose.
 
-import type { ContactTable, Triple } from '../engine/protocol';
+import type { ContactTable, MassReport, Triple } from '../engine/protocol';
 import { withValue, givenValue, type Driver } from '../model/drivers';
 import { fixed, mass } from '../model/numbers';
 import { store } from '../model/store';
@@ -9,6 +9,14 @@ import { useStore } from './hooks';
 import { valueOf } from './result';
 
 const OWN = '\u0000own';
+const KINDS = [['stop', 'Stops'], ['spring', 'Springs'], ['damper', 'Dampers'], ['patch', 'Contact patches'], ['other', 'Others']] as const;
+
+/** Result of a named contact when the model was opened. */
+function openedValue(report: MassReport | null | undefined): string {
+  if (!report) return '';
+  return report.status === 'finite' ? `, ${mass(report.effective_mass!, report.effective_mass_error)} kg` : `, ${report.status}`;
+}
+
 const AXES: [string, Triple][] = [
   ['+x', [1, 0, 0]], ['−x', [-1, 0, 0]], ['+y', [0, 1, 0]], ['−y', [0, -1, 0]], ['+z', [0, 0, 1]], ['−z', [0, 0, -1]],
 ];
@@ -34,10 +42,13 @@ export function ContactPanel() {
       {scene.contacts.length ? (
         <label class="line"><span>at</span>
           <select value={contact.at ?? OWN} onChange={(event) => choose(event.currentTarget.value)}>
-            {scene.contacts.map(({ name, kind }) => {
-              const report = listed.get(name)?.report;
-              const value = report?.status === 'finite' ? `${mass(report.effective_mass!, report.effective_mass_error)} kg as opened` : report?.status;
-              return <option key={name} value={name}>{name} ({kind}{value ? `, ${value}` : ''})</option>;
+            {KINDS.map(([kind, label]) => {
+              const all = scene.contacts.filter((c) => c.kind === kind);
+              return all.length ? (
+                <optgroup key={kind} label={label}>
+                  {all.map(({ name }) => <option key={name} value={name}>{name}{openedValue(listed.get(name)?.report)}</option>)}
+                </optgroup>
+              ) : null;
             })}
             <option value={OWN}>own point and normal</option>
           </select>

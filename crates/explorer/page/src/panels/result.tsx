@@ -35,7 +35,7 @@ function Value({ report, stale }: { report: MassReport; stale: boolean }) {
         {report.status === 'finite' && error !== null ? (
           <span title="Upper bound of the error: rounding, closing of the loops, and loops that the file leaves open">± {bound(error)} kg · </span>
         ) : null}
-        at <b>{place}</b> against {other}
+        at <b>{place}</b>{named ? `: ${contact.link} against ${other}` : ` against ${other}`}
         {named?.brought_to_touch ? <span class="tag">at touch</span> : null}
         {named && named.gap !== null && !named.brought_to_touch ? <span> · gap {fixed(named.gap * 1000, 1)} mm</span> : null}
       </p>

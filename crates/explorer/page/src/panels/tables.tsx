@@ -26,7 +26,7 @@ export function Contributions() {
     <section class={problem ? 'stale' : ''}>
       <h2>Contributions to m̄</h2>
       <table class="shares">
-        <thead class="unseen"><tr><th>link</th><th>share</th><th>kg</th></tr></thead>
+        <colgroup><col class="of-name" /><col /><col class="of-share" /><col class="of-mass" /></colgroup>
         <tbody>
           {shown.map(({ name, share }) => (
             <tr key={name}>
@@ -51,8 +51,8 @@ export function Hardpoints() {
   const decimals = { m: 4, cm: 2, mm: 1, in: 3 }[sheet.unit] ?? 3;
   const step = { m: 0.001, cm: 0.1, mm: 1, in: 0.05 }[sheet.unit] ?? 0.001;
   return (
-    <section>
-      <h2>Hardpoints, {sheet.unit}</h2>
+    <details open={!matchMedia('(max-width: 760px)').matches}>
+      <summary><h2>Hardpoints, {sheet.unit}</h2></summary>
       <p class="soft">Drag in the view, or type; arrow keys move by {step} {sheet.unit}. {sheet.axes}.</p>
       <table class="points">
         <thead><tr><th>name</th><th>x</th><th>y</th><th>z</th></tr></thead>
@@ -91,7 +91,7 @@ export function Hardpoints() {
           store.change({ ...store.study!, model }, 'all hardpoints back');
         }}>All hardpoints back ({moved} moved)</button></p>
       ) : null}
-    </section>
+    </details>
   );
 }
 
@@ -170,6 +170,7 @@ export function Sensitivities() {
       {bars.length ? (
         <table class="shares tornado">
           <caption>kg per mm of a hardpoint</caption>
+          <colgroup><col class="of-point" /><col /><col class="of-mass" /></colgroup>
           <tbody>
             {bars.map(({ name, rate }) => (
               <tr key={name}>

@@ -2,7 +2,7 @@
 
 import {
   BufferAttribute, BufferGeometry, CatmullRomCurve3, Color, CylinderGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh,
-  MeshLambertMaterial, Quaternion, SphereGeometry, TorusGeometry, TubeGeometry, Vector3,
+  LatheGeometry, MeshLambertMaterial, Quaternion, SphereGeometry, TubeGeometry, Vector2, Vector3,
 } from 'three';
 import type { Scene, Triple } from '../engine/protocol';
 import { frame, pointAt, vectorAt } from './space';
@@ -10,6 +10,7 @@ import { frame, pointAt, vectorAt } from './space';
 const UP = new Vector3(0, 1, 0);
 const GREY = '#8793a1';
 const DARK = '#4b5563';
+const TYRE = '#5d6976';
 
 /** Radii as parts of the radius of the scene. */
 const BAR = 0.016;
@@ -24,15 +25,23 @@ function between(from: Vector3, to: Vector3, radius: number): Matrix4 {
   return new Matrix4().compose(from.clone().add(to).multiplyScalar(0.5), turn, new Vector3(radius, Math.max(length, 1e-9), radius));
 }
 
-/** Helix of unit length along y. */
+/** Helix of unit length along y and of radius 1, with a wire that is round at the usual length of a spring. */
 function spring(): BufferGeometry {
-  const [turns, steps] = [7, 112];
+  const [turns, steps, length] = [7, 112, 9];
   const points = Array.from({ length: steps + 1 }, (_, i) => {
-    const t = i / steps;
-    const angle = 2 * Math.PI * turns * t;
-    return new Vector3(Math.cos(angle), t - 0.5, Math.sin(angle));
+    const angle = (2 * Math.PI * turns * i) / steps;
+    return new Vector3(Math.cos(angle), length * (i / steps - 0.5), Math.sin(angle));
   });
-  return new TubeGeometry(new CatmullRomCurve3(points), 220, 0.16, 6);
+  return new TubeGeometry(new CatmullRomCurve3(points), 240, 0.17, 7).scale(1, 1 / length, 1);
+}
+
+/** Tyre of radius 1 about y. */
+function tyre(): BufferGeometry {
+  const half = 0.3;
+  const profile: [number, number][] = [
+    [0.64, -half * 0.8], [0.93, -half], [0.985, -half * 0.8], [1, 0], [0.985, half * 0.8], [0.93, half], [0.64, half * 0.8],
+  ];
+  return new LatheGeometry(profile.map(([r, y]) => new Vector2(r, y)), 64);
 }
 
 interface Element { contact: Scene['contacts'][number]; meshes: Mesh[] }
@@ -43,6 +52,8 @@ export class Bodies {
   readonly links: Group[] = [];
   readonly pickable: Mesh[] = [];
   private materials: MeshLambertMaterial[] = [];
+  /** Tyres, each with the number of the link that has the mass of its wheel. */
+  private tyres: { link: number; material: MeshLambertMaterial }[] = [];
   private elements: Element[] = [];
   private ghost: LineSegments | undefined;
   private variant: LineSegments | undefined;
@@ -68,6 +79,7 @@ export class Bodies {
         const width = this.radius * (link.mass > 0 ? BAR : THIN_BAR);
         const ends: Vector3[] = [];
         for (const line of link.lines) {
+          if (this.endsAtPatch(i, line)) continue;
           const [from, to] = line.map((end) => new Vector3(...end));
           const mesh = new Mesh(this.unitBar, material);
           mesh.matrixAutoUpdate = false;
@@ -99,6 +111,12 @@ export class Bodies {
       }
       this.elements.push({ contact, meshes });
     }
+  }
+
+  /** True for the line from a hub to the ground: a direction, not a body. */
+  private endsAtPatch(link: number, line: [Triple, Triple]): boolean {
+    return this.scene.links.some(({ name }, i) => name.startsWith('contact_patch')
+      && line.some((end) => pointAt(this.scene.design, link, end).distanceTo(pointAt(this.scene.design, i, [0, 0, 0])) < 1e-4 * this.radius));
   }
 
   private keep<T extends BufferGeometry>(geometry: T): T {
@@ -142,15 +160,14 @@ export class Bodies {
 
   private addWheels() {
     for (const wheel of this.scene.wheels) {
-      const tube = 0.16 * wheel.radius;
-      const tyre = new Mesh(
-        this.keep(new TorusGeometry(wheel.radius - tube, tube, 14, 56)),
-        new MeshLambertMaterial({ color: '#6b7785', transparent: true, opacity: 0.16, depthWrite: false }),
-      );
-      tyre.position.set(...wheel.centre);
-      tyre.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...wheel.axis).normalize());
-      tyre.scale.z = 1.9;
-      this.links[wheel.link].add(tyre);
+      const material = new MeshLambertMaterial({ color: TYRE, transparent: true, opacity: 0.2, depthWrite: false, side: DoubleSide });
+      const name = this.scene.links[wheel.link].name.replace('wheel_centre', 'wheel');
+      this.tyres.push({ link: this.scene.links.findIndex((link) => link.name === name), material });
+      const mesh = new Mesh(this.keep(tyre()), material);
+      mesh.position.set(...wheel.centre);
+      mesh.quaternion.setFromUnitVectors(UP, new Vector3(...wheel.axis).normalize());
+      mesh.scale.setScalar(wheel.radius);
+      this.links[wheel.link].add(mesh);
     }
   }
 
@@ -190,6 +207,7 @@ export class Bodies {
       material.color.copy(colours?.[i] ?? new Color(GREY));
       material.emissive.set(i === chosen ? '#12304a' : '#000000');
     });
+    for (const { link, material } of this.tyres) material.color.copy(colours?.[link] ?? new Color(TYRE));
   }
 
   private outline(scene: Scene, frames: number[], material: LineBasicMaterial): LineSegments {
@@ -212,7 +230,7 @@ export class Bodies {
 
   dispose() {
     for (const geometry of this.own) geometry.dispose();
-    for (const material of [...this.materials, this.grey, this.dark]) material.dispose();
+    for (const material of [...this.materials, ...this.tyres.map((t) => t.material), this.grey, this.dark]) material.dispose();
     this.outlines(false, undefined);
   }
 }

@@ -11,7 +11,9 @@ const DIRECTIONS: Record<ViewName, { from: Vector3; up: Vector3 }> = {
   top: { from: new Vector3(0, 0, 1), up: new Vector3(1, 0, 0) },
 };
 const FIELD = 32;
-const MARGIN = 1.06;
+/** Part of the view that the mechanism takes: names and the arrow need room. */
+const FILLED = 0.78;
+const FITTING_STEPS = 6;
 
 export class Cameras {
   readonly perspective = new PerspectiveCamera(FIELD, 1, 0.01, 100);
@@ -20,6 +22,7 @@ export class Cameras {
   private name: ViewName = '3d';
   private centre = new Vector3();
   private radius = 1;
+  private points: Vector3[] = [];
   private size: [number, number] = [1, 1];
 
   constructor(element: HTMLElement, changed: () => void) {
@@ -52,15 +55,18 @@ export class Cameras {
     this.size = [width, height];
     this.perspective.aspect = width / height;
     this.perspective.updateProjectionMatrix();
-    const half = this.radius * MARGIN;
-    const [w, h] = width > height ? [half * width / height, half] : [half, half * height / width];
-    Object.assign(this.flat, { left: -w, right: w, top: h, bottom: -h });
+    const half = this.radius;
+    Object.assign(this.flat, { left: (-half * width) / height, right: (half * width) / height, top: half, bottom: -half });
     this.flat.updateProjectionMatrix();
   }
 
-  fit(centre: Vector3, radius: number) {
-    this.centre.copy(centre);
-    this.radius = radius;
+  /** Shows all of these points. */
+  fit(points: Vector3[]) {
+    this.points = points;
+    const low = points.reduce((a, p) => a.clone().min(p), points[0]);
+    const high = points.reduce((a, p) => a.clone().max(p), points[0]);
+    this.centre = low.clone().add(high).multiplyScalar(0.5);
+    this.radius = Math.max(high.distanceTo(low) / 2, 1e-6);
     this.show(this.name);
   }
 
@@ -68,26 +74,41 @@ export class Cameras {
     this.name = name;
     const { from, up } = DIRECTIONS[name];
     const camera = this.camera;
-    const [width, height] = this.size;
-    const narrow = Math.min(1, width / height);
-    const distance = (this.radius * MARGIN) / Math.sin((FIELD / 2) * (Math.PI / 180)) / narrow;
-    camera.up.copy(up);
-    camera.position.copy(this.centre).addScaledVector(from.clone().normalize(), name === '3d' ? distance : 4 * this.radius);
     const controls = name === '3d' ? this.controls.perspective : this.controls.flat;
-    controls.target.copy(this.centre);
-    controls.object = camera;
-    if (name === '3d') {
-      this.perspective.near = distance / 100;
-      this.perspective.far = distance * 20;
-    } else {
-      this.flat.zoom = 1;
-      this.flat.near = -20 * this.radius;
-      this.flat.far = 20 * this.radius;
+    const direction = from.clone().normalize();
+    this.resize(...this.size);
+    camera.up.copy(up);
+    this.flat.zoom = 1;
+    this.flat.near = -20 * this.radius;
+    this.flat.far = 20 * this.radius;
+    this.perspective.near = this.radius / 50;
+    this.perspective.far = this.radius * 200;
+    this.flat.updateProjectionMatrix();
+    this.perspective.updateProjectionMatrix();
+    let distance = this.radius / Math.tan((FIELD / 2) * (Math.PI / 180));
+    const target = this.centre.clone();
+    for (let step = 0; step < FITTING_STEPS; step++) {
+      camera.position.copy(target).addScaledVector(direction, distance);
+      camera.lookAt(target);
+      camera.updateMatrixWorld();
+      const seen = this.points.map((p) => p.clone().project(camera));
+      const [x0, x1] = [Math.min(...seen.map((p) => p.x)), Math.max(...seen.map((p) => p.x))];
+      const [y0, y1] = [Math.min(...seen.map((p) => p.y)), Math.max(...seen.map((p) => p.y))];
+      const most = Math.max(x1 - x0, y1 - y0) / 2 / FILLED;
+      // The middle of the picture goes to the middle of the view.
+      const depth = target.clone().project(camera).z;
+      const middle = new Vector3((x0 + x1) / 2, (y0 + y1) / 2, depth).unproject(camera);
+      target.copy(middle);
+      if (name === '3d') distance *= most;
+      else this.flat.zoom /= Math.max(most, 1e-9);
+      this.flat.updateProjectionMatrix();
     }
-    this.resize(width, height);
-    this.enable(true);
-    camera.lookAt(this.centre);
+    camera.position.copy(target).addScaledVector(direction, distance);
+    camera.lookAt(target);
     camera.updateMatrixWorld();
+    controls.target.copy(target);
+    controls.object = camera;
+    this.enable(true);
     controls.update();
   }
 

@@ -16,7 +16,8 @@ export function element<K extends keyof SVGElementTagNameMap>(
 }
 
 export interface Mark { name: string; at: Vector3; isMoved: boolean }
-export interface ContactMark { point: Vector3; normal: Vector3; label: string; isStale: boolean }
+/** `reach`: nearest drawn point of the contact link. */
+export interface ContactMark { point: Vector3; normal: Vector3; reach?: Vector3; label: string; isStale: boolean }
 
 const ARROW = 74;
 const HEAD = 15;
@@ -105,10 +106,15 @@ export class Overlay {
     const head = element('circle', { cx: b.x, cy: b.y, r: 11, class: 'grip', 'data-contact': 'normal' });
     const width = 8.2 * mark.label.length + 18;
     const { width: all, height } = this.svg.getBoundingClientRect();
-    // The label is beside the tip, inside of the view.
-    const right = b.x + 14 + width < all;
-    const x = Math.min(Math.max(right ? b.x + 12 : b.x - 12 - width, 6), all - width - 6);
-    const y = Math.min(Math.max(b.y - 30, 44), height - 60);
+    // The label is beyond the tip, inside of the view, and off the buttons.
+    const length = Math.hypot(b.x - a.x, b.y - a.y);
+    const [ux, uy] = facing || length === 0 ? [1, -0.6] : [(b.x - a.x) / length, (b.y - a.y) / length];
+    const x = Math.min(Math.max(b.x + ux * (width / 2 + 14) - width / 2, 6), all - width - 6);
+    const y = Math.min(Math.max(b.y + uy * 28 - 13, 48), height - 60);
+    const base = mark.reach && cameras.project(mark.reach);
+    if (base && Math.hypot(base.x - a.x, base.y - a.y) > 3) {
+      parts.unshift(element('line', { x1: base.x, y1: base.y, x2: a.x, y2: a.y, class: 'reach' }));
+    }
     const chip = element('g', { transform: `translate(${x.toFixed(1)},${y.toFixed(1)})`, class: 'chip' });
     element('rect', { width: width.toFixed(0), height: 26, rx: 5 }, chip);
     element('text', { x: (width / 2).toFixed(1), y: 18, 'text-anchor': 'middle' }, chip).textContent = mark.label;

@@ -1,6 +1,6 @@
 // Frames, scales and colours of the view.
 
-import { Color, Matrix4, Vector3 } from 'three';
+import { Color, Matrix4, Quaternion, Vector3 } from 'three';
 import type { Scene, Triple } from '../engine/protocol';
 
 /** Frame of a link in a list of frames. */
@@ -23,31 +23,25 @@ export function intoLink(frames: number[], link: number, vector: Vector3): Vecto
   return length === 0 ? vector.clone() : vector.clone().transformDirection(frame(frames, link).transpose().setPosition(0, 0, 0)).multiplyScalar(length);
 }
 
-/** Centre and radius of everything drawn at the design pose, m. */
-export function extent(scene: Scene, shapes: (Float32Array | null)[]): { centre: Vector3; radius: number } {
-  const low = new Vector3(Infinity, Infinity, Infinity);
-  const high = low.clone().negate();
-  const add = (at: Vector3) => {
-    low.min(at);
-    high.max(at);
-  };
+/** Points that enclose everything drawn at the design pose, m. */
+export function outline(scene: Scene, shapes: (Float32Array | null)[]): Vector3[] {
+  const points: Vector3[] = [];
   scene.links.forEach((link, i) => {
-    for (const line of link.lines) for (const end of line) add(pointAt(scene.design, i, end));
+    for (const line of link.lines) for (const end of line) points.push(pointAt(scene.design, i, end));
     const corners = shapes[i];
-    // Every corner of a large mesh would take long; the extent needs only some.
-    const step = corners ? 3 * Math.max(1, Math.floor(corners.length / 3 / 2000)) : 1;
-    for (let k = 0; corners && k + 2 < corners.length; k += step) add(pointAt(scene.design, i, [corners[k], corners[k + 1], corners[k + 2]]));
+    // Every corner of a large mesh would take long; the outline needs only some.
+    const step = corners ? 3 * Math.max(1, Math.floor(corners.length / 3 / 600)) : 1;
+    for (let k = 0; corners && k + 2 < corners.length; k += step) points.push(pointAt(scene.design, i, [corners[k], corners[k + 1], corners[k + 2]]));
   });
   for (const wheel of scene.wheels) {
-    const at = pointAt(scene.design, wheel.link, wheel.centre);
-    const r = new Vector3().setScalar(wheel.radius);
-    add(at.clone().add(r));
-    add(at.clone().sub(r));
+    const turn = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...wheel.axis).normalize());
+    for (let k = 0; k < 12; k++) {
+      const spoke = new Vector3(Math.cos((k * Math.PI) / 6), Math.sin((k * Math.PI) / 6), 0).applyQuaternion(turn).multiplyScalar(wheel.radius);
+      points.push(pointAt(scene.design, wheel.link, spoke.add(new Vector3(...wheel.centre)).toArray() as Triple));
+    }
   }
-  for (const point of scene.sheet?.hardpoints ?? []) add(pointAt(scene.design, point.link, point.point));
-  if (!(high.x >= low.x)) return { centre: new Vector3(), radius: 1 };
-  const radius = Math.max(high.clone().sub(low).length() / 2, 1e-6);
-  return { centre: low.add(high).multiplyScalar(0.5), radius };
+  for (const point of scene.sheet?.hardpoints ?? []) points.push(pointAt(scene.design, point.link, point.point));
+  return points.length ? points : [new Vector3(-1, -1, -1), new Vector3(1, 1, 1)];
 }
 
 const RAMP = ['#c3ced9', '#e3b98d', '#e08a3c', '#b83a0f'].map((c) => new Color(c));

@@ -1,13 +1,13 @@
 // View of the mechanism: draws the bodies and marks of the store, and turns gestures into changes of the study.
 
-import { AmbientLight, DirectionalLight, GridHelper, HemisphereLight, Matrix4, Raycaster, Scene as Stage, Vector3, WebGLRenderer } from 'three';
+import { AmbientLight, DirectionalLight, GridHelper, HemisphereLight, Line3, Matrix4, Raycaster, Scene as Stage, Vector3, WebGLRenderer } from 'three';
 import type { Scene, Triple } from '../engine/protocol';
-import { fixed, mass, signed } from '../model/numbers';
+import { mass, signed } from '../model/numbers';
 import { store } from '../model/store';
 import { Bodies } from './bodies';
 import { Cameras } from './cameras';
 import { Overlay, type Mark } from './overlay';
-import { decodeShape, extent, intoLink, pointAt, rampColour } from './space';
+import { decodeShape, intoLink, outline, pointAt, rampColour } from './space';
 
 /** Nearest distance to a mark that counts as a hit, pixels: mouse and finger. */
 const REACH = { mouse: 12, touch: 24 };
@@ -41,6 +41,7 @@ export class View {
   private shown: { scene?: Scene; shapes?: unknown; view?: string; fitted?: unknown } = {};
   private shapes: (Float32Array | null)[] = [];
   private centre = new Vector3();
+  private points: Vector3[] = [];
   private radius = 1;
   private tip: Vector3 | undefined;
   private drag: Drag | undefined;
@@ -103,7 +104,7 @@ export class View {
   }
 
   fit() {
-    this.cameras.fit(this.centre, this.radius);
+    if (this.points.length) this.cameras.fit(this.points);
     this.invalidate();
   }
 
@@ -135,9 +136,13 @@ export class View {
     this.bodies?.dispose();
     if (this.bodies) this.stage.remove(this.bodies.group);
     if (isNewModel) {
-      ({ centre: this.centre, radius: this.radius } = extent(scene, this.shapes));
+      this.points = outline(scene, this.shapes);
+      const low = this.points.reduce((a, p) => a.clone().min(p), this.points[0]);
+      const high = this.points.reduce((a, p) => a.clone().max(p), this.points[0]);
+      this.centre = low.clone().add(high).multiplyScalar(0.5);
+      this.radius = Math.max(high.distanceTo(low) / 2, 1e-6);
       this.shown.fitted = store.opened;
-      this.cameras.fit(this.centre, this.radius);
+      this.cameras.fit(this.points);
       this.addGrid(scene);
     }
     this.bodies = new Bodies(scene, this.shapes, this.radius);
@@ -192,10 +197,25 @@ export class View {
     this.tip = this.overlay.drawContact(this.cameras, posed && {
       point: new Vector3(...posed.report.contact.point_world),
       normal: new Vector3(...posed.report.contact.normal_world),
+      reach: this.reach(frames),
       label: this.value(),
       isStale: problem !== undefined,
     });
     this.drawLabel();
+  }
+
+  /** Drawn point of the contact link nearest to the contact; undefined for a link with a shape. */
+  private reach(frames: number[]): Vector3 | undefined {
+    const { scene, posed } = store;
+    const { link: name, point_world } = posed!.report.contact;
+    const link = scene!.links.findIndex((l) => l.name === name);
+    if (link < 0 || this.shapes[link]?.length) return undefined;
+    const point = new Vector3(...point_world);
+    const nearest = scene!.links[link].lines.map(([a, b]) => {
+      const line = new Line3(pointAt(frames, link, a), pointAt(frames, link, b));
+      return line.closestPointToPoint(point, true, new Vector3());
+    });
+    return nearest.sort((a, b) => a.distanceTo(point) - b.distanceTo(point))[0];
   }
 
   private value(): string {
@@ -433,12 +453,8 @@ export class View {
     }, `contact on ${store.scene!.links[link].name}`);
   }
 
-  /** Position on the screen of a point of the world, in words for tests and labels. */
-  screen(at: Triple): { x: number; y: number } {
-    return this.cameras.project(new Vector3(...at));
-  }
-
-  describe(): string {
-    return `${fixed(this.radius * 1000, 0)} mm`;
+  /** True if the newest study is answered and drawn; for tests. */
+  isSettled(): boolean {
+    return !this.pending && store.isIdle;
   }
 }
