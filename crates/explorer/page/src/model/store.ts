@@ -25,6 +25,7 @@ const REST = 250;
 /** Work that takes longer is reported, ms. */
 const SLOW = 300;
 const LONGEST_HISTORY = 200;
+const MOST_TIMES = 400;
 
 export class Store {
   engine: Engine | undefined;
@@ -63,6 +64,8 @@ export class Store {
   private dirty = false;
   private working = false;
   private rest: ReturnType<typeof setTimeout> | undefined;
+  /** Times from question to reply, ms. */
+  readonly times: number[] = [];
   private listeners = new Set<() => void>();
 
   listen(listener: () => void): () => void {
@@ -172,10 +175,13 @@ export class Store {
       this.dirty = false;
       const study = this.study;
       const rows = this.gesture ? ROWS_OF_DRAG : ROWS;
+      const asked = performance.now();
       const reply = await this.ask<Shown>({
         do: 'show', question: study, ...(this.driver ? { vary: vary(this.driver, rows) } : {}),
       });
       if (!reply) break;
+      this.times.push(performance.now() - asked);
+      if (this.times.length > MOST_TIMES) this.times.shift();
       this.explanation = undefined;
       if ('refused' in reply) {
         this.problem = reply.refused;
@@ -248,6 +254,11 @@ export class Store {
 
   get isIdle(): boolean {
     return this.opened !== undefined && !this.working && !this.gesture;
+  }
+
+  /** Name of the change that an undo takes back. */
+  get lastLabel(): string | undefined {
+    return this.gesture?.label ?? this.past.at(-1)?.label;
   }
 
   get inGesture(): boolean {

@@ -84,7 +84,7 @@ function Plot() {
   };
   const yTicks = ticks(low, high, Math.max(3, Math.floor((height - 54) / 30)));
   const yDecimals = Math.max(0, -Math.floor(Math.log10((yTicks[1] ?? 1) - (yTicks[0] ?? 0)) + 1e-9));
-  const xTicks = ticks(from, to, Math.max(3, Math.floor((width - 80) / 80)));
+  const xTicks = ticks(from, to, Math.max(3, Math.floor((width - 80) / 62)));
   const set = (value: number) => {
     const step = driver.unit.step / scale / 5;
     const inside = Math.min(Math.max(value, driver.range[0]), driver.range[1]);

@@ -58,7 +58,7 @@ function Difference({ m }: { m: number | null }) {
 
 /** Reason why the study has no result. */
 function Problem() {
-  const { problem, driver, study, past } = store;
+  const { problem, driver, study } = store;
   const reached = driver && store.curve && 'ok' in store.curve
     ? store.curve.ok.rows.filter((row) => row.status !== 'unreachable' && row.status !== 'no answer') : [];
   const ends = reached.length ? ([reached[0].at, reached.at(-1)!.at] as const) : undefined;
@@ -72,7 +72,7 @@ function Problem() {
             {driver.label} to {fixed(end * driver.unit.perSi, 1)} {driver.unit.name}
           </button>
         ))}
-        {past.length ? <button onClick={() => store.undo()}>Undo “{past.at(-1)!.label}”</button> : null}
+        {store.lastLabel ? <button onClick={() => (store.inGesture ? store.finish(false) : store.undo())}>Undo “{store.lastLabel}”</button> : null}
       </p>
     </div>
   );

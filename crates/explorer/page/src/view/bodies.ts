@@ -211,7 +211,8 @@ export class Bodies {
   }
 
   private outline(scene: Scene, frames: number[], material: LineBasicMaterial): LineSegments {
-    const ends = scene.links.flatMap((link, i) => link.lines.flatMap((line) => line.map((end) => pointAt(frames, i, end))));
+    const ends = scene.links.flatMap((link, i) => link.lines.filter((line) => !this.endsAtPatch(i, line))
+      .flatMap((line) => line.map((end) => pointAt(frames, i, end))));
     return new LineSegments(new BufferGeometry().setFromPoints(ends), material);
   }
 

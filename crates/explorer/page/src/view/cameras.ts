@@ -13,6 +13,9 @@ const DIRECTIONS: Record<ViewName, { from: Vector3; up: Vector3 }> = {
 const FIELD = 32;
 /** Part of the view that the mechanism takes: names and the arrow need room. */
 const FILLED = 0.78;
+/** The same in a low view, where buttons take more of it. */
+const FILLED_LOW = 0.7;
+const LOW = 420;
 const FITTING_STEPS = 6;
 
 export class Cameras {
@@ -94,7 +97,7 @@ export class Cameras {
       const seen = this.points.map((p) => p.clone().project(camera));
       const [x0, x1] = [Math.min(...seen.map((p) => p.x)), Math.max(...seen.map((p) => p.x))];
       const [y0, y1] = [Math.min(...seen.map((p) => p.y)), Math.max(...seen.map((p) => p.y))];
-      const most = Math.max(x1 - x0, y1 - y0) / 2 / FILLED;
+      const most = Math.max(x1 - x0, y1 - y0) / 2 / (this.size[1] < LOW ? FILLED_LOW : FILLED);
       // The middle of the picture goes to the middle of the view.
       const depth = target.clone().project(camera).z;
       const middle = new Vector3((x0 + x1) / 2, (y0 + y1) / 2, depth).unproject(camera);

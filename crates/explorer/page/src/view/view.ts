@@ -457,4 +457,9 @@ export class View {
   isSettled(): boolean {
     return !this.pending && store.isIdle;
   }
+
+  /** Median time from a question to its reply, ms; for tests. */
+  medianTime(): number {
+    return [...store.times].sort((a, b) => a - b)[Math.floor(store.times.length / 2)] ?? 0;
+  }
 }
