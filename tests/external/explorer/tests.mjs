@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { gunzipSync } from 'node:zlib';
 import { agrees, center, close, drag, explore, fileText, folder, join, launch, open, root, settle, shown } from './harness.mjs';
 
 const SHEET = 'models/suspensions/double-wishbone.toml';
@@ -11,12 +12,24 @@ const models = [
   ...readdirSync(SHEETS).filter((name) => name.endsWith('.toml') && !name.includes('with-table')).map((name) => join(SHEETS, name)),
 ];
 
+/** Largest page of a sheet, bytes. */
+const LARGEST_PAGE = 2_600_000;
 /** Median time from a change to its result and curve in the page, ms: a drag follows the hand. */
 const LONGEST_FRAME = 60;
 /** Drags of the random test; more by the environment. */
 const RANDOM_DRAGS = Number(process.env.EXPLORER_DRAGS ?? 40);
 
 const tests = {
+  async 'the engine imports nothing, and the page is small'() {
+    const packed = readFileSync(join(root, 'crates/explorer/engine/percuss.wasm.gz'));
+    const module = gunzipSync(packed);
+    assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(module)), []);
+    assert.ok(!module.includes(root), 'no path of this machine');
+    const page = readFileSync(explore(SHEET));
+    console.log(`    engine ${packed.length} bytes, page ${page.length} bytes`);
+    assert.ok(page.length <= LARGEST_PAGE, `${page.length} bytes`);
+  },
+
   async 'every shipped model has the number of its command'(browser) {
     const page = await open(browser, explore(SHEET));
     let same = 0;

@@ -256,6 +256,12 @@ export class Store {
     return this.opened !== undefined && !this.working && !this.gesture;
   }
 
+  /** Ends a gesture when its last change is answered; a refused change is taken back. */
+  async finishAnswered(keep: boolean, label: string | undefined) {
+    while (this.working) await new Promise((done) => setTimeout(done, 4));
+    this.finish(keep && !this.problem, label);
+  }
+
   /** Name of the change that an undo takes back. */
   get lastLabel(): string | undefined {
     return this.gesture?.label ?? this.past.at(-1)?.label;

@@ -78,6 +78,13 @@ export class Bodies {
       } else {
         const width = this.radius * (link.mass > 0 ? BAR : THIN_BAR);
         const ends: Vector3[] = [];
+        if (!link.lines.length && link.mass > 0 && link.com) {
+          // A body without joints, lines and shape: a ball at its centre of mass.
+          const body = new Mesh(ball, material);
+          body.position.set(...link.com);
+          body.scale.setScalar(3 * width);
+          this.addLink(group, body, i);
+        }
         for (const line of link.lines) {
           if (this.endsAtPatch(i, line)) continue;
           const [from, to] = line.map((end) => new Vector3(...end));

@@ -17,6 +17,8 @@ const FILLED = 0.78;
 const FILLED_LOW = 0.7;
 const LOW = 420;
 const FITTING_STEPS = 6;
+/** Radius of a scene of one point, m. */
+export const POINT_RADIUS = 0.5;
 
 export class Cameras {
   readonly perspective = new PerspectiveCamera(FIELD, 1, 0.01, 100);
@@ -69,7 +71,7 @@ export class Cameras {
     const low = points.reduce((a, p) => a.clone().min(p), points[0]);
     const high = points.reduce((a, p) => a.clone().max(p), points[0]);
     this.centre = low.clone().add(high).multiplyScalar(0.5);
-    this.radius = Math.max(high.distanceTo(low) / 2, 1e-6);
+    this.radius = high.distanceTo(low) / 2 || POINT_RADIUS;
     this.show(this.name);
   }
 
@@ -97,6 +99,7 @@ export class Cameras {
       const seen = this.points.map((p) => p.clone().project(camera));
       const [x0, x1] = [Math.min(...seen.map((p) => p.x)), Math.max(...seen.map((p) => p.x))];
       const [y0, y1] = [Math.min(...seen.map((p) => p.y)), Math.max(...seen.map((p) => p.y))];
+      if (x1 === x0 && y1 === y0) break;
       const most = Math.max(x1 - x0, y1 - y0) / 2 / (this.size[1] < LOW ? FILLED_LOW : FILLED);
       // The middle of the picture goes to the middle of the view.
       const depth = target.clone().project(camera).z;

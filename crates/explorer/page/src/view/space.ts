@@ -28,6 +28,7 @@ export function outline(scene: Scene, shapes: (Float32Array | null)[]): Vector3[
   const points: Vector3[] = [];
   scene.links.forEach((link, i) => {
     for (const line of link.lines) for (const end of line) points.push(pointAt(scene.design, i, end));
+    if (link.com && link.mass > 0) points.push(pointAt(scene.design, i, link.com));
     const corners = shapes[i];
     // Every corner of a large mesh would take long; the outline needs only some.
     const step = corners ? 3 * Math.max(1, Math.floor(corners.length / 3 / 600)) : 1;

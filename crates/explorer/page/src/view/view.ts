@@ -5,7 +5,7 @@ import type { Scene, Triple } from '../engine/protocol';
 import { mass, signed } from '../model/numbers';
 import { store } from '../model/store';
 import { Bodies } from './bodies';
-import { Cameras } from './cameras';
+import { Cameras, POINT_RADIUS } from './cameras';
 import { Overlay, type Mark } from './overlay';
 import { decodeShape, intoLink, outline, pointAt, rampColour } from './space';
 
@@ -28,6 +28,8 @@ interface Drag {
   held: 'x' | 'y' | 'z' | null;
   frames: number[];
   moved: boolean;
+  /** True if the study had no result before. */
+  hadProblem: boolean;
 }
 
 export class View {
@@ -140,7 +142,8 @@ export class View {
       const low = this.points.reduce((a, p) => a.clone().min(p), this.points[0]);
       const high = this.points.reduce((a, p) => a.clone().max(p), this.points[0]);
       this.centre = low.clone().add(high).multiplyScalar(0.5);
-      this.radius = Math.max(high.distanceTo(low) / 2, 1e-6);
+      // A single point has no size.
+      this.radius = high.distanceTo(low) / 2 || POINT_RADIUS;
       this.shown.fitted = store.opened;
       this.cameras.fit(this.points);
       this.addGrid(scene);
@@ -295,7 +298,7 @@ export class View {
     const mark = hit.what === 'point' ? this.marks().find((m) => m.name === hit.name) : undefined;
     const contact = store.posed?.report.contact;
     this.drag = {
-      ...hit, held: null, moved: false, frames: store.frames,
+      ...hit, held: null, moved: false, frames: store.frames, hadProblem: store.problem !== undefined,
       at: mark ? mark.at : hit.what === 'normal' ? this.tip!.clone() : new Vector3(...contact!.point_world),
       start: mark ? store.moved(hit.name) : hit.what === 'normal' ? contact!.normal_world : contact!.point_link,
     };
@@ -414,8 +417,10 @@ export class View {
     if (drag) {
       const by = drag.what === 'point' ? store.moved(drag.name).map((x, k) => (x - drag.start[k]) * 1000) : [];
       const text = by.map((x, k) => (Math.abs(x) > 1e-6 ? `${signed(x, 1)} mm ${'xyz'[k]}` : '')).filter(Boolean).join(' ');
-      // A refused place is taken back; the last good one stays.
-      store.finish(drag.moved && !(store.problem && drag.what === 'point'), text ? `${drag.name} ${text}` : undefined);
+      // A refused place of a hardpoint is taken back.
+      const label = text ? `${drag.name} ${text}` : undefined;
+      if (drag.what === 'point' && !drag.hadProblem) void store.finishAnswered(drag.moved, label);
+      else store.finish(drag.moved, label);
     } else if (isClick && this.bodies && !this.hit(at.x, at.y, event.pointerType)) {
       const found = this.cast(at.x, at.y);
       if (!found) {
