@@ -73,7 +73,7 @@ impl Cli {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// List the contents of a model: links, joints, mobility, mass, diagnostics.
+    /// Contents of a model: links, joints, mobility, mass, diagnostics.
     #[command(after_help = examples::CHECK)]
     Check(CheckArgs),
     /// Effective mass at a contact point along the normal.
@@ -141,7 +141,7 @@ pub enum Command {
         override_usage = "percuss extremes MODEL (--at NAME | --link L --point X,Y,Z\n                        (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                        [--range JOINT=FROM:TO]… [--starts N] …"
     )]
     Extremes(Box<ExtremesArgs>),
-    /// Write a page in which the mechanism moves and the effective mass follows.
+    /// Page in which the mechanism moves and the effective mass follows.
     ///
     /// One HTML file without requests: joints, wheel travel, contact and hardpoints are dragged, and the curve follows.
     #[command(
