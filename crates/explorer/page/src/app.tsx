@@ -114,7 +114,7 @@ function Bar() {
         history.replaceState(null, '', await toHash(store.linked()));
         setCopied(await copy(location.href));
         setTimeout(() => setCopied(false), 1500);
-      }} aria-label="Copy link">{copied ? 'Copied' : <><span class="wide">Copy </span>link</>}</button>
+      }} aria-label="Copy link">{copied ? 'Copied' : <><span class="wide">Copy link</span><span class="narrow">Link</span></>}</button>
     </header>
   );
 }
