@@ -119,7 +119,7 @@ export class Store {
       return;
     }
     const opened = reply.ok;
-    const hasContact = given?.contact && Object.keys(given.contact).length > 0;
+    const hasContact = given?.contact && Object.values(given.contact).some((value) => value !== false);
     const study: Study = {
       model,
       contact: hasContact ? given.contact! : opened.contact,

@@ -123,7 +123,6 @@ pub struct ContactTable {
     /// the design pose (all joints at 0), because the line is then no longer the normal of a stop. A line shorter
     /// than a tenth of its length in the design pose is always refused.
     #[cfg_attr(feature = "flags", arg(long, requires = "along_line", help_heading = CONTACT))]
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub turning_normal: bool,
     /// Frame of the point and the normal; default: link.
     ///
