@@ -47,7 +47,7 @@ fn files(ending: &str) -> Vec<PathBuf> {
 }
 
 /// Permitted dependencies between the crates of the workspace, without those of tests.
-const ARROWS: [(&str, &[&str]); 19] = [
+const ARROWS: [(&str, &[&str]); 21] = [
     ("percuss-spatial", &[]),
     ("percuss-tables", &[]),
     ("percuss-units", &[]),
@@ -83,10 +83,13 @@ const ARROWS: [(&str, &[&str]); 19] = [
             "percuss-formats",
             "percuss-suspension",
             "percuss-dynamics",
+            "percuss-explorer",
             "percuss-render",
             "percuss-study",
         ],
     ),
+    ("percuss-explorer", &[]),
+    ("percuss-web", &["percuss-formats", "percuss-study"]),
     (
         "percuss",
         &[

@@ -12,7 +12,7 @@
 #
 # Run on Debian 12: `linux`, whole; `windows`, its tests and then the rest. In a run of the 222 tests under Wine one fails now and then,
 # another each time, since Wine does not start the command (its error 1359); each was seen to pass. Not run: `native`, apt-get on a
-# machine without the packages.
+# machine without the packages, and the three with the engine of the explorer.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../../.."
@@ -26,6 +26,8 @@ export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2> /dev/
 export RUSTFLAGS="${RUSTFLAGS:-} --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=/cargo --remap-path-prefix=$PWD=/percuss"
 trap 'rm -rf "$room"' EXIT
 mkdir -p "$out"
+# The page of percuss explore contains it.
+crates/explorer/build.sh engine
 
 fails() {
   echo "standalone.sh: $*" >&2
@@ -95,7 +97,7 @@ linux() {
   needs musl-gcc musl-tools
   needs "$python" python3
   with_target $triple
-  CC_x86_64_unknown_linux_musl=musl-gcc cargo build --locked --profile dist -p percuss-cli --features full --target $triple
+  CC_x86_64_unknown_linux_musl=musl-gcc cargo build --locked --profile dist -p percuss-cli --features full,explorer --target $triple
   local binary=$target/$triple/dist/percuss folder
   # Nothing is loaded with it.
   LC_ALL=C ldd "$binary" 2>&1 | grep -qE "not a dynamic executable|statically linked" || fails "$binary is not static"
@@ -139,6 +141,8 @@ in_empty_root() {
       -o out/sweep.$ending > /dev/null
     made sweep.$ending
   done
+  inside explore models/four_bar.urdf -o out/four_bar.html > /dev/null
+  made four_bar.html
   inside run models/four_bar.toml --report out/report.html --allow-outside > /dev/null
   made report.html
   echo "static binary in an empty root: $passed passed, 0 failed"
@@ -173,7 +177,7 @@ only_system_libraries() {
 # tested ARGUMENT…: the command's own tests, counted. The program that they run is the one that is packed then.
 tested() {
   local code=0
-  cargo test --locked --profile dist -p percuss-cli --no-fail-fast "$@" > "$room/tests" 2>&1 || code=$?
+  cargo test --locked --profile dist -p percuss-cli --features explorer --no-fail-fast "$@" > "$room/tests" 2>&1 || code=$?
   awk '/^test result:/ { passed += $4; failed += $6; ignored += $8 }
        END { printf "the command'"'"'s own tests: %d passed, %d failed, %d ignored\n", passed, failed, ignored; exit passed == 0 }' "$room/tests" || code=1
   [ $code -eq 0 ] || { grep -vE "^test .* ok$" "$room/tests" >&2; fails "the command's own tests fail"; }

@@ -51,6 +51,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::SafeSpeed(args) => commands::impacts::safe_speed::run(args),
         Command::Impact(args) => commands::impacts::rigid_impact::run(args),
         Command::Extremes(args) => commands::impacts::extremes::run(args),
+        Command::Explore(args) => commands::exports::explore::run(args),
         Command::Generate(args) => commands::exports::generate::run(args),
         Command::Convert(args) => commands::exports::convert::run(args),
         Command::Run(args) => commands::run::run(args),

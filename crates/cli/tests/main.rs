@@ -54,6 +54,7 @@ mod suspensions {
 /// Files that are written or replaced.
 mod files {
     mod convert;
+    mod explorer;
     mod generated_code;
     mod outputs;
     mod special_files;

@@ -64,7 +64,13 @@ pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing};
 pub use reports::assumptions::Assumptions;
 pub use reports::compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
 pub use reports::contact_list::{ContactListReport, ListedContact, contact_list};
-pub use reports::drawing::{DrawnElement, DrawnLink, DrawnMechanism, DrawnPoint, draw_mechanism};
+pub use reports::drawing::drawn_mechanism::{
+    DrawnElement, DrawnLink, DrawnMechanism, DrawnPoint, draw_mechanism,
+};
+pub use reports::drawing::scene::{
+    Frames, PosedMass, Scene, SceneClosure, SceneContact, SceneHardpoint, SceneJoint, SceneLink, SceneSheet,
+    SceneWheel, link_frames, mass_with_frames, scene, scene_shapes,
+};
 pub use reports::explain::{
     Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
 };
@@ -109,7 +115,7 @@ pub use reports::tolerance::{
 pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
 pub use study_file::keys::{StudyKeys, UnknownKey};
 pub use study_file::schema::{study_key_page, study_keys, study_schema};
-pub use study_file::starter::starting_study;
+pub use study_file::starter::{starting_contact, starting_study};
 pub use study_file::tables::contact::{
     BaseName, ConditionsTable, ContactTable, FrameName, PoseTable, QuestionTables,
 };

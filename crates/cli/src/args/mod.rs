@@ -3,6 +3,7 @@
 mod compare;
 mod contact;
 mod damping;
+mod explore;
 mod generate;
 mod help;
 mod impact;
@@ -18,6 +19,7 @@ mod value_parsers;
 pub use compare::CompareArgs;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, SafeSpeedArgs};
+pub use explore::ExploreArgs;
 pub use generate::{ConvertArgs, GenerateArgs, LanguageName, ModelFormat};
 pub use help::short_help::{requested_command, short_help};
 pub use impact::{ExtremesArgs, ImpactArgs};
@@ -71,7 +73,7 @@ impl Cli {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// List the contents of a model: links, joints, mobility, mass, diagnostics.
+    /// Contents of a model: links, joints, mobility, mass, diagnostics.
     #[command(after_help = examples::CHECK)]
     Check(CheckArgs),
     /// Effective mass at a contact point along the normal.
@@ -139,6 +141,14 @@ pub enum Command {
         override_usage = "percuss extremes MODEL (--at NAME | --link L --point X,Y,Z\n                        (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                        [--range JOINT=FROM:TO]… [--starts N] …"
     )]
     Extremes(Box<ExtremesArgs>),
+    /// Page in which the mechanism moves and the effective mass follows.
+    ///
+    /// One HTML file without requests: joints, wheel travel, contact and hardpoints are dragged, and the curve follows.
+    #[command(
+        after_help = examples::EXPLORE,
+        override_usage = "percuss explore MODEL [--at NAME | --link L --point X,Y,Z --normal X,Y,Z] …\n                       [-o FILE.html] [--open]"
+    )]
+    Explore(Box<ExploreArgs>),
     /// Write C or Rust code that computes the effective mass from a configuration.
     ///
     /// The code needs no library: for controllers, simulation models and microcontrollers.

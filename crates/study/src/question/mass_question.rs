@@ -11,7 +11,7 @@ use percuss_dynamics::{Base, Contact, Direction, Frame};
 use percuss_mechanism::{LinkId, Mechanism, NamedContact};
 use percuss_units::QuantityError;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::str::FromStr;
 
@@ -47,7 +47,7 @@ impl Normal {
 
 /// Held contact: a point (m, link's frame) of a link that stays in place along a normal (world axes, out of the
 /// link) or in all directions.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Hold {
     /// The link.
@@ -57,7 +57,7 @@ pub struct Hold {
     #[schemars(with = "Point")]
     pub point: [f64; 3],
     /// The normal, world axes, out of the link; without a normal all directions are held.
-    #[serde(default, deserialize_with = "quantities::some_vector")]
+    #[serde(default, deserialize_with = "quantities::some_vector", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<Vector>")]
     pub normal: Option<[f64; 3]>,
 }
@@ -101,7 +101,7 @@ impl FromStr for Hold {
 }
 
 /// Request for the classical estimate: mass of some links, moving with a point of the first link.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EstimateQuestion {
     /// Links with a mass counted in the estimate.
@@ -111,7 +111,7 @@ pub struct EstimateQuestion {
     #[schemars(with = "Option<Point>")]
     pub point: [f64; 3],
     /// Direction of the counted component of A's velocity, world axes; default full speed.
-    #[serde(default, deserialize_with = "quantities::some_vector")]
+    #[serde(default, deserialize_with = "quantities::some_vector", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<Vector>")]
     pub direction: Option<[f64; 3]>,
 }
@@ -137,7 +137,7 @@ impl FromStr for EstimateQuestion {
 pub const UPWARDS: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// Point of a motion ratio relative to the contact.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RatioPoint {
     /// The link.

@@ -9,7 +9,7 @@ use crate::model::loading::Model;
 use crate::question::damping_question::DampingQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
-use crate::reports::drawing::{DrawnMechanism, draw_evaluated};
+use crate::reports::drawing::drawn_mechanism::{DrawnMechanism, draw_evaluated};
 use crate::reports::mass_report::MassReport;
 use crate::reports::motion_ratio::{MotionRatioRecord, motion_ratios};
 use crate::thresholds::{FAR_TOUCH, SLOW_STOP, TOUCH_WRONG_WAY};

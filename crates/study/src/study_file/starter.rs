@@ -8,6 +8,8 @@ use crate::question::field::{Field, Names};
 use crate::question::mass_question::{MassQuestion, Normal};
 use crate::reports::answer_mass::mass;
 use crate::reports::mass_report::MassReport;
+use crate::study_file::tables::contact::{BaseName, ContactTable};
+use crate::values::quantities::{Point, Vector};
 use percuss_dynamics::{Base, Conditions, System};
 use percuss_mechanism::{ContactKind, LinkId, Mechanism, NamedContact};
 use percuss_units::{Dimension, Unit};
@@ -36,6 +38,28 @@ pub fn starting_study(model: &Model, path: &str) -> Result<String, StudyError> {
     let bound = bound.map(|joint| mechanism.joint(joint).name()).collect();
     Ok(StarterWriter { model, check: &seen, question: &question, report: &report, loop_joints: bound }
         .text(path))
+}
+
+/// Contact and base of the starting study of a model.
+///
+/// # Errors
+/// As for [`starting_study`].
+pub fn starting_contact(model: &Model) -> Result<(ContactTable, BaseName), StudyError> {
+    let base = if check(model)?.degrees_of_freedom == 0 { Base::Floating } else { Base::Fixed };
+    let (question, _) = contact(model, base)?;
+    let normal = match question.normal {
+        Normal::Along(normal) => Some(Vector(normal)),
+        Normal::Toward(..) | Normal::TurningToward(..) | Normal::TurningAwayFrom(..) => None,
+    };
+    let is_named = question.at.is_some();
+    let table = ContactTable {
+        at: question.at,
+        link: (!is_named).then_some(question.link),
+        point: (!is_named).then_some(Point(question.point)),
+        normal: normal.filter(|_| !is_named),
+        ..ContactTable::default()
+    };
+    Ok((table, if base == Base::Floating { BaseName::Floating } else { BaseName::Fixed }))
 }
 
 /// First contact with a finite mass at a regular pose; otherwise the best result found.

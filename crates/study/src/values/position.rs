@@ -3,6 +3,7 @@
 
 use percuss_mechanism::JointKind;
 use percuss_units::{Dimension, Quantity, QuantityError};
+use std::fmt;
 use std::str::FromStr;
 
 /// Position of a joint, in the layout of the joint's kind.
@@ -17,6 +18,13 @@ impl FromStr for GivenPosition {
     type Err = QuantityError;
     fn from_str(text: &str) -> Result<Self, QuantityError> {
         Self::parse(text)
+    }
+}
+
+impl fmt::Display for GivenPosition {
+    /// Writes the position as typed.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::values::value::NumberOrText;
 use percuss_units::{Dimension, Quantity, QuantityError, parse_triple};
 use schemars::JsonSchema;
-use serde::{Deserialize, Deserializer};
+use serde::{Deserialize, Deserializer, Serialize};
 use std::str::FromStr;
 
 /// Gives a type the JSON schema of the type from which it is converted.
@@ -36,7 +36,7 @@ fn in_dimension(dimension: Dimension, text: &str) -> Result<f64, QuantityError> 
 macro_rules! quantities {
     ($($(#[$doc:meta])* $name:ident)*) => {$(
         $(#[$doc])*
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
         #[serde(try_from = "NumberOrText")]
         pub struct $name(pub f64);
 
@@ -82,7 +82,7 @@ quantities! {
 }
 
 /// Mass above 0, kg.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(try_from = "NumberOrText")]
 pub struct PositiveMass(pub f64);
 
@@ -143,7 +143,7 @@ quantities_of_a_motion! {
 macro_rules! triples {
     ($($(#[$doc:meta])* $name:ident $dimension:ident)*) => {$(
         $(#[$doc])*
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
         #[serde(try_from = "Vec<NumberOrText>")]
         pub struct $name(pub [f64; 3]);
 
@@ -178,7 +178,7 @@ triples! {
 }
 
 /// Point of a link, m, in the frame of the link: `LINK:X,Y,Z`.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LinkPoint {
     /// The link.

@@ -5,7 +5,8 @@ use crate::values::position::GivenPosition;
 use percuss_units::{Dimension, Quantity, QuantityError};
 use schemars::JsonSchema;
 use serde::de::{DeserializeOwned, Error};
-use serde::{Deserialize, Deserializer};
+use serde::ser::{SerializeMap, SerializeSeq};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::str::FromStr;
@@ -119,6 +120,39 @@ pub(crate) fn positions<'de, D: Deserializer<'de>>(
         Ok((joint, position))
     };
     BTreeMap::<String, PositionText>::deserialize(from)?.into_iter().map(given).collect()
+}
+
+/// Writes values as a list of texts.
+pub(crate) fn texts<S: Serializer, T: Display>(values: &[T], serializer: S) -> Result<S::Ok, S::Error> {
+    let mut list = serializer.serialize_seq(Some(values.len()))?;
+    for value in values {
+        list.serialize_element(&value.to_string())?;
+    }
+    list.end()
+}
+
+/// Writes values by name.
+pub(crate) fn by_name_entries<S: Serializer, T: Serialize>(
+    values: &[(String, T)],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(Some(values.len()))?;
+    for (name, value) in values {
+        map.serialize_entry(name, value)?;
+    }
+    map.end()
+}
+
+/// Writes texts by name.
+pub(crate) fn by_name_texts<S: Serializer, T: Display>(
+    values: &[(String, T)],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(Some(values.len()))?;
+    for (name, value) in values {
+        map.serialize_entry(name, &value.to_string())?;
+    }
+    map.end()
 }
 
 /// Reads armatures by joint: one value, or one value per velocity.

@@ -210,6 +210,15 @@ Examples:
 
 Loops, mimics and armatures are kept; shapes and meshes are not written.";
 
+pub const EXPLORE: &str = "\
+Examples:
+  A page of a suspension at its bump stop, opened in the browser:
+    percuss explore models/suspensions/double-wishbone.toml --open
+  A robot arm, with a contact at the tool:
+    percuss explore models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
+        --normal 0,0,-1 -o arm.html
+  See docs/howto/EXPLORER.md.";
+
 pub const GENERATE: &str = "\
 Examples:
   C code for a controller, with its self-test:
@@ -283,6 +292,7 @@ mod tests {
             super::IMPORT,
             super::DAMP,
             super::SAFE_SPEED,
+            super::EXPLORE,
             super::GENERATE,
             super::CONVERT,
             super::INIT,

@@ -8,7 +8,7 @@ use clap::{Arg, Command};
 const COLUMN: usize = 30;
 
 /// Explained flags of each command. Other flags are only listed.
-const EXPLAINED: [(&str, &[&str]); 19] = [
+const EXPLAINED: [(&str, &[&str]); 20] = [
     ("percuss", &[]),
     ("check", &["format", "strict"]),
     (
@@ -159,6 +159,10 @@ const EXPLAINED: [(&str, &[&str]); 19] = [
     (
         "extremes",
         &["at", "link", "point", "normal", "along_line", "against", "set", "range", "starts", "format"],
+    ),
+    (
+        "explore",
+        &["at", "link", "point", "normal", "against", "set", "wheel_travel", "moves", "output", "open"],
     ),
     (
         "generate",

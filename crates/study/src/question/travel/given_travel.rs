@@ -3,6 +3,7 @@
 use crate::question::travel::moved::{Moved, WheelMotion};
 use crate::question::travel::vary::{Varied, Vary, split};
 use percuss_units::{Dimension, Quantity, QuantityError, parse_triple};
+use std::fmt;
 use std::str::FromStr;
 
 /// Requested displacement of a point along a direction, or of the wheels, measured from the position at the set joint
@@ -34,6 +35,18 @@ impl FromStr for GivenTravel {
     type Err = GivenTravelError;
     fn from_str(text: &str) -> Result<Self, GivenTravelError> {
         Self::parse(text)
+    }
+}
+
+impl fmt::Display for GivenTravel {
+    /// Writes the form that [`parse`](Self::parse) reads, in metres.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.moved {
+            Moved::Point { link, point: [x, y, z], direction: [a, b, c] } => {
+                write!(f, "{link}:{x},{y},{z}:{a},{b},{c}={}", self.distance)
+            }
+            Moved::Wheels(motion) => write!(f, "{}={}", motion.name(), self.distance),
+        }
     }
 }
 
@@ -80,7 +93,9 @@ mod tests {
         assert_eq!(travel, expected);
         let point = GivenTravel::parse("travel:w:0,0,0:0,0,1=0.01").unwrap().moved;
         assert_eq!(point, moved("w", [0.0; 3], [0.0, 0.0, 1.0]));
+        assert_eq!(GivenTravel::parse(&travel.to_string()).unwrap(), travel);
         let heave = GivenTravel::parse("heave=-2cm").unwrap();
+        assert_eq!(GivenTravel::parse(&heave.to_string()).unwrap(), heave);
         assert_eq!(heave, GivenTravel { moved: Moved::Wheels(WheelMotion::Heave), distance: -0.02 });
         for text in ["", "w", "w=1", "w:0,0,0=1", ":0,0,0:0,0,1=1"] {
             assert_eq!(GivenTravel::parse(text), Err(GivenTravelError::Form), "{text}");

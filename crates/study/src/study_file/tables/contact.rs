@@ -14,12 +14,12 @@ use crate::values::quantities::{LinkPoint, Point, PositiveMass, Vector};
 use crate::values::value::{self, OneOrMany, PositionText, Words};
 use percuss_dynamics::{Base, Frame};
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Frame of a contact point or a normal.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum FrameName {
@@ -43,7 +43,7 @@ impl From<FrameName> for Frame {
 }
 
 /// Motion of the root link.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum BaseName {
@@ -64,7 +64,7 @@ impl From<BaseName> for Base {
 }
 
 /// Contact of a question.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[cfg_attr(feature = "flags", derive(clap::Args))]
 #[serde(deny_unknown_fields, default)]
 pub struct ContactTable {
@@ -82,15 +82,18 @@ pub struct ContactTable {
             help_heading = CONTACT
         )
     )]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub at: Option<String>,
     /// Contact link.
     #[cfg_attr(feature = "flags", arg(long, value_name = "LINK", help_heading = CONTACT))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub link: Option<String>,
     /// Contact point (m).
     #[cfg_attr(
         feature = "flags",
         arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, help_heading = CONTACT)
     )]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub point: Option<Point>,
     /// Contact normal, out of the contact link.
     ///
@@ -105,12 +108,14 @@ pub struct ContactTable {
             help_heading = CONTACT
         )
     )]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Vector>,
     /// Instead of a normal: towards a point of a link.
     ///
     /// The normal points from the contact point towards this point of a link (m, in the frame of that link). Use it
     /// for the line of a spring, or for a stop near the design pose. For a stop over a travel, use a normal.
     #[cfg_attr(feature = "flags", arg(long, value_name = "LINK:X,Y,Z", help_heading = CONTACT))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub along_line: Option<LinkPoint>,
     /// Allow the line to rotate: a spring, a damper or a rod.
     ///
@@ -124,12 +129,15 @@ pub struct ContactTable {
     /// Applies to both. A point given in another frame is converted to the link frame once, at the set pose with
     /// all varied joints at 0, and then moves with the link. A normal stays constant in the given frame.
     #[cfg_attr(feature = "flags", arg(long, value_enum, help_heading = CONTACT))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub frame: Option<FrameName>,
     /// Frame of the normal, if different from the frame of the point.
     #[cfg_attr(feature = "flags", arg(long, value_enum, help_heading = CONTACT))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub normal_frame: Option<FrameName>,
     /// Other link in contact; default: the ground.
     #[cfg_attr(feature = "flags", arg(long, value_name = "LINK", help_heading = CONTACT))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<String>,
     /// Mass (kg) of a free body as the other side of the contact.
     #[cfg_attr(
@@ -142,6 +150,7 @@ pub struct ContactTable {
             help_heading = CONTACT
         )
     )]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub against_mass: Option<PositiveMass>,
     /// Classical estimate, shown with the result.
     ///
@@ -152,6 +161,7 @@ pub struct ContactTable {
         feature = "flags",
         arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", help_heading = ADDITIONAL)
     )]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub estimate: Option<EstimateQuestion>,
     /// Motion ratio at this point (m, link frame), along a direction (world axes; default z).
     ///
@@ -161,11 +171,12 @@ pub struct ContactTable {
         feature = "flags",
         arg(long, value_name = "LINK:X,Y,Z[:DX,DY,DZ]", help_heading = ADDITIONAL)
     )]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub ratio_at: Vec<RatioPoint>,
 }
 
 /// Pose of a question.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[cfg_attr(feature = "flags", derive(clap::Args))]
 #[serde(deny_unknown_fields, default)]
 pub struct PoseTable {
@@ -176,7 +187,11 @@ pub struct PoseTable {
         feature = "flags",
         arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position, help_heading = POSE)
     )]
-    #[serde(deserialize_with = "value::positions")]
+    #[serde(
+        deserialize_with = "value::positions",
+        serialize_with = "value::by_name_texts",
+        skip_serializing_if = "Vec::is_empty"
+    )]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub set: Vec<(String, GivenPosition)>,
     /// Initial guess of a joint that depends on other joints through loops; selects the assembly mode.
@@ -184,7 +199,11 @@ pub struct PoseTable {
         feature = "flags",
         arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position, help_heading = POSE)
     )]
-    #[serde(deserialize_with = "value::positions")]
+    #[serde(
+        deserialize_with = "value::positions",
+        serialize_with = "value::by_name_texts",
+        skip_serializing_if = "Vec::is_empty"
+    )]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub guess: Vec<(String, GivenPosition)>,
     /// Move the mechanism until a point has this travel.
@@ -195,33 +214,44 @@ pub struct PoseTable {
         feature = "flags",
         arg(long, value_name = "LINK:X,Y,Z:DX,DY,DZ=DISTANCE", help_heading = POSE)
     )]
-    #[serde(deserialize_with = "value::words")]
+    #[serde(
+        deserialize_with = "value::words",
+        serialize_with = "value::texts",
+        skip_serializing_if = "Vec::is_empty"
+    )]
     #[schemars(with = "Option<Words>")]
     pub travel: Vec<GivenTravel>,
     /// Complete configuration: output of --format json, or JSON with a position for each joint. Set positions and
     /// guesses override it.
     #[cfg_attr(feature = "flags", arg(long = "pose", id = "pose", value_name = "FILE.json", help_heading = POSE))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
 }
 
 /// Conditions of a question.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[cfg_attr(feature = "flags", derive(clap::Args))]
 #[serde(deny_unknown_fields, default)]
 pub struct ConditionsTable {
     /// Lock a joint at its position.
     #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT", help_heading = CONDITIONS))]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub lock: Vec<String>,
     /// Rotor inertia reflected to a joint (kg·m² or kg): one value, or one value per velocity, separated by commas.
     #[cfg_attr(
         feature = "flags",
         arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_armature, help_heading = CONDITIONS)
     )]
-    #[serde(deserialize_with = "value::armatures")]
+    #[serde(
+        deserialize_with = "value::armatures",
+        serialize_with = "value::by_name_entries",
+        skip_serializing_if = "Vec::is_empty"
+    )]
     #[schemars(with = "BTreeMap<String, OneOrMany<f64>>")]
     pub armature: Vec<(String, Vec<f64>)>,
     /// Root link fixed or floating; default: fixed.
     #[cfg_attr(feature = "flags", arg(long, value_enum, help_heading = CONDITIONS))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub base: Option<BaseName>,
 }
 

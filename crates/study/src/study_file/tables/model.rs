@@ -9,11 +9,11 @@ use crate::values::quantities::{Mass, Point};
 use crate::values::value;
 use percuss_mechanism::Accept;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// Finding that is accepted in a model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[cfg_attr(feature = "flags", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Acceptable {
@@ -24,7 +24,7 @@ pub enum Acceptable {
 }
 
 /// Model of a question, with changes.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
 #[cfg_attr(feature = "flags", derive(clap::Args))]
 #[serde(deny_unknown_fields)]
 pub struct ModelTable {
@@ -33,6 +33,7 @@ pub struct ModelTable {
     pub path: String,
     /// Worksheet of a workbook; default: the first one.
     #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", help_heading = READING))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub worksheet: Option<String>,
     /// Change the mass of a link (kg).
     ///
@@ -47,7 +48,12 @@ pub struct ModelTable {
             help_heading = CHANGES
         )
     )]
-    #[serde(default, deserialize_with = "value::by_name")]
+    #[serde(
+        default,
+        deserialize_with = "value::by_name",
+        serialize_with = "value::by_name_entries",
+        skip_serializing_if = "Vec::is_empty"
+    )]
     #[schemars(with = "BTreeMap<String, Mass>")]
     pub link_mass: Vec<(String, Mass)>,
     /// Change the centre of mass of a link (m, link frame).
@@ -61,7 +67,12 @@ pub struct ModelTable {
             help_heading = CHANGES
         )
     )]
-    #[serde(default, deserialize_with = "value::by_name")]
+    #[serde(
+        default,
+        deserialize_with = "value::by_name",
+        serialize_with = "value::by_name_entries",
+        skip_serializing_if = "Vec::is_empty"
+    )]
     #[schemars(with = "BTreeMap<String, Point>")]
     pub link_com: Vec<(String, Point)>,
     /// Shift a hardpoint of a suspension sheet (m; 5mm).
@@ -77,12 +88,18 @@ pub struct ModelTable {
             help_heading = CHANGES
         )
     )]
-    #[serde(default, rename = "move", deserialize_with = "value::by_name")]
+    #[serde(
+        default,
+        rename = "move",
+        deserialize_with = "value::by_name",
+        serialize_with = "value::by_name_entries",
+        skip_serializing_if = "Vec::is_empty"
+    )]
     #[schemars(with = "BTreeMap<String, Point>")]
     pub moves: Vec<(String, Point)>,
     /// Accept a model in spite of this finding.
     #[cfg_attr(feature = "flags", arg(long, value_enum, value_name = "FINDING", help_heading = READING))]
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub accept: Vec<Acceptable>,
 }
 

@@ -1,21 +1,18 @@
 //! Drawing of a mechanism at the pose of a result: position, share of m̄ and velocity of each link.
 
-use crate::checks::finding::Finding;
-use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile, configuration};
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
-use crate::model::wheel_points::SIDES;
 use crate::pose::pose_solver;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
-use crate::thresholds::{FACETS, TOUCH_TOLERANCE};
+use crate::reports::drawing::link_lines::{centre_of_mass, characteristic_points, link_lines};
+use crate::reports::drawing::shape_reader::ShapeReader;
+use crate::thresholds::TOUCH_TOLERANCE;
 use percuss_dynamics::{ContactResponse, Gap, PointVelocity, Pose};
-use percuss_formats::{DEFAULT_MAX_MESH_SIZE, MeshFolders, Purpose, Shape, Surface};
 use percuss_mechanism::{ContactKind, ContactNormal, JointKind, LinkId, Mechanism, NamedContact};
 use percuss_spatial::Vector3;
-use percuss_suspension::{Line, WheelCircle};
-use std::path::Path;
+use percuss_suspension::WheelCircle;
 
 /// Drawing of a link; coordinates in the world frame, m.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,65 +76,6 @@ pub struct DrawnMechanism {
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 
-/// Largest extent of a shape of the root link, as a multiple of the characteristic length. A larger shape is
-/// taken for the surroundings (a floor, a hall) and is not drawn.
-const FAR_SHAPE: f64 = 5.0;
-
-/// Reader of the shapes of links, with the number of triangles left (`room`).
-struct ShapeReader<'a> {
-    model: &'a Model,
-    folders: MeshFolders,
-    triangles_left: usize,
-    drawing: DrawnMechanism,
-}
-
-impl ShapeReader<'_> {
-    /// Triangles of a link in the world frame, from `<visual>`, otherwise from `<collision>`.
-    fn link_triangles(&mut self, link: LinkId, pose: &Pose) -> Vec<[[f64; 3]; 3]> {
-        let all = self.model.shapes.get(link.index()).map_or(&[][..], Vec::as_slice);
-        let of = |purpose| all.iter().filter(move |shape: &&Shape| shape.purpose == purpose);
-        let any_visual = of(Purpose::Visual).next().is_some();
-        let shapes = of(if any_visual { Purpose::Visual } else { Purpose::Collision });
-        let surface = match Surface::read(shapes, &self.folders, DEFAULT_MAX_MESH_SIZE) {
-            Ok(surface) => surface,
-            Err(error) => {
-                self.add_omitted_shape(link, error.to_string());
-                return Vec::new();
-            }
-        };
-        // A floor would shrink the mechanism to a small part of the drawing.
-        let far = FAR_SHAPE * self.model.mechanism.characteristic_length();
-        let reach = surface.bounds().map_or(0.0, |(centre, radius)| centre.norm() + radius);
-        if link == self.model.mechanism.root() && reach > far {
-            self.add_omitted_shape(link, format!("it reaches {reach:.3} m, far beyond the mechanism"));
-            return Vec::new();
-        }
-        for file in surface.files() {
-            let input = Input::from_file(file);
-            self.drawing.meshes.extend(input.filter(|input| !self.drawing.meshes.contains(input)));
-        }
-        // Infinite edge length: as few triangles as possible.
-        match surface.facets(f64::INFINITY, self.triangles_left) {
-            Ok(facets) => {
-                self.triangles_left -= facets.len();
-                let frame = pose.link(link);
-                facets.iter().map(|facet| facet.corners.map(|corner| frame.point(&corner).into())).collect()
-            }
-            Err(error) => {
-                self.add_omitted_shape(link, error.to_string());
-                Vec::new()
-            }
-        }
-    }
-
-    /// Records a shape that is not drawn, with the reason.
-    fn add_omitted_shape(&mut self, link: LinkId, why: String) {
-        let link = self.model.mechanism.link(link).name();
-        let message = format!("link \"{link}\" is drawn without its shape: {why}");
-        self.drawing.diagnostics.push(Finding::about_result(FindingKind::ShapeNotDrawn, message).into());
-    }
-}
-
 /// Drawing of an evaluated question: every link with lines or triangles.
 pub(crate) fn draw_evaluated(evaluated: &EvaluatedQuestion) -> DrawnMechanism {
     let EvaluatedQuestion { prepared, pose, result: answer, .. } = evaluated;
@@ -159,47 +97,18 @@ pub fn draw_mechanism(model: &Model, question: &MassQuestion) -> Result<DrawnMec
 fn draw_pose(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> DrawnMechanism {
     let mechanism = &model.mechanism;
     let shares = response.and_then(|response| response.contributions.as_ref());
-    let mut points: Vec<Vec<Vector3<f64>>> = vec![Vec::new(); mechanism.links().len()];
-    for joint in mechanism.joints() {
-        // The joint frame coincides with the child's frame.
-        let at = pose.link(joint.child()).point(&Vector3::zeros());
-        points[joint.child().index()].push(at);
-        let before = pose.link(joint.parent()).point(&joint.origin().point(&Vector3::zeros()));
-        points[joint.parent().index()].push(before);
-    }
-    for closure in mechanism.closures() {
-        for end in [closure.predecessor(), closure.successor()] {
-            let Some(link) = end.link else { continue };
-            let at = pose.link(link).point(&end.frame.point(&Vector3::zeros()));
-            points[link.index()].push(at);
-        }
-    }
+    let mut points = characteristic_points(mechanism);
     if let Some(contact) = response.map(|response| &response.contact) {
-        points[contact.link.index()].push(contact.point_world);
-        if let Some(against) = contact.against {
-            points[against.index()].push(contact.point_world);
+        for link in [Some(contact.link), contact.against].into_iter().flatten() {
+            points[link.index()].push(pose.link(link).inverse_point(&contact.point_world));
         }
     }
     let of_link = |id: LinkId| {
         let link = mechanism.link(id);
-        let inertial = link.inertial().filter(|inertial| inertial.mass > 0.0);
-        let com = inertial.map(|inertial| pose.link(id).point(&inertial.com));
-        let mut ends = points[id.index()].clone();
-        ends.extend(com);
-        let arms = arm_lines(model, pose, id);
-        let middle = ends.iter().sum::<Vector3<f64>>() / ends.len().max(1) as f64;
-        let mut lines: Vec<[[f64; 3]; 2]> = match ends[..] {
-            _ if !arms.is_empty() => {
-                // Other points of an arm are joined to it; its centre of mass is not drawn.
-                let joined = points[id.index()].iter().map(|at| [nearest_point(&arms, at), *at]);
-                arms.iter().copied().chain(joined).map(|line| line.map(Into::into)).collect()
-            }
-            [a, b] => vec![[a.into(), b.into()]],
-            _ => ends.iter().map(|end| [middle.into(), (*end).into()]).collect(),
-        };
-        lines.retain(|[a, b]| a != b);
-        let velocity = response.zip(inertial).and_then(|(response, inertial)| {
-            match pose.point_velocity_over_ground(response, id, &inertial.com)? {
+        let (com, frame) = (centre_of_mass(mechanism, id), pose.link(id));
+        let lines = link_lines(model, id, &points[id.index()]);
+        let velocity = response.zip(com).and_then(|(response, com)| {
+            match pose.point_velocity_over_ground(response, id, &com)? {
                 PointVelocity::Known(v) => Some(pose.base().vector(&v).into()),
                 PointVelocity::Undetermined => None,
             }
@@ -207,74 +116,40 @@ fn draw_pose(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> 
         DrawnLink {
             name: link.name().to_owned(),
             share: shares.and_then(|s| s.links.get(id.index()).copied()),
-            lines,
+            lines: lines.iter().map(|line| line.map(|end| frame.point(&end).into())).collect(),
             facets: Vec::new(),
-            com: com.map(Into::into),
+            com: com.map(|com| frame.point(&com).into()),
             velocity,
         }
     };
     // A fixed root link is the ground.
     let is_drawn = |id: &LinkId| *id != mechanism.root() || shares.is_some_and(|s| s.links[id.index()] > 0.0);
-    let path = model.inputs.first().map_or("", |input| &input.path);
-    let folders = MeshFolders::of_model(Path::new(path), Vec::new());
-    let mut shapes =
-        ShapeReader { model, folders, triangles_left: FACETS, drawing: DrawnMechanism::default() };
-    shapes.drawing.wheels = mechanism.link_ids().filter_map(|id| wheel(mechanism, pose, id)).collect();
-    shapes.drawing.points = named_points(mechanism, pose);
-    shapes.drawing.elements =
-        mechanism.contacts().iter().filter_map(|contact| element(mechanism, pose, contact)).collect();
+    let mut shapes = ShapeReader::new(model);
+    let mut drawing = DrawnMechanism {
+        wheels: mechanism.link_ids().filter_map(|id| wheel(mechanism, pose, id)).collect(),
+        points: named_points(mechanism, pose),
+        elements: mechanism
+            .contacts()
+            .iter()
+            .filter_map(|contact| element(mechanism, pose, contact))
+            .collect(),
+        ..DrawnMechanism::default()
+    };
     for id in mechanism.link_ids() {
-        let facets = shapes.link_triangles(id, pose);
+        let frame = pose.link(id);
+        let in_world = |corner: [f64; 3]| frame.point(&corner.into()).into();
+        let facets: Vec<_> =
+            shapes.link_triangles(id).into_iter().map(|corners| corners.map(in_world)).collect();
         let mut link = of_link(id);
         if !is_drawn(&id) {
             link.lines.clear();
         }
         if !(link.lines.is_empty() && facets.is_empty()) {
-            shapes.drawing.links.push(DrawnLink { facets, ..link });
+            drawing.links.push(DrawnLink { facets, ..link });
         }
     }
-    shapes.drawing
-}
-
-/// Lines of an arm or rod of a sheet at a pose, world frame: from each bush to the outer point. Empty for other links.
-fn arm_lines(model: &Model, pose: &Pose, id: LinkId) -> Vec<[Vector3<f64>; 2]> {
-    let Some(sheet) = &model.origin.sheet else { return Vec::new() };
-    let mechanism = &model.mechanism;
-    let name = mechanism.link(id).name();
-    let side = SIDES.into_iter().find(|side| name.ends_with(side));
-    let is_of_link = |line: &&Line| {
-        let is_left = line.ends.iter().map(|end| end[1]).sum::<f64>() > 0.0;
-        line.name == name
-            || side.is_some_and(|side| {
-                name.strip_suffix(side) == Some(&line.name) && is_left == (side == SIDES[0])
-            })
-    };
-    let on_link = |mut at: Vector3<f64>| {
-        let mut path: Vec<LinkId> = vec![id];
-        while let Some(joint) = path.last().and_then(|link| mechanism.parent_joint(*link)) {
-            path.push(mechanism.joint(joint).parent());
-        }
-        // The lines are drawn with all joints at 0: from the root to the link.
-        for link in path.into_iter().rev().skip(1) {
-            if let Some(joint) = mechanism.parent_joint(link) {
-                at = mechanism.joint(joint).origin().inverse_point(&at);
-            }
-        }
-        at
-    };
-    let lines = sheet.lines.iter().filter(is_of_link);
-    lines.map(|line| line.ends.map(|end| pose.link(id).point(&on_link(end.into())))).collect()
-}
-
-/// Point of some lines that is nearest to a point.
-fn nearest_point(lines: &[[Vector3<f64>; 2]], to: &Vector3<f64>) -> Vector3<f64> {
-    let on_line = |[a, b]: &[Vector3<f64>; 2]| {
-        let along = b - a;
-        let part = (to - a).dot(&along) / along.norm_squared();
-        a + along * if part.is_finite() { part.clamp(0.0, 1.0) } else { 0.0 }
-    };
-    let nearest = lines.iter().map(on_line).min_by(|a, b| (a - to).norm().total_cmp(&(b - to).norm()));
-    nearest.unwrap_or(*to)
+    (drawing.meshes, drawing.diagnostics) = (shapes.meshes, shapes.diagnostics);
+    drawing
 }
 
 /// Movable joints and ends of loops. A loop with both ends at one point is one point.

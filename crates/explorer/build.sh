@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Builds the parts of the explorer that a plain build takes as they are.
+#   build.sh engine        WebAssembly module -> engine/percuss.wasm.gz; then: cargo build --release --features explorer
+#   build.sh page          bundle of the page -> page/dist; needs npm
+#   build.sh page --check  builds the bundle again and compares the bytes with page/dist
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../.." && pwd)
+# Largest module, bytes, compressed by zopfli: every page contains it. gzip -9 makes a larger file of the same format.
+largest_module=1350000
+largest_by_gzip=1420000
+
+engine() {
+  rustup target list --installed | grep -qx wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown
+  # No path of this machine is in the module: the bytes are the same on every machine with the same compiler.
+  local cargo_home=${CARGO_HOME:-$HOME/.cargo}
+  local sysroot; sysroot=$(rustc --print sysroot)
+  RUSTFLAGS="--remap-path-prefix=$root=percuss --remap-path-prefix=$cargo_home=cargo --remap-path-prefix=$sysroot=rust" \
+    cargo build --locked --manifest-path "$root/Cargo.toml" --profile web --target wasm32-unknown-unknown -p percuss-web
+  local module=${CARGO_TARGET_DIR:-$root/target}/wasm32-unknown-unknown/web/percuss_web.wasm
+  if command -v zopfli > /dev/null; then
+    zopfli --i5 -c "$module" > "$here/engine/percuss.wasm.gz"
+  else
+    echo "zopfli is not installed (Debian: apt install zopfli): gzip makes the page a twentieth larger"
+    gzip -9 -n -c "$module" > "$here/engine/percuss.wasm.gz"
+    largest_module=$largest_by_gzip
+  fi
+  local size; size=$(wc -c < "$here/engine/percuss.wasm.gz")
+  echo "engine/percuss.wasm.gz: $size bytes ($(wc -c < "$module") unpacked)"
+  if [ "$size" -gt "$largest_module" ]; then
+    echo "the module is larger than $largest_module bytes" >&2
+    exit 1
+  fi
+  for prefix in "$root" "$cargo_home" "$sysroot"; do
+    if grep -qaF "$prefix" "$module"; then
+      echo "the module contains the path $prefix" >&2
+      exit 1
+    fi
+  done
+}
+
+page() {
+  local work=$root/target/explorer-page
+  mkdir -p "$work"
+  cp "$here/page/package.json" "$here/page/package-lock.json" "$work"
+  [ -d "$work/node_modules" ] && cmp -s "$here/page/package-lock.json" "$work/installed.json" ||
+    (cd "$work" && npm ci --ignore-scripts --no-audit --no-fund --silent && cp package-lock.json installed.json)
+  node "$here/page/build.mjs" "$here/page" "$work" "$@"
+}
+
+case ${1:-} in
+  engine) engine ;;
+  page) shift; page "$@" ;;
+  *) sed -n '2,6s/^# \{0,1\}//p' "$0"; exit 2 ;;
+esac

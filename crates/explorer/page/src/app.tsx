@@ -1,0 +1,215 @@
+// The page: bar, view, curve, side.
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { Vector3 } from 'three';
+import type { ViewName } from './model/store';
+import { store } from './model/store';
+import { fixed } from './model/numbers';
+import { toHash } from './model/link';
+import { Away, copy } from './panels/away';
+import { CurvePanel } from './panels/curve';
+import { useStore } from './panels/hooks';
+import { ContactPanel, PosePanel } from './panels/question';
+import { Result } from './panels/result';
+import { Contributions, CurveTable, Findings, Hardpoints, Masses, Ratios, Sensitivities } from './panels/tables';
+import { rampGradient } from './view/space';
+import { View } from './view/view';
+
+const VIEWS: [ViewName, string, string][] = [['3d', '3D', '3'], ['front', 'Front', 'F'], ['side', 'Side', 'S'], ['top', 'Top', 'T']];
+
+export function App() {
+  const { failure, opened, refusal } = useStore();
+  const view = useRef<View | null>(null);
+  useEffect(() => {
+    const key = (event: KeyboardEvent) => {
+      const target = event.target as HTMLElement;
+      const typing = target.matches('input, select, textarea');
+      if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z' && !(typing && (target as HTMLInputElement).type === 'text')) {
+        event.preventDefault();
+        if (event.shiftKey) store.redo();
+        else store.undo();
+      } else if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'y' && !typing) {
+        event.preventDefault();
+        store.redo();
+      } else if (event.key === 'Escape') {
+        void store.end();
+      } else if (!typing && !event.ctrlKey && !event.metaKey && !event.altKey && !store.inGesture) {
+        const chosen = VIEWS.find(([, , letter]) => letter === event.key.toUpperCase());
+        if (chosen) store.set({ view: chosen[0] });
+        if (event.key === '0') view.current?.fit();
+      }
+    };
+    const drop = (event: DragEvent) => {
+      event.preventDefault();
+      const file = event.dataTransfer?.files[0];
+      if (file) void openFile(file);
+    };
+    const over = (event: DragEvent) => event.preventDefault();
+    addEventListener('keydown', key);
+    addEventListener('drop', drop);
+    addEventListener('dragover', over);
+    return () => {
+      removeEventListener('keydown', key);
+      removeEventListener('drop', drop);
+      removeEventListener('dragover', over);
+    };
+  }, []);
+  return (
+    <div class="page">
+      <Bar />
+      <Notice />
+      {failure ? <main class="message"><div class="box bad"><p><b>No engine.</b> {failure}</p></div></main> : null}
+      {refusal ? <Refused /> : null}
+      {opened ? (
+        <main class="work">
+          <Stage view={view} />
+          <CurvePanel />
+          <aside class="side" aria-label="Question and result">
+            <Result />
+            <ContactPanel />
+            <PosePanel />
+            <Contributions />
+            <Ratios />
+            <Hardpoints />
+            <Masses />
+            <Sensitivities />
+            <Away png={() => view.current?.png()} />
+            <CurveTable />
+            <Findings />
+          </aside>
+        </main>
+      ) : failure || refusal ? null : <main class="message"><p class="soft">The engine starts …</p></main>}
+    </div>
+  );
+}
+
+async function openFile(file: File) {
+  const text = await file.text();
+  await store.open(file.name, text);
+}
+
+function Bar() {
+  const { fileName, past, future, posed, problem, busy, scene } = useStore();
+  const input = useRef<HTMLInputElement>(null);
+  const [copied, setCopied] = useState(false);
+  const short = fileName.replace(/.*[\\/]/, '');
+  return (
+    <header class="bar">
+      <b class="brand">percuss</b><span class="brand-sub">explorer</span>
+      <button onClick={() => input.current!.click()}>Open…</button>
+      <input ref={input} type="file" hidden accept=".urdf,.xml,.mjcf,.toml,.csv,.json" aria-label="Model file"
+        onChange={(event) => {
+          const file = event.currentTarget.files?.[0];
+          if (file) void openFile(file);
+          event.currentTarget.value = '';
+        }} />
+      <span class="file" title={scene?.name}>{short}</span>
+      {busy ? <span class="busy" role="status">computing … <button onClick={() => void store.end()}>End (Esc)</button></span> : null}
+      <span class="grow" />
+      <button disabled={!past.length} title={past.at(-1) ? `Undo ${past.at(-1)!.label} (Ctrl Z)` : 'Undo'} onClick={() => store.undo()} aria-label="Undo">↶<span class="wide"> Undo</span></button>
+      <button disabled={!future.length} title="Redo (Ctrl Shift Z)" onClick={() => store.redo()} aria-label="Redo">↷<span class="wide"> Redo</span></button>
+      <button disabled={!posed || !!problem} onClick={() => store.freeze()} title="Keeps the present design for comparison">Freeze</button>
+      <Variants />
+      <button onClick={async () => {
+        history.replaceState(null, '', await toHash(store.linked()));
+        setCopied(await copy(location.href));
+        setTimeout(() => setCopied(false), 1500);
+      }} aria-label="Copy link">{copied ? 'Copied' : <><span class="wide">Copy link</span><span class="narrow">Link</span></>}</button>
+    </header>
+  );
+}
+
+function Variants() {
+  const { variants } = store;
+  if (!variants.length) return null;
+  return (
+    <span class="variants">
+      {variants.map((v) => (
+        <span key={v.name} class="variant">
+          <button title={`Back to variant ${v.name}`} onClick={() => store.change(v.study, `variant ${v.name}`)}>{v.name}</button>
+          <button aria-label={`Remove variant ${v.name}`} onClick={() => store.set({ variants: variants.filter((o) => o !== v) })}>×</button>
+        </span>
+      ))}
+    </span>
+  );
+}
+
+function Notice() {
+  const { notice } = useStore();
+  if (!notice) return null;
+  return <p class="notice" role="status">{notice} <button class="quiet" onClick={() => store.set({ notice: undefined })}>Close</button></p>;
+}
+
+function Refused() {
+  const { refusal, opened } = store;
+  return (
+    <div class={opened ? 'refused' : 'refused alone'} role="alert">
+      <p><b>The model is refused.</b> {refusal!.diagnostics.length ? '' : refusal!.message}</p>
+      {refusal!.diagnostics.map((d, i) => <p key={i} class={`finding ${d.severity}`}>{d.path ? `${d.path}${d.line ? `:${d.line}` : ''}: ` : ''}{d.severity}: {d.message}</p>)}
+      {opened ? <button onClick={() => store.set({ refusal: undefined })}>Keep the open model</button> : null}
+    </div>
+  );
+}
+
+interface Picked { link: number; at: Vector3; normal: Vector3 }
+
+function Stage({ view }: { view: { current: View | null } }) {
+  const { view: name, posed, problem, colours, scene, showsPoints, showsMotion, showsDesign } = useStore();
+  const element = useRef<HTMLDivElement>(null);
+  const [picked, setPicked] = useState<Picked | undefined>();
+  useEffect(() => {
+    const made = new View(element.current!, (link, at, normal) => setPicked(link === undefined ? undefined : { link, at: at!, normal: normal! }));
+    view.current = made;
+    // Tests find the marks of the picture by their positions.
+    (window as unknown as { percussView: View }).percussView = made;
+    return () => made.dispose();
+  }, []);
+  const most = Math.max(0, ...(posed?.report.bodies.map((b) => b.share ?? 0) ?? []));
+  const body = picked && scene?.links[picked.link];
+  const share = picked && posed?.report.bodies[picked.link]?.share;
+  return (
+    <section class="stage" aria-label="Mechanism">
+      <div ref={element} class="canvas" role="img" aria-label={describe()} />
+      <div class="views" role="group" aria-label="View">
+        {VIEWS.map(([id, label, letter]) => (
+          <button key={id} aria-pressed={name === id} title={`${label} (${letter})`} onClick={() => store.set({ view: id })}>{label}</button>
+        ))}
+        <button title="Fit (0)" aria-label="Fit the view" onClick={() => view.current?.fit()}>⤢</button>
+      </div>
+      <div class="shows" role="group" aria-label="Shown">
+        {scene?.sheet ? <Toggle on={showsPoints} label="Hardpoints" set={(on) => store.set({ showsPoints: on })} /> : null}
+        <Toggle on={showsMotion} label="Motion" title="Velocities of the centres of mass when the gap closes" set={(on) => store.set({ showsMotion: on })} />
+        <Toggle on={showsDesign} label="Design pose" set={(on) => store.set({ showsDesign: on })} />
+      </div>
+      {posed?.report.status === 'finite' && most > 0 && colours === 'share' && !problem ? (
+        <div class="legend"><span>share of m̄ 0</span><i style={{ backgroundImage: `linear-gradient(90deg, ${rampGradient()})` }} /><span>{fixed(100 * most, 0)} %</span></div>
+      ) : null}
+      {body && picked ? (
+        <div class="picked" role="dialog" aria-label={body.name}>
+          <b>{body.name}</b>
+          <span class="soft">{body.mass > 0 ? `${fixed(body.mass, 3)} kg` : 'no mass'}{share ? ` · ${fixed(100 * share, 1)} % of m̄` : ''}</span>
+          {picked.link === scene!.root ? null : (
+            <button onClick={() => {
+              view.current!.contactAt(picked.link, picked.at, picked.normal);
+              setPicked(undefined);
+            }}>Contact here</button>
+          )}
+          <button class="quiet" aria-label="Close" onClick={() => setPicked(undefined)}>×</button>
+        </div>
+      ) : null}
+    </section>
+  );
+}
+
+function Toggle({ on, label, title, set }: { on: boolean; label: string; title?: string; set(on: boolean): void }) {
+  return <button aria-pressed={on} title={title} onClick={() => set(!on)}>{label}</button>;
+}
+
+/** The picture in words. */
+function describe(): string {
+  const { scene, posed } = store;
+  if (!scene) return 'Mechanism';
+  const contact = posed?.report.contact;
+  const where = contact ? `; contact on ${contact.link} at ${contact.point_world.map((x) => fixed(x * 1000, 0)).join(', ')} mm` : '';
+  return `${scene.name}: ${scene.links.length} links, ${scene.joints.length} joints, ${scene.closures.length} loop closures${where}`;
+}

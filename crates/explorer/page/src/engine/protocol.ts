@@ -1,0 +1,84 @@
+// Replies of the engine. Lengths in m, angles in rad, masses in kg; frames are 12 numbers a link: the rows of the rotation,
+// then the position.
+
+export type Triple = [number, number, number];
+
+export interface SceneLink { name: string; mass: number; com: Triple | null; lines: [Triple, Triple][] }
+export interface SceneJoint {
+  name: string; kind: string; parent: number; child: number; axis: Triple | null;
+  limits: [number, number] | null; can_be_set: boolean;
+}
+export interface SceneContact {
+  name: string; kind: 'stop' | 'spring' | 'damper' | 'patch' | 'other'; link: number; point: Triple;
+  against: number | null; normal: 'fixed' | 'toward' | 'away'; vector: Triple; gap: number | null;
+}
+export interface SceneHardpoint { name: string; coordinates: Triple; to_world: Triple; link: number; point: Triple }
+export interface SceneSheet { unit: string; unit_length: number; axes: string; hardpoints: SceneHardpoint[] }
+export interface Scene {
+  percuss: string; name: string; root: number; links: SceneLink[]; joints: SceneJoint[];
+  closures: { name: string; kind: string; ends: [[number | null, Triple], [number | null, Triple]] }[];
+  contacts: SceneContact[]; wheels: { link: number; centre: Triple; axis: Triple; radius: number }[];
+  motions: string[]; sheet: SceneSheet | null; design: number[];
+}
+
+export interface Finding {
+  severity: 'error' | 'warning' | 'note'; code: string; path: string | null; line: number | null; message: string;
+}
+export interface Share { share: number | null }
+export interface MassReport {
+  effective_mass: number | null; status: 'finite' | 'immovable' | 'massless'; singular_pose: boolean;
+  degrees_of_freedom: number; effective_mass_error: number | null;
+  error_budget: { rounding: number | null; closing: number | null; file: number | null };
+  bodies: (Share & { link: string })[]; rotors: (Share & { joint: string })[];
+  pose: Record<string, number[]>; closure_residual: number | null; route: string; condition: number | null;
+  contact: {
+    link: string; against: string | null; point_world: Triple; normal_world: Triple; point_link: Triple; normal_link: Triple;
+  };
+  named_contact: {
+    name: string; kind: string; gap_as_drawn: number | null; gap: number | null; brought_to_touch: boolean;
+    touching: string[]; wheel_travel: { link: string; travel: number }[];
+  } | null;
+  branch_limits: (number | null)[];
+  motion_ratios: { link: string; wheel_per_contact: number; contact_per_wheel: number | null; one_travel: boolean }[];
+  diagnostics: Finding[];
+}
+export interface Posed { report: MassReport; frames: number[]; velocities: (Triple | null)[] }
+export interface Refusal { message: string; key: string | null; no_result: boolean; diagnostics: Finding[] }
+export type Outcome<T> = { ok: T } | { refused: Refusal };
+export interface CurveRow {
+  at: number; status: string; mass: number | null; error: number | null; gap: number | null; singular: boolean; why: string | null;
+}
+export interface Curve { name: string; unit: string; rows: CurveRow[]; diagnostics: Finding[] }
+export interface Shown {
+  scene: Scene | null; result: Outcome<Posed>; frames: number[] | null; curve: Outcome<Curve> | null;
+}
+export interface ListedContact { name: string; kind: string; report: MassReport | null; problem: string | null }
+export interface Opened {
+  scene: Scene; contact: ContactTable; conditions: ConditionsTable;
+  contacts: { contacts: ListedContact[] } | null; diagnostics: Finding[];
+}
+export interface Explanation {
+  links: { link: string; mass: number; per_kilogram: number }[];
+  points: { point: string; per_metre: Triple | null }[];
+}
+
+// Tables of a study file.
+export interface ModelTable {
+  path: string; move?: Record<string, Triple>; link_mass?: Record<string, number>; [key: string]: unknown;
+}
+export interface ContactTable {
+  at?: string; link?: string; point?: Triple; normal?: Triple; along_line?: { link: string; point: Triple };
+  turning_normal?: boolean; frame?: string; normal_frame?: string; against?: string; against_mass?: number;
+  [key: string]: unknown;
+}
+export interface PoseTable { set?: Record<string, string>; guess?: Record<string, string>; travel?: string[] }
+export interface ConditionsTable { base?: string; lock?: string[]; armature?: Record<string, number[]> }
+export interface Study {
+  model: ModelTable; contact: ContactTable; pose: PoseTable; conditions: ConditionsTable; hold?: Record<string, unknown>[];
+}
+
+export type Request =
+  | { do: 'open'; model: ModelTable; text: string }
+  | { do: 'show'; question: Study; vary?: string }
+  | { do: 'explain'; question: Study }
+  | { do: 'sheet'; model: ModelTable };

@@ -1,0 +1,110 @@
+// Quantities that move the mechanism: motions of the wheels, and joints that can be set.
+
+import type { Opened, Scene, SceneJoint, Study } from '../engine/protocol';
+import { DEGREE, MILLIMETRE, plain, siValue, type DisplayUnit } from './numbers';
+
+export interface Driver {
+  /** Name in the study: a joint, or a motion of the wheels. */
+  name: string;
+  label: string;
+  isMotion: boolean;
+  unit: DisplayUnit;
+  /** Ends of the slider and of the curve, SI. */
+  range: [number, number];
+}
+
+const NAMES: Record<string, string> = { 'wheel-travel': 'wheel travel', heave: 'heave', roll: 'roll' };
+/** Range of a wheel without stops, m; of a joint without limits, rad or m. */
+const WHEEL_RANGE = 0.05;
+const TURN_RANGE = Math.PI;
+const SLIDE_RANGE = 0.1;
+/** Longest range of a wheel that a stop may ask for, m. */
+const LONGEST_TRAVEL = 0.3;
+const ROUND = 0.005;
+
+function wheelRange(opened: Opened): [number, number] {
+  let [low, high] = [0, 0];
+  for (const contact of opened.contacts?.contacts ?? []) {
+    if (contact.kind !== 'stop') continue;
+    for (const { travel } of contact.report?.named_contact?.wheel_travel ?? []) {
+      if (Math.abs(travel) > LONGEST_TRAVEL) continue;
+      low = Math.min(low, travel);
+      high = Math.max(high, travel);
+    }
+  }
+  const outward = (x: number, sign: number) => sign * Math.ceil((Math.abs(x) + ROUND) / ROUND) * ROUND;
+  return [low < 0 ? outward(low, -1) : -WHEEL_RANGE, high > 0 ? outward(high, 1) : WHEEL_RANGE];
+}
+
+function jointDriver(joint: SceneJoint): Driver | null {
+  const turns = joint.kind === 'revolute' || joint.kind === 'continuous';
+  if (!joint.can_be_set || !(turns || joint.kind === 'prismatic')) return null;
+  const unit = turns ? DEGREE : MILLIMETRE;
+  const side = turns ? TURN_RANGE : SLIDE_RANGE;
+  const [low, high] = joint.limits ?? [-side, side];
+  // A limit far away leaves no fine motion.
+  const range: [number, number] = [Math.max(low, -2 * Math.max(side, TURN_RANGE)), Math.min(high, 2 * Math.max(side, TURN_RANGE))];
+  if (!(range[0] < range[1])) return null;
+  return { name: joint.name, label: joint.name, isMotion: false, unit, range };
+}
+
+export function drivers(opened: Opened): Driver[] {
+  const { scene } = opened;
+  const motions = scene.motions.map((name): Driver => {
+    const range = wheelRange(opened);
+    const side = Math.min(-range[0], range[1]);
+    return {
+      name, label: NAMES[name] ?? name, isMotion: true, unit: MILLIMETRE, range: name === 'roll' ? [-side, side] : range,
+    };
+  });
+  const joints = scene.joints.map(jointDriver).filter((driver) => driver !== null);
+  // The travel drives the linkage, and the turning of a wheel about its bearing moves nothing else.
+  return motions.length ? [...motions, ...joints.filter((driver) => driver.name === 'rack')] : joints;
+}
+
+/** Driver of the first curve: a motion of the wheels, otherwise the joint nearest to the contact link on its way to the root. */
+export function firstDriver(scene: Scene, all: Driver[], link: string | undefined): Driver | undefined {
+  if (all[0]?.isMotion) return all[0];
+  let at = scene.links.findIndex((l) => l.name === link);
+  for (let left = scene.links.length; left > 0; left--) {
+    const joint = scene.joints.find((j) => j.child === at);
+    if (!joint) break;
+    const driver = all.find((d) => d.name === joint.name);
+    if (driver) return driver;
+    at = joint.parent;
+  }
+  return all[0];
+}
+
+/** Value that a study gives to a driver, SI; undefined if it gives none. */
+export function givenValue(study: Study, driver: Driver): number | undefined {
+  if (!driver.isMotion) {
+    const text = study.pose.set?.[driver.name];
+    return text === undefined ? undefined : siValue(text);
+  }
+  const text = study.pose.travel?.find((t) => t.startsWith(`${driver.name}=`));
+  return text === undefined ? undefined : siValue(text.slice(driver.name.length + 1));
+}
+
+function written(value: number, unit: DisplayUnit): string {
+  return plain(Number((value * unit.perSi).toFixed(6))) + (unit === DEGREE ? 'deg' : unit.name);
+}
+
+/** Study with another value of a driver; undefined takes the value away. */
+export function withValue(study: Study, driver: Driver, value: number | undefined): Study {
+  if (driver.isMotion) {
+    const kept = (study.pose.travel ?? []).filter((text) => !text.startsWith(`${driver.name}=`));
+    const travel = value === undefined ? kept : [...kept, `${driver.name}=${written(value, driver.unit)}`];
+    return { ...study, pose: { ...study.pose, travel } };
+  }
+  const set = { ...study.pose.set };
+  if (value === undefined) delete set[driver.name];
+  else set[driver.name] = written(value, driver.unit);
+  return { ...study, pose: { ...study.pose, set } };
+}
+
+/** Range of a curve as the engine reads it. */
+export function vary(driver: Driver, count: number): string {
+  const [from, to] = driver.range.map((x) => written(x, driver.unit));
+  return `${driver.name}=${from}:${to}:${count}`;
+}

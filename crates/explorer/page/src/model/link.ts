@@ -1,0 +1,37 @@
+// State in the address: "#1:" and the study as deflated JSON in base64url, with the text of the model.
+
+import type { Study } from '../engine/protocol';
+
+/** `text`: the model; left out if it is long, the link then belongs to a page with this model. */
+export interface LinkedState { study: Study; text?: string; driver?: string; view?: string }
+
+const VERSION = '1';
+/** Longest model in a link, characters: browsers and mail programs cut longer addresses. */
+const LONGEST_TEXT = 60_000;
+
+async function through(bytes: Uint8Array, stream: CompressionStream | DecompressionStream): Promise<Uint8Array> {
+  const piped = new Blob([bytes as BlobPart]).stream().pipeThrough(stream as unknown as TransformStream<Uint8Array, Uint8Array>);
+  return new Uint8Array(await new Response(piped).arrayBuffer());
+}
+
+export async function toHash(state: LinkedState): Promise<string> {
+  const short = { ...state, text: state.text!.length > LONGEST_TEXT ? undefined : state.text };
+  const packed = await through(new TextEncoder().encode(JSON.stringify(short)), new CompressionStream('deflate-raw'));
+  const text = btoa(Array.from(packed, (byte) => String.fromCharCode(byte)).join(''));
+  return `#${VERSION}:${text.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
+}
+
+/** State of an address; null without one. Throws a message if the address is of another version or damaged. */
+export async function fromHash(hash: string): Promise<LinkedState | null> {
+  if (hash.length < 2) return null;
+  const [version, text] = [hash.slice(1, hash.indexOf(':')), hash.slice(hash.indexOf(':') + 1)];
+  if (!hash.includes(':') || version !== VERSION) throw new Error(`the link is of another version of this page (${version.slice(0, 8)})`);
+  try {
+    const packed = Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
+    const state = JSON.parse(new TextDecoder().decode(await through(packed, new DecompressionStream('deflate-raw'))));
+    if (typeof state?.study?.model?.path !== 'string') throw new Error();
+    return state as LinkedState;
+  } catch {
+    throw new Error('the link is damaged: a part of it is missing');
+  }
+}

@@ -1,0 +1,69 @@
+// Numbers as text: digits by the stated error, never more.
+
+const MOST_DIGITS = 5;
+
+/** Rounded to significant digits, without an exponent for ordinary sizes. */
+export function digits(x: number, count = MOST_DIGITS): string {
+  if (x === 0) return '0';
+  const exponent = Math.floor(Math.log10(Math.abs(x)));
+  if (exponent < -4 || exponent > 6) return superscript(x.toExponential(Math.max(0, count - 1)));
+  return x.toFixed(Math.min(12, Math.max(0, count - 1 - exponent)));
+}
+
+/** Mass with as many digits as its error bound leaves, at most five. */
+export function mass(m: number, error: number | null): string {
+  const known = error && error > 0 ? Math.floor(Math.log10(Math.abs(m) / error)) : MOST_DIGITS;
+  return digits(m, Math.min(MOST_DIGITS, Math.max(1, known)));
+}
+
+/** Error bound with one digit: 2·10⁻¹¹. */
+export function bound(x: number): string {
+  return superscript(x.toExponential(0));
+}
+
+function superscript(text: string): string {
+  const [number, power] = text.split('e');
+  if (!power) return text;
+  const raised = String(Number(power)).replace(/./g, (c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(c)]));
+  return `${number}·10${raised}`;
+}
+
+/** Fixed decimals without a negative zero; the minus sign is that of print. */
+export function fixed(x: number, decimals: number): string {
+  const text = x.toFixed(decimals);
+  return (Number(text) === 0 ? text.replace('-', '') : text).replace('-', '−');
+}
+
+/** With its sign. */
+export function signed(x: number, decimals: number): string {
+  const text = fixed(x, decimals);
+  return text.startsWith('−') || Number(text) === 0 ? text : `+${text}`;
+}
+
+/** Shortest number for commands: no more than twelve digits, no trailing zeros. */
+export function plain(x: number): string {
+  return String(Number(x.toPrecision(12)) + 0);
+}
+
+export interface DisplayUnit { name: string; perSi: number; decimals: number; step: number }
+export const MILLIMETRE: DisplayUnit = { name: 'mm', perSi: 1000, decimals: 1, step: 0.5 };
+export const DEGREE: DisplayUnit = { name: '°', perSi: 180 / Math.PI, decimals: 1, step: 0.5 };
+
+/** Number of a position as typed: 30deg, 5mm, 0.2. SI. */
+export function siValue(text: string): number {
+  const match = /^\s*([-+0-9.eE]+)\s*(mm|cm|m|deg|rad)?\s*$/.exec(text);
+  if (!match) return NaN;
+  const scale: Record<string, number> = { mm: 1e-3, cm: 1e-2, m: 1, deg: Math.PI / 180, rad: 1 };
+  return Number(match[1]) * (match[2] ? scale[match[2]] : 1);
+}
+
+/** Ticks of an axis: round numbers. */
+export function ticks(from: number, to: number, most: number): number[] {
+  const raw = (to - from) / Math.max(1, most);
+  if (!(raw > 0) || !Number.isFinite(raw)) return [from];
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].map((k) => k * power).find((s) => s >= raw * 0.999)!;
+  const out: number[] = [];
+  for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; k++) out.push(Number((k * step).toPrecision(12)));
+  return out;
+}

@@ -1,0 +1,363 @@
+// State of the page. The study is the question; every gesture that changes it is one entry of the history.
+
+import { Ended, Engine } from '../engine/engine';
+import type {
+  ContactTable, Curve, Explanation, Finding, Opened, Outcome, Posed, Refusal, Scene, Shown, Study, Triple,
+} from '../engine/protocol';
+import { drivers, firstDriver, vary, type Driver } from './drivers';
+import { fromHash, toHash } from './link';
+
+export type ViewName = '3d' | 'front' | 'side' | 'top';
+export interface Variant { name: string; study: Study; mass: number | null; curve: Curve | null; driver: string; scene: Scene; frames: number[] }
+interface Entry { study: Study; label: string }
+export interface Start {
+  model?: { name: string; text: string; shapes?: (string | null)[] };
+  study?: Partial<Study>;
+  driver?: string;
+  view?: ViewName;
+}
+
+/** Rows of the curve; a drag has fewer. */
+export const ROWS = 81;
+const ROWS_OF_DRAG = 33;
+/** Time of rest before the work that a drag leaves out, ms. */
+const REST = 250;
+/** Work that takes longer is reported, ms. */
+const SLOW = 300;
+const LONGEST_HISTORY = 200;
+const MOST_TIMES = 400;
+
+export class Store {
+  engine: Engine | undefined;
+  failure: string | undefined;
+  notice: string | undefined;
+  busy = false;
+  fileName = '';
+  text = '';
+  shapes: (string | null)[] | undefined;
+  opened: Opened | undefined;
+  refusal: Refusal | undefined;
+  scene: Scene | undefined;
+  study: Study | undefined;
+  /** Study of the result shown. */
+  answered: Study | undefined;
+  posed: Posed | undefined;
+  /** Reason why the study has no result; `posed` is then the last good one. */
+  problem: Refusal | undefined;
+  frames: number[] | undefined;
+  curve: Outcome<Curve> | undefined;
+  explanation: Explanation | null | undefined;
+  drivers: Driver[] = [];
+  driver: Driver | undefined;
+  variants: Variant[] = [];
+  view: ViewName = '3d';
+  colours: 'share' | 'plain' = 'share';
+  showsPoints = true;
+  showsMotion = false;
+  showsDesign = false;
+  selected: string | undefined;
+  /** Moves of the hardpoints when the model was opened: the scene of the opening has them. */
+  movedAtOpening: Record<string, Triple> = {};
+  past: Entry[] = [];
+  future: Entry[] = [];
+  private gesture: Entry | undefined;
+  private dirty = false;
+  private working = false;
+  private rest: ReturnType<typeof setTimeout> | undefined;
+  /** Times from question to reply, ms. */
+  readonly times: number[] = [];
+  private listeners = new Set<() => void>();
+
+  listen(listener: () => void): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  changed() {
+    for (const listener of this.listeners) listener();
+  }
+
+  set(values: Partial<Store>) {
+    Object.assign(this, values);
+    this.changed();
+  }
+
+  // ---- opening -------------------------------------------------------------------------------------------------------
+
+  async start(start: Start) {
+    try {
+      this.engine = await Engine.start();
+    } catch (error) {
+      this.set({ failure: `This browser does not run the engine (WebAssembly): ${String(error)}` });
+      return;
+    }
+    let linked = null;
+    try {
+      linked = await fromHash(location.hash);
+    } catch (error) {
+      this.notice = (error as Error).message;
+    }
+    const text = linked?.text ?? (linked?.study.model.path === start.model?.name ? start.model?.text : undefined);
+    if (linked && text === undefined) this.notice = `The link belongs to a page with ${linked.study.model.path}.`;
+    if (linked && text !== undefined) {
+      const isSame = text === start.model?.text;
+      await this.open(linked.study.model.path, text, isSame ? start.model?.shapes : undefined, linked.study, linked.driver);
+      if (linked.view) this.view = linked.view as ViewName;
+    } else if (start.model) {
+      await this.open(start.model.name, start.model.text, start.model.shapes, start.study, start.driver);
+      if (start.view) this.view = start.view;
+    }
+    this.changed();
+  }
+
+  async open(name: string, text: string, shapes?: (string | null)[], given?: Partial<Study>, driver?: string) {
+    const model = { ...given?.model, path: name };
+    const reply = await this.ask<Opened>({ do: 'open', model, text });
+    if (!reply) return;
+    if ('refused' in reply) {
+      this.set({ refusal: reply.refused, ...(this.opened ? {} : { fileName: name, text }) });
+      return;
+    }
+    const opened = reply.ok;
+    const hasContact = given?.contact && Object.values(given.contact).some((value) => value !== false);
+    const study: Study = {
+      model,
+      contact: hasContact ? given.contact! : opened.contact,
+      pose: given?.pose ?? {},
+      conditions: given?.conditions && Object.keys(given.conditions).length > 0 ? given.conditions : opened.conditions,
+      ...(given?.hold?.length ? { hold: given.hold } : {}),
+    };
+    const all = drivers(opened);
+    const link = study.contact.link ?? opened.scene.links[opened.scene.contacts.find((c) => c.name === study.contact.at)?.link ?? -1]?.name;
+    Object.assign(this, {
+      fileName: name, text, shapes, opened, refusal: undefined, scene: opened.scene, study, posed: undefined, problem: undefined,
+      frames: opened.scene.design, curve: undefined, explanation: undefined, drivers: all,
+      driver: all.find((d) => d.name === driver) ?? firstDriver(opened.scene, all, link),
+      variants: [], past: [], future: [], selected: undefined, movedAtOpening: model.move ?? {},
+    });
+    await this.update();
+  }
+
+  private async ask<T>(request: Parameters<Engine['ask']>[0]): Promise<Outcome<T> | undefined> {
+    const slow = setTimeout(() => this.set({ busy: true }), SLOW);
+    try {
+      return await this.engine!.ask<T>(request);
+    } catch (error) {
+      if (!(error instanceof Ended)) {
+        // A trap leaves the module in an unknown state.
+        this.notice = `The engine stopped: ${(error as Error).message}. The page goes on with a new one.`;
+        await this.engine!.end();
+        await this.engine!.ask({ do: 'open', model: { path: this.fileName }, text: this.text });
+      }
+      return undefined;
+    } finally {
+      clearTimeout(slow);
+      this.busy = false;
+    }
+  }
+
+  /** Ends the work at hand; the last result stays. */
+  async end() {
+    if (!this.busy || !this.engine || !this.study) return;
+    await this.engine.end();
+    await this.engine.ask({ do: 'open', model: { path: this.fileName }, text: this.text });
+    this.set({ busy: false, notice: 'The work was ended. The last result is shown.' });
+  }
+
+  // ---- results -------------------------------------------------------------------------------------------------------
+
+  /** Asks for the newest study; older ones are dropped. */
+  async update() {
+    this.dirty = true;
+    if (this.working) return;
+    this.working = true;
+    while (this.dirty && this.study) {
+      this.dirty = false;
+      const study = this.study;
+      const rows = this.gesture ? ROWS_OF_DRAG : ROWS;
+      const asked = performance.now();
+      const reply = await this.ask<Shown>({
+        do: 'show', question: study, ...(this.driver ? { vary: vary(this.driver, rows) } : {}),
+      });
+      if (!reply) break;
+      this.times.push(performance.now() - asked);
+      if (this.times.length > MOST_TIMES) this.times.shift();
+      this.explanation = undefined;
+      if ('refused' in reply) {
+        this.problem = reply.refused;
+      } else {
+        const { scene, result, frames, curve } = reply.ok;
+        if (scene) this.scene = scene;
+        if ('ok' in result) {
+          this.posed = result.ok;
+          this.frames = result.ok.frames;
+          this.problem = undefined;
+          this.answered = study;
+        } else {
+          this.problem = result.refused;
+          this.frames = frames ?? this.frames;
+        }
+        this.curve = curve ?? undefined;
+      }
+      this.changed();
+    }
+    this.working = false;
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => void this.writeHash(), REST);
+    this.changed();
+  }
+
+  private async writeHash() {
+    if (!this.study || this.gesture) return;
+    const hash = await toHash(this.linked());
+    history.replaceState(null, '', hash);
+  }
+
+  linked() {
+    return { study: this.study!, text: this.text, driver: this.driver?.name, view: this.view };
+  }
+
+  async explain() {
+    const reply = await this.ask<Explanation | null>({ do: 'explain', question: this.study! });
+    if (!reply) return;
+    if ('ok' in reply) this.set({ explanation: reply.ok });
+    else this.set({ notice: reply.refused.message });
+  }
+
+  async sheetText(): Promise<string | undefined> {
+    const reply = await this.ask<string>({ do: 'sheet', model: this.study!.model });
+    if (reply && 'ok' in reply) return reply.ok;
+    if (reply) this.set({ notice: reply.refused.message });
+    return undefined;
+  }
+
+  // ---- changes -------------------------------------------------------------------------------------------------------
+
+  /** Begins a gesture: all changes until its end are one entry of the history. */
+  begin(label: string) {
+    this.gesture ??= { study: this.study!, label };
+  }
+
+  /** Ends a gesture; `keep` false takes its changes back. */
+  finish(keep = true, label?: string) {
+    const gesture = this.gesture;
+    this.gesture = undefined;
+    if (!gesture) return;
+    if (!keep) {
+      this.study = gesture.study;
+    } else if (gesture.study !== this.study) {
+      this.past = [...this.past, { study: gesture.study, label: label ?? gesture.label }].slice(-LONGEST_HISTORY);
+      this.future = [];
+    }
+    void this.update();
+  }
+
+  get isIdle(): boolean {
+    return this.opened !== undefined && !this.working && !this.gesture;
+  }
+
+  /** Ends a gesture when its last change is answered; a refused change is taken back. */
+  async finishAnswered(keep: boolean, label: string | undefined) {
+    while (this.working) await new Promise((done) => setTimeout(done, 4));
+    this.finish(keep && !this.problem, label);
+  }
+
+  /** Name of the change that an undo takes back. */
+  get lastLabel(): string | undefined {
+    return this.gesture?.label ?? this.past.at(-1)?.label;
+  }
+
+  get inGesture(): boolean {
+    return this.gesture !== undefined;
+  }
+
+  change(study: Study, label: string) {
+    const alone = !this.gesture;
+    if (alone) this.begin(label);
+    this.study = study;
+    if (alone) this.finish();
+    else void this.update();
+    this.changed();
+  }
+
+  undo() {
+    const entry = this.past.at(-1);
+    if (!entry || this.gesture) return;
+    this.past = this.past.slice(0, -1);
+    this.future = [...this.future, { study: this.study!, label: entry.label }];
+    this.study = entry.study;
+    void this.update();
+    this.changed();
+  }
+
+  redo() {
+    const entry = this.future.at(-1);
+    if (!entry || this.gesture) return;
+    this.future = this.future.slice(0, -1);
+    this.past = [...this.past, { study: this.study!, label: entry.label }];
+    this.study = entry.study;
+    void this.update();
+    this.changed();
+  }
+
+  chooseDriver(name: string) {
+    this.driver = this.drivers.find((driver) => driver.name === name) ?? this.driver;
+    this.variants = this.variants.map((v) => (v.driver === name ? v : { ...v, curve: null, driver: name }));
+    void this.update();
+    this.changed();
+  }
+
+  freeze() {
+    if (!this.posed || !this.study || !this.scene || this.problem) return;
+    const letters = 'ABCDEFGH';
+    const name = [...letters].find((c) => !this.variants.some((v) => v.name === c)) ?? letters[0];
+    const curve = this.curve && 'ok' in this.curve ? this.curve.ok : null;
+    const variant: Variant = {
+      name, study: this.study, mass: this.posed.report.effective_mass, curve, driver: this.driver?.name ?? '',
+      scene: this.scene, frames: this.posed.frames,
+    };
+    this.set({ variants: [...this.variants.filter((v) => v.name !== name), variant] });
+  }
+
+  // ---- hardpoints ----------------------------------------------------------------------------------------------------
+
+  /** Displacement of a hardpoint, m, axes of the sheet. */
+  moved(name: string): Triple {
+    return this.study?.model.move?.[name] ?? [0, 0, 0];
+  }
+
+  movePoint(name: string, by: Triple, label: string) {
+    const study = this.study!;
+    const move = { ...study.model.move };
+    // A tenth of a micrometre: no digits of rounding in the command.
+    const rounded = by.map((x) => Math.round(x * 1e7) / 1e7 + 0) as Triple;
+    if (rounded.every((x) => x === 0)) delete move[name];
+    else move[name] = rounded;
+    const model = { ...study.model, move };
+    if (Object.keys(move).length === 0) delete (model as { move?: unknown }).move;
+    this.change({ ...study, model }, label);
+  }
+
+  setContact(contact: ContactTable, label: string) {
+    this.change({ ...this.study!, contact }, label);
+  }
+
+  /** Contact of the result as link, point and normal, to be changed freely. */
+  ownContact(): ContactTable | undefined {
+    const contact = this.study?.contact;
+    if (contact && !contact.at && !contact.along_line && !contact.frame) return contact;
+    const found = this.posed?.report.contact;
+    if (!found) return undefined;
+    const round = (values: Triple, scale: number) => values.map((x) => Math.round(x * scale) / scale + 0) as Triple;
+    return {
+      link: found.link, point: round(found.point_link, 1e5), normal: round(found.normal_link, 1e6),
+      ...(found.against ? { against: found.against } : {}),
+    };
+  }
+
+  get findings(): Finding[] {
+    return this.posed?.report.diagnostics ?? this.opened?.diagnostics ?? [];
+  }
+}
+
+export const store = new Store();

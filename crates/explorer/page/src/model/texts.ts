@@ -1,0 +1,90 @@
+// The same question elsewhere: command, study, Python. All three come from the tables of the study.
+
+import type { Study } from '../engine/protocol';
+import { plain } from './numbers';
+
+const quote = (text: string) => (/^[A-Za-z0-9_\-+.,:=/%@]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
+const triple = (values: readonly number[]) => values.map(plain).join(',');
+
+type Flag = [string, string?];
+
+function flags(study: Study): Flag[] {
+  const { model, contact, pose, conditions, hold } = study;
+  const out: Flag[] = [];
+  const one = (flag: string, value: string | number | undefined) => {
+    if (value !== undefined) out.push([flag, String(value)]);
+  };
+  for (const [point, by] of Object.entries(model.move ?? {})) one('--move', `${point}=${triple(by)}`);
+  for (const [link, mass] of Object.entries(model.link_mass ?? {})) one('--link-mass', `${link}=${plain(mass)}`);
+  for (const [link, com] of Object.entries((model.link_com ?? {}) as Record<string, number[]>)) one('--link-com', `${link}=${triple(com)}`);
+  one('--at', contact.at);
+  one('--link', contact.link);
+  if (contact.point) one('--point', triple(contact.point));
+  if (contact.normal) one('--normal', triple(contact.normal));
+  if (contact.along_line) one('--along-line', `${contact.along_line.link}:${triple(contact.along_line.point)}`);
+  if (contact.turning_normal) out.push(['--turning-normal']);
+  one('--frame', contact.frame);
+  one('--normal-frame', contact.normal_frame);
+  one('--against', contact.against);
+  one('--against-mass', contact.against_mass);
+  for (const [joint, value] of Object.entries(pose.set ?? {})) one('--set', `${joint}=${value}`);
+  for (const [joint, value] of Object.entries(pose.guess ?? {})) one('--guess', `${joint}=${value}`);
+  for (const travel of pose.travel ?? []) {
+    const motion = /^(wheel-travel|heave|roll)=(.*)$/.exec(travel);
+    if (motion) one(`--${motion[1]}`, motion[2]);
+    else one('--travel', travel);
+  }
+  for (const joint of conditions.lock ?? []) one('--lock', joint);
+  for (const [joint, values] of Object.entries(conditions.armature ?? {})) one('--armature', `${joint}=${[values].flat().map(plain).join(',')}`);
+  one('--base', conditions.base);
+  for (const h of (hold ?? []) as { link: string; point: number[]; normal?: number[] }[]) {
+    one('--hold', `${h.link}:${triple(h.point)}${h.normal ? `:${triple(h.normal)}` : ''}`);
+  }
+  return out;
+}
+
+/** Command that prints the number shown. A value may begin with a minus, so it is joined to its flag. */
+export function command(study: Study, name = 'mass'): string {
+  const parts = flags(study).map(([flag, value]) => (value === undefined ? flag : `${flag}=${quote(value)}`));
+  return [`percuss ${name} ${quote(study.model.path)}`, ...parts].join(' \\\n    ');
+}
+
+const toml = (value: unknown): string => {
+  if (Array.isArray(value)) return `[${value.map(toml).join(', ')}]`;
+  if (typeof value === 'number') return plain(value);
+  if (typeof value === 'object' && value !== null) {
+    return `{ ${Object.entries(value).map(([k, v]) => `${key(k)} = ${toml(v)}`).join(', ')} }`;
+  }
+  return JSON.stringify(value);
+};
+const key = (name: string) => (/^[A-Za-z0-9_-]+$/.test(name) ? name : JSON.stringify(name));
+
+function section(head: string, entries: object): string {
+  const lines = Object.entries(entries).filter(([, v]) => {
+    if (v === undefined || v === null || v === false) return false;
+    return !(typeof v === 'object' && Object.keys(v).length === 0);
+  });
+  return lines.length ? `${head}\n${lines.map(([k, v]) => `${key(k)} = ${toml(v)}`).join('\n')}\n` : '';
+}
+
+/** Study file in TOML; `vary`: range of the curve. */
+export function studyText(study: Study, vary: string | undefined): string {
+  return [
+    section('[model]', study.model),
+    section('[contact]', study.contact),
+    section('[pose]', study.pose),
+    section('[conditions]', study.conditions),
+    ...(study.hold ?? []).map((h) => section('[[hold]]', h)),
+    vary ? section('[sweep]', { vary, output: 'curve.csv' }) : '',
+  ].filter(Boolean).join('\n');
+}
+
+/** Python statements that write the study and run it. */
+export function pythonText(study: Study): string {
+  return [
+    'import pathlib, percuss',
+    `pathlib.Path("study.toml").write_text("""${studyText(study, undefined).replaceAll('\\', '\\\\')}""")`,
+    'report = percuss.run_study("study.toml")',
+    'print(report["effective_mass"])',
+  ].join('\n');
+}

@@ -1,0 +1,181 @@
+// Curve of m̄ over a driver, as SVG: the present design solid, a frozen variant dashed, positions without a result hatched.
+
+import { useRef, useState } from 'preact/hooks';
+import type { Curve } from '../engine/protocol';
+import { withValue } from '../model/drivers';
+import { digits, fixed, plain, ticks } from '../model/numbers';
+import { store } from '../model/store';
+import { useStore } from './hooks';
+import { currentValue } from './result';
+import { useSize } from './size';
+
+const MARGIN = { left: 70, right: 18, top: 14, bottom: 40 };
+/** Highest value shown, as a multiple of the median: a curve may go to infinity. */
+const MOST = 6;
+
+export function CurvePanel() {
+  const { driver, drivers, opened } = useStore();
+  if (!opened) return null;
+  if (!driver) return <section class="curve empty"><p class="soft">No joint with a single position can be set: the model has no curve.</p></section>;
+  const failed = store.curve && 'refused' in store.curve ? store.curve.refused.message : undefined;
+  return (
+    <section class="curve" aria-label={`m̄ over ${driver.label}`}>
+      <div class="curve-head">
+        <label>m̄ over{' '}
+          <select value={driver.name} onChange={(event) => store.chooseDriver(event.currentTarget.value)}>
+            {drivers.map((d) => <option key={d.name} value={d.name}>{d.label}</option>)}
+          </select>
+        </label>
+        <Legend />
+      </div>
+      {failed ? <p class="box bad">{failed}</p> : <Plot />}
+    </section>
+  );
+}
+
+function Legend() {
+  const variants = store.variants.filter((v) => v.curve);
+  if (!variants.length) return null;
+  return (
+    <span class="keys">
+      <svg width="26" height="8" aria-hidden="true"><path d="M0 4h26" class="trace now" /></svg> now
+      {variants.map((v) => (
+        <span key={v.name}><svg width="26" height="8" aria-hidden="true"><path d="M0 4h26" class="trace frozen" /></svg> {v.name}</span>
+      ))}
+    </span>
+  );
+}
+
+export const rowsOf = (): Curve | undefined => (store.curve && 'ok' in store.curve ? store.curve.ok : undefined);
+
+function Plot() {
+  const frame = useRef<HTMLDivElement>(null);
+  const { width, height } = useSize(frame);
+  const [dragging, setDragging] = useState(false);
+  const driver = store.driver!;
+  const curve = rowsOf();
+  const now = currentValue();
+  const scale = driver.unit.perSi;
+  const [from, to] = driver.range.map((x) => x * scale);
+  const shown = [curve, ...store.variants.map((v) => v.curve)].filter((c): c is Curve => !!c);
+  const masses = shown.flatMap((c) => c.rows.map((r) => r.mass).filter((m): m is number => m !== null)).sort((a, b) => a - b);
+  const report = store.posed?.report;
+  const present = report?.effective_mass ?? undefined;
+  if (present !== undefined) masses.push(present);
+  masses.sort((a, b) => a - b);
+  const median = masses[Math.floor(masses.length / 2)] ?? 1;
+  const high0 = Math.min(masses.at(-1) ?? 1, Math.max(MOST * median, present ?? 0));
+  const low0 = masses[0] ?? 0;
+  const pad = Math.max(high0 - low0, 1e-3 * Math.abs(high0), 1e-12) * 0.08;
+  const [low, high] = [low0 - pad < 0 && low0 >= 0 ? 0 : low0 - pad, high0 + pad];
+  const x = (v: number) => MARGIN.left + ((v - from) / (to - from)) * (width - MARGIN.left - MARGIN.right);
+  const y = (m: number) => MARGIN.top + ((high - m) / (high - low)) * (height - MARGIN.top - MARGIN.bottom);
+  const path = (c: Curve) => {
+    let pen = 'M';
+    return c.rows.map((row) => {
+      if (row.mass === null) {
+        pen = 'M';
+        return '';
+      }
+      const text = `${pen}${x(row.at * scale).toFixed(1)} ${y(Math.min(row.mass, high * 4)).toFixed(1)}`;
+      pen = 'L';
+      return text;
+    }).join('');
+  };
+  const yTicks = ticks(low, high, Math.max(3, Math.floor((height - 54) / 30)));
+  const yDecimals = Math.max(0, -Math.floor(Math.log10((yTicks[1] ?? 1) - (yTicks[0] ?? 0)) + 1e-9));
+  const xTicks = ticks(from, to, Math.max(3, Math.floor((width - 80) / 62)));
+  const set = (value: number) => {
+    const step = driver.unit.step / scale / 5;
+    const inside = Math.min(Math.max(value, driver.range[0]), driver.range[1]);
+    store.change(withValue(store.study!, driver, Math.round(inside / step) * step), driver.label);
+  };
+  const fromPointer = (event: PointerEvent) => {
+    const box = frame.current!.getBoundingClientRect();
+    const part = (event.clientX - box.left - MARGIN.left) / (width - MARGIN.left - MARGIN.right);
+    return driver.range[0] + part * (driver.range[1] - driver.range[0]);
+  };
+  const hatched = curve ? gaps(curve) : [];
+  const inside = now * scale >= from - 1e-9 && now * scale <= to + 1e-9;
+  const label = `${driver.label}, ${driver.unit.name}`;
+  return (
+    <div
+      ref={frame} class={dragging ? 'plot dragging' : 'plot'} role="slider" tabIndex={0} aria-label={`${driver.label} in the curve`}
+      aria-valuemin={from} aria-valuemax={to} aria-valuenow={Number(fixed(now * scale, 2).replace('−', '-'))}
+      aria-valuetext={`${fixed(now * scale, 1)} ${driver.unit.name}, m̄ ${present === undefined ? (report?.status ?? 'none') : `${digits(present)} kg`}`}
+      onPointerDown={(event) => {
+        event.currentTarget.setPointerCapture(event.pointerId);
+        store.begin(driver.label);
+        setDragging(true);
+        set(fromPointer(event));
+      }}
+      onPointerMove={(event) => dragging && set(fromPointer(event))}
+      onPointerUp={() => {
+        setDragging(false);
+        store.finish();
+      }}
+      onPointerCancel={() => {
+        setDragging(false);
+        store.finish(false);
+      }}
+      onKeyDown={(event) => {
+        const way = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
+        if (!way) return;
+        event.preventDefault();
+        const step = driver.unit.step / scale;
+        set(Math.round((now + way * step * (event.shiftKey ? 10 : 1)) / step) * step);
+      }}
+    >
+      <svg width={width} height={height} viewBox={`0 0 ${width} ${height}`} aria-hidden="true" class="figure">
+        <defs>
+          <pattern id="hatch" width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
+            <path d="M0 0v7" class="hatch" />
+          </pattern>
+          <clipPath id="inner"><rect x={MARGIN.left} y={MARGIN.top} width={Math.max(0, width - MARGIN.left - MARGIN.right)} height={Math.max(0, height - MARGIN.top - MARGIN.bottom)} /></clipPath>
+        </defs>
+        {yTicks.map((m) => (
+          <g key={m}>
+            <path d={`M${MARGIN.left} ${y(m)}H${width - MARGIN.right}`} class="grid" />
+            <text x={MARGIN.left - 8} y={y(m) + 4} text-anchor="end">{fixed(m, Math.min(6, yDecimals))}</text>
+          </g>
+        ))}
+        {xTicks.map((v) => (
+          <g key={v}>
+            <path d={`M${x(v)} ${height - MARGIN.bottom}v5`} class="tick" />
+            <text x={x(v)} y={height - MARGIN.bottom + 18} text-anchor="middle">{plain(v).replace('-', '−')}</text>
+          </g>
+        ))}
+        <path d={`M${MARGIN.left} ${height - MARGIN.bottom}H${width - MARGIN.right}`} class="axis" />
+        <text x={(MARGIN.left + width - MARGIN.right) / 2} y={height - 5} text-anchor="middle" class="name">{label}</text>
+        <text transform={`translate(14,${(MARGIN.top + height - MARGIN.bottom) / 2}) rotate(-90)`} text-anchor="middle" class="name">m̄, kg</text>
+        <g clip-path="url(#inner)">
+          {hatched.map(({ from: a, to: b, why }) => (
+            <g key={a}>
+              <rect x={x(a * scale)} y={MARGIN.top} width={Math.max(2, x(b * scale) - x(a * scale))} height={Math.max(0, height - MARGIN.top - MARGIN.bottom)} fill="url(#hatch)" />
+              {x(b * scale) - x(a * scale) > 90 ? <text x={(x(a * scale) + x(b * scale)) / 2} y={MARGIN.top + 16} text-anchor="middle" class="why">{why}</text> : null}
+            </g>
+          ))}
+          {store.variants.map((v) => v.curve && <path key={v.name} d={path(v.curve)} class="trace frozen" />)}
+          {curve ? <path d={path(curve)} class="trace now" /> : null}
+          {inside ? <path d={`M${x(now * scale)} ${MARGIN.top}V${height - MARGIN.bottom}`} class="cursor" /> : null}
+          {inside && present !== undefined && !store.problem ? <circle cx={x(now * scale)} cy={y(present)} r="5.5" class="marker" /> : null}
+        </g>
+      </svg>
+    </div>
+  );
+}
+
+/** Parts of the range without a finite mass, with the reason in a word. */
+function gaps(curve: Curve): { from: number; to: number; why: string }[] {
+  const out: { from: number; to: number; why: string }[] = [];
+  const { rows } = curve;
+  const half = rows.length > 1 ? (rows[1].at - rows[0].at) / 2 : 0;
+  rows.forEach((row, i) => {
+    if (row.mass !== null) return;
+    const why = { unreachable: 'out of reach', immovable: 'immovable', massless: 'massless' }[row.status] ?? 'no result';
+    const last = out.at(-1);
+    if (last && rows[i - 1]?.mass === null && last.why === why) last.to = row.at + half;
+    else out.push({ from: row.at - half, to: row.at + half, why });
+  });
+  return out;
+}

@@ -1,0 +1,145 @@
+// The question: contact and pose.
+
+import type { ContactTable, MassReport, Triple } from '../engine/protocol';
+import { withValue, givenValue, type Driver } from '../model/drivers';
+import { fixed, mass } from '../model/numbers';
+import { store } from '../model/store';
+import { NumberField, Slider } from './field';
+import { useStore } from './hooks';
+import { valueOf } from './result';
+
+const OWN = '\u0000own';
+const KINDS = [['stop', 'Stops'], ['spring', 'Springs'], ['damper', 'Dampers'], ['patch', 'Contact patches'], ['other', 'Others']] as const;
+
+/** Result of a named contact when the model was opened. */
+function openedValue(report: MassReport | null | undefined): string {
+  if (!report) return '';
+  return report.status === 'finite' ? `, ${mass(report.effective_mass!, report.effective_mass_error)} kg` : `, ${report.status}`;
+}
+
+const AXES: [string, Triple][] = [
+  ['+x', [1, 0, 0]], ['−x', [-1, 0, 0]], ['+y', [0, 1, 0]], ['−y', [0, -1, 0]], ['+z', [0, 0, 1]], ['−z', [0, 0, -1]],
+];
+
+export function ContactPanel() {
+  const { scene, study, opened } = useStore();
+  if (!scene || !study || !opened) return null;
+  const { contact } = study;
+  const listed = new Map(opened.contacts?.contacts.map((c) => [c.name, c]) ?? []);
+  const choose = (name: string) => {
+    if (name === OWN) {
+      const own = store.ownContact();
+      if (own) store.setContact(own, 'own contact');
+      return;
+    }
+    const { travel, ...pose } = study.pose;
+    void travel;
+    store.change({ ...study, contact: { at: name }, pose }, `contact ${name}`);
+  };
+  return (
+    <section>
+      <h2>Contact</h2>
+      {scene.contacts.length ? (
+        <label class="line"><span>at</span>
+          <select value={contact.at ?? OWN} onChange={(event) => choose(event.currentTarget.value)}>
+            {KINDS.map(([kind, label]) => {
+              const all = scene.contacts.filter((c) => c.kind === kind);
+              return all.length ? (
+                <optgroup key={kind} label={label}>
+                  {all.map(({ name }) => <option key={name} value={name}>{name}{openedValue(listed.get(name)?.report)}</option>)}
+                </optgroup>
+              ) : null;
+            })}
+            <option value={OWN}>own point and normal</option>
+          </select>
+        </label>
+      ) : null}
+      {contact.at ? <p class="soft">Drag the point or the head of the arrow, or click a link, for an own contact.</p> : <OwnContact contact={contact} />}
+    </section>
+  );
+}
+
+function OwnContact({ contact }: { contact: ContactTable }) {
+  const { scene, posed } = store;
+  const links = scene!.links.map((l) => l.name);
+  const set = (values: Partial<ContactTable>, label: string) => store.setContact({ ...contact, ...values }, label);
+  const point = contact.point ?? [0, 0, 0];
+  const normal = contact.normal ?? posed?.report.contact.normal_link ?? [0, 0, 1];
+  const other = contact.against ?? '';
+  return (
+    <>
+      <label class="line"><span>link</span>
+        <select value={contact.link} onChange={(event) => set({ link: event.currentTarget.value }, `contact on ${event.currentTarget.value}`)}>
+          {links.map((name) => <option key={name}>{name}</option>)}
+        </select>
+      </label>
+      <div class="line"><span>point, mm</span>
+        {[0, 1, 2].map((k) => (
+          <NumberField key={k} label={`point ${'xyz'[k]}, mm, frame of the link`} value={point[k] * 1000} decimals={1} step={1}
+            set={(x) => set({ point: point.map((p, i) => (i === k ? Math.round(x * 1e4) / 1e7 : p)) as Triple }, 'contact point')} />
+        ))}
+      </div>
+      <div class="line"><span>normal{contact.normal_frame === 'world' ? ', world' : ', link'}</span>
+        {[0, 1, 2].map((k) => (
+          <NumberField key={k} label={`normal ${'xyz'[k]}`} value={normal[k]} decimals={3} step={0.01}
+            set={(x) => {
+              const to = normal.map((n, i) => (i === k ? x : n)) as Triple;
+              if (Math.hypot(...to) > 0) set({ normal: to }, 'contact normal');
+            }} />
+        ))}
+      </div>
+      <div class="line"><span>along</span>
+        <span class="axes" role="group" aria-label="Normal along an axis of the world">
+          {AXES.map(([name, axis]) => (
+            <button key={name} aria-pressed={contact.normal_frame === 'world' && axis.every((x, k) => x === normal[k])}
+              onClick={() => set({ normal: axis, normal_frame: 'world', along_line: undefined }, `normal ${name}`)}>{name}</button>
+          ))}
+        </span>
+      </div>
+      <label class="line"><span>against</span>
+        <select value={other} onChange={(event) => set({ against: event.currentTarget.value || undefined }, 'other side')}>
+          <option value="">ground</option>
+          {links.filter((name) => name !== contact.link).map((name) => <option key={name}>{name}</option>)}
+        </select>
+      </label>
+    </>
+  );
+}
+
+export function PosePanel() {
+  const { drivers, study, scene } = useStore();
+  if (!study || !scene) return null;
+  const named = scene.contacts.find((c) => c.name === study.contact.at);
+  const isStop = named?.kind === 'stop';
+  const given = drivers.filter((driver) => givenValue(study, driver) !== undefined);
+  return (
+    <section>
+      <h2>Pose</h2>
+      {drivers.length ? drivers.map((driver) => <DriverLine key={driver.name} driver={driver} />) : <p class="soft">No joint with a single position can be set.</p>}
+      <p class="row">
+        {given.length ? (
+          <button onClick={() => store.change({ ...study, pose: { ...study.pose, set: {}, travel: [] } }, isStop ? 'to the touch' : 'design position')}>
+            {isStop && drivers.some((d) => d.isMotion) ? 'Bring the stop to the touch' : 'Design position'}
+          </button>
+        ) : isStop ? <span class="soft">The stop is at touch. Move the slider for another travel.</span> : null}
+      </p>
+    </section>
+  );
+}
+
+function DriverLine({ driver }: { driver: Driver }) {
+  const { study } = store;
+  const { unit } = driver;
+  const value = valueOf(driver);
+  const set = (x: number) => store.change(withValue(study!, driver, x), driver.label);
+  const shown = value * unit.perSi;
+  return (
+    <div class="driver">
+      <span class="name" title={driver.label}>{driver.label}</span>
+      <Slider label={driver.label} value={shown} range={[driver.range[0] * unit.perSi, driver.range[1] * unit.perSi]} step={unit.step}
+        text={`${fixed(shown, 1)} ${unit.name}`} set={(x) => set(x / unit.perSi)} />
+      <NumberField label={`${driver.label}, ${unit.name}`} value={shown} decimals={unit.decimals} step={unit.step} set={(x) => set(x / unit.perSi)} />
+      <span class="unit">{unit.name}</span>
+    </div>
+  );
+}

@@ -1,0 +1,228 @@
+// Contributions, hardpoints, masses, motion ratios and findings as tables: the text twins of the picture.
+
+import { useState } from 'preact/hooks';
+import type { Triple } from '../engine/protocol';
+import { digits, fixed, signed } from '../model/numbers';
+import { store } from '../model/store';
+import { rampColour } from '../view/space';
+import { NumberField } from './field';
+import { useStore } from './hooks';
+
+/** Shares below this are counted together. */
+const SMALL = 0.0005;
+
+export function Contributions() {
+  const { posed, problem } = useStore();
+  if (!posed) return null;
+  const { report } = posed;
+  const all = [
+    ...report.bodies.map((b) => ({ name: b.link, share: b.share ?? 0 })),
+    ...report.rotors.map((r) => ({ name: `rotor of ${r.joint}`, share: r.share ?? 0 })),
+  ].sort((a, b) => b.share - a.share);
+  const shown = all.filter((row) => row.share >= SMALL);
+  const most = Math.max(1e-12, shown[0]?.share ?? 0);
+  if (report.status !== 'finite') return null;
+  return (
+    <section class={problem ? 'stale' : ''}>
+      <h2>Contributions to m̄</h2>
+      <table class="shares">
+        <colgroup><col class="of-name" /><col /><col class="of-share" /><col class="of-mass" /></colgroup>
+        <tbody>
+          {shown.map(({ name, share }) => (
+            <tr key={name}>
+              <th scope="row" title={name}>{name}</th>
+              <td class="bar"><span style={{ width: `${(100 * share) / most}%`, background: `#${rampColour(share / most).getHexString()}` }} /></td>
+              <td class="n">{fixed(100 * share, 1)} %</td>
+              <td class="n soft">{digits(share * report.effective_mass!, 3)} kg</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {shown.length < all.length ? <p class="soft">{all.length - shown.length} further links or frames: less than {SMALL * 100} % each.</p> : null}
+    </section>
+  );
+}
+
+export function Hardpoints() {
+  const { scene, selected } = useStore();
+  const sheet = scene?.sheet;
+  if (!sheet?.hardpoints.length) return null;
+  const moved = Object.keys(store.study?.model.move ?? {}).length;
+  const decimals = { m: 4, cm: 2, mm: 1, in: 3 }[sheet.unit] ?? 3;
+  const step = { m: 0.001, cm: 0.1, mm: 1, in: 0.05 }[sheet.unit] ?? 0.001;
+  return (
+    <details open={!matchMedia('(max-width: 760px)').matches}>
+      <summary><h2>Hardpoints, {sheet.unit}</h2></summary>
+      <p class="soft">Drag in the view, or type; arrow keys move by {step} {sheet.unit}. {sheet.axes}.</p>
+      <table class="points">
+        <thead><tr><th>name</th><th>x</th><th>y</th><th>z</th></tr></thead>
+        <tbody>
+          {sheet.hardpoints.map((point) => {
+            const by = store.moved(point.name);
+            // The scene has the moves of the last result; the numbers follow the study at once.
+            const opened = store.opened!.scene.sheet!.hardpoints.find((p) => p.name === point.name)!;
+            const initial = initialMove(point.name);
+            return (
+              <tr key={point.name} class={point.name === selected ? 'selected' : ''} onClick={() => store.set({ selected: point.name })}>
+                <th scope="row" title={by.some((x) => x !== 0) ? `Δ ${by.map((x) => signed(x * 1000, 1)).join(', ')} mm` : point.name}>{point.name}</th>
+                {[0, 1, 2].map((k) => {
+                  const metres = opened.coordinates[k] - initial[k] + by[k];
+                  return (
+                    <td key={k}>
+                      <NumberField label={`${point.name} ${'xyz'[k]}, ${sheet.unit}`} value={metres / sheet.unit_length} decimals={decimals} step={step} changed={by[k] !== 0}
+                        title={by[k] !== 0 ? `moved by ${signed(by[k] * 1000, 1)} mm` : undefined}
+                        set={(x) => {
+                          const to = [...store.moved(point.name)] as Triple;
+                          to[k] = x * sheet.unit_length - (opened.coordinates[k] - initial[k]);
+                          store.movePoint(point.name, to, `${point.name} ${'xyz'[k]}`);
+                        }} />
+                    </td>
+                  );
+                })}
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+      {moved ? (
+        <p class="row"><button onClick={() => {
+          const { move, ...model } = store.study!.model;
+          void move;
+          store.change({ ...store.study!, model }, 'all hardpoints back');
+        }}>All hardpoints back ({moved} moved)</button></p>
+      ) : null}
+    </details>
+  );
+}
+
+/** Displacement that a hardpoint had when the model was opened, m. */
+function initialMove(name: string): Triple {
+  return store.movedAtOpening[name] ?? [0, 0, 0];
+}
+
+export function Masses() {
+  const { scene, study } = useStore();
+  if (!scene || !study) return null;
+  const changes = study.model.link_mass ?? {};
+  const links = store.opened!.scene.links.filter((l) => l.mass > 0 || changes[l.name] !== undefined);
+  if (!links.length) return null;
+  const set = (name: string, value: number | undefined) => {
+    const link_mass = { ...changes };
+    if (value === undefined) delete link_mass[name];
+    else link_mass[name] = Math.max(0, Math.round(value * 1e6) / 1e6);
+    const model = { ...study.model, link_mass };
+    if (!Object.keys(link_mass).length) delete (model as { link_mass?: unknown }).link_mass;
+    store.change({ ...study, model }, `mass of ${name}`);
+  };
+  return (
+    <details>
+      <summary><h2>Masses, kg</h2></summary>
+      <table class="points">
+        <tbody>
+          {links.map((link) => (
+            <tr key={link.name}>
+              <th scope="row" title={link.name}>{link.name}</th>
+              <td><NumberField label={`mass of ${link.name}, kg`} value={changes[link.name] ?? link.mass} decimals={3} step={0.1} changed={changes[link.name] !== undefined} set={(x) => set(link.name, x)} /></td>
+              <td>{changes[link.name] !== undefined ? <button onClick={() => set(link.name, undefined)} aria-label={`mass of ${link.name} as in the file`}>↺</button> : null}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      <p class="soft">The moments of inertia about the centre of mass change in proportion.</p>
+    </details>
+  );
+}
+
+export function Ratios() {
+  const { posed, problem } = useStore();
+  const ratios = posed?.report.motion_ratios ?? [];
+  if (!ratios.length) return null;
+  return (
+    <section class={problem ? 'stale' : ''}>
+      <h2>Motion ratios</h2>
+      <table class="plain"><tbody>
+        {ratios.map((r) => (
+          <tr key={r.link}>
+            <th scope="row">{r.link}</th><td class="n">{fixed(r.wheel_per_contact, 4)}</td>
+            <td class="n soft">{r.contact_per_wheel === null ? '' : `1/${fixed(r.contact_per_wheel, 4)}`}</td>
+          </tr>
+        ))}
+      </tbody></table>
+      <p class="soft">Upward speed of the point per closing speed of the contact{ratios.some((r) => !r.one_travel) ? ', in the motion of the impact' : ''}.</p>
+    </section>
+  );
+}
+
+/** Sensitivities, on request: they take longer than a frame. */
+export function Sensitivities() {
+  const { explanation, problem, posed } = useStore();
+  if (!posed || posed.report.status !== 'finite') return null;
+  const bars = (explanation?.points ?? [])
+    .flatMap((p) => (p.per_metre ?? []).map((rate, k) => ({ name: `${p.point} ${'xyz'[k]}`, rate: rate / 1000 })))
+    .sort((a, b) => Math.abs(b.rate) - Math.abs(a.rate)).slice(0, 10);
+  const most = Math.max(1e-15, Math.abs(bars[0]?.rate ?? 0));
+  const links = [...(explanation?.links ?? [])].sort((a, b) => b.per_kilogram - a.per_kilogram).slice(0, 6);
+  return (
+    <section class={problem ? 'stale' : ''}>
+      <h2>Sensitivities</h2>
+      {explanation === undefined ? <button disabled={!!problem} onClick={() => void store.explain()}>What changes m̄ most?</button> : null}
+      {explanation === null ? <p class="soft">Sensitivities need a single finite m̄.</p> : null}
+      {bars.length ? (
+        <table class="shares tornado">
+          <caption>kg per mm of a hardpoint</caption>
+          <colgroup><col class="of-point" /><col /><col class="of-mass" /></colgroup>
+          <tbody>
+            {bars.map(({ name, rate }) => (
+              <tr key={name}>
+                <th scope="row" title={name}>{name}</th>
+                <td class="bar"><span class={rate < 0 ? 'down' : 'up'} style={{ width: `${(50 * Math.abs(rate)) / most}%` }} /></td>
+                <td class="n">{rate < 0 ? '−' : '+'}{digits(Math.abs(rate), 3)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      ) : null}
+      {links.length ? (
+        <table class="plain">
+          <caption>kg of m̄ per kg of a link</caption>
+          <tbody>{links.map((l) => <tr key={l.link}><th scope="row">{l.link}</th><td class="n">{digits(l.per_kilogram, 3)}</td></tr>)}</tbody>
+        </table>
+      ) : null}
+    </section>
+  );
+}
+
+export function Findings() {
+  const { findings } = useStore();
+  const [open, setOpen] = useState(false);
+  const warnings = findings.filter((f) => f.severity !== 'note');
+  if (!findings.length) return null;
+  const shown = open ? findings : warnings;
+  return (
+    <section>
+      <h2>Findings</h2>
+      {shown.map((f, i) => <p key={i} class={`finding ${f.severity}`}>{f.severity === 'note' ? '' : `${f.severity}: `}{f.line ? `line ${f.line}: ` : ''}{f.message}</p>)}
+      {findings.length > warnings.length ? (
+        <button class="quiet" aria-expanded={open} onClick={() => setOpen(!open)}>{open ? 'Fewer' : `${findings.length - warnings.length} notes`}</button>
+      ) : null}
+    </section>
+  );
+}
+
+export function CurveTable() {
+  const { curve, driver } = useStore();
+  if (!driver || !curve || !('ok' in curve)) return null;
+  return (
+    <details>
+      <summary><h2>Curve as a table</h2></summary>
+      <table class="plain curve-table">
+        <thead><tr><th>{driver.label}, {driver.unit.name}</th><th>m̄, kg</th></tr></thead>
+        <tbody>
+          {curve.ok.rows.map((row, i) => (
+            <tr key={i}><td class="n">{fixed(row.at * driver.unit.perSi, 2)}</td><td class="n" title={row.why ?? ''}>{row.mass === null ? row.status : digits(row.mass, 6)}</td></tr>
+          ))}
+        </tbody>
+      </table>
+    </details>
+  );
+}

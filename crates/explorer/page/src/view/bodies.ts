@@ -1,0 +1,244 @@
+// Bodies in three dimensions: bars or shapes of the links, joints, springs, dampers, stops, wheels, ground.
+
+import {
+  BufferAttribute, BufferGeometry, CatmullRomCurve3, Color, CylinderGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh,
+  LatheGeometry, MeshLambertMaterial, Quaternion, SphereGeometry, TubeGeometry, Vector2, Vector3,
+} from 'three';
+import type { Scene, Triple } from '../engine/protocol';
+import { frame, pointAt, vectorAt } from './space';
+
+const UP = new Vector3(0, 1, 0);
+const GREY = '#8793a1';
+const DARK = '#4b5563';
+const TYRE = '#5d6976';
+
+/** Radii as parts of the radius of the scene. */
+const BAR = 0.016;
+const THIN_BAR = 0.008;
+const JOINT = 0.022;
+
+/** Matrix that puts a body of unit radius and length along y between two points. */
+function between(from: Vector3, to: Vector3, radius: number): Matrix4 {
+  const along = to.clone().sub(from);
+  const length = along.length();
+  const turn = new Quaternion().setFromUnitVectors(UP, length > 0 ? along.divideScalar(length) : UP);
+  return new Matrix4().compose(from.clone().add(to).multiplyScalar(0.5), turn, new Vector3(radius, Math.max(length, 1e-9), radius));
+}
+
+/** Helix of unit length along y and of radius 1, with a wire that is round at the usual length of a spring. */
+function spring(): BufferGeometry {
+  const [turns, steps, length] = [7, 112, 9];
+  const points = Array.from({ length: steps + 1 }, (_, i) => {
+    const angle = (2 * Math.PI * turns * i) / steps;
+    return new Vector3(Math.cos(angle), length * (i / steps - 0.5), Math.sin(angle));
+  });
+  return new TubeGeometry(new CatmullRomCurve3(points), 240, 0.17, 7).scale(1, 1 / length, 1);
+}
+
+/** Tyre of radius 1 about y. */
+function tyre(): BufferGeometry {
+  const half = 0.3;
+  const profile: [number, number][] = [
+    [0.64, -half * 0.8], [0.93, -half], [0.985, -half * 0.8], [1, 0], [0.985, half * 0.8], [0.93, half], [0.64, half * 0.8],
+  ];
+  return new LatheGeometry(profile.map(([r, y]) => new Vector2(r, y)), 64);
+}
+
+interface Element { contact: Scene['contacts'][number]; meshes: Mesh[] }
+
+export class Bodies {
+  readonly group = new Group();
+  /** Groups of the links, by number. */
+  readonly links: Group[] = [];
+  readonly pickable: Mesh[] = [];
+  private materials: MeshLambertMaterial[] = [];
+  /** Tyres, each with the number of the link that has the mass of its wheel. */
+  private tyres: { link: number; material: MeshLambertMaterial }[] = [];
+  private elements: Element[] = [];
+  private ghost: LineSegments | undefined;
+  private variant: LineSegments | undefined;
+  private unitBar = new CylinderGeometry(1, 1, 1, 14);
+  private unitSpring = spring();
+  private grey = new MeshLambertMaterial({ color: GREY });
+  private dark = new MeshLambertMaterial({ color: DARK });
+  private own: BufferGeometry[] = [this.unitBar, this.unitSpring];
+
+  constructor(private readonly scene: Scene, shapes: (Float32Array | null)[], private readonly radius: number) {
+    const ball = this.keep(new SphereGeometry(1, 14, 10));
+    scene.links.forEach((link, i) => {
+      const group = new Group();
+      group.matrixAutoUpdate = false;
+      const material = new MeshLambertMaterial({ color: GREY, side: DoubleSide });
+      const corners = shapes[i];
+      if (corners && corners.length) {
+        const geometry = this.keep(new BufferGeometry());
+        geometry.setAttribute('position', new BufferAttribute(corners, 3));
+        geometry.computeVertexNormals();
+        this.addLink(group, new Mesh(geometry, material), i);
+      } else {
+        const width = this.radius * (link.mass > 0 ? BAR : THIN_BAR);
+        const ends: Vector3[] = [];
+        if (!link.lines.length && link.mass > 0 && link.com) {
+          // A body without joints, lines and shape: a ball at its centre of mass.
+          const body = new Mesh(ball, material);
+          body.position.set(...link.com);
+          body.scale.setScalar(3 * width);
+          this.addLink(group, body, i);
+        }
+        for (const line of link.lines) {
+          if (this.endsAtPatch(i, line)) continue;
+          const [from, to] = line.map((end) => new Vector3(...end));
+          const mesh = new Mesh(this.unitBar, material);
+          mesh.matrixAutoUpdate = false;
+          mesh.matrix.copy(between(from, to, width));
+          this.addLink(group, mesh, i);
+          for (const end of [from, to]) {
+            if (ends.some((other) => other.distanceTo(end) < 1e-3 * this.radius)) continue;
+            ends.push(end);
+            const knob = new Mesh(ball, material);
+            knob.position.copy(end);
+            knob.scale.setScalar(width);
+            this.addLink(group, knob, i);
+          }
+        }
+      }
+      this.materials.push(material);
+      this.links.push(group);
+      this.group.add(group);
+    });
+    this.addJoints(ball);
+    this.addWheels();
+    for (const contact of scene.contacts) {
+      const count = { spring: 1, damper: 2, stop: 2, patch: 0, other: 0 }[contact.kind];
+      const geometry = contact.kind === 'spring' ? this.unitSpring : this.unitBar;
+      const meshes = Array.from({ length: count }, () => new Mesh(geometry, contact.kind === 'stop' ? this.dark : this.grey));
+      for (const mesh of meshes) {
+        mesh.matrixAutoUpdate = false;
+        this.group.add(mesh);
+      }
+      this.elements.push({ contact, meshes });
+    }
+  }
+
+  /** True for the line from a hub to the ground: a direction, not a body. */
+  private endsAtPatch(link: number, line: [Triple, Triple]): boolean {
+    return this.scene.links.some(({ name }, i) => name.startsWith('contact_patch')
+      && line.some((end) => pointAt(this.scene.design, link, end).distanceTo(pointAt(this.scene.design, i, [0, 0, 0])) < 1e-4 * this.radius));
+  }
+
+  private keep<T extends BufferGeometry>(geometry: T): T {
+    this.own.push(geometry);
+    return geometry;
+  }
+
+  private addLink(group: Group, mesh: Mesh, link: number) {
+    mesh.userData.link = link;
+    group.add(mesh);
+    this.pickable.push(mesh);
+  }
+
+  private addJoints(ball: BufferGeometry) {
+    const cone = this.keep(new CylinderGeometry(0.25, 1, 1.6, 4));
+    const add = (link: number, at: Triple, isGround: boolean) => {
+      const mesh = new Mesh(isGround ? cone : ball, this.dark);
+      mesh.position.set(...at);
+      mesh.scale.setScalar(this.radius * JOINT * (isGround ? 1.2 : 0.85));
+      if (isGround) mesh.rotation.x = Math.PI / 2;
+      this.links[link].add(mesh);
+    };
+    const done = new Set<string>();
+    for (const joint of this.scene.joints) {
+      if (joint.kind === 'fixed') continue;
+      const at = pointAt(this.scene.design, joint.child, [0, 0, 0]);
+      const key = at.toArray().map((x) => x.toFixed(4)).join();
+      if (done.has(key)) continue;
+      done.add(key);
+      if (joint.parent === this.scene.root) {
+        const root = at.clone().applyMatrix4(frame(this.scene.design, this.scene.root).invert());
+        add(this.scene.root, root.toArray() as Triple, true);
+      } else {
+        add(joint.child, [0, 0, 0], false);
+      }
+    }
+    for (const { ends } of this.scene.closures) {
+      for (const [link, at] of ends) if (link !== null && link !== this.scene.root) add(link, at, false);
+    }
+  }
+
+  private addWheels() {
+    for (const wheel of this.scene.wheels) {
+      const material = new MeshLambertMaterial({ color: TYRE, transparent: true, opacity: 0.2, depthWrite: false, side: DoubleSide });
+      const name = this.scene.links[wheel.link].name.replace('wheel_centre', 'wheel');
+      this.tyres.push({ link: this.scene.links.findIndex((link) => link.name === name), material });
+      const mesh = new Mesh(this.keep(tyre()), material);
+      mesh.position.set(...wheel.centre);
+      mesh.quaternion.setFromUnitVectors(UP, new Vector3(...wheel.axis).normalize());
+      mesh.scale.setScalar(wheel.radius);
+      this.links[wheel.link].add(mesh);
+    }
+  }
+
+  pose(frames: number[]) {
+    this.links.forEach((group, i) => {
+      group.matrix.copy(frame(frames, i));
+      group.matrixWorldNeedsUpdate = true;
+    });
+    for (const { contact, meshes } of this.elements) {
+      const point = pointAt(frames, contact.link, contact.point);
+      const against = contact.against ?? this.scene.root;
+      const isLine = contact.normal !== 'fixed';
+      const seat = isLine ? pointAt(frames, against, contact.vector) : undefined;
+      const normal = seat ? seat.clone().sub(point) : vectorAt(frames, against, contact.vector);
+      const length = normal.length();
+      normal.normalize();
+      if (contact.normal === 'away') normal.negate();
+      const along = (from: number, to: number, width: number, i: number) =>
+        meshes[i]?.matrix.copy(between(point.clone().addScaledVector(normal, from), point.clone().addScaledVector(normal, to), width * this.radius));
+      if (contact.kind === 'spring') along(0, length, 0.042, 0);
+      if (contact.kind === 'damper') {
+        along(0, length, 0.007, 0);
+        along(0, 0.55 * length, 0.02, 1);
+      }
+      if (contact.kind === 'stop') {
+        const thick = 0.02 * this.radius;
+        const gap = Math.max(seat ? length : (contact.gap ?? 0), 0);
+        along(-thick, 0, 0.026, 0);
+        along(gap, gap + 0.35 * thick, 0.04, 1);
+        if (contact.normal === 'away') meshes[1].visible = false;
+      }
+    }
+  }
+
+  colour(colours: Color[] | null, chosen: number | undefined) {
+    this.materials.forEach((material, i) => {
+      material.color.copy(colours?.[i] ?? new Color(GREY));
+      material.emissive.set(i === chosen ? '#12304a' : '#000000');
+    });
+    for (const { link, material } of this.tyres) material.color.copy(colours?.[link] ?? new Color(TYRE));
+  }
+
+  private outline(scene: Scene, frames: number[], material: LineBasicMaterial): LineSegments {
+    const ends = scene.links.flatMap((link, i) => link.lines.filter((line) => !this.endsAtPatch(i, line))
+      .flatMap((line) => line.map((end) => pointAt(frames, i, end))));
+    return new LineSegments(new BufferGeometry().setFromPoints(ends), material);
+  }
+
+  /** Thin lines of the design pose, and of a frozen variant at its pose. */
+  outlines(design: boolean, variant: { scene: Scene; frames: number[] } | undefined) {
+    for (const old of [this.ghost, this.variant]) {
+      if (old) {
+        this.group.remove(old);
+        old.geometry.dispose();
+      }
+    }
+    this.ghost = design ? this.outline(this.scene, this.scene.design, new LineBasicMaterial({ color: '#9aa5b1' })) : undefined;
+    this.variant = variant ? this.outline(variant.scene, variant.frames, new LineBasicMaterial({ color: '#2f6fb0' })) : undefined;
+    for (const line of [this.ghost, this.variant]) if (line) this.group.add(line);
+  }
+
+  dispose() {
+    for (const geometry of this.own) geometry.dispose();
+    for (const material of [...this.materials, ...this.tyres.map((t) => t.material), this.grey, this.dark]) material.dispose();
+    this.outlines(false, undefined);
+  }
+}

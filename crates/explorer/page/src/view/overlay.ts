@@ -1,0 +1,174 @@
+// Marks above the bodies, as SVG: hardpoints, contact arrow with its value, labels, axes, scale; and the bodies as lines in a
+// browser without WebGL.
+
+import { Vector3 } from 'three';
+import type { Cameras } from './cameras';
+
+const NS = 'http://www.w3.org/2000/svg';
+
+export function element<K extends keyof SVGElementTagNameMap>(
+  name: K, attributes: Record<string, string | number>, parent?: Element,
+): SVGElementTagNameMap[K] {
+  const made = document.createElementNS(NS, name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
+  parent?.append(made);
+  return made;
+}
+
+export interface Mark { name: string; at: Vector3; isMoved: boolean }
+/** `reach`: nearest drawn point of the contact link. */
+export interface ContactMark { point: Vector3; normal: Vector3; reach?: Vector3; label: string; isStale: boolean }
+
+const ARROW = 74;
+const HEAD = 15;
+/** A label of a scale: lengths of bars, m. */
+const BARS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10];
+
+export class Overlay {
+  readonly svg: SVGSVGElement;
+  private wires: SVGGElement;
+  private points: SVGGElement;
+  private motion: SVGGElement;
+  private contact: SVGGElement;
+  private label: SVGGElement;
+  private axes: SVGGElement;
+  private scale: SVGGElement;
+
+  constructor(parent: HTMLElement) {
+    this.svg = element('svg', { class: 'overlay', 'aria-hidden': 'true' });
+    parent.append(this.svg);
+    const group = (name: string) => element('g', { class: name }, this.svg);
+    this.wires = group('wires');
+    this.motion = group('motion');
+    this.points = group('points');
+    this.contact = group('contact');
+    this.label = group('label');
+    this.axes = group('axes');
+    this.scale = group('scale');
+  }
+
+  drawWires(cameras: Cameras, lines: { ends: [Vector3, Vector3]; colour: string }[]) {
+    this.wires.replaceChildren(...lines.map(({ ends, colour }) => {
+      const [a, b] = ends.map((end) => cameras.project(end));
+      const line = element('line', { x1: a.x, y1: a.y, x2: b.x, y2: b.y });
+      line.style.stroke = colour;
+      return line;
+    }));
+  }
+
+  drawPoints(cameras: Cameras, marks: Mark[], selected: string | undefined) {
+    const circles = [...this.points.children] as SVGCircleElement[];
+    marks.forEach((mark, i) => {
+      const circle = circles[i] ?? element('circle', { r: 5 }, this.points);
+      const { x, y, visible } = cameras.project(mark.at);
+      circle.setAttribute('cx', x.toFixed(1));
+      circle.setAttribute('cy', y.toFixed(1));
+      circle.setAttribute('class', `${mark.isMoved ? 'moved' : ''} ${mark.name === selected ? 'selected' : ''} ${visible ? '' : 'hidden'}`);
+      circle.dataset.point = mark.name;
+    });
+    circles.slice(marks.length).forEach((circle) => circle.remove());
+  }
+
+  drawMotion(cameras: Cameras, arrows: { at: Vector3; by: Vector3 }[]) {
+    this.motion.replaceChildren(...arrows.flatMap(({ at, by }) => {
+      const [a, b] = [cameras.project(at), cameras.project(at.clone().add(by))];
+      return this.arrow(a.x, a.y, b.x, b.y, 8);
+    }));
+  }
+
+  private arrow(x1: number, y1: number, x2: number, y2: number, head: number): SVGElement[] {
+    const length = Math.hypot(x2 - x1, y2 - y1);
+    if (length < 2) return [];
+    const size = Math.min(head, length / 2);
+    const [ux, uy] = [(x2 - x1) / length, (y2 - y1) / length];
+    const [bx, by] = [x2 - size * ux, y2 - size * uy];
+    const w = 0.38 * size;
+    return [
+      element('line', { x1, y1, x2: bx, y2: by }),
+      element('polygon', { points: `${x2},${y2} ${bx - w * uy},${by + w * ux} ${bx + w * uy},${by - w * ux}` }),
+    ];
+  }
+
+  /** Contact point, normal and value. Returns the position of the tip. */
+  drawContact(cameras: Cameras, mark: ContactMark | undefined): Vector3 | undefined {
+    if (!mark) {
+      this.contact.replaceChildren();
+      return undefined;
+    }
+    const tip = mark.point.clone().addScaledVector(mark.normal, ARROW * cameras.pixel(mark.point));
+    const [a, b] = [cameras.project(mark.point), cameras.project(tip)];
+    const facing = Math.hypot(b.x - a.x, b.y - a.y) < 12;
+    const parts: SVGElement[] = facing
+      ? [element('circle', { cx: a.x, cy: a.y, r: 11, class: 'facing' })]
+      : this.arrow(a.x, a.y, b.x, b.y, HEAD);
+    const dot = element('circle', { cx: a.x, cy: a.y, r: 5.5, class: 'dot' });
+    const grip = element('circle', { cx: a.x, cy: a.y, r: 11, class: 'grip', 'data-contact': 'point' });
+    const head = element('circle', { cx: b.x, cy: b.y, r: 11, class: 'grip', 'data-contact': 'normal' });
+    const width = 8.2 * mark.label.length + 18;
+    const { width: all, height } = this.svg.getBoundingClientRect();
+    // The label is beyond the tip, inside of the view, and off the buttons.
+    const length = Math.hypot(b.x - a.x, b.y - a.y);
+    const [ux, uy] = facing || length === 0 ? [1, -0.6] : [(b.x - a.x) / length, (b.y - a.y) / length];
+    const x = Math.min(Math.max(b.x + ux * (width / 2 + 14) - width / 2, 6), all - width - 6);
+    const y = Math.min(Math.max(b.y + uy * 28 - 13, 48), height - 60);
+    const base = mark.reach && cameras.project(mark.reach);
+    if (base && Math.hypot(base.x - a.x, base.y - a.y) > 3) {
+      parts.unshift(element('line', { x1: base.x, y1: base.y, x2: a.x, y2: a.y, class: 'reach' }));
+    }
+    const chip = element('g', { transform: `translate(${x.toFixed(1)},${y.toFixed(1)})`, class: 'chip' });
+    element('rect', { width: width.toFixed(0), height: 26, rx: 5 }, chip);
+    element('text', { x: (width / 2).toFixed(1), y: 18, 'text-anchor': 'middle' }, chip).textContent = mark.label;
+    this.contact.setAttribute('class', `contact ${mark.isStale ? 'stale' : ''}`);
+    this.contact.replaceChildren(...parts, dot, ...(facing ? [grip] : [head, grip]), chip);
+    return tip;
+  }
+
+  /** Name at a position; with a line to where a dragged point was. */
+  drawLabel(text: string | undefined, x = 0, y = 0, bad?: { x: number; y: number }) {
+    if (!text) {
+      this.label.replaceChildren();
+      return;
+    }
+    const width = 7.1 * text.length + 14;
+    const all = this.svg.getBoundingClientRect().width;
+    const left = Math.min(Math.max(x + 12, 4), Math.max(4, all - width - 4));
+    const top = Math.max(y - 30, 4);
+    const parts: SVGElement[] = bad ? [element('line', { x1: x, y1: y, x2: bad.x, y2: bad.y, class: 'bad' })] : [];
+    const group = element('g', { transform: `translate(${left.toFixed(1)},${top.toFixed(1)})` });
+    element('rect', { width: width.toFixed(0), height: 22, rx: 4 }, group);
+    element('text', { x: 7, y: 15.5 }, group).textContent = text;
+    this.label.replaceChildren(...parts, group);
+  }
+
+  drawAxes(cameras: Cameras) {
+    const { height } = this.svg.getBoundingClientRect();
+    const [cx, cy] = [44, height - 76];
+    const camera = cameras.camera;
+    const turn = camera.matrixWorldInverse;
+    const parts = (['x', 'y', 'z'] as const).flatMap((name, i) => {
+      const v = new Vector3(...[0, 1, 2].map((k) => (k === i ? 1 : 0))).transformDirection(turn);
+      if (Math.hypot(v.x, v.y) < 0.15) return [];
+      const [x, y] = [cx + 26 * v.x, cy - 26 * v.y];
+      const text = element('text', { x: cx + 36 * v.x, y: cy - 36 * v.y + 4, 'text-anchor': 'middle' });
+      text.textContent = name;
+      return [...this.arrow(cx, cy, x, y, 7), text];
+    });
+    this.axes.replaceChildren(...parts);
+  }
+
+  /** Bar of a round length, for the parallel views. */
+  drawScale(cameras: Cameras, centre: Vector3, shown: boolean) {
+    if (!shown) {
+      this.scale.replaceChildren();
+      return;
+    }
+    const { width, height } = this.svg.getBoundingClientRect();
+    const pixel = cameras.pixel(centre);
+    const length = BARS.find((l) => l / pixel > 60) ?? BARS.at(-1)!;
+    const w = length / pixel;
+    const [x, y] = [width - w - 18, height - 24];
+    const text = element('text', { x: x + w / 2, y: y - 7, 'text-anchor': 'middle' });
+    text.textContent = length < 1 ? `${length * 1000} mm` : `${length} m`;
+    this.scale.replaceChildren(element('path', { d: `M${x} ${y - 4}v8M${x} ${y}h${w}M${x + w} ${y - 4}v8` }), text);
+  }
+}

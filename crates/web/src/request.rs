@@ -1,0 +1,76 @@
+//! Requests of the page. The tables are those of a study file.
+
+use percuss_formats::DEFAULT_MAX_SIZE;
+use percuss_study::{
+    ConditionsTable, ContactTable, Hold, MassQuestion, ModelTable, Names, PoseTable, QuestionTables,
+};
+use serde::Deserialize;
+use std::path::Path;
+
+/// Request of the page.
+#[derive(Debug, Deserialize)]
+#[serde(tag = "do", rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Request {
+    /// Reads a model and returns its scene, its named contacts and a first contact with a result.
+    Open {
+        /// Table of the model with its file name.
+        model: ModelTable,
+        /// Text of the file.
+        text: String,
+    },
+    /// Result at a pose with the frames of the links; a curve if `vary` is given.
+    Show {
+        /// Question.
+        question: QuestionRequest,
+        /// Range of the curve, as in `percuss sweep --vary`.
+        #[serde(default)]
+        vary: Option<String>,
+    },
+    /// Sensitivities of m̄ to hardpoints, masses and centres of mass.
+    Explain {
+        /// Question.
+        question: QuestionRequest,
+    },
+    /// Text of the sheet with the moves of the model.
+    Sheet {
+        /// Table of the model with its moves.
+        model: ModelTable,
+    },
+}
+
+/// Question with the tables of a study file.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct QuestionRequest {
+    /// Model with its changes.
+    pub model: ModelTable,
+    /// Contact.
+    #[serde(default)]
+    contact: ContactTable,
+    /// Pose.
+    #[serde(default)]
+    pose: PoseTable,
+    /// Conditions.
+    #[serde(default)]
+    conditions: ConditionsTable,
+    /// Held points.
+    #[serde(default)]
+    hold: Vec<Hold>,
+}
+
+impl QuestionRequest {
+    /// Converts the tables to a question.
+    ///
+    /// # Errors
+    /// Message: keys that exclude each other, an incomplete contact, or a file of positions.
+    pub fn question(&self) -> Result<MassQuestion, String> {
+        let Self { contact, pose, conditions, hold, .. } = self;
+        if let Some(part) = contact.missing() {
+            return Err(format!("contact: {part} is missing"));
+        }
+        let tables = QuestionTables { contact, pose, conditions, hold };
+        tables
+            .question(Path::new(""), DEFAULT_MAX_SIZE, Names::Keys)
+            .map_err(|error| error.message(Names::Keys))
+    }
+}

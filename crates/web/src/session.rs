@@ -1,0 +1,261 @@
+//! Session of a page: a model with its changes, and replies to requests.
+
+use crate::request::{QuestionRequest, Request};
+use percuss_formats::{LoadError, LoadOptions, Source};
+use percuss_study::{
+    BaseName, Changes, ConditionsTable, ContactListReport, ContactTable, DesignError, DiagnosticRecord,
+    Explanation, Frames, MassQuestion, Model, ModelTable, Names, PosedMass, RowSource, Scene, StudyError,
+    Vary, changed_sheet, contact_list, explain, link_frames, mass_with_frames, scene, starting_contact,
+    sweep_report,
+};
+use serde::Serialize;
+
+/// Model of a page, as opened and with the changes of the last request.
+#[derive(Debug, Default)]
+pub struct Session {
+    opened: Option<Model>,
+    /// Model with changes; `None` without changes.
+    changed: Option<(Changes, Model)>,
+    /// Changes of the scene that the page has.
+    shown: Changes,
+}
+
+/// Reason for a missing reply.
+#[derive(Debug, Serialize)]
+struct Refusal {
+    /// Message.
+    message: String,
+    /// Key of the question at fault, if known.
+    key: Option<&'static str>,
+    /// True if the question is valid, and has no result.
+    no_result: bool,
+    /// Findings about a file, with lines.
+    diagnostics: Vec<DiagnosticRecord>,
+}
+
+impl Refusal {
+    fn of_message(message: impl Into<String>) -> Self {
+        Self { message: message.into(), key: None, no_result: false, diagnostics: Vec::new() }
+    }
+}
+
+impl From<StudyError> for Refusal {
+    fn from(error: StudyError) -> Self {
+        let key = error.field().map(|field| field.key());
+        let no_result = error.has_no_result();
+        Self { key, no_result, ..Self::of_message(error.message(Names::Fields)) }
+    }
+}
+
+impl From<LoadError> for Refusal {
+    fn from(error: LoadError) -> Self {
+        let diagnostics: Vec<DiagnosticRecord> = error.diagnostics.into_iter().map(Into::into).collect();
+        let first = diagnostics.iter().find(|found| found.severity.name() == "error");
+        let message =
+            first.map_or_else(|| "the model cannot be read".to_owned(), |found| found.message.clone());
+        Self { diagnostics, ..Self::of_message(message) }
+    }
+}
+
+impl From<DesignError> for Refusal {
+    fn from(error: DesignError) -> Self {
+        match error {
+            DesignError::Load(error) => error.into(),
+            DesignError::Change(error) => error.into(),
+            other => Self::of_message(other.to_string()),
+        }
+    }
+}
+
+/// Result, or the reason for its absence.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "snake_case")]
+enum Outcome<T> {
+    Ok(T),
+    Refused(Refusal),
+}
+
+impl<T, E: Into<Refusal>> From<Result<T, E>> for Outcome<T> {
+    fn from(result: Result<T, E>) -> Self {
+        match result {
+            Ok(value) => Self::Ok(value),
+            Err(error) => Self::Refused(error.into()),
+        }
+    }
+}
+
+/// Reply to a request.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+enum Reply {
+    Opened(Box<Opened>),
+    Shown(Box<Shown>),
+    Explained(Option<Explanation>),
+    Sheet(String),
+}
+
+/// Reply to an opened model.
+#[derive(Debug, Serialize)]
+struct Opened {
+    scene: Scene,
+    contact: ContactTable,
+    conditions: ConditionsTable,
+    /// Results at all named contacts; `None` without named contacts.
+    contacts: Option<ContactListReport>,
+    diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Reply to a question.
+#[derive(Debug, Serialize)]
+struct Shown {
+    /// Scene, if the changes of the model are others than before.
+    scene: Option<Scene>,
+    result: Outcome<PosedMass>,
+    /// Frames at the pose of a question without a result, if the pose exists.
+    frames: Option<Frames>,
+    curve: Option<Outcome<Curve>>,
+}
+
+/// Curve of m̄ over a range.
+#[derive(Debug, Serialize)]
+struct Curve {
+    name: String,
+    /// `m` or `rad`.
+    unit: &'static str,
+    rows: Vec<CurveRow>,
+    diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Row of a curve.
+#[derive(Debug, Serialize)]
+struct CurveRow {
+    /// Varied number, m or rad.
+    at: f64,
+    status: &'static str,
+    /// m̄, kg; `None` unless finite.
+    mass: Option<f64>,
+    /// Error bound of m̄, kg.
+    error: Option<f64>,
+    /// Gap of a stop, m.
+    gap: Option<f64>,
+    singular: bool,
+    /// Reason for a missing result.
+    why: Option<String>,
+}
+
+impl Session {
+    /// Session without a model.
+    pub const fn new() -> Self {
+        let shown = Changes { link_mass: Vec::new(), link_com: Vec::new(), moves: Vec::new() };
+        Self { opened: None, changed: None, shown }
+    }
+
+    /// Answers a request in JSON by a reply in JSON: `{"ok": …}` or `{"refused": {"message": …}}`.
+    pub fn answer(&mut self, request: &[u8]) -> Vec<u8> {
+        let reply = match serde_json::from_slice::<Request>(request) {
+            Ok(request) => self.reply(request),
+            Err(error) => Err(Refusal::of_message(format!("the request is invalid: {error}"))),
+        };
+        // Every part of a reply serialises: keys are texts, and JSON has null for numbers that are not finite.
+        serde_json::to_vec(&Outcome::from(reply)).unwrap_or_default()
+    }
+
+    fn reply(&mut self, request: Request) -> Result<Reply, Refusal> {
+        match request {
+            Request::Open { model, text } => Ok(Reply::Opened(Box::new(self.open(&model, text)?))),
+            Request::Show { question, vary } => {
+                Ok(Reply::Shown(Box::new(self.show(&question, vary.as_deref())?)))
+            }
+            Request::Explain { question } => Ok(Reply::Explained(self.explain(&question)?)),
+            Request::Sheet { model } => {
+                let opened = self.opened()?;
+                let text = changed_sheet(opened, &model.changes().moves);
+                Ok(Reply::Sheet(text.map_err(|error| Refusal::of_message(error.to_string()))?))
+            }
+        }
+    }
+
+    fn opened(&self) -> Result<&Model, Refusal> {
+        self.opened.as_ref().ok_or_else(|| Refusal::of_message("no model is open"))
+    }
+
+    fn open(&mut self, table: &ModelTable, text: String) -> Result<Opened, Refusal> {
+        let options = LoadOptions { accept: table.accepted() };
+        let opened = Model::from_source(&Source::from_text(&table.path, text), &options)?;
+        let changes = table.changes();
+        let model = if changes.is_empty() { opened.clone() } else { opened.with_changes(&changes)? };
+        let scene = scene(&model)?;
+        let (contact, base) = starting_contact(&model)?;
+        let conditions = ConditionsTable {
+            base: (base == BaseName::Floating).then_some(base),
+            ..ConditionsTable::default()
+        };
+        let contacts = (!model.mechanism.contacts().is_empty())
+            .then(|| contact_list(&model, &MassQuestion::without_contact(), None))
+            .transpose()?;
+        let diagnostics = model.diagnostics.clone();
+        self.opened = Some(opened);
+        self.changed = (!changes.is_empty()).then(|| (changes.clone(), model));
+        self.shown = changes;
+        Ok(Opened { scene, contact, conditions, contacts, diagnostics })
+    }
+
+    /// Model with changes; the model of the last changes is kept.
+    fn model(&mut self, changes: &Changes) -> Result<&Model, Refusal> {
+        if !changes.is_empty() && self.changed.as_ref().is_none_or(|(known, _)| known != changes) {
+            let model = self.opened()?.with_changes(changes)?;
+            self.changed = Some((changes.clone(), model));
+        }
+        match &self.changed {
+            Some((_, model)) if !changes.is_empty() => Ok(model),
+            _ => self.opened(),
+        }
+    }
+
+    fn show(&mut self, request: &QuestionRequest, vary: Option<&str>) -> Result<Shown, Refusal> {
+        let changes = request.model.changes();
+        let is_new = changes != self.shown;
+        let model = self.model(&changes)?;
+        let scene = if is_new { Some(scene(model)?) } else { None };
+        let question = request.question().map_err(Refusal::of_message)?;
+        let result = mass_with_frames(model, &question);
+        let frames = if result.is_err() { link_frames(model, &question).ok() } else { None };
+        let curve = vary.map(|vary| curve(model, &question, vary).into());
+        if is_new {
+            self.shown = changes;
+        }
+        Ok(Shown { scene, result: result.into(), frames, curve })
+    }
+
+    fn explain(&mut self, request: &QuestionRequest) -> Result<Option<Explanation>, Refusal> {
+        let model = self.model(&request.model.changes())?;
+        let question = request.question().map_err(Refusal::of_message)?;
+        Ok(explain(model, &question)?)
+    }
+}
+
+/// Rows of a contact over a range; the travels of the question are replaced by the range if it is a travel.
+fn curve(model: &Model, question: &MassQuestion, vary: &str) -> Result<Curve, Refusal> {
+    let vary = Vary::parse(vary).map_err(|error| Refusal::of_message(error.to_string()))?;
+    let name = vary.name();
+    let mut question = question.clone();
+    question.set.retain(|(joint, _)| *joint != name);
+    question.travel.clear();
+    let report = sweep_report(model, &question, RowSource::Grid(vec![vary]))?;
+    let unit = report.heading.varied.first().map_or("", |column| column.unit);
+    let row = |row: percuss_study::SweepRow| CurveRow {
+        at: row.varied.values().first().copied().unwrap_or_default(),
+        status: row.status,
+        mass: row.effective_mass,
+        error: row.effective_mass_error,
+        gap: row.gap.flatten(),
+        singular: row.singular_pose == Some(true),
+        why: row.error,
+    };
+    Ok(Curve {
+        name,
+        unit,
+        rows: report.rows.into_iter().map(row).collect(),
+        diagnostics: report.diagnostics,
+    })
+}

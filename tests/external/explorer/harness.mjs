@@ -1,0 +1,100 @@
+// Browser, pages and the command for the tests.
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { chromium } from 'playwright-core';
+
+export const root = process.argv[2];
+const percuss = process.env.PERCUSS;
+export const folder = join(root, 'target/explorer-tests/pages');
+mkdirSync(folder, { recursive: true });
+
+const GL = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
+export async function launch(extra = GL) {
+  return chromium.launch({ executablePath: process.env.CHROMIUM, args: extra.includes('--no-sandbox') ? extra : ['--no-sandbox', ...extra] });
+}
+
+/** Page of a model, written by the command. */
+export function explore(model, ...flags) {
+  const output = join(folder, `${model.replace(/.*\//, '')}.html`);
+  execFileSync(percuss, ['explore', join(root, model), ...flags, '-o', output, '--force'], { stdio: ['ignore', 'ignore', 'pipe'] });
+  return output;
+}
+
+/** Opens a page and watches it: nothing may be requested, refused by the policy, thrown or written to the console. */
+export async function open(browser, file, options = {}, hash = '') {
+  const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  const bad = [];
+  page.on('console', (message) => {
+    // Messages of the graphics driver, which SwiftShader writes about its own speed.
+    if (!message.text().includes('GL Driver Message')) bad.push(`console: ${message.text()}`);
+  });
+  page.on('pageerror', (error) => bad.push(`exception: ${error.stack}`));
+  page.on('request', (request) => {
+    if (!/^(file|blob|data):/.test(request.url())) bad.push(`request: ${request.url()}`);
+  });
+  await page.addInitScript(() => {
+    addEventListener('securitypolicyviolation', (event) => console.log('policy', event.violatedDirective, event.blockedURI));
+  });
+  page.bad = bad;
+  await page.goto(`file://${file}${hash}`);
+  await page.waitForSelector('[data-mass]');
+  return page;
+}
+
+export async function close(page) {
+  assert.deepEqual(page.bad, [], 'the page is silent');
+  await page.context().close();
+}
+
+/** m̄ shown, or the outcome. */
+export async function shown(page) {
+  const text = await page.getAttribute('[data-mass]', 'data-mass');
+  return Number.isNaN(Number(text)) ? text : Number(text);
+}
+
+/** Waits until the page has answered all changes. */
+export async function settle(page) {
+  await page.waitForFunction(() => window.percussView.isSettled());
+}
+
+/** Executes the command that the page shows, as a shell does, and returns m̄ or the outcome. */
+export async function executed(page, cwd) {
+  const command = await page.textContent('pre.text');
+  assert.match(command, /^percuss mass /);
+  const text = execFileSync('bash', ['-c', `${command.replace(/^percuss/, '"$PERCUSS"')} --format json 2>/dev/null`], { cwd, encoding: 'utf8' });
+  const report = JSON.parse(text);
+  return { mass: report.effective_mass ?? report.status, error: report.effective_mass_error ?? 0 };
+}
+
+export async function center(page, selector) {
+  const box = await page.locator(selector).first().boundingBox();
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
+export async function drag(page, from, to, steps = 6) {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y, { steps });
+  await page.mouse.up();
+  await settle(page);
+}
+
+/** The number shown is that of the command: both within their stated errors, for the last bits of a position differ between processors. */
+export async function agrees(page, cwd, what) {
+  await settle(page);
+  const [here, there] = [await shown(page), await executed(page, cwd)];
+  if (typeof here === 'number' && typeof there.mass === 'number') {
+    assert.ok(Math.abs(here - there.mass) <= 2 * there.error, `${what}: ${here} here, ${there.mass} ± ${there.error} by the command`);
+  } else {
+    assert.equal(here, there.mass, what);
+  }
+  return here === there.mass;
+}
+
+export const fileText = (path) => readFileSync(join(root, path), 'utf8');
+export { dirname, join };

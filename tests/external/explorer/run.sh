@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Tests of the page of `percuss explore` in headless Chromium. Needs npm, Chromium (Debian: apt install chromium) and the engine
+# (crates/explorer/build.sh engine, which is run if engine/percuss.wasm.gz is missing).
+#   run.sh [TEST…]   only the tests whose names contain one of the words
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../../.." && pwd)
+work=$root/target/explorer-tests
+browser=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
+[ -n "$browser" ] || { echo "Chromium is needed: apt install chromium, or CHROMIUM=/path/to/it" >&2; exit 1; }
+[ -f "$root/crates/explorer/engine/percuss.wasm.gz" ] || "$root/crates/explorer/build.sh" engine
+mkdir -p "$work"
+cp "$here/package.json" "$here/package-lock.json" "$work"
+[ -d "$work/node_modules/playwright-core" ] && cmp -s "$here/package-lock.json" "$work/installed.json" ||
+  (cd "$work" && npm ci --ignore-scripts --no-audit --no-fund --silent && cp package-lock.json installed.json)
+cargo build --quiet --locked --manifest-path "$root/Cargo.toml" -p percuss-cli --features explorer
+cp "$here"/*.mjs "$work"
+CHROMIUM=$browser PERCUSS=${CARGO_TARGET_DIR:-$root/target}/debug/percuss node "$work/tests.mjs" "$root" "$@"
