@@ -35,6 +35,7 @@ pub mod reading;
 mod load;
 mod meshes;
 mod mjcf;
+mod sdf;
 mod urdf;
 mod xml_text;
 pub use load::{load, load_file};

@@ -47,8 +47,8 @@ impl MeshFolders {
         Err(MeshError::NotFound { file: file.to_owned(), tried })
     }
 
-    /// Paths at which a mesh file may be, in the order of the search.
-    fn candidate_paths(&self, file: &str) -> Vec<PathBuf> {
+    /// Paths at which a file may be, in the order of the search.
+    pub(crate) fn candidate_paths(&self, file: &str) -> Vec<PathBuf> {
         let packaged = file.strip_prefix("package://").or_else(|| file.strip_prefix("model://"));
         let Some(rest) = packaged else {
             let plain =
