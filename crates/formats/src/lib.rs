@@ -44,6 +44,7 @@ pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
 pub use mjcf::write::{MjcfError, MjcfText, write_mjcf};
 pub use reading::diagnostic::{Diagnostic, LoadError};
 pub use reading::source::{DEFAULT_MAX_SIZE, Source};
+pub use sdf::write::{SdfError, SdfText, write_sdf};
 pub use urdf::elements::shapes::shape::{Purpose, Shape, Solid};
 pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded};
 pub use urdf::write::{Comments, write_urdf, write_urdf_with};

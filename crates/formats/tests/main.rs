@@ -8,5 +8,6 @@ mod mjcf;
 mod mutation;
 mod plausible;
 mod round_trip;
+mod sdf;
 mod support;
 mod surfaces;

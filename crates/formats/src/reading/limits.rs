@@ -45,8 +45,6 @@ pub(crate) const MAX_INERTIA_TRIANGLES: usize = 20_000_000;
 pub(crate) const MAX_MODEL_DEPTH: usize = 32;
 /// Longest chain of frames, each placed in the next one, that is multiplied without the poses in the world: the cost of a joint.
 pub(crate) const MAX_FRAME_CHAIN: usize = 64;
-/// Longest chain of frames, each attached to the next one.
-pub(crate) const MAX_ATTACHMENTS: usize = 1_000;
 /// Magnitude of a limit from which on SDFormat takes a joint for unlimited, rad or m.
 pub(crate) const UNLIMITED: f64 = 1e16;
 

@@ -60,6 +60,7 @@ fn read_model(
     if findings.has_errors() {
         return None;
     }
+    scopes.resolve_attachments(tree);
     resolve_poses(tree, &mut scopes, findings);
     if findings.has_errors() {
         return None;

@@ -6,3 +6,4 @@ pub(crate) mod frames;
 pub(crate) mod load;
 pub(crate) mod tree;
 pub(crate) mod values;
+pub(crate) mod write;

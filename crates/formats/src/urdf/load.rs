@@ -136,8 +136,8 @@ fn check_root_tag(root: Node<'_, '_>, report: &mut Report) -> bool {
     let name = root.tag_name().name();
     let remark = match name {
         "robot" => return true,
-        "sdf" | "gazebo" => {
-            "this is an SDF file (Gazebo's), which is not read; `sdf2urdf` of sdformat_tools converts what URDF can hold"
+        "gazebo" => {
+            "this is an SDF file of an old version (Gazebo's); convert it with \"gz sdf -p FILE\" and load the result"
         }
         "COLLADA" => "this is a COLLADA mesh; the URDF names it, load that",
         "html" | "HTML" => "this is a web page; a download may have gone wrong",

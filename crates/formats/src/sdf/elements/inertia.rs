@@ -52,6 +52,13 @@ pub(crate) fn read_inertia(
     }
     let mass = read_number_in(tree, element, "mass", findings);
     let frame = read_pose_in(tree, element, findings);
+    if let Some(pose) =
+        tree.child(element, "pose").filter(|pose| tree.attribute(*pose, "relative_to").is_some())
+    {
+        findings.add_once(Severity::Warning, "ignored", "pose of inertial", pose, || {
+            "the pose of an <inertial> is in the frame of its link; relative_to is ignored, as in libsdformat".to_owned()
+        });
+    }
     let moments = tree.child(element, "inertia");
     if !is_fixed && (mass.is_none() || moments.is_none()) {
         let missing = if mass.is_none() {

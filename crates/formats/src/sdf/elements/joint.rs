@@ -184,7 +184,7 @@ fn resolve_body(
         });
         return None;
     };
-    let attached = scopes.attached(tree, frame);
+    let attached = scopes.attached(frame);
     if attached.is_none() {
         findings.error("unknown-link", element, || format!("{} is attached to no link", quoted(name)));
     }

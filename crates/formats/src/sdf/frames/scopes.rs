@@ -1,7 +1,6 @@
 //! Scopes of names: the world, and models within models.
 
 use crate::reading::element_tree::{ElementId, ElementTree};
-use crate::reading::limits::MAX_ATTACHMENTS;
 use crate::sdf::document::version::Version;
 use percuss_spatial::Transform;
 use std::collections::HashMap;
@@ -88,6 +87,12 @@ pub(crate) enum Attached {
     Link(usize),
 }
 
+/// Next frame, or the body, to which a frame is attached.
+enum Attachment {
+    Body(Attached),
+    Frame(FrameId),
+}
+
 /// All scopes of a world or file, the world first.
 #[derive(Debug, Default)]
 pub(crate) struct Scopes {
@@ -95,6 +100,8 @@ pub(crate) struct Scopes {
     pub frames: Vec<Frame>,
     pub links: Vec<SdfLink>,
     pub joints: Vec<SdfJoint>,
+    /// Body of each frame; empty before [`resolve_attachments`](Self::resolve_attachments).
+    attachments: Vec<Option<Attached>>,
 }
 
 impl Scopes {
@@ -137,26 +144,51 @@ impl Scopes {
         }
     }
 
-    /// Body to which a frame is attached; `None` if a name is unknown, a model has no link, or the attachments have no end.
-    pub fn attached(&self, tree: &ElementTree, frame: FrameId) -> Option<Attached> {
-        let mut current = frame;
-        for _ in 0..MAX_ATTACHMENTS {
-            let frame = self.frame(current);
-            current = match frame.kind {
-                FrameKind::World => return Some(Attached::Ground),
-                FrameKind::Link(link) => return Some(Attached::Link(link)),
-                FrameKind::Model(scope) => self.canonical_frame(tree, scope)?,
-                FrameKind::Joint(_) => {
-                    let child = tree.child(frame.element, "child")?;
-                    self.find(frame.scope, tree.text(child))?
+    /// Body to which a frame is attached; `None` if a name is unknown, a model has no link, or the attachments are a circle.
+    pub fn attached(&self, frame: FrameId) -> Option<Attached> {
+        self.attachments.get(frame.0).copied().flatten()
+    }
+
+    /// Finds the bodies to which the frames are attached; each frame once.
+    pub fn resolve_attachments(&mut self, tree: &ElementTree) {
+        let mut is_known = vec![false; self.frames.len()];
+        self.attachments = vec![None; self.frames.len()];
+        for start in 0..self.frames.len() {
+            let mut path = Vec::new();
+            let mut current = FrameId(start);
+            let body = loop {
+                if is_known[current.0] {
+                    break self.attachments[current.0];
                 }
-                FrameKind::Frame => match tree.attribute(frame.element, "attached_to") {
-                    Some(name) if !name.is_empty() => self.find(frame.scope, name)?,
-                    _ => self.scope(frame.scope).frame,
-                },
+                // A frame of the path is known from now on: its value is `None` if the attachments return to it.
+                is_known[current.0] = true;
+                path.push(current);
+                match self.attachment(tree, current) {
+                    Some(Attachment::Body(body)) => break Some(body),
+                    Some(Attachment::Frame(next)) => current = next,
+                    None => break None,
+                }
             };
+            path.into_iter().for_each(|frame| self.attachments[frame.0] = body);
         }
-        None
+    }
+
+    /// Frame or body to which a frame is attached directly.
+    fn attachment(&self, tree: &ElementTree, id: FrameId) -> Option<Attachment> {
+        let frame = self.frame(id);
+        Some(match frame.kind {
+            FrameKind::World => Attachment::Body(Attached::Ground),
+            FrameKind::Link(link) => Attachment::Body(Attached::Link(link)),
+            FrameKind::Model(scope) => Attachment::Frame(self.canonical_frame(tree, scope)?),
+            FrameKind::Joint(_) => {
+                let child = tree.child(frame.element, "child")?;
+                Attachment::Frame(self.find(frame.scope, tree.text(child))?)
+            }
+            FrameKind::Frame => match tree.attribute(frame.element, "attached_to") {
+                Some(name) if !name.is_empty() => Attachment::Frame(self.find(frame.scope, name)?),
+                _ => Attachment::Frame(self.scope(frame.scope).frame),
+            },
+        })
     }
 
     /// Canonical link of a model, or a frame that leads to it.

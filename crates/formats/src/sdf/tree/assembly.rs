@@ -2,6 +2,7 @@
 
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
+use crate::reading::report::quoted;
 use crate::reading::unique_names::UniqueNames;
 use crate::sdf::elements::body::{LinkBody, read_body};
 use crate::sdf::elements::joint::{JointBody, JointType, read_joint};
@@ -53,7 +54,7 @@ pub(crate) fn assemble(
     }
     let mut parts = Parts::default();
     add_links(scopes, &joints, &spanning, &bodies, &mut parts, findings);
-    add_frames(tree, scopes, &is_read, &mut parts);
+    add_frames(scopes, &is_read, &mut parts, findings);
     for (position, joint) in joints.iter().enumerate() {
         if joint.kind == JointType::Gearbox {
             add_gearbox(scopes, &joints, &spanning, joint, &mut parts, findings);
@@ -111,7 +112,7 @@ fn read_scopes(tree: &ElementTree, scopes: &Scopes, main: ElementId) -> Vec<bool
 fn ends_of(tree: &ElementTree, scopes: &Scopes, joint: ElementId) -> [Option<ScopeId>; 2] {
     ["parent", "child"].map(|tag| {
         let frame = scopes.find(ScopeId(0), tree.text(tree.child(joint, tag)?))?;
-        match scopes.attached(tree, frame)? {
+        match scopes.attached(frame)? {
             Attached::Ground => None,
             Attached::Link(link) => Some(scopes.scope(scopes.links[link].scope).top),
         }
@@ -217,8 +218,10 @@ fn add_links(
         if kind == JointKind::Floating {
             findings.add_once(Severity::Note, "floating", "floating", element, || {
                 format!(
-                    "no joint leads to the world, and the model is not static: the link {name} floats, by the joint {joint_name}; lock \
-                     that joint to hold it"
+                    "no joint leads to the world, and the model is not static: the link {} floats, by the joint {}; lock \
+                     that joint to hold it",
+                    quoted(name),
+                    quoted(&joint_name)
                 )
             });
         }
@@ -229,7 +232,7 @@ fn add_links(
 }
 
 /// Adds the named frames as massless links, so that contacts can be given in them.
-fn add_frames(tree: &ElementTree, scopes: &Scopes, is_read: &[bool], parts: &mut Parts) {
+fn add_frames(scopes: &Scopes, is_read: &[bool], parts: &mut Parts, findings: &mut Findings<'_>) {
     let mut names: HashSet<String> = parts.links.iter().map(|(link, _)| link.name.clone()).collect();
     let mut joint_names = UniqueNames::default();
     joint_names.reserve(parts.joints.iter().map(|(joint, _)| joint.name.as_str()));
@@ -238,7 +241,13 @@ fn add_frames(tree: &ElementTree, scopes: &Scopes, is_read: &[bool], parts: &mut
         if frame.kind != FrameKind::Frame || !is_within || names.contains(&frame.name) {
             continue;
         }
-        let Some(body) = scopes.attached(tree, FrameId(index)) else { continue };
+        let Some(body) = scopes.attached(FrameId(index)) else {
+            findings.error("unknown-link", frame.element, || {
+                "the frame is attached to no link: attached_to is a circle, or its model has no link"
+                    .to_owned()
+            });
+            continue;
+        };
         let is_present = match body {
             Attached::Ground => true,
             Attached::Link(link) => is_read[scopes.scope(scopes.links[link].scope).top.0],

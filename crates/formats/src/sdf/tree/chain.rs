@@ -2,7 +2,8 @@
 //!
 //! A joint of a mechanism ends at the origin of its child link. A joint elsewhere, or with several axes, becomes a chain of massless
 //! links `LINK/JOINT`, and a fixed joint leads from the anchor to the origin. A joint that is passed from child to parent keeps the sign
-//! of its position: its steps are reversed, and their axes change the sign.
+//! of its position: its steps are reversed, and their axes change the sign. The quaternion of a ball joint then turns the parent in the
+//! child.
 
 use crate::reading::element_tree::ElementId;
 use crate::reading::unique_names::UniqueNames;
@@ -122,15 +123,19 @@ impl ChainBuilder<'_> {
             steps.reverse();
             steps.iter_mut().for_each(|step| step.axis = -step.axis);
         }
-        // Axes of all links of the chain are parallel to those of the supported link.
+        // The links of a chain of axes are parallel to the supported link.
         steps.iter_mut().for_each(|step| step.axis = x_lj.vector(&step.axis));
-        let anchor = needed_anchor(&steps, x_lj.translation);
+        let anchor = match joint.kind {
+            // The positions of a ball joint are rotations in its frame.
+            JointType::Ball => x_lj,
+            _ => Transform::from_translation(needed_anchor(&steps, x_lj.translation)),
+        };
         let link_name = link.0.name.clone();
         let mut parent = body_name(self.scopes, below).to_owned();
-        let mut origin = x_bl * Transform::from_translation(anchor);
+        let mut origin = x_bl * anchor;
         let count = steps.len();
         for (position, step) in steps.into_iter().enumerate() {
-            let is_last = position + 1 == count && anchor == Vector3::zeros();
+            let is_last = position + 1 == count && anchor == Transform::identity();
             let child = if is_last {
                 link_name.clone()
             } else {
@@ -148,7 +153,7 @@ impl ChainBuilder<'_> {
         }
         let name = self.joint_names.take(format!("{link_name}_fixed"));
         let fixed = JointDescription::new(name, JointKind::Fixed, parent, link_name);
-        self.parts.joints.push((fixed.origin(Transform::from_translation(-anchor)), joint.element));
+        self.parts.joints.push((fixed.origin(anchor.inverse()), joint.element));
         self.parts.links.push(link);
     }
 
@@ -198,7 +203,7 @@ fn needed_anchor(steps: &[Step], anchor: Vector3<f64>) -> Vector3<f64> {
     let is_free = steps.iter().all(|step| match step.kind {
         JointKind::Fixed | JointKind::Prismatic => true,
         JointKind::Revolute | JointKind::Continuous => anchor.cross(&step.axis) == Vector3::zeros(),
-        JointKind::Planar | JointKind::Spherical | JointKind::Floating => anchor == Vector3::zeros(),
+        JointKind::Planar | JointKind::Spherical | JointKind::Floating => false,
     });
     if is_free { Vector3::zeros() } else { anchor }
 }
