@@ -1,5 +1,6 @@
 //! Readers and writers.
 
+mod closing_pairs;
 mod gazebo_joints;
 mod loading;
 mod loops;

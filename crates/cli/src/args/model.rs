@@ -48,7 +48,7 @@ impl ReadingArgs {
 
     /// Options of the reader.
     pub fn options(&self) -> LoadOptions {
-        LoadOptions { accept: self.changes.accepted() }
+        LoadOptions { accept: self.changes.accepted(), ..LoadOptions::default() }
     }
 
     /// Changes to the model.

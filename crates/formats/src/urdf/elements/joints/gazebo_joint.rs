@@ -93,7 +93,7 @@ impl<'a> ZeroPoseFrames<'a> {
     }
 
     /// X_rl, link to root link. Identity for the root link (no parent joint) and for the world.
-    fn link_frame(&self, link: &str) -> Transform<f64> {
+    pub fn link_frame(&self, link: &str) -> Transform<f64> {
         self.links.get(link).copied().unwrap_or_else(Transform::identity)
     }
 
