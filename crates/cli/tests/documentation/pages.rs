@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Every page, with the number of its commands.
-const PAGES: [(&str, usize); 38] = [
+const PAGES: [(&str, usize); 39] = [
     ("README.md", 4),
     ("docs/INTRODUCTION.md", 1),
     ("docs/SUMMARY.md", 0),
@@ -35,6 +35,7 @@ const PAGES: [(&str, usize); 38] = [
     ("docs/reference/COMMANDS.md", 1),
     ("docs/reference/FORMULAS.md", 0),
     ("docs/reference/MJCF.md", 0),
+    ("docs/reference/SDFORMAT.md", 0),
     ("docs/reference/NOTATION.md", 0),
     ("docs/reference/OUTPUTS.md", 1),
     ("docs/reference/PYTHON_NAMES.md", 0),

@@ -50,6 +50,11 @@ impl Source {
         }
     }
 
+    /// File of the name: without the model of `FILE#MODEL`.
+    pub fn file(&self) -> &str {
+        without_model(&self.name)
+    }
+
     /// Creates a source from text.
     pub fn from_text(name: impl Into<String>, text: impl Into<String>) -> Source {
         Source { name: name.into(), bytes: text.into().into_bytes() }

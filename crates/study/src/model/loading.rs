@@ -24,7 +24,7 @@ pub struct Input {
 impl Input {
     /// Input of a source in memory.
     pub fn from_source(source: &Source) -> Self {
-        Self { path: source.name.clone(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
+        Self { path: source.file().to_owned(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
     }
 
     /// Input of a file; `None` if the file is unreadable.

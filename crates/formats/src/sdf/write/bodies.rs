@@ -370,7 +370,8 @@ mod tests {
 
     #[test]
     fn rotations_are_accurate_near_a_right_pitch() {
-        for pitch in [0.0, 1.57, 1.5708, 1.570796, 1.570796326, std::f64::consts::FRAC_PI_2, -1.5708, 3.0] {
+        let near = |distance: f64| std::f64::consts::FRAC_PI_2 - distance;
+        for pitch in [0.0, near(1e-3), near(4e-6), near(3e-7), near(3e-10), near(0.0), -near(4e-6), 3.0] {
             for (roll, yaw) in [(0.3, -2.0), (-3.0, 1.0), (0.0, 0.0)] {
                 let rotation = rotation_from_rpy([roll, pitch, yaw]);
                 let again = rotation_from_rpy(roll_pitch_yaw(&rotation).into());
