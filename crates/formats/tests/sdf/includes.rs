@@ -145,6 +145,14 @@ fn bad_includes_are_refused_where_they_are() {
         assert_eq!(first.code, code, "{file}: {first}");
         assert!(first.to_string().contains(place), "{file}: {first}");
     }
+    // A world may include scenery that is not at hand.
+    let world = format!(
+        "<sdf version=\"1.6\"><world name=\"w\"><include><uri>model://sun</uri></include><model name=\"m\">{}</model></world></sdf>",
+        link("a", "") + &joint("j", "fixed", "world", "a", "")
+    );
+    let folder = Folder::new("scenery", &[("world.sdf", world)]);
+    assert_eq!(codes(&folder.load("world.sdf")), [(Severity::Warning, "no-such-file")]);
+    assert!(folder.load("world.sdf#sun").is_err());
     // A value of an included file is reported there.
     let body = link("body", "");
     let whole = include("bad.sdf").replace("<include>", &format!("{body}<include>"));

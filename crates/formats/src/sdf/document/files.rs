@@ -118,7 +118,11 @@ impl FileReader {
         let path = match find_model_file(&uri, Path::new(&tree.files[file].name)) {
             Ok(path) => path,
             Err(message) => {
-                self.files.reports[file].error("no-such-file", place, || message);
+                // A world may include lights and scenery that are not at hand; its models are chosen later.
+                let holder = tree.element(include).parent.map(|parent| tree.tag(parent));
+                let is_part = holder == Some("model");
+                let severity = if is_part { Severity::Error } else { Severity::Warning };
+                self.files.reports[file].add(severity, "no-such-file", place, || message);
                 return;
             }
         };

@@ -15,7 +15,11 @@ pub(crate) fn find_model_file(uri: &str, including: &Path) -> Result<PathBuf, St
         ));
     }
     let folders = MeshFolders::of_model(including, Vec::new());
-    let candidates = folders.candidate_paths(uri);
+    let mut candidates = folders.candidate_paths(uri);
+    if !uri.contains("://") {
+        // A name without a scheme may be that of a model of a library.
+        candidates.extend(folders.candidate_paths(&format!("model://{uri}")));
+    }
     if let Some(file) = candidates.iter().find(|path| path.is_file()) {
         return Ok(file.clone());
     }
@@ -29,7 +33,8 @@ pub(crate) fn find_model_file(uri: &str, including: &Path) -> Result<PathBuf, St
     }
     let tried: Vec<String> = candidates.iter().take(3).map(|path| quoted(&path.to_string_lossy())).collect();
     Err(format!(
-        "the model {} does not exist; tried {}{}. Models are searched beside the including file and in the folders above it",
+        "the model {} does not exist; tried {}{}. Models are searched in the folders of GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH and SDF_PATH, \
+         beside the including file, and in the folders above it",
         quoted(uri),
         tried.join(", "),
         if candidates.len() > tried.len() { " and further folders" } else { "" }
