@@ -1,6 +1,6 @@
-//! Reader of URDF to a [`Mechanism`](percuss_mechanism::Mechanism), with positions in the diagnostics; and writer.
+//! Readers of URDF, MJCF and SDFormat to a [`Mechanism`](percuss_mechanism::Mechanism), with positions in the diagnostics; and writers.
 //!
-//! [`load`] works in five steps, each of which may refuse the file:
+//! For a URDF, [`load`] works in five steps, each of which may refuse the file:
 //!
 //! 1. check that the bytes are text and bounded in size, tags, nesting and entities (before any parser runs);
 //! 2. parse the text by roxmltree to a tree with positions;

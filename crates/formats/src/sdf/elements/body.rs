@@ -1,23 +1,14 @@
 //! Links: inertia and shapes.
 
-use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::element_tree::ElementTree;
 use crate::reading::findings::Findings;
-use crate::sdf::elements::geometry::{SdfShape, read_shape};
+use crate::sdf::elements::geometry::{Collision, read_shape};
 use crate::sdf::elements::inertia::{LinkInertia, read_inertia};
 use crate::sdf::frames::scopes::Scopes;
 use crate::sdf::values::read_pose;
 use crate::urdf::elements::shapes::shape::{Purpose, Shape};
 use percuss_mechanism::{Geometry, Severity};
 use percuss_spatial::Transform;
-
-/// Collision or visual of a link.
-#[derive(Clone, Debug)]
-pub(crate) struct Collision {
-    pub element: ElementId,
-    pub shape: SdfShape,
-    /// Frame of the shape in the link.
-    pub frame: Transform<f64>,
-}
 
 /// Values of a link.
 #[derive(Clone, Debug)]

@@ -5,6 +5,7 @@ use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::limits::MAX_SHAPE_SIZE;
 use crate::urdf::elements::numbers::parse_numbers;
 use crate::urdf::elements::shapes::shape::Solid;
+use percuss_spatial::Transform;
 use std::f64::consts::PI;
 
 /// Shape in its own frame.
@@ -38,6 +39,15 @@ pub(crate) enum SdfShape {
     },
     /// Plane, height map, image or polyline.
     Other(String),
+}
+
+/// Collision or visual of a link.
+#[derive(Clone, Debug)]
+pub(crate) struct Collision {
+    pub element: ElementId,
+    pub shape: SdfShape,
+    /// Frame of the shape in the link.
+    pub frame: Transform<f64>,
 }
 
 /// Shape of a `<geometry>`; `None` if it is empty. The error names the defect.

@@ -4,7 +4,7 @@ use crate::mjcf::bodies::inertia::{sum, turn};
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::sdf::document::version::Version;
-use crate::sdf::elements::body::Collision;
+use crate::sdf::elements::geometry::Collision;
 use crate::sdf::values::{read_boolean_attribute, read_number_in, read_pose_in};
 use percuss_mechanism::{Inertial, Severity};
 use percuss_spatial::{Matrix3, Vector3};

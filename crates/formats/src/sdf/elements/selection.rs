@@ -27,7 +27,9 @@ pub(crate) fn select_model(
     let sdf = tree.root();
     for index in 0..tree.elements.len() {
         let element = ElementId(index as u32);
-        if tree.tag(element) == "sdf" {
+        // Plugins may contain elements of any name.
+        let holder = tree.element(element).parent.map(|holder| tree.tag(holder));
+        if tree.tag(element) == "sdf" && matches!(holder, None | Some("include")) {
             check_version(tree, element, findings);
         }
     }

@@ -10,6 +10,7 @@ use crate::reading::report::quoted;
 use crate::sdf::document::version::Version;
 use crate::sdf::frames::scopes::{FrameId, FrameKind, ScopeId, Scopes};
 use crate::sdf::values::{read_pose, text_in};
+use percuss_mechanism::Severity;
 use percuss_spatial::Transform;
 use std::collections::HashMap;
 
@@ -50,8 +51,7 @@ fn read_frame(
         FrameKind::Link(_) => (frame.element, model_frame),
         FrameKind::Frame => {
             let attached = tree.attribute(frame.element, "attached_to").filter(|name| !name.is_empty());
-            let attached =
-                attached.and_then(|name| find_frame(tree, scopes, id, frame.element, name, findings));
+            let attached = attached.and_then(|name| find_frame(scopes, id, frame.element, name, findings));
             (frame.element, attached.unwrap_or(model_frame))
         }
         FrameKind::Joint(_) => {
@@ -60,16 +60,24 @@ fn read_frame(
         }
     };
     let Some(pose) = tree.child(holder, "pose") else { return (Some(default), Transform::identity()) };
-    let attribute =
-        if Version::of_element(tree, pose) >= Version::WITH_FRAMES { "relative_to" } else { "frame" };
-    let named = tree.attribute(pose, attribute).filter(|name| !name.is_empty());
-    let base = named.and_then(|name| find_frame(tree, scopes, id, pose, name, findings));
+    let [relative_to, frame] =
+        ["relative_to", "frame"].map(|name| tree.attribute(pose, name).filter(|name| !name.is_empty()));
+    let named = if Version::of_element(tree, pose) < Version::WITH_FRAMES {
+        frame.or(relative_to)
+    } else {
+        if frame.is_some() {
+            findings.add_once(Severity::Warning, "ignored", "frame of pose", pose, || {
+                "the attribute \"frame\" ended with version 1.6 and is ignored; write relative_to".to_owned()
+            });
+        }
+        relative_to
+    };
+    let base = named.and_then(|name| find_frame(scopes, id, pose, name, findings));
     (Some(base.unwrap_or(default)), read_pose(tree, pose, findings))
 }
 
 /// Frame that an element names; an unknown name is an error.
 fn find_frame(
-    _tree: &ElementTree,
     scopes: &Scopes,
     of: FrameId,
     element: ElementId,
