@@ -101,15 +101,24 @@ class Peer:
         mujoco.mj_jac(m, d, jacobian, None, np.array(contact["point_world"]), body)
         row = np.array(contact["normal_world"]) @ jacobian
         residual = np.abs(d.efc_pos[d.efc_type == mujoco.mjtConstraint.mjCNSTR_EQUALITY]).max(initial=0)
-        if report["status"] == "immovable":
-            scaled = rows / np.maximum(np.abs(rows).max(axis=1, keepdims=True, initial=0), 1e-300)
-            u, s, vt = np.linalg.svd(scaled) if len(rows) else (None, np.zeros(0), np.eye(m.nv))
-            rank = int((s > 1e-8 * s.max(initial=0)).sum())
-            motion = np.abs(vt[rank:] @ row).max(initial=0) / max(np.abs(row).max(initial=0), 1e-300)
-            return (0.0 if motion < NO_MOTION or np.abs(row).max(initial=0) < NO_MOTION else 1.0), residual
-        if report["status"] != "finite":
-            return 1.0, residual
-        return abs(report["effective_mass"] / least_energy(mass, rows, row) - 1), residual
+        return deviation(report, mass, rows, row), residual
+
+    def contact_links(self):
+        """Links that can move."""
+        return [link for link in self.links[1:] if self.model.body_weldid[self.links.index(link)] != 0]
+
+
+def deviation(report, mass, rows, row):
+    """Relative deviation of the effective mass from that of the matrices; 0 or 1 where percuss found no motion."""
+    if report["status"] == "immovable":
+        scaled = rows / np.maximum(np.abs(rows).max(axis=1, keepdims=True, initial=0), 1e-300)
+        u, s, vt = np.linalg.svd(scaled) if len(rows) else (None, np.zeros(0), np.eye(len(mass)))
+        rank = int((s > 1e-8 * s.max(initial=0)).sum())
+        motion = np.abs(vt[rank:] @ row).max(initial=0) / max(np.abs(row).max(initial=0), 1e-300)
+        return 0.0 if motion < NO_MOTION or np.abs(row).max(initial=0) < NO_MOTION else 1.0
+    if report["status"] != "finite":
+        return 1.0
+    return abs(report["effective_mass"] / least_energy(mass, rows, row) - 1)
 
 
 def random_position(rng, kind, limits, size):
@@ -124,18 +133,19 @@ def random_position(rng, kind, limits, size):
     return [rng.uniform(max(lower, -1), min(upper, 1)) * size]
 
 
-def compare_file(percuss, path, rng, count, options=()):
-    """Deviations at `count` random contacts. Returns (deviations, number of poses out of reach), or a refusal as text."""
+def compare_file(percuss, path, rng, count, options=(), peer=None):
+    """Deviations from the peer, MuJoCo by default, at `count` random contacts. Returns (deviations, number of poses out of reach), or a
+    refusal as text."""
     check = run(percuss, "check", path, "--format", "json", *options)
     if check.returncode:
         return check.stderr.strip().splitlines()[0] if check.stderr else "refused"
     check = json.loads(check.stdout)
-    peer = Peer(path)
+    peer = peer or Peer(path)
     kinds = {joint["name"]: (joint["kind"], joint.get("limits")) for joint in check["joints"]}
     looped = bool(check["closures"])
     movable = [joint["name"] for joint in check["joints"] if joint["kind"] != "fixed" and not joint["mimics"]]
     drivers = check["drivers"] if looped else movable
-    links = [link for link in peer.links[1:] if peer.model.body_weldid[peer.links.index(link)] != 0]
+    links = peer.contact_links()
     deviations, unreachable = [], 0
     for number in range(count):
         link = links[rng.integers(len(links))]

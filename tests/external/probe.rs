@@ -140,6 +140,7 @@ fn run() -> Result<(), String> {
 fn answer(request: &Request) -> Result<Answer, String> {
     let options = LoadOptions {
         accept: Accept { indefinite_inertia: request.accept_indefinite_inertia, ..Accept::default() },
+        ..LoadOptions::default()
     };
     let loaded = Source::read(&request.model, DEFAULT_MAX_SIZE).and_then(|source| load(&source, &options));
     let Loaded { mechanism, diagnostics, .. } = match loaded {

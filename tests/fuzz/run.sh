@@ -11,7 +11,7 @@ root=$(cd "$here/../.." && pwd)
 seconds=${1:-300}
 shift $(($# > 0 ? 1 : 0))
 readers=("$@")
-[ ${#readers[@]} -gt 0 ] || readers=(urdf mjcf sheet.toml sheet.csv sheet.xlsx sheet.json study.toml pose.json rows.csv rows.parquet obj stl dae)
+[ ${#readers[@]} -gt 0 ] || readers=(urdf mjcf sdf sheet.toml sheet.csv sheet.xlsx sheet.json study.toml pose.json rows.csv rows.parquet obj stl dae)
 target=${CARGO_TARGET_DIR:-$root/target}/fuzz
 coverage="-Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=3 -Cllvm-args=-sanitizer-coverage-inline-8bit-counters -Cllvm-args=-sanitizer-coverage-pc-table -Cllvm-args=-sanitizer-coverage-trace-compares -Ccodegen-units=1 --cfg fuzzing"
 host=$(rustc -vV | sed -n 's/^host: //p')

@@ -10,9 +10,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::{env, fs, process};
 
 /// Names of the readers: the ending of their files.
-pub const READERS: [&str; 13] = [
+pub const READERS: [&str; 14] = [
     "urdf",
     "mjcf",
+    "sdf",
     "sheet.toml",
     "sheet.csv",
     "sheet.xlsx",
@@ -44,7 +45,7 @@ static MODEL: LazyLock<Model> = LazyLock::new(|| {
 pub fn read(reader: &str, bytes: &[u8]) -> bool {
     let named = || Source { name: format!("fuzzed.{reader}"), bytes: bytes.to_vec() };
     match reader {
-        "urdf" | "mjcf" => load(&named(), &LoadOptions::default()).is_ok(),
+        "urdf" | "mjcf" | "sdf" => load(&named(), &LoadOptions::default()).is_ok(),
         "sheet.toml" | "sheet.csv" | "sheet.xlsx" | "sheet.json" => {
             import(&named(), &ImportOptions::default()).is_ok()
         }

@@ -1,6 +1,6 @@
-//! Reader of URDF to a [`Mechanism`](percuss_mechanism::Mechanism), with positions in the diagnostics; and writer.
+//! Readers of URDF, MJCF and SDFormat to a [`Mechanism`](percuss_mechanism::Mechanism), with positions in the diagnostics; and writers.
 //!
-//! [`load`] works in five steps, each of which may refuse the file:
+//! For a URDF, [`load`] works in five steps, each of which may refuse the file:
 //!
 //! 1. check that the bytes are text and bounded in size, tags, nesting and entities (before any parser runs);
 //! 2. parse the text by roxmltree to a tree with positions;
@@ -35,6 +35,7 @@ pub mod reading;
 mod load;
 mod meshes;
 mod mjcf;
+mod sdf;
 mod urdf;
 mod xml_text;
 pub use load::{load, load_file};
@@ -43,6 +44,7 @@ pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
 pub use mjcf::write::{MjcfError, MjcfText, write_mjcf};
 pub use reading::diagnostic::{Diagnostic, LoadError};
 pub use reading::source::{DEFAULT_MAX_SIZE, Source};
+pub use sdf::write::{SdfError, SdfText, write_sdf};
 pub use urdf::elements::shapes::shape::{Purpose, Shape, Solid};
 pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded};
 pub use urdf::write::{Comments, write_urdf, write_urdf_with};

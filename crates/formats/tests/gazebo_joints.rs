@@ -1,7 +1,7 @@
 //! SDF joints in `<gazebo>`: complete joints are read as loops; others are refused, with the element and the line.
 
 use crate::support::{changed, codes, told};
-use percuss_formats::{LoadError, Loaded};
+use percuss_formats::{LoadError, LoadOptions, Loaded, Source, load};
 use percuss_mechanism::{ClosureKind, Severity};
 use percuss_spatial::Vector3;
 
@@ -98,4 +98,77 @@ fn a_root_fixed_to_the_world_is_no_loop() {
         assert_eq!(loaded.mechanism.closures().len(), 0);
         assert!(codes(&Ok(loaded)).contains(&(Severity::Note, "gazebo-joint")));
     }
+}
+
+/// The linkage `four_bar_split.urdf` of Gazebo's tutorial "kinematic loop", as URDF with a joint in a `<gazebo>` and as SDFormat.
+fn four_bar(is_urdf: bool) -> Loaded {
+    let inertia = |mass: f64, along: usize, length: f64| {
+        let mut moments = [mass * (length * length + 0.0004) / 12.0; 3];
+        moments[along] = mass * 0.0008 / 12.0;
+        moments
+    };
+    let parts = [
+        ("link_AB", 0.072, [-0.01, -0.15, 0.0], inertia(0.072, 1, 0.3)),
+        ("link_BE", 0.024, [0.05, -0.01, 0.0], inertia(0.024, 0, 0.1)),
+        ("link_EC", 0.024, [-0.05, -0.01, 0.0], inertia(0.024, 0, 0.1)),
+        ("link_CD", 0.072, [0.01, -0.15, 0.0], inertia(0.072, 1, 0.3)),
+    ];
+    let joints = [
+        ("joint_A", "world", "link_AB", [0.0, 0.0, 0.0]),
+        ("joint_B", "link_AB", "link_BE", [0.0, -0.3, 0.0]),
+        ("joint_D", "world", "link_CD", [0.2, 0.0, 0.0]),
+        ("joint_C", "link_CD", "link_EC", [0.0, -0.3, 0.0]),
+    ];
+    let triple = |v: [f64; 3]| format!("{} {} {}", v[0], v[1], v[2]);
+    let mut text = String::new();
+    for (name, mass, com, [x, y, z]) in parts {
+        text += &if is_urdf {
+            format!(
+                "<link name=\"{name}\"><inertial><origin xyz=\"{}\"/><mass value=\"{mass}\"/>
+                 <inertia ixx=\"{x}\" iyy=\"{y}\" izz=\"{z}\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>",
+                triple(com)
+            )
+        } else {
+            let (_, parent, _, at) = joints.iter().find(|joint| joint.2 == name).unwrap();
+            let base = if *parent == "world" { "__model__" } else { parent };
+            format!(
+                "<link name=\"{name}\"><pose relative_to=\"{base}\">{} 0 0 0</pose><inertial><pose>{} 0 0 0</pose><mass>{mass}</mass>
+                 <inertia><ixx>{x}</ixx><iyy>{y}</iyy><izz>{z}</izz></inertia></inertial></link>",
+                triple(*at),
+                triple(com)
+            )
+        };
+    }
+    for (name, parent, child, at) in joints {
+        text += &if is_urdf {
+            format!(
+                "<joint name=\"{name}\" type=\"continuous\"><origin xyz=\"{}\"/><parent link=\"{parent}\"/><child link=\"{child}\"/>
+                 <axis xyz=\"0 0 1\"/></joint>",
+                triple(at)
+            )
+        } else {
+            format!(
+                "<joint name=\"{name}\" type=\"revolute\"><parent>{parent}</parent><child>{child}</child></joint>"
+            )
+        };
+    }
+    let weld = "<joint name=\"joint_E\" type=\"fixed\"><pose>-0.1 0 0 0 0 0</pose><parent>link_BE</parent><child>link_EC</child></joint>";
+    let text = if is_urdf {
+        format!("<robot name=\"r\"><link name=\"world\"/>{text}<gazebo>{weld}</gazebo></robot>")
+    } else {
+        format!("<sdf version=\"1.7\"><model name=\"r\">{text}{weld}</model></sdf>")
+    };
+    load(&Source::from_text("r", text), &LoadOptions::default()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Both spellings give the same loop.
+#[test]
+fn the_joint_of_gazebo_is_that_of_sdformat() {
+    let [urdf, sdf] = [true, false].map(four_bar);
+    let [one, two] = [&urdf, &sdf].map(|loaded| &loaded.mechanism.closures()[0]);
+    assert_eq!((one.kind(), two.kind()), (ClosureKind::Fixed, ClosureKind::Fixed));
+    for (a, b) in [(one.predecessor(), two.predecessor()), (one.successor(), two.successor())] {
+        assert!((a.frame.translation - b.frame.translation).norm() < 1e-15, "{a:?} {b:?}");
+    }
+    assert!((one.predecessor().frame.translation - Vector3::new(0.1, 0.0, 0.0)).norm() < 1e-15);
 }

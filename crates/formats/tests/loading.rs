@@ -120,7 +120,9 @@ fn the_table_says_what_becomes_of_every_kind_of_element() {
         (at_robot("<mujoco><compiler/></mujoco>"), None),
         (at_robot("<mujoco><equality/></mujoco>"), Some((Error, "loop-unsupported"))),
         (drake("ball_constraint"), Some((Error, "loop-unsupported"))),
-        (drake("distance_constraint"), Some((Error, "loop-unsupported"))),
+        (drake("distance_constraint"), Some((Warning, "ignored"))),
+        (drake("linear_bushing_rpy"), Some((Warning, "ignored"))),
+        (drake("linear_spring_damper"), None),
         (drake("weld_constraint"), Some((Error, "loop-unsupported"))),
         (drake("coupler_constraint"), Some((Error, "loop-unsupported"))),
         (at_link("<collision><any/></collision><contact/><self_collision_checking/>"), None),
@@ -206,7 +208,10 @@ fn indefinite_inertias_need_the_users_word() {
     let error = load_text(&text).unwrap_err();
     assert_eq!(error.diagnostics[0].code, "indefinite-inertia");
     assert_eq!(error.diagnostics[0].element.as_deref(), Some("robot/link[arm]/inertial/inertia"));
-    let options = LoadOptions { accept: Accept { indefinite_inertia: true, ..Accept::default() } };
+    let options = LoadOptions {
+        accept: Accept { indefinite_inertia: true, ..Accept::default() },
+        ..LoadOptions::default()
+    };
     let loaded = load(&Source::from_text("model.urdf", text), &options).unwrap();
     assert_eq!(
         (loaded.diagnostics[0].severity, loaded.diagnostics[0].code),

@@ -1,5 +1,6 @@
 //! Readers and writers.
 
+mod closing_pairs;
 mod gazebo_joints;
 mod loading;
 mod loops;
@@ -8,5 +9,6 @@ mod mjcf;
 mod mutation;
 mod plausible;
 mod round_trip;
+mod sdf;
 mod support;
 mod surfaces;

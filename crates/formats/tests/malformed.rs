@@ -15,10 +15,10 @@ fn corpus() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/malformed")
 }
 
-fn urdfs(folder: &Path) -> Vec<PathBuf> {
+fn models(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("the corpus is there");
     let mut files: Vec<PathBuf> = entries.map(|e| e.expect("a readable entry").path()).collect();
-    files.retain(|f| f.extension().is_some_and(|e| e == "urdf"));
+    files.retain(|f| f.extension().is_some_and(|e| e == "urdf" || e == "sdf"));
     files.sort();
     files
 }
@@ -31,8 +31,8 @@ fn load_file(path: &Path) -> Result<percuss_formats::Loaded, LoadError> {
 
 #[test]
 fn every_malformed_file_is_refused_with_the_expected_words() {
-    let refused = urdfs(&corpus());
-    let warned = urdfs(&corpus().join("warned"));
+    let refused = models(&corpus());
+    let warned = models(&corpus().join("warned"));
     assert!(refused.len() >= 140, "only {} malformed files were found", refused.len());
     assert!(warned.len() >= 35, "only {} doubtful files were found", warned.len());
     let mut found = String::new();

@@ -186,7 +186,10 @@ fn no_mutation_makes_loading_panic_or_hang() {
                     // shapes, an inertia may look too large for the link.
                     let text = write_urdf(&loaded.mechanism);
                     let accept = Accept { implausible_inertia: true, ..Accept::default() };
-                    let again = load(&Source::from_text("model.urdf", text.clone()), &LoadOptions { accept });
+                    let again = load(
+                        &Source::from_text("model.urdf", text.clone()),
+                        &LoadOptions { accept, ..LoadOptions::default() },
+                    );
                     assert!(again.is_ok(), "case {case}: {:?}\n{shown}\n{text}", support::told(&again));
                     let (before, after) = (&loaded.mechanism, &again.unwrap().mechanism);
                     assert_eq!(before.closures().len(), after.closures().len(), "case {case}\n{shown}");

@@ -66,7 +66,10 @@ fn the_message_names_the_element_the_numbers_and_the_remedy() {
     for part in ["2.0000e0 kg", "1.4434e2 m", "kg·mm²", "--accept implausible-inertia"] {
         assert!(found.message.contains(part), "{}", found.message);
     }
-    let options = LoadOptions { accept: Accept { implausible_inertia: true, ..Accept::default() } };
+    let options = LoadOptions {
+        accept: Accept { implausible_inertia: true, ..Accept::default() },
+        ..LoadOptions::default()
+    };
     let accepted = load(&Source::from_text("arm.urdf", text), &options).expect("accepted");
     assert!(accepted.diagnostics.iter().any(|d| d.code == CODE && d.severity == Severity::Warning));
 }

@@ -149,6 +149,20 @@ def test_models_are_read_and_written_as_mjcf() -> None:
         percuss.loads(f"<robot name='r'><link name='a'/><link name='b'/>{joint}</robot>").to_mjcf()
 
 
+def test_models_are_read_and_written_as_sdformat() -> None:
+    model = percuss.load(ROOT / "models/four_bar.urdf")
+    again = percuss.loads(model.to_sdf(), name="four_bar.sdf")
+    contact = percuss.Contact("coupler", [0.35, 0.1, 0.0], normal=[0.0, 1.0, 0.0])
+    masses = [m.pose({"crank_hinge": 0.4}).respond(contact).effective_mass for m in (model, again)]
+    assert masses[1] == pytest.approx(masses[0], rel=1e-12)
+    with pytest.raises(percuss.InputError, match="no distance joint"):
+        percuss.load(ROOT / "models/double_wishbone.urdf").to_sdf()
+    two = "<sdf version='1.9'><model name='a'><link name='x'/></model><model name='b'><link name='y'/></model></sdf>"
+    assert percuss.loads(two, name="two.sdf#b").links[-1] == "y"
+    with pytest.raises(percuss.LoadError, match="several models: a, b"):
+        percuss.loads(two, name="two.sdf")
+
+
 def test_contacts_compare_print_and_travel() -> None:
     contact = percuss.Contact("a", (1, 2, 3), np.array([0, 0, 1]), against="b", normal_frame="world")
     assert contact == pickle.loads(pickle.dumps(contact)) == eval(repr(contact), {"Contact": percuss.Contact})

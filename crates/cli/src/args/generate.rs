@@ -112,6 +112,8 @@ pub enum ModelFormat {
     Mjcf,
     /// URDF; loops are elements of URDF+.
     Urdf,
+    /// SDFormat, of Gazebo; loops are joints.
+    Sdf,
 }
 
 /// Flags of `percuss convert`.
@@ -122,7 +124,7 @@ pub struct ConvertArgs {
     /// File to write; - writes to stdout.
     #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: String,
-    /// Format; default: from the ending of the file, .xml or .mjcf, or .urdf.
+    /// Format; default: from the ending of the file, .xml or .mjcf, .urdf or .sdf.
     #[arg(long, value_enum, value_name = "FORMAT", help_heading = OUTPUT)]
     pub to: Option<ModelFormat>,
     #[command(flatten)]
@@ -137,8 +139,9 @@ impl ConvertArgs {
             (Some(format), _) => Ok(format),
             (None, "xml" | "mjcf") => Ok(ModelFormat::Mjcf),
             (None, "urdf") => Ok(ModelFormat::Urdf),
+            (None, "sdf") => Ok(ModelFormat::Sdf),
             _ => Err(Failure::bad_input(format!(
-                "--output {}: the ending names no format; use .xml, .mjcf or .urdf, or give --to mjcf or --to urdf",
+                "--output {}: the ending names no format; use .xml, .mjcf, .urdf or .sdf, or give --to mjcf, urdf or sdf",
                 self.output
             ))),
         }

@@ -39,7 +39,7 @@ use std::path::Path;
 
 /// The effective mass of a mechanism at a contact.
 ///
-/// percuss reads a URDF or MJCF and computes the effective mass at a contact point along the impact normal.
+/// percuss reads a URDF, MJCF or SDF and computes the effective mass at a contact point along the impact normal.
 #[derive(Debug, Parser)]
 #[command(name = "percuss", version, arg_required_else_help = true, max_term_width = 80, after_help = examples::TOP)]
 pub struct Cli {
@@ -157,7 +157,7 @@ pub enum Command {
         override_usage = "percuss generate MODEL (--at NAME | --link L --point X,Y,Z\n                        (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                        [--language c|rust] [-o FOLDER] …"
     )]
     Generate(Box<GenerateArgs>),
-    /// Convert a model to MJCF or URDF, with its loops.
+    /// Convert a model to MJCF, SDFormat or URDF, with its loops.
     #[command(after_help = examples::CONVERT)]
     Convert(Box<ConvertArgs>),
     /// Run a study: the flags of mass, sweep and damp, kept in a TOML file.

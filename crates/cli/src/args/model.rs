@@ -9,9 +9,9 @@ use percuss_study::{Changes, Model, ModelTable};
 /// Model file, and options of its reading.
 #[derive(Debug, Args)]
 pub struct ModelArgs {
-    /// URDF or MJCF file, or a suspension sheet or table.
+    /// URDF, MJCF or SDF, or a suspension sheet or table.
     ///
-    /// - reads a URDF or MJCF from the standard input. A sheet or table (.toml, .csv, .xlsx, .xlsm, .json) is read as by `percuss import`.
+    /// - reads a URDF, MJCF or SDF from the standard input; FILE#MODEL is one of several models of an SDF file. A sheet or table (.toml, .csv, .xlsx, .xlsm, .json) is read as by `percuss import`.
     pub model: String,
     #[command(flatten)]
     pub reading: ReadingArgs,
@@ -48,7 +48,7 @@ impl ReadingArgs {
 
     /// Options of the reader.
     pub fn options(&self) -> LoadOptions {
-        LoadOptions { accept: self.changes.accepted() }
+        LoadOptions { accept: self.changes.accepted(), ..LoadOptions::default() }
     }
 
     /// Changes to the model.

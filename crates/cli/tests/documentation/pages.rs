@@ -36,6 +36,7 @@ const PAGES: [(&str, usize); 39] = [
     ("docs/reference/COMMANDS.md", 1),
     ("docs/reference/FORMULAS.md", 0),
     ("docs/reference/MJCF.md", 0),
+    ("docs/reference/SDFORMAT.md", 0),
     ("docs/reference/NOTATION.md", 0),
     ("docs/reference/OUTPUTS.md", 1),
     ("docs/reference/PYTHON_NAMES.md", 0),

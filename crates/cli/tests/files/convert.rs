@@ -1,4 +1,4 @@
-//! `percuss convert`, and MJCF in place of a URDF.
+//! `percuss convert`, and MJCF or SDFormat in place of a URDF.
 
 use crate::support::{Outcome, Scratch, percuss, percuss_with_stdin};
 use serde_json::Value;
@@ -22,18 +22,30 @@ fn mass(outcome: &Outcome) -> f64 {
     report["effective_mass"].as_f64().unwrap_or_else(|| panic!("{report}"))
 }
 
-/// The model written as MJCF and read again has the same effective mass, or the refusal names an element.
+/// The model written in a format and read again has the same effective mass, or the refusal names an element.
 #[test]
 fn shipped_models_keep_their_mass() {
-    let folder = Scratch::new("convert");
+    for (ending, format, least) in [("xml", "MJCF", 5), ("sdf", "SDFormat", 6)] {
+        let written = convert_and_compare(ending, format);
+        assert!(written >= least, "{written} models were written as {format}");
+    }
+}
+
+/// Number of models that have the same effective mass after their conversion.
+fn convert_and_compare(ending: &str, format: &str) -> usize {
+    let folder = Scratch::new(&format!("convert-{ending}"));
     let mut written = 0;
     for (model, contact, driver) in CONTACTS {
         let source = format!("models/{model}.urdf");
-        let file = folder.path(&format!("{model}.xml"));
+        let file = folder.path(&format!("{model}.{ending}"));
         let outcome = percuss(&format!("convert {source} -o {file}"));
         if outcome.code != 0 {
             assert_eq!(outcome.code, 2, "{}", outcome.stderr);
-            assert!(outcome.stderr.contains("cannot be written as MJCF: l"), "{}", outcome.stderr);
+            assert!(
+                outcome.stderr.contains(&format!("cannot be written as {format}: l")),
+                "{}",
+                outcome.stderr
+            );
             continue;
         }
         let question = |path: &str| {
@@ -41,15 +53,15 @@ fn shipped_models_keep_their_mass() {
             mass(&percuss(&format!("mass {path} {contact}{set} --format json")))
         };
         let (before, after) = (question(&source), question(&file));
-        assert!((after / before - 1.0).abs() < 1e-12, "{model}: {before} kg, as MJCF {after} kg");
-        // Back again: the URDF of the MJCF.
+        assert!((after / before - 1.0).abs() < 1e-12, "{model}: {before} kg, as {format} {after} kg");
+        // Back again: the URDF of the file.
         let back = folder.path(&format!("{model}.urdf"));
         assert_eq!(percuss(&format!("convert {file} -o {back}")).code, 0);
         let again = question(&back);
         assert!((again / before - 1.0).abs() < 1e-12, "{model}: {before} kg, as URDF again {again} kg");
         written += 1;
     }
-    assert!(written >= 5, "{written} models were written");
+    written
 }
 
 const PENDULUM: &str = r#"<mujoco><worldbody><body name="rod"><joint name="hinge" axis="0 1 0"/>
@@ -69,13 +81,37 @@ fn the_content_selects_the_format() {
     assert!(check.stdout.contains("links                  2 (2 kg in all)"), "{}", check.stdout);
 }
 
+const SDF_PENDULUM: &str = r#"<sdf version="1.7"><model name="rod"><pose>0 0 2 0 0 0</pose><link name="rod"><inertial>
+    <pose>0 0 -0.5 0 0 0</pose><mass>2</mass><inertia><ixx>0</ixx><iyy>0</iyy><izz>0</izz></inertia></inertial></link>
+    <joint name="hinge" type="revolute"><parent>world</parent><child>rod</child><axis><xyz>0 1 0</xyz></axis></joint></model>
+    <model name="other"><link name="a"/></model></sdf>"#;
+
+#[test]
+fn one_model_of_an_sdf_file_is_chosen() {
+    let contact = "--link rod --point 0,0,-0.8 --normal 1,0,0 --format json";
+    let folder = Scratch::new("sdf-content");
+    let file = folder.path("models.sdf");
+    std::fs::write(&file, SDF_PENDULUM).expect("a file");
+    let several = percuss(&format!("mass {file} {contact}"));
+    assert_eq!(several.code, 2);
+    assert!(several.stderr.contains("several models: rod, other"), "{}", several.stderr);
+    let chosen = mass(&percuss(&format!("mass {file}#rod {contact}")));
+    assert!((chosen - 0.78125).abs() < 1e-14, "{chosen}");
+    let urdf = folder.path("rod.urdf");
+    assert_eq!(percuss(&format!("convert {file}#rod -o {urdf}")).code, 0);
+    assert!((mass(&percuss(&format!("mass {urdf} {contact}"))) - 0.78125).abs() < 1e-14);
+    // The file that was read is not overwritten.
+    let onto_itself = percuss(&format!("convert {file}#rod -o {file}"));
+    assert_eq!(onto_itself.code, 2, "{}", onto_itself.stdout);
+}
+
 #[test]
 fn bad_input_is_refused() {
     let folder = Scratch::new("convert-refusals");
     let output = folder.path("model.txt");
     let outcome = percuss(&format!("convert models/four_bar.urdf -o {output}"));
     assert_eq!(outcome.code, 2);
-    assert!(outcome.stderr.contains("give --to mjcf or --to urdf"), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("give --to mjcf, urdf or sdf"), "{}", outcome.stderr);
     assert_eq!(percuss(&format!("convert models/four_bar.urdf --to mjcf -o {output}")).code, 0);
     // Written by percuss: replaced without --force. Changed by hand: not.
     assert_eq!(percuss(&format!("convert models/four_bar.urdf --to urdf -o {output}")).code, 0);

@@ -11,7 +11,7 @@ fn corpus(folder: &str) -> Vec<String> {
     let mut files: Vec<String> = std::fs::read_dir(root().join(folder))
         .expect("the corpus is there")
         .map(|entry| entry.expect("a readable entry").file_name().to_string_lossy().into_owned())
-        .filter(|name| name.ends_with(".urdf"))
+        .filter(|name| name.ends_with(".urdf") || name.ends_with(".sdf"))
         .map(|name| format!("{folder}/{name}"))
         .collect();
     files.sort();

@@ -182,6 +182,39 @@ fn closures_of_a_study_are_those_of_the_model() {
     );
 }
 
+/// Two links that only mark a loop: alone an error, in a study with the loop a model.
+#[test]
+fn a_study_closes_a_pair_of_links_that_the_file_marks() {
+    let folder = Scratch::new("run-closing-pair");
+    let bar = |number: usize, at: &str, end: &str| {
+        format!(
+            "<link name=\"bar{number}\"><inertial><mass value=\"1\"/><inertia ixx=\"0.1\" iyy=\"0.1\" izz=\"0.1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>
+             </inertial></link><link name=\"closing_pin_{number}\"/>
+             <joint name=\"hinge{number}\" type=\"continuous\"><origin xyz=\"{at}\"/><parent link=\"base\"/><child link=\"bar{number}\"/>
+             <axis xyz=\"0 0 1\"/></joint>
+             <joint name=\"end{number}\" type=\"fixed\"><origin xyz=\"{end}\"/><parent link=\"bar{number}\"/><child link=\"closing_pin_{number}\"/></joint>"
+        )
+    };
+    let urdf = format!(
+        "<robot name=\"r\"><link name=\"base\"/>{}{}</robot>",
+        bar(1, "0 0 0", "1 0 0"),
+        bar(2, "1 2 0", "0 -2 0")
+    );
+    std::fs::write(folder.path("pair.urdf"), urdf).expect("a file");
+    let alone = percuss(&format!("check {}", folder.path("pair.urdf")));
+    assert_eq!(alone.code, 2, "{}", alone.stdout);
+    assert!(alone.stderr.contains("[[closure]]"), "{}", alone.stderr);
+    let text = "[model]\npath = \"pair.urdf\"\n[contact]\nlink = \"bar1\"\npoint = [0.5, 0, 0]\nnormal = [0, 1, 0]\n[[closure]]\n\
+        name = \"pin\"\ntype = \"spherical\"\npredecessor = \"closing_pin_1\"\nsuccessor = \"closing_pin_2\"\n";
+    let study = folder.path("pair.toml");
+    std::fs::write(&study, text).expect("a file");
+    let outcome = percuss(&format!("run {study} --format json"));
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    // The pin of bar 1 moves along y, that of bar 2 along x: both bars stand still.
+    let report: serde_json::Value = serde_json::from_str(&outcome.stdout).expect("JSON");
+    assert_eq!(report["status"], "immovable", "{report}");
+}
+
 #[test]
 fn mistakes_in_a_study_are_told_with_exit_code_2() {
     let folder = Scratch::new("run-mistakes");

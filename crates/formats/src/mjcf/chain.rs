@@ -2,10 +2,10 @@
 //! links.
 
 use crate::mjcf::bodies::body::{Bodies, Body, BodyJoint, JointType};
-use crate::mjcf::document::tree::ElementId;
-use crate::mjcf::names::UniqueNames;
 use crate::mjcf::relations::joint_relations::{JointRelations, Relation};
 use crate::mjcf::relations::references::JointKey;
+use crate::reading::element_tree::ElementId;
+use crate::reading::unique_names::UniqueNames;
 use percuss_mechanism::{
     Geometry, Inertial, JointDescription, JointKind, Limits, LinkDescription, MimicDescription,
 };

@@ -4,7 +4,6 @@ pub(crate) mod bodies;
 pub(crate) mod chain;
 pub(crate) mod document;
 pub(crate) mod load;
-pub(crate) mod names;
 pub(crate) mod relations;
 pub(crate) mod values;
 pub(crate) mod write;

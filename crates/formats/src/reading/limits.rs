@@ -17,6 +17,8 @@ pub(crate) const MAX_NODES: u32 = 3_000_000;
 pub(crate) const MAX_ATTRIBUTES_PER_ELEMENT: usize = 256;
 /// Largest number of namespace declarations in a file: the parser searches all of them at every element.
 pub(crate) const MAX_NAMESPACES: usize = 128;
+/// Largest number of prefixes that are declared for a file that does not declare them.
+pub(crate) const MAX_DECLARED_PREFIXES: usize = 32;
 /// Largest number of entity declarations in a file.
 pub(crate) const MAX_ENTITIES: usize = 64;
 /// Largest total size of expanded entity references, bytes.
@@ -36,6 +38,15 @@ pub(crate) const MAX_INCLUDED_BYTES: u64 = 64 << 20;
 pub(crate) const MAX_TREE_VISITS: usize = 1_000_000;
 /// Largest total number of triangles in the meshes from which inertias are computed.
 pub(crate) const MAX_INERTIA_TRIANGLES: usize = 20_000_000;
+
+// SDFormat: the files and the frames.
+
+/// Deepest nesting of included files and of models within models.
+pub(crate) const MAX_MODEL_DEPTH: usize = 32;
+/// Longest chain of frames, each placed in the next one, that is multiplied without the poses in the world: the cost of a joint.
+pub(crate) const MAX_FRAME_CHAIN: usize = 64;
+/// Magnitude of a limit from which on SDFormat takes a joint for unlimited, rad or m.
+pub(crate) const UNLIMITED: f64 = 1e16;
 
 // URDF: the elements.
 

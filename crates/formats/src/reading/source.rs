@@ -18,7 +18,8 @@ pub struct Source {
 }
 
 impl Source {
-    /// Reads a file, or the standard input for `-`. Reads at most `max_size` + 1 bytes.
+    /// Reads a file, or the standard input for `-`. Reads at most `max_size` + 1 bytes. `FILE#MODEL` reads the file; the name keeps the
+    /// model.
     ///
     /// # Errors
     /// [`LoadError`] if the file does not exist, cannot be read, is a directory, or is too large.
@@ -27,7 +28,7 @@ impl Source {
         let bytes = if path == "-" {
             read_bounded(io::stdin().lock(), max_size)
         } else {
-            open_file(path).and_then(|file| read_bounded(file, max_size))
+            open_file(without_model(path)).and_then(|file| read_bounded(file, max_size))
         };
         let refuse = |code, message: String| Err(LoadError::of_file(name, code, message));
         match bytes {
@@ -47,6 +48,11 @@ impl Source {
                 _ => refuse("unreadable", format!("cannot be read: {error}")),
             },
         }
+    }
+
+    /// File of the name: without the model of `FILE#MODEL`.
+    pub fn file(&self) -> &str {
+        without_model(&self.name)
     }
 
     /// Creates a source from text.
@@ -94,6 +100,16 @@ impl Source {
             return None;
         }
         Some(text)
+    }
+}
+
+/// File of `FILE#MODEL`. A file whose own name has a `#` is taken as it is.
+fn without_model(path: &str) -> &str {
+    match path.rsplit_once('#') {
+        Some((file, _)) if !std::path::Path::new(path).is_file() && std::path::Path::new(file).is_file() => {
+            file
+        }
+        _ => path,
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::reading::limits;
 use crate::reading::report::{Place, Report, cut, shortened};
 use crate::reading::xml;
+use crate::urdf::closing_pairs::close_pairs;
 use crate::urdf::consistency;
 use crate::urdf::descriptions;
 use crate::urdf::elements::dialect::ROBOT;
@@ -21,6 +22,9 @@ use std::path::PathBuf;
 pub struct LoadOptions {
     /// Findings that the user accepts.
     pub accept: Accept,
+    /// Pairs of links that mark a loop of an unknown kind (`closing_NAME_1`, `closing_NAME_2` in a URDF) are a warning instead of an
+    /// error: the caller closes the loops.
+    pub open_pairs: bool,
 }
 
 /// Mechanism with the findings in its file.
@@ -78,12 +82,13 @@ fn build_mechanism(
     if report.is_xacro() {
         return None;
     }
-    let nodes = Nodes::collect(robot, report);
+    let mut nodes = Nodes::collect(robot, report);
     if !nodes.check_counts(robot, report) {
         return None;
     }
     let mut texts = Texts::read_elements(&nodes, report);
     consistency::resolve_references(robot, &nodes, &mut texts, report);
+    close_pairs(&mut nodes, &mut texts, options.open_pairs, report);
     if report.has_errors() {
         return None;
     }
@@ -136,8 +141,8 @@ fn check_root_tag(root: Node<'_, '_>, report: &mut Report) -> bool {
     let name = root.tag_name().name();
     let remark = match name {
         "robot" => return true,
-        "sdf" | "gazebo" => {
-            "this is an SDF file (Gazebo's), which is not read; `sdf2urdf` of sdformat_tools converts what URDF can hold"
+        "gazebo" => {
+            "this is an SDF file of an old version (Gazebo's); convert it with \"gz sdf -p FILE\" and load the result"
         }
         "COLLADA" => "this is a COLLADA mesh; the URDF names it, load that",
         "html" | "HTML" => "this is a web page; a download may have gone wrong",

@@ -1,5 +1,6 @@
 //! URDF and URDF+ files.
 
+pub(crate) mod closing_pairs;
 pub(crate) mod consistency;
 pub(crate) mod descriptions;
 pub(crate) mod elements;

@@ -108,7 +108,7 @@ fn options(accept: &[String]) -> PyResult<LoadOptions> {
             }
         }
     }
-    Ok(LoadOptions { accept: accepted })
+    Ok(LoadOptions { accept: accepted, ..LoadOptions::default() })
 }
 
 /// Reads a URDF file, closed loops and couplings included.

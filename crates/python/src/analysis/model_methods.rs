@@ -6,7 +6,7 @@ use crate::analysis::system::{Assembly, System, position_names};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors;
 use percuss::study::Changes;
-use percuss::{JointKind, write_mjcf, write_urdf};
+use percuss::{JointKind, write_mjcf, write_sdf, write_urdf};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::collections::BTreeMap;
@@ -96,6 +96,11 @@ impl Model {
     /// The mechanism as MJCF, for MuJoCo 3.2.3 and later. Loops become equality constraints.
     fn to_mjcf(&self) -> PyResult<String> {
         write_mjcf(&self.read.mechanism, "").map(|written| written.text).map_err(errors::input)
+    }
+
+    /// The mechanism as SDFormat 1.7, or 1.11 if a joint follows another. Loops become joints.
+    fn to_sdf(&self) -> PyResult<String> {
+        write_sdf(&self.read.mechanism, "").map(|written| written.text).map_err(errors::input)
     }
 
     /// Names of the hardpoints that `changed` can move; empty unless the model comes from a sheet.

@@ -24,7 +24,7 @@ pub struct Input {
 impl Input {
     /// Input of a source in memory.
     pub fn from_source(source: &Source) -> Self {
-        Self { path: source.name.clone(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
+        Self { path: source.file().to_owned(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
     }
 
     /// Input of a file; `None` if the file is unreadable.
@@ -62,7 +62,7 @@ pub struct Model {
 /// Origin of a model, for building design variants.
 #[derive(Clone, Debug, Default)]
 pub struct Origin {
-    /// Sheet of the suspension before any moves; `None` for a URDF or MJCF.
+    /// Sheet of the suspension before any moves; `None` for a URDF, MJCF or SDF.
     pub(crate) sheet: Option<Arc<OriginSheet>>,
     /// Changes applied.
     pub(crate) changes: Changes,
@@ -120,8 +120,8 @@ impl Model {
         self.origin.sheet.is_some()
     }
 
-    /// Reads a URDF or MJCF file, or a suspension's sheet, table or JSON as in `percuss import`. The file extension
-    /// selects a suspension's file, the content URDF or MJCF; `-` is one of these on the standard input. `max_size`: largest file size, bytes.
+    /// Reads a URDF, MJCF or SDF file, or a suspension's sheet, table or JSON as in `percuss import`. The file extension
+    /// selects a suspension's file, the content URDF, MJCF or SDF; `-` is one of these on the standard input. `max_size`: largest file size, bytes.
     ///
     /// # Errors
     /// [`LoadError`] with all findings; errors have their file positions.
@@ -142,7 +142,7 @@ impl Model {
         Self::read_source(&Source::read(path, max_size)?, options, worksheet)
     }
 
-    /// Reads a URDF, an MJCF or a suspension's sheet from memory.
+    /// Reads a URDF, an MJCF, an SDF or a suspension's sheet from memory.
     ///
     /// # Errors
     /// [`LoadError`], as for [`load`](Self::load).

@@ -290,7 +290,8 @@ impl StudyReader<'_> {
         if let Some(missing) = study.damping.as_ref().and_then(DampingTable::missing) {
             return Err(self.value("damping", "damping", format!("{missing} is missing")));
         }
-        let options = LoadOptions { accept: study.model.accepted() };
+        // The study closes the loops that the file only marks.
+        let options = LoadOptions { accept: study.model.accepted(), open_pairs: !study.closure.is_empty() };
         let model = self.model(study, source, folder, &options)?;
         let question = study.question(folder, max_size).map_err(refused)?;
         let variants = self.variants(study, &model, &question, folder, &options)?;

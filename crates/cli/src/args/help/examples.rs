@@ -206,6 +206,7 @@ pub const CONVERT: &str = "\
 Examples:
   percuss convert models/four_bar.urdf -o four_bar.xml
   percuss convert robot.xml -o robot.urdf
+  percuss convert robot.urdf -o robot.sdf
   percuss convert my.toml --to mjcf -o - > suspension.xml
 
 Loops, mimics and armatures are kept; shapes and meshes are not written.";

@@ -10,8 +10,8 @@ pub struct MeshFolders {
     pub model: PathBuf,
     /// Package names and their folders.
     pub packages: Vec<(String, PathBuf)>,
-    /// Folders that contain packages: the entries of ROS_PACKAGE_PATH, and `share` in the entries of
-    /// AMENT_PREFIX_PATH.
+    /// Folders that contain packages and models: the entries of ROS_PACKAGE_PATH, `share` in the entries of AMENT_PREFIX_PATH, and
+    /// the entries of GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH and SDF_PATH.
     pub holders: Vec<PathBuf>,
 }
 
@@ -20,12 +20,15 @@ impl MeshFolders {
     /// variables.
     pub fn of_model(path: &Path, packages: Vec<(String, PathBuf)>) -> Self {
         let model = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new(".")).to_owned();
-        let folders_in = |name: &str| {
+        let folders_in = |name: &str| -> Vec<PathBuf> {
             std::env::var_os(name).map(|value| std::env::split_paths(&value).collect()).unwrap_or_default()
         };
         let mut holders: Vec<PathBuf> = folders_in("ROS_PACKAGE_PATH");
         let prefixes: Vec<PathBuf> = folders_in("AMENT_PREFIX_PATH");
         holders.extend(prefixes.into_iter().map(|prefix| prefix.join("share")));
+        for name in ["GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH", "SDF_PATH"] {
+            holders.extend(folders_in(name));
+        }
         holders.retain(|folder| !folder.as_os_str().is_empty());
         Self { model, packages, holders }
     }
@@ -47,8 +50,8 @@ impl MeshFolders {
         Err(MeshError::NotFound { file: file.to_owned(), tried })
     }
 
-    /// Paths at which a mesh file may be, in the order of the search.
-    fn candidate_paths(&self, file: &str) -> Vec<PathBuf> {
+    /// Paths at which a file may be, in the order of the search.
+    pub(crate) fn candidate_paths(&self, file: &str) -> Vec<PathBuf> {
         let packaged = file.strip_prefix("package://").or_else(|| file.strip_prefix("model://"));
         let Some(rest) = packaged else {
             let plain =

@@ -1,10 +1,10 @@
 //! Geoms: shapes with the mass from which the inertia of a body may follow.
 
-use crate::mjcf::document::findings::Findings;
-use crate::mjcf::document::tree::ElementId;
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::orientation::{read_pose, rotation_to_z};
 use crate::mjcf::values::settings::Settings;
+use crate::reading::element_tree::ElementId;
+use crate::reading::findings::Findings;
 use crate::urdf::elements::shapes::shape::{Purpose, Shape, Solid};
 use percuss_spatial::{Transform, Vector3};
 

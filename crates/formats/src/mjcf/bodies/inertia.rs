@@ -4,11 +4,11 @@ use crate::mjcf::bodies::body::Body;
 use crate::mjcf::bodies::geom::{Geom, GeomShape};
 use crate::mjcf::bodies::mesh::Meshes;
 use crate::mjcf::bodies::solids::{self, UnitInertia};
-use crate::mjcf::document::findings::Findings;
-use crate::mjcf::document::tree::ElementId;
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::orientation::read_pose;
 use crate::mjcf::values::settings::{InertiaFromGeom, Settings};
+use crate::reading::element_tree::ElementId;
+use crate::reading::findings::Findings;
 use percuss_mechanism::{Inertial, Severity};
 use percuss_spatial::{Matrix3, Transform, Vector3};
 
@@ -55,7 +55,7 @@ pub(crate) fn read_inertial(
 }
 
 /// R T Rᵀ, exactly symmetric.
-fn turn(rotation: &Matrix3<f64>, tensor: &Matrix3<f64>) -> Matrix3<f64> {
+pub(crate) fn turn(rotation: &Matrix3<f64>, tensor: &Matrix3<f64>) -> Matrix3<f64> {
     if *rotation == Matrix3::identity() {
         return *tensor;
     }
@@ -143,7 +143,7 @@ fn inertia_of_geoms(
 }
 
 /// Inertia of one body made of several.
-fn sum(parts: &[Inertial]) -> Inertial {
+pub(crate) fn sum(parts: &[Inertial]) -> Inertial {
     let mass: f64 = parts.iter().map(|part| part.mass).sum();
     let com = parts.iter().map(|part| part.com * part.mass).sum::<Vector3<f64>>() / mass;
     let about_com = parts.iter().map(|part| {

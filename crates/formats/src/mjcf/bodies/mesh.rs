@@ -2,12 +2,12 @@
 
 use crate::meshes::files::{DEFAULT_MAX_MESH_SIZE, Triangles, read_mesh};
 use crate::mjcf::bodies::mesh_inertia::{MeshInertia, MeshRule, mesh_inertia};
-use crate::mjcf::document::findings::{Findings, similar_name};
-use crate::mjcf::document::tree::{ElementId, ElementTree};
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::{Classes, DefaultKind};
 use crate::mjcf::values::orientation::rotation_from_quat;
 use crate::mjcf::values::settings::Settings;
+use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::findings::{Findings, similar_name};
 use crate::reading::limits::{MAX_INERTIA_TRIANGLES, MAX_TOTAL_ATTRIBUTES};
 use crate::reading::report::quoted;
 use crate::urdf::elements::shapes::shape::Solid;

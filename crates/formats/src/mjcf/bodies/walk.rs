@@ -3,12 +3,12 @@
 use crate::mjcf::bodies::body::{Bodies, Body, BodyJoint, JointType, Site};
 use crate::mjcf::bodies::geom::{frame_on_line, read_geom};
 use crate::mjcf::bodies::inertia::read_inertial;
-use crate::mjcf::document::findings::Findings;
-use crate::mjcf::document::tree::{ElementId, ElementTree};
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::{ClassId, Classes, DefaultKind};
 use crate::mjcf::values::orientation::{read_orientation, read_pose, rotation_from_euler, unit};
 use crate::mjcf::values::settings::Settings;
+use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND, MAX_TREE_VISITS};
 use crate::reading::report::quoted;
 use percuss_mechanism::Severity;

@@ -1,8 +1,8 @@
 //! Comparison of a model with the grammar.
 
-use crate::mjcf::document::findings::{Findings, similar_name};
 use crate::mjcf::document::grammar::{ElementRule, ROOT, Treatment};
-use crate::mjcf::document::tree::{ElementId, ElementTree};
+use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::shortened;
 use percuss_mechanism::Severity;
 

@@ -4,7 +4,7 @@
 //! file, then relative to the folder of the including file, and accepts each file once.
 
 use crate::Source;
-use crate::mjcf::document::tree::{Attribute, Element, ElementId, ElementTree, FileText};
+use crate::reading::element_tree::{Attribute, Element, ElementId, ElementTree, FileText};
 use crate::reading::limits::{MAX_ELEMENT_DEPTH, MAX_ELEMENTS, MAX_INCLUDED_BYTES, MAX_INCLUDED_FILES};
 use crate::reading::report::{Place, Report, quoted, shortened};
 use crate::reading::xml;
@@ -92,6 +92,7 @@ impl FileReader {
             tag: node.tag_name().name().to_owned(),
             attributes: node.attributes().map(attribute).collect(),
             children: Vec::new(),
+            text: String::new(),
             parent,
             file,
             offset,

@@ -2,6 +2,4 @@
 
 pub(crate) mod check;
 pub(crate) mod files;
-pub(crate) mod findings;
 pub(crate) mod grammar;
-pub(crate) mod tree;

@@ -1,12 +1,12 @@
 //! Armatures of actuators and tendons, reflected to the joints.
 
 use crate::mjcf::bodies::body::Bodies;
-use crate::mjcf::document::findings::Findings;
-use crate::mjcf::document::tree::{ElementId, ElementTree};
 use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::relations::tendon::{Tendon, TendonPath};
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::{Classes, DefaultKind};
+use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::findings::Findings;
 use crate::reading::report::quoted;
 use std::collections::HashMap;
 

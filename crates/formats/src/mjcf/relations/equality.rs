@@ -2,8 +2,6 @@
 //! equalities of joints and fixed tendons relate joint positions.
 
 use crate::mjcf::bodies::body::Bodies;
-use crate::mjcf::document::findings::{Findings, similar_name};
-use crate::mjcf::document::tree::{ElementId, ElementTree};
 use crate::mjcf::relations::joint_relations::{JointRelations, RelationDefect};
 use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::relations::tendon::{Tendon, TendonPath};
@@ -11,6 +9,8 @@ use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::{Classes, DefaultKind};
 use crate::mjcf::values::orientation::rotation_from_quat;
 use crate::mjcf::values::settings::Settings;
+use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
 use percuss_mechanism::{ClosureKind, Severity};
 use percuss_spatial::{Matrix3, Transform, Vector3};

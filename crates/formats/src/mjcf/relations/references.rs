@@ -1,8 +1,8 @@
 //! Elements named by constraints and actuators.
 
 use crate::mjcf::bodies::body::{Bodies, JointType, Site};
-use crate::mjcf::document::findings::{Findings, similar_name};
-use crate::mjcf::document::tree::ElementId;
+use crate::reading::element_tree::ElementId;
+use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
 use std::collections::HashMap;
 

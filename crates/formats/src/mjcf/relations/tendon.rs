@@ -1,11 +1,11 @@
 //! Tendons: linear combinations of joint positions, and lines through sites.
 
 use crate::mjcf::bodies::body::Site;
-use crate::mjcf::document::findings::Findings;
-use crate::mjcf::document::tree::{ElementId, ElementTree};
 use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::{Classes, DefaultKind};
+use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::findings::Findings;
 use std::collections::HashMap;
 
 /// Path of a tendon.

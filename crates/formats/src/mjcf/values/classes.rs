@@ -1,8 +1,8 @@
 //! Classes of defaults. A class inherits the values of the class that contains it.
 
-use crate::mjcf::document::findings::{Findings, similar_name};
 use crate::mjcf::document::grammar::ACTUATOR_TAGS;
-use crate::mjcf::document::tree::{ElementId, ElementTree};
+use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
 use std::collections::HashMap;
 

@@ -1,8 +1,8 @@
 //! Poses and the five notations of an orientation.
 
-use crate::mjcf::document::findings::Findings;
 use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::settings::Settings;
+use crate::reading::findings::Findings;
 use crate::urdf::elements::origin::rotation_from_any_quaternion;
 use percuss_spatial::{Matrix3, Transform, Vector3, rotation_about};
 

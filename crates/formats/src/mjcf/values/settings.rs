@@ -1,8 +1,8 @@
 //! Settings of the compiler and of the options. Several sections are merged: the last value of an attribute counts.
 
-use crate::mjcf::document::findings::Findings;
-use crate::mjcf::document::tree::ElementTree;
 use crate::mjcf::values::attributes::Attributes;
+use crate::reading::element_tree::ElementTree;
+use crate::reading::findings::Findings;
 use crate::reading::report::quoted;
 
 /// Use of the geoms for the inertia of their body.

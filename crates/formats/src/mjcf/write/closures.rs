@@ -8,7 +8,7 @@ use percuss_spatial::{Transform, Vector3, plane_basis};
 
 /// Largest error of the drawing at a closure that is written as joints to a second half: rotation, rad, and the same relative to the
 /// size of the mechanism.
-const DRAWING_TOLERANCE: f64 = 1e-9;
+pub(crate) const DRAWING_TOLERANCE: f64 = 1e-9;
 
 /// Lines of the sections of constraints.
 #[derive(Debug, Default)]
@@ -230,16 +230,7 @@ fn check_drawing(
 ) -> Result<(), MjcfError> {
     // Frame of the successor in the predecessor.
     let drawn = if is_successor { *drawn } else { drawn.inverse() };
-    let axis = closure.axis();
-    let p = drawn.translation / mechanism.characteristic_length();
-    let turned = (drawn.vector(axis) - axis).norm();
-    let across = p.cross(axis).norm();
-    let error = match closure.kind() {
-        ClosureKind::Prismatic => across.max((drawn.rotation - nalgebra::Matrix3::identity()).amax()),
-        ClosureKind::Cylindrical => across.max(turned),
-        ClosureKind::Planar => p.dot(axis).abs().max(turned),
-        _ => p.norm().max(axis.dot(&drawn.vector(closure.axis2())).abs()),
-    };
+    let error = drawing_error(closure, &drawn, mechanism.characteristic_length());
     if error <= DRAWING_TOLERANCE {
         return Ok(());
     }
@@ -252,4 +243,24 @@ fn check_drawing(
             closure.kind().name()
         ),
     ))
+}
+
+/// Error of a closure as drawn: rotation, rad, or translation relative to the size of the mechanism (m). `drawn`: loop frame of the
+/// successor in that of the predecessor.
+pub(crate) fn drawing_error(closure: &Closure, drawn: &Transform<f64>, size: f64) -> f64 {
+    let axis = closure.axis();
+    let p = drawn.translation / size;
+    let turned = (drawn.vector(axis) - axis).norm();
+    let across = p.cross(axis).norm();
+    let rotated = (drawn.rotation - nalgebra::Matrix3::identity()).amax();
+    match closure.kind() {
+        ClosureKind::Fixed => p.norm().max(rotated),
+        ClosureKind::Revolute => p.norm().max(turned),
+        ClosureKind::Spherical => p.norm(),
+        ClosureKind::Prismatic => across.max(rotated),
+        ClosureKind::Cylindrical => across.max(turned),
+        ClosureKind::Planar => p.dot(axis).abs().max(turned),
+        ClosureKind::Universal => p.norm().max(axis.dot(&drawn.vector(closure.axis2())).abs()),
+        ClosureKind::Distance => closure.distance().map_or(0.0, |length| (p.norm() - length / size).abs()),
+    }
 }

@@ -1,7 +1,7 @@
 //! Writer of mechanisms as MJCF.
 
 mod body_tree;
-mod closures;
+pub(crate) mod closures;
 mod error;
 mod relations;
 

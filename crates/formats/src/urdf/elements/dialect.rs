@@ -71,6 +71,11 @@ macro_rules! write_instead {
     };
 }
 
+/// Treatment of forces by which Drake holds loops together.
+const COMPLIANT: Treatment = Warned(
+    "a finite stiffness closes no loop in an instantaneous impact; a loop that is closed by nothing else is open here",
+);
+
 /// Root element.
 pub(crate) const ROBOT: ElementRule = ElementRule {
     name: "robot",
@@ -114,7 +119,11 @@ const IN_ROBOT: &[ElementRule] = &[
         ),
     ),
     unread_element("drake:ball_constraint", write_instead!("<loop type=\"spherical\">")),
-    unread_element("drake:distance_constraint", write_instead!("<loop type=\"distance\">")),
+    // Springs and bushings are finite forces: no work in an instantaneous impact.
+    unread_element("drake:distance_constraint", COMPLIANT),
+    unread_element("drake:tendon_constraint", COMPLIANT),
+    unread_element("drake:linear_bushing_rpy", COMPLIANT),
+    unread_element("drake:linear_spring_damper", Silent),
     unread_element("drake:weld_constraint", write_instead!("<loop type=\"fixed\">")),
     unread_element("drake:coupler_constraint", write_instead!("a <coupling>, or a <mimic> in the joint,")),
 ];

@@ -8,5 +8,6 @@ pub(crate) mod link;
 pub(crate) mod nodes;
 pub(crate) mod numbers;
 pub(crate) mod origin;
+pub(crate) mod sdf_values;
 pub(crate) mod shapes;
 pub(crate) mod survey;

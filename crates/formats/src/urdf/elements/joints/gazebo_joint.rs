@@ -4,14 +4,15 @@
 //! joints at 0, in which the loop is therefore closed. Source: SDFormat 1.11, joint.sdf, and sdformat's
 //! `parser_urdf.cc`, which copies the element into the model.
 
-use crate::reading::limits::{MIN_AXIS_COMPONENT, OBLIQUE_PINS, QUATERNION_NORM_TOLERANCE};
+use crate::reading::limits::{MIN_AXIS_COMPONENT, OBLIQUE_PINS};
 use crate::reading::report::{Place, Report, quoted};
 use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::link::read_name;
 use crate::urdf::elements::numbers::parse_numbers;
+use crate::urdf::elements::sdf_values;
 use crate::urdf::elements::survey::{child, refuse_gazebo_joint as refuse};
 use percuss_mechanism::{ClosureDescription, ClosureKind, Problem};
-use percuss_spatial::{Transform, Vector3, rotation_from_quaternion, rotation_from_rpy};
+use percuss_spatial::{Transform, Vector3};
 use roxmltree::Node;
 use std::collections::HashMap;
 
@@ -92,7 +93,7 @@ impl<'a> ZeroPoseFrames<'a> {
     }
 
     /// X_rl, link to root link. Identity for the root link (no parent joint) and for the world.
-    fn link_frame(&self, link: &str) -> Transform<f64> {
+    pub fn link_frame(&self, link: &str) -> Transform<f64> {
         self.links.get(link).copied().unwrap_or_else(Transform::identity)
     }
 
@@ -165,39 +166,11 @@ impl<'a> GazeboJointReader<'_, 'a> {
         let base = pose.attribute("relative_to").or_else(|| pose.attribute("frame"));
         let base = self.frame_or_default(pose, base, x_rc, report);
         let text = element_text(pose);
-        let format = pose.attribute("rotation_format").unwrap_or("euler_rpy").trim_ascii();
-        let degrees = pose.attribute("degrees").is_some_and(|text| parse_boolean(pose, text, report));
-        let relative = match format {
-            _ if text.trim_ascii().is_empty() => Some(Transform::identity()),
-            "euler_rpy" => {
-                parse_element_numbers::<6>(pose, &text, report).map(|[x, y, z, roll, pitch, yaw]| {
-                    let unit = |angle: f64| if degrees { angle.to_radians() } else { angle };
-                    Transform::new(rotation_from_rpy([roll, pitch, yaw].map(unit)), [x, y, z].into())
-                })
-            }
-            "quat_xyzw" if !degrees => {
-                parse_element_numbers::<7>(pose, &text, report).and_then(|[x, y, z, a, b, c, w]| {
-                    let norm = [a, b, c, w].iter().map(|c| c * c).sum::<f64>().sqrt();
-                    if (norm - 1.0).abs() > QUATERNION_NORM_TOLERANCE || norm.is_nan() {
-                        refuse(pose, report, || {
-                            format!("the quaternion x y z w has norm {norm}; a unit quaternion is expected")
-                        });
-                        return None;
-                    }
-                    let rotation = rotation_from_quaternion([w, a, b, c].map(|c| c / norm));
-                    Some(Transform::new(rotation, [x, y, z].into()))
-                })
-            }
-            other => {
-                refuse(pose, report, || {
-                    format!(
-                        "rotation_format={}: euler_rpy, or quat_xyzw without degrees, is expected",
-                        quoted(other)
-                    )
-                });
-                None
-            }
-        };
+        let format = pose.attribute("rotation_format").unwrap_or("euler_rpy");
+        let degrees = pose.attribute("degrees").is_some_and(|text| read_boolean(pose, text, report));
+        let relative = sdf_values::parse_pose(&text, format, degrees)
+            .map_err(|defect| refuse(pose, report, || defect))
+            .ok();
         base * relative.unwrap_or_else(Transform::identity)
     }
 
@@ -243,7 +216,7 @@ impl<'a> GazeboJointReader<'_, 'a> {
             return Vector3::z();
         };
         let old = child(element, "use_parent_model_frame");
-        let in_model_frame = old.is_some_and(|old| parse_boolean(old, &element_text(old), report));
+        let in_model_frame = old.is_some_and(|old| read_boolean(old, &element_text(old), report));
         let given = child(element, "xyz");
         let expressed_in = given.and_then(|xyz| xyz.attribute("expressed_in"));
         if in_model_frame && expressed_in.is_some() {
@@ -301,16 +274,13 @@ fn element_text(node: Node<'_, '_>) -> String {
     node.children().filter(Node::is_text).filter_map(|text| text.text()).collect()
 }
 
-/// Boolean value in SDF notation; false for another text.
-fn parse_boolean(node: Node<'_, '_>, text: &str, report: &mut Report) -> bool {
-    match text.trim_ascii() {
-        "true" | "True" | "TRUE" | "1" => true,
-        "false" | "False" | "FALSE" | "0" | "" => false,
-        other => {
-            refuse(node, report, || format!("{} is neither true nor false", quoted(other)));
-            false
-        }
+/// Boolean value in SDF notation; false, with an error, for another text.
+fn read_boolean(node: Node<'_, '_>, text: &str, report: &mut Report) -> bool {
+    let value = sdf_values::parse_boolean(text);
+    if value.is_none() {
+        refuse(node, report, || format!("{} is neither true nor false", quoted(text.trim_ascii())));
     }
+    value.unwrap_or(false)
 }
 
 /// Parses the N numbers in the text of an element; `None` if invalid.

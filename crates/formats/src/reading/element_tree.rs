@@ -2,7 +2,7 @@
 
 /// Index of an element in its [`ElementTree`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct ElementId(pub(super) u32);
+pub(crate) struct ElementId(pub(crate) u32);
 
 /// XML element with its position.
 #[derive(Debug)]
@@ -10,6 +10,8 @@ pub(crate) struct Element {
     pub tag: String,
     pub attributes: Vec<Attribute>,
     pub children: Vec<ElementId>,
+    /// Text of the element without comments and surrounding white space; empty in formats whose values are attributes.
+    pub text: String,
     pub parent: Option<ElementId>,
     /// Index of the file in [`ElementTree::files`].
     pub file: usize,
@@ -66,6 +68,16 @@ impl ElementTree {
     /// Child elements with a tag.
     pub fn children_named<'t>(&'t self, id: ElementId, tag: &'t str) -> impl Iterator<Item = ElementId> + 't {
         self.children(id).iter().copied().filter(move |child| self.tag(*child) == tag)
+    }
+
+    /// First child element with a tag.
+    pub fn child(&self, id: ElementId, tag: &str) -> Option<ElementId> {
+        self.children(id).iter().copied().find(|child| self.tag(*child) == tag)
+    }
+
+    /// Text of an element, without white space at its ends.
+    pub fn text(&self, id: ElementId) -> &str {
+        &self.element(id).text
     }
 
     /// Children of all sections with a tag, in the order of the file: sections may occur several times.

@@ -1,0 +1,188 @@
+//! Main file and included files of a model, joined to one tree.
+//!
+//! An `<include>` gets the root element of its file as a child. A file may be included several times, but not within itself.
+
+use crate::Source;
+use crate::reading::element_tree::{Attribute, Element, ElementId, ElementTree, FileText};
+use crate::reading::limits::{
+    MAX_ELEMENT_DEPTH, MAX_ELEMENTS, MAX_INCLUDED_BYTES, MAX_INCLUDED_FILES, MAX_MODEL_DEPTH,
+};
+use crate::reading::report::{Place, Report, quoted, shortened};
+use crate::reading::tolerance::tolerant_text;
+use crate::reading::xml;
+use crate::sdf::document::uri::find_model_file;
+use percuss_mechanism::Severity;
+use roxmltree::Node;
+use std::path::{Path, PathBuf};
+
+/// Tree of a model with one report per file.
+pub(crate) struct Files {
+    pub tree: ElementTree,
+    pub reports: Vec<Report>,
+}
+
+/// Reads the main file (`text`, named `name`) and its included files. Defects are reported; after an error the tree may be
+/// incomplete, or empty.
+pub(crate) fn read_files(name: &str, text: &str, report: Report) -> Files {
+    let mut reader = FileReader {
+        files: Files { tree: ElementTree::default(), reports: vec![report] },
+        open: vec![std::fs::canonicalize(name).unwrap_or_else(|_| PathBuf::from(name))],
+        bytes: text.len() as u64,
+    };
+    reader.files.tree.files.push(FileText { name: name.to_owned(), text: text.to_owned() });
+    reader.append_file(0, None, 0);
+    reader.files
+}
+
+struct FileReader {
+    files: Files,
+    /// Canonical paths of the files that contain the current element, from the main file on.
+    open: Vec<PathBuf>,
+    /// Total size of all files, bytes.
+    bytes: u64,
+}
+
+impl FileReader {
+    /// Parses file number `file` and appends its root element below `parent`.
+    fn append_file(&mut self, file: usize, parent: Option<ElementId>, depth: usize) {
+        let text = self.files.tree.files[file].text.clone();
+        let Some(document) = xml::parse(&text, &mut self.files.reports[file]) else { return };
+        let root = document.root_element();
+        let tag = root.tag_name().name();
+        if tag != "sdf" {
+            let remedy = match tag {
+                "robot" => {
+                    "a URDF is not included; convert it with \"percuss convert FILE.urdf -o FILE.sdf\""
+                }
+                "gazebo" => "this is an old SDF file; convert it with \"gz sdf -p FILE\"",
+                _ => "the root of an SDF file is <sdf>",
+            };
+            self.files.reports[file].error("wrong-root", Place::Element(root), || {
+                format!("the root element is <{}>: {remedy}", shortened(tag))
+            });
+            return;
+        }
+        self.append_element(root, file, parent, depth);
+    }
+
+    /// Appends an element and its descendants. The recursion is bounded by the nesting of the elements.
+    fn append_element(&mut self, node: Node<'_, '_>, file: usize, parent: Option<ElementId>, depth: usize) {
+        let offset = node.range().start;
+        if depth > MAX_ELEMENT_DEPTH || self.files.tree.elements.len() >= MAX_ELEMENTS {
+            self.files.reports[file].add_once(
+                Severity::Error,
+                "too-complex",
+                String::new(),
+                Place::Offset(offset),
+                || {
+                    format!(
+                        "with all included files, the model has more than {MAX_ELEMENTS} elements, or elements nested \
+                         deeper than {MAX_ELEMENT_DEPTH} levels"
+                    )
+                },
+            );
+            return;
+        }
+        let id = ElementId(self.files.tree.elements.len() as u32);
+        self.files.tree.elements.push(element(node, file, parent));
+        if let Some(parent) = parent {
+            self.files.tree.elements[parent.0 as usize].children.push(id);
+        }
+        for child in node.children().filter(Node::is_element) {
+            self.append_element(child, file, Some(id), depth + 1);
+        }
+        let holder = parent.map(|parent| self.files.tree.tag(parent));
+        if node.tag_name().name() == "include" && matches!(holder, Some("sdf" | "world" | "model")) {
+            self.include(node, file, id, depth);
+        }
+    }
+
+    /// Appends the root element of an included file below its `<include>`.
+    fn include(&mut self, node: Node<'_, '_>, file: usize, include: ElementId, depth: usize) {
+        let place = Place::Element(node);
+        let tree = &self.files.tree;
+        let uri = tree.child(include, "uri").map(|uri| tree.text(uri).to_owned()).unwrap_or_default();
+        if uri.is_empty() {
+            self.files.reports[file]
+                .error("missing-element", place, || "<include> has no <uri>, the path of a model".to_owned());
+            return;
+        }
+        if tree.files.len() > MAX_INCLUDED_FILES || self.open.len() > MAX_MODEL_DEPTH {
+            self.files.reports[file].error("too-complex", place, || {
+                format!(
+                    "more than {MAX_INCLUDED_FILES} included files, or files included more than {MAX_MODEL_DEPTH} levels deep"
+                )
+            });
+            return;
+        }
+        let path = match find_model_file(&uri, Path::new(&tree.files[file].name)) {
+            Ok(path) => path,
+            Err(message) => {
+                // A world may include lights and scenery that are not at hand; its models are chosen later.
+                let holder = tree.element(include).parent.map(|parent| tree.tag(parent));
+                let is_part = holder == Some("model");
+                let severity = if is_part { Severity::Error } else { Severity::Warning };
+                self.files.reports[file].add(severity, "no-such-file", place, || message);
+                return;
+            }
+        };
+        let canonical = std::fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
+        if self.open.contains(&canonical) {
+            self.files.reports[file].error("include-cycle", place, || {
+                format!(
+                    "the model {} is included within itself, without end; remove one of the includes",
+                    quoted(&uri)
+                )
+            });
+            return;
+        }
+        let left = MAX_INCLUDED_BYTES.saturating_sub(self.bytes);
+        let source = match Source::read(&path.to_string_lossy(), left) {
+            Ok(source) => source,
+            Err(error) => {
+                self.files.reports[file].error("unreadable", place, || {
+                    let reason = error.diagnostics.first().map(|d| d.message.clone()).unwrap_or_default();
+                    format!("the included model {} cannot be read: {reason}", quoted(&uri))
+                });
+                return;
+            }
+        };
+        self.bytes += source.bytes.len() as u64;
+        let mut report = Report::default();
+        let text = source.text(&mut report).map(|text| tolerant_text(text).into_owned());
+        let index = self.files.tree.files.len();
+        self.files.tree.files.push(FileText { name: source.name, text: text.clone().unwrap_or_default() });
+        self.files.reports.push(report);
+        if text.is_some() {
+            self.open.push(canonical);
+            self.append_file(index, Some(include), depth + 1);
+            self.open.pop();
+        }
+    }
+}
+
+/// Element without its children. The prefix of a namespace stays in the tag; attributes in a namespace have no meaning.
+fn element(node: Node<'_, '_>, file: usize, parent: Option<ElementId>) -> Element {
+    let name = node.tag_name();
+    let prefix = name.namespace().and_then(|uri| node.lookup_prefix(uri)).filter(|prefix| !prefix.is_empty());
+    let tag = match prefix {
+        Some(prefix) => format!("{prefix}:{}", name.name()),
+        None => name.name().to_owned(),
+    };
+    let attributes = node.attributes().filter(|attribute| attribute.namespace().is_none());
+    let attributes = attributes.map(|a| Attribute {
+        name: a.name().to_owned(),
+        value: a.value().to_owned(),
+        offset: a.range().start,
+    });
+    let text: String = node.children().filter(Node::is_text).filter_map(|text| text.text()).collect();
+    Element {
+        tag,
+        attributes: attributes.collect(),
+        children: Vec::new(),
+        text: text.trim_ascii().to_owned(),
+        parent,
+        file,
+        offset: node.range().start,
+    }
+}

@@ -1,0 +1,165 @@
+//! Axes of joints: direction, limits, and the joint that an axis follows.
+
+use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::findings::Findings;
+use crate::reading::limits::{MIN_AXIS_COMPONENT, UNLIMITED};
+use crate::reading::report::quoted;
+use crate::sdf::document::version::Version;
+use crate::sdf::frames::poses::report_unknown_frame;
+use crate::sdf::frames::scopes::{FrameId, FrameKind, Scopes};
+use crate::sdf::values::{read_boolean_in, read_limit_in, read_number_in, read_numbers};
+use crate::urdf::elements::numbers::parse_numbers;
+use percuss_mechanism::Limits;
+use percuss_spatial::Vector3;
+
+/// Relation q = multiplier · q_leader + offset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct SdfMimic {
+    pub element: ElementId,
+    /// Index of the leader in [`Scopes::joints`], and its axis, 0 or 1.
+    pub leader: (usize, usize),
+    pub multiplier: f64,
+    /// rad or m.
+    pub offset: f64,
+}
+
+/// Axis of a joint.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct JointAxis {
+    /// In the joint frame as drawn; not normalised.
+    pub direction: Vector3<f64>,
+    pub limits: Option<Limits>,
+    pub mimic: Option<SdfMimic>,
+}
+
+/// Reads `<axis>` or `<axis2>` of a joint; the z-axis without limits if absent.
+pub(crate) fn read_axis(
+    tree: &ElementTree,
+    scopes: &Scopes,
+    joint: FrameId,
+    tag: &'static str,
+    findings: &mut Findings<'_>,
+) -> JointAxis {
+    let own = scopes.frame(joint);
+    let Some(axis) = tree.child(own.element, tag) else {
+        return JointAxis { direction: Vector3::z(), limits: None, mimic: None };
+    };
+    JointAxis {
+        direction: read_direction(tree, scopes, joint, axis, findings),
+        limits: tree.child(axis, "limit").and_then(|limit| read_limits(tree, limit, findings)),
+        mimic: read_mimic(tree, scopes, joint, axis, findings),
+    }
+}
+
+/// Direction of an axis in the joint frame.
+fn read_direction(
+    tree: &ElementTree,
+    scopes: &Scopes,
+    joint: FrameId,
+    axis: ElementId,
+    findings: &mut Findings<'_>,
+) -> Vector3<f64> {
+    let own = scopes.frame(joint);
+    let xyz = tree.child(axis, "xyz");
+    let given = xyz.and_then(|xyz| read_numbers::<3>(tree, xyz, findings));
+    let direction: Vector3<f64> = given.map_or_else(Vector3::z, Into::into);
+    if direction.amax() < MIN_AXIS_COMPONENT {
+        findings.error("zero-axis", xyz.unwrap_or(axis), || {
+            "the axis is zero; it needs a direction, such as 0 0 1".to_owned()
+        });
+        return Vector3::z();
+    }
+    let version = Version::of_element(tree, own.element);
+    let model_frame = scopes.scope(own.scope).frame;
+    let mut frame = None;
+    if version >= Version::WITH_FRAMES {
+        let named = xyz.and_then(|xyz| tree.attribute(xyz, "expressed_in")).filter(|name| !name.is_empty());
+        if let Some(name) = named {
+            frame = scopes.find(own.scope, name);
+            if frame.is_none() {
+                report_unknown_frame(scopes, own.scope, xyz.unwrap_or(axis), name, findings);
+            }
+        }
+        if tree.child(axis, "use_parent_model_frame").is_some() {
+            findings.warning("ignored", axis, || {
+                "<use_parent_model_frame> ended with version 1.6 and is ignored; write expressed_in=\"__model__\"".to_owned()
+            });
+        }
+    } else if version == Version::FIRST && is_in_outer_model(tree, own.element)
+        || read_boolean_in(tree, axis, "use_parent_model_frame", findings)
+    {
+        frame = Some(model_frame);
+    }
+    match frame {
+        Some(frame) => scopes.relative_pose(joint, frame).vector(&direction),
+        None => direction,
+    }
+}
+
+/// True for a joint whose model is in no other model of the same file: the converter of version 1.4 changes only these.
+fn is_in_outer_model(tree: &ElementTree, joint: ElementId) -> bool {
+    let model = tree.element(joint).parent;
+    let holder = model.and_then(|model| tree.element(model).parent);
+    holder.is_some_and(|holder| matches!(tree.tag(holder), "sdf" | "world"))
+}
+
+fn read_limits(tree: &ElementTree, limit: ElementId, findings: &mut Findings<'_>) -> Option<Limits> {
+    let lower = read_limit_in(tree, limit, "lower", findings);
+    let upper = read_limit_in(tree, limit, "upper", findings);
+    if lower.is_none() && upper.is_none() {
+        return None;
+    }
+    // One missing limit has the value that SDFormat takes for infinite.
+    Some(Limits { lower: lower.unwrap_or(-UNLIMITED), upper: upper.unwrap_or(UNLIMITED) })
+}
+
+/// Reads `<mimic>` of an axis, or Drake's of the joint.
+fn read_mimic(
+    tree: &ElementTree,
+    scopes: &Scopes,
+    joint: FrameId,
+    axis: ElementId,
+    findings: &mut Findings<'_>,
+) -> Option<SdfMimic> {
+    let own = scopes.frame(joint);
+    if let Some(mimic) = tree.child(axis, "mimic") {
+        let mut number = |tag, default| read_number_in(tree, mimic, tag, findings).unwrap_or(default);
+        let (multiplier, offset) = (number("multiplier", 1.0), number("offset", 0.0));
+        let reference = number("reference", 0.0);
+        let leader_axis = usize::from(tree.attribute(mimic, "axis") == Some("axis2"));
+        let leader = find_leader(tree, scopes, joint, mimic, findings)?;
+        let offset = offset - multiplier * reference;
+        return Some(SdfMimic { element: mimic, leader: (leader, leader_axis), multiplier, offset });
+    }
+    let mimic = tree.child(own.element, "drake:mimic").filter(|_| tree.tag(axis) == "axis")?;
+    let mut number = |name: &str, default| match tree.attribute(mimic, name).map(parse_numbers::<1>) {
+        Some(Ok([value])) => value,
+        Some(Err(defect)) => {
+            findings.attribute_error("bad-number", mimic, name, || format!("{name}: {defect}"));
+            default
+        }
+        None => default,
+    };
+    let (multiplier, offset) = (number("multiplier", 1.0), number("offset", 0.0));
+    let leader = find_leader(tree, scopes, joint, mimic, findings)?;
+    Some(SdfMimic { element: mimic, leader: (leader, 0), multiplier, offset })
+}
+
+/// Joint that a mimic names.
+fn find_leader(
+    tree: &ElementTree,
+    scopes: &Scopes,
+    joint: FrameId,
+    mimic: ElementId,
+    findings: &mut Findings<'_>,
+) -> Option<usize> {
+    let name = tree.attribute(mimic, "joint").unwrap_or_default();
+    let found = scopes.find(scopes.frame(joint).scope, name).map(|frame| scopes.frame(frame).kind);
+    if let Some(FrameKind::Joint(leader)) = found {
+        return Some(leader);
+    }
+    findings.attribute_error("unknown-joint", mimic, "joint", || {
+        format!("the joint {} does not exist in the model", quoted(name))
+    });
+    None
+}

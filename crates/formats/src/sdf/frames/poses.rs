@@ -1,0 +1,215 @@
+//! Poses of all frames as drawn.
+//!
+//! Every frame has a base and a pose in the base. Default bases: the model frame; of a joint its child; of a model the enclosing model
+//! or the world. Source: SDFormat, "Pose frame semantics", and its converters of versions 1.4 and 1.6.
+
+use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::findings::{Findings, similar_name};
+use crate::reading::limits::MAX_FRAME_CHAIN;
+use crate::reading::report::quoted;
+use crate::sdf::document::version::Version;
+use crate::sdf::frames::scopes::{FrameId, FrameKind, ScopeId, Scopes};
+use crate::sdf::values::{read_pose, text_in};
+use percuss_mechanism::Severity;
+use percuss_spatial::Transform;
+use std::collections::HashMap;
+
+/// Computes the bases and poses of all frames. Unknown names and circles are errors.
+pub(crate) fn resolve_poses(tree: &ElementTree, scopes: &mut Scopes, findings: &mut Findings<'_>) {
+    for index in 0..scopes.frames.len() {
+        let (base, pose) = read_frame(tree, scopes, FrameId(index), findings);
+        scopes.frames[index].base = base;
+        scopes.frames[index].pose = pose;
+    }
+    if refuse_circles(scopes, findings) {
+        return;
+    }
+    // Nested models have higher indices than the models that contain them.
+    for index in (1..scopes.scopes.len()).rev() {
+        place_model(tree, scopes, ScopeId(index), findings);
+    }
+    compute_world_poses(scopes);
+}
+
+/// Base and pose of a frame. A model is placed later by its placement frame.
+fn read_frame(
+    tree: &ElementTree,
+    scopes: &Scopes,
+    id: FrameId,
+    findings: &mut Findings<'_>,
+) -> (Option<FrameId>, Transform<f64>) {
+    let frame = scopes.frame(id);
+    let model_frame = scopes.scope(frame.scope).frame;
+    let (holder, default) = match frame.kind {
+        FrameKind::World => return (None, Transform::identity()),
+        // The pose of an <include> replaces that of its model.
+        FrameKind::Model(scope) => {
+            let scope = scopes.scope(scope);
+            let own = scope.include.filter(|include| tree.child(*include, "pose").is_some());
+            (own.unwrap_or(scope.element), model_frame)
+        }
+        FrameKind::Link(_) => (frame.element, model_frame),
+        FrameKind::Frame => {
+            let attached = tree.attribute(frame.element, "attached_to").filter(|name| !name.is_empty());
+            let attached = attached.and_then(|name| find_frame(scopes, id, frame.element, name, findings));
+            (frame.element, attached.unwrap_or(model_frame))
+        }
+        FrameKind::Joint(_) => {
+            let child = scopes.find(frame.scope, text_in(tree, frame.element, "child"));
+            (frame.element, child.unwrap_or(model_frame))
+        }
+    };
+    let Some(pose) = tree.child(holder, "pose") else { return (Some(default), Transform::identity()) };
+    let [relative_to, frame] =
+        ["relative_to", "frame"].map(|name| tree.attribute(pose, name).filter(|name| !name.is_empty()));
+    let named = if Version::of_element(tree, pose) < Version::WITH_FRAMES {
+        frame.or(relative_to)
+    } else {
+        if frame.is_some() {
+            findings.add_once(Severity::Warning, "ignored", "frame of pose", pose, || {
+                "the attribute \"frame\" ended with version 1.6 and is ignored; write relative_to".to_owned()
+            });
+        }
+        relative_to
+    };
+    let base = named.and_then(|name| find_frame(scopes, id, pose, name, findings));
+    (Some(base.unwrap_or(default)), read_pose(tree, pose, findings))
+}
+
+/// Frame that an element names; an unknown name is an error.
+fn find_frame(
+    scopes: &Scopes,
+    of: FrameId,
+    element: ElementId,
+    name: &str,
+    findings: &mut Findings<'_>,
+) -> Option<FrameId> {
+    let scope = scopes.frame(of).scope;
+    let found = scopes.find(scope, name);
+    if found.is_none() {
+        report_unknown_frame(scopes, scope, element, name, findings);
+    }
+    found
+}
+
+/// Reports a name that is no frame of a scope.
+pub(crate) fn report_unknown_frame(
+    scopes: &Scopes,
+    scope: ScopeId,
+    element: ElementId,
+    name: &str,
+    findings: &mut Findings<'_>,
+) {
+    findings.error("unknown-frame", element, || {
+        let guess = similar_name(name, scopes.scope(scope).names.keys().map(String::as_str));
+        format!(
+            "the frame {} is not known{guess}; expected the name of a link, joint, frame or nested model of the same model, or __model__",
+            quoted(name)
+        )
+    });
+}
+
+/// Reports frames that are placed in each other in a circle. Returns true if there is one.
+fn refuse_circles(scopes: &Scopes, findings: &mut Findings<'_>) -> bool {
+    #[derive(Clone, Copy, PartialEq)]
+    enum Mark {
+        New,
+        OnPath,
+        Done,
+    }
+    let mut marks = vec![Mark::New; scopes.frames.len()];
+    let mut found = false;
+    for start in 0..scopes.frames.len() {
+        let mut path = Vec::new();
+        let mut current = Some(FrameId(start));
+        while let Some(frame) = current.filter(|frame| marks[frame.0] == Mark::New) {
+            marks[frame.0] = Mark::OnPath;
+            path.push(frame);
+            current = scopes.frame(frame).base;
+        }
+        if let Some(frame) = current.filter(|frame| marks[frame.0] == Mark::OnPath) {
+            found = true;
+            let circle = path.iter().skip_while(|on_path| **on_path != frame).take(5);
+            let names: Vec<String> = circle.map(|frame| quoted(&scopes.frame(*frame).name)).collect();
+            findings.error("frame-circle", scopes.frame(frame).element, || {
+                format!("the poses of {} are relative to each other in a circle", names.join(", "))
+            });
+        }
+        path.into_iter().for_each(|frame| marks[frame.0] = Mark::Done);
+    }
+    found
+}
+
+/// Moves a model so that its placement frame has the pose of the model.
+fn place_model(tree: &ElementTree, scopes: &mut Scopes, id: ScopeId, findings: &mut Findings<'_>) {
+    let scope = scopes.scope(id);
+    let of_include = scope.include.and_then(|include| tree.child(include, "placement_frame"));
+    let name = match of_include {
+        Some(element) => tree.text(element),
+        None => tree.attribute(scope.element, "placement_frame").unwrap_or_default(),
+    };
+    if name.is_empty() {
+        return;
+    }
+    let (model_frame, element) = (scope.frame, of_include.unwrap_or(scope.element));
+    match scopes.find(id, name) {
+        Some(placement) => {
+            if let Some(in_model) = scopes.pose_between(model_frame, placement, usize::MAX) {
+                let frame = &mut scopes.frames[model_frame.0];
+                frame.pose = frame.pose * in_model.inverse();
+            }
+        }
+        None => report_unknown_frame(scopes, id, element, name, findings),
+    }
+}
+
+/// Computes the poses in the world; each frame once.
+fn compute_world_poses(scopes: &mut Scopes) {
+    let mut is_known = vec![false; scopes.frames.len()];
+    for start in 0..scopes.frames.len() {
+        let mut path = Vec::new();
+        let mut current = Some(FrameId(start));
+        while let Some(frame) = current.filter(|frame| !is_known[frame.0]) {
+            path.push(frame);
+            current = scopes.frame(frame).base;
+        }
+        let mut pose = current.map_or_else(Transform::identity, |frame| scopes.frame(frame).world_pose);
+        for frame in path.into_iter().rev() {
+            pose = pose * scopes.frame(frame).pose;
+            scopes.frames[frame.0].world_pose = pose;
+            is_known[frame.0] = true;
+        }
+    }
+}
+
+impl Scopes {
+    /// X_ab, frame b in frame a, as drawn. The poses between the frames are multiplied directly, so that a pose that is written in the
+    /// file is reproduced exactly.
+    pub fn relative_pose(&self, a: FrameId, b: FrameId) -> Transform<f64> {
+        self.pose_between(a, b, MAX_FRAME_CHAIN)
+            .unwrap_or_else(|| self.frame(a).world_pose.inverse() * self.frame(b).world_pose)
+    }
+
+    /// X_ab by the chains of bases from both frames to their first common one; `None` if a chain is longer than `longest`.
+    fn pose_between(&self, a: FrameId, b: FrameId, longest: usize) -> Option<Transform<f64>> {
+        let mut from_a = HashMap::new();
+        let mut x_ca = Transform::identity();
+        let mut current = Some(a);
+        while let Some(frame) = current.filter(|_| from_a.len() <= longest) {
+            from_a.insert(frame, x_ca);
+            x_ca = self.frame(frame).pose * x_ca;
+            current = self.frame(frame).base;
+        }
+        let mut x_cb = Transform::identity();
+        let mut current = Some(b);
+        for _ in 0..=longest {
+            let frame = current?;
+            if let Some(x_ca) = from_a.get(&frame) {
+                return Some(x_ca.inverse() * x_cb);
+            }
+            x_cb = self.frame(frame).pose * x_cb;
+            current = self.frame(frame).base;
+        }
+        None
+    }
+}

@@ -1,0 +1,278 @@
+//! Collection of scopes, links, joints and frames.
+
+use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::findings::Findings;
+use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND, MAX_MODEL_DEPTH};
+use crate::reading::report::quoted;
+use crate::sdf::document::check::check_children;
+use crate::sdf::document::grammar_rules::{IN_MODEL, IN_WORLD};
+use crate::sdf::document::version::Version;
+use crate::sdf::frames::scopes::{Frame, FrameId, FrameKind, Scope, ScopeId, Scopes, SdfJoint, SdfLink};
+use crate::sdf::values::{read_boolean_attribute, read_boolean_in, text_in};
+use percuss_mechanism::Severity;
+use percuss_spatial::Transform;
+use std::collections::HashMap;
+
+/// Name of a model, of an `<include>` where given there.
+pub(crate) fn model_name(tree: &ElementTree, element: ElementId) -> &str {
+    let given = text_in(tree, element, "name");
+    let is_include = tree.tag(element) == "include";
+    match given {
+        name if is_include && !name.is_empty() => name,
+        _ => {
+            included_model(tree, element).and_then(|model| tree.attribute(model, "name")).unwrap_or_default()
+        }
+    }
+}
+
+/// `<model>` of an element: itself, or the model of the file that an `<include>` names. `None` for an included light or actor.
+pub(crate) fn included_model(tree: &ElementTree, element: ElementId) -> Option<ElementId> {
+    match tree.tag(element) {
+        "model" => Some(element),
+        _ => tree.child(tree.child(element, "sdf")?, "model"),
+    }
+}
+
+/// Reads all scopes of a `<world>` or of an `<sdf>`. `main`: `<model>` or `<include>` whose elements have names without a prefix.
+pub(crate) fn collect_scopes(
+    tree: &ElementTree,
+    container: ElementId,
+    main: ElementId,
+    findings: &mut Findings<'_>,
+) -> Scopes {
+    let mut walker = Walker { tree, findings, scopes: Scopes::default() };
+    let world = ScopeId(0);
+    let frame = walker.push_frame(container, world, FrameKind::World, String::new());
+    walker.scopes.scopes.push(Scope {
+        parent: None,
+        element: container,
+        include: None,
+        frame,
+        names: HashMap::from([("world".to_owned(), frame)]),
+        first_link: None,
+        prefix: String::new(),
+        is_static: true,
+        version: Version::of_element(tree, container),
+        top: world,
+        depth: 0,
+    });
+    check_children(tree, container, IN_WORLD, walker.findings);
+    walker.read_contents(container, world, Some(main));
+    walker.scopes
+}
+
+struct Walker<'t, 'f, 'w> {
+    tree: &'t ElementTree,
+    findings: &'w mut Findings<'f>,
+    scopes: Scopes,
+}
+
+impl Walker<'_, '_, '_> {
+    fn push_frame(&mut self, element: ElementId, scope: ScopeId, kind: FrameKind, name: String) -> FrameId {
+        let identity = Transform::identity();
+        self.scopes.frames.push(Frame {
+            element,
+            scope,
+            kind,
+            name,
+            base: None,
+            pose: identity,
+            world_pose: identity,
+        });
+        FrameId(self.scopes.frames.len() - 1)
+    }
+
+    /// Reads the contents of a world or model. The recursion is bounded by the depth of the models.
+    fn read_contents(&mut self, element: ElementId, scope: ScopeId, main: Option<ElementId>) {
+        let tree = self.tree;
+        // Joints come last: in older files a joint may have the name of a link, which then counts.
+        for &child in tree.children(element) {
+            match tree.tag(child) {
+                "link" => self.read_link(child, scope),
+                "frame" if scope.0 > 0 || self.scopes.scope(scope).version >= Version::WITH_FRAMES => {
+                    self.read_named(child, scope, FrameKind::Frame);
+                }
+                "model" => self.read_model(child, None, scope, main),
+                "include" => {
+                    if let Some(model) = included_model(tree, child) {
+                        self.read_model(model, Some(child), scope, main);
+                    }
+                }
+                _ => {}
+            }
+        }
+        for joint in tree.children_named(element, "joint") {
+            let index = self.scopes.joints.len();
+            if index >= MAX_ELEMENTS_PER_KIND {
+                self.refuse_count(joint, "joints");
+                return;
+            }
+            let frame = self.read_named(joint, scope, FrameKind::Joint(index));
+            self.scopes.joints.push(SdfJoint { element: joint, frame, scope });
+        }
+    }
+
+    fn refuse_count(&mut self, element: ElementId, kind: &'static str) {
+        self.findings.add_once(Severity::Error, "too-complex", kind, element, || {
+            format!("more than {MAX_ELEMENTS_PER_KIND} {kind}, those of included models counted")
+        });
+    }
+
+    fn read_link(&mut self, element: ElementId, scope: ScopeId) {
+        let index = self.scopes.links.len();
+        if index >= MAX_ELEMENTS_PER_KIND {
+            self.refuse_count(element, "links");
+            return;
+        }
+        let frame = self.read_named(element, scope, FrameKind::Link(index));
+        self.scopes.scopes[scope.0].first_link.get_or_insert(frame);
+        self.scopes.links.push(SdfLink { element, frame, scope });
+    }
+
+    /// Adds a frame under the name of its element.
+    fn read_named(&mut self, element: ElementId, scope: ScopeId, kind: FrameKind) -> FrameId {
+        let tree = self.tree;
+        let name = tree.attribute(element, "name").unwrap_or_default();
+        self.add_named(element, name, scope, kind)
+    }
+
+    fn add_named(&mut self, element: ElementId, name: &str, scope: ScopeId, kind: FrameKind) -> FrameId {
+        let tag = self.tree.tag(element);
+        let own = self.scopes.scope(scope);
+        let full = format!("{}{name}", own.prefix);
+        if name.is_empty() {
+            self.findings.error("missing-attribute", element, || format!("<{tag}> has no name"));
+        } else if full.len() > LONGEST_NAME {
+            let length = full.len();
+            self.findings.error("long-name", element, || {
+                format!("the name is {length} bytes long, with the names of its models; at most {LONGEST_NAME} are read")
+            });
+        } else if name == "world" && kind != FrameKind::World || name == "__model__" {
+            self.findings.error("reserved-name", element, || {
+                format!("the name {} is reserved in SDFormat; rename the element", quoted(name))
+            });
+        }
+        let earlier = own.names.get(name).map(|earlier| self.scopes.frame(*earlier).element);
+        let frame = self.push_frame(element, scope, kind, full);
+        match earlier {
+            Some(earlier) if !name.is_empty() => {
+                let is_same_kind = self.tree.tag(earlier) == tag;
+                let severity = if is_same_kind { Severity::Error } else { Severity::Note };
+                let first = self.tree.tag(earlier);
+                self.findings.add(severity, "duplicate-name", element, || {
+                    format!(
+                        "the name {} was given before, to a <{first}>; names must be unique in a model",
+                        quoted(name)
+                    )
+                });
+            }
+            _ => {
+                let names = &mut self.scopes.scopes[scope.0].names;
+                names.insert(name.to_owned(), frame);
+            }
+        }
+        frame
+    }
+
+    /// Reads a model, which an `<include>` may change.
+    fn read_model(
+        &mut self,
+        model: ElementId,
+        include: Option<ElementId>,
+        scope: ScopeId,
+        main: Option<ElementId>,
+    ) {
+        let tree = self.tree;
+        let source = include.unwrap_or(model);
+        let depth = self.scopes.scope(scope).depth + 1;
+        if depth > MAX_MODEL_DEPTH {
+            self.findings.error("too-complex", source, || {
+                format!("models are nested more than {MAX_MODEL_DEPTH} levels deep")
+            });
+            return;
+        }
+        let name = model_name(tree, source);
+        let id = ScopeId(self.scopes.scopes.len());
+        let is_merged =
+            include.is_some_and(|include| read_boolean_attribute(tree, include, "merge", self.findings));
+        if is_merged && scope.0 == 0 {
+            self.findings.error("unsupported", source, || {
+                "a model that is merged into a world is not read; remove merge=\"true\"".to_owned()
+            });
+        }
+        // The frame of a merged model has a name that no file can refer to.
+        let frame_name = if is_merged { format!("_merged__{name}__model__") } else { name.to_owned() };
+        let frame = self.add_named(source, &frame_name, scope, FrameKind::Model(id));
+        if !is_merged {
+            self.scopes.scopes[scope.0].first_link.get_or_insert(frame);
+        }
+        let prefix = match main {
+            Some(main) if main == source => String::new(),
+            _ if is_merged => self.scopes.scope(scope).prefix.clone(),
+            _ => format!("{}{name}::", self.scopes.scope(scope).prefix),
+        };
+        let with_static = include.filter(|include| tree.child(*include, "static").is_some()).unwrap_or(model);
+        let is_static = read_boolean_in(tree, with_static, "static", self.findings);
+        // All models are placed in the world, which is static itself.
+        let is_static = is_static || scope.0 > 0 && self.scopes.scope(scope).is_static;
+        let top = if scope.0 == 0 { id } else { self.scopes.scope(scope).top };
+        self.scopes.scopes.push(Scope {
+            parent: Some(scope),
+            element: model,
+            include,
+            frame,
+            names: HashMap::new(),
+            first_link: None,
+            prefix,
+            is_static,
+            version: Version::of_element(tree, model),
+            top,
+            depth,
+        });
+        check_children(tree, model, IN_MODEL, self.findings);
+        self.warn_plugins(model);
+        self.read_contents(model, id, None);
+        if is_merged {
+            self.merge_names(id, scope);
+        }
+    }
+
+    /// Adds the names of a merged model to the model that includes it.
+    fn merge_names(&mut self, merged: ScopeId, into: ScopeId) {
+        let mut names: Vec<(String, FrameId)> =
+            self.scopes.scope(merged).names.iter().map(|(name, frame)| (name.clone(), *frame)).collect();
+        names.sort_by_key(|(_, frame)| frame.0);
+        if let Some(first) = self.scopes.scope(merged).first_link {
+            self.scopes.scopes[into.0].first_link.get_or_insert(first);
+        }
+        for (name, frame) in names {
+            let earlier = self.scopes.scopes[into.0].names.insert(name.clone(), frame);
+            if earlier.is_some() {
+                let element = self.scopes.frame(frame).element;
+                self.findings.error("duplicate-name", element, || {
+                    format!(
+                        "the merged model gives the name {} a second time; names must be unique",
+                        quoted(&name)
+                    )
+                });
+            }
+        }
+    }
+
+    /// Warns about plugins that join or couple links.
+    fn warn_plugins(&mut self, model: ElementId) {
+        for plugin in self.tree.children_named(model, "plugin") {
+            let words =
+                ["filename", "name"].map(|name| self.tree.attribute(plugin, name).unwrap_or_default());
+            let words = words.join(" ").to_ascii_lowercase();
+            if ["mimic", "detachablejoint", "detachable-joint", "disable_link"]
+                .iter()
+                .any(|part| words.contains(part))
+            {
+                self.findings.add_once(Severity::Warning, "plugin", "plugin", plugin, || {
+                    "plugins are not read; if this one joins or couples links, write a <joint> or a <mimic> for it".to_owned()
+                });
+            }
+        }
+    }
+}

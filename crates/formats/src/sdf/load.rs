@@ -1,0 +1,148 @@
+//! Construction of a mechanism from a model in SDFormat.
+
+use crate::LoadError;
+use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::findings::Findings;
+use crate::reading::limits::LONGEST_NAME;
+use crate::reading::report::{Report, cut};
+use crate::sdf::document::files::{Files, read_files};
+use crate::sdf::elements::selection::select_model;
+use crate::sdf::frames::poses::resolve_poses;
+use crate::sdf::frames::walk::{collect_scopes, model_name};
+use crate::sdf::tree::assembly::assemble;
+use crate::sdf::tree::parts::Parts;
+use crate::urdf::elements::shapes::shape::Shape;
+use crate::urdf::load::{LoadOptions, Loaded};
+use percuss_mechanism::{Built, Mechanism, MechanismBuilder, Problem, Subject};
+use std::path::{Path, PathBuf};
+
+/// Reads the text of a model named `name`; `report` contains findings about its bytes. `FILE#MODEL` chooses a model of the file.
+pub(crate) fn load_text(
+    name: &str,
+    text: &str,
+    options: &LoadOptions,
+    report: Report,
+) -> Result<Loaded, LoadError> {
+    let (file, wanted) = split_name(name);
+    let Files { tree, reports } = read_files(file, text, report);
+    let failed = reports.iter().any(Report::has_errors);
+    let mut findings = Findings::new(&tree, reports);
+    // After an error of a file the tree may be empty.
+    let model = if failed { None } else { read_model(&tree, wanted, options, &mut findings) };
+    let failed = findings.has_errors();
+    let diagnostics = findings.finish();
+    match model {
+        Some((mechanism, shapes)) if !failed => {
+            let files = tree.files.iter().skip(1).map(|file| PathBuf::from(&file.name)).collect();
+            Ok(Loaded { mechanism, shapes, diagnostics, files })
+        }
+        Some(_) | None => Err(LoadError { diagnostics }),
+    }
+}
+
+/// File and model of `FILE#MODEL`. A file whose own name has a `#` keeps it.
+fn split_name(name: &str) -> (&str, Option<&str>) {
+    match name.rsplit_once('#') {
+        Some((file, model)) if !model.is_empty() && !Path::new(name).is_file() => (file, Some(model)),
+        _ => (name, None),
+    }
+}
+
+/// Mechanism, and shapes of its links; `None` after an error.
+fn read_model(
+    tree: &ElementTree,
+    wanted: Option<&str>,
+    options: &LoadOptions,
+    findings: &mut Findings<'_>,
+) -> Option<(Mechanism, Vec<Vec<Shape>>)> {
+    let selected = select_model(tree, wanted, findings)?;
+    let mut scopes = collect_scopes(tree, selected.container, selected.model, findings);
+    if findings.has_errors() {
+        return None;
+    }
+    scopes.resolve_attachments(tree);
+    resolve_poses(tree, &mut scopes, findings);
+    if findings.has_errors() {
+        return None;
+    }
+    let (parts, mut bodies) = assemble(tree, &scopes, selected.model, findings)?;
+    let mechanism = build_mechanism(tree, model_name(tree, selected.model), &parts, options, findings)?;
+    let of_links = parts.links.iter().map(|(_, origin)| match origin.link {
+        Some(link) => bodies.get_mut(link).and_then(Option::take).unwrap_or_default(),
+        None => Vec::new(),
+    });
+    Some((mechanism, of_links.collect()))
+}
+
+/// Builds the mechanism; findings of the builder get the positions of their elements.
+fn build_mechanism(
+    tree: &ElementTree,
+    name: &str,
+    parts: &Parts,
+    options: &LoadOptions,
+    findings: &mut Findings<'_>,
+) -> Option<Mechanism> {
+    let mut builder = MechanismBuilder::new(cut(name, LONGEST_NAME)).accept(options.accept);
+    builder = parts.links.iter().map(|(link, _)| link.clone()).fold(builder, MechanismBuilder::link);
+    builder = parts.joints.iter().map(|(joint, _)| joint.clone()).fold(builder, MechanismBuilder::joint);
+    builder =
+        parts.closures.iter().map(|(closure, _)| closure.clone()).fold(builder, MechanismBuilder::closure);
+    builder = parts
+        .couplings
+        .iter()
+        .map(|(coupling, _)| coupling.clone())
+        .fold(builder, MechanismBuilder::coupling);
+    let (mechanism, found) = match builder.build() {
+        Ok(Built { mechanism, findings: mut found }) => {
+            found.extend(mechanism.implausible_inertias(options.accept));
+            (Some(mechanism), found)
+        }
+        Err(error) => (None, error.findings),
+    };
+    for (subject, problem) in found {
+        if !is_expected(parts, &subject, &problem) {
+            let element = locate(tree, parts, &subject, &problem);
+            findings.add(problem.severity(), problem.code(), element, || problem.to_string());
+        }
+    }
+    mechanism
+}
+
+/// True for a finding of the builder that has another message, or that SDFormat does not have.
+fn is_expected(parts: &Parts, subject: &Subject, problem: &Problem) -> bool {
+    match (subject, problem) {
+        // Frames, the ground and the links of chains have no mass.
+        (Subject::Link { index, .. }, Problem::Massless) => {
+            parts.links.get(*index).is_some_and(|(_, origin)| origin.link.is_none())
+        }
+        // The missing inertia is reported.
+        (Subject::Link { index, .. }, Problem::WideInertia { .. } | Problem::DenseInertia { .. }) => {
+            parts.links.get(*index).is_some_and(|(_, origin)| origin.has_default_inertia)
+        }
+        // SDFormat normalises every axis.
+        (_, Problem::AxisNotUnit { .. }) => true,
+        _ => false,
+    }
+}
+
+/// Element of a finding of the builder.
+fn locate(tree: &ElementTree, parts: &Parts, subject: &Subject, problem: &Problem) -> ElementId {
+    let element = match subject {
+        Subject::Link { index, .. } => parts.links.get(*index).map(|(_, origin)| origin.element),
+        Subject::Joint { index, .. } => parts.joints.get(*index).map(|(_, element)| *element),
+        Subject::Closure { index, .. } => parts.closures.get(*index).map(|(_, element)| *element),
+        Subject::Coupling { index, .. } => parts.couplings.get(*index).map(|(_, element)| *element),
+        Subject::Mechanism | Subject::Contact { .. } => None,
+    };
+    let element = element.unwrap_or_else(|| tree.root());
+    let within: &[&str] = match problem {
+        Problem::NegativeMass { .. } | Problem::InertiaWithoutMass { .. } => &["inertial", "mass"],
+        Problem::IndefiniteInertia { .. }
+        | Problem::TriangleInequality { .. }
+        | Problem::WideInertia { .. }
+        | Problem::DenseInertia { .. } => &["inertial", "inertia"],
+        Problem::LimitsReversed { .. } => &["axis", "limit"],
+        _ => &[],
+    };
+    within.iter().try_fold(element, |element, tag| tree.child(element, tag)).unwrap_or(element)
+}

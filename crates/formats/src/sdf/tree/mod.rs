@@ -1,0 +1,7 @@
+//! Spanning tree of the links, and the mechanism along it.
+
+pub(crate) mod assembly;
+pub(crate) mod chain;
+pub(crate) mod parts;
+pub(crate) mod relations;
+pub(crate) mod spanning;

@@ -1,0 +1,106 @@
+//! Values in the texts of elements.
+
+use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::findings::Findings;
+use crate::reading::limits::UNLIMITED;
+use crate::reading::report::quoted;
+use crate::urdf::elements::numbers::parse_numbers;
+use crate::urdf::elements::sdf_values;
+use percuss_spatial::Transform;
+
+/// N finite numbers in the text of an element; `None`, with an error, if invalid.
+pub(crate) fn read_numbers<const N: usize>(
+    tree: &ElementTree,
+    element: ElementId,
+    findings: &mut Findings<'_>,
+) -> Option<[f64; N]> {
+    let text = tree.text(element);
+    match parse_numbers::<N>(text) {
+        Ok(values) => Some(values),
+        Err(defect) => {
+            findings.error("bad-number", element, || format!("{}: {defect}", quoted(text)));
+            None
+        }
+    }
+}
+
+/// Finite number in a child element; `None` if absent, or, with an error, if invalid.
+pub(crate) fn read_number_in(
+    tree: &ElementTree,
+    parent: ElementId,
+    tag: &str,
+    findings: &mut Findings<'_>,
+) -> Option<f64> {
+    let element = tree.child(parent, tag)?;
+    read_numbers::<1>(tree, element, findings).map(|[value]| value)
+}
+
+/// Position limit in a child element; `None` if absent or without effect (infinite, or at least 1e16).
+pub(crate) fn read_limit_in(
+    tree: &ElementTree,
+    parent: ElementId,
+    tag: &str,
+    findings: &mut Findings<'_>,
+) -> Option<f64> {
+    let element = tree.child(parent, tag)?;
+    match tree.text(element).to_ascii_lowercase().as_str() {
+        "inf" | "+inf" | "-inf" | "infinity" | "-infinity" => None,
+        _ => {
+            let [value] = read_numbers::<1>(tree, element, findings)?;
+            Some(value).filter(|value| value.abs() < UNLIMITED)
+        }
+    }
+}
+
+/// Boolean in a child element; false if absent, or, with an error, if invalid.
+pub(crate) fn read_boolean_in(
+    tree: &ElementTree,
+    parent: ElementId,
+    tag: &str,
+    findings: &mut Findings<'_>,
+) -> bool {
+    let Some(element) = tree.child(parent, tag) else { return false };
+    boolean(tree.text(element), element, findings)
+}
+
+/// Boolean in an attribute; false if absent, or, with an error, if invalid.
+pub(crate) fn read_boolean_attribute(
+    tree: &ElementTree,
+    element: ElementId,
+    name: &str,
+    findings: &mut Findings<'_>,
+) -> bool {
+    tree.attribute(element, name).is_some_and(|text| boolean(text, element, findings))
+}
+
+fn boolean(text: &str, element: ElementId, findings: &mut Findings<'_>) -> bool {
+    let value = sdf_values::parse_boolean(text);
+    if value.is_none() {
+        findings.error("bad-keyword", element, || format!("{} is neither true nor false", quoted(text)));
+    }
+    value.unwrap_or(false)
+}
+
+/// Pose in the text of an element; the identity, with an error, if invalid.
+pub(crate) fn read_pose(tree: &ElementTree, pose: ElementId, findings: &mut Findings<'_>) -> Transform<f64> {
+    let format = tree.attribute(pose, "rotation_format").unwrap_or("euler_rpy");
+    let degrees = read_boolean_attribute(tree, pose, "degrees", findings);
+    sdf_values::parse_pose(tree.text(pose), format, degrees).unwrap_or_else(|defect| {
+        findings.error("bad-pose", pose, || defect);
+        Transform::identity()
+    })
+}
+
+/// Pose in the child `<pose>`; the identity if absent, or, with an error, if invalid.
+pub(crate) fn read_pose_in(
+    tree: &ElementTree,
+    parent: ElementId,
+    findings: &mut Findings<'_>,
+) -> Transform<f64> {
+    tree.child(parent, "pose").map_or_else(Transform::identity, |pose| read_pose(tree, pose, findings))
+}
+
+/// Name in the text of a child element; empty if absent.
+pub(crate) fn text_in<'t>(tree: &'t ElementTree, parent: ElementId, tag: &str) -> &'t str {
+    tree.child(parent, tag).map(|element| tree.text(element)).unwrap_or_default()
+}

@@ -1,0 +1,383 @@
+//! Links of the file: links with a body, frames, and links that are a part of a joint.
+
+use super::error::SdfError;
+use crate::reading::unique_names::UniqueNames;
+use crate::xml_text::{append, escape_attribute, format_number, format_vector};
+use percuss_mechanism::{Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
+use percuss_spatial::{Matrix3, Transform, Vector3};
+
+/// Largest distance of two axes of rotation that meet in one point, relative to the size of the mechanism: a few roundings.
+const COMMON_POINT: f64 = 1e-13;
+/// Largest |cosine| of the angle between the axes of a universal joint: a few roundings.
+const RIGHT_ANGLE: f64 = 1e-13;
+
+/// Form of a link in the file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// The world itself.
+    World,
+    Link,
+    /// Frame attached to the parent link.
+    Frame,
+    /// No element: the link lies within the chain of joints of another.
+    Merged,
+}
+
+/// Kinds of joint of the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ChainKind {
+    /// The first joint of the chain alone.
+    Single,
+    Universal,
+    Revolute2,
+    Screw,
+}
+
+/// Joints between two links of the file, from the parent on: one or two that move, then fixed joints.
+#[derive(Clone, Debug)]
+pub(super) struct Chain {
+    pub kind: ChainKind,
+    pub joints: Vec<JointId>,
+}
+
+/// Links of the file.
+pub(super) struct Bodies {
+    /// Pose of every link in the world with all joints at 0.
+    pub world_poses: Vec<Transform<f64>>,
+    pub forms: Vec<Form>,
+    /// Chain of joints that supports each link of the form `Link`; `None` for the root.
+    pub chains: Vec<Option<Chain>>,
+    /// Names in the file; empty for merged links.
+    pub names: Vec<String>,
+    /// Names in use, for those of joints.
+    pub used_names: UniqueNames,
+    pub notes: Vec<String>,
+}
+
+/// Name of the model.
+pub(super) fn model_name(mechanism: &Mechanism) -> String {
+    match mechanism.name() {
+        "" | "world" => "model".to_owned(),
+        name => name.replace("::", "_"),
+    }
+}
+
+impl Bodies {
+    /// Finds the forms of all links.
+    ///
+    /// # Errors
+    /// [`SdfError`] for names that SDFormat reserves.
+    pub fn new(mechanism: &Mechanism) -> Result<Self, SdfError> {
+        let count = mechanism.links().len();
+        let root = mechanism.root();
+        let mut world_poses = vec![Transform::identity(); count];
+        for &link in mechanism.order().iter().skip(1) {
+            if let Some(id) = mechanism.parent_joint(link) {
+                let joint = mechanism.joint(id);
+                world_poses[link.index()] = world_poses[joint.parent().index()] * *joint.origin();
+            }
+        }
+        let mut bodies = Self {
+            world_poses,
+            forms: vec![Form::Link; count],
+            chains: vec![None; count],
+            names: vec![String::new(); count],
+            used_names: UniqueNames::default(),
+            notes: Vec::new(),
+        };
+        if mechanism.link(root).name() == "world" {
+            bodies.forms[root.index()] = Form::World;
+        }
+        bodies.find_chains(mechanism);
+        bodies.name_links(mechanism)?;
+        Ok(bodies)
+    }
+
+    /// Finds frames, chains and the links within them. Links come before the links that support them.
+    fn find_chains(&mut self, mechanism: &Mechanism) {
+        let held = held_links(mechanism);
+        let mergeable = |link: LinkId| {
+            is_massless(mechanism, link)
+                && mechanism.child_joints(link).len() == 1
+                && mechanism.parent_joint(link).is_some()
+                && !held[link.index()]
+        };
+        for &link in mechanism.order().iter().rev() {
+            let Some(id) = mechanism.parent_joint(link) else { continue };
+            if self.forms[link.index()] == Form::Merged {
+                continue;
+            }
+            let joint = mechanism.joint(id);
+            let is_on_world = self.forms[joint.parent().index()] == Form::World;
+            if joint.kind() == JointKind::Fixed && is_massless(mechanism, link) && !is_on_world {
+                self.forms[link.index()] = Form::Frame;
+                continue;
+            }
+            let mut joints = vec![id];
+            let above = |id: JointId| {
+                let parent = mechanism.joint(id).parent();
+                mechanism.parent_joint(parent).filter(|_| mergeable(parent))
+            };
+            if joint.kind() == JointKind::Fixed
+                && let Some(moving) = above(id).filter(|id| can_have_pose(mechanism.joint(*id)))
+            {
+                joints.insert(0, moving);
+            }
+            let mut kind = ChainKind::Single;
+            if let Some(first) = above(joints[0])
+                && let Some(pair) = pair_kind(mechanism, first, joints[0])
+            {
+                kind = pair;
+                joints.insert(0, first);
+            }
+            for id in &joints[1..] {
+                self.forms[mechanism.joint(*id).parent().index()] = Form::Merged;
+            }
+            self.chains[link.index()] = Some(Chain { kind, joints });
+        }
+    }
+
+    /// Gives the links their names; `::` separates the names of models in SDFormat.
+    fn name_links(&mut self, mechanism: &Mechanism) -> Result<(), SdfError> {
+        for id in mechanism.link_ids() {
+            let name = mechanism.link(id).name();
+            match self.forms[id.index()] {
+                Form::World => {
+                    self.names[id.index()] = "world".to_owned();
+                    continue;
+                }
+                Form::Merged => continue,
+                Form::Link | Form::Frame => {}
+            }
+            if name == "world" || name.starts_with("__") && name.ends_with("__") {
+                let reason = "SDFormat reserves this name; rename the link";
+                return Err(SdfError::new("link", name, reason));
+            }
+            let own = self.used_names.take(name.replace("::", "_"));
+            if own != name {
+                self.notes.push(format!("link \"{name}\" has the name \"{own}\" in the file"));
+            }
+            self.names[id.index()] = own;
+        }
+        Ok(())
+    }
+
+    /// Name of a link in the file.
+    pub fn name(&self, link: LinkId) -> &str {
+        &self.names[link.index()]
+    }
+
+    /// Name for a joint: its own, unless it is in use in the model.
+    pub fn joint_name(&mut self, name: &str) -> String {
+        let own = self.used_names.take(name.replace("::", "_"));
+        if own != name {
+            self.notes.push(format!(
+                "joint \"{name}\" has the name \"{own}\" in the file: names must be unique in a model"
+            ));
+        }
+        own
+    }
+
+    /// Writes all links and frames.
+    pub fn append_links(&mut self, mechanism: &Mechanism, out: &mut String) {
+        let fixed = immovable_links(mechanism);
+        for id in mechanism.link_ids() {
+            let form = self.forms[id.index()].clone();
+            let parent = match form {
+                Form::World | Form::Merged => continue,
+                Form::Frame => mechanism.parent_joint(id).map(|joint| mechanism.joint(joint).parent()),
+                Form::Link => {
+                    let chain = self.chains[id.index()].as_ref();
+                    chain.and_then(|chain| chain.joints.first()).map(|joint| mechanism.joint(*joint).parent())
+                }
+            };
+            let name = escape_attribute(self.name(id));
+            let pose = self.pose_element(mechanism, parent, id);
+            if form == Form::Frame {
+                let parent = parent.map(|parent| escape_attribute(self.name(parent))).unwrap_or_default();
+                append(
+                    out,
+                    format_args!("    <frame name=\"{name}\" attached_to=\"{parent}\">{pose}</frame>\n"),
+                );
+                continue;
+            }
+            append(out, format_args!("    <link name=\"{name}\">\n"));
+            if !pose.is_empty() {
+                append(out, format_args!("      {pose}\n"));
+            }
+            let inertial = self.inertial_of(mechanism, id, fixed[id.index()]);
+            append_inertial(out, &inertial);
+            out.push_str("    </link>\n");
+        }
+    }
+
+    /// `<pose>` of a link relative to the link that supports it; empty for the identity in the model.
+    fn pose_element(&self, mechanism: &Mechanism, parent: Option<LinkId>, link: LinkId) -> String {
+        let pose = match parent {
+            Some(parent) => path_pose(mechanism, parent, link),
+            None => Transform::identity(),
+        };
+        match parent.filter(|parent| self.forms[parent.index()] != Form::World) {
+            Some(parent) => {
+                let name = escape_attribute(self.name(parent));
+                format!("<pose relative_to=\"{name}\">{}</pose>", pose_text(&pose))
+            }
+            None if pose == Transform::identity() => String::new(),
+            None => format!("<pose>{}</pose>", pose_text(&pose)),
+        }
+    }
+
+    /// Inertia of a link as written.
+    fn inertial_of(&mut self, mechanism: &Mechanism, link: LinkId, is_fixed: bool) -> Inertial {
+        let name = mechanism.link(link).name();
+        let massless = Inertial::diagonal(0.0, [0.0; 3], [0.0; 3]);
+        let own = mechanism.link(link).inertial().copied().unwrap_or(massless);
+        if is_massless(mechanism, link) && is_fixed {
+            self.notes.push(format!(
+                "link \"{name}\" has no mass and cannot move; it is written with 1 kg and 1 kg·m², since simulators refuse 0"
+            ));
+            return Inertial::diagonal(1.0, [0.0; 3], [1.0; 3]);
+        }
+        let moments = own.about_com.symmetric_eigenvalues();
+        if !is_fixed && (own.mass <= 0.0 || moments.min() <= 0.0) {
+            self.notes.push(format!(
+                "link \"{name}\" has a mass or a moment of 0, which SDFormat allows and simulators refuse"
+            ));
+        }
+        own
+    }
+}
+
+/// X_al of a link in a link on its path to the root: the product of the origins of the joints between.
+pub(super) fn path_pose(mechanism: &Mechanism, above: LinkId, link: LinkId) -> Transform<f64> {
+    let mut pose = Transform::identity();
+    let mut current = link;
+    while current != above {
+        let Some(id) = mechanism.parent_joint(current) else { break };
+        let joint = mechanism.joint(id);
+        pose = *joint.origin() * pose;
+        current = joint.parent();
+    }
+    pose
+}
+
+/// Text of a pose: x y z roll pitch yaw.
+pub(super) fn pose_text(pose: &Transform<f64>) -> String {
+    // Adding 0 turns −0 into 0.
+    let clean = |v: Vector3<f64>| format_vector(&v.map(|x| x + 0.0));
+    if pose.rotation == Matrix3::identity() {
+        return format!("{} 0 0 0", clean(pose.translation));
+    }
+    format!("{} {}", clean(pose.translation), clean(roll_pitch_yaw(&pose.rotation)))
+}
+
+/// Roll, pitch and yaw, rad: R = Rz(yaw)·Ry(pitch)·Rx(roll). Roll and pitch are those of Rz(−yaw)·R, so that the product is accurate at a
+/// pitch near ±90° too, where roll and yaw alone are not.
+fn roll_pitch_yaw(r: &Matrix3<f64>) -> Vector3<f64> {
+    let yaw = r[(1, 0)].atan2(r[(0, 0)]);
+    let (s, c) = yaw.sin_cos();
+    let pitch = (-r[(2, 0)]).atan2(c * r[(0, 0)] + s * r[(1, 0)]);
+    let roll = (s * r[(0, 2)] - c * r[(1, 2)]).atan2(c * r[(1, 1)] - s * r[(0, 1)]);
+    Vector3::new(roll, pitch, yaw)
+}
+
+fn append_inertial(out: &mut String, inertial: &Inertial) {
+    out.push_str("      <inertial>\n");
+    if inertial.com != Vector3::zeros() {
+        let pose = pose_text(&Transform::from_translation(inertial.com));
+        append(out, format_args!("        <pose>{pose}</pose>\n"));
+    }
+    append(out, format_args!("        <mass>{}</mass>\n        <inertia>", format_number(inertial.mass)));
+    for (tag, row, column) in
+        [("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz", 1, 2), ("izz", 2, 2)]
+    {
+        append(out, format_args!("<{tag}>{}</{tag}>", format_number(inertial.about_com[(row, column)])));
+    }
+    out.push_str("</inertia>\n      </inertial>\n");
+}
+
+/// True for a link without mass and inertia.
+fn is_massless(mechanism: &Mechanism, link: LinkId) -> bool {
+    mechanism.link(link).inertial().is_none_or(|i| i.mass == 0.0 && i.about_com == Matrix3::zeros())
+}
+
+/// True per link for links at the ends of closures.
+fn held_links(mechanism: &Mechanism) -> Vec<bool> {
+    let mut held = vec![false; mechanism.links().len()];
+    let ends = mechanism.closures().iter().flat_map(|closure| [closure.predecessor(), closure.successor()]);
+    ends.filter_map(|end| end.link).for_each(|link| held[link.index()] = true);
+    held
+}
+
+/// True per link for links that are fixed to the root.
+fn immovable_links(mechanism: &Mechanism) -> Vec<bool> {
+    let mut fixed = vec![false; mechanism.links().len()];
+    for &link in mechanism.order() {
+        fixed[link.index()] = match mechanism.parent_joint(link).map(|id| mechanism.joint(id)) {
+            Some(joint) => joint.kind() == JointKind::Fixed && fixed[joint.parent().index()],
+            None => true,
+        };
+    }
+    fixed
+}
+
+fn is_rotation(joint: &Joint) -> bool {
+    matches!(joint.kind(), JointKind::Revolute | JointKind::Continuous)
+}
+
+/// True for a joint that the file may place outside the origin of its child.
+fn can_have_pose(joint: &Joint) -> bool {
+    match joint.kind() {
+        JointKind::Revolute | JointKind::Continuous | JointKind::Prismatic | JointKind::Spherical => true,
+        JointKind::Fixed | JointKind::Planar | JointKind::Floating => false,
+    }
+}
+
+/// Kind of the joint of the file for two joints in a row; `None` if there is none.
+fn pair_kind(mechanism: &Mechanism, first: JointId, second: JointId) -> Option<ChainKind> {
+    let [one, two] = [first, second].map(|id| mechanism.joint(id));
+    if one.armature().iter().chain(two.armature()).any(|armature| *armature != 0.0) {
+        return None;
+    }
+    // Axis of the first joint in the frame of the second.
+    let axis = two.origin().inverse_vector(one.axis());
+    let distance = two.origin().translation;
+    if is_rotation(one) && is_rotation(two) {
+        let is_common = distance.norm() <= COMMON_POINT * mechanism.characteristic_length();
+        let kind = if axis.dot(two.axis()).abs() <= RIGHT_ANGLE {
+            ChainKind::Universal
+        } else {
+            ChainKind::Revolute2
+        };
+        return is_common.then_some(kind);
+    }
+    let follows = two
+        .mimic()
+        .is_some_and(|mimic| mimic.master == first && mimic.offset == 0.0 && mimic.multiplier != 0.0);
+    let is_screw = is_rotation(one)
+        && two.kind() == JointKind::Prismatic
+        && two.limits().is_none()
+        && follows
+        && axis == *two.axis()
+        && distance == Vector3::zeros();
+    is_screw.then_some(ChainKind::Screw)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::roll_pitch_yaw;
+    use percuss_spatial::rotation_from_rpy;
+
+    #[test]
+    fn rotations_are_accurate_near_a_right_pitch() {
+        let near = |distance: f64| std::f64::consts::FRAC_PI_2 - distance;
+        for pitch in [0.0, near(1e-3), near(4e-6), near(3e-7), near(3e-10), near(0.0), -near(4e-6), 3.0] {
+            for (roll, yaw) in [(0.3, -2.0), (-3.0, 1.0), (0.0, 0.0)] {
+                let rotation = rotation_from_rpy([roll, pitch, yaw]);
+                let again = rotation_from_rpy(roll_pitch_yaw(&rotation).into());
+                // A few roundings of numbers of order one.
+                assert!((again - rotation).amax() < 1e-15, "{pitch} {roll} {yaw}");
+            }
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! Loop closures as joints.
+
+use super::bodies::{Bodies, pose_text};
+use super::error::SdfError;
+use crate::mjcf::write::closures::{DRAWING_TOLERANCE, drawing_error};
+use crate::xml_text::{append, escape_attribute, format_vector};
+use percuss_mechanism::{Closure, ClosureKind, LoopFrame, Mechanism};
+use percuss_spatial::{Transform, Vector3};
+
+/// Writes all closures. SDFormat places a joint on its child; the side of the parent is as drawn.
+///
+/// # Errors
+/// [`SdfError`] for kinds without a joint in SDFormat, and for closures that are open as drawn.
+pub(super) fn write_closures(mechanism: &Mechanism, bodies: &mut Bodies) -> Result<String, SdfError> {
+    let mut out = String::new();
+    for closure in mechanism.closures() {
+        let refusal = |reason: String| SdfError::new("loop", closure.name(), reason);
+        let kind = match closure.kind() {
+            ClosureKind::Fixed => "fixed",
+            ClosureKind::Revolute => "revolute",
+            ClosureKind::Prismatic => "prismatic",
+            ClosureKind::Spherical => "ball",
+            ClosureKind::Universal => "universal",
+            ClosureKind::Cylindrical | ClosureKind::Planar | ClosureKind::Distance => {
+                return Err(refusal(format!(
+                    "SDFormat has no {} joint; use fixed, revolute, prismatic, spherical or universal loops",
+                    closure.kind().name()
+                )));
+            }
+        };
+        let frame = |end: &LoopFrame| {
+            let link = end.link.map_or_else(Transform::identity, |link| bodies.world_poses[link.index()]);
+            link * end.frame
+        };
+        let (x_wp, x_ws) = (frame(closure.predecessor()), frame(closure.successor()));
+        let drawn = x_wp.inverse() * x_ws;
+        let error = drawing_error(closure, &drawn, mechanism.characteristic_length());
+        if error > DRAWING_TOLERANCE {
+            return Err(refusal(format!(
+                "the loop is open by {error:.1e} with all joints at 0 (rad, or relative to the size of the mechanism), and SDFormat \
+                 closes loops as drawn; correct the drawing"
+            )));
+        }
+        let name = escape_attribute(&bodies.joint_name(closure.name()));
+        append(&mut out, format_args!("    <joint name=\"{name}\" type=\"{kind}\">\n"));
+        append_ends(bodies, closure, &drawn, &mut out);
+        out.push_str("    </joint>\n");
+    }
+    Ok(out)
+}
+
+/// Pose, ends and axes. The child is the successor, unless that is the world. `drawn`: loop frame of the successor in that of the
+/// predecessor.
+fn append_ends(bodies: &Bodies, closure: &Closure, drawn: &Transform<f64>, out: &mut String) {
+    let is_swapped = closure.successor().link.is_none();
+    let (parent, child) = if is_swapped {
+        (closure.successor(), closure.predecessor())
+    } else {
+        (closure.predecessor(), closure.successor())
+    };
+    append(out, format_args!("      <pose>{}</pose>\n", pose_text(&child.frame)));
+    for (tag, end) in [("parent", parent), ("child", child)] {
+        let name = end.link.map_or("world", |link| bodies.name(link));
+        append(out, format_args!("      <{tag}>{}</{tag}>\n", escape_attribute(name)));
+    }
+    // Axes in the loop frame of the child; the first axis of a universal joint is that of the parent.
+    let axes: Vec<Vector3<f64>> = match closure.kind() {
+        ClosureKind::Universal if is_swapped => vec![drawn.vector(closure.axis2()), *closure.axis()],
+        ClosureKind::Universal => vec![drawn.inverse_vector(closure.axis()), *closure.axis2()],
+        kind if kind.has_axis() => vec![*closure.axis()],
+        _ => Vec::new(),
+    };
+    for (tag, axis) in ["axis", "axis2"].iter().zip(axes) {
+        append(
+            out,
+            format_args!("      <{tag}><xyz>{}</xyz></{tag}>\n", format_vector(&axis.map(|x| x + 0.0))),
+        );
+    }
+}
