@@ -180,7 +180,7 @@ impl Session {
     }
 
     fn open(&mut self, table: &ModelTable, text: String) -> Result<Opened, Refusal> {
-        let options = LoadOptions { accept: table.accepted() };
+        let options = LoadOptions { accept: table.accepted(), ..LoadOptions::default() };
         let opened = Model::from_source(&Source::from_text(&table.path, text), &options)?;
         let changes = table.changes();
         let model = if changes.is_empty() { opened.clone() } else { opened.with_changes(&changes)? };
