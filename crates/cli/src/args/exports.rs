@@ -1,4 +1,4 @@
-//! Flags of `percuss generate` and `percuss convert`.
+//! Flags of the commands that write models, code and pages: `convert`, `generate`, `explore`.
 
 use super::{ContactArgs, ModelArgs, WritingArgs};
 use crate::terminal::failure::Failure;
@@ -146,4 +146,21 @@ impl ConvertArgs {
             ))),
         }
     }
+}
+
+/// Flags of `percuss explore`.
+#[derive(Debug, Args)]
+pub struct ExploreArgs {
+    #[command(flatten)]
+    pub model: ModelArgs,
+    #[command(flatten)]
+    pub contact: ContactArgs,
+    /// Output file; default: the name of the model with .html, in the current folder.
+    #[arg(long, short, value_name = "FILE.html", help_heading = OUTPUT)]
+    pub output: Option<String>,
+    /// Open the page in the browser.
+    #[arg(long, help_heading = OUTPUT)]
+    pub open: bool,
+    #[command(flatten)]
+    pub writing: WritingArgs,
 }
