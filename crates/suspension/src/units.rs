@@ -132,13 +132,13 @@ pub(super) fn check_proportions(
     };
     if let Some(link) = link.filter(|link| *link > MAX_ARM_LENGTH) {
         let message = format!(
-            "read in {stated}, the track is {track:.2} m and the links have a median length of {link:.2} m; no suspension is \
-             so large. {remedy}"
+            "with coordinates in {stated}, the track would be {track:.2} m and the median length of the links {link:.2} m; no \
+             suspension is so large. {remedy}"
         );
         findings.error("wrong-unit", spot, message);
     } else if track < MIN_TRACK && !fitting.is_empty() {
         let message = format!(
-            "read in {stated}, the track is only {:.0} mm; that is a model of a vehicle. {remedy}",
+            "with coordinates in {stated}, the track would be only {:.0} mm: a model of a vehicle. {remedy}",
             1e3 * track
         );
         findings.warning("small-track", spot, message);

@@ -1,7 +1,7 @@
 //! Sensitivities of an effective mass, effects of tolerances, motion ratios and named contacts, as text.
 
 use crate::terminal::escape::line;
-use crate::terminal::text::{Table, number, short_number, triple};
+use crate::terminal::text::{Table, number, short_number, triple, within_uncertainty};
 use crate::terminal::wrap::fact_line;
 use percuss_study::{Explanation, MotionRatioRecord, NamedContactRecord, ToleranceReport, WheelTravelRecord};
 use std::fmt::Write;
@@ -85,12 +85,13 @@ pub fn tolerances(report: &ToleranceReport) -> String {
     let _ = writeln!(out, "  all at the limit   ± {}", percent(report.worst_case));
     out += &fact_line("  of which", &words.join("; "));
     if let Some(samples) = &report.samples {
+        let spread = samples.standard_deviation;
         let text = format!(
             "{} ± {} kg (mean, standard deviation), 95 % within {} to {} kg, seed {}",
-            number(samples.mean),
-            short_number(samples.standard_deviation),
-            number(samples.percentile_2_5),
-            number(samples.percentile_97_5),
+            within_uncertainty(samples.mean, spread),
+            within_uncertainty(spread, spread),
+            within_uncertainty(samples.percentile_2_5, spread),
+            within_uncertainty(samples.percentile_97_5, spread),
             samples.seed
         );
         out += &fact_line(&format!("  {} samples", samples.count), &text);

@@ -31,6 +31,20 @@ pub fn short_number(x: f64) -> String {
     number(rounded)
 }
 
+/// Formats a number with the digits that its uncertainty supports: to the second significant digit of the uncertainty.
+pub fn within_uncertainty(x: f64, uncertainty: f64) -> String {
+    let place = uncertainty.log10().floor();
+    if !(-12.0..9.0).contains(&place) {
+        return number(x);
+    }
+    let decimals = 1 - place as i32;
+    if decimals >= 0 {
+        return format!("{x:.*}", decimals as usize);
+    }
+    let unit = 10_f64.powi(-decimals);
+    format!("{}", (x / unit).round() * unit)
+}
+
 /// Formats one digit, rounded up: for upper bounds. Two digits for a number slightly above a power of ten: 1.1e-3, not 2e-3.
 pub fn upper_bound(x: f64) -> String {
     let nearest = format!("{x:.0e}");
@@ -183,6 +197,17 @@ mod tests {
         }
         assert_eq!(upper_bound(f64::NAN), "NaN");
         assert_eq!(upper_bound(f64::INFINITY), "inf");
+    }
+
+    #[test]
+    fn a_number_has_the_digits_of_its_uncertainty() {
+        let cases =
+            [(137.800409, 1.1782, "137.8"), (0.0123456, 3.4e-4, "0.01235"), (98765.4, 1234.0, "98800")];
+        for (x, uncertainty, text) in cases {
+            assert_eq!(within_uncertainty(x, uncertainty), text);
+        }
+        // Without an uncertainty, all digits.
+        assert_eq!(within_uncertainty(0.75, 0.0), "0.75");
     }
 
     #[test]

@@ -69,19 +69,19 @@ fn wrong_side_message(sheet: &Sheet, y: f64) -> String {
         list.join(" or ")
     };
     let remedy = if 2 * across < lateral().count() {
-        format!("only this point is there: change the sign of its y to {}", -given)
+        format!("only this point is on that side: change the sign of its y to {}", -given)
     } else if reversed.is_empty() {
         format!(
-            "the other points are there too: write side = \"{other}\", or, if x and y point the other way, {}",
+            "the other points are on that side too: write side = \"{other}\", or, if x and y point the other way, {}",
             axes_remedy()
         )
     } else if 2 * reversed.iter().filter(|is_reversed| **is_reversed).count() > reversed.len() {
         format!(
-            "the other points are there too, and front points are behind rear ones: write {}",
+            "the other points are on that side too, and front points lie behind rear ones, so the axes are others: write {}",
             axes_remedy()
         )
     } else {
-        format!("the other points are there too: write side = \"{other}\"")
+        format!("the other points are on that side too: write side = \"{other}\"")
     };
     format!(
         "y = {given} {} is on the {other} side of the vehicle in the axes \"{}\" ({}), and the points describe the {stated} \

@@ -6,7 +6,7 @@ use crate::commands::mass::{conditions, headline, method};
 use crate::files::html::Page;
 use crate::terminal::explanation::named_contact;
 use crate::terminal::limits;
-use crate::terminal::text::{number, short_number, triple, upper_bound};
+use crate::terminal::text::{number, short_number, triple, upper_bound, within_uncertainty};
 use percuss_study::{MassReport, StudyMass};
 
 /// Adds the result before all sections: the number, its uncertainty, the contact, and the findings.
@@ -43,7 +43,8 @@ fn uncertainty(report: &MassReport) -> Vec<(&'static str, String)> {
         );
         facts.push(("tolerances", both));
         if let Some(samples) = &tolerance.samples {
-            let (low, high) = (short_number(samples.percentile_2_5), short_number(samples.percentile_97_5));
+            let rounded = |x: f64| within_uncertainty(x, samples.standard_deviation);
+            let (low, high) = (rounded(samples.percentile_2_5), rounded(samples.percentile_97_5));
             facts.push(("95 % of samples", format!("{low} to {high} kg ({} samples)", samples.count)));
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::files::html::Page;
 use crate::terminal::limits;
-use crate::terminal::text::{number, short_number, triple};
+use crate::terminal::text::{number, short_number, triple, within_uncertainty};
 use percuss_render::{Figure, Mark, Panel, Series, Style, Tornado, TornadoBar};
 use percuss_study::{Explanation, MassReport, SampleRecord, ToleranceReport};
 
@@ -176,18 +176,18 @@ fn add_samples(samples: &SampleRecord, tolerances: &ToleranceReport, page: &mut 
     page.picture(
         &histogram(samples, tolerances.effective_mass).to_svg(),
         "Histogram of the effective mass of random designs within the tolerances",
-        "Every number is uniform between its limits. The marks are the nominal m̄ and the limits that contain 95 % of \
-         the samples.",
+        "Every number is uniform between its limits. Dotted: the nominal m̄, and the limits of 95 % of the samples.",
     );
+    let rounded = |x: f64| within_uncertainty(x, samples.standard_deviation);
     let mut facts = vec![
         ("samples", format!("{}, seed {}", samples.count, samples.seed)),
-        ("mean", format!("{} kg", number(samples.mean))),
-        ("standard deviation", format!("{} kg", short_number(samples.standard_deviation))),
+        ("mean", format!("{} kg", rounded(samples.mean))),
+        ("standard deviation", format!("{} kg", rounded(samples.standard_deviation))),
         (
             "95 % within",
-            format!("{} to {} kg", number(samples.percentile_2_5), number(samples.percentile_97_5)),
+            format!("{} to {} kg", rounded(samples.percentile_2_5), rounded(samples.percentile_97_5)),
         ),
-        ("all within", format!("{} to {} kg", number(samples.least), number(samples.greatest))),
+        ("all within", format!("{} to {} kg", rounded(samples.least), rounded(samples.greatest))),
     ];
     if samples.unanswered > 0 {
         facts.push(("without a result", samples.unanswered.to_string()));
