@@ -84,7 +84,7 @@ fn text(report: &ContactListReport) -> String {
     };
     out += "\"wheel/contact\" is the upward speed of the wheel per closing speed, negative for\na contact that closes while the wheel moves down.\n";
     let has_no_ratio = |contact: &ListedContact| {
-        matches!(contact.report.as_ref().and_then(|report| report.effective_mass), Some(_))
+        contact.report.as_ref().and_then(|report| report.effective_mass).is_some()
             && numbers(contact)[3].is_none()
     };
     if report.contacts.iter().any(has_no_ratio) && named().any(|named| !named.wheel_travel.is_empty()) {
