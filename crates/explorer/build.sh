@@ -6,9 +6,10 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
-# Largest module, bytes, compressed by zopfli: every page contains it. gzip -9 makes a larger file of the same format.
-largest_module=1350000
-largest_by_gzip=1420000
+# Largest module, bytes, compressed by zopfli: every page contains it and stays below 2.6 MB. gzip -9 makes a larger file of the same
+# format.
+largest_module=1420000
+largest_by_gzip=1490000
 
 engine() {
   rustup target list --installed | grep -qx wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown

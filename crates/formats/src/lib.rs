@@ -35,6 +35,7 @@ pub mod reading;
 mod load;
 mod meshes;
 mod mjcf;
+#[cfg(feature = "sdf")]
 mod sdf;
 mod urdf;
 mod xml_text;
@@ -44,6 +45,8 @@ pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
 pub use mjcf::write::{MjcfError, MjcfText, write_mjcf};
 pub use reading::diagnostic::{Diagnostic, LoadError};
 pub use reading::source::{DEFAULT_MAX_SIZE, Source};
+pub use reading::xml::root_name;
+#[cfg(feature = "sdf")]
 pub use sdf::write::{SdfError, SdfText, write_sdf};
 pub use urdf::elements::shapes::shape::{Purpose, Shape, Solid};
 pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded};

@@ -21,7 +21,7 @@ pub(crate) fn parse<'t>(text: &'t str, report: &mut Report) -> Option<Document<'
 }
 
 /// Name of the root element, found without a parser; `None` if the text does not begin as XML.
-pub(crate) fn root_name(text: &str) -> Option<&str> {
+pub fn root_name(text: &str) -> Option<&str> {
     let mut rest = text.trim_ascii_start();
     loop {
         let end = if rest.starts_with("<!--") {

@@ -9,7 +9,7 @@ use crate::terminal::wrap::fact_line;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use percuss_explorer::{ENGINE, PageContent, page};
-use percuss_formats::Source;
+use percuss_formats::{Source, root_name};
 use percuss_render::MADE_BY;
 use percuss_study::{Model, ModelTable, PoseTable, mass, scene_shapes};
 use serde_json::{Value, json};
@@ -46,6 +46,11 @@ pub fn run(args: &ExploreArgs) -> Result<(), Failure> {
     }
     let text = std::str::from_utf8(&source.bytes)
         .map_err(|_| Failure::bad_input(format!("{path}: the page contains text; this file is not UTF-8")))?;
+    if root_name(text) == Some("sdf") {
+        return Err(Failure::bad_input(format!(
+            "{path}: the page does not read SDFormat; convert the model: percuss convert {path} -o MODEL.urdf"
+        )));
+    }
     let changes = reading.changes();
     let model = if changes.is_empty() { opened } else { opened.with_changes(&changes)? };
     write_diagnostics(&model.diagnostics, reading.strict)?;
