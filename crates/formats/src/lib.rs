@@ -42,12 +42,13 @@ mod xml_text;
 pub use load::{load, load_file};
 pub use meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles, read_mesh};
 pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
-pub use mjcf::write::{MjcfError, MjcfText, write_mjcf};
+pub use mjcf::write::{MjcfError, write_mjcf};
 pub use reading::diagnostic::{Diagnostic, LoadError};
 pub use reading::source::{DEFAULT_MAX_SIZE, Source};
 pub use reading::xml::root_name;
 #[cfg(feature = "sdf")]
-pub use sdf::write::{SdfError, SdfText, write_sdf};
+pub use sdf::write::{SdfError, write_sdf};
 pub use urdf::elements::shapes::shape::{Purpose, Shape, Solid};
 pub use urdf::load::{KNOWN_WARNING, LoadOptions, Loaded};
 pub use urdf::write::{Comments, write_urdf, write_urdf_with};
+pub use xml_text::ModelText;

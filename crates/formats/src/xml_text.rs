@@ -1,8 +1,43 @@
-//! Numbers, names and comments as text of XML files.
+//! Parts that the writers of models share: numbers, names and comments as text of XML files, and the poses as drawn.
 
 use crate::reading::limits::DECIMAL_NOTATION_RANGE;
-use percuss_spatial::Vector3;
+use percuss_mechanism::Mechanism;
+use percuss_spatial::{Transform, Vector3};
 use std::fmt::Write;
+
+/// Model as the text of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ModelText {
+    /// The file.
+    pub text: String,
+    /// Parts of the mechanism that have another form in the file, or none.
+    pub notes: Vec<String>,
+}
+
+/// First lines of a file: the heading as a comment, none if empty, and a comment for each named contact, which the format
+/// cannot express.
+pub(crate) fn xml_head(heading: &str, mechanism: &Mechanism, format: &str) -> String {
+    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    if !heading.is_empty() {
+        append(&mut out, format_args!("<!-- {} -->\n", escape_comment(heading)));
+    }
+    for contact in mechanism.contacts() {
+        let name = escape_comment(contact.name());
+        append(&mut out, format_args!("<!-- contact {name}: not expressed in {format} -->\n"));
+    }
+    out
+}
+
+/// World poses of all links as drawn, in the order of the links; the root link is at the world's origin.
+pub(crate) fn drawn_poses(mechanism: &Mechanism) -> Vec<Transform<f64>> {
+    let mut poses = vec![Transform::identity(); mechanism.links().len()];
+    for &link in mechanism.order().iter().skip(1) {
+        if let Some(joint) = mechanism.parent_joint(link).map(|joint| mechanism.joint(joint)) {
+            poses[link.index()] = poses[joint.parent().index()] * *joint.origin();
+        }
+    }
+    poses
+}
 
 /// Appends formatted text.
 pub(crate) fn append(out: &mut String, text: std::fmt::Arguments<'_>) {

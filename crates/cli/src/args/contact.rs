@@ -26,7 +26,7 @@ pub struct ContactArgs {
     /// Opposite travel: the left wheel up, the right wheel down.
     #[arg(long, value_name = "DISTANCE", allow_hyphen_values = true, help_heading = POSE)]
     pub roll: Option<String>,
-    /// Position of a sliding rack: a length, or in a sweep FROM:TO:COUNT; short for --set and --vary rack=....
+    /// Position of a sliding rack: a length, or in a sweep FROM:TO:COUNT.
     #[arg(long, value_name = "DISTANCE", allow_hyphen_values = true, help_heading = POSE)]
     pub steer: Option<String>,
     #[command(flatten)]

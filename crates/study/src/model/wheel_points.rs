@@ -35,9 +35,15 @@ impl LowestPoint {
         let joint = pose.mechanism().joint(self.spin);
         let axis = pose.link(joint.child()).vector(joint.axis());
         let (centre, patch) = (pose.link(self.centre).translation, pose.link(self.patch));
-        let down = (axis * axis.z - Vector3::z()).try_normalize(f64::EPSILON)?;
-        Some(patch.inverse_point(&(centre + down * (patch.translation - centre).norm())))
+        let radius = (patch.translation - centre).norm();
+        Some(patch.inverse_point(&lowest_point(&centre, &axis, radius)?))
     }
+}
+
+/// Lowest point of a wheel, m: `centre` (m), `axis` of the spin (a unit vector) and `radius` (m); `None` if the axis is vertical.
+pub(crate) fn lowest_point(centre: &Vector3<f64>, axis: &Vector3<f64>, radius: f64) -> Option<Vector3<f64>> {
+    let down = (axis * axis.z - Vector3::z()).try_normalize(f64::EPSILON)?;
+    Some(centre + down * radius)
 }
 
 /// Wheel points; only those on the side of the contact link if the link name ends in a side.

@@ -5,7 +5,7 @@ use crate::files::output::{check_writable, record_input, write_file};
 use crate::files::own_files::append_hash;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_out, write_unescaped};
-use percuss_formats::{Comments, MjcfText, SdfText, write_mjcf, write_sdf, write_urdf_with};
+use percuss_formats::{Comments, ModelText, write_mjcf, write_sdf, write_urdf_with};
 use percuss_mechanism::{Mechanism, Severity};
 use percuss_study::DiagnosticRecord;
 
@@ -47,13 +47,13 @@ fn write_model(
 ) -> Result<(String, Vec<String>), Failure> {
     match format {
         ModelFormat::Mjcf => {
-            let MjcfText { text, notes } = write_mjcf(mechanism, heading).map_err(|error| {
+            let ModelText { text, notes } = write_mjcf(mechanism, heading).map_err(|error| {
                 Failure::bad_input(format!("the model cannot be written as MJCF: {error}"))
             })?;
             Ok((text, notes))
         }
         ModelFormat::Sdf => {
-            let SdfText { text, notes } = write_sdf(mechanism, heading).map_err(|error| {
+            let ModelText { text, notes } = write_sdf(mechanism, heading).map_err(|error| {
                 Failure::bad_input(format!("the model cannot be written as SDFormat: {error}"))
             })?;
             Ok((text, notes))

@@ -1,6 +1,7 @@
 //! Links and joints as nested bodies.
 
 use super::error::MjcfError;
+use crate::xml_text::drawn_poses;
 use crate::xml_text::{append, escape_attribute, format_number, format_vector};
 use nalgebra::{Rotation3, UnitQuaternion};
 use percuss_mechanism::{Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
@@ -47,13 +48,7 @@ impl BodyTree {
     pub fn new(mechanism: &Mechanism) -> Result<Self, MjcfError> {
         let count = mechanism.links().len();
         let root = mechanism.root();
-        let mut world_poses = vec![Transform::identity(); count];
-        for &link in mechanism.order().iter().skip(1) {
-            if let Some(id) = mechanism.parent_joint(link) {
-                let joint = mechanism.joint(id);
-                world_poses[link.index()] = world_poses[joint.parent().index()] * *joint.origin();
-            }
-        }
+        let world_poses = drawn_poses(mechanism);
         let merged = merged_links(mechanism);
         let is_merged = |link: LinkId| merged[link.index()];
         let mut chains = Vec::with_capacity(count);

@@ -5,19 +5,10 @@ pub(crate) mod closures;
 mod error;
 mod relations;
 
-use crate::xml_text::{append, escape_attribute, escape_comment};
+use crate::xml_text::{ModelText, append, escape_attribute, xml_head};
 use body_tree::BodyTree;
 pub use error::MjcfError;
 use percuss_mechanism::Mechanism;
-
-/// Written model.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct MjcfText {
-    /// The file.
-    pub text: String,
-    /// Parts of the mechanism that have another form in the file, or none.
-    pub notes: Vec<String>,
-}
 
 /// Writes MJCF for MuJoCo 3.2.3 and later: bodies with inertias, joints with limits and armatures, and all loops as equality
 /// constraints. `heading`: comment at the head of the file, none if empty. Lengths in m, angles in rad; numbers are the shortest decimals that read back as the same bits.
@@ -38,20 +29,11 @@ pub struct MjcfText {
 /// # Errors
 /// [`MjcfError`] for a massless link that moves and is no part of such a chain, for a moving body with moments A + B < C (MuJoCo
 /// refuses both), for armatures that differ within a ball or free joint, and for names that MuJoCo reserves.
-pub fn write_mjcf(mechanism: &Mechanism, heading: &str) -> Result<MjcfText, MjcfError> {
+pub fn write_mjcf(mechanism: &Mechanism, heading: &str) -> Result<ModelText, MjcfError> {
     let mut tree = BodyTree::new(mechanism)?;
     let closures = closures::write_closures(mechanism, &mut tree)?;
     let relations = relations::write_relations(mechanism);
-    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    if !heading.is_empty() {
-        append(&mut out, format_args!("<!-- {} -->\n", escape_comment(heading)));
-    }
-    for contact in mechanism.contacts() {
-        append(
-            &mut out,
-            format_args!("<!-- contact {}: not expressed in MJCF -->\n", escape_comment(contact.name())),
-        );
-    }
+    let mut out = xml_head(heading, mechanism, "MJCF");
     append(&mut out, format_args!("<mujoco model=\"{}\">\n", escape_attribute(mechanism.name())));
     out.push_str(
         "  <compiler angle=\"radian\" inertiafromgeom=\"false\" boundmass=\"0\" boundinertia=\"0\"/>\n",
@@ -71,5 +53,5 @@ pub fn write_mjcf(mechanism: &Mechanism, heading: &str) -> Result<MjcfText, Mjcf
     let contacts = mechanism.contacts().iter();
     let lost = contacts.map(|contact| format!("contact \"{}\": MJCF has no named contacts", contact.name()));
     let notes = tree.notes.into_iter().chain(lost).collect();
-    Ok(MjcfText { text: out, notes })
+    Ok(ModelText { text: out, notes })
 }

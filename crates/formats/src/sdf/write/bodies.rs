@@ -2,6 +2,7 @@
 
 use super::error::SdfError;
 use crate::reading::unique_names::UniqueNames;
+use crate::xml_text::drawn_poses;
 use crate::xml_text::{append, escape_attribute, format_number, format_vector};
 use percuss_mechanism::{Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3};
@@ -70,13 +71,7 @@ impl Bodies {
     pub fn new(mechanism: &Mechanism) -> Result<Self, SdfError> {
         let count = mechanism.links().len();
         let root = mechanism.root();
-        let mut world_poses = vec![Transform::identity(); count];
-        for &link in mechanism.order().iter().skip(1) {
-            if let Some(id) = mechanism.parent_joint(link) {
-                let joint = mechanism.joint(id);
-                world_poses[link.index()] = world_poses[joint.parent().index()] * *joint.origin();
-            }
-        }
+        let world_poses = drawn_poses(mechanism);
         let mut bodies = Self {
             world_poses,
             forms: vec![Form::Link; count],

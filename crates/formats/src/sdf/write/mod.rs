@@ -5,20 +5,11 @@ mod closures;
 mod error;
 mod joints;
 
-use crate::xml_text::{append, escape_attribute, escape_comment};
+use crate::xml_text::{ModelText, append, escape_attribute, xml_head};
 use bodies::Bodies;
 pub use error::SdfError;
 use joints::Axes;
 use percuss_mechanism::Mechanism;
-
-/// Written model.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SdfText {
-    /// The file.
-    pub text: String,
-    /// Parts of the mechanism that have another form in the file, or none.
-    pub notes: Vec<String>,
-}
 
 /// Writes SDFormat 1.7, or 1.11 if a joint follows another: links with inertias, joints with limits, and the joints that close loops.
 /// `heading`: comment at the head of the file, none if empty. Lengths in m, angles in rad; numbers are the shortest decimals that read
@@ -37,21 +28,12 @@ pub struct SdfText {
 /// # Errors
 /// [`SdfError`] for planar joints, cylindrical, planar and distance closures, closures that are open as drawn, couplings of more than two
 /// joints, armatures of other joints, and names that SDFormat reserves.
-pub fn write_sdf(mechanism: &Mechanism, heading: &str) -> Result<SdfText, SdfError> {
+pub fn write_sdf(mechanism: &Mechanism, heading: &str) -> Result<ModelText, SdfError> {
     let mut bodies = Bodies::new(mechanism)?;
     let axes = Axes::new(mechanism, &mut bodies)?;
     let joints = axes.write_joints(mechanism, &mut bodies)?;
     let closures = closures::write_closures(mechanism, &mut bodies)?;
-    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    if !heading.is_empty() {
-        append(&mut out, format_args!("<!-- {} -->\n", escape_comment(heading)));
-    }
-    for contact in mechanism.contacts() {
-        append(
-            &mut out,
-            format_args!("<!-- contact {}: not expressed in SDFormat -->\n", escape_comment(contact.name())),
-        );
-    }
+    let mut out = xml_head(heading, mechanism, "SDFormat");
     let version = if axes.has_mimics() { "1.11" } else { "1.7" };
     let drake = if axes.has_rotors() { " xmlns:drake=\"http://drake.mit.edu\"" } else { "" };
     append(&mut out, format_args!("<sdf version=\"{version}\"{drake}>\n"));
@@ -68,5 +50,5 @@ pub fn write_sdf(mechanism: &Mechanism, heading: &str) -> Result<SdfText, SdfErr
     }
     let lost = mechanism.contacts().iter();
     let lost = lost.map(|contact| format!("contact \"{}\": SDFormat has no named contacts", contact.name()));
-    Ok(SdfText { text: out, notes: bodies.notes.into_iter().chain(lost).collect() })
+    Ok(ModelText { text: out, notes: bodies.notes.into_iter().chain(lost).collect() })
 }
