@@ -14,8 +14,9 @@ pub(crate) const MOST_TURNS_VARIED: f64 = 2.0;
 pub(crate) const TOUCH_WRONG_WAY: f64 = 1e-3;
 /// Wheel travel (m) to the touch of a stop that few vehicles have: gaps in a wrong unit lead to more.
 pub(crate) const FAR_TOUCH: f64 = 0.2;
-/// Closing of a stop per wheel travel below which its direction is doubtful. Stops of common suspensions close by 0.3 to 1.
-pub(crate) const SLOW_STOP: f64 = 0.25;
+/// Cosine of the angle between the direction of a stop and the motion of its pad (60°), below which a note names the angle: a rocker
+/// may turn so, and so does a pad with a wrong direction.
+pub(crate) const STOP_ALIGNMENT: f64 = 0.5;
 /// Largest length (m) that a search accepts as a required value without a unit: quantities of suspensions are shorter, except
 /// radii, for which a unit can be written.
 pub(crate) const LONGEST_TARGET: f64 = 10.0;

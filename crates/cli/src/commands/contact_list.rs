@@ -32,8 +32,8 @@ pub fn show(
     }
 }
 
-/// Numbers of a contact, in the units of the table: m̄ (kg), gap (mm; as drawn for a stop that was brought to the touch), wheel travel at the pose of the result
-/// (mm), wheel travel per closing of the contact, damping coefficient (N·s/m).
+/// Numbers of a contact, in the units of the table: m̄ (kg), gap (mm; as drawn for a stop that was brought to the touch), wheel
+/// travel at the pose of the result (mm), wheel travel per closing of the contact, damping coefficient (N·s/m).
 fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
     let report = contact.report.as_ref();
     let named = report.and_then(|report| report.named_contact.as_ref());

@@ -126,7 +126,7 @@ impl<'a, 'i: 'a> LoopChecks<'_, 'a, 'i> {
         for ((_, node), _) in closing.filter(|((joint, _), closes)| **closes && joint.limits.is_some()) {
             let place = child(*node, "limit").map_or(Place::Element(*node), Place::Element);
             report.add_once(Severity::Note, "unused-element", "limit".to_owned(), place, || {
-                "the joint closes a loop, its limits are not checked; limit a joint of the tree".to_owned()
+                "the joint closes a loop, and its limits are not checked; give limits to a joint of the tree".to_owned()
             });
         }
     }

@@ -77,6 +77,7 @@ finding_kinds! {
     NoDamper = "no-damper", Warning, Report;
     NotFinite = "not-finite", Warning, Pose;
     NotUnitQuaternion = "not-unit-quaternion", Warning, Pose;
+    ObliqueStop = "oblique-stop", Note, Report;
     OffTarget = "off-target", Warning, Branch;
     OpenLoops = "open-loops", Warning, Pose;
     OtherAssembly = "other-assembly", Warning, Pose;
@@ -92,7 +93,6 @@ finding_kinds! {
     RowsWithoutSpeed = "rows-without-speed", Warning, Report;
     ShapeNotDrawn = "shape-not-drawn", Note, Report;
     SingularPose = "singular-pose", Warning, Pose;
-    SlowStop = "slow-stop", Warning, Report;
     SmallRows = "small-rows", Warning, Report;
     StandardTooFast = "standard-too-fast", Warning, Report;
     UncertainMass = "uncertain-mass", Warning, Pose;

@@ -10,7 +10,7 @@ use crate::checks::held_contact::HeldContact;
 use crate::checks::joint_limits::many_turns_finding;
 use crate::evaluation::estimate::{EstimateRecord, PreparedEstimate};
 use crate::model::loading::{Input, Model};
-use crate::model::wheel_points::{LowestPoint, RACK};
+use crate::model::wheel_points::{LowestPoint, RACK, wheel_centres};
 use crate::pose::pose_solver;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
@@ -363,7 +363,7 @@ pub(crate) fn configuration(
         let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(field, error))?;
         let wrong = |source| StudyError::input(field, Fault::Position { joint: joint.clone(), source });
         let kind = mechanism.joint(id).kind();
-        if joint == RACK && kind == JointKind::Fixed {
+        if joint == RACK && kind == JointKind::Fixed && !wheel_centres(mechanism, "").is_empty() {
             return Err(StudyError::input(field, Fault::FixedRack));
         }
         given.values_for_joint(kind).map_err(wrong)

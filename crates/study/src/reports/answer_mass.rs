@@ -11,8 +11,9 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::drawing::drawn_mechanism::{DrawnMechanism, draw_evaluated};
 use crate::reports::mass_report::MassReport;
-use crate::reports::motion_ratio::{MotionRatioRecord, motion_ratios};
-use crate::thresholds::{FAR_TOUCH, SLOW_STOP, TOUCH_WRONG_WAY};
+use crate::reports::motion_ratio::motion_ratios;
+use crate::thresholds::{FAR_TOUCH, STOP_ALIGNMENT, TOUCH_WRONG_WAY};
+use percuss_dynamics::PointVelocity;
 
 /// Evaluates one contact of a model.
 ///
@@ -27,7 +28,7 @@ pub(crate) fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassRep
     let motion_ratios = motion_ratios(evaluated, &evaluated.prepared.question.ratio_at)?;
     let named_contact = named_contact(evaluated)?;
     let mut report = MassReport::of(evaluated);
-    let found = named_contact.iter().flat_map(|contact| stop_findings(contact, &motion_ratios));
+    let found = named_contact.iter().flat_map(|contact| stop_findings(evaluated, contact));
     report.diagnostics.extend(found.map(Into::into));
     Ok(MassReport { motion_ratios, named_contact, ..report })
 }
@@ -82,35 +83,53 @@ fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Resu
 }
 
 /// Findings about the way to the touch: a bump stop that touches while the wheel moves down, or a rebound stop while it moves
-/// up; a long travel; a stop that hardly closes. Each has a common cause in the sheet.
-fn stop_findings(contact: &NamedContactRecord, ratios: &[MotionRatioRecord]) -> Vec<Finding> {
+/// up; a long travel; a pad that hardly moves along the direction of the stop. Each has a common cause in the sheet.
+fn stop_findings(evaluated: &EvaluatedQuestion, contact: &NamedContactRecord) -> Vec<Finding> {
     let mut found = Vec::new();
     let (true, Some(wheel)) = (contact.brought_to_touch, contact.wheel_travel.first()) else { return found };
     let (name, millimetres) = (&contact.name, 1e3 * wheel.travel.abs());
-    let ways = [("bump_stop", 1.0, "down"), ("rebound_stop", -1.0, "up")];
-    for (stop, sign, sense) in ways.into_iter().filter(|(stop, ..)| name.starts_with(stop)) {
-        let other = ways.iter().find(|(other, ..)| *other != stop).map_or("", |(other, ..)| other);
-        if sign * wheel.travel < -TOUCH_WRONG_WAY {
+    let mut warn = |kind, message| found.push(Finding::about_result(kind, message));
+    let stops = [("bump_stop", "rebound_stop", 1.0, "down"), ("rebound_stop", "bump_stop", -1.0, "up")];
+    for (stop, other, sign, sense) in stops {
+        if name.starts_with(stop) && sign * wheel.travel < -TOUCH_WRONG_WAY {
             let message = format!(
                 "{name} touches after the wheel has moved {sense} by {millimetres:.0} mm: is it the {other}, or are its pad and \
                  face exchanged, or its direction reversed?"
             );
-            found.push(Finding::about_result(FindingKind::WrongWayStop, message));
+            warn(FindingKind::WrongWayStop, message);
         }
     }
     if wheel.travel.abs() > FAR_TOUCH {
         let message = format!(
             "{name} touches after {millimetres:.0} mm of wheel travel: check its gap with the unit, its points and its direction"
         );
-        found.push(Finding::about_result(FindingKind::FarContactTravel, message));
+        warn(FindingKind::FarContactTravel, message);
     }
-    let closing =
-        ratios.iter().find(|ratio| ratio.link == wheel.link).and_then(|ratio| ratio.contact_per_wheel);
-    if let Some(closing) = closing.map(f64::abs).filter(|closing| *closing < SLOW_STOP) {
+    if let Some(cosine) = alignment(evaluated).filter(|cosine| *cosine < STOP_ALIGNMENT) {
         let message = format!(
-            "{name} closes by {closing:.2} mm per millimetre of wheel travel: does its direction follow the motion of its pad?"
+            "the pad of {name} moves at {:.0}° to the direction of the stop: check this direction and the points of the stop",
+            cosine.acos().to_degrees()
         );
-        found.push(Finding::about_result(FindingKind::SlowStop, message));
+        warn(FindingKind::ObliqueStop, message);
     }
     found
+}
+
+/// Cosine of the angle between the normal of a contact and the motion of the contact point relative to the other side: its
+/// inverse is the relative speed per unit closing speed. `None` if a velocity is undetermined.
+fn alignment(evaluated: &EvaluatedQuestion) -> Option<f64> {
+    let EvaluatedQuestion { pose, contact, result, .. } = evaluated;
+    let at = pose.link(contact.link).point(&contact.point);
+    let velocity = |link| {
+        let point = pose.link(link).inverse_point(&at);
+        match pose.point_velocity(result.mechanism_response(), link, &point)? {
+            PointVelocity::Known(velocity) => Some(velocity),
+            PointVelocity::Undetermined => None,
+        }
+    };
+    let mut relative = velocity(contact.link)?;
+    if let Some(other) = contact.against {
+        relative -= velocity(other)?;
+    }
+    Some(1.0 / relative.norm())
 }

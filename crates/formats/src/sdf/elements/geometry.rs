@@ -99,7 +99,7 @@ impl SdfShape {
         })
     }
 
-    /// Radius of a sphere about the origin of the shape around the shape, m; `None` for meshes and infinite shapes.
+    /// Radius of the sphere about the origin of the shape that contains the shape, m; `None` for meshes and infinite shapes.
     pub fn radius(&self) -> Option<f64> {
         Some(match self {
             SdfShape::Box { size: [a, b, c] } => a.hypot(*b).hypot(*c) / 2.0,

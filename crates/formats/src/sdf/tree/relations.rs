@@ -57,7 +57,8 @@ pub(crate) fn add_closure(
     }
     if joint.axes.iter().any(|axis| axis.limits.is_some()) {
         findings.add_once(Severity::Note, "unused-element", "limit", joint.element, || {
-            "the joint closes a loop, its limits are not checked; limit a joint of the tree".to_owned()
+            "the joint closes a loop, and its limits are not checked; give limits to a joint of the tree"
+                .to_owned()
         });
     }
     let child = Attached::Link(joint.child);

@@ -1,6 +1,6 @@
 //! Choice of the joints of the tree.
 //!
-//! SDFormat gives no tree: `parent` and `child` only name the ends of a joint, and a link may be only ever a parent. The tree is grown
+//! SDFormat gives no tree: `parent` and `child` only name the ends of a joint, and a link can be the parent of all its joints. The tree is grown
 //! from the ground along joints in either direction; the other joints close loops.
 
 use crate::sdf::elements::joint::{JointBody, JointType};

@@ -5,7 +5,7 @@ use crate::reading::unique_names::UniqueNames;
 use crate::xml_text::drawn_poses;
 use crate::xml_text::{append, escape_attribute, format_number, format_vector};
 use percuss_mechanism::{Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
-use percuss_spatial::{Matrix3, Transform, Vector3};
+use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
 
 /// Largest distance of two axes of rotation that meet in one point, relative to the size of the mechanism: a few roundings.
 const COMMON_POINT: f64 = 1e-13;
@@ -263,17 +263,7 @@ pub(super) fn pose_text(pose: &Transform<f64>) -> String {
     if pose.rotation == Matrix3::identity() {
         return format!("{} 0 0 0", clean(pose.translation));
     }
-    format!("{} {}", clean(pose.translation), clean(roll_pitch_yaw(&pose.rotation)))
-}
-
-/// Roll, pitch and yaw, rad: R = Rz(yaw)·Ry(pitch)·Rx(roll). Roll and pitch are those of Rz(−yaw)·R, so that the product is accurate at a
-/// pitch near ±90° too, where roll and yaw alone are not.
-fn roll_pitch_yaw(r: &Matrix3<f64>) -> Vector3<f64> {
-    let yaw = r[(1, 0)].atan2(r[(0, 0)]);
-    let (s, c) = yaw.sin_cos();
-    let pitch = (-r[(2, 0)]).atan2(c * r[(0, 0)] + s * r[(1, 0)]);
-    let roll = (s * r[(0, 2)] - c * r[(1, 2)]).atan2(c * r[(1, 1)] - s * r[(0, 1)]);
-    Vector3::new(roll, pitch, yaw)
+    format!("{} {}", clean(pose.translation), clean(rpy_from_rotation(&pose.rotation).into()))
 }
 
 fn append_inertial(out: &mut String, inertial: &Inertial) {
@@ -356,23 +346,4 @@ fn pair_kind(mechanism: &Mechanism, first: JointId, second: JointId) -> Option<C
         && axis == *two.axis()
         && distance == Vector3::zeros();
     is_screw.then_some(ChainKind::Screw)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::roll_pitch_yaw;
-    use percuss_spatial::rotation_from_rpy;
-
-    #[test]
-    fn rotations_are_accurate_near_a_right_pitch() {
-        let near = |distance: f64| std::f64::consts::FRAC_PI_2 - distance;
-        for pitch in [0.0, near(1e-3), near(4e-6), near(3e-7), near(3e-10), near(0.0), -near(4e-6), 3.0] {
-            for (roll, yaw) in [(0.3, -2.0), (-3.0, 1.0), (0.0, 0.0)] {
-                let rotation = rotation_from_rpy([roll, pitch, yaw]);
-                let again = rotation_from_rpy(roll_pitch_yaw(&rotation).into());
-                // A few roundings of numbers of order one.
-                assert!((again - rotation).amax() < 1e-15, "{pitch} {roll} {yaw}");
-            }
-        }
-    }
 }
