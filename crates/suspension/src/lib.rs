@@ -161,6 +161,7 @@ fn steering_axis(sheet: &sheet::Sheet) -> Vec<(String, [f64; 3])> {
     sheet.template.steering_axis.iter().filter_map(point).collect()
 }
 
+/// Imports a suspension in the JSON of Chrono::Vehicle.
 fn import_chrono(
     source: &Source,
     text: &str,

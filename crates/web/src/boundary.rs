@@ -13,7 +13,7 @@ struct Exchange {
 static EXCHANGE: Mutex<Exchange> =
     Mutex::new(Exchange { session: Session::new(), request: Vec::new(), reply: Vec::new() });
 
-/// The exchange; a panic of an earlier call does not lock it for ever.
+/// Locks the exchange, even after a panic of an earlier call.
 fn exchange() -> MutexGuard<'static, Exchange> {
     EXCHANGE.lock().unwrap_or_else(PoisonError::into_inner)
 }

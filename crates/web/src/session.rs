@@ -160,6 +160,7 @@ impl Session {
         serde_json::to_vec(&Outcome::from(reply)).unwrap_or_default()
     }
 
+    /// Replies to a parsed request.
     fn reply(&mut self, request: Request) -> Result<Reply, Refusal> {
         match request {
             Request::Open { model, text } => Ok(Reply::Opened(Box::new(self.open(&model, text)?))),
@@ -175,10 +176,12 @@ impl Session {
         }
     }
 
+    /// Model as opened, without changes.
     fn opened(&self) -> Result<&Model, Refusal> {
         self.opened.as_ref().ok_or_else(|| Refusal::of_message("no model is open"))
     }
 
+    /// Opens a model with the changes of its table, and proposes a contact.
     fn open(&mut self, table: &ModelTable, text: String) -> Result<Opened, Refusal> {
         let options = LoadOptions { accept: table.accepted(), ..LoadOptions::default() };
         let opened = Model::from_source(&Source::from_text(&table.path, text), &options)?;
@@ -212,6 +215,7 @@ impl Session {
         }
     }
 
+    /// Result at the pose of a question, with the scene if the changes of the model are new, and m̄ over the range `vary`.
     fn show(&mut self, request: &QuestionRequest, vary: Option<&str>) -> Result<Shown, Refusal> {
         let changes = request.model.changes();
         let is_new = changes != self.shown;
@@ -227,6 +231,7 @@ impl Session {
         Ok(Shown { scene, result: result.into(), frames, curve })
     }
 
+    /// Sensitivities of m̄; `None` if m̄ is not finite or the pose is singular.
     fn explain(&mut self, request: &QuestionRequest) -> Result<Option<Explanation>, Refusal> {
         let model = self.model(&request.model.changes())?;
         let question = request.question().map_err(Refusal::of_message)?;
@@ -234,7 +239,7 @@ impl Session {
     }
 }
 
-/// Rows of a contact over a range; the travels of the question are replaced by the range if it is a travel.
+/// m̄ over the range `vary`, which replaces the position of the same joint and all travels of the question.
 fn curve(model: &Model, question: &MassQuestion, vary: &str) -> Result<Curve, Refusal> {
     let vary = Vary::parse(vary).map_err(|error| Refusal::of_message(error.to_string()))?;
     let name = vary.name();

@@ -37,7 +37,7 @@ pub(crate) fn optional_output_slice<'a, T>(
     if values.is_null() { Ok(None) } else { output_slice(values, length, name).map(Some) }
 }
 
-/// Checks a pointer to `length` values: not null, aligned, at most the size of memory.
+/// Checks a pointer to `length` values: not null unless `length` is 0, aligned, at most the size of memory.
 #[inline]
 fn check_array<T>(values: *const T, length: usize, name: &str) -> Result<(), Failure> {
     let fits = length <= isize::MAX as usize / size_of::<T>().max(1);

@@ -3,7 +3,7 @@
 use crate::boundary::status::{Failure, PERCUSS_ERROR_NAME};
 use std::ffi::CString;
 
-/// Zero-terminated text; zero bytes inside, which no valid name has, are replaced.
+/// Zero-terminated text. Zero bytes inside, which no valid name has, become U+FFFD.
 pub(crate) fn c_string(text: &str) -> CString {
     CString::new(text.replace('\0', "\u{fffd}")).unwrap_or_default()
 }

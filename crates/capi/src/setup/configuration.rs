@@ -183,7 +183,8 @@ pub unsafe extern "C" fn percuss_configuration_set_base(
     })
 }
 
-/// Transform X_wr, root link to world, from its origin (3 numbers, m) and its orientation (quaternion w, x, y, z).
+/// Transform X_wr, root link to world, from its origin (3 numbers, m) and its orientation (unit quaternion w, x, y, z). Null pointers
+/// are errors.
 pub(crate) fn read_base_pose(
     position: *const f64,
     quaternion: *const f64,

@@ -51,7 +51,7 @@ impl ReadingArgs {
         LoadOptions { accept: self.changes.accepted(), ..LoadOptions::default() }
     }
 
-    /// Changes to the model.
+    /// Changes to the model: link masses, centres of mass, moved hardpoints.
     pub fn changes(&self) -> Changes {
         self.changes.changes()
     }

@@ -2,12 +2,12 @@
 
 use percuss_study::{Length, PositiveMass, Vector};
 
-/// Mass above zero with an optional unit, kg.
+/// Mass above zero, kg; a number without a unit is in kg.
 pub fn kilograms(text: &str) -> Result<f64, String> {
     text.parse().map(|PositiveMass(mass)| mass)
 }
 
-/// Length above zero with an optional unit, m.
+/// Length above zero, m; a number without a unit is in m.
 pub fn metres(text: &str) -> Result<f64, String> {
     let Length(length) = text.parse().map_err(|error: percuss_study::QuantityError| error.to_string())?;
     if length > 0.0 { Ok(length) } else { Err(format!("{length} m; a length above 0 is expected")) }

@@ -112,7 +112,7 @@ fn degrees_of_freedom_text(report: &CheckReport) -> String {
     format!("{generic} with the root fixed{suffix}{drivers}")
 }
 
-/// Number of warnings and notes.
+/// "2 warning(s), 1 note(s)", or "none".
 fn diagnostics_text(report: &CheckReport) -> String {
     let count = |severity| report.diagnostics.iter().filter(|d| d.severity == severity).count();
     match (count(Severity::Warning), count(Severity::Note)) {

@@ -191,7 +191,8 @@ fn percent(x: f64) -> String {
     if x.abs() < 0.005 { "0.00 %".to_owned() } else { format!("{x:+.2} %") }
 }
 
-/// Table of designs, one row each. Several contacts of one design have no differences; the table then shows their motion ratios.
+/// Table with one row per design: m̄, its difference to the reference, the range of the difference, and the links with the largest
+/// shares. For several contacts of one design, motion ratios and ranges of m̄ replace the differences.
 pub fn design_table(report: &ComparisonReport) -> Table<5> {
     let most = |design: &DesignRecord| {
         let most = design.most.iter().map(|(link, share)| format!("{link} {:.1} %", 100.0 * share));

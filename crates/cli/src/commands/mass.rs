@@ -68,7 +68,7 @@ pub struct MassRequests {
 }
 
 impl MassRequests {
-    /// Requests of a study.
+    /// Additional requests in the `[mass]` section of a study.
     pub fn from_study(study: &StudyMass) -> Self {
         let tolerance = study.expect_tolerance.unwrap_or(limits::DEFAULT_TOLERANCE);
         let expected = study.expect.map(|mass| Expected { mass, tolerance });

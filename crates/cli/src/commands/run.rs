@@ -179,7 +179,7 @@ fn run_mass(
     mass::show(&study.model, question, damping, format, &MassRequests::from_study(&study.mass), strict)
 }
 
-/// Writes the main result in a format: the contact at its pose, otherwise the stop, the map or the safe speed.
+/// Writes the main result in a format: m̄ of the contact, otherwise the damper of the stop, the map or the safe speed.
 fn show_in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result<(), Failure> {
     if let Some(question) = &study.question {
         return run_mass(study, question, format, strict);

@@ -146,7 +146,7 @@ impl SweepTable {
         self.others.iter().flat_map(|run| run.clone()).map(|number| numbers.get(number).copied())
     }
 
-    /// Header line.
+    /// Header line, with a line end.
     pub fn header(&self) -> &str {
         &self.header
     }
@@ -185,7 +185,7 @@ impl SweepTable {
 }
 
 impl SweepTable {
-    /// Cells of a row.
+    /// Cells of a row, in the units and with the rounding of the style.
     pub fn cells(&self, row: &SweepRow) -> Vec<Cell> {
         let style = &self.style;
         let scaled = |value: f64, unit: &ColumnUnit| style.position(value, unit);
@@ -268,7 +268,7 @@ fn write_number(text: &mut String, x: f64) {
     };
 }
 
-/// Line of quoted cells, with a line end.
+/// Cells joined by commas, quoted if necessary, with a line end.
 pub fn line(cells: &[String]) -> String {
     cells.iter().map(|c| quote(c)).collect::<Vec<_>>().join(",") + "\n"
 }

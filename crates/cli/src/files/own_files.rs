@@ -55,6 +55,7 @@ pub fn append_hash(text: String) -> String {
     format!("{text}{}{hash}{}\n", HASH_LINE.0, HASH_LINE.1)
 }
 
+/// SHA-256 of a text, hexadecimal.
 fn hash(text: &str) -> String {
     Input::from_source(&Source::from_text("", text)).sha256
 }

@@ -12,7 +12,7 @@ pub fn is_unsafe(c: char) -> bool {
             | '\u{FEFF}' | '\u{FFF9}'..='\u{FFFB}' | '\u{E0000}'..='\u{E007F}')
 }
 
-/// Escapes a text on one line.
+/// Escapes a text for output on one line; line feeds are escaped too.
 pub fn line(text: &str) -> Cow<'_, str> {
     escaped(text, is_unsafe, |c| c.escape_default().to_string())
 }

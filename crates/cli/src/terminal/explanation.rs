@@ -148,7 +148,7 @@ pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)
     facts
 }
 
-/// Length in mm, with the digits of 0.01 mm.
+/// Length in mm with two decimals and the unit.
 fn millimetres(metres: f64) -> String {
     format!("{:.2} mm", 1e3 * metres)
 }

@@ -171,12 +171,12 @@ const NUMBERS: [(&str, &str, &str); 16] = [
     ("greatest momentum, N·s", "--momentum", "safe_speed.momentum"),
 ];
 
-/// Flag of the number at fault, for the end of a message.
+/// Suffix ` (--FLAG)` of a message: flag of the missing or invalid number; empty if unknown.
 fn flag_of(error: &StudyError) -> String {
     missing_number(error).map_or_else(String::new, |(flag, _)| format!(" ({flag})"))
 }
 
-/// Key of the number at fault, for the end of a message.
+/// Suffix ` (KEY)` of a message: study key of the missing or invalid number; empty if unknown.
 fn key_of(error: &StudyError) -> String {
     missing_number(error).map_or_else(String::new, |(_, key)| format!(" ({key})"))
 }

@@ -126,6 +126,7 @@ impl ChainBuilder {
         self.add_joint(fixed.origin(origin * Transform::from_translation(-anchor)), body.element);
     }
 
+    /// Joint of the mechanism. A joint that an equality locks becomes a fixed joint at that position.
     fn describe(
         &self,
         joint: &BodyJoint,

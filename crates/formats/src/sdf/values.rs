@@ -73,6 +73,7 @@ pub(crate) fn read_boolean_attribute(
     tree.attribute(element, name).is_some_and(|text| boolean(text, element, findings))
 }
 
+/// Truth value of a text; false, with an error, if invalid.
 fn boolean(text: &str, element: ElementId, findings: &mut Findings<'_>) -> bool {
     let value = sdf_values::parse_boolean(text);
     if value.is_none() {

@@ -47,6 +47,7 @@ pub(crate) fn describe_joint(text: &JointText<'_>) -> JointDescription {
     }
 }
 
+/// Number of a text that was checked before; 0 if invalid.
 fn parse_checked_number(text: &str) -> f64 {
     let [value] = parse_numbers(text).unwrap_or_default();
     value

@@ -116,7 +116,8 @@ pub fn contact_map<'py>(
     Ok((PyArray1::from_vec(py, masses), PyArray1::from_vec(py, errors), PyArray1::from_vec(py, codes)))
 }
 
-/// Directions along which m̄ is stationary at a point.
+/// Three directions along which m̄ is stationary at a point (link's frame, m), each a dict with its m̄; None if one of them cannot be
+/// computed.
 pub fn principal_masses<'py>(
     py: Python<'py>,
     pose: &Pose,

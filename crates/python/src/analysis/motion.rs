@@ -310,8 +310,8 @@ impl Accelerations {
     }
 }
 
-/// Accelerations at a pose under gravity and forces: (link, point, force). axes: rotation from the root link's axes to
-/// the axes of the given vectors.
+/// Accelerations at a pose. given: joint velocities, by joint name; base: twist of the root link; gravity, m/s²; forces: (link, point,
+/// force in N). axes: rotation from the root link's axes to the axes of these vectors; points are in the frames of their links.
 pub fn accelerations(
     py: Python<'_>,
     pose: &Pose,

@@ -173,7 +173,7 @@ impl Response {
         Ok(Some(by_name))
     }
 
-    /// Share of each rotor (armature) in the same energy, by joint name; None unless finite.
+    /// Share of each rotor (armature) in the kinetic energy at unit closing speed, by joint name; None unless finite.
     #[getter]
     fn rotor_contributions<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
         let Some(shares) = &self.response.contributions else { return Ok(None) };

@@ -40,7 +40,7 @@ pub struct Assembly {
     pub guess: Arc<Vec<(String, Vec<f64>)>>,
 }
 
-/// Parses a base name.
+/// Base from its name, "fixed" or "floating".
 pub fn base(name: &str) -> PyResult<Base> {
     match name {
         "fixed" => Ok(Base::Fixed),
@@ -162,7 +162,7 @@ pub fn root_frame(given: &Bound<'_, PyAny>) -> PyResult<Transform<f64>> {
     root_frame_of(&values)
 }
 
-/// Pose of the root link in the world from 7 numbers.
+/// Pose of the root link in the world from x, y, z (m) and a unit quaternion w, x, y, z.
 pub fn root_frame_of(values: &[f64]) -> PyResult<Transform<f64>> {
     let [x, y, z, quaternion @ ..] = values else {
         return Err(input(format_args!("base_pose has {} numbers; expected 7", values.len())));

@@ -549,6 +549,7 @@ impl Sweep {
         figure.to_svg()
     }
 
+    /// Description and plot of the sweep, for notebooks.
     fn _repr_html_(&self, py: Python<'_>) -> String {
         let heading = self.__repr__(py).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
         format!("<div><p><code>{heading}</code></p>{}</div>", self.to_svg(py))

@@ -130,7 +130,7 @@ impl<'t> Reader<'t> {
         Some((value, self.spot(&section.spot, key, Some(value))))
     }
 
-    /// As `optional`, but a missing key is an error.
+    /// Value of a key, as `optional`; a missing key is an error.
     fn required(
         &mut self,
         section: &mut Section<'t>,
@@ -190,7 +190,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Reads a string.
+    /// Reads a mandatory string; `None`, with an error, if missing or of another type.
     pub fn string(&mut self, section: &mut Section<'t>, key: &str) -> Option<(String, Spot)> {
         let (value, spot) = self.required(section, key, "a string")?;
         match serde_json::from_str(value.get()) {

@@ -16,7 +16,7 @@ pub(in super::super) fn build(sheet: &Sheet, findings: &mut Findings) -> Option<
     build::build(&sheet.design, &spindle, findings)
 }
 
-/// Spindle and wheel of the left side.
+/// Spindle and wheel of the left side. A wheel centre on the wrong side is an error.
 fn spindle(sheet: &Sheet, findings: &mut Findings) -> Spindle {
     let at = sheet.design.point("wheel_centre").unwrap_or_default();
     let spot = sheet.design.spot("wheel_centre");

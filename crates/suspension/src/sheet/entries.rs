@@ -198,7 +198,7 @@ impl Entries {
         findings.error("missing-key", &spot, message);
     }
 
-    /// Reads a text.
+    /// Reads a text; `None` if absent or, with an error, if of another type.
     pub fn text(&mut self, findings: &mut Findings, key: &str, expected: &str) -> Option<(String, Spot)> {
         let (cells, spot) = self.find(key)?;
         match &cells[..] {
@@ -210,7 +210,7 @@ impl Entries {
         }
     }
 
-    /// Reads a flag.
+    /// Reads true or false; `None` if absent or, with an error, if of another type.
     pub fn switch(&mut self, findings: &mut Findings, key: &str) -> Option<bool> {
         let (cells, spot) = self.find(key)?;
         let found = match &cells[..] {
@@ -225,7 +225,7 @@ impl Entries {
         found
     }
 
-    /// Reads numbers; `counts` lists the permitted lengths.
+    /// Reads numbers, converted to SI units; `counts` lists the permitted lengths. `None` if absent or, with an error, if invalid.
     pub fn numbers(
         &mut self,
         findings: &mut Findings,

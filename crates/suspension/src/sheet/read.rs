@@ -242,7 +242,7 @@ impl SheetReader<'_> {
         self.keyword("axes", self.options.axes, VehicleAxes::from_name, choices)
     }
 
-    /// Side of the points in the file; default left.
+    /// Side of the points in the file; default left; `None`, with an error, if invalid.
     fn side_of_points(&mut self) -> Option<Side> {
         let named = |word: &str| match word {
             "left" => Some(Side::Left),

@@ -59,7 +59,7 @@ pub(super) fn read(text: &str, entries: &mut Entries, findings: &mut Findings) -
     true
 }
 
-/// Values of a key: a list, or one value; `None` for an unsupported type.
+/// Values of a key, which is a list or one value; `None` for an unsupported type.
 fn cells(value: &DeValue<'_>) -> Option<Vec<Cell>> {
     match value {
         DeValue::Array(list) => list.iter().map(|value| cell(value.get_ref())).collect(),

@@ -220,8 +220,7 @@ fn check_shared_formulas(part: &[u8]) -> Result<(), String> {
     Ok(())
 }
 
-/// Value of an attribute from the text after its name, saturated; 0 without a number. Zeros before the number do not make it
-/// larger.
+/// Value of an attribute from the text after its name: a decimal number, saturated; 0 without one.
 fn attribute_value(rest: &[u8]) -> usize {
     let digits = rest.trim_ascii_start().strip_prefix(b"=").unwrap_or_default().trim_ascii_start();
     let digits = digits.strip_prefix(b"\"").or_else(|| digits.strip_prefix(b"'")).unwrap_or_default();

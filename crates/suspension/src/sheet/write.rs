@@ -193,6 +193,7 @@ impl SheetWriter<'_> {
         self.write_key("toe", "\"0 deg\"", "positive: toe-in");
     }
 
+    /// Writes the links to which springs, dampers and stops are attached, the gaps of stops, and the rack.
     fn write_attachments(&mut self, template: &Template) {
         let holders: Vec<&str> = template.holders().filter(|l| *l != "anti_roll_bar").collect();
         self.write_line("");

@@ -294,16 +294,16 @@ fn first_example(command: &Command) -> Option<String> {
     None
 }
 
-/// Command for which `-h` was given: the first argument that is no flag, because no flag before the command has a
-/// value.
+/// Command whose short help is shown: the first argument that is the name of a command, because no flag before the command has
+/// a value; percuss itself without a command. `None` if `--help` or `help` comes before `-h`.
 pub fn requested_command<'c>(
     definition: &'c Command,
     arguments: &[std::ffi::OsString],
 ) -> Option<&'c Command> {
-    let value_parsers: Vec<&str> = arguments.iter().skip(1).filter_map(|a| a.to_str()).collect();
+    let words: Vec<&str> = arguments.iter().skip(1).filter_map(|a| a.to_str()).collect();
     let is_short =
-        value_parsers.iter().find(|w| ["-h", "--help", "help"].contains(w)).is_none_or(|w| *w == "-h");
-    let named = value_parsers.iter().find_map(|word| definition.find_subcommand(word));
+        words.iter().find(|word| ["-h", "--help", "help"].contains(word)).is_none_or(|word| *word == "-h");
+    let named = words.iter().find_map(|word| definition.find_subcommand(word));
     is_short.then(|| named.unwrap_or(definition))
 }
 

@@ -65,6 +65,7 @@ fn write_model(
     }
 }
 
+/// Note on a conversion, without a position in a file.
 fn note(message: String) -> DiagnosticRecord {
     DiagnosticRecord {
         severity: Severity::Note,

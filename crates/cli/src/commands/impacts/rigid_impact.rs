@@ -228,7 +228,7 @@ pub fn law_note(report: &ImpactReport) -> String {
     )
 }
 
-/// Inertia reflected to a joint as text.
+/// Inertias reflected to a joint as text, with the unit: with all other joints free, and with the other drivers held.
 fn reflected(record: &ReflectedRecord) -> String {
     let value = |status: Status, value: Option<f64>| match (status, value) {
         (Status::Finite, Some(value)) => format!("{} {}", number(value), record.unit),

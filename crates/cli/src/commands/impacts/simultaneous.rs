@@ -67,7 +67,7 @@ fn contact_note(report: &ImpactReport, several: &SimultaneousRecord) -> String {
     note
 }
 
-/// Results of the laws.
+/// Table of the laws of simultaneous impacts: impulses, opening speeds and energy loss, or the reason for a missing result.
 pub fn law_table(several: &SimultaneousRecord) -> Table<4> {
     let mut table = Table::new(["law", "impulses N·s", "opening speeds m/s", "energy loss J"]);
     for law in &several.laws {

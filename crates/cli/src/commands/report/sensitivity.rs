@@ -41,7 +41,7 @@ pub(super) fn add_sensitivities(report: &MassReport, page: &mut Page) {
     add_rates(explained, page);
 }
 
-/// Bar of a chart, with its effect as text.
+/// Bar of a tornado chart; `effect` is the change of m̄, kg.
 fn bar(name: String, effect: f64) -> TornadoBar {
     TornadoBar { name, effect, value: effect_text(effect) }
 }

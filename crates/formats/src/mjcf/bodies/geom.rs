@@ -143,7 +143,8 @@ pub(crate) fn frame_on_line(
     Some(Transform::new(rotation?, (from + to) * 0.5))
 }
 
-/// Shape with positive sizes; `half_length` is that of a `fromto`.
+/// Shape of a geom. Sizes that are missing or not positive are errors; `half_length` (m): half the distance of the points of `fromto`,
+/// which replaces the length in `size`.
 fn read_shape(
     attributes: Attributes<'_>,
     kind: GeomType,

@@ -75,7 +75,7 @@ impl<'t> Meshes<'t> {
         (!is_turned).then(|| (solid, Transform::from_translation(-shift)))
     }
 
-    /// Inertia of an asset, in the frame of the mesh; `None`, with an error at the geom, if it cannot be computed.
+    /// Inertia of an asset as a solid or shell, in the frame of the mesh; `None`, with an error at the geom, if it cannot be computed.
     pub fn inertia(
         &mut self,
         name: &str,

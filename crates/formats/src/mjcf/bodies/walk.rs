@@ -136,6 +136,7 @@ impl<'t> Walker<'_, 't, '_> {
         is_within
     }
 
+    /// Attributes of an element, with the defaults of its class or of the `childclass` of its body.
     fn attributes(&mut self, element: ElementId, kind: DefaultKind, parent: &Parent) -> Attributes<'t> {
         Attributes::with_class(self.tree, element, kind, self.classes, parent.class, self.findings)
     }

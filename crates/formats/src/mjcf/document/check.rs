@@ -39,6 +39,7 @@ fn check_element(tree: &ElementTree, id: ElementId, rule: &'static ElementRule, 
     }
 }
 
+/// Reports attributes that are ignored, unsupported or unknown.
 fn check_attributes(
     tree: &ElementTree,
     id: ElementId,

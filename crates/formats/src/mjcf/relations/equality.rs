@@ -224,6 +224,7 @@ impl EqualityReader<'_, '_> {
         Some([constant, linear])
     }
 
+    /// Adds `<joint>`: q₁ = a₀ + a₁ q₂, or q₁ = a₀ without a second joint; positions are relative to the drawing.
     fn add_joint_equality(
         &self,
         attributes: Attributes<'_>,

@@ -15,7 +15,7 @@ pub(crate) struct References<'b> {
 }
 
 impl<'b> References<'b> {
-    /// Body with a name.
+    /// Index of the body with a name; an unknown name is an error at `attribute`, as for the other elements.
     pub fn body(
         &self,
         name: &str,

@@ -58,6 +58,7 @@ pub(crate) fn read_tendons(
     tendons
 }
 
+/// Path of a `<fixed>` tendon, whose length is Σ coefficient · joint position.
 fn fixed_path(
     tree: &ElementTree,
     element: ElementId,
@@ -83,6 +84,7 @@ fn fixed_path(
     TendonPath::Fixed(terms)
 }
 
+/// Path of a `<spatial>` tendon: a straight line if it has only two sites, otherwise `Wrapped`.
 fn spatial_path(
     tree: &ElementTree,
     element: ElementId,

@@ -126,6 +126,7 @@ impl Settings {
     }
 }
 
+/// Replaces a value if another is given.
 fn set<T>(value: &mut T, given: Option<T>) {
     if let Some(given) = given {
         *value = given;

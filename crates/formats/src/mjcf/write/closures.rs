@@ -17,7 +17,7 @@ pub(super) struct Sections {
     pub equalities: String,
 }
 
-/// Writes all closures; sites and halves of links are added to the bodies.
+/// Writes all closures; adds sites and second halves of links to the bodies.
 pub(super) fn write_closures(mechanism: &Mechanism, tree: &mut BodyTree) -> Result<Sections, MjcfError> {
     let mut sections = Sections::default();
     // Links are split first, since every half takes a part of the inertia.
@@ -58,6 +58,8 @@ pub(super) fn write_closures(mechanism: &Mechanism, tree: &mut BodyTree) -> Resu
     Ok(sections)
 }
 
+/// True for kinds without an equality constraint in MJCF: one of the two links is split, and its second half has the joints of the
+/// closure to the other link.
 fn needs_half(kind: ClosureKind) -> bool {
     match kind {
         ClosureKind::Prismatic | ClosureKind::Cylindrical | ClosureKind::Planar | ClosureKind::Universal => {
@@ -82,6 +84,7 @@ fn add_sites(
     }
 }
 
+/// Adds a `<connect>` of the points at `along` in the two loop frames, m.
 fn add_connect(
     mechanism: &Mechanism,
     tree: &mut BodyTree,

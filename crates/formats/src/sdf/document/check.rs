@@ -68,6 +68,7 @@ fn warn_unknown(
     }
 }
 
+/// Warns about unknown attributes.
 fn check_attributes(
     tree: &ElementTree,
     element: ElementId,

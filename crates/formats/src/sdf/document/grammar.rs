@@ -25,7 +25,7 @@ pub(crate) struct ElementRule {
     pub children: Option<&'static [ElementRule]>,
 }
 
-/// Element that is read; a parent may have several.
+/// Rule of an element that is read; a parent may have several.
 pub(super) const fn several(
     tag: &'static str,
     attributes: &'static [&'static str],
@@ -34,7 +34,7 @@ pub(super) const fn several(
     ElementRule { tag, treatment: Treatment::Read, single: false, attributes, children: Some(children) }
 }
 
-/// Element that is read; a parent may have one.
+/// Rule of an element that is read; a parent may have one.
 pub(super) const fn single(
     tag: &'static str,
     attributes: &'static [&'static str],
@@ -43,17 +43,17 @@ pub(super) const fn single(
     ElementRule { single: true, ..several(tag, attributes, children) }
 }
 
-/// Element with a value as text; a parent may have one.
+/// Rule of an element with a value as text; a parent may have one.
 pub(super) const fn value(tag: &'static str) -> ElementRule {
     single(tag, &[], &[])
 }
 
-/// Element that is not read.
+/// Rule of an element that is not read.
 pub(super) const fn unread(tag: &'static str, treatment: Treatment) -> ElementRule {
     ElementRule { tag, treatment, single: false, attributes: &[], children: None }
 }
 
-/// Element that is read, and whose children other functions examine.
+/// Rule of an element that is read, and whose children other functions examine.
 pub(super) const fn unexamined(tag: &'static str) -> ElementRule {
     unread(tag, Treatment::Read)
 }

@@ -103,6 +103,7 @@ fn is_in_outer_model(tree: &ElementTree, joint: ElementId) -> bool {
     holder.is_some_and(|holder| matches!(tree.tag(holder), "sdf" | "world"))
 }
 
+/// Position limits, m or rad; `None` if both are missing or infinite.
 fn read_limits(tree: &ElementTree, limit: ElementId, findings: &mut Findings<'_>) -> Option<Limits> {
     let lower = read_limit_in(tree, limit, "lower", findings);
     let upper = read_limit_in(tree, limit, "upper", findings);

@@ -140,7 +140,7 @@ fn refuse_circles(scopes: &Scopes, findings: &mut Findings<'_>) -> bool {
     found
 }
 
-/// Moves a model so that its placement frame has the pose of the model.
+/// Moves a model so that its frame named by `placement_frame` has the stated pose of the model.
 fn place_model(tree: &ElementTree, scopes: &mut Scopes, id: ScopeId, findings: &mut Findings<'_>) {
     let scope = scopes.scope(id);
     let of_include = scope.include.and_then(|include| tree.child(include, "placement_frame"));

@@ -68,6 +68,7 @@ struct Walker<'t, 'f, 'w> {
 }
 
 impl Walker<'_, '_, '_> {
+    /// Adds a frame; its base and pose are set later.
     fn push_frame(&mut self, element: ElementId, scope: ScopeId, kind: FrameKind, name: String) -> FrameId {
         let identity = Transform::identity();
         self.scopes.frames.push(Frame {
@@ -112,6 +113,7 @@ impl Walker<'_, '_, '_> {
         }
     }
 
+    /// Reports that a file has too many elements of a kind.
     fn refuse_count(&mut self, element: ElementId, kind: &'static str) {
         self.findings.add_once(Severity::Error, "too-complex", kind, element, || {
             format!("more than {MAX_ELEMENTS_PER_KIND} {kind}, those of included models counted")
@@ -136,6 +138,7 @@ impl Walker<'_, '_, '_> {
         self.add_named(element, name, scope, kind)
     }
 
+    /// Adds a frame and its name; empty, long, reserved and repeated names are errors.
     fn add_named(&mut self, element: ElementId, name: &str, scope: ScopeId, kind: FrameKind) -> FrameId {
         let tag = self.tree.tag(element);
         let own = self.scopes.scope(scope);

@@ -119,6 +119,7 @@ fn ends_of(tree: &ElementTree, scopes: &Scopes, joint: ElementId) -> [Option<Sco
     })
 }
 
+/// True for a joint in a model that is read, or for a joint of the world with an end in such a model.
 fn is_joint_read(tree: &ElementTree, scopes: &Scopes, is_read: &[bool], joint: usize) -> bool {
     let joint = &scopes.joints[joint];
     if joint.scope.0 > 0 {

@@ -168,6 +168,7 @@ impl ChainBuilder<'_> {
         self.parts.links.push((LinkDescription::massless(name), origin));
     }
 
+    /// Joint of the mechanism for one step of the joint of the file.
     fn describe(
         &self,
         joint: &JointBody,

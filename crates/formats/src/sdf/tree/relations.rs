@@ -15,7 +15,8 @@ use percuss_spatial::Vector3;
 /// more.
 const GEAR_AXIS_TOLERANCE: f64 = 1e-6;
 
-/// Adds a joint that closes a loop. Kinds and properties that a closure cannot have are errors.
+/// Adds a joint that closes a loop. Kinds and properties that a closure cannot have are errors; `is_leader`: another joint follows this
+/// one by `<mimic>`.
 pub(crate) fn add_closure(
     scopes: &Scopes,
     joint: &JointBody,

@@ -167,6 +167,7 @@ impl DisjointSets {
         Self { parents: (0..count).collect() }
     }
 
+    /// Representative element of the set of `i`.
     fn root(&mut self, mut i: usize) -> usize {
         while self.parents[i] != i {
             self.parents[i] = self.parents[self.parents[i]];

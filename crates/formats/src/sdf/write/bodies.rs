@@ -266,6 +266,7 @@ pub(super) fn pose_text(pose: &Transform<f64>) -> String {
     format!("{} {}", clean(pose.translation), clean(rpy_from_rotation(&pose.rotation).into()))
 }
 
+/// Appends `<inertial>`: mass, kg; centre of mass, m, and inertia about it, kg·m², in the axes of the link.
 fn append_inertial(out: &mut String, inertial: &Inertial) {
     out.push_str("      <inertial>\n");
     if inertial.com != Vector3::zeros() {

@@ -120,6 +120,7 @@ impl Axes {
         Ok(out)
     }
 
+    /// Appends the `<joint>` of a chain; nothing for a floating joint, which SDFormat expresses by the absence of a joint.
     fn append_chain(
         &self,
         mechanism: &Mechanism,
@@ -211,6 +212,7 @@ impl Axes {
         Ok(())
     }
 
+    /// Appends the element `tag` of an axis with its limits and its `<mimic>`; `axis` is the direction in the joint's frame.
     fn append_axis(&self, tag: &str, id: JointId, joint: &Joint, axis: &Vector3<f64>, out: &mut String) {
         append(
             out,

@@ -14,8 +14,8 @@ pub(crate) fn parse_boolean(text: &str) -> Option<bool> {
     }
 }
 
-/// Pose from the text of a `<pose>`: x y z roll pitch yaw, or x y z and a unit quaternion x y z w. An empty text is the identity. The
-/// error names the defect.
+/// Pose from the text of a `<pose>` in m and rad, or degrees: x y z roll pitch yaw (`format` euler_rpy), or x y z and a unit quaternion
+/// x y z w (quat_xyzw). An empty text is the identity. The error names the defect.
 pub(crate) fn parse_pose(text: &str, format: &str, degrees: bool) -> Result<Transform<f64>, String> {
     match format.trim_ascii() {
         _ if text.trim_ascii().is_empty() => Ok(Transform::identity()),
@@ -41,6 +41,7 @@ pub(crate) fn parse_pose(text: &str, format: &str, degrees: bool) -> Result<Tran
     }
 }
 
+/// Message of a defect, with the text in quotes first.
 fn named(text: &str, defect: &str) -> String {
     format!("{}: {defect}", quoted(text.trim_ascii()))
 }

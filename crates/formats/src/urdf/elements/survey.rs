@@ -64,6 +64,7 @@ pub(crate) fn child<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str) -> Option
     children(node, tag).next()
 }
 
+/// True if a value has an unexpanded xacro expression, `${…}` or `$(…)`.
 pub(crate) fn has_xacro_substitution(value: &str) -> bool {
     value.contains("${") || value.contains("$(")
 }

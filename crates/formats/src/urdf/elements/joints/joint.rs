@@ -142,8 +142,8 @@ fn read_axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &m
     }
 }
 
-/// Lower and upper position limit; `None` if `<limit>` gives neither. A `<limit>` with only effort and speed does not fix the
-/// joint at zero.
+/// Texts of the lower and upper position limit; a missing one is "0", as in URDF. `None` if both are missing, so that a `<limit>` with only
+/// effort and speed does not fix the joint at zero, or if one is infinite.
 fn read_limits<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     kind: Option<JointKind>,
