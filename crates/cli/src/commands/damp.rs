@@ -72,7 +72,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     print(&report, args.format)
 }
 
-/// Options of a study: the damper of a joint's stop or of the contact.
+/// Report on the damper of a study: at the stop of a joint if `[damping]` names one, otherwise at the contact.
 pub fn study_report(study: &StudyFile, damping: &StudyDamping) -> Result<DampingReport, Failure> {
     let StudyDamping { question, stop, .. } = damping;
     Ok(match (stop, &study.question) {
@@ -98,7 +98,7 @@ pub fn print(report: &DampingReport, format: CheckFormat) -> Result<(), Failure>
     }
 }
 
-/// Mass, or inertia for a rotational stop, of the damper.
+/// Name and value of the effective mass, or of the effective inertia for a rotational stop.
 pub fn headline(report: &DampingReport) -> (&'static str, String) {
     let units = Units::from_report(report);
     (units.name, format!("{} {}", number(report.effective_mass), units.mass))
@@ -108,8 +108,9 @@ pub fn headline(report: &DampingReport) -> (&'static str, String) {
 struct Units {
     name: &'static str,
     mass: &'static str,
-    /// Units of a length or an angle: SI, the unit of displayed penetrations, and the factor between them.
+    /// SI unit of penetrations: m, or rad for a rotational stop.
     length: &'static str,
+    /// Unit in which penetrations are shown, and the factor from the SI unit.
     shown: (&'static str, f64),
     force: &'static str,
 }
@@ -125,12 +126,12 @@ impl Units {
     }
 }
 
-/// Damper, impact, and validity over the travel.
+/// Text of [`facts`], one line each.
 pub fn damper(report: &DampingReport) -> String {
     facts(report).iter().map(|(name, value)| fact_line(name, &escape::line(value))).collect()
 }
 
-/// Text for simulators.
+/// Parameters of all requested simulators as text.
 pub fn exports(report: &DampingReport) -> String {
     report.exports.iter().map(|(name, export)| export_text(name, export)).collect()
 }

@@ -57,7 +57,7 @@ pub struct SweepTable {
     header: String,
     /// Numbers of a pose that are not varied, as ranges of indices.
     others: Vec<Range<usize>>,
-    /// Number of these values.
+    /// Number of values in `others`.
     count: usize,
     style: TableStyle,
     /// Units of the varied numbers, and of the numbers in `other_numbers`.

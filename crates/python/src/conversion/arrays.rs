@@ -62,7 +62,7 @@ pub fn float64<'py>(
     Ok(found.array)
 }
 
-/// Like [`Numbers::of`], for matrices with named columns.
+/// Like [`Numbers::of`], for matrices whose columns have the given names: labelled columns are matched by name and reordered.
 pub fn float64_matrix<'py, S: AsRef<str>>(
     value: &Bound<'py, PyAny>,
     what: &str,

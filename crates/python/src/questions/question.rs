@@ -46,7 +46,7 @@ fn positions(given: Option<&Bound<'_, PyDict>>, what: &str) -> PyResult<Vec<(Str
     given.iter().map(one).collect()
 }
 
-/// Estimate from (links), (links, point) or (links, point, direction).
+/// Estimate of m̄ from the masses of some links: (links,), (links, point) or (links, point, direction).
 fn estimate(given: &Bound<'_, PyAny>) -> PyResult<EstimateQuestion> {
     let parts: Vec<Bound<'_, PyAny>> = given.extract()?;
     let (links, point, direction) = match &parts[..] {

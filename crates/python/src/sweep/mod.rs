@@ -201,7 +201,7 @@ fn column_names(names: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     })
 }
 
-/// Joint of each column, with its index in the position vector.
+/// Driving joint of each column of q, with its index in the position vector. `given`: the shape of q.
 fn drivers(model: &Model, names: &[String], given: &[usize]) -> PyResult<Vec<(JointId, usize)>> {
     if given[1] != names.len() {
         return Err(input(format_args!(

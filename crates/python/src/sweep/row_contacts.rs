@@ -44,7 +44,7 @@ impl BasePose {
         numbers.chunks(7).map(root_frame_of).collect::<PyResult<_>>().map(Self::Rows)
     }
 
-    /// The pose that holds for all rows.
+    /// Pose common to all rows, if it is given.
     pub fn one(&self) -> Option<&Transform<f64>> {
         match self {
             Self::One(base) => Some(base),

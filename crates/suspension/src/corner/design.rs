@@ -171,7 +171,7 @@ impl Design {
             DerivedPoint::InMiddlePlane { line: [first, second], above } => {
                 let (first, second, above) = (self.point(first)?, self.point(second)?, self.point(above)?);
                 let part = (above.x - first.x) / (second.x - first.x);
-                // A line that is vertical in side view has no height there: its middle.
+                // For a line that is vertical in side view: the height of its middle.
                 let part = if part.is_finite() { part } else { 0.5 };
                 Some(Vector3::new(above.x, 0.0, first.z + part * (second.z - first.z)))
             }

@@ -22,8 +22,8 @@ fn plain_name(name: &str) -> (String, bool) {
     (plain.to_owned(), is_right)
 }
 
-/// Gives the hardpoints with names of another program their names in the template, with a note. Other points of such a table
-/// are not used: a warning lists them. In a table of both sides, the points of the left side are used.
+/// Renames hardpoints with names of another program to the names of the template, with a note. Points of such a table without a
+/// counterpart are not used: a warning lists them. In a table of both sides, the points of the left side are used.
 pub(super) fn rename_points(template: &Template, entries: &mut Entries, findings: &mut Findings) {
     let is_known = |key: &str| template.point(key).is_some();
     let unknown: Vec<(String, Spot)> = entries

@@ -174,7 +174,7 @@ impl Entries {
         self.list.iter().filter(|e| !e.used)
     }
 
-    /// Gives a key another name.
+    /// Renames a key; nothing happens if the key is absent.
     pub fn rename(&mut self, key: &str, new_key: &str) {
         if let Some(entry) = self.list.iter_mut().find(|e| e.key == key) {
             entry.key = new_key.to_owned();

@@ -13,7 +13,7 @@ use percuss_formats::{DEFAULT_MAX_SIZE, Source};
 use std::fs;
 use std::path::Path;
 
-/// The files that were read together: their names and texts.
+/// Files of one import: names and texts.
 pub(in super::super) type Files = Vec<(String, String)>;
 
 /// Table of points named by the sheet.
@@ -31,7 +31,7 @@ pub(super) fn read(
     let table = folder.join(&path);
     let path = table.to_string_lossy().into_owned();
     let kind = fs::metadata(&table);
-    // A pipe or a device could wait, or not end.
+    // Reading a pipe or a device could block or never end.
     if kind.as_ref().is_ok_and(|found| !found.is_file()) {
         findings.error("no-table", &spot, format!("the table {} is no file", quoted(&path)));
         return;

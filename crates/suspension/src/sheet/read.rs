@@ -255,7 +255,7 @@ impl SheetReader<'_> {
         self.keyword("side", None, named, "left or right, the side that the points describe,")
     }
 
-    /// Unit of inertias without their own.
+    /// Unit of inertias that are given without a unit.
     fn inertia_unit(&mut self) -> &'static Unit {
         let default = Dimension::Inertia.default_unit().expect("the table has units of inertia");
         let Some((word, spot)) = self.entries.text(self.findings, "inertia_unit", "a unit of inertia") else {

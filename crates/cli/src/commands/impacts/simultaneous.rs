@@ -5,7 +5,7 @@ use crate::terminal::text::{Table, number, short_number, triple};
 use crate::terminal::wrap::wrap_lines;
 use percuss_study::{ImpactReport, SimultaneousRecord, StickingRecord};
 
-/// Section of several contacts.
+/// Section of a report about several contacts: contacts, laws and plastic impact.
 pub fn text(report: &ImpactReport, several: &SimultaneousRecord) -> String {
     let mut out = format!("Contacts\n{}", contact_table(several));
     out += &wrap_lines(&contact_note(report, several));

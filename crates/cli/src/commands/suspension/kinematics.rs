@@ -173,7 +173,7 @@ fn words(column: &KinematicColumn) -> String {
     if unit.is_empty() { name } else { format!("{name}, {unit}") }
 }
 
-/// The report as text: a list for one row, tables of some columns for several rows; below, the reasons of missing values.
+/// Report as text: a list for one row, tables for several rows; below, the reasons for missing values.
 fn tables(report: &KinematicsReport) -> String {
     let mut out = if report.rows.len() == 1 { list(report) } else { blocks(report) };
     let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
@@ -227,7 +227,7 @@ fn list(report: &KinematicsReport) -> String {
     aligned(&lines)
 }
 
-/// Several rows: tables with as many columns as a line holds, each with the variable first.
+/// Several rows as tables, each with the variable first and as many quantities as fit on a line.
 fn blocks(report: &KinematicsReport) -> String {
     let variable = |row: usize| shown(KinematicUnit::Length, report.rows[row].variable);
     let first: Vec<String> = [report.variable.unwrap_or_default().to_owned(), "mm".to_owned()]

@@ -1,4 +1,4 @@
-//! Inertias of the bodies: declared, or computed from the geoms; then the changes that the compiler's settings ask for.
+//! Inertias of the bodies: declared, or computed from the geoms; then changed by the settings of `<compiler>`.
 
 use crate::mjcf::bodies::body::Body;
 use crate::mjcf::bodies::geom::{Geom, GeomShape};
@@ -136,7 +136,7 @@ fn inertia_of_geoms(
     }
     match parts[..] {
         [] => None,
-        // No rounding of a sum.
+        // A single part is returned without rounding.
         [part] => Some(part),
         _ => Some(sum(&parts)),
     }

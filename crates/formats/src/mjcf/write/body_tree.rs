@@ -11,23 +11,23 @@ use percuss_spatial::{Matrix3, Transform, Vector3, plane_basis};
 const MAX_DEPTH: usize = 200;
 /// Least moment of a moving body, kg·m², and least mass, kg, that MuJoCo accepts (mjMINVAL).
 const LEAST_INERTIA: f64 = 1e-15;
-/// Moment that takes the place of a smaller one, relative to the largest moment and to m·(size of the mechanism)²: a change of the
+/// Moment that replaces a smaller one, relative to the largest moment and to m·(size of the mechanism)²: a change of the
 /// kinetic energy of a few roundings.
 const RELATIVE_MOMENT: f64 = 1e-13;
-/// Moment that takes the place of a smaller one at least, kg·m².
+/// Least moment that replaces a smaller one, kg·m².
 const RAISED_MOMENT: f64 = 2.0 * LEAST_INERTIA;
 /// Least moment of a body that is written by its inertia matrix, relative to the largest moment.
 const THIN_ROD: f64 = 1e-9;
 /// Tolerance of A + B ≥ C relative to the largest moment: MuJoCo's own rounding.
 const TRIANGLE_SLACK: f64 = 1e-12;
 
-/// Bodies of the file: links, without those massless links whose joints belong to the body of their child.
+/// Bodies of the file: one per link, except massless links whose joints belong to the body of their child.
 pub(super) struct BodyTree {
     /// Pose of every link in the world with all joints at 0.
     pub world_poses: Vec<Transform<f64>>,
     /// Inertia of each link; the moments of a thin rod and of a point mass are not 0.
     pub inertials: Vec<Option<Inertial>>,
-    /// Part of the inertia of each link that its body keeps: 1, or less for a link that is split.
+    /// Fraction of the inertia of each link in its own body: 1, or less for a split link.
     pub share: Vec<f64>,
     /// Joints of the body of each link, from the parent to the link; `None` for a merged link.
     chains: Vec<Option<Vec<JointId>>>,
@@ -225,7 +225,7 @@ impl BodyTree {
     }
 }
 
-/// True per link for links without a body of their own: massless links that move, with one child and no closure.
+/// Per link: true if it has no body of its own, which holds for a massless moving link with one child and no closure.
 fn merged_links(mechanism: &Mechanism) -> Vec<bool> {
     let held = held_links(mechanism);
     let mut merged = vec![false; mechanism.links().len()];
@@ -240,7 +240,7 @@ fn merged_links(mechanism: &Mechanism) -> Vec<bool> {
     merged
 }
 
-/// True per link for links at the ends of closures.
+/// Per link: true if it is at an end of a closure.
 fn held_links(mechanism: &Mechanism) -> Vec<bool> {
     let mut held = vec![false; mechanism.links().len()];
     for frame in mechanism.closures().iter().flat_map(|closure| [closure.predecessor(), closure.successor()])

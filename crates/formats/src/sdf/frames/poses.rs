@@ -109,7 +109,7 @@ pub(crate) fn report_unknown_frame(
     });
 }
 
-/// Reports frames that are placed in each other in a circle. Returns true if there is one.
+/// Reports circles of frames, each placed in the next. Returns true if one exists.
 fn refuse_circles(scopes: &Scopes, findings: &mut Findings<'_>) -> bool {
     #[derive(Clone, Copy, PartialEq)]
     enum Mark {

@@ -77,7 +77,7 @@ fn joins_fixed(joint: &JointBody, is_fixed: &[bool]) -> bool {
     parent && is_fixed[joint.child]
 }
 
-/// True per scope for the chosen model and for models that joints of the world connect to it, directly or through others. Only the
+/// Per scope: true for the chosen model and for models that joints of the world connect to it, directly or through others. Only the
 /// entries of models directly in the world have a meaning.
 fn read_scopes(tree: &ElementTree, scopes: &Scopes, main: ElementId) -> Vec<bool> {
     let mut is_read = vec![false; scopes.scopes.len()];
@@ -144,7 +144,7 @@ fn check_followers(joints: &[JointBody], spanning: &SpanningTree, findings: &mut
     }
 }
 
-/// True per link for links that cannot move: static, or fixed to one that cannot move.
+/// Per link: true if it cannot move, because it is static or fixed to a link that cannot move.
 fn fixed_links(joints: &[JointBody], spanning: &SpanningTree) -> Vec<bool> {
     let mut known: Vec<Option<bool>> = vec![None; spanning.supports.len()];
     for start in 0..known.len() {

@@ -35,7 +35,7 @@ pub(crate) struct SpanningTree {
     pub supports: Vec<Support>,
     /// Body that supports each link.
     pub below: Vec<Attached>,
-    /// True per joint for joints of the tree.
+    /// Per joint: true if it belongs to the tree.
     pub in_tree: Vec<bool>,
 }
 
@@ -123,7 +123,7 @@ fn direct_tree(joints: &[JointBody], links: &[Option<bool>], in_tree: Vec<bool>)
         }
     }
     tree.spread(joints, &adjacent, queue);
-    // A base is the child of no joint, where there is such a link.
+    // The base is a link that is the child of no joint, if one exists.
     let by_choice = (0..links.len()).filter(|link| !is_child[*link]).chain(0..links.len());
     for link in by_choice {
         if links[link].is_some() && tree.supports[link] == Support::Absent {

@@ -287,7 +287,7 @@ fn is_massless(mechanism: &Mechanism, link: LinkId) -> bool {
     mechanism.link(link).inertial().is_none_or(|i| i.mass == 0.0 && i.about_com == Matrix3::zeros())
 }
 
-/// True per link for links at the ends of closures.
+/// Per link: true if it is at an end of a closure.
 fn held_links(mechanism: &Mechanism) -> Vec<bool> {
     let mut held = vec![false; mechanism.links().len()];
     let ends = mechanism.closures().iter().flat_map(|closure| [closure.predecessor(), closure.successor()]);
@@ -295,7 +295,7 @@ fn held_links(mechanism: &Mechanism) -> Vec<bool> {
     held
 }
 
-/// True per link for links that are fixed to the root.
+/// Per link: true if it is fixed to the root.
 fn immovable_links(mechanism: &Mechanism) -> Vec<bool> {
     let mut fixed = vec![false; mechanism.links().len()];
     for &link in mechanism.order() {
