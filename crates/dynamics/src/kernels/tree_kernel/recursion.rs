@@ -102,7 +102,9 @@ pub(super) fn evaluate<T: Lanes>(
     TreeResponse { response: propagated.response, error: beyond.mul_add(T::from_f64(f64::MAX), error) }
 }
 
-/// Sines and cosines, the excess of angles and quaternions beyond their accepted range, and the largest travel (m).
+/// Stores per joint sine and cosine of its angle, with the constant rotation to the parent added, or its travel (m).
+/// Returns the excess of angles and quaternion norms beyond their accepted range (0 if all are accepted), and the
+/// largest travel, m.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn fill_joint_values<T: Lanes>(
     steps: &[ScheduledStep],
