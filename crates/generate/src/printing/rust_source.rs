@@ -213,6 +213,7 @@ impl RustSource<'_> {
         self.mass_function(name, &result, &statements, &value, &format!("{about}."), rows)
     }
 
+    /// Function that returns the 6×6 matrix J M⁻¹ Jᵀ of the contact link.
     fn mobility_function(&self) -> String {
         let mut results: Vec<Expr> =
             [self.functions.closure, self.functions.choice].into_iter().flatten().collect();
@@ -293,6 +294,7 @@ impl RustSource<'_> {
         out
     }
 
+    /// Function that closes the loops by Newton steps on the dependent positions.
     fn close_function(&self) -> String {
         let functions = self.functions;
         let mut results: Vec<Expr> = [functions.closure, functions.choice].into_iter().flatten().collect();
