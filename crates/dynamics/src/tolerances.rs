@@ -174,7 +174,7 @@ pub(crate) const LOSS_ROUNDINGS: f64 = 4.0;
 pub(crate) const COMMON_LOSS: f64 = 64.0;
 /// Roundings of the normal for each joint between the root link and the contact link, in SIMD lanes: two rotations.
 pub(crate) const NORMAL_ROUNDINGS: f64 = 4.0;
-/// Amplification of rounding errors above which a body is light compared with what it carries: bodies below it contribute less
+/// Amplification of rounding errors above which a body is light compared with its subtree: bodies below this value contribute less
 /// than half of the accepted error in SIMD lanes.
 pub(crate) const LIGHT_BODY: f64 = 2.5e4;
 /// Amplification above which the mass matrix in SIMD lanes may be in error by more than 1e-3, relative: twists computed with it are

@@ -56,7 +56,7 @@ pub(crate) struct PositionStep {
 }
 
 impl PositionStep {
-    /// Displacement, m, at unit step.
+    /// Displacement, m, of a unit step: 1 for a translation, the moment arm `scale` (m) for a rotation of 1 rad.
     pub fn length(&self, scale: f64) -> f64 {
         let turns = match self.kind {
             JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => true,
@@ -410,7 +410,7 @@ fn closure_violation(g: &mut Graph, loops: &Constraints, tolerance: f64) -> Expr
     g.sum(terms)
 }
 
-/// Derivatives of the response along the independent coordinates of joints.
+/// Derivatives of `response` (1/m̄) by the independent coordinates of joints; dependent joints follow the loops.
 fn gradient(g: &mut Graph, tree: &Tree, response: Expr, rates: &Rates) -> Vec<NamedOutput> {
     let by_input = g.gradient(response, tree.inputs);
     let zero = g.zero();

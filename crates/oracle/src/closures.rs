@@ -5,8 +5,8 @@ use nalgebra::Matrix4;
 use percuss_mechanism::{ClosureDescription, ClosureKind, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3, rotation_about, rotation_from_rpy};
 
-/// Admissible relative pose X_ps of the loop frames for a closure kind, from its axis and parameters; for a
-/// universal closure also the axis of the successor's pin.
+/// Admissible relative pose X_ps of the loop frames for a closure kind, from its axis and parameters, and the
+/// second axis (used by universal closures only).
 pub(crate) fn admissible_relative_pose(
     kind: ClosureKind,
     axis: &Vector3<f64>,
@@ -26,18 +26,18 @@ pub(crate) fn admissible_relative_pose(
         ClosureKind::Planar => (about, p - axis * axis.dot(&p)),
         ClosureKind::Distance => (any, p),
     };
-    // Pin normal to the axis, in a general direction.
-    let pin = any.tr_mul(&axis.cross(&Vector3::new(0.3, -0.5, 0.8))).normalize();
-    (Transform::new(rotation, translation), pin)
+    // Normal to the first axis, in a general direction.
+    let axis2 = any.tr_mul(&axis.cross(&Vector3::new(0.3, -0.5, 0.8))).normalize();
+    (Transform::new(rotation, translation), axis2)
 }
 
-/// Completes a closure with given predecessor and axis: sets the successor's loop frame such that the relative
-/// pose at these tree positions is X_ps.
+/// Completes a closure with given predecessor and axis: sets the second axis, the length of a distance closure, and
+/// the successor's loop frame such that the relative pose at these tree positions is X_ps.
 pub(crate) fn complete_closure(
     tree: &Mechanism,
     positions: &[Vec<f64>],
     closure: ClosureDescription,
-    (x_ps, pin): (Transform<f64>, Vector3<f64>),
+    (x_ps, axis2): (Transform<f64>, Vector3<f64>),
 ) -> ClosureDescription {
     let x_wl = poses(tree, positions);
     let pose = |link: &str| match tree.find_link(link) {
@@ -47,7 +47,7 @@ pub(crate) fn complete_closure(
     let x_ws = pose(&closure.predecessor) * closure.predecessor_frame * x_ps;
     let successor_frame = pose(&closure.successor).inverse() * x_ws;
     let distance = (closure.kind == ClosureKind::Distance).then(|| x_ps.translation.norm());
-    ClosureDescription { successor_frame, axis2: pin, distance, ..closure }
+    ClosureDescription { successor_frame, axis2, distance, ..closure }
 }
 
 /// Rigid transform of a homogeneous 4×4 matrix.

@@ -105,7 +105,7 @@ impl fmt::Display for Quantity {
 }
 
 impl Quantity {
-    /// Number in SI units without a unit.
+    /// Number without a unit, taken as SI.
     ///
     /// # Errors
     /// [`QuantityError::NotFinite`].

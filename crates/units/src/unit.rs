@@ -53,10 +53,12 @@ pub struct Unit {
     divisor: f64,
 }
 
+/// Unit with SI value = number · `factor` / `divisor`.
 const fn unit(name: &'static str, dimension: Dimension, factor: f64, divisor: f64) -> Unit {
     Unit { name, dimension, per_si: divisor / factor, factor, divisor }
 }
 
+/// Degree under one of its names; 180/π is closer to the exact ratio than `divisor / factor`.
 const fn degree(name: &'static str) -> Unit {
     Unit { per_si: 180.0 / PI, ..unit(name, Dimension::Angle, PI / 180.0, 1.0) }
 }

@@ -97,7 +97,7 @@ impl Assembly {
         }
     }
 
-    /// Returns the same loops under other conditions of the same mechanism.
+    /// Assembly with the closed loops of this one and models of the same mechanism under other conditions.
     pub(crate) fn with_models(&self, models: Models) -> Arc<Self> {
         Arc::new(Self::new(models, self.facts.clone()))
     }

@@ -137,7 +137,8 @@ impl RecursionWorkspace {
         (up_to > 0.0 && up_to > NEGLIGIBLE_MASS * total_mass(model)).then_some(up_to)
     }
 
-    /// True if a finite result keeps its accuracy with the given number of roundings, 1/kg.
+    /// True if m̄ is finite, no motion has a negative mass, the closing speed is well above zero, and the rounding error
+    /// ε · `roundings` (1/kg) of 1/m̄ is negligible.
     fn has_small_rounding(&self, roundings: f64) -> bool {
         let most = f64::EPSILON * roundings;
         !self.deciding.indefinite

@@ -106,10 +106,10 @@ impl Stationary<'_> {
         (twists, slack)
     }
 
-    /// True for a floating base without constraints.
-    fn is_free_base(&self, i: usize) -> bool {
-        self.model.bodies[i].joint.is_none()
-            && self.recursion.cluster_index[self.model.cluster_of[i]].is_none()
+    /// True if the body is a floating base without constraints.
+    fn is_free_base(&self, body: usize) -> bool {
+        self.model.bodies[body].joint.is_none()
+            && self.recursion.cluster_index[self.model.cluster_of[body]].is_none()
     }
 
     /// Inertia of a body, in root axes at the contact point.

@@ -52,12 +52,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_clone_holds_the_same_and_stands_at_a_line_too() {
+    fn a_clone_has_the_same_values_and_alignment() {
         for count in 0..40 {
-            let mut room = Aligned::zeros(count);
-            room.iter_mut().enumerate().for_each(|(k, x)| *x = k as f64);
-            let clone = room.clone();
-            assert_eq!(room[..], clone[..]);
+            let mut buffer = Aligned::zeros(count);
+            buffer.iter_mut().enumerate().for_each(|(k, x)| *x = k as f64);
+            let clone = buffer.clone();
+            assert_eq!(buffer[..], clone[..]);
             assert_eq!((clone.len(), clone.as_ptr().addr() % LINE), (count, 0));
         }
     }

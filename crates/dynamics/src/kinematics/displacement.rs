@@ -85,7 +85,7 @@ impl Model {
         group.bodies.iter().for_each(|&b| positions.extend_from_slice(&q[self.bodies[b].q.clone()]));
     }
 
-    /// Restores positions of a group's bodies, given one after another.
+    /// Restores positions saved by [`group_positions`](Self::group_positions), and the frames of the group's bodies.
     pub fn restore_group(&self, kinematics: &mut Kinematics, group: &Group, positions: &[f64]) {
         let mut rest = positions;
         for &b in &group.bodies {

@@ -168,7 +168,8 @@ impl<const K: usize> Pivoting<K> {
         self.wrench[body] = wrenches.each_ref().map(size);
     }
 
-    /// True if a velocity of a plain joint is eliminated next: candidate number `candidate` of `dofs`.
+    /// True if this velocity of a joint outside clusters is eliminated next; false if its pivot is small and another of
+    /// the `dofs` remaining candidates may be better. The last candidate is always accepted.
     #[inline]
     pub(super) fn eliminates_next(
         &mut self,

@@ -124,7 +124,8 @@ pub(crate) fn eliminate_rates(
     Ok(Rates { independent, rates, corrections, violation, score })
 }
 
-/// Σ (floor/pivot)². At a change point a row vanishes apart from rounding, and the rates are ratios of rounding errors.
+/// Σ (floor/pivot)², above 1 if a pivot is below its floor, a fraction of its smallest value at the samples. At a change
+/// point a row vanishes apart from rounding, and the rates would be ratios of rounding errors.
 fn pivot_floors(g: &mut Graph, pivots: &[Pivot], lengths: &[f64], samples: &[Vec<f64>]) -> Expr {
     let values: Vec<Vec<f64>> = samples.iter().map(|q| g.evaluate(q)).collect();
     let mut terms = Vec::new();
@@ -181,7 +182,8 @@ fn choose_pivot(
         .min_by(|a, b| filled(a.0, a.1).cmp(&filled(b.0, b.1)).then(b.2.total_cmp(&a.2)))
 }
 
-/// Σ of squares: rates over their limit, and residuals of the redundant rows over their tolerance.
+/// Sum of (rate/limit)² and, for redundant rows, (residual/tolerance)². Above 1, the chosen rows do not determine the
+/// motion.
 fn violation(
     g: &mut Graph,
     constraints: &Constraints,

@@ -301,6 +301,7 @@ impl CSource<'_> {
             })
     }
 
+    /// Function that writes the 6×6 matrix J M⁻¹ Jᵀ of the contact link.
     fn mobility_function(&self) -> String {
         let (n, upper) = (self.name, self.name.to_uppercase());
         let mut results: Vec<Expr> =
@@ -327,6 +328,7 @@ impl CSource<'_> {
         })
     }
 
+    /// Function for many configurations, written so that the compiler vectorises its loop.
     fn batch_function(&self) -> String {
         let n = self.name;
         let statements = self.functions.mass_statements();
@@ -397,6 +399,7 @@ impl CSource<'_> {
         out
     }
 
+    /// Function that closes the loops by Newton steps on the dependent positions.
     fn close_function(&self) -> String {
         let (n, upper) = (self.name, self.name.to_uppercase());
         let functions = self.functions;

@@ -89,7 +89,7 @@ pub(crate) fn plain(text: &str) -> String {
     text.replace("*/", "* /").replace("/*", "/ *").replace('\\', "/")
 }
 
-/// Name of an output: joint and component.
+/// Name and unit of an output: joint, component, and rate per closing speed.
 pub(crate) fn output_name(request: &Request, output: &NamedOutput) -> String {
     let unit = if output.turns { "rad/s per m/s" } else { "m/s per m/s" };
     format!("{}, {unit}", coordinate_name(request, output))

@@ -120,6 +120,7 @@ impl RustSource<'_> {
         out
     }
 
+    /// Passes a printer to `print`; inputs, sines and cosines are array elements.
     fn with_printer<R>(&self, statements: &Statements, print: impl FnOnce(&Printer) -> R) -> R {
         let names = Names {
             input: &|i| format!("q[{i}]"),
@@ -130,6 +131,7 @@ impl RustSource<'_> {
         print(&Printer { graph: &self.functions.graph, statements, names })
     }
 
+    /// Declarations of the angles, their sines and cosines, the sum `range` of the squared angles, and the variables.
     fn preparation(&self, printer: &Printer, indent: &str) -> String {
         let statements = printer.statements;
         let n = statements.angles.len();
@@ -150,6 +152,7 @@ impl RustSource<'_> {
         out
     }
 
+    /// Checks of the range and the loops, and of the line of the normal if `with_line`; a failed check returns a refusal.
     fn checks(&self, printer: &Printer, indent: &str, with_line: bool) -> String {
         let check = |(condition, status): (String, &str)| {
             format!("{indent}if !({condition}) {{\n{indent}    return Err(Refusal::{status});\n{indent}}}\n")
@@ -157,6 +160,8 @@ impl RustSource<'_> {
         conditions(self.functions, printer, with_line).into_iter().map(check).collect()
     }
 
+    /// Function that returns `Result<result, Refusal>`; its last expression is `Ok(value)`, where `m` is m̄. `about` and
+    /// the `rows`, one per output, are its documentation.
     fn mass_function(
         &self,
         name: &str,
@@ -208,6 +213,7 @@ impl RustSource<'_> {
         self.mass_function(name, &result, &statements, &value, &format!("{about}."), rows)
     }
 
+    /// Function that returns the 6×6 matrix J M⁻¹ Jᵀ of the contact link.
     fn mobility_function(&self) -> String {
         let mut results: Vec<Expr> =
             [self.functions.closure, self.functions.choice].into_iter().flatten().collect();
@@ -233,6 +239,7 @@ impl RustSource<'_> {
         })
     }
 
+    /// Function for many configurations, written so that the compiler vectorises its loop.
     fn batch_function(&self) -> String {
         let statements = self.functions.mass_statements();
         let used = used_inputs(self.functions, &statements);
@@ -287,6 +294,7 @@ impl RustSource<'_> {
         out
     }
 
+    /// Function that closes the loops by Newton steps on the dependent positions.
     fn close_function(&self) -> String {
         let functions = self.functions;
         let mut results: Vec<Expr> = [functions.closure, functions.choice].into_iter().flatten().collect();
@@ -338,6 +346,7 @@ impl RustSource<'_> {
         })
     }
 
+    /// Statements that add the Newton step to the positions.
     fn position_updates(&self) -> String {
         let mut out = String::new();
         let steps = &self.functions.steps;

@@ -167,7 +167,7 @@ impl ClosureDescription {
         self
     }
 
-    /// Sets the axis.
+    /// Sets the axis, with the same components in both loop frames.
     pub fn axis(mut self, axis: [f64; 3]) -> Self {
         self.axis = axis.into();
         self

@@ -20,7 +20,7 @@ impl<T: Lanes> PackedTwist<T> {
         Self { angular: [T::zero(); 3], linear: [T::zero(); 3] }
     }
 
-    /// Inverse of [`PackedWrench::turn`].
+    /// Rotation by −angle about axis `Z`: inverse of [`PackedWrench::turn`].
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn turn_back<const Z: usize>(&mut self, c: T, s: T) {
         turn_vector::<T, Z>(&mut self.angular, c, -s);

@@ -105,13 +105,13 @@ impl InertiaFactor {
         values.iter().all(|v| v.abs() <= rounding * most || *v >= clear * most)
     }
 
-    /// Wrenches with a massless response.
+    /// Wrenches that move the links without kinetic energy.
     pub fn into_massless_wrenches(self) -> FreeWrenches {
         FreeWrenches { reach: self.reach, units: self.massless_responses }
     }
 }
 
-/// Wrenches to which massless motions respond: orthonormal basis, with moments scaled by the reach.
+/// Wrenches that cause massless motions: orthonormal basis, with moments scaled by the reach.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FreeWrenches {
     reach: f64,

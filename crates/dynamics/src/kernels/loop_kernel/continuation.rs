@@ -235,9 +235,9 @@ impl LoopContinuation {
     fn inverse_norm(&mut self, lane: usize, lanes: usize) -> f64 {
         let plan = &self.linkage.plan;
         let (n, rank, rows) = (plan.columns, plan.layout.count, plan.layout.rows);
-        let room = &self.linkage.scratch;
-        let entry = |r: usize, c: usize| room[(rows + r * n + c) * lanes + lane];
-        let over = |k: usize| room[(plan.layout.inverse_pivots + k) * lanes + lane];
+        let scratch = &self.linkage.scratch;
+        let entry = |r: usize, c: usize| scratch[(rows + r * n + c) * lanes + lane];
+        let over = |k: usize| scratch[(plan.layout.inverse_pivots + k) * lanes + lane];
         let below = |k: usize| plan.pivots[k].rows.iter().copied().filter(|r| *r < rank);
         let v = &mut self.neighbourhood.scratch;
         v.clear();
@@ -323,7 +323,7 @@ impl LoopContinuation {
             size,
             ..
         } = self;
-        let LoopKernel { plan, contact: struck, scratch: room, instructions } = linkage;
+        let LoopKernel { plan, contact, scratch, instructions } = linkage;
         let (rank, f) = (plan.layout.count, plan.freedoms);
         for (lanes, value) in positions.chunks_exact_mut(lanes).zip(&here.positions) {
             lanes.fill(*value);
@@ -360,17 +360,17 @@ impl LoopContinuation {
             corrections: unknown,
             orientation: unknown,
         };
-        if let Some(struck) = struck.as_ref() {
+        if let Some(contact) = contact.as_ref() {
             let closed = CLOSED_IN_LANES * *size;
             let outcome = &mut seen;
             let group = Closing {
                 plan,
-                contact: struck,
+                contact,
                 dependent_positions: following,
                 positions,
                 steps,
                 closed,
-                scratch: room,
+                scratch,
                 outcome,
             };
             if lanes == 1 { instructions.run_one(group) } else { instructions.run(group) }
@@ -501,25 +501,25 @@ impl Work for Closing<'_> {
     fn run<T: Lanes>(self) {
         let Self {
             plan,
-            contact: struck,
+            contact,
             dependent_positions: following,
             positions,
             steps,
             closed,
-            scratch: room,
+            scratch,
             outcome,
         } = self;
         for k in 0..plan.layout.count {
-            store(room, plan.layout.steps + k, get::<T>(steps, k));
+            store(scratch, plan.layout.steps + k, get::<T>(steps, k));
         }
-        apply_newton_steps::<T>(plan, following, positions, room);
+        apply_newton_steps::<T>(plan, following, positions, scratch);
         let mut corrected = T::zero();
         let mut passes = 1;
-        let (placed, seen, least) = loop {
-            let placed: (T, T) =
-                fill_frames(plan, PositionColumns { values: positions, stride: T::WIDTH }, 0, room);
-            let seen = fill_rows::<T, true>(plan, room);
-            let least: T = eliminate::<T, true>(plan, room);
+        let (sizes, seen, least) = loop {
+            let sizes: (T, T) =
+                fill_frames(plan, PositionColumns { values: positions, stride: T::WIDTH }, 0, scratch);
+            let seen = fill_rows::<T, true>(plan, scratch);
+            let least: T = eliminate::<T, true>(plan, scratch);
             let mut open = [0.0; WIDEST];
             seen.residual.store(&mut open);
             // A NaN residual never counts as closed.
@@ -528,18 +528,18 @@ impl Work for Closing<'_> {
                 all &= *open <= closed;
             }
             if all || passes == CLOSING_PASSES {
-                break (placed, seen, least);
+                break (sizes, seen, least);
             }
-            corrected += fill_steps::<T>(plan, room);
-            apply_newton_steps::<T>(plan, following, positions, room);
+            corrected += fill_steps::<T>(plan, scratch);
+            apply_newton_steps::<T>(plan, following, positions, scratch);
             passes += 1;
         };
         let mut orientation = T::one();
         for k in 0..plan.layout.count {
-            orientation *= get::<T>(room, plan.layout.inverse_pivots + k);
+            orientation *= get::<T>(scratch, plan.layout.inverse_pivots + k);
         }
         orientation.store(&mut outcome.orientation);
-        let answer = response_after_elimination(plan, (struck, None), placed, seen.roundings, least, room);
+        let answer = response_after_elimination(plan, (contact, None), sizes, seen.roundings, least, scratch);
         let mut answers = MassColumns { masses: &mut outcome.masses, errors: &mut outcome.errors };
         answers.store(0, answer.response, answer.error);
         seen.residual.store(&mut outcome.residuals);
@@ -553,13 +553,13 @@ fn apply_newton_steps<T: Lanes>(
     plan: &LoopPlan,
     following: &[DependentPosition],
     positions: &mut [f64],
-    room: &[f64],
+    scratch: &[f64],
 ) {
     let steps = plan.layout.steps;
     for one in following {
         match one {
             DependentPosition::Single { q, column, factor } => {
-                let step: T = get(room, steps + column);
+                let step: T = get(scratch, steps + column);
                 store(positions, *q, step.mul_add(T::from_f64(*factor), get(positions, *q)));
             }
             DependentPosition::Spherical { q, turns } => {
@@ -567,7 +567,7 @@ fn apply_newton_steps<T: Lanes>(
                 let mut k = 0;
                 while k < 3 {
                     if let Some((column, factor)) = turns[k] {
-                        half[k] = get::<T>(room, steps + column) * T::from_f64(0.5 * factor);
+                        half[k] = get::<T>(scratch, steps + column) * T::from_f64(0.5 * factor);
                     }
                     k += 1;
                 }

@@ -67,12 +67,12 @@ pub(super) struct LoopResponse<T> {
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn evaluate<T: Lanes>(
     plan: &LoopPlan,
-    struck: &LoopContact,
+    contact: &LoopContact,
     columns: PositionColumns<'_>,
     first: usize,
-    room: &mut [f64],
+    scratch: &mut [f64],
 ) -> LoopResponse<T> {
-    let (mut beyond, far): (T, T) = fill_frames(plan, columns, first, room);
+    let (mut beyond, far): (T, T) = fill_frames(plan, columns, first, scratch);
     for body in &plan.bodies {
         match body.motion {
             LoopMotion::Ball(q) => beyond += quaternion_norm_excess(columns, q, first),
@@ -80,10 +80,10 @@ pub(super) fn evaluate<T: Lanes>(
             LoopMotion::Fixed | LoopMotion::Turn(_) | LoopMotion::Slide(_) | LoopMotion::Base => {}
         }
     }
-    let rows: RowRoundings<T> = fill_rows::<T, false>(plan, room).roundings;
-    let least: T = eliminate::<T, false>(plan, room);
-    let of_rows = struck.of_rows(columns, first);
-    response_after_elimination(plan, (struck, of_rows), (beyond, far), rows, least, room)
+    let rows: RowRoundings<T> = fill_rows::<T, false>(plan, scratch).roundings;
+    let least: T = eliminate::<T, false>(plan, scratch);
+    let of_rows = contact.of_rows(columns, first);
+    response_after_elimination(plan, (contact, of_rows), (beyond, far), rows, least, scratch)
 }
 
 /// 1/m̄ after the elimination of A. First pair: the contact, and the points and normals of the rows. Second pair: excess of the
@@ -96,10 +96,10 @@ pub(super) fn response_after_elimination<T: Lanes>(
     (beyond, far): (T, T),
     rows: RowRoundings<T>,
     least: T,
-    room: &mut [f64],
+    scratch: &mut [f64],
 ) -> LoopResponse<T> {
-    fill_rates::<T>(plan, room);
-    fill_twists::<T>(plan, room);
+    fill_rates::<T>(plan, scratch);
+    fill_twists::<T>(plan, scratch);
     // Error of each rate in units of ε times the sum of all rates: the roundings of the entries of A, divided by its
     // pivots. Frames fixed to the root link are rounded at their distance from its origin.
     let far = far + T::from_f64(plan.centre.norm() / 2.0);
@@ -108,18 +108,18 @@ pub(super) fn response_after_elimination<T: Lanes>(
     // Error of the positions: the residual of the loops divided by the pivots, and at least the residual itself.
     let open = rows.open * amplified.max(T::one());
     let entries = rows.rods + open + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
-    let mut answer: LoopResponse<T> = solve_response(plan, contact, entries * amplified, room);
+    let mut answer: LoopResponse<T> = solve_response(plan, contact, entries * amplified, scratch);
     answer.error = beyond.mul_add(T::from_f64(f64::MAX), answer.error);
     answer
 }
 
 /// Twists of the bodies at their origins, root axes.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn fill_twists<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) {
+fn fill_twists<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) {
     let f = plan.freedoms;
     for (i, body) in plan.bodies.iter().enumerate() {
-        let (turn, origin) = frame::<T>(room, i);
-        let arm = body.parent.map(|parent| minus(&origin, &get_vector(room, FRAME * parent + 9)));
+        let (turn, origin) = frame::<T>(scratch, i);
+        let arm = body.parent.map(|parent| minus(&origin, &get_vector(scratch, FRAME * parent + 9)));
         let mut y = 0;
         while y < f {
             let to = plan.layout.twists + 6 * (i * f + y);
@@ -128,14 +128,14 @@ fn fill_twists<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) {
                 && plan.bodies[parent].moved_by[y]
             {
                 let from = plan.layout.twists + 6 * (parent * f + y);
-                angular = get_vector(room, from);
-                linear = plus(&get_vector(room, from + 3), &cross(&angular, arm));
+                angular = get_vector(scratch, from);
+                linear = plus(&get_vector(scratch, from + 3), &cross(&angular, arm));
             }
             for (k, velocity) in body.velocities.iter().enumerate() {
                 if !plan.depends_on[velocity.column * f + y] {
                     continue;
                 }
-                let rate: T = get(room, plan.layout.rates + velocity.column * f + y);
+                let rate: T = get(scratch, plan.layout.rates + velocity.column * f + y);
                 let rate = rate * T::from_f64(velocity.factor);
                 match body.motion {
                     LoopMotion::Fixed => {}
@@ -157,8 +157,8 @@ fn fill_twists<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) {
                     LoopMotion::Base => linear[k - 3] += rate,
                 }
             }
-            put_vector(room, to, angular);
-            put_vector(room, to + 3, linear);
+            put_vector(scratch, to, angular);
+            put_vector(scratch, to + 3, linear);
             y += 1;
         }
     }
@@ -175,35 +175,35 @@ fn fill_twists<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) {
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn solve_response<T: Lanes>(
     plan: &LoopPlan,
-    (struck, of_rows): (&LoopContact, Option<[[T; 3]; 2]>),
+    (contact, of_rows): (&LoopContact, Option<[[T; 3]; 2]>),
     lost: T,
-    room: &mut [f64],
+    scratch: &mut [f64],
 ) -> LoopResponse<T> {
     const MOST: usize = LINKAGE_FREEDOMS;
     let f = plan.freedoms;
     let (mut d, mut sizes) = ([[T::zero(); MOST]; MOST], [T::zero(); MOST]);
     for (i, body) in plan.bodies.iter().enumerate() {
-        add_energy(plan, i, body, room, &mut d, &mut sizes);
+        add_energy(plan, i, body, scratch, &mut d, &mut sizes);
     }
     let (mut t, mut tests) = ([T::zero(); MOST], [T::zero(); MOST]);
     let at: [T; 3] = match of_rows {
-        Some([at, _]) => point_of(room, struck.on.body, at),
-        None => point(room, &struck.on),
+        Some([at, _]) => point_of(scratch, contact.on.body, at),
+        None => point(scratch, &contact.on),
     };
     let (mut turned, mut refused) = (T::one(), T::zero());
-    let normal = match &struck.normal {
+    let normal = match &contact.normal {
         LoopNormal::Along(heading) => match of_rows {
-            Some([_, normal]) => direction_of(room, heading.body, normal),
-            None => direction(room, heading),
+            Some([_, normal]) => direction_of(scratch, heading.body, normal),
+            None => direction(scratch, heading),
         },
         LoopNormal::Toward { end, drawn, shortest, least_cosine } => {
-            let end = point(room, end);
+            let end = point(scratch, end);
             let line = minus(&end, &at);
             let over = T::one() / dot(&line, &line).sqrt();
             // The line rotates by the errors of its ends.
             turned = (size(&end) + size(&at)).mul_add(over, turned);
             let unit = times(&line, over);
-            let cosine = dot(&unit, &direction(room, drawn));
+            let cosine = dot(&unit, &direction(scratch, drawn));
             // A refused line is left to the evaluation of a pose, which reports the reason.
             let short = T::from_f64(*shortest) - dot(&line, &unit);
             let aside = T::from_f64(*least_cosine) - cosine;
@@ -213,25 +213,25 @@ fn solve_response<T: Lanes>(
     };
     let mut y = 0;
     while y < f {
-        if let Some(body) = struck.on.body {
-            let (speed, test) = speed::<T>(plan, body, y, &at, &normal, room);
+        if let Some(body) = contact.on.body {
+            let (speed, test) = speed::<T>(plan, body, y, &at, &normal, scratch);
             (t[y], tests[y]) = (t[y] + speed, tests[y] + test);
         }
-        if let Some(body) = struck.against {
-            let (speed, test) = speed::<T>(plan, body, y, &at, &normal, room);
+        if let Some(body) = contact.against {
+            let (speed, test) = speed::<T>(plan, body, y, &at, &normal, scratch);
             (t[y], tests[y]) = (t[y] - speed, tests[y] + test);
         }
         y += 1;
     }
     // The size of the point's speed is the sum over all rates, even if the speed is zero.
     let reach_of = |body: Option<usize>| body.map_or(0.0, |b| plan.bodies[b].reach);
-    let reach = reach_of(struck.on.body) + reach_of(struck.against);
+    let reach = reach_of(contact.on.body) + reach_of(contact.against);
     let arm = size(&at) + T::from_f64(reach);
     let arms = arm.mul_add(T::from_f64(1.0 / plan.length), T::one());
     let roundings = T::from_f64(ROUTE_ROUNDINGS);
     let mut k = 0;
     while k < f {
-        let off: T = lost * rate_sum::<T>(plan, k, room);
+        let off: T = lost * rate_sum::<T>(plan, k, scratch);
         tests[k] = turned * off.mul_add(arms, tests[k] * roundings);
         let square = off * off * T::from_f64(plan.weight);
         let cross = (square * d[k][k].abs()).sqrt();
@@ -268,11 +268,11 @@ fn solve_response<T: Lanes>(
 
 /// Sum of the absolute rates of all coordinates at a unit rate of one independent coordinate.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn rate_sum<T: Lanes>(plan: &LoopPlan, y: usize, room: &[f64]) -> T {
+fn rate_sum<T: Lanes>(plan: &LoopPlan, y: usize, scratch: &[f64]) -> T {
     let mut sum = T::one();
     let mut k = 0;
     while k < plan.layout.count {
-        sum += get::<T>(room, plan.layout.rates + k * plan.freedoms + y).abs();
+        sum += get::<T>(scratch, plan.layout.rates + k * plan.freedoms + y).abs();
         k += 1;
     }
     sum
@@ -286,14 +286,14 @@ fn speed<T: Lanes>(
     y: usize,
     at: &[T; 3],
     normal: &[T; 3],
-    room: &[f64],
+    scratch: &[f64],
 ) -> (T, T) {
     if !plan.bodies[body].moved_by[y] {
         return (T::zero(), T::zero());
     }
     let from = plan.layout.twists + 6 * (body * plan.freedoms + y);
-    let (angular, linear): ([T; 3], [T; 3]) = (get_vector(room, from), get_vector(room, from + 3));
-    let arm = minus(at, &get_vector(room, FRAME * body + 9));
+    let (angular, linear): ([T; 3], [T; 3]) = (get_vector(scratch, from), get_vector(scratch, from + 3));
+    let arm = minus(at, &get_vector(scratch, FRAME * body + 9));
     let velocity = plus(&linear, &cross(&angular, &arm));
     (dot(normal, &velocity), size(&angular).mul_add(size(&arm), size(&linear)))
 }
@@ -304,7 +304,7 @@ fn add_energy<T: Lanes>(
     plan: &LoopPlan,
     i: usize,
     body: &LoopBody,
-    room: &mut [f64],
+    scratch: &mut [f64],
     d: &mut [[T; LINKAGE_FREEDOMS]; LINKAGE_FREEDOMS],
     sizes: &mut [T; LINKAGE_FREEDOMS],
 ) {
@@ -316,13 +316,13 @@ fn add_energy<T: Lanes>(
         let armature = T::from_f64(velocity.armature * velocity.factor * velocity.factor);
         let mut y = 0;
         while y < f {
-            let own = get::<T>(room, plan.layout.rates + velocity.column * f + y) * armature;
+            let own = get::<T>(scratch, plan.layout.rates + velocity.column * f + y) * armature;
             let mut z = 0;
             while z <= y {
-                d[y][z] = own.mul_add(get(room, plan.layout.rates + velocity.column * f + z), d[y][z]);
+                d[y][z] = own.mul_add(get(scratch, plan.layout.rates + velocity.column * f + z), d[y][z]);
                 z += 1;
             }
-            sizes[y] = own.mul_add(get(room, plan.layout.rates + velocity.column * f + y), sizes[y]);
+            sizes[y] = own.mul_add(get(scratch, plan.layout.rates + velocity.column * f + y), sizes[y]);
             y += 1;
         }
     }
@@ -335,15 +335,15 @@ fn add_energy<T: Lanes>(
         [of(inertia[5]), of(inertia[7]), of(inertia[8])],
         [of(inertia[6]), of(inertia[8]), of(inertia[9])],
     ];
-    let (turn, _) = frame::<T>(room, i);
+    let (turn, _) = frame::<T>(scratch, i);
     let mut y = 0;
     while y < f {
         if body.moved_by[y] {
             let from = plan.layout.twists + 6 * (i * f + y);
-            let angular = back(&turn, &get_vector(room, from));
-            let linear = back(&turn, &get_vector(room, from + 3));
-            put_vector(room, plan.layout.known + 6 * y, angular);
-            put_vector(room, plan.layout.known + 6 * y + 3, linear);
+            let angular = back(&turn, &get_vector(scratch, from));
+            let linear = back(&turn, &get_vector(scratch, from + 3));
+            put_vector(scratch, plan.layout.known + 6 * y, angular);
+            put_vector(scratch, plan.layout.known + 6 * y + 3, linear);
             let about_origin = of(inertia[4] + inertia[7] + inertia[9]) * dot(&angular, &angular);
             sizes[y] += mass.mul_add(dot(&linear, &linear), about_origin);
             let momentum = plus(&times(&linear, mass), &cross(&angular, &c));
@@ -355,8 +355,8 @@ fn add_energy<T: Lanes>(
             while z <= y {
                 if body.moved_by[z] {
                     let known = plan.layout.known + 6 * z;
-                    d[y][z] +=
-                        dot(&get_vector(room, known), &about) + dot(&get_vector(room, known + 3), &momentum);
+                    d[y][z] += dot(&get_vector(scratch, known), &about)
+                        + dot(&get_vector(scratch, known + 3), &momentum);
                 }
                 z += 1;
             }

@@ -13,7 +13,7 @@ pub(super) fn fill_frames<T: Lanes>(
     plan: &LoopPlan,
     columns: PositionColumns<'_>,
     first: usize,
-    room: &mut [f64],
+    scratch: &mut [f64],
 ) -> (T, T) {
     let (mut beyond, mut far) = (T::zero(), T::zero());
     for (i, body) in plan.bodies.iter().enumerate() {
@@ -21,7 +21,7 @@ pub(super) fn fill_frames<T: Lanes>(
         let mut shift: [T; 3] = splat(&body.translation);
         let mut turn: [[T; 3]; 3] = fixed;
         if let Some(parent) = body.parent {
-            let (carrier, origin) = frame::<T>(room, parent);
+            let (carrier, origin) = frame::<T>(scratch, parent);
             shift = plus(
                 &origin,
                 &[dot(&carrier[0], &shift), dot(&carrier[1], &shift), dot(&carrier[2], &shift)],
@@ -54,10 +54,10 @@ pub(super) fn fill_frames<T: Lanes>(
                 turn = product(&turn, &of_quaternion(columns, q + 3, first));
             }
         }
-        put_vector(room, FRAME * i, turn[0]);
-        put_vector(room, FRAME * i + 3, turn[1]);
-        put_vector(room, FRAME * i + 6, turn[2]);
-        put_vector(room, FRAME * i + 9, shift);
+        put_vector(scratch, FRAME * i, turn[0]);
+        put_vector(scratch, FRAME * i + 3, turn[1]);
+        put_vector(scratch, FRAME * i + 6, turn[2]);
+        put_vector(scratch, FRAME * i + 9, shift);
         far = far.max(size(&shift));
     }
     (beyond, far)
@@ -95,50 +95,50 @@ fn of_quaternion<T: Lanes>(columns: PositionColumns<'_>, q: usize, first: usize)
 
 /// Rotation of a body, row by row, and its position.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn frame<T: Lanes>(room: &[f64], body: usize) -> ([[T; 3]; 3], [T; 3]) {
+pub(super) fn frame<T: Lanes>(scratch: &[f64], body: usize) -> ([[T; 3]; 3], [T; 3]) {
     let at = FRAME * body;
-    let turn = [get_vector(room, at), get_vector(room, at + 3), get_vector(room, at + 6)];
-    (turn, get_vector(room, at + 9))
+    let turn = [get_vector(scratch, at), get_vector(scratch, at + 3), get_vector(scratch, at + 6)];
+    (turn, get_vector(scratch, at + 9))
 }
 
 /// Axis `k` of a body: a column of its rotation.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn axis<T: Lanes>(room: &[f64], body: usize, k: usize) -> [T; 3] {
+pub(super) fn axis<T: Lanes>(scratch: &[f64], body: usize, k: usize) -> [T; 3] {
     let at = FRAME * body + k;
-    [get(room, at), get(room, at + 3), get(room, at + 6)]
+    [get(scratch, at), get(scratch, at + 3), get(scratch, at + 6)]
 }
 
-/// Direction fixed in a body or in the root, in root axes. `room`: workspace with the frames of the bodies.
+/// Direction fixed in a body or in the root, in root axes. `scratch`: workspace with the frames of the bodies.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn direction<T: Lanes>(room: &[f64], heading: &BodyDirection) -> [T; 3] {
-    direction_of(room, heading.body, splat(&heading.e))
+pub(super) fn direction<T: Lanes>(scratch: &[f64], heading: &BodyDirection) -> [T; 3] {
+    direction_of(scratch, heading.body, splat(&heading.e))
 }
 
 /// Directions of the lanes in a body or in the root, in root axes.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn direction_of<T: Lanes>(room: &[f64], body: Option<usize>, own: [T; 3]) -> [T; 3] {
+pub(super) fn direction_of<T: Lanes>(scratch: &[f64], body: Option<usize>, own: [T; 3]) -> [T; 3] {
     match body {
         Some(body) => {
-            let (turn, _) = frame::<T>(room, body);
+            let (turn, _) = frame::<T>(scratch, body);
             [dot(&turn[0], &own), dot(&turn[1], &own), dot(&turn[2], &own)]
         }
         None => own,
     }
 }
 
-/// Point fixed in a body or in the root, in the coordinates of the kernel's root frame, m. `room`: workspace with the
+/// Point fixed in a body or in the root, in the coordinates of the kernel's root frame, m. `scratch`: workspace with the
 /// frames of the bodies.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn point<T: Lanes>(room: &[f64], place: &BodyPoint) -> [T; 3] {
-    point_of(room, place.body, splat(&place.at))
+pub(super) fn point<T: Lanes>(scratch: &[f64], place: &BodyPoint) -> [T; 3] {
+    point_of(scratch, place.body, splat(&place.at))
 }
 
 /// Points of the lanes in a body or in the root, in the coordinates of the kernel's root frame, m.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn point_of<T: Lanes>(room: &[f64], body: Option<usize>, own: [T; 3]) -> [T; 3] {
+pub(super) fn point_of<T: Lanes>(scratch: &[f64], body: Option<usize>, own: [T; 3]) -> [T; 3] {
     match body {
         Some(body) => {
-            let (turn, origin) = frame::<T>(room, body);
+            let (turn, origin) = frame::<T>(scratch, body);
             plus(&origin, &[dot(&turn[0], &own), dot(&turn[1], &own), dot(&turn[2], &own)])
         }
         None => own,

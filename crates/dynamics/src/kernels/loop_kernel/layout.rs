@@ -55,26 +55,26 @@ impl Layout {
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn get<T: Lanes>(room: &[f64], at: usize) -> T {
-    T::load(&room[at * T::WIDTH..])
+pub(super) fn get<T: Lanes>(scratch: &[f64], at: usize) -> T {
+    T::load(&scratch[at * T::WIDTH..])
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn store<T: Lanes>(room: &mut [f64], at: usize, x: T) {
-    x.store(&mut room[at * T::WIDTH..]);
+pub(super) fn store<T: Lanes>(scratch: &mut [f64], at: usize, x: T) {
+    x.store(&mut scratch[at * T::WIDTH..]);
 }
 
 /// Loads a vector stored by [`put_vector`].
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn get_vector<T: Lanes>(room: &[f64], at: usize) -> [T; 3] {
-    let own = &room[at * T::WIDTH..][..3 * T::WIDTH];
+pub(super) fn get_vector<T: Lanes>(scratch: &[f64], at: usize) -> [T; 3] {
+    let own = &scratch[at * T::WIDTH..][..3 * T::WIDTH];
     [T::load(own), T::load(&own[T::WIDTH..]), T::load(&own[2 * T::WIDTH..])]
 }
 
 /// Stores a vector at index `at` of the workspace: three numbers, each with lane width.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn put_vector<T: Lanes>(room: &mut [f64], at: usize, v: [T; 3]) {
-    let own = &mut room[at * T::WIDTH..][..3 * T::WIDTH];
+pub(super) fn put_vector<T: Lanes>(scratch: &mut [f64], at: usize, v: [T; 3]) {
+    let own = &mut scratch[at * T::WIDTH..][..3 * T::WIDTH];
     v[0].store(own);
     v[1].store(&mut own[T::WIDTH..]);
     v[2].store(&mut own[2 * T::WIDTH..]);

@@ -46,8 +46,8 @@ impl LoopKernel {
     }
 
     fn from_plan(plan: LoopPlan) -> Self {
-        let room = Aligned::zeros(plan.layout.total * WIDEST);
-        Self { plan: Arc::new(plan), contact: None, scratch: room, instructions: Instructions::best() }
+        let scratch = Aligned::zeros(plan.layout.total * WIDEST);
+        Self { plan: Arc::new(plan), contact: None, scratch, instructions: Instructions::best() }
     }
 
     /// Sets a checked contact, also between two links or along a line. Allocates nothing.
@@ -156,8 +156,8 @@ impl LoopKernel {
         first: usize,
         answers: MassColumns<'a>,
     ) -> Option<LoopLaneWork<'a>> {
-        let Self { plan, contact: struck, scratch: room, .. } = self;
-        Some(LoopLaneWork { plan, contact: struck.as_ref()?, columns, first, scratch: room, answers })
+        let Self { plan, contact, scratch, .. } = self;
+        Some(LoopLaneWork { plan, contact: contact.as_ref()?, columns, first, scratch, answers })
     }
 }
 
@@ -174,10 +174,10 @@ struct LoopLaneWork<'a> {
 impl Work for LoopLaneWork<'_> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<T: Lanes>(self) {
-        let Self { plan, contact: struck, columns, first, scratch: room, mut answers } = self;
+        let Self { plan, contact, columns, first, scratch, mut answers } = self;
         let mut done = 0;
         while done < answers.masses.len() {
-            let answer: LoopResponse<T> = evaluate(plan, struck, columns, first + done, room);
+            let answer: LoopResponse<T> = evaluate(plan, contact, columns, first + done, scratch);
             answers.store(done, answer.response, answer.error);
             done += T::WIDTH;
         }

@@ -9,10 +9,10 @@ use percuss_spatial::lanes::{Lanes, Single};
 
 /// Entries of A at the given positions, row by row; used before the rows are ordered.
 pub(super) fn matrix_at(plan: &LoopPlan, positions: &[f64]) -> Vec<f64> {
-    let mut room = vec![0.0; plan.layout.total];
-    fill_frames::<Single>(plan, PositionColumns { values: positions, stride: 1 }, 0, &mut room);
-    fill_rows::<Single, false>(plan, &mut room);
-    room[plan.layout.rows..plan.layout.inverse_pivots].to_vec()
+    let mut scratch = vec![0.0; plan.layout.total];
+    fill_frames::<Single>(plan, PositionColumns { values: positions, stride: 1 }, 0, &mut scratch);
+    fill_rows::<Single, false>(plan, &mut scratch);
+    scratch[plan.layout.rows..plan.layout.inverse_pivots].to_vec()
 }
 
 /// Quantities of the loops, computed with their rows.
@@ -36,23 +36,26 @@ pub(super) struct RowRoundings<T> {
 
 /// Fills A; with `KEPT`, also stores the residual of each row (m).
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut [f64]) -> LoopResiduals<T> {
+pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(
+    plan: &LoopPlan,
+    scratch: &mut [f64],
+) -> LoopResiduals<T> {
     for entry in &plan.filled_in {
-        store(room, plan.layout.rows + entry, T::zero());
+        store(scratch, plan.layout.rows + entry, T::zero());
     }
     macro_rules! keep {
         ($row:expr, $residual:expr) => {
             if KEPT && let Some(row) = $row {
-                store(room, plan.layout.residuals + row, $residual);
+                store(scratch, plan.layout.residuals + row, $residual);
             }
         };
     }
     let (mut open, mut rods) = (T::zero(), T::zero());
     let still = [T::zero(); 3];
     for block in &plan.blocks {
-        let at: [T; 3] = point(room, &block.successor);
+        let at: [T; 3] = point(scratch, &block.successor);
         let apart = match &block.predecessor {
-            Some(place) => minus(&at, &point(room, place)),
+            Some(place) => minus(&at, &point(scratch, place)),
             None => still,
         };
         for (form, rows) in &block.forms {
@@ -62,27 +65,27 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut 
                     keep!(rows[0], apart[0]);
                     keep!(rows[1], apart[1]);
                     keep!(rows[2], apart[2]);
-                    add_point(plan, block, rows, &at, room);
+                    add_point(plan, block, rows, &at, scratch);
                 }
                 RowForm::Along(e) => {
-                    let force = direction(room, e);
+                    let force = direction(scratch, e);
                     let gap = dot(&apart, &force);
                     open = open.max(gap.abs());
                     keep!(rows[0], gap);
-                    add_row(plan, block, rows[0], &still, &force, &at, room);
+                    add_row(plan, block, rows[0], &still, &force, &at, scratch);
                 }
                 RowForm::Cosine(e, b, length) => {
-                    let (e, b): ([T; 3], [T; 3]) = (direction(room, e), direction(room, b));
+                    let (e, b): ([T; 3], [T; 3]) = (direction(scratch, e), direction(scratch, b));
                     let length = T::from_f64(*length);
                     let gap = dot(&b, &e) * length;
                     open = open.max(gap.abs());
                     keep!(rows[0], gap);
-                    add_row(plan, block, rows[0], &times(&cross(&b, &e), length), &still, &at, room);
+                    add_row(plan, block, rows[0], &times(&cross(&b, &e), length), &still, &at, scratch);
                 }
                 RowForm::Orientation(own, other, length) => {
                     let length = T::from_f64(*length);
-                    let own: [[T; 3]; 3] = [0, 1, 2].map(|k| direction(room, &own[k]));
-                    let other: [[T; 3]; 3] = [0, 1, 2].map(|k| direction(room, &other[k]));
+                    let own: [[T; 3]; 3] = [0, 1, 2].map(|k| direction(scratch, &own[k]));
+                    let other: [[T; 3]; 3] = [0, 1, 2].map(|k| direction(scratch, &other[k]));
                     // Σ e × b is twice the sine of the angle times the axis.
                     let twice = plus(&cross(&own[0], &other[0]), &cross(&own[1], &other[1]));
                     let twice = plus(&twice, &cross(&own[2], &other[2]));
@@ -92,7 +95,7 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut 
                         let gap = dot(&twice, &own[k]) * half;
                         open = open.max(gap.abs());
                         keep!(rows[k], gap);
-                        add_row(plan, block, rows[k], &times(&own[k], length), &still, &at, room);
+                        add_row(plan, block, rows[k], &times(&own[k], length), &still, &at, scratch);
                         k += 1;
                     }
                     // Beyond a right angle the sine decreases again.
@@ -107,13 +110,13 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut 
                     keep!(rows[0], gap);
                     let over = T::one() / length;
                     rods = rods.max((size(&at) + size(&apart)) * over);
-                    add_row(plan, block, rows[0], &still, &times(&apart, over), &at, room);
+                    add_row(plan, block, rows[0], &still, &times(&apart, over), &at, scratch);
                 }
                 RowForm::Constant => {
                     let Some(row) = rows[0] else { continue };
                     for term in &block.terms {
                         let to = plan.layout.rows + row * plan.columns + term.column;
-                        store(room, to, entry_before::<T>(term, to, room) + T::from_f64(term.factor));
+                        store(scratch, to, entry_before::<T>(term, to, scratch) + T::from_f64(term.factor));
                     }
                 }
             }
@@ -128,20 +131,20 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut 
 
 /// Axis of the joint velocity of a term, and the vector from its body's origin to the point `at`; root axes.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn lever<T: Lanes>(term: &BlockTerm, bodies: &[LoopBody], at: &[T; 3], room: &[f64]) -> ([T; 3], [T; 3]) {
+fn lever<T: Lanes>(term: &BlockTerm, bodies: &[LoopBody], at: &[T; 3], scratch: &[f64]) -> ([T; 3], [T; 3]) {
     let k = match bodies[term.body].motion {
         LoopMotion::Ball(_) => term.component,
         LoopMotion::Floating(_) | LoopMotion::Base => term.component % 3,
         LoopMotion::Fixed | LoopMotion::Turn(_) | LoopMotion::Slide(_) => 2,
     };
-    let place: [T; 3] = get_vector(room, FRAME * term.body + 9);
-    (axis(room, term.body, k), minus(at, &place))
+    let place: [T; 3] = get_vector(scratch, FRAME * term.body + 9);
+    (axis(scratch, term.body, k), minus(at, &place))
 }
 
 /// Entry before a term is added: zero for the first term.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn entry_before<T: Lanes>(term: &BlockTerm, entry: usize, room: &[f64]) -> T {
-    if term.is_first { T::zero() } else { get(room, entry) }
+fn entry_before<T: Lanes>(term: &BlockTerm, entry: usize, scratch: &[f64]) -> T {
+    if term.is_first { T::zero() } else { get(scratch, entry) }
 }
 
 /// Adds the three rows of the velocity of a point.
@@ -151,16 +154,20 @@ fn add_point<T: Lanes>(
     block: &Block,
     rows: &[Option<usize>; 3],
     at: &[T; 3],
-    room: &mut [f64],
+    scratch: &mut [f64],
 ) {
     for term in &block.terms {
-        let (a, arm) = lever(term, &plan.bodies, at, room);
+        let (a, arm) = lever(term, &plan.bodies, at, scratch);
         let velocity = if term.slides { a } else { cross(&a, &arm) };
         let mut k = 0;
         while k < 3 {
             if let Some(row) = rows[k] {
                 let to = plan.layout.rows + row * plan.columns + term.column;
-                store(room, to, velocity[k].mul_add(T::from_f64(term.factor), entry_before(term, to, room)));
+                store(
+                    scratch,
+                    to,
+                    velocity[k].mul_add(T::from_f64(term.factor), entry_before(term, to, scratch)),
+                );
             }
             k += 1;
         }
@@ -177,42 +184,46 @@ fn add_row<T: Lanes>(
     moment: &[T; 3],
     force: &[T; 3],
     at: &[T; 3],
-    room: &mut [f64],
+    scratch: &mut [f64],
 ) {
     let Some(row) = row else { return };
     for term in &block.terms {
-        let (a, arm) = lever(term, &plan.bodies, at, room);
+        let (a, arm) = lever(term, &plan.bodies, at, scratch);
         let power = if term.slides { dot(&a, force) } else { dot(&a, &plus(moment, &cross(&arm, force))) };
         let to = plan.layout.rows + row * plan.columns + term.column;
-        store(room, to, power.mul_add(T::from_f64(term.factor), entry_before(term, to, room)));
+        store(scratch, to, power.mul_add(T::from_f64(term.factor), entry_before(term, to, scratch)));
     }
 }
 
 /// Eliminates the dependent coordinates in the order of the plan; with `KEPT`, also in the residuals. Returns the
 /// largest 1/|pivot|, or a larger value than any such quotient if a redundant row is not redundant here.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut [f64]) -> T {
+pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &LoopPlan, scratch: &mut [f64]) -> T {
     let (n, rows) = (plan.columns, plan.layout.rows);
     let mut least = T::zero();
     for (k, pivot) in plan.pivots.iter().enumerate() {
-        let over = T::one() / get::<T>(room, rows + k * n + k);
+        let over = T::one() / get::<T>(scratch, rows + k * n + k);
         least = least.max(over.abs());
-        store(room, plan.layout.inverse_pivots + k, over);
+        store(scratch, plan.layout.inverse_pivots + k, over);
         for &r in &pivot.rows {
-            let factor = -(get::<T>(room, rows + r * n + k) * over);
+            let factor = -(get::<T>(scratch, rows + r * n + k) * over);
             for &c in &pivot.columns {
                 let to = rows + r * n + c;
-                store(room, to, get::<T>(room, rows + k * n + c).mul_add(factor, get(room, to)));
+                store(scratch, to, get::<T>(scratch, rows + k * n + c).mul_add(factor, get(scratch, to)));
             }
             if KEPT {
                 let to = plan.layout.residuals + r;
-                store(room, to, get::<T>(room, plan.layout.residuals + k).mul_add(factor, get(room, to)));
+                store(
+                    scratch,
+                    to,
+                    get::<T>(scratch, plan.layout.residuals + k).mul_add(factor, get(scratch, to)),
+                );
             }
         }
     }
     let mut left = T::zero();
     for &entry in &plan.remainders {
-        left = left.max(get::<T>(room, rows + entry).abs());
+        left = left.max(get::<T>(scratch, rows + entry).abs());
     }
     let excess = (left - T::from_f64(plan.redundant)).max(T::zero());
     excess.mul_add(T::from_f64(f64::MAX), least)
@@ -220,53 +231,53 @@ pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &LoopPlan, room: &mut 
 
 /// Newton steps of the dependent coordinates, m, after the elimination: A\[d\] δ = −r. Returns ‖δ‖.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn fill_steps<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) -> T {
+pub(super) fn fill_steps<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) -> T {
     let (n, rank) = (plan.columns, plan.layout.count);
     let mut square = T::zero();
     let mut k = rank;
     while k > 0 {
         k -= 1;
-        let mut sum: T = get(room, plan.layout.residuals + k);
+        let mut sum: T = get(scratch, plan.layout.residuals + k);
         for &c in &plan.pivots[k].columns {
             if c < rank {
-                let entry: T = get(room, plan.layout.rows + k * n + c);
-                sum = entry.mul_add(get(room, plan.layout.steps + c), sum);
+                let entry: T = get(scratch, plan.layout.rows + k * n + c);
+                sum = entry.mul_add(get(scratch, plan.layout.steps + c), sum);
             }
         }
-        let step = -(sum * get::<T>(room, plan.layout.inverse_pivots + k));
+        let step = -(sum * get::<T>(scratch, plan.layout.inverse_pivots + k));
         square = step.mul_add(step, square);
-        store(room, plan.layout.steps + k, step);
+        store(scratch, plan.layout.steps + k, step);
     }
     square.sqrt()
 }
 
 /// Rates of all coordinates for unit rates of the independent coordinates.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn fill_rates<T: Lanes>(plan: &LoopPlan, room: &mut [f64]) {
+pub(super) fn fill_rates<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) {
     let (n, f, rank, rates) = (plan.columns, plan.freedoms, plan.layout.count, plan.layout.rates);
     let mut y = 0;
     while y < f {
         let mut free = 0;
         while free < f {
             let unit = if free == y { T::one() } else { T::zero() };
-            store(room, rates + (rank + free) * f + y, unit);
+            store(scratch, rates + (rank + free) * f + y, unit);
             free += 1;
         }
         let mut k = rank;
         while k > 0 {
             k -= 1;
             if !plan.depends_on[k * f + y] {
-                store(room, rates + k * f + y, T::zero());
+                store(scratch, rates + k * f + y, T::zero());
                 continue;
             }
             let mut sum = T::zero();
             for &c in &plan.pivots[k].columns {
                 if plan.depends_on[c * f + y] {
-                    let entry: T = get(room, plan.layout.rows + k * n + c);
-                    sum = entry.mul_add(get(room, rates + c * f + y), sum);
+                    let entry: T = get(scratch, plan.layout.rows + k * n + c);
+                    sum = entry.mul_add(get(scratch, rates + c * f + y), sum);
                 }
             }
-            store(room, rates + k * f + y, -(sum * get::<T>(room, plan.layout.inverse_pivots + k)));
+            store(scratch, rates + k * f + y, -(sum * get::<T>(scratch, plan.layout.inverse_pivots + k)));
         }
         y += 1;
     }

@@ -86,13 +86,13 @@ impl MimicCluster {
         self.test(y) + self.freedoms
     }
 
-    /// Place of U_y of a body; `None` for the parent of the cluster.
+    /// Offset of U_y of a body; `None` for the parent of the cluster.
     fn momentum(&self, body: Option<usize>, y: usize) -> usize {
         let f = self.freedoms;
         self.offset + f * f + 2 * f + WRENCH * (body.map_or(0, |body| body + 1) * f + y)
     }
 
-    /// Sets the sums to zero.
+    /// Sets the sums over the bodies to zero: D, the test wrench's components and U.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn clear<T: Lanes>(&self, scratch: &mut [f64]) {
         scratch[self.offset * T::WIDTH..(self.offset + self.numbers()) * T::WIDTH].fill(0.0);

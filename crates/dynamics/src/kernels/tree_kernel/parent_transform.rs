@@ -33,7 +33,7 @@ pub(super) trait Transformed<T: Lanes> {
     fn shift<const Z: usize>(&mut self, d: T);
     /// Rotation about axis `Z`.
     fn turn<const Z: usize>(&mut self, c: T, s: T);
-    /// Rotation given by rows.
+    /// Rotation to the parent by the matrix with these rows.
     fn rotate(&mut self, rows: &[[T; 3]; 3]);
 }
 

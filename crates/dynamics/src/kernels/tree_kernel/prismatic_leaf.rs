@@ -24,9 +24,9 @@ pub(super) fn find_prismatic_leaves(steps: &mut [ScheduledStep]) {
             let [slope, bend] =
                 leaf.left.shift_coefficients::<2>().map(|rate| inertia_in_parent_frame(placed, rate).plain());
             let constant = constant.plain();
-            let slid =
+            let prismatic =
                 PrismaticLeaf { constant, slope, bend: bend.angular, loss: leaf.loss, sizes: leaf.sizes };
-            placed.prismatic_leaf = Some(Box::new(slid));
+            placed.prismatic_leaf = Some(Box::new(prismatic));
             placed.form = StepForm::PrismaticLeaf;
         }
     }
@@ -50,13 +50,13 @@ fn inertia_in_parent_frame(placed: &ScheduledStep, inertia: PackedInertia<f64>) 
 /// Adds I₀ + q I₁ + q² I₂ to the parent's inertia; the first child brings the parent's own.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn add_polynomial_inertia<T: Lanes>(
-    slid: &PrismaticLeaf,
+    leaf: &PrismaticLeaf,
     travel: T,
     is_first: bool,
     slot: &mut [f64],
 ) {
     let of = T::from_f64;
-    let PrismaticLeaf { constant, slope, bend, .. } = slid;
+    let PrismaticLeaf { constant, slope, bend, .. } = leaf;
     let mut inertia: PackedInertia<T> = constant.cast();
     for k in 0..6 {
         let rate = travel.mul_add(of(bend[k]), of(slope.angular[k]));

@@ -102,7 +102,9 @@ pub(super) fn evaluate<T: Lanes>(
     TreeResponse { response: propagated.response, error: beyond.mul_add(T::from_f64(f64::MAX), error) }
 }
 
-/// Sines and cosines, the excess of angles and quaternions beyond their accepted range, and the largest travel (m).
+/// Stores per joint sine and cosine of its angle, with the constant rotation to the parent added, or its travel (m).
+/// Returns the excess of angles and quaternion norms beyond their accepted range (0 if all are accepted), and the
+/// largest travel, m.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn fill_joint_values<T: Lanes>(
     steps: &[ScheduledStep],
@@ -286,11 +288,11 @@ fn eliminate_step<T: Lanes, const ON_PATH: bool>(
             eliminate_hinge::<T, ON_PATH>(form, placed, propagated, own, slot);
         }
         StepForm::PrismaticLeaf if !ON_PATH => {
-            let (Some(parent), Some(slid)) = (step.parent, &placed.prismatic_leaf) else { return };
-            propagated.loss = propagated.loss.max(T::from_f64(slid.loss));
+            let (Some(parent), Some(leaf)) = (step.parent, &placed.prismatic_leaf) else { return };
+            propagated.loss = propagated.loss.max(T::from_f64(leaf.loss));
             let slot = &mut rest[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
-            prismatic_leaf::add_polynomial_inertia::<T>(slid, number(own, SINE), placed.is_first, slot);
-            slid.sizes.cast::<T>().add_to_parent(step.reach, placed.is_first, slot);
+            prismatic_leaf::add_polynomial_inertia::<T>(leaf, number(own, SINE), placed.is_first, slot);
+            leaf.sizes.cast::<T>().add_to_parent(step.reach, placed.is_first, slot);
         }
         StepForm::PrismaticLeaf | StepForm::General | StepForm::OfCluster => {
             eliminate_general_joint::<T>(placed, ON_PATH, at, propagated, rest, own)

@@ -55,8 +55,9 @@ impl Model {
     }
 }
 
-/// First-order closing step plus `open`/σ along the singular vector of the smallest singular value σ. Method: JᵀJ and
-/// inverse iterations. `None` unless all singular values are well above the square root of rounding.
+/// Least-squares solution of J x = `target`, lengthened by `open`/σ along the right singular vector of the smallest
+/// singular value σ: the step that an unknown residual of norm `open` could add at most. Method: Cholesky factor of
+/// JᵀJ and inverse iteration. `None` unless all singular values are well above the square root of rounding.
 fn regular_step(jacobian: &Jacobian, target: &[f64], open: f64) -> Option<Vec<f64>> {
     let n = jacobian.columns;
     let mut dense = vec![0.0; jacobian.rows * n];

@@ -111,7 +111,7 @@ impl Model {
         around.complete = kernel.len() <= 2;
     }
 
-    /// True if a closed pose is found in the given direction.
+    /// True if a closed pose is found in the given unit direction, within about 8°.
     fn has_branch_along(&self, kinematics: &Kinematics, around: &Surroundings, direction: &[f64]) -> bool {
         self.branch_along(kinematics, around, direction)
             .is_some_and(|branch| dot(&branch.along, direction) > 0.99)
