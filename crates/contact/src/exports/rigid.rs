@@ -37,7 +37,7 @@ fn curvature(request: &Request) -> f64 {
     request.options.motion_curvature.unwrap_or(limits::RIGID_CURVATURE).max(limits::MIN_CURVATURE)
 }
 
-/// Adds the assumption that a mechanism moves little within the step, with the [`travel_error`]. None for a free body.
+/// Adds the assumption that a mechanism moves little within the step, with the [`travel_error`]. A free body gets no assumption.
 pub(super) fn add_travel_assumption(export: &mut Export, request: &Request) {
     if request.is_jointed() == Some(false) {
         return;
