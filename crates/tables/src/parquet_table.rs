@@ -123,7 +123,7 @@ impl ParquetTable {
         Ok(())
     }
 
-    /// Leaf index and number type of a column.
+    /// Leaf index and number type of a column. Error: no plain numbers, a damaged description, or an unsupported compression.
     fn column_type(&self, number: usize) -> Result<(usize, NumberType), FormatFault> {
         let fault_of = |got: String| FormatFault::ColumnKind { got };
         let all = top_level_columns(&self.metadata);
@@ -295,7 +295,7 @@ enum ColumnValueReader {
 }
 
 impl ColumnValueReader {
-    /// Appends `count` values.
+    /// Appends the next `count` values as numbers; nulls are `None`.
     fn read(&mut self, count: usize, values: &mut Vec<Option<f64>>) -> Result<(), FormatFault> {
         match self {
             ColumnValueReader::Double(column) => append_values(column, count, values, |x| x),

@@ -20,7 +20,8 @@ impl Request {
     }
 }
 
-/// Adds the assumption of an impact without gravity, with the loss that gravity would cause.
+/// Adds the assumption of an impact without gravity, with the loss of restitution by gravity; marks the export if the weight
+/// prevents the rebound.
 pub(super) fn add_assumption(request: &Request, export: &mut Export) {
     let Some(loss) = request.gravity_loss().filter(|_| !export.penetrations.is_empty()) else { return };
     let (accuracy, e) = (request.options.accuracy, request.restitution);

@@ -220,7 +220,8 @@ fn bisect(mut low: f64, mut high: f64, condition: impl Fn(f64) -> bool) -> (f64,
     (low, high)
 }
 
-/// Zero of a decreasing function in an interval, by the Illinois variant of regula falsi in the logarithm.
+/// Zero x of the decreasing function `log_error` from `low` to `high`, by the Illinois variant of regula falsi in ln x;
+/// `at_low` and `at_high` are the values at the ends.
 fn regula_falsi(
     low: f64,
     at_low: f64,

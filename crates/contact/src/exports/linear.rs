@@ -22,7 +22,7 @@ pub(super) struct Linear {
     time_step: Option<f64>,
 }
 
-/// ζ of a restitution; exactly 0 for e = 1.
+/// ζ of a restitution of a contact that ends when the force vanishes; exactly 0 for e = 1.
 fn ratio(restitution: f64) -> Result<f64, ExportError> {
     if restitution == 1.0 {
         return Ok(0.0);

@@ -101,8 +101,8 @@ const FINDINGS: [(Tool, LoopFinding); Tool::ALL.len()] = [
     (Tool::JOLT, LoopFinding::Stated),
 ];
 
-/// Adjusts an export for a mechanism with constraints (loops, mimics, locks, held points). Error: impacts with loops
-/// do not reach the restitution in this tool.
+/// Adds the finding for a mechanism with constraints (loops, mimics, locks, held points) to an export. Removes the error
+/// bound if impacts with loops exceed the bound. Error: impacts with loops do not reach the restitution in this tool.
 pub(super) fn add_loop_finding(
     tool: Tool,
     request: &Request,

@@ -32,12 +32,12 @@ pub(super) fn travel_error(request: &Request, step: Option<f64>) -> Option<f64> 
     Some(0.0)
 }
 
-/// Curvature of the motion (1/m), or the default for an unknown mechanism.
+/// Curvature κ of the motion, 1/m: that of the request, or a default for an unknown mechanism.
 fn curvature(request: &Request) -> f64 {
     request.options.motion_curvature.unwrap_or(limits::RIGID_CURVATURE).max(limits::MIN_CURVATURE)
 }
 
-/// Adds the condition of [`travel_error`].
+/// Adds the assumption that a mechanism moves little within the step, with the [`travel_error`]. A free body gets no assumption.
 pub(super) fn add_travel_assumption(export: &mut Export, request: &Request) {
     if request.is_jointed() == Some(false) {
         return;

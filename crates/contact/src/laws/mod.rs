@@ -237,7 +237,7 @@ impl Law {
         Ok(ApproximationError { requested, achieved })
     }
 
-    /// Dissipation number a = d v of a law of the Hunt–Crossley family.
+    /// Dissipation number a = d v by which a law of the Hunt–Crossley family gives e: exact, or by the law's approximation.
     fn dissipation_number(self, restitution: f64) -> Result<f64, ContactLawError> {
         let e = unit_interval("restitution", restitution)?;
         let Some(formula) = self.facts().approximation else {

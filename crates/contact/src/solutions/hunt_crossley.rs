@@ -95,7 +95,7 @@ impl Solution {
         self.complement / (1.0 + self.langevin)
     }
 
-    /// 1 − e = 2𝓛/(1 + 𝓛).
+    /// Loss of restitution 1 − e = 2𝓛/(1 + 𝓛).
     pub(crate) fn loss(self) -> f64 {
         2.0 * self.langevin / (1.0 + self.langevin)
     }

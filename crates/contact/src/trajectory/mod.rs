@@ -39,9 +39,9 @@ pub(crate) trait Trajectory {
     fn expansion(&self) -> f64;
     /// True if the contact ends in finite time.
     fn ends(&self) -> bool;
-    /// Largest penetration.
+    /// Largest penetration, in units of X.
     fn max_penetration(&self) -> f64;
-    /// Largest force, with its s from the first touch.
+    /// s after the first touch at the largest force, and this force in units of k Xᵖ.
     fn peak(&self) -> (f64, f64);
     /// State at s after the first touch, up to the largest penetration.
     fn after_touch(&self, s: f64) -> State;

@@ -50,7 +50,7 @@ impl OneMotion {
         Some(Self { mass, slope, direction })
     }
 
-    /// Impact at the closing speed `speed`. The point slides in compression and back in expansion, and sticks only by
+    /// Impact at the closing speed `speed`, m/s. The point slides in compression and back in expansion, and sticks only by
     /// stopping.
     pub fn impact(
         &self,

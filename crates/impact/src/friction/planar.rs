@@ -27,7 +27,7 @@ pub(crate) struct PlanarCollision {
     pub is_wedged: bool,
 }
 
-/// Direction of the sliding: its sign, 0 for sticking.
+/// Sign of the sliding velocity that starts from rest; 0 if the contact sticks.
 fn direction_from_rest(mobility: &PlanarMobility, friction: f64) -> f64 {
     let sticks = mobility.coupling.abs() <= friction * mobility.tangential;
     if sticks { 0.0 } else { mobility.coupling.signum() }

@@ -5,15 +5,18 @@ use crate::friction::phases::{Collision, Phase, PhaseKind, RestitutionLaw, add_p
 use crate::tolerances::{MOST_STEPS, SLIDING_ENDS, STEP_ERROR, WEDGED};
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
-/// Blocks of the mobility, with velocities in closing speeds and impulses in closing speeds per a_nn.
+/// Blocks of the mobility, divided by a_nn: the unit of velocity is the closing speed, that of impulse the closing speed/a_nn.
 struct Blocks {
+    /// a: change of the tangential velocity per normal impulse.
     coupling: Vector2<f64>,
+    /// A: change of the tangential velocity per tangential impulse.
     tangential: Matrix2<f64>,
+    /// Coefficient of friction µ.
     friction: f64,
 }
 
 impl Blocks {
-    /// Change of the sliding velocity per normal impulse while sliding along the unit vector `direction`.
+    /// Change a − µ A ŝ of the sliding velocity per normal impulse while sliding along the unit vector ŝ = `direction`.
     fn sliding_rate(&self, direction: &Vector2<f64>) -> Vector2<f64> {
         self.coupling - self.tangential * direction * self.friction
     }
@@ -23,7 +26,8 @@ impl Blocks {
         1.0 - self.friction * self.coupling.dot(direction)
     }
 
-    /// True if sliding along `direction` keeps it: it is invariant to rounding, and neighbouring directions approach it.
+    /// True if sliding along `direction` keeps this direction: it is invariant to rounding, and neighbouring directions
+    /// approach it. `size`: size of the terms of the rates.
     fn keeps_direction(&self, direction: &Vector2<f64>, size: f64) -> bool {
         let across = Vector2::new(-direction[1], direction[0]);
         let turning = across.dot(&self.sliding_rate(direction));
@@ -42,7 +46,8 @@ impl Blocks {
         (ratio.norm() <= self.friction).then_some(ratio)
     }
 
-    /// Direction of sliding from rest: (µ A + λ) ŝ = a with λ > 0, which is unique since |(µA + λ)⁻¹ a| decreases in λ.
+    /// Direction ŝ of the sliding that starts from rest: the direction ŝ with sliding rate λŝ, λ > 0, that is (µA + λ) ŝ = a.
+    /// It is unique since |(µA + λ)⁻¹ a| decreases in λ.
     fn direction_from_rest(&self) -> Vector2<f64> {
         let excess = |lambda: f64| {
             let matrix = self.tangential * self.friction + Matrix2::identity() * lambda;
@@ -206,7 +211,7 @@ fn linear_end(state: &State, alpha: f64, restitution: f64, law: RestitutionLaw) 
     }
 }
 
-/// Slides until the impact ends (true) or the sliding stops (false).
+/// Slides until the impact ends (true) or the sliding stops (false). `None`: too many steps.
 fn slide(
     blocks: &Blocks,
     state: &mut State,
@@ -311,7 +316,8 @@ fn slide(
     None
 }
 
-/// Slides along an invariant direction until the impact ends (true) or the sliding stops (false): linear phases.
+/// Slides along an invariant direction, in linear phases, until the impact ends (true) or the sliding stops (false). `None`:
+/// neither happens.
 fn slide_straight(
     blocks: &Blocks,
     state: &mut State,
@@ -355,7 +361,7 @@ fn slide_straight(
     None
 }
 
-/// Last part of a sliding motion that stops: linear along the last direction.
+/// Adds the last part of a sliding motion, linear along the last direction, and sets the sliding speed to zero.
 fn rest(blocks: &Blocks, y: &mut [f64]) {
     let along = Vector2::new(y[ANGLE].cos(), y[ANGLE].sin());
     let rate = along.dot(&blocks.sliding_rate(&along));
@@ -370,7 +376,7 @@ fn rest(blocks: &Blocks, y: &mut [f64]) {
     y[SPEED] = 0.0;
 }
 
-/// Takes the integrated values over.
+/// Copies the integrated values `y`, the works and the impulses to the state.
 fn finish(state: &mut State, y: &[f64], (works, impulses): ([f64; 2], [f64; 2])) {
     state.normal = y[NORMAL];
     state.sliding = Vector2::new(y[ANGLE].cos(), y[ANGLE].sin()) * y[SPEED];

@@ -55,7 +55,7 @@ pub fn reactions_to_unit_impulse(
 /// Linear function of the multipliers of one group: one number per row.
 type RowFunction = (usize, Vec<f64>);
 
-/// State of the computation.
+/// State of the computation. A constraint is identified by the number of its group and its index in the group.
 struct Sweep<'a> {
     pose: &'a Pose,
     change: JointRates,
@@ -65,10 +65,12 @@ struct Sweep<'a> {
     /// For each link: groups whose rows load its parent joint, with the wrench on the link at each unit multiplier, in
     /// the link's axes at its origin.
     sensitivities: Vec<Vec<(usize, Vec<Wrench<f64>>)>>,
+    /// Largest unbalanced generalised impulse, relative to the unit impulse.
     residual: f64,
 }
 
 impl<'a> Sweep<'a> {
+    /// Solves the multipliers and the loads of all links. `change`: Δq̇.
     fn new(pose: &'a Pose, response: &ContactResponse, change: JointRates) -> Self {
         let loads = LinkLoads::new(pose, response, &change.joints, change.base);
         let groups: Vec<GroupRows> = pose.constraint_groups().into_iter().map(GroupRows::new).collect();
@@ -139,8 +141,8 @@ impl<'a> Sweep<'a> {
         along.enumerate().map(|(k, impulse)| impulse + gear(k)).collect()
     }
 
-    /// Collects the wrenches of all rows on the links between the ends of their constraints. Links above both ends
-    /// receive no wrench.
+    /// Computes the wrench in each parent joint per unit multiplier. A constraint loads the joints between its two ends; joints
+    /// above both ends receive no wrench.
     fn collect_sensitivities(&mut self) {
         for (number, rows) in self.groups.iter().enumerate() {
             let group = rows.group();
@@ -258,7 +260,7 @@ impl<'a> Sweep<'a> {
         Reaction { frame, force, moment, loops: self.loop_names(loops) }
     }
 
-    /// Axes of a closure's or held contact's components, in root axes.
+    /// Axes, as columns in root axes, along which the reaction of constraint `index` of group `number` is resolved.
     fn constraint_axes(&self, number: usize, index: usize) -> Matrix3<f64> {
         let mechanism = self.pose.mechanism();
         let action = &self.groups[number].group().constraints[index];
@@ -280,14 +282,15 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// Linear functions of the multipliers: `part` of the wrench on a link from its parent joint.
+    /// `part` (a component) of the wrench on a link from its parent joint, as linear functions of the multipliers.
     fn functions(&self, link: LinkId, part: impl Fn(&Wrench<f64>) -> f64) -> Vec<RowFunction> {
         let of_link = &self.sensitivities[link.index()];
         of_link.iter().map(|(number, wrenches)| (*number, wrenches.iter().map(&part).collect())).collect()
     }
 
     /// Value of a component: `constant` plus functions of the multipliers. `unit`: size at a unit multiplier; `None`
-    /// for a moment, whose size is that of the group. Adds the constraints that leave the value open to `open`.
+    /// for a moment, whose size is that of the group. Appends the redundant constraints that make the value indeterminate to
+    /// `open`.
     fn component(
         &self,
         constant: f64,

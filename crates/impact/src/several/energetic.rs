@@ -88,13 +88,13 @@ impl<'a> Contacts<'a> {
         }
     }
 
-    /// Opening speed of a contact. State: depths δ, then impulses.
+    /// Opening speed of contact `i`. State `y`: depths δ of all contacts, then their impulses.
     fn velocity(&self, y: &[f64], i: usize) -> f64 {
         let k = self.ratios.len();
         self.before[i] + (0..k).map(|c| self.mobility[(i, c)] * y[k + c]).sum::<f64>()
     }
 
-    /// Rates of the state in given modes: smooth functions, continued beyond the ends of the modes.
+    /// Rates `r` of the state `y` in given modes. They are smooth beyond the end of a mode, as the integration needs.
     fn rates(&self, modes: &[Mode], y: &[f64], r: &mut [f64]) {
         let k = modes.len();
         for (i, mode) in modes.iter().enumerate() {
@@ -109,7 +109,7 @@ impl<'a> Contacts<'a> {
         }
     }
 
-    /// Mode after the current one, if a contact has left it.
+    /// Next mode of contact `i` in the state `y`; `None` if the contact is still in the current `mode`.
     fn next_mode(&self, mode: Mode, y: &[f64], i: usize) -> Option<Mode> {
         let u = self.velocity(y, i);
         match mode {

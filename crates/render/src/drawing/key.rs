@@ -22,7 +22,7 @@ pub(super) fn key_rows(count: usize, rows_available: usize, most_columns: usize)
     (count.div_ceil(most_columns), most_columns)
 }
 
-/// Draws the names in columns of equal width; returns the y of the lower end.
+/// Draws the numbered names, column by column, in columns of equal width; returns the y of the lower end.
 pub(super) fn draw_key(
     scene: &mut Scene,
     names: &[&str],

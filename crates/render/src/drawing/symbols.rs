@@ -71,7 +71,7 @@ fn at(from: Point, (ux, uy): Point, along: f64, aside: f64) -> Point {
     (from.0 + along * ux - aside * uy, from.1 + along * uy + aside * ux)
 }
 
-/// Circle of the half width.
+/// Circle with the half width of a spring as radius.
 fn circle(centre: Point) -> Vec<Point> {
     let on = |i: usize| {
         let (s, c) = (std::f64::consts::TAU * i as f64 / 24.0).sin_cos();

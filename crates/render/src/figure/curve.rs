@@ -82,8 +82,8 @@ pub(crate) fn merged_dots(points: &[(f64, Option<f64>)], to_page: impl Fn(f64, f
     merge_dots(points.iter().filter_map(|&(x, y)| Some(to_page(drawable(x)?, drawable(y?)?))).collect())
 }
 
-/// Keeps the first, lowest, highest and last point of each run within one column. The picture, peaks included,
-/// stays the same to half a page unit.
+/// Keeps the first, lowest, highest and last of consecutive points in one column of half a page unit, so that the picture,
+/// peaks included, does not change visibly.
 fn envelope(run: &[Point]) -> Vec<Point> {
     let column = |p: &Point| (p.0 / limits::COLUMN).floor();
     let mut kept = Vec::new();

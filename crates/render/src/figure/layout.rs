@@ -54,8 +54,8 @@ impl Frame<'_> {
     fn point_at(&self, x: f64, y: f64) -> Point {
         (self.x_at(self.x.fraction(x)), self.y_at(self.y.fraction(y)))
     }
-    /// True if a point may lie outside the frame.
-    fn has_limits(&self, panel: &Panel) -> bool {
+    /// True if a data point lies outside the axes, so that its series must be clipped.
+    fn needs_clipping(&self, panel: &Panel) -> bool {
         let holds = |&(x, y): &(f64, Option<f64>)| {
             let inside = |axis: &Axis, v: f64| drawable(v).is_none_or(|v| axis.contains(v));
             inside(self.x, x) && y.is_none_or(|y| inside(self.y, y))
@@ -175,7 +175,7 @@ fn draw_panel(
     let point_at = |x, y| frame.point_at(x, y);
     let mut empty = true;
     let inside = ((frame.left, frame.top), (frame.right, frame.bottom()));
-    let is_clipped = frame.has_limits(panel);
+    let is_clipped = frame.needs_clipping(panel);
     for (series, &colour) in panel.series.iter().zip(colours).rev() {
         let before = scene.items.len();
         if series.style == Style::Dots {

@@ -84,7 +84,7 @@ fn build_error_as_fault(field: Field) -> impl Fn(BuildError) -> StudyError {
     }
 }
 
-/// Warnings for links whose mass was changed to a large multiple of the mass of all other links.
+/// Warnings for links whose new mass is a large multiple of both their old mass and the mass of all other links.
 fn implausible_masses(before: &Mechanism, after: &Mechanism) -> Vec<DiagnosticRecord> {
     let mass = |link: &Link| link.inertial().map_or(0.0, |inertial| inertial.mass);
     let total = after.total_mass();

@@ -254,7 +254,7 @@ pub(crate) fn compare_with_body_mass(question: &DampingQuestion, alone: f64, mas
     BodyAlone { mass: alone, restitution: restitution() }
 }
 
-/// Damper of a given mass, kg.
+/// Damper for a contact with a given effective mass, kg.
 ///
 /// # Errors
 /// [`StudyError`]: as for [`damper`]; a contact that the only requested simulator does not support.

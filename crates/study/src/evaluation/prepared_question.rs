@@ -389,7 +389,7 @@ pub(crate) fn configuration(
 }
 
 /// Positions from a pose file. A file with all joints gives the full configuration, in which `--set` and
-/// `--guess` replace single joints. A file with some joints sets these joints.
+/// `--guess` replace single joints. A file with some joints sets these joints, except those of `--set`.
 fn from_file(
     mechanism: &Arc<Mechanism>,
     question: &MassQuestion,

@@ -181,10 +181,10 @@ impl JoinedTravels {
     }
 }
 
-/// Mean rate of a joint with one position over a part of the way, rad or characteristic lengths.
+/// Joint with one position, and its mean rate over a part of the path: rad, or characteristic lengths, per length of the path.
 type JointRate = (JointId, f64);
 
-/// Mean rates of the joints between two poses. `part`: part of the way between the poses.
+/// Mean rates of the joints with one position between two poses; `part` is the fraction of the path between the poses.
 fn mean_rates(from: &Pose, to: &Pose, part: f64) -> Vec<JointRate> {
     let mechanism = from.mechanism();
     let is_single = |joint: &JointId| mechanism.joint(*joint).kind().positions() == 1;

@@ -84,7 +84,8 @@ impl ClosingPath<'_> {
         Some((here.closed, here.pose))
     }
 
-    /// Point after a step along the tangent; `None` if the step is too long for a safe continuation.
+    /// Point of the path after a step along the tangent; `None` if the path turns too far or is not reached: a shorter step
+    /// is needed.
     fn advanced(&self, drivers: &[JointId], from: &PathPoint, step: f64) -> Option<PathPoint> {
         let moved = |((at, tangent), driver): ((&f64, &f64), &JointId)| {
             at + step * tangent * joint_unit(&from.pose, *driver)

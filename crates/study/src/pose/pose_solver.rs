@@ -47,7 +47,8 @@ pub(crate) fn pose(
     solve_all(&travels, &start, LEAST_PART, question.names)
 }
 
-/// Pose with the displacements of all travels. `least_part`: least part of the way of several travels in one step.
+/// Pose at which every travel has its displacement. `least_part`: smallest step, as a fraction of the path, if several
+/// travels are solved together.
 fn solve_all(
     travels: &[DrivenTravel],
     start: &Pose,

@@ -21,12 +21,12 @@ pub(crate) enum UnreachableExtent {
 }
 
 impl UnreachableExtent {
-    /// True if intermediate poses may help.
+    /// True if the search stopped at the work limit: a row between the last row and this one may help.
     pub fn exceeds_work_limit(self) -> bool {
         matches!(self, UnreachableExtent::BeyondWorkLimit(_))
     }
 
-    /// Nearest value found.
+    /// Limit found: the reachable value nearest to the value of the row. `None` if no limit was found.
     pub fn nearest(self) -> Option<f64> {
         match self {
             UnreachableExtent::BeyondEnd(nearest)

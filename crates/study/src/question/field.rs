@@ -207,7 +207,8 @@ impl Field {
         }
     }
 
-    /// Part of the question at fault for a condition error. Unknown names are reported before.
+    /// Part of the question at fault for an error of the conditions. Names of links and joints are valid here: an unknown
+    /// name is reported when the name is resolved.
     pub(crate) fn from_conditions_error(error: &ConditionsError) -> Self {
         match error {
             ConditionsError::BadHold { .. } => Field::Hold,

@@ -62,7 +62,7 @@ pub struct Hold {
     pub normal: Option<[f64; 3]>,
 }
 
-/// Name followed by up to two triples, split from the right.
+/// Splits `NAME[:X,Y,Z[:X,Y,Z]]` into the name, which may contain colons, and the texts of the triples.
 fn triples(text: &str) -> (&str, Vec<&str>) {
     let (mut name, mut found) = (text, Vec::new());
     while found.len() < 2

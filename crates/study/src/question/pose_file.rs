@@ -271,7 +271,7 @@ impl GivenPose {
     }
 }
 
-/// Input record of a pose without a file.
+/// Input record of a pose whose file is not named.
 fn unknown() -> Input {
     Input { path: "not named".to_owned(), sha256: String::new() }
 }

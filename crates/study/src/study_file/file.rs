@@ -221,7 +221,7 @@ impl StudyFile {
             && Source::read(path, max_size).is_ok_and(|source| is_study(&source))
     }
 
-    /// Designs of the study: first the model of the study as `name`, then the variants. Empty without a contact.
+    /// Designs to compare: first the model of the study, under the name `name`, then the variants. Empty without a contact.
     pub fn designs(&self, name: &str) -> Vec<Design> {
         let Some(question) = &self.question else { return Vec::new() };
         let rows = self.sweep.as_ref().map(|sweep| &sweep.rows);

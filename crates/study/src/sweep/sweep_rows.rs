@@ -266,7 +266,8 @@ fn has_loops(prepared: &PreparedQuestion) -> bool {
     system.mechanism().joint_ids().any(|joint| system.is_bound(joint))
 }
 
-/// Continuation of the rows. Without loops no pose depends on another pose.
+/// Mode in which poses depend on those of earlier rows: independent without loops or with one row per line, otherwise along
+/// each line or along all rows.
 fn continuation(prepared: &PreparedQuestion, rows: &RowReader) -> Continuation {
     if !has_loops(prepared) {
         return Continuation::Independent;

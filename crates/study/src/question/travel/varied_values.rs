@@ -24,6 +24,7 @@ pub struct VariedValues {
 }
 
 impl VariedValues {
+    /// Values of a row, one per column.
     pub(crate) fn new(columns: &Arc<[VariedColumn]>, values: &[f64]) -> Self {
         Self { columns: Arc::clone(columns), values: values.to_vec() }
     }

@@ -159,7 +159,7 @@ pub struct SceneHardpoint {
 pub struct Frames(pub Vec<f64>);
 
 impl Frames {
-    /// Frames at a pose.
+    /// Transforms from the link frames to the world at a pose, in the order of the links.
     fn at(mechanism: &Mechanism, pose: &Pose) -> Self {
         let numbers = |id: LinkId| {
             let Transform { rotation, translation } = pose.link(id);

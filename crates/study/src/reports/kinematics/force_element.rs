@@ -41,7 +41,8 @@ pub(crate) struct ElementRates {
 }
 
 impl ElementRates {
-    /// Rate (N/m) of the element at the parameter: k i² + F di/ds. An unknown force counts as zero.
+    /// Derivative of the element's generalised force F i with respect to the motion parameter s: k i² + F di/ds, N/m if s is in
+    /// metres; i is the motion ratio. An unknown force counts as zero.
     pub fn parameter_rate(&self) -> Option<f64> {
         let [ratio, slope] = self.ratio;
         Some(self.rate? * ratio * ratio + self.force.unwrap_or(0.0) * slope)

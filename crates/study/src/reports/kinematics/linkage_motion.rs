@@ -165,14 +165,17 @@ impl Linkage {
         Ok(linkage)
     }
 
+    /// Index of the moving body of a link; `None` for the ground.
     fn body(&self, link: Option<LinkId>) -> Option<usize> {
         self.bodies[link?.index()]
     }
 
+    /// Condition on the motion of the second link relative to the first.
     fn row(&self, first: Option<LinkId>, second: Option<LinkId>, kind: RowKind) -> MotionRow {
         MotionRow { first: self.body(first), second: self.body(second), kind }
     }
 
+    /// Adds a condition on the motion of the second link relative to the first.
     fn add(&mut self, first: Option<LinkId>, second: Option<LinkId>, kind: RowKind) {
         let row = self.row(first, second, kind);
         self.rows.push(row);

@@ -95,6 +95,7 @@ impl<'k> RowEvaluation<'k> {
         }
     }
 
+    /// Adds the displacements of the contact point from its drawn position: lateral, and forward.
     fn add_displacements(&mut self, wheel: usize, here: &WheelState, drawn: &WheelState) {
         let both = here.contact.zip(drawn.contact).ok_or_else(no_radius);
         let lateral =
@@ -360,8 +361,8 @@ fn root(x: f64) -> Result<f64, String> {
     }
 }
 
-/// Natural frequencies of the body and of the wheel, Hz: masses m_s above the spring (k) and m_u between the spring and the
-/// tyre (k_t), undamped. Roots of m_s m_u λ² − (m_s (k + k_t) + m_u k) λ + k k_t = 0 with λ = ω².
+/// Undamped natural frequencies of the body and of the wheel, Hz, from the wheel rate k (`rate`, N/m), the unsprung mass m_u
+/// (`mass`, kg), the sprung mass m_s (kg) and the stiffness k_t of the tyre (N/m). Roots of m_s m_u λ² − (m_s (k + k_t) + m_u k) λ + k k_t = 0 with λ = ω².
 fn frequencies(
     rate: &Result<f64, String>,
     mass: &Result<f64, String>,

@@ -131,10 +131,8 @@ pub(crate) fn export(request: &Request) -> Result<Export, ExportError> {
     Ok(export)
 }
 
-/// `mNumVelocitySteps`, and true if the error is known: (1 + e) ρᴺ of one hinged body, ρ = 1 − m_f/m̄. Error: too many
-/// iterations.
-/// Number of velocity steps at which the solver converges to the restitution, and true if the number is exact for this
-/// mechanism. Error: the number is too large.
+/// `mNumVelocitySteps` N at which the error (1 + e) ρᴺ, ρ = 1 − m_f/m̄, is small, and true if this error is valid for the
+/// mechanism: a free body, or one hinged body. Error: N is too large.
 fn velocity_steps(request: &Request) -> Result<(f64, bool), ExportError> {
     let options = request.options;
     if options.closed_loops {
