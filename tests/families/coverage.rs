@@ -32,8 +32,8 @@ fn sum(base: Base) -> Coverage {
 fn shipped_models() {
     let fixed = sum(Base::Fixed);
     assert_eq!((fixed.mechanisms, fixed.regular), (37, 1190));
-    assert!(fixed.by_kernel >= 965, "{fixed:?}");
+    assert!(fixed.by_kernel >= 1125, "{fixed:?}");
     let floating = sum(Base::Floating);
     assert_eq!((floating.mechanisms, floating.regular), (37, 1543));
-    assert!(floating.by_kernel >= 980, "{floating:?}");
+    assert!(floating.by_kernel >= 1235, "{floating:?}");
 }

@@ -32,7 +32,7 @@ pub(crate) const PIVOT: f64 = 256.0 * f64::EPSILON;
 pub(crate) const TRUSTED_ERROR: f64 = 1e-11;
 /// Largest relative error of a result in SIMD lanes; beyond this limit the row is computed again by the recursion. The bound of the
 /// lanes is quick and some hundred to thousand times the true error, so that rows of common robots exceed 1e-11.
-pub(crate) const LANES_TRUSTED_ERROR: f64 = 1e-10;
+pub(crate) const LANES_TRUSTED_ERROR: f64 = 1e-9;
 /// Smallest mass of a free body on the other side, kg. Its inverse, and sums of such inverses, do not overflow.
 pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
 /// Largest number of coordinates for the dense route: O(n³) time, and 8n² bytes per matrix.
@@ -437,12 +437,12 @@ pub(crate) const FOLLOWERS_DRIFT: f64 = 1.0 / 3.0;
 pub(crate) const LONGEST_FOLLOWED: f64 = 2.0;
 /// Step of the finite differences for ‖A′‖, relative to the size; leaves five digits.
 pub(crate) const CURVATURE_STEP: f64 = 1e-5;
-/// Error of a linkage's rows as a multiple of the gap of its loops divided by its smallest length. The factor is
-/// empirical: with it the true errors of the tested linkages are at most a tenth of the statement.
-pub(crate) const OPEN_ROUNDINGS: f64 = 3.0;
+/// Error of a linkage's rows as a multiple of the motion that would close its loops, divided by its smallest length. The factor is
+/// empirical: with it the true errors of the tested linkages are at most a twentieth of the statement.
+pub(crate) const OPEN_ROUNDINGS: f64 = 1.0;
 /// Roundings of a linkage's rows in lanes, for the frame of the ground and for the root of the depth of the tree. With these
-/// constants the true errors of the tested linkages are at most a tenth of the statement.
-pub(crate) const LANE_ROW_ROUNDINGS: f64 = 2.0;
+/// constants the true errors of the tested linkages are at most a twentieth of the statement.
+pub(crate) const LANE_ROW_ROUNDINGS: f64 = 1.0;
 /// Roundings of an arm between two positions, relative to the relevant length.
 pub(crate) const FAR_ROUNDINGS: f64 = 2.0;
 /// Largest distance of positions from those of a pose (rad, or lengths of the mechanism) for reuse of its pivots: far

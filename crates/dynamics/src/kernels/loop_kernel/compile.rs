@@ -74,6 +74,7 @@ impl LoopPlan {
             redundant: 0.0,
             length,
             weight: 0.0,
+            root_weights: vec![0.0; columns],
             roundings: 0.0,
             columns,
             freedoms: columns - rank,
@@ -108,7 +109,30 @@ impl LoopPlan {
         plan.order(rows, rank, positions, may)?;
         let floor = (0..model.groups.len()).map(|g| assembly.floor(g)).fold(f64::INFINITY, f64::min);
         plan.redundant = REDUNDANT_ROW * floor * plan.scale;
+        plan.fill_root_weights();
         Some(plan)
+    }
+
+    /// Fills the bounds of the energy of each coordinate: its rotors, and the bodies of its subtrees at their largest distance from
+    /// the joint.
+    fn fill_root_weights(&mut self) {
+        for (index, joint) in self.bodies.iter().enumerate() {
+            for (k, velocity) in joint.velocities.iter().enumerate() {
+                let mut weight = velocity.armature;
+                for (i, body) in self.bodies.iter().enumerate() {
+                    let mut chain = std::iter::successors(Some(i), |&b| self.bodies[b].parent);
+                    let Some(own) = body.inertia.filter(|_| chain.any(|b| b == index)) else { continue };
+                    weight += match joint.motion.translates(k) {
+                        true => own[0],
+                        false => {
+                            let arm = body.reach - joint.reach;
+                            2.0 * (own[0] * arm * arm + own[4] + own[7] + own[9])
+                        }
+                    };
+                }
+                self.root_weights[velocity.column] += weight.sqrt() * velocity.factor.abs();
+            }
+        }
     }
 
     /// Compiled rows of one constraint, numbered from `rows`, which is advanced. `size` (m) scales the rows of directions.

@@ -519,7 +519,7 @@ impl Work for Closing<'_> {
             let sizes: (T, T) =
                 fill_frames(plan, PositionColumns { values: positions, stride: T::WIDTH }, 0, scratch);
             let seen = fill_rows::<T, true>(plan, scratch);
-            let least: T = eliminate::<T, true>(plan, scratch);
+            let least: T = eliminate(plan, scratch);
             let mut open = [0.0; WIDEST];
             seen.residual.store(&mut open);
             // A NaN residual never counts as closed.

@@ -12,9 +12,9 @@
 use super::frames::{direction, direction_of, fill_frames, frame, point, point_of};
 use super::layout::{FRAME, add_scaled, cross, dot, get, get_vector, minus, plus, put_vector, size, times};
 use super::plan::{BodyDirection, BodyPoint, LoopBody, LoopMotion, LoopPlan};
-use super::rows::{RowRoundings, eliminate, fill_rates, fill_rows};
+use super::rows::{RowRoundings, eliminate, fill_rate_errors, fill_rates, fill_rows, fill_steps};
 use crate::kernels::estimate::{ContactConversion, LaneContacts, PositionColumns, quaternion_norm_excess};
-use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, ROUTE_ROUNDINGS};
+use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, OPEN_ROUNDINGS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
 
 /// Contact in the frames of the plan.
@@ -80,8 +80,8 @@ pub(super) fn evaluate<T: Lanes>(
             LoopMotion::Fixed | LoopMotion::Turn(_) | LoopMotion::Slide(_) | LoopMotion::Base => {}
         }
     }
-    let rows: RowRoundings<T> = fill_rows::<T, false>(plan, scratch).roundings;
-    let least: T = eliminate::<T, false>(plan, scratch);
+    let rows: RowRoundings<T> = fill_rows::<T, true>(plan, scratch).roundings;
+    let least: T = eliminate(plan, scratch);
     let of_rows = contact.of_rows(columns, first);
     response_after_elimination(plan, (contact, of_rows), (beyond, far), rows, least, scratch)
 }
@@ -99,16 +99,16 @@ pub(super) fn response_after_elimination<T: Lanes>(
     scratch: &mut [f64],
 ) -> LoopResponse<T> {
     fill_rates::<T>(plan, scratch);
+    fill_rate_errors(plan, least, scratch);
     fill_twists::<T>(plan, scratch);
-    // Error of each rate in units of ε times the sum of all rates: the roundings of the entries of A, divided by its
-    // pivots. Frames fixed to the root link are rounded at their distance from its origin.
+    // Frames fixed to the root link are rounded at their distance from its origin.
     let far = far + T::from_f64(plan.centre.norm() / 2.0);
     let distant = far * T::from_f64(1.0 / plan.length);
-    let amplified = least * T::from_f64(plan.scale);
-    // Error of the positions: the residual of the loops divided by the pivots, and at least the residual itself.
-    let open = rows.open * amplified.max(T::one());
+    // Error of the positions: the step that would close the loops, and at least the residual itself.
+    let open = fill_steps::<T>(plan, scratch)
+        .mul_add(T::from_f64(OPEN_ROUNDINGS / (f64::EPSILON * plan.length)), rows.open);
     let entries = rows.rods + open + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
-    let mut answer: LoopResponse<T> = solve_response(plan, contact, entries * amplified, scratch);
+    let mut answer: LoopResponse<T> = solve_response(plan, contact, (entries, least), scratch);
     answer.error = beyond.mul_add(T::from_f64(f64::MAX), answer.error);
     answer
 }
@@ -164,19 +164,21 @@ fn fill_twists<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) {
     }
 }
 
-/// tᵀ D⁻¹ t from D and t, with its error. Each rate is in error by `lost` ε times the sum of all rates; the error of
-/// the rates affects the speed of the contact point and the energy even of bodies nearly at rest:
+/// tᵀ D⁻¹ t from D and t, with its error. `entries`: errors of the entries of A and of the frames, in units of ε; `least`: the largest
+/// 1/|pivot|. The errors δg of the rates affect the speed of the contact point and the energy even of bodies nearly at rest:
 ///
 /// ```text
-/// δt = (lost · all · (1 + arm/length) + roundings · |terms of t|) ε
-/// δd = (2 lost · all · √(weight · d) + roundings · |terms of d|) ε + (lost · all · ε)² weight
+/// δt = (Σ |lever| δg on the chain of the contact link + (roundings + entries) · |terms of t|) ε
+/// δd = (2 √d Σ √weight δg + roundings · |terms of d|) ε + (Σ √weight δg ε)²
 /// δ(1/m̄) = Σ (2 |t/d| δt + (t/d)² δd)
 /// ```
+///
+/// By the triangle inequality of √energy; both sums over δg are at most those of a rate with the error of all rates.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn solve_response<T: Lanes>(
     plan: &LoopPlan,
     (contact, of_rows): (&LoopContact, Option<[[T; 3]; 2]>),
-    lost: T,
+    (entries, least): (T, T),
     scratch: &mut [f64],
 ) -> LoopResponse<T> {
     const MOST: usize = LINKAGE_FREEDOMS;
@@ -223,20 +225,24 @@ fn solve_response<T: Lanes>(
         }
         y += 1;
     }
-    // The size of the point's speed is the sum over all rates, even if the speed is zero.
     let reach_of = |body: Option<usize>| body.map_or(0.0, |b| plan.bodies[b].reach);
     let reach = reach_of(contact.on.body) + reach_of(contact.against);
     let arm = size(&at) + T::from_f64(reach);
     let arms = arm.mul_add(T::from_f64(1.0 / plan.length), T::one());
-    let roundings = T::from_f64(ROUTE_ROUNDINGS);
+    // The errors of the entries are also errors of the frames.
+    let roundings = entries + T::from_f64(ROUTE_ROUNDINGS);
+    let entry_error = entries * T::from_f64(plan.scale);
     let mut k = 0;
     while k < f {
-        let off: T = lost * rate_sum::<T>(plan, k, scratch);
-        tests[k] = turned * off.mul_add(arms, tests[k] * roundings);
-        let square = off * off * T::from_f64(plan.weight);
-        let cross = (square * d[k][k].abs()).sqrt();
-        let second = square * T::from_f64(f64::EPSILON);
-        sizes[k] = sizes[k].mul_add(roundings, cross + cross + second);
+        let [sum, most] = rate_error_sum::<T>(plan, k, least, scratch);
+        let off = entry_error * smaller(sum, most * T::from_f64(plan.weight.sqrt()));
+        let speeds = speed_error::<T>(plan, contact.on.body, k, &at, scratch)
+            + speed_error::<T>(plan, contact.against, k, &at, scratch);
+        let speeds = smaller(speeds, most * arms);
+        tests[k] = turned * entry_error.mul_add(speeds, tests[k] * roundings);
+        let cross = off * d[k][k].abs().sqrt();
+        let second = off * off * T::from_f64(f64::EPSILON);
+        sizes[k] = sizes[k].mul_add(T::from_f64(ROUTE_ROUNDINGS), cross + cross + second);
         k += 1;
     }
     let mut answer = LoopResponse { response: T::zero(), error: T::zero() };
@@ -266,14 +272,41 @@ fn solve_response<T: Lanes>(
     answer
 }
 
-/// Sum of the absolute rates of all coordinates at a unit rate of one independent coordinate.
+/// Errors of all rates at a unit rate of one independent coordinate, per error of an entry: the sum with the weights of √energy
+/// (√kg/m), and the bound of the plain sum (1/m).
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn rate_sum<T: Lanes>(plan: &LoopPlan, y: usize, scratch: &[f64]) -> T {
-    let mut sum = T::one();
+fn rate_error_sum<T: Lanes>(plan: &LoopPlan, y: usize, least: T, scratch: &[f64]) -> [T; 2] {
+    let (mut sum, mut all) = (T::zero(), T::one());
     let mut k = 0;
     while k < plan.layout.count {
-        sum += get::<T>(scratch, plan.layout.rates + k * plan.freedoms + y).abs();
+        let error: T = get(scratch, plan.layout.rate_errors + k * plan.freedoms + y);
+        sum = error.mul_add(T::from_f64(plan.root_weights[k]), sum);
+        all += get::<T>(scratch, plan.layout.rates + k * plan.freedoms + y).abs();
         k += 1;
+    }
+    [sum, all * least]
+}
+
+/// The smaller of two values.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn smaller<T: Lanes>(a: T, b: T) -> T {
+    -(-a).max(-b)
+}
+
+/// Bound of the error of the speed of a body's point `at` from the errors of the rates, per error of an entry.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn speed_error<T: Lanes>(plan: &LoopPlan, body: Option<usize>, y: usize, at: &[T; 3], scratch: &[f64]) -> T {
+    let (mut sum, mut next) = (T::zero(), body);
+    while let Some(index) = next {
+        let body = &plan.bodies[index];
+        let arm = size(&minus(at, &get_vector(scratch, FRAME * index + 9)));
+        for (k, velocity) in body.velocities.iter().enumerate() {
+            let error: T = get(scratch, plan.layout.rate_errors + velocity.column * plan.freedoms + y);
+            let factor = T::from_f64(velocity.factor.abs());
+            let lever = if body.motion.translates(k) { factor } else { arm * factor };
+            sum = error.mul_add(lever, sum);
+        }
+        next = body.parent;
     }
     sum
 }

@@ -17,6 +17,10 @@ pub(super) struct Layout {
     pub residuals: usize,
     /// Newton steps of the coordinates, m: columns.
     pub steps: usize,
+    /// Growth of the errors of the entries in the elimination: rows.
+    pub growth: usize,
+    /// Errors of the rates per error of an entry, 1/m: columns × freedoms.
+    pub rate_errors: usize,
     /// Twists of one body in its own axes: freedoms × 6.
     pub known: usize,
     /// Number of values per lane.
@@ -39,7 +43,9 @@ impl Layout {
         let twists = rates + columns * freedoms;
         let residuals = twists + 6 * bodies * freedoms;
         let steps = residuals + all;
-        let known = steps + columns;
+        let growth = steps + columns;
+        let rate_errors = growth + all;
+        let known = rate_errors + columns * freedoms;
         Self {
             rows,
             inverse_pivots: over,
@@ -47,6 +53,8 @@ impl Layout {
             twists,
             residuals,
             steps,
+            growth,
+            rate_errors,
             known,
             total: known + 6 * freedoms,
             count,

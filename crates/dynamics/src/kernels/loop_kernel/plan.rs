@@ -30,6 +30,17 @@ pub(super) enum LoopMotion {
     Base,
 }
 
+impl LoopMotion {
+    /// True if component `k` of the joint's velocity is a translation.
+    pub fn translates(self, k: usize) -> bool {
+        match self {
+            Self::Slide(_) => true,
+            Self::Floating(_) | Self::Base => k >= 3,
+            Self::Fixed | Self::Turn(_) | Self::Ball(_) => false,
+        }
+    }
+}
+
 /// One velocity of a body's joint.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Velocity {
@@ -144,6 +155,8 @@ pub(super) struct LoopPlan {
     /// Bound of the kinetic energy (kg): twice the energy of any motion is at most `weight` times the square of the
     /// sum of all absolute rates (m/s). Sum over armatures, masses at their reach and moments of inertia.
     pub weight: f64,
+    /// Per coordinate: upper bound of √(twice the kinetic energy) at a unit rate of this coordinate alone, √kg.
+    pub root_weights: Vec<f64>,
     /// Error of the entries of A in roundings, from the depth of the tree alone.
     pub roundings: f64,
     pub columns: usize,

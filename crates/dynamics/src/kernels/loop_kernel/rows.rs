@@ -114,6 +114,7 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(
                 }
                 RowForm::Constant => {
                     let Some(row) = rows[0] else { continue };
+                    keep!(rows[0], T::zero());
                     for term in &block.terms {
                         let to = plan.layout.rows + row * plan.columns + term.column;
                         store(scratch, to, entry_before::<T>(term, to, scratch) + T::from_f64(term.factor));
@@ -195,12 +196,15 @@ fn add_row<T: Lanes>(
     }
 }
 
-/// Eliminates the dependent coordinates in the order of the plan; with `KEPT`, also in the residuals. Returns the
+/// Eliminates the dependent coordinates in the order of the plan, also in the residuals; fills the growth of the errors. Returns the
 /// largest 1/|pivot|, or a larger value than any such quotient if a redundant row is not redundant here.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &LoopPlan, scratch: &mut [f64]) -> T {
+pub(super) fn eliminate<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) -> T {
     let (n, rows) = (plan.columns, plan.layout.rows);
     let mut least = T::zero();
+    for row in 0..plan.layout.rate_errors - plan.layout.growth {
+        store(scratch, plan.layout.growth + row, T::one());
+    }
     for (k, pivot) in plan.pivots.iter().enumerate() {
         let over = T::one() / get::<T>(scratch, rows + k * n + k);
         least = least.max(over.abs());
@@ -211,14 +215,15 @@ pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &LoopPlan, scratch: &m
                 let to = rows + r * n + c;
                 store(scratch, to, get::<T>(scratch, rows + k * n + c).mul_add(factor, get(scratch, to)));
             }
-            if KEPT {
-                let to = plan.layout.residuals + r;
-                store(
-                    scratch,
-                    to,
-                    get::<T>(scratch, plan.layout.residuals + k).mul_add(factor, get(scratch, to)),
-                );
-            }
+            let to = plan.layout.growth + r;
+            store(
+                scratch,
+                to,
+                get::<T>(scratch, plan.layout.growth + k).mul_add(factor.abs(), get(scratch, to)),
+            );
+            let to = plan.layout.residuals + r;
+            let own: T = get(scratch, plan.layout.residuals + k);
+            store(scratch, to, own.mul_add(factor, get(scratch, to)));
         }
     }
     let mut left = T::zero();
@@ -278,6 +283,49 @@ pub(super) fn fill_rates<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) {
                 }
             }
             store(scratch, rates + k * f + y, -(sum * get::<T>(scratch, plan.layout.inverse_pivots + k)));
+        }
+        y += 1;
+    }
+}
+
+/// Errors of the rates, per error of an entry of A: the sum of all rates divided by the smallest pivot (`least`: the largest
+/// 1/|pivot|), or the errors that the rows pass on, if these are smaller.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn fill_rate_errors<T: Lanes>(plan: &LoopPlan, least: T, scratch: &mut [f64]) {
+    let (n, f, rank) = (plan.columns, plan.freedoms, plan.layout.count);
+    let (rates, errors) = (plan.layout.rates, plan.layout.rate_errors);
+    let mut y = 0;
+    while y < f {
+        let mut all = T::one();
+        for k in 0..rank {
+            all += get::<T>(scratch, rates + k * f + y).abs();
+        }
+        let most = all * least;
+        for free in rank..n {
+            store(scratch, errors + free * f + y, T::zero());
+        }
+        let mut k = rank;
+        while k > 0 {
+            k -= 1;
+            let mut error = T::zero();
+            if plan.depends_on[k * f + y] {
+                let mut sum = get::<T>(scratch, rates + k * f + y).abs();
+                for &c in &plan.pivots[k].columns {
+                    if plan.depends_on[c * f + y] {
+                        sum += get::<T>(scratch, rates + c * f + y).abs();
+                    }
+                }
+                sum *= get::<T>(scratch, plan.layout.growth + k);
+                for &c in &plan.pivots[k].columns {
+                    if c < rank {
+                        let entry: T = get(scratch, plan.layout.rows + k * n + c);
+                        sum = entry.abs().mul_add(get(scratch, errors + c * f + y), sum);
+                    }
+                }
+                let over: T = get(scratch, plan.layout.inverse_pivots + k);
+                error = -(-(sum * over.abs())).max(-most);
+            }
+            store(scratch, errors + k * f + y, error);
         }
         y += 1;
     }
