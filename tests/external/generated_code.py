@@ -1,11 +1,19 @@
 """Generated C code of the shipped models, and of robots if a folder is given: compiled by gcc and clang as C99 and C++ without warnings,
-then its self-test (values of percuss) under the sanitizers of undefined behaviour and of addresses, and for some under valgrind.
+then its self-test (values of percuss) under the sanitizers of undefined behaviour and of addresses, and for some under valgrind. The code
+of trees is also called at random configurations and compared with Pinocchio.
 
     generated_code.py PERCUSS [ROBOTS [COUNT]]
 
 ROBOTS: a folder with URDF files, such as that of example-robot-data; at most COUNT of them."""
-import json, os, shutil, subprocess, sys, tempfile
+import ctypes, json, os, random, re, shutil, subprocess, sys, tempfile
+import xml.etree.ElementTree as ElementTree
+import numpy as np
+import pinocchio
 
+POINT, NORMAL = np.array([0.03, -0.02, 0.05]), np.array([0.3, -0.5, 0.8])
+CONFIGURATIONS = 20
+# Relative to 1/m of a unit speed of every joint: both programs round M and its inverse.
+DIFFERENCE = 1e-9
 WARNINGS = ['-Wall', '-Wextra', '-Wconversion', '-Werror']
 SANITIZERS = ['-fsanitize=undefined,address', '-fno-sanitize-recover=all']
 # Contacts and mechanisms for which no code exists.
@@ -36,6 +44,64 @@ def sanitizers(compiler):
     return SANITIZERS if code == 0 else []
 
 
+def peer_mass(model, robot, link, positions, mimics):
+    """1/(j M⁻¹ jᵀ) by Pinocchio for positions by joint; mimicking joints follow by a matrix of rates."""
+    q, rates = pinocchio.neutral(robot), np.zeros((robot.nv, len(positions)))
+    columns = {name: column for column, name in enumerate(positions)}
+    for i, name in enumerate(robot.names):
+        if i == 0:
+            continue
+        master, factor, offset = mimics.get(name, (name, 1.0, 0.0))
+        if master not in positions:
+            return None
+        joint, value = robot.joints[i], factor*positions[master] + offset
+        q[joint.idx_q:joint.idx_q + joint.nq] = [np.cos(value), np.sin(value)] if joint.nq == 2 else [value]
+        rates[joint.idx_v, columns[master]] = factor
+    data = robot.createData()
+    mass = np.reshape(pinocchio.crba(robot, data, q), (robot.nv, robot.nv))
+    mass = np.triu(mass) + np.triu(mass, 1).T
+    pinocchio.forwardKinematics(robot, data, q)
+    frame = robot.getFrameId(link, pinocchio.FrameType.BODY)
+    own = np.reshape(pinocchio.computeFrameJacobian(robot, data, q, frame, pinocchio.ReferenceFrame.LOCAL), (6, robot.nv))
+    normal = NORMAL/np.linalg.norm(NORMAL)
+    row = (normal @ own[:3] + np.cross(POINT, normal) @ own[3:]) @ rates
+    mass = rates.T @ mass @ rates
+    return 1/(row @ np.linalg.solve(mass, row))
+
+
+def peer_problem(model, link, folder):
+    """First difference between the generated code of a tree and Pinocchio; None without one. The number of compared configurations."""
+    try:
+        robot = pinocchio.buildModelFromUrdf(model)
+    except Exception:
+        return None, 0
+    if not robot.existFrame(link, pinocchio.FrameType.BODY) or any(joint.nv > 1 for joint in robot.joints[1:]):
+        return None, 0
+    header = open(os.path.join(folder, 'm.h')).read()
+    names = re.findall(r'q\[\d+\]\s+\w+ joint "(.*?)"', header)
+    mimics = {}
+    for joint in ElementTree.parse(model).getroot().findall('joint'):
+        mimic = joint.find('mimic')
+        if mimic is not None:
+            mimics[joint.get('name')] = (mimic.get('joint'), float(mimic.get('multiplier', 1)), float(mimic.get('offset', 0)))
+    code, text = run(['gcc', '-std=c99', '-O2', '-shared', '-fPIC', 'm.c', '-lm', '-o', 'm.so'], folder)
+    if code != 0:
+        return text, 0
+    function = ctypes.CDLL(os.path.join(folder, 'm.so')).m_mass
+    generator, compared = random.Random(7), 0
+    for _ in range(CONFIGURATIONS):
+        q = [generator.uniform(-3, 3) for _ in names]
+        expected = peer_mass(model, robot, link, dict(zip(names, q)), mimics)
+        if expected is None or not np.isfinite(expected):
+            continue
+        mass = ctypes.c_double()
+        status = function((ctypes.c_double*len(q))(*q), ctypes.byref(mass))
+        if status != 0 or not abs(mass.value/expected - 1) < DIFFERENCE:
+            return 'status %d, %.12g kg, Pinocchio %.12g kg at %s' % (status, mass.value, expected, q), compared
+        compared += 1
+    return None, compared
+
+
 def main():
     percuss = os.path.abspath(sys.argv[1])
     root = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..')
@@ -44,7 +110,7 @@ def main():
     if len(compilers) < 2:
         print('clang is not installed: only gcc compiles')
     checks = {c: sanitizers(c) for c, _ in compilers}
-    passed = failed = refused = 0
+    passed = failed = refused = compared = 0
     for number, model in enumerate(models(root, robots, count)):
         code, text = run([percuss, 'check', model, '--format', 'json'])
         if code != 0:
@@ -55,7 +121,7 @@ def main():
         loops = bool(report.get('closures'))
         with tempfile.TemporaryDirectory() as folder:
             flags = ['--velocity', '--gradient', '--mobility', '--batch'] + (['--close'] if loops else [])
-            code, text = run([percuss, 'generate', model, '--link', link, '--point', '0.03,-0.02,0.05', '--normal', '0.3,-0.5,0.8',
+            code, text = run([percuss, 'generate', model, '--link', link, '--point', ','.join(map(str, POINT)), '--normal', ','.join(map(str, NORMAL)),
                               '--name', 'm', '-o', folder] + flags)
             if code == 2 and any(reason in text for reason in REFUSALS):
                 refused += 1
@@ -72,14 +138,19 @@ def main():
                     if code != 0:
                         problems.append('%s: %s' % (' '.join(step), text[-600:]))
                         break
+            if not problems and not loops:
+                problem, count_here = peer_problem(model, link, folder)
+                compared += count_here
+                problems += [] if problem is None else [problem]
             if problems:
                 failed += 1
                 print('%s: %s' % (model, problems[0]))
             else:
                 passed += 1
     print('%d contacts without code (immovable or massless)' % refused)
+    print('%d configurations of trees compared with Pinocchio' % compared)
     print('generated code: %d passed, %d failed' % (passed, failed))
-    sys.exit(1 if failed or passed < 10 else 0)
+    sys.exit(1 if failed or passed < 10 or (robots and compared < 100) else 0)
 
 
 main()
