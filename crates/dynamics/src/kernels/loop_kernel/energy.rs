@@ -13,8 +13,12 @@ use super::frames::{direction, direction_of, fill_frames, frame, point, point_of
 use super::layout::{FRAME, add_scaled, cross, dot, get, get_vector, minus, plus, put_vector, size, times};
 use super::plan::{BodyDirection, BodyPoint, LoopBody, LoopMotion, LoopPlan};
 use super::rows::{RowRoundings, eliminate, fill_rate_errors, fill_rates, fill_rows, fill_steps};
-use crate::kernels::estimate::{ContactConversion, LaneContacts, PositionColumns, quaternion_norm_excess};
-use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, OPEN_ROUNDINGS, ROUTE_ROUNDINGS};
+use crate::kernels::estimate::{
+    ContactConversion, LaneContacts, PositionColumns, WIDEST, quaternion_norm_excess,
+};
+use crate::tolerances::{
+    FAR_ROUNDINGS, LANES_TRUSTED_ERROR, LINKAGE_FREEDOMS, OPEN_ROUNDINGS, ROUTE_ROUNDINGS,
+};
 use percuss_spatial::lanes::Lanes;
 
 /// Contact in the frames of the plan.
@@ -99,7 +103,6 @@ pub(super) fn response_after_elimination<T: Lanes>(
     scratch: &mut [f64],
 ) -> LoopResponse<T> {
     fill_rates::<T>(plan, scratch);
-    fill_rate_errors(plan, least, scratch);
     fill_twists::<T>(plan, scratch);
     // Frames fixed to the root link are rounded at their distance from its origin.
     let far = far + T::from_f64(plan.centre.norm() / 2.0);
@@ -108,7 +111,25 @@ pub(super) fn response_after_elimination<T: Lanes>(
     let open = fill_steps::<T>(plan, scratch)
         .mul_add(T::from_f64(OPEN_ROUNDINGS / (f64::EPSILON * plan.length)), rows.open);
     let entries = rows.rods + open + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
-    let mut answer: LoopResponse<T> = solve_response(plan, contact, (entries, least), scratch);
+    let mut answer: LoopResponse<T> = solve_response(plan, contact, (entries, least), false, scratch);
+    let mut quick = [0.0; WIDEST];
+    answer.error.store(&mut quick);
+    // The quick bound is enough for most configurations. Lanes for which it is enough keep it, so that their results do not depend on
+    // the other lanes.
+    let mut excess = [0.0; WIDEST];
+    let accepted = answer.response * T::from_f64(LANES_TRUSTED_ERROR / f64::EPSILON);
+    (answer.error - accepted).store(&mut excess);
+    let is_clear = excess.map(|excess| excess <= 0.0);
+    if is_clear[..T::WIDTH].contains(&false) {
+        fill_rate_errors(plan, least, scratch);
+        let refined: LoopResponse<T> = solve_response(plan, contact, (entries, least), true, scratch);
+        let mut errors = [0.0; WIDEST];
+        refined.error.store(&mut errors);
+        for lane in (0..T::WIDTH).filter(|lane| is_clear[*lane]) {
+            errors[lane] = quick[lane];
+        }
+        answer.error = T::load(&errors);
+    }
     answer.error = beyond.mul_add(T::from_f64(f64::MAX), answer.error);
     answer
 }
@@ -173,12 +194,13 @@ fn fill_twists<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) {
 /// δ(1/m̄) = Σ (2 |t/d| δt + (t/d)² δd)
 /// ```
 ///
-/// By the triangle inequality of √energy; both sums over δg are at most those of a rate with the error of all rates.
+/// by the triangle inequality of √energy. The quick bound takes Σ |g| · least for every sum over δg; `refined`: the smaller of both.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn solve_response<T: Lanes>(
     plan: &LoopPlan,
     (contact, of_rows): (&LoopContact, Option<[[T; 3]; 2]>),
     (entries, least): (T, T),
+    refined: bool,
     scratch: &mut [f64],
 ) -> LoopResponse<T> {
     const MOST: usize = LINKAGE_FREEDOMS;
@@ -234,12 +256,16 @@ fn solve_response<T: Lanes>(
     let entry_error = entries * T::from_f64(plan.scale);
     let mut k = 0;
     while k < f {
-        let [sum, most] = rate_error_sum::<T>(plan, k, least, scratch);
-        let off = entry_error * smaller(sum, most * T::from_f64(plan.weight.sqrt()));
-        let speeds = speed_error::<T>(plan, contact.on.body, k, &at, scratch)
-            + speed_error::<T>(plan, contact.against, k, &at, scratch);
-        let speeds = smaller(speeds, most * arms);
+        let most = rate_sum::<T>(plan, k, scratch) * least;
+        let (mut speeds, mut energy) = (most * arms, most * T::from_f64(plan.weight.sqrt()));
+        if refined {
+            let on = speed_error::<T>(plan, contact.on.body, k, &at, scratch);
+            let against = speed_error::<T>(plan, contact.against, k, &at, scratch);
+            speeds = smaller(on + against, speeds);
+            energy = smaller(energy_error::<T>(plan, k, scratch), energy);
+        }
         tests[k] = turned * entry_error.mul_add(speeds, tests[k] * roundings);
+        let off = entry_error * energy;
         let cross = off * d[k][k].abs().sqrt();
         let second = off * off * T::from_f64(f64::EPSILON);
         sizes[k] = sizes[k].mul_add(T::from_f64(ROUTE_ROUNDINGS), cross + cross + second);
@@ -272,19 +298,27 @@ fn solve_response<T: Lanes>(
     answer
 }
 
-/// Errors of all rates at a unit rate of one independent coordinate, per error of an entry: the sum with the weights of √energy
-/// (√kg/m), and the bound of the plain sum (1/m).
+/// Sum of the absolute rates of all coordinates at a unit rate of one independent coordinate.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn rate_error_sum<T: Lanes>(plan: &LoopPlan, y: usize, least: T, scratch: &[f64]) -> [T; 2] {
-    let (mut sum, mut all) = (T::zero(), T::one());
+fn rate_sum<T: Lanes>(plan: &LoopPlan, y: usize, scratch: &[f64]) -> T {
+    let mut sum = T::one();
     let mut k = 0;
     while k < plan.layout.count {
-        let error: T = get(scratch, plan.layout.rate_errors + k * plan.freedoms + y);
-        sum = error.mul_add(T::from_f64(plan.root_weights[k]), sum);
-        all += get::<T>(scratch, plan.layout.rates + k * plan.freedoms + y).abs();
+        sum += get::<T>(scratch, plan.layout.rates + k * plan.freedoms + y).abs();
         k += 1;
     }
-    [sum, all * least]
+    sum
+}
+
+/// Bound of √energy of the errors of all rates at a unit rate of one independent coordinate, per error of an entry (√kg/m).
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn energy_error<T: Lanes>(plan: &LoopPlan, y: usize, scratch: &[f64]) -> T {
+    let mut sum = T::zero();
+    for k in 0..plan.layout.count {
+        let error: T = get(scratch, plan.layout.rate_errors + k * plan.freedoms + y);
+        sum = error.mul_add(T::from_f64(plan.root_weights[k]), sum);
+    }
+    sum
 }
 
 /// The smaller of two values.
