@@ -43,6 +43,7 @@ mod study {
 
 /// Suspensions from sheets of hardpoints.
 mod suspensions {
+    mod contact_patches;
     mod daily_use;
     mod import;
     mod kinematics;

@@ -208,6 +208,20 @@ impl MassQuestion {
         self.at.as_ref().map(find).transpose()
     }
 
+    /// Question at a named contact of the model in place of its own contact.
+    pub(crate) fn at_contact(&self, name: &str) -> Self {
+        Self {
+            at: Some(name.to_owned()),
+            link: String::new(),
+            point: [0.0; 3],
+            normal: Normal::Along([0.0; 3]),
+            frame: Frame::Link,
+            normal_frame: Frame::Link,
+            against: None,
+            ..self.clone()
+        }
+    }
+
     /// Question without a contact, for commands that define the contact by other data: all joints at 0, nothing
     /// held.
     pub fn without_contact() -> Self {

@@ -90,6 +90,12 @@ pub(super) fn force_sections(template: &'static Template) -> Vec<&'static str> {
     sections.filter(|section| section.ends_with("spring") || STOPS.contains(section)).collect()
 }
 
+/// Links of a template on universal joints, whose pins a sheet may state.
+pub(super) fn universal_links(template: &'static Template) -> impl Iterator<Item = &'static str> {
+    let links = template.parts_with_bar().filter_map(|part| Some(part.universal_link()?.0));
+    links.filter(|link| template.bodies.iter().any(|(body, _)| body == link))
+}
+
 /// All keys of a template.
 pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
     let mut keys: Vec<String> = HEAD.iter().map(|key| (*key).to_owned()).collect();
@@ -97,6 +103,7 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
     for body in template.bodies.iter().map(|(body, _)| &**body).chain([corner::CHASSIS]) {
         keys.extend(["mass", "com", "inertia"].map(|key| format!("{body}.{key}")));
     }
+    keys.extend(universal_links(template).map(|link| format!("{link}.pin")));
     keys.push("spindle.axle_inertia".to_owned());
     keys.extend(["mass", "inertia", "radius", "camber", "toe"].map(|key| format!("wheel.{key}")));
     keys.extend(template.on.iter().map(|(section, _)| format!("{section}.on")));

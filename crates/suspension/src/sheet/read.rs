@@ -136,6 +136,7 @@ impl SheetReader<'_> {
             points,
             derived: &template.derived,
             bodies,
+            first_pins: self.first_pins(template, frame, points_side),
             on,
             stops,
             rods_are_links: self.options.movable,
@@ -533,14 +534,28 @@ impl SheetReader<'_> {
             let direction = self.entries.numbers(self.findings, &key, Quantity::Component, &[3]);
             let spot = direction.iter().map(|(_, spot)| spot).chain(gap.iter().map(|(_, spot)| spot)).next();
             let Some(spot) = spot.cloned() else { continue };
-            let mirror = if points_side == Side::Right { -1.0 } else { 1.0 };
-            let direction = direction.map(|(values, _)| {
-                let along = frame.axes.to_iso(Vector3::new(values[0], values[1], values[2]));
-                Vector3::new(along.x, mirror * along.y, along.z)
-            });
+            let direction = direction.map(|(values, _)| mirrored_direction(&values, frame, points_side));
             stops.insert(section, Stop { gap: gap.map(|(gap, _)| gap), direction, spot });
         }
         stops
+    }
+
+    /// Reads the first pins of the universal joints, mirrored to the left side.
+    fn first_pins(
+        &mut self,
+        template: &'static Template,
+        frame: Frame,
+        points_side: Side,
+    ) -> BTreeMap<&'static str, (Vector3<f64>, Spot)> {
+        let mut pins = BTreeMap::new();
+        for link in catalogue::universal_links(template) {
+            let given =
+                self.entries.numbers(self.findings, &format!("{link}.pin"), Quantity::Component, &[3]);
+            if let Some((values, spot)) = given {
+                pins.insert(link, (mirrored_direction(&values, frame, points_side), spot));
+            }
+        }
+        pins
     }
 
     /// Rack of the options, or else of the sheet; fixed by default.
@@ -593,4 +608,11 @@ impl SheetReader<'_> {
 
 fn template_names() -> Vec<&'static str> {
     catalogue::templates().map(|t| &*t.name).collect()
+}
+
+/// Direction of a sheet in the axes of ISO 8855, on the left side. `values`: three components.
+fn mirrored_direction(values: &[f64], frame: Frame, points_side: Side) -> Vector3<f64> {
+    let mirror = if points_side == Side::Right { -1.0 } else { 1.0 };
+    let along = frame.axes.to_iso(Vector3::new(values[0], values[1], values[2]));
+    Vector3::new(along.x, mirror * along.y, along.z)
 }
