@@ -35,6 +35,7 @@ mod sweep {
 
 /// Study files.
 mod study {
+    mod contacts;
     mod init;
     mod keys;
     mod report;

@@ -117,7 +117,7 @@ pub fn show(
         Some(damping) => mass_with_damper(model, question, damping)?,
         None => mass(model, question)?,
     };
-    report.point_in_sheet = model.point_in_sheet(&report.contact.point_world);
+    report.point_in_sheet = model.contact_in_sheet(&report.contact.point_world, &report.contact.normal_world);
     requested.add_to(&mut report, model, question)?;
     write_diagnostics(&report.diagnostics, strict)?;
     let unanswered = requested.explain && report.explanation.is_none()
@@ -279,8 +279,11 @@ pub fn conditions(report: &MassReport) -> Vec<(&'static str, String)> {
     ];
     facts.extend(report.point_in_sheet.map(|at| {
         let rounded = at.point.map(|x| (x * 1e6).round() / 1e6 + 0.0);
-        let text = format!("point {} {}, axes {}", triple(&rounded), at.unit.name(), at.axes.name());
-        ("in the sheet", format!("{text} ({})", at.axes.words()))
+        let normal = at.normal.map_or_else(String::new, |normal| {
+            format!(", normal {}", triple(&normal.map(|x| (x * 1e6).round() / 1e6 + 0.0)))
+        });
+        let text = format!("point {} {}{normal}", triple(&rounded), at.unit.name());
+        ("in the sheet", format!("{text}, axes {} ({})", at.axes.name(), at.axes.words()))
     }));
     facts.extend([
         ("against", against),

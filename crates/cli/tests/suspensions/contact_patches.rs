@@ -157,3 +157,46 @@ fn assumed_pins_are_noted() {
         folder.write("unknown.toml", &text.replacen("mass = 1.8\n", "mass = 1.8\npin = [1, 0, 0]\n", 1));
     refused(&format!("mass {unknown} --at bump_stop"), &["upper_arm.pin"]);
 }
+
+/// The rack of a steered axle moves in an impact; the motion ratio is that with the rack held, the inverse of the slope of the gap.
+#[test]
+fn the_motion_ratio_of_a_steered_axle_holds_the_rack() {
+    let folder = Scratch::new("steered");
+    for (name, build) in [("left", "left"), ("both", "both")] {
+        let text = std::fs::read_to_string(root().join("models/suspensions/double-wishbone.toml"))
+            .expect("the sheet");
+        let text = text.replace("slides = false", "slides = true");
+        let text = text.replacen("build = \"left\"", &format!("build = \"{build}\""), 1);
+        let sheet = folder.write(&format!("{name}.toml"), &text);
+        let (contact, motion) =
+            if build == "both" { ("spring_left", "heave") } else { ("spring", "wheel-travel") };
+        let ratios = |flags: &str| {
+            let report = json(&format!("mass {sheet} --at {contact} {flags} --format json"));
+            report["motion_ratios"].as_array().expect("a list").clone()
+        };
+        let (held, locked) = (ratios(""), ratios("--lock rack"));
+        assert!(!held.is_empty() && held.len() == locked.len(), "{held:?} {locked:?}");
+        for (held, locked) in held.iter().zip(&locked) {
+            assert_eq!((&held["held"], &locked["held"]), (&Value::from("rack"), &Value::Null));
+            let [a, b] = [held, locked].map(|ratio| number(&ratio["wheel_per_contact"]));
+            assert!((a / b - 1.0).abs() < 1e-10, "{a} {b}");
+        }
+        let text = percuss(&format!("mass {sheet} --at {contact}")).stdout;
+        assert!(text.contains("with the joint rack held"), "{text}");
+        let list = percuss(&format!("mass {sheet} --at all")).stdout;
+        assert!(list.contains("with the joint rack held") && !list.contains("--lock rack"), "{list}");
+        // The slope of the gap of the stop at the touch, from poses alone.
+        let stop = if build == "both" { "bump_stop_left" } else { "bump_stop" };
+        let touch = json(&format!("mass {sheet} --at {stop} --format json"));
+        let at = number(&touch["named_contact"]["wheel_travel"][0]["travel"]);
+        let ratio = number(&touch["motion_ratios"][0]["wheel_per_contact"]);
+        let gap = |travel: f64| {
+            let flags = format!("--{motion} {travel} --lock rack --format json");
+            number(&json(&format!("mass {sheet} --at {stop} {flags}"))["named_contact"]["gap"])
+        };
+        let h = 1e-4;
+        let slope = (gap(at - h) - gap(at + h)) / (2.0 * h);
+        // The third derivative of the gap is below 1e2 / m², so that the difference quotient is exact to 1e-6.
+        assert!((ratio * slope - 1.0).abs() < 1e-6, "{build}: {ratio} {slope}");
+    }
+}

@@ -222,6 +222,23 @@ impl MassQuestion {
         }
     }
 
+    /// Question at the contact of another question, with its own pose and conditions.
+    pub(crate) fn with_contact_of(&self, other: &Self) -> Self {
+        Self {
+            at: other.at.clone(),
+            link: other.link.clone(),
+            point: other.point,
+            normal: other.normal.clone(),
+            frame: other.frame,
+            normal_frame: other.normal_frame,
+            against: other.against.clone(),
+            against_mass: other.against_mass,
+            estimate: other.estimate.clone(),
+            ratio_at: other.ratio_at.clone(),
+            ..self.clone()
+        }
+    }
+
     /// Question without a contact, for commands that define the contact by other data: all joints at 0, nothing
     /// held.
     pub fn without_contact() -> Self {

@@ -8,6 +8,7 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::answer_mass::{mass, mass_with_damper};
 use crate::reports::mass_report::MassReport;
+use percuss_mechanism::ContactKind;
 use serde::Serialize;
 
 /// Effective masses at all named contacts, as JSON.
@@ -19,7 +20,7 @@ pub struct ContactListReport {
     pub percuss: &'static str,
     /// Input files.
     pub inputs: Vec<Input>,
-    /// The contacts, in the order of the model.
+    /// The contacts, in the order of the model or of the study.
     pub contacts: Vec<ListedContact>,
     /// Findings about the file and the results; a finding about one contact begins with its name.
     pub diagnostics: Vec<DiagnosticRecord>,
@@ -52,19 +53,32 @@ pub fn contact_list(
     if contacts.is_empty() {
         return Err(StudyError::input(Field::At, Fault::NoNamedContacts));
     }
+    let question = |name: &str| (name.to_owned(), conditions.at_contact(name));
+    let contacts: Vec<_> = contacts.iter().map(|contact| question(contact.name())).collect();
+    contact_list_of(model, &contacts, damping)
+}
+
+/// Evaluates several contacts of a model: names and questions.
+///
+/// # Errors
+/// [`StudyError`]: an invalid question. A contact without a result is a row of the list.
+pub fn contact_list_of(
+    model: &Model,
+    contacts: &[(String, MassQuestion)],
+    damping: Option<&DampingQuestion>,
+) -> Result<ContactListReport, StudyError> {
     let mut diagnostics = model.diagnostics.clone();
     let mut listed = Vec::with_capacity(contacts.len());
-    for contact in contacts {
-        let question = MassQuestion { at: Some(contact.name().to_owned()), ..conditions.clone() };
+    for (name, question) in contacts {
         let answer = match damping {
-            Some(damping) => mass_with_damper(model, &question, damping),
-            None => mass(model, &question),
+            Some(damping) => mass_with_damper(model, question, damping),
+            None => mass(model, question),
         };
         let (report, problem) = match answer {
             Ok(mut report) => {
                 let of_contact = std::mem::take(&mut report.diagnostics).into_iter();
                 for found in of_contact.filter(|found| !model.diagnostics.contains(found)) {
-                    let message = format!("{}: {}", contact.name(), found.message);
+                    let message = format!("{name}: {}", found.message);
                     let found = DiagnosticRecord { message, ..found };
                     if !diagnostics.contains(&found) {
                         diagnostics.push(found);
@@ -75,8 +89,9 @@ pub fn contact_list(
             Err(error) if error.has_no_result() => (None, Some(error.message(question.names))),
             Err(error) => return Err(error),
         };
-        let name = contact.name().to_owned();
-        listed.push(ListedContact { name, kind: contact.kind().name(), report, problem });
+        let kind =
+            question.named_contact(&model.mechanism)?.map_or(ContactKind::Other, |contact| contact.kind());
+        listed.push(ListedContact { name: name.clone(), kind: kind.name(), report, problem });
     }
     Ok(ContactListReport {
         schema: "percuss.contacts/1",

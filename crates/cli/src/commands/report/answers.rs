@@ -4,10 +4,11 @@ use super::findings::add_warnings;
 use crate::commands::impacts::{rigid_impact, safe_speed, simultaneous};
 use crate::commands::{compare, damp, map};
 use crate::files::html::Page;
-use crate::pictures::clipping::clip_outliers;
+use crate::pictures::clipping::{clip_outliers, remove_flat_panels};
 use crate::pictures::map_files;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
+use percuss_render::Figure;
 use percuss_study::{
     ComparisonReport, DampingQuestion, DampingReport, ImpactReport, MapAnswer, PointMapReport,
     SafeSpeedReport, StudyError, StudyFile, impact_history,
@@ -15,7 +16,12 @@ use percuss_study::{
 
 /// Section of the variants.
 pub(super) fn add_variants(compared: &ComparisonReport, study: &StudyFile, page: &mut Page) {
-    page.section(if compare::has_several_contacts(compared) { "Contacts and variants" } else { "Variants" });
+    let title = match (compare::has_several_contacts(compared), study.variants.is_empty()) {
+        (true, true) => "Contacts",
+        (true, false) => "Contacts and variants",
+        (false, _) => "Variants",
+    };
+    page.section(title);
     page.table(compare::design_table(compared).rows());
     for design in &compared.designs {
         if let Some(error) = &design.error {
@@ -24,11 +30,29 @@ pub(super) fn add_variants(compared: &ComparisonReport, study: &StudyFile, page:
     }
     // A comparison without a figure is covered by the sweep's table.
     let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
-    if let Ok(mut figure) = compare::figure(compared, &figure) {
-        let clipped = clip_outliers(&mut figure);
-        page.picture(&figure.to_svg(), "Effective mass of the variants over the varied quantity", &clipped);
+    if let Ok(all) = compare::figure(compared, &figure) {
+        let content = "Effective mass of the designs over the varied quantity";
+        add_figure(all, content, page);
+    }
+    if compare::has_several_contacts(compared) {
+        for of_contact in compare::contact_figures(compared, &figure) {
+            let content = of_contact.title.clone();
+            add_figure(of_contact, &content, page);
+        }
     }
     add_warnings(&compared.diagnostics, page);
+}
+
+/// Adds a figure whose outliers are clipped; constants are stated in the caption, without a picture if nothing else remains.
+fn add_figure(mut figure: Figure, content: &str, page: &mut Page) {
+    let clipped = clip_outliers(&mut figure);
+    let constants = remove_flat_panels(&mut figure);
+    let caption = [constants, clipped].join(" ").trim().to_owned();
+    if figure.panels.is_empty() {
+        page.paragraph("", &format!("{}: {caption}", figure.title));
+    } else {
+        page.picture(&figure.to_svg(), content, &caption);
+    }
 }
 
 /// Section of a damper, with the history of the impact.
