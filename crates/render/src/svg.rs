@@ -167,6 +167,7 @@ impl Display for Escaped<'_> {
                 '&' => f.write_str("&amp;")?,
                 '<' => f.write_str("&lt;")?,
                 '>' => f.write_str("&gt;")?,
+                '"' => f.write_str("&quot;")?,
                 c => f.write_char(c)?,
             }
         }
@@ -187,6 +188,6 @@ mod tests {
 
     #[test]
     fn markup_in_text_is_escaped() {
-        assert_eq!(Escaped("a<b> & \"c\"").to_string(), "a&lt;b&gt; &amp; \"c\"");
+        assert_eq!(Escaped("a<b> & \"c\"").to_string(), "a&lt;b&gt; &amp; &quot;c&quot;");
     }
 }

@@ -33,7 +33,7 @@ figure>svg{max-width:100%;height:auto;display:block}figure{margin:.8rem 0;break-
 @page{size:A4;margin:16mm 16mm 18mm;@bottom-right{content:counter(page) ' / ' counter(pages);font:8pt sans-serif;color:#5c636e}}\
 @media print{body{margin:0;padding:0;max-width:none;font-size:10pt}h2,h3,p.intro{break-after:avoid}nav{columns:2}a{color:inherit}\
 .result,.warning,.note,pre{print-color-adjust:exact;-webkit-print-color-adjust:exact}\
-tr,figure,table.short{break-inside:avoid}pre{font-size:7.6pt}table.data{font-size:8.4pt}td.hash{font-size:6.4pt}td.name{width:36mm}p{orphans:3;widows:3}}";
+tr,figure,table.short{break-inside:avoid}figure>svg{width:auto;max-height:112mm}pre{font-size:7.6pt}table.data{font-size:8.4pt}td.hash{font-size:6.4pt}td.name{width:36mm}p{orphans:3;widows:3}}";
 
 /// Escapes text between tags.
 pub fn escape_text(content: &str) -> String {

@@ -99,6 +99,29 @@ fn a_report_has_a_table_and_a_figure_of_each_contact() {
     assert_eq!(fs::read_to_string(folder.path("r.json")).expect("written"), json.stdout);
 }
 
+/// Both sides of a vehicle have the same curves: one figure and a sentence; a finding of all contacts is listed once.
+#[test]
+fn a_report_of_both_sides_has_each_figure_once() {
+    let text = "[contact]\nat = \"all\"\n[sweep]\nvary = [\"heave=-20mm:20mm:5\"]\n";
+    let (folder, study) = study("contacts-both", text);
+    let sheet = fs::read_to_string(folder.path("car.toml")).expect("there");
+    folder.write("car.toml", &sheet.replacen("build = \"left\"", "build = \"both\"", 1));
+    let outcome = percuss(&format!("run {study} --report {}", folder.path("r.html")));
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let page = fs::read_to_string(folder.path("r.html")).expect("written");
+    for (left, right) in [("spring_left", "spring_right"), ("bump_stop_left", "bump_stop_right")] {
+        assert!(page.contains(&format!("<title>Effective mass at {left} — ")), "{left}");
+        assert!(!page.contains(&format!("<title>Effective mass at {right} — ")), "{right}");
+        let same =
+            format!("Effective mass at {right}: the same curves as in &quot;Effective mass at {left}&quot;.");
+        assert!(page.contains(&same), "{same}");
+    }
+    let list = json(&format!("run {study} --format json"));
+    let found = list["diagnostics"].as_array().expect("a list");
+    let drivers = found.iter().filter(|d| d["code"] == "drivers-chosen").count();
+    assert_eq!(drivers, 1, "{found:?}");
+}
+
 #[test]
 fn wrong_contacts_are_refused() {
     for (text, words) in [
@@ -111,7 +134,7 @@ fn wrong_contacts_are_refused() {
         ("[[contact]]\nat = \"spring\"\n[[contact]]\nlink = \"upright\"\n", "contact: point is missing"),
         (
             "[[contact]]\nat = \"spring\"\n[[contact]]\natt = \"damper\"\n",
-            "unknown key \"contact[1].att\"; did you mean \"contact.at\"",
+            "unknown key \"contact.att\"; did you mean \"contact.at\"",
         ),
         ("[[contact]]\nat = \"spring\"\n[[contact]]\nat = 3\n", "contact[1].at"),
         ("[contact]\nat = \"bump_stop,sprnig\"\n", "spring"),

@@ -67,7 +67,7 @@ pub fn contact_list_of(
     contacts: &[(String, MassQuestion)],
     damping: Option<&DampingQuestion>,
 ) -> Result<ContactListReport, StudyError> {
-    let mut diagnostics = model.diagnostics.clone();
+    let mut found: Vec<(&String, DiagnosticRecord)> = Vec::new();
     let mut listed = Vec::with_capacity(contacts.len());
     for (name, question) in contacts {
         let answer = match damping {
@@ -77,13 +77,9 @@ pub fn contact_list_of(
         let (report, problem) = match answer {
             Ok(mut report) => {
                 let of_contact = std::mem::take(&mut report.diagnostics).into_iter();
-                for found in of_contact.filter(|found| !model.diagnostics.contains(found)) {
-                    let message = format!("{name}: {}", found.message);
-                    let found = DiagnosticRecord { message, ..found };
-                    if !diagnostics.contains(&found) {
-                        diagnostics.push(found);
-                    }
-                }
+                found.extend(
+                    of_contact.filter(|found| !model.diagnostics.contains(found)).map(|found| (name, found)),
+                );
                 (Some(report), None)
             }
             Err(error) if error.has_no_result() => (None, Some(error.message(question.names))),
@@ -93,11 +89,30 @@ pub fn contact_list_of(
             question.named_contact(&model.mechanism)?.map_or(ContactKind::Other, |contact| contact.kind());
         listed.push(ListedContact { name: name.clone(), kind: kind.name(), report, problem });
     }
+    let answered = listed.iter().filter(|contact| contact.report.is_some()).count();
     Ok(ContactListReport {
         schema: "percuss.contacts/1",
         percuss: env!("CARGO_PKG_VERSION"),
         inputs: model.inputs.clone(),
         contacts: listed,
-        diagnostics,
+        diagnostics: merge_findings(model.diagnostics.clone(), &found, answered),
     })
+}
+
+/// Adds the findings of the contacts to those of the model: one that all `answered` contacts share once, any other with the name of
+/// its contact.
+fn merge_findings(
+    mut all: Vec<DiagnosticRecord>,
+    found: &[(&String, DiagnosticRecord)],
+    answered: usize,
+) -> Vec<DiagnosticRecord> {
+    for (name, record) in found {
+        let is_shared = answered > 1 && found.iter().filter(|(_, other)| other == record).count() == answered;
+        let message = if is_shared { record.message.clone() } else { format!("{name}: {}", record.message) };
+        let record = DiagnosticRecord { message, ..record.clone() };
+        if !all.contains(&record) {
+            all.push(record);
+        }
+    }
+    all
 }

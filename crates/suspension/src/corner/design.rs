@@ -65,6 +65,9 @@ pub(crate) enum Part {
     Close { joint: String, links: [String; 2], at: String },
 }
 
+/// Directions of pins with their positions in the file, by link.
+pub(crate) type FirstPins = BTreeMap<&'static str, (Vector3<f64>, Spot)>;
+
 /// Mass and inertia of a link as given in a file.
 #[derive(Clone, Debug)]
 pub(crate) enum GivenBody {
@@ -91,7 +94,7 @@ pub(crate) struct Design {
     /// normal to the link and to the vehicle's x axis.
     pub pins: BTreeMap<&'static str, [Vector3<f64>; 2]>,
     /// First pins of universal joints by link, as stated by a sheet; the second pin is normal to this pin and to the link.
-    pub first_pins: BTreeMap<&'static str, (Vector3<f64>, Spot)>,
+    pub first_pins: FirstPins,
     /// Links with spring, damper or bar mounts, by section.
     pub on: BTreeMap<&'static str, (String, Spot)>,
     /// Gap and direction of stops, as given in the file, by section.

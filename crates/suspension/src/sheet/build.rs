@@ -38,8 +38,8 @@ fn note_unstated_pins(sheet: &Sheet, findings: &mut Findings) {
     let (links, spots): (Vec<&str>, Vec<&Spot>) = assumed.unzip();
     if let ([first, ..], [spot, ..]) = (&links[..], &spots[..]) {
         let message = format!(
-            "the directions of the pins of the universal joint of {} are assumed: the pin on the chassis or rack is normal to the \
-             link and to the x axis; state it by the key {first}.pin = [x, y, z]",
+            "the directions of the pins of the universal joint of {} are assumed: the first pin, on the chassis or rack, is \
+             normal to the link and to the x axis; state it by the key {first}.pin = [x, y, z]",
             links.join(", ")
         );
         findings.note("assumed-pins", spot, message);

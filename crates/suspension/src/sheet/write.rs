@@ -272,9 +272,9 @@ pub fn template_keys() -> String {
     let pins: Vec<String> = on_pins.into_iter().map(|link| format!("{link}.pin")).collect();
     row(
         &pins.join("`, `"),
-        "the direction of the pin of its universal joint that stays with the chassis or rack, `[x, y, z]`; the other pin is normal \
-         to this pin and to the link. Without it, the pin is normal to the link and to the x axis. It counts for a link with a \
-         moment of inertia about its line",
+        "the direction of the pin of its universal joint that stays with the body at its first end (chassis, rack or bar), \
+         `[x, y, z]`; the other pin is normal to this pin and to the link. Without it, the pin is normal to the link and to the x \
+         axis. It counts for a link with a moment of inertia about its line",
         "those with this link",
     );
     row("spindle.axle_inertia", "of the drive shaft about the axis of spin, added to the spindle's", "all");
