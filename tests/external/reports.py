@@ -20,8 +20,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FLAGS = """--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update
 --disable-sync --disable-extensions --enable-logging=stderr --virtual-time-budget=4000""".split()
 # Added to a copy of the page, in which scripts may run: counts the pictures and the drawn pictures.
-COUNT = """<script>addEventListener('load', () => { const all = [...document.images];
-document.title = 'pictures ' + all.length + ' drawn ' + all.filter(i => i.complete && i.naturalWidth > 100).length; })</script>"""
+COUNT = """<script>addEventListener('load', () => { const all = [...document.querySelectorAll('figure > svg')];
+const isDrawn = s => s.getBoundingClientRect().width > 100 && s.getBBox().height > 100;
+document.title = 'pictures ' + all.length + ' drawn ' + all.filter(isDrawn).length; })</script>"""
 
 
 def opened(chromium, folder, page, *more):

@@ -35,6 +35,7 @@ mod sweep {
 
 /// Study files.
 mod study {
+    mod contacts;
     mod init;
     mod keys;
     mod report;
@@ -43,6 +44,7 @@ mod study {
 
 /// Suspensions from sheets of hardpoints.
 mod suspensions {
+    mod contact_patches;
     mod daily_use;
     mod import;
     mod kinematics;

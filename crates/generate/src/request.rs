@@ -1,7 +1,7 @@
 //! Description of the function to generate.
 
 use nalgebra::Vector3;
-use percuss_dynamics::{Contact, Pose, System};
+use percuss_dynamics::{Contact, LowestPoint, Pose, System};
 use percuss_mechanism::{JointId, LinkId};
 
 /// Held point of a link.
@@ -49,6 +49,8 @@ pub struct Request {
     pub pose: Pose,
     /// The contact; its point is in the frame of the contact link.
     pub contact: Contact,
+    /// Wheel of a contact patch: the contact point is then its lowest point at every configuration.
+    pub wheel: Option<LowestPoint>,
     /// Mass of a free body on the other side, kg.
     pub other_mass: Option<f64>,
     /// Replaced armatures: one value, or one value per velocity.
@@ -77,6 +79,11 @@ impl Request {
             Some((_, values)) => values.clone(),
             None => joint_data.armature().to_vec(),
         }
+    }
+
+    /// Contact at a pose.
+    pub(crate) fn contact_at(&self, pose: &Pose) -> Contact {
+        self.wheel.map_or(self.contact, |wheel| wheel.contact_at(pose, &self.contact))
     }
 
     /// Characteristic length, m.

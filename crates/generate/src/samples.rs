@@ -56,7 +56,7 @@ pub(crate) fn samples(request: &Request, tree: &Tree, count: usize) -> Vec<Sampl
 
 /// Result at a pose; `None` at a singular pose, and without a result.
 fn sample(request: &Request, tree: &Tree, pose: Pose) -> Option<Sample> {
-    let response = pose.respond(&request.contact).ok()?;
+    let response = pose.respond(&request.contact_at(&pose)).ok()?;
     if response.singular_pose {
         return None;
     }

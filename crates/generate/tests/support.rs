@@ -22,6 +22,7 @@ pub fn request(name: &str, mechanism: &Arc<Mechanism>, pose: Pose, contact: Cont
         system: System::new(Arc::clone(mechanism), &Conditions::new()).expect("a system"),
         pose,
         contact,
+        wheel: None,
         other_mass: None,
         armatures: Vec::new(),
         holds: Vec::<HeldPoint>::new(),

@@ -45,7 +45,7 @@ fn extremes_of_a_planar_arm() {
     let range = |name: &str, lower, upper| JointRange { joint: joint(name), lower, upper };
     let ranges = [range("shoulder", -3.0, 3.0), range("elbow", 0.3, 2.0)];
     let search = |ranges: &[JointRange], extreme| {
-        extreme_effective_mass(&system, &system.configuration(), &contact, ranges, extreme, 16)
+        extreme_effective_mass(&system, &system.configuration(), &contact, None, ranges, extreme, 16)
     };
     let least = search(&ranges, ExtremeKind::Least).expect("a minimum");
     let EffectiveMass::Finite(mass) = least.effective_mass else { panic!("{least:?}") };
@@ -91,7 +91,8 @@ fn extremes_of_a_linkage_are_those_of_its_sweep() {
     let sweep: Vec<f64> = (0..=600).map(|k| mass(lower + (upper - lower) * f64::from(k) / 600.0)).collect();
     let ranges = [JointRange { joint: crank, lower, upper }];
     for extreme in [ExtremeKind::Least, ExtremeKind::Most] {
-        let found = extreme_effective_mass(&system, &system.configuration(), &contact, &ranges, extreme, 8);
+        let found =
+            extreme_effective_mass(&system, &system.configuration(), &contact, None, &ranges, extreme, 8);
         let found = found.expect("an extreme");
         let EffectiveMass::Finite(value) = found.effective_mass else { panic!("{found:?}") };
         let of_sweep = match extreme {

@@ -28,6 +28,8 @@ pub(crate) enum Item {
     Dots { centres: Vec<Point>, radius: f64, colour: Colour },
     /// A filled rectangle between two opposite corners.
     Patch { from: Point, to: Point, colour: Colour },
+    /// A filled polygon.
+    Area { corners: Vec<Point>, colour: Colour },
     /// Rectangle of RGB pixels, row by row from the upper left corner.
     Image { at: Point, size: (f64, f64), pixels: Vec<u8>, columns: usize },
     /// One line of text.

@@ -51,6 +51,7 @@ fn write_items(scene: &Scene, with_images: bool, out: &mut String) -> Result {
             Item::Lines { chains, stroke } => write_lines(chains, stroke, out)?,
             Item::Dots { centres, radius, colour } => write_dots(centres, *radius, *colour, out)?,
             Item::Patch { from, to, colour } => write_patch(*from, *to, *colour, out)?,
+            Item::Area { corners, colour } => write_area(corners, *colour, out)?,
             Item::Image { .. } if !with_images => {}
             Item::Image { at, size, pixels, columns } => write_image(*at, *size, pixels, *columns, out)?,
             Item::Text(text) => write_text(text, out)?,
@@ -92,6 +93,15 @@ fn write_patch(from: Point, to: Point, colour: Colour, out: &mut String) -> Resu
     write!(out, r#"<rect x="{}" y="{}""#, Number(from.0), Number(from.1))?;
     let (width, height) = (Number(to.0 - from.0), Number(to.1 - from.1));
     writeln!(out, r#" width="{width}" height="{height}" fill="{colour}"/>"#)
+}
+
+/// Writes a filled polygon.
+fn write_area(corners: &[Point], colour: Colour, out: &mut String) -> Result {
+    write!(out, r#"<path d=""#)?;
+    for (i, &(x, y)) in corners.iter().enumerate() {
+        write!(out, "{}{} {}", if i == 0 { 'M' } else { 'L' }, Number(x), Number(y))?;
+    }
+    writeln!(out, r#"Z" fill="{colour}"/>"#)
 }
 
 /// Writes pixels as an embedded PNG.
@@ -157,6 +167,7 @@ impl Display for Escaped<'_> {
                 '&' => f.write_str("&amp;")?,
                 '<' => f.write_str("&lt;")?,
                 '>' => f.write_str("&gt;")?,
+                '"' => f.write_str("&quot;")?,
                 c => f.write_char(c)?,
             }
         }
@@ -177,6 +188,6 @@ mod tests {
 
     #[test]
     fn markup_in_text_is_escaped() {
-        assert_eq!(Escaped("a<b> & \"c\"").to_string(), "a&lt;b&gt; &amp; \"c\"");
+        assert_eq!(Escaped("a<b> & \"c\"").to_string(), "a&lt;b&gt; &amp; &quot;c&quot;");
     }
 }

@@ -72,8 +72,8 @@ fn three_views_have_numbers_and_a_key() {
     let shown = texts(&svg);
     let count = |text: &str| shown.iter().filter(|shown| *shown == text).count();
     for (i, name) in names.iter().enumerate() {
-        // In each view and in the key.
-        assert_eq!(count(&(i + 1).to_string()), 4, "{shown:?}");
+        // In each view and in the key; from the left, the second point is behind the others.
+        assert_eq!(count(&(i + 1).to_string()), if i == 1 { 3 } else { 4 }, "{shown:?}");
         assert_eq!(count(name), 1, "{shown:?}");
     }
     assert!(shown.iter().any(|text| text.starts_with("from above")), "{shown:?}");
@@ -96,7 +96,7 @@ fn three_views_have_numbers_and_a_key() {
         .filter_map(|n| n.first_element_child()?.text())
         .collect();
     // From the left, all three points coincide; from the front and from above, the first and the third.
-    for (title, count) in [("1 ball <lower>", 10), ("2 hinge", 8), ("3 spring (spring)", 10)] {
+    for (title, count) in [("1 ball <lower>", 9), ("2 hinge", 6), ("3 spring (spring)", 9)] {
         let shown = titles.iter().filter(|shown| shown.lines().any(|line| line == title)).count();
         assert_eq!(shown, count, "{title}");
     }

@@ -266,3 +266,34 @@ fn a_pdf_has_the_same_bytes_each_time_and_its_table_of_objects_is_right() {
     }
     assert_eq!(text.matches("/FontFile2").count(), 2);
 }
+
+/// A band is a filled polygon between its edges, under the lines, and never outside the frame.
+#[test]
+fn a_band_is_filled_between_its_edges() {
+    let line =
+        Series { name: "m".into(), points: vec![(0.0, Some(1.0)), (2.0, Some(3.0))], ..Series::default() };
+    let edges = [(0.0, 0.5), (2.0, 2.0), (2.0, 4.0), (0.0, 1.5)].map(|(x, y)| (x, Some(y)));
+    let band = Series { name: "tolerance".into(), style: Style::Band, points: edges.to_vec() };
+    let svg = |limits| {
+        let panel =
+            Panel { y_label: "kg".into(), series: vec![line.clone(), band.clone()], y_limits: limits };
+        Figure { panels: vec![panel], ..Figure::default() }.to_svg()
+    };
+    let corners = |svg: &str| -> Vec<(f64, f64)> {
+        let path = svg.split("<path d=\"").find(|path| path.contains("Z\" fill=\"#")).expect("an area");
+        let path = path.split('Z').next().expect("corners");
+        let pairs = path.split(['M', 'L']).filter_map(|pair| pair.split_once(' '));
+        pairs.map(|(x, y)| (x.parse().expect("x"), y.parse().expect("y"))).collect()
+    };
+    let free = svg(None);
+    let [a, b, c, d] = corners(&free)[..] else { panic!("{free}") };
+    assert!(a.0 == d.0 && b.0 == c.0 && b.0 > a.0, "the edges begin and end at the same x");
+    // 1 kg is as high at both ends of the edges.
+    assert!(((a.1 - d.1) - 0.5 * (b.1 - c.1)).abs() < 0.02, "{a:?} {b:?} {c:?} {d:?}");
+    let (area, curve) = (free.find("Z\" fill"), free.rfind("stroke-width=\"2\""));
+    assert!(area < curve, "the line is above the band");
+    let clipped = svg(Some((1.0, 2.0)));
+    let heights: Vec<f64> = corners(&clipped).iter().map(|corner| corner.1).collect();
+    let (top, bottom) = (heights[2], heights[0]);
+    assert!(heights.iter().all(|y| (top..=bottom).contains(y)), "{heights:?}");
+}

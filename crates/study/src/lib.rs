@@ -63,7 +63,7 @@ pub use question::travel::vary::{Varied, Vary, VaryError};
 pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing};
 pub use reports::assumptions::Assumptions;
 pub use reports::compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
-pub use reports::contact_list::{ContactListReport, ListedContact, contact_list};
+pub use reports::contact_list::{ContactListReport, ListedContact, contact_list, contact_list_of};
 pub use reports::drawing::drawn_mechanism::{
     DrawnElement, DrawnLink, DrawnMechanism, DrawnPoint, draw_mechanism,
 };
@@ -112,6 +112,7 @@ pub use reports::tolerance::{
     SampleRecord, Sampling, Tolerance, ToleranceEffect, ToleranceError, ToleranceParts, ToleranceReport,
     tolerance_report,
 };
+pub use study_file::contacts::{StudyContact, contact_names};
 pub use study_file::file::{StudyDamping, StudyFile, StudyFileError, StudySweep};
 pub use study_file::keys::{StudyKeys, UnknownKey};
 pub use study_file::schema::{study_key_page, study_keys, study_schema};

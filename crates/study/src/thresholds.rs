@@ -113,6 +113,8 @@ pub(crate) const APPROACH_STEPS: usize = 100;
 pub(crate) const APPROACH_ROUNDS: usize = 8;
 /// Least cosine of the angle between the tangents before and after a step.
 pub(crate) const LEAST_TANGENT_COSINE: f64 = 0.95;
+/// Penetration, m, from which a stop counts as passed by a travel: half of the last digit of the message.
+pub(crate) const PASSED_STOP: f64 = 5e-5;
 /// Largest gap at which a stop touches, in characteristic lengths: the tolerance of several travels, with a margin.
 pub(crate) const TOUCH_TOLERANCE: f64 = 1e-10;
 /// Largest number of Newton steps for several travels: from a near pose some five steps are needed.

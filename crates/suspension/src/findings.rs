@@ -27,6 +27,9 @@ impl Spot {
     }
 }
 
+/// Code of the finding about the worksheets of a workbook.
+pub(super) const FIRST_WORKSHEET: &str = "first-worksheet";
+
 struct Finding {
     severity: Severity,
     code: &'static str,
@@ -92,6 +95,11 @@ impl Findings {
             let spot = Spot::default();
             self.list.push(Finding { severity: Severity::Warning, code: "and-more", spot, message });
         }
+        // An error in a workbook may come from the worksheet that was read; the list of the others is then part of the error.
+        if self.has_errors() {
+            let of_worksheets = self.list.iter_mut().filter(|f| f.code == FIRST_WORKSHEET);
+            of_worksheets.for_each(|f| f.severity = Severity::Error);
+        }
         self.list.sort_by_key(|f| (f.spot.file, f.spot.at));
         let diagnostic = |f: Finding| {
             let (path, text) = files.get(f.spot.file).copied().unwrap_or_default();
@@ -107,5 +115,26 @@ impl Findings {
             }
         };
         self.list.into_iter().map(diagnostic).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The list of worksheets is a note, and part of the error if the worksheet that was read has one, such as missing masses.
+    #[test]
+    fn worksheets_are_listed_with_an_error() {
+        let listed = |with_error: bool| {
+            let mut findings = Findings::default();
+            findings.note(FIRST_WORKSHEET, &Spot::default(), "the workbook has 2 worksheets".to_owned());
+            if with_error {
+                findings.error("missing-key", &Spot::default(), "no masses".to_owned());
+            }
+            let found = findings.finish(&[("car.xlsx", "")]);
+            found.iter().find(|d| d.code == FIRST_WORKSHEET).map(|d| d.severity)
+        };
+        assert_eq!(listed(false), Some(Severity::Note));
+        assert_eq!(listed(true), Some(Severity::Error));
     }
 }

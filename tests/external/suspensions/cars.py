@@ -90,11 +90,12 @@ def with_leaf_points(points):
 @dataclass
 class Given:
     """A section of a body: inertia about the centre of mass, in the vehicle's axes; for a rod, the mass alone is
-    sufficient."""
+    sufficient. `pin`: direction of the pin of its universal joint on the first body, if the sheet states it."""
 
     mass: float
     com: np.ndarray | None = None
     inertia: np.ndarray | None = None
+    pin: np.ndarray | None = None
 
 
 @dataclass
@@ -138,13 +139,15 @@ class Body:
 @dataclass
 class Joint:
     """A joint between two bodies: kind, position, and a direction (the axis; for a universal joint, the blocked axis
-    of rotation; for a rod, its line, with `at` as its end on the first body)."""
+    of rotation; for a rod, its line, with `at` as its end on the first body). `pin`: the pin of a universal joint on the first
+    body; `None`: normal to the line and to the vehicle's x."""
 
     kind: str
     first: str
     second: str
     at: np.ndarray
     along: np.ndarray | None = None
+    pin: np.ndarray | None = None
 
 
 @dataclass
@@ -207,6 +210,17 @@ class Side:
         along = None if along is None else unit(along)
         self.built.joints.append(Joint(kind, self.name(first), self.name(second), at, along))
 
+    def universal(self, first, link, at, line):
+        """A universal joint; its second pin, on the link, is normal to the line and to the first pin."""
+        given = self.car.bodies.get(link)
+        pin = None if given is None else given.pin
+        if pin is None:
+            return self.join("universal", first, link, at, line)
+        pin = unit(pin if link in SHARED_BODIES else self.mirror @ pin)
+        blocked = np.cross(pin, unit(np.cross(line, pin)))
+        self.join("universal", first, link, at, blocked)
+        self.built.joints[-1].pin = pin
+
     def arm(self, link, one, other, carrier=CHASSIS):
         """A body on a hinge through two points."""
         self.body(link)
@@ -227,7 +241,7 @@ class Side:
             self.built.bodies[self.name(link)] = Body(given.mass, (a + b) / 2, given.mass / 12 * across)
         else:
             self.body(link)
-        self.join("universal", first, link, a, b - a)
+        self.universal(first, link, a, b - a)
         self.join("ball", link, second, b)
 
     def wheel(self, carrier):
@@ -312,7 +326,7 @@ def corner(side):
         side.body("strut")
         line = side.point("strut_top") - side.point("strut_bottom")
         side.join("ball", "lower_arm", "upright", "lower_ball")
-        side.join("universal", CHASSIS, "strut", "strut_top", line)
+        side.universal(CHASSIS, "strut", "strut_top", line)
         side.join("cylinder", "strut", "upright", "strut_bottom", line)
         side.steering()
         side.wheel("upright")

@@ -413,7 +413,8 @@ class Suspension:
             drawn, now = unit(outer - base), self.at(outer)
             line, v = unit(now - base), self.speed(now, motion)
             rate = (v - line * (line @ v)) / np.linalg.norm(now - base)
-        first = unit(np.cross(drawn, [1.0, 0, 0]))
+        stated = self.car.bodies[link].pin
+        first = unit(np.cross(drawn, [1.0, 0, 0]) if stated is None else stated)
 
         def frame(line):
             second = unit(np.cross(line, first))

@@ -116,6 +116,15 @@ def random_car(rng, path):
             given.inertia = random_inertia(rng, np.trace(given.inertia) * rng.uniform(0.5, 2))
         else:
             given.inertia = np.diag(np.diag(random_inertia(rng, np.trace(given.inertia))))
+    for name, given in car.bodies.items():
+        ends = ("strut_bottom", "strut_top") if name == "strut" else RODS.get(name)
+        if ends and given.inertia is not None and rng.integers(2):
+            a, b = (with_leaf_points(car.points)[end] for end in ends)
+            line = (b - a) / np.linalg.norm(b - a)
+            across = rng.normal(size=3)
+            across -= line * (line @ across)
+            # At most 45° from the normal of the line.
+            given.pin = across / np.linalg.norm(across) + line * rng.uniform(-1, 1)
     if "beam" in car.bodies and rng.integers(3) == 0:
         del car.bodies["beam"]
         car.on = {what: "trailing_arm" if link == "beam" else link for what, link in car.on.items()}
@@ -188,6 +197,8 @@ def written(car, spelling, build):
             # The spindle's inertia is in the wheel's own axes.
             by = turned(shared)
             text.append(f"inertia = {moments(given.inertia) if name == 'spindle' else inertia(by @ given.inertia @ by.T)}")
+        if given.pin is not None:
+            text.append(f"pin = {triple(turned(shared) @ given.pin)}")
         if name == "spindle":
             text.append(f"axle_inertia = {float(car.axle_inertia / INERTIAS[inertia_unit])!r}")
         if name in car.on:

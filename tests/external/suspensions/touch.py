@@ -34,9 +34,9 @@ class NotReached(Exception):
 
 
 def pins(joint):
-    """Pins of a universal joint: normal to the line and to the vehicle's x, on the first body; normal to the line and
-    to the first pin, on the second body."""
-    first = unit(np.cross(joint.along, [1.0, 0, 0]))
+    """Pins of a universal joint: as stated, or normal to the line and to the vehicle's x, on the first body; normal to the
+    line and to the first pin, on the second body."""
+    first = unit(np.cross(joint.along, [1.0, 0, 0])) if joint.pin is None else joint.pin
     return first, np.cross(joint.along, first)
 
 

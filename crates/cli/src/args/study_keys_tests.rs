@@ -20,9 +20,10 @@ const WITHOUT_KEY: [(&str, &str); 12] = [
 ];
 
 /// Keys that have no flag, and why.
-const WITHOUT_FLAG: [(&str, &str); 3] = [
+const WITHOUT_FLAG: [(&str, &str); 4] = [
     ("closure.", "a flag for a loop would be a file"),
     ("variant.", "percuss compare uses files in place of variants"),
+    ("contact.name", "the command evaluates one contact, or lists those of the model by their names"),
     ("report.", "text of the report, which only a study has"),
 ];
 

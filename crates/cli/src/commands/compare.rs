@@ -14,7 +14,7 @@ use crate::terminal::wrap::wrap_message;
 use percuss_render::{Figure, Panel, Series, Style};
 use percuss_study::{
     AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Dimension, MassQuestion,
-    Model, Names, RowSource, StudyFigure, StudyFile, compare,
+    Model, Names, RowSource, StudyFigure, StudyFile, compare, contact_names,
 };
 use std::fmt::{Display, Write as _};
 use std::path::Path;
@@ -101,19 +101,9 @@ fn designs_of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
 /// Named contacts of `--at`: one name, several with commas, or `all`; a single `None` if the contact is given by link and point.
 fn contacts(at: Option<&str>, model: &Model) -> Result<Vec<Option<String>>, Failure> {
     let Some(at) = at else { return Ok(vec![None]) };
-    let all = model.mechanism.contacts();
-    let names: Vec<&str> = match at {
-        // A contact may itself have a comma in its name.
-        name if all.iter().any(|contact| contact.name() == name) => vec![name],
-        "all" => all.iter().map(|contact| contact.name()).collect(),
-        list => list.split(',').map(str::trim).collect(),
-    };
-    if names.is_empty() {
-        return Err(Failure::bad_input(
-            "--at all: the model has no named contacts; give --link, --point and --normal",
-        ));
-    }
-    Ok(names.into_iter().map(|name| Some(name.to_owned())).collect())
+    let names =
+        contact_names(at, &model.mechanism).map_err(|why| Failure::bad_input(format!("--at {at}: {why}")))?;
+    Ok(names.into_iter().map(Some).collect())
 }
 
 /// Name of a study; used for its model among the variants.
@@ -338,8 +328,31 @@ fn file_bytes(
     }
 }
 
+/// Figure of each contact, if there are several: m̄ of all designs at this contact over the range, with the motion ratio below.
+pub fn contact_figures(report: &ComparisonReport, requested: &StudyFigure) -> Vec<Figure> {
+    let firsts = (0..report.designs.len()).filter(|i| report.designs[*i].reference.is_none());
+    let figure = |first: usize| {
+        let of_contact = |i: &usize| *i == first || report.designs[*i].reference == Some(first);
+        let designs: Vec<usize> = (0..report.designs.len()).filter(of_contact).collect();
+        let contact = report.designs[first].contact.as_ref().unwrap_or(&report.designs[first].name);
+        let title = format!("Effective mass at {contact}");
+        figure_of(report, &StudyFigure { title: Some(title), y_limits: None, ..requested.clone() }, &designs)
+            .ok()
+    };
+    firsts.filter_map(figure).collect()
+}
+
 /// Figure of m̄ of all designs over the range, with the differences from the first design below.
 pub fn figure(report: &ComparisonReport, requested: &StudyFigure) -> Result<Figure, Failure> {
+    figure_of(report, requested, &(0..report.designs.len()).collect::<Vec<_>>())
+}
+
+/// Figure of some designs.
+fn figure_of(
+    report: &ComparisonReport,
+    requested: &StudyFigure,
+    designs: &[usize],
+) -> Result<Figure, Failure> {
     let [varied] = &report.varied[..] else {
         return Err(Failure::bad_input(
             "--output: a figure shows designs over one range; give --vary once (a study: [sweep] with one range), or a file \
@@ -358,7 +371,7 @@ pub fn figure(report: &ComparisonReport, requested: &StudyFigure) -> Result<Figu
             .map(|(row, r)| (scale * r.varied.first().copied().unwrap_or_default(), values(row)))
             .collect(),
     };
-    let all = 0..report.designs.len();
+    let all = designs.iter().copied();
     let masses = all.clone().map(|i| series(i, &|row| report.rows[row].effective_mass[i])).collect();
     let mut panels = vec![Panel {
         y_label: "m̄ (kg)".into(),
@@ -375,7 +388,8 @@ pub fn figure(report: &ComparisonReport, requested: &StudyFigure) -> Result<Figu
     let differences: Vec<Series> =
         compared.map(|i| series(i, &|row| report.rows[row].difference_percent[i])).collect();
     if !differences.is_empty() {
-        let first = if has_several_contacts(report) { "the first design" } else { &report.designs[0].name };
+        let is_of_several = designs.len() == report.designs.len() && has_several_contacts(report);
+        let first = if is_of_several { "the first design" } else { &report.designs[designs[0]].name };
         let y_label = format!("difference from {first} (%)");
         panels.push(Panel { y_label, series: differences, ..Panel::default() });
     }
@@ -385,7 +399,7 @@ pub fn figure(report: &ComparisonReport, requested: &StudyFigure) -> Result<Figu
             .clone()
             .unwrap_or_else(|| format!("Effective mass of {}", of_designs(report, ""))),
         x_limits: requested.x_limits.map(AxisLimits::ends),
-        subtitle: report.designs.iter().map(|d| d.name.clone()).collect::<Vec<_>>().join(", "),
+        subtitle: designs.iter().map(|i| report.designs[*i].name.clone()).collect::<Vec<_>>().join(", "),
         x_label: format!("{} ({unit})", varied.name),
         panels,
         ..Figure::default()

@@ -8,7 +8,8 @@ use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::wrap_hanging;
 use percuss_study::{
-    ContactListReport, DampingQuestion, ListedContact, MassQuestion, MassReport, Model, contact_list,
+    ContactListReport, DampingQuestion, ListedContact, MassQuestion, MassReport, Model, StudyFile,
+    contact_list, contact_list_of,
 };
 use std::fmt::Write;
 
@@ -23,12 +24,24 @@ pub fn show(
     format: MassFormat,
     strict: bool,
 ) -> Result<(), Failure> {
-    let report = contact_list(model, conditions, damping)?;
+    write(&contact_list(model, conditions, damping)?, format, strict)
+}
+
+/// List of the contacts of a study with several contacts, with the damper of each.
+pub fn of_study(study: &StudyFile) -> Result<ContactListReport, Failure> {
+    let contacts: Vec<(String, MassQuestion)> =
+        study.contacts.iter().map(|contact| (contact.name.clone(), contact.question.clone())).collect();
+    let damping = study.damping.as_ref().map(|damping| &damping.question);
+    Ok(contact_list_of(&study.model, &contacts, damping)?)
+}
+
+/// Writes a list of contacts.
+pub fn write(report: &ContactListReport, format: MassFormat, strict: bool) -> Result<(), Failure> {
     write_diagnostics(&report.diagnostics, strict)?;
     match format {
-        MassFormat::Json => write_json(&report),
-        MassFormat::Csv => write_out(&table_as_csv(&report)),
-        MassFormat::Text => write_out(&text(&report)),
+        MassFormat::Json => write_json(report),
+        MassFormat::Csv => write_out(&table_as_csv(report)),
+        MassFormat::Text => write_out(&text(report)),
     }
 }
 
@@ -51,8 +64,8 @@ fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
     ]
 }
 
-/// The list as text: a table, and the reasons of missing results below it.
-fn text(report: &ContactListReport) -> String {
+/// Table of masses, gaps, wheel travels and motion ratios.
+pub fn mass_table(report: &ContactListReport) -> Table<5> {
     let mut table = Table::new(["contact", "m̄, kg", "gap, mm", "wheel travel, mm", "wheel/contact"]);
     for contact in &report.contacts {
         let [mass, gap, travel, ratio, _] = numbers(contact);
@@ -65,35 +78,57 @@ fn text(report: &ContactListReport) -> String {
         };
         table.row([contact.name.clone(), mass, shown(gap, 2), shown(travel, 2), shown(ratio, 4)]);
     }
-    let mut out = table.to_string();
+    table
+}
+
+/// Table of dampers; `None` without dampers.
+pub fn damper_table(report: &ContactListReport) -> Option<Table<2>> {
     let mut dampers = Table::new(["contact", "damping, N·s/m"]);
     for contact in &report.contacts {
         if let [.., Some(damping)] = numbers(contact) {
             dampers.row([contact.name.clone(), number(round_to_digits(damping, DIGITS))]);
         }
     }
-    if dampers.rows().len() > 1 {
+    (dampers.rows().len() > 1).then_some(dampers)
+}
+
+/// The list as text: a table, and the reasons of missing results below it.
+fn text(report: &ContactListReport) -> String {
+    let mut out = mass_table(report).to_string();
+    if let Some(dampers) = damper_table(report) {
         let _ = write!(out, "\n{dampers}");
     }
+    out += &format!("\n{}", explanation(report));
+    for contact in &report.contacts {
+        if let Some(problem) = &contact.problem {
+            let _ = writeln!(out, "\n{}", wrap_hanging(&format!("{}: {problem}", contact.name), 2));
+        }
+    }
+    out
+}
+
+/// Meaning of the columns.
+pub fn explanation(report: &ContactListReport) -> String {
+    let mut out = String::new();
     let named =
         || report.contacts.iter().filter_map(|contact| contact.report.as_ref()?.named_contact.as_ref());
     out += if named().any(|named| named.brought_to_touch) || named().all(|named| named.gap.is_none()) {
-        "\nA stop is evaluated at the touch: \"gap\" is the gap as drawn, \"wheel travel\" the\nupward travel of the wheel at the touch. A contact without a gap is evaluated at\nthe pose as drawn, unless another is given.\n"
+        "A stop is evaluated at the touch: \"gap\" is the gap as drawn, \"wheel travel\" the\nupward travel of the wheel at the touch. A contact without a gap is evaluated at\nthe pose as drawn, unless another is given.\n"
     } else {
-        "\nAll contacts are evaluated at the given pose: \"gap\" is the gap there, negative for a\npenetration.\n"
+        "All contacts are evaluated at the given pose: \"gap\" is the gap there, negative for a\npenetration.\n"
     };
     out += "\"wheel/contact\" is the upward speed of the wheel per closing speed, negative for\na contact that closes while the wheel moves down.\n";
     let has_no_ratio = |contact: &ListedContact| {
         contact.report.as_ref().and_then(|report| report.effective_mass).is_some()
             && numbers(contact)[3].is_none()
     };
-    if report.contacts.iter().any(has_no_ratio) && named().any(|named| !named.wheel_travel.is_empty()) {
-        out += "It is not given where more than the wheel can move, such as a sliding rack or the\nother wheel: lock the rack (--lock rack), or see percuss kinematics.\n";
+    let ratios = report.contacts.iter().filter_map(|contact| contact.report.as_ref());
+    let held = ratios.flat_map(|report| &report.motion_ratios).find_map(|ratio| ratio.held.as_ref());
+    if let Some(joint) = held {
+        let _ = writeln!(out, "It is given with the joint {joint} held, which moves in the impact.");
     }
-    for contact in &report.contacts {
-        if let Some(problem) = &contact.problem {
-            let _ = writeln!(out, "\n{}", wrap_hanging(&format!("{}: {problem}", contact.name), 2));
-        }
+    if report.contacts.iter().any(has_no_ratio) && named().any(|named| !named.wheel_travel.is_empty()) {
+        out += "It is not given where more than the wheel can move, such as the other wheel of an\naxle: see percuss kinematics.\n";
     }
     out
 }

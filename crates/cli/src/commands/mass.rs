@@ -7,7 +7,7 @@ use crate::terminal::escape::line;
 use crate::terminal::explanation::{explanation, motion_ratio, named_contact};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
-use crate::terminal::report::{note, write_diagnostics, write_json, write_out};
+use crate::terminal::report::{note, with_findings, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{bar, number, triple, upper_bound};
 use crate::terminal::wrap::{self, fact_line};
 use percuss_study::{
@@ -113,11 +113,12 @@ pub fn show(
     requested: &MassRequests,
     strict: bool,
 ) -> Result<(), Failure> {
-    let mut report = match damping {
-        Some(damping) => mass_with_damper(model, question, damping)?,
-        None => mass(model, question)?,
+    let answer = match damping {
+        Some(damping) => mass_with_damper(model, question, damping),
+        None => mass(model, question),
     };
-    report.point_in_sheet = model.point_in_sheet(&report.contact.point_world);
+    let mut report = with_findings(answer, model)?;
+    report.point_in_sheet = model.contact_in_sheet(&report.contact.point_world, &report.contact.normal_world);
     requested.add_to(&mut report, model, question)?;
     write_diagnostics(&report.diagnostics, strict)?;
     let unanswered = requested.explain && report.explanation.is_none()
@@ -279,8 +280,11 @@ pub fn conditions(report: &MassReport) -> Vec<(&'static str, String)> {
     ];
     facts.extend(report.point_in_sheet.map(|at| {
         let rounded = at.point.map(|x| (x * 1e6).round() / 1e6 + 0.0);
-        let text = format!("point {} {}, axes {}", triple(&rounded), at.unit.name(), at.axes.name());
-        ("in the sheet", format!("{text} ({})", at.axes.words()))
+        let normal = at.normal.map_or_else(String::new, |normal| {
+            format!(", normal {}", triple(&normal.map(|x| (x * 1e6).round() / 1e6 + 0.0)))
+        });
+        let text = format!("point {} {}{normal}", triple(&rounded), at.unit.name());
+        ("in the sheet", format!("{text}, axes {} ({})", at.axes.name(), at.axes.words()))
     }));
     facts.extend([
         ("against", against),

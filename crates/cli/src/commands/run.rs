@@ -2,6 +2,7 @@
 
 use crate::args::{CheckFormat, MassFormat, RunArgs};
 use crate::commands::compare;
+use crate::commands::contact_list;
 use crate::commands::damp;
 use crate::commands::impacts::{rigid_impact, safe_speed};
 use crate::commands::map;
@@ -124,6 +125,9 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
 fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Result<(), Failure> {
     let strict = args.strict;
     let of_pose = study.damping.is_some() || study.mass != StudyMass::default();
+    if !study.contacts.is_empty() {
+        note_single_contact(study);
+    }
     if of_pose && (study.sweep.is_some() || !study.variants.is_empty()) {
         note(
             "[damping] and [mass] apply to the contact at its pose, not to rows and variants: --format text \
@@ -134,7 +138,10 @@ fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Re
     let table =
         study.sweep.as_ref().map_or_else(TableStyle::default, |sweep| TableStyle::from_study(&sweep.table));
     let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
-    if !study.variants.is_empty() {
+    if !study.contacts.is_empty() && study.sweep.is_none() && study.variants.is_empty() {
+        return contact_list::write(&contact_list::of_study(study)?, MassFormat::Text, strict);
+    }
+    if !study.variants.is_empty() || !study.contacts.is_empty() {
         let format = MassFormat::Text;
         let written = compare::ComparisonOutput { output, table, figure: &figure, format, strict };
         return compare::show(&study.designs(&compare::study_name(&args.study)), Names::Keys, &written);
@@ -151,6 +158,22 @@ fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Re
             if output.is_some() { write_main_number(study, question) } else { Ok(()) }
         }
         None => run_mass(study, question, MassFormat::Text, strict),
+    }
+}
+
+/// Notes which tables of a study with several contacts are about the first one.
+fn note_single_contact(study: &StudyFile) {
+    let tables = [
+        ("[mass]", study.mass != StudyMass::default()),
+        ("[impact]", study.impact.is_some()),
+        ("[safe_speed]", study.safe_speed.is_some()),
+    ];
+    let single: Vec<&str> =
+        tables.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect();
+    if let [first, ..] = &study.contacts[..]
+        && !single.is_empty()
+    {
+        note(&format!("of the first contact ({}) only: {}", first.name, single.join(", ")));
     }
 }
 
@@ -181,6 +204,9 @@ fn run_mass(
 
 /// Writes the main result in a format: m̄ of the contact, otherwise the damper of the stop, the map or the safe speed.
 fn show_in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result<(), Failure> {
+    if !study.contacts.is_empty() {
+        return contact_list::write(&contact_list::of_study(study)?, format, strict);
+    }
     if let Some(question) = &study.question {
         return run_mass(study, question, format, strict);
     }

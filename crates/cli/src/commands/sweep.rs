@@ -9,7 +9,7 @@ use crate::files::xlsx_rows;
 use crate::pictures::clipping::note_clipping;
 use crate::pictures::sweep_figure::sweep_figure;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{warn, write_diagnostics};
+use crate::terminal::report::{warn, with_findings, write_diagnostics};
 use indicatif::{ProgressBar, ProgressStyle};
 use percuss_mechanism::JointKind;
 use percuss_study::{
@@ -87,7 +87,7 @@ pub fn run_sweep(
     }
     // The check precedes the computation.
     output.map_or(Ok(()), check_writable)?;
-    let sweep = Sweep::new(model, question, source)?;
+    let sweep = with_findings(Sweep::new(model, question, source), model)?;
     write_diagnostics(&model.diagnostics, strict)?;
     // The bar is hidden if stderr is not a terminal.
     let bar = match sweep.count() {

@@ -1,7 +1,6 @@
 //! HTML output: escaped text, tables, and a page without external files.
 
 use crate::terminal::escape;
-use base64::Engine;
 use percuss_render::MADE_BY;
 use std::fmt::Write;
 
@@ -29,12 +28,12 @@ td.number{white-space:nowrap}td.name{width:13rem;color:#5c636e}td.bars{width:45%
 .bar{display:inline-block;height:.7em;background:#d55e00;print-color-adjust:exact;-webkit-print-color-adjust:exact}\
 pre{background:#f6f7f9;padding:.7rem;white-space:pre-wrap;overflow-wrap:anywhere;font-size:.82rem}\
 table.data{font-size:.9rem;font-variant-numeric:tabular-nums}td.hash{font:.72rem/1.7 monospace}\
-img{max-width:100%;height:auto;display:block}figure{margin:.8rem 0;break-inside:avoid}figcaption{font-size:.9rem;margin-top:.3rem}\
+figure>svg{max-width:100%;height:auto;display:block}figure{margin:.8rem 0;break-inside:avoid}figcaption{font-size:.9rem;margin-top:.3rem}\
 @media(max-width:46rem){nav{columns:1}td.name{width:9rem}}\
 @page{size:A4;margin:16mm 16mm 18mm;@bottom-right{content:counter(page) ' / ' counter(pages);font:8pt sans-serif;color:#5c636e}}\
 @media print{body{margin:0;padding:0;max-width:none;font-size:10pt}h2,h3,p.intro{break-after:avoid}nav{columns:2}a{color:inherit}\
 .result,.warning,.note,pre{print-color-adjust:exact;-webkit-print-color-adjust:exact}\
-tr,figure,table.short{break-inside:avoid}pre{font-size:7.6pt}table.data{font-size:8.4pt}td.hash{font-size:6.4pt}td.name{width:36mm}p{orphans:3;widows:3}}";
+tr,figure,table.short{break-inside:avoid}figure>svg{width:auto;max-height:112mm}pre{font-size:7.6pt}table.data{font-size:8.4pt}td.hash{font-size:6.4pt}td.name{width:36mm}p{orphans:3;widows:3}}";
 
 /// Escapes text between tags.
 pub fn escape_text(content: &str) -> String {
@@ -204,9 +203,9 @@ impl Page {
         out.push_str("</table>\n");
     }
 
-    /// Adds an SVG as an image, which isolates its contents from the page, with a caption below.
+    /// Adds an SVG of the renderer, which escapes all its text, with a caption below. Inline elements show the names of points
+    /// under the pointer.
     pub fn picture(&mut self, svg: &str, content: &str, caption: &str) {
-        let data = base64::engine::general_purpose::STANDARD.encode(svg);
         let caption = match caption {
             "" => String::new(),
             caption => format!("<figcaption>{}</figcaption>", escape_text(caption)),
@@ -214,7 +213,8 @@ impl Page {
         let content = escape_text(content);
         let _ = writeln!(
             self.body(),
-            "<figure><img alt=\"{content}\" src=\"data:image/svg+xml;base64,{data}\">{caption}</figure>"
+            "<figure aria-label=\"{content}\">{}{caption}</figure>",
+            svg.trim_end().replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1)
         );
     }
 

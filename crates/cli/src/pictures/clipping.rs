@@ -3,7 +3,7 @@
 use crate::terminal::limits;
 use crate::terminal::report::note;
 use crate::terminal::text::short_number;
-use percuss_render::{Figure, Series};
+use percuss_render::{Figure, Series, Style};
 
 /// Ends each axis without given limits before a few values that would take most of it. Returns the caption: the end of the
 /// axis, and the number and the extreme of the values beyond; empty if nothing is clipped.
@@ -58,6 +58,36 @@ pub fn clip_outliers(figure: &mut Figure) -> String {
     captions.join(" ")
 }
 
+/// Removes the panels of which every curve is constant to [`limits::FLAT_CURVE`], and returns a sentence with the constants; empty if
+/// none is removed. A panel with a band or with given limits stays.
+pub fn remove_flat_panels(figure: &mut Figure) -> String {
+    let mut sentences = Vec::new();
+    figure.panels.retain(|panel| {
+        let constants: Option<Vec<f64>> = panel.series.iter().map(constant).collect();
+        let Some(constants) = constants.filter(|all| !all.is_empty() && panel.y_limits.is_none()) else {
+            return true;
+        };
+        let is_alone = constants.len() == 1;
+        let value = |(series, constant): (&Series, &f64)| {
+            let constant = short_number(*constant);
+            if is_alone { constant } else { format!("{constant} ({})", series.name) }
+        };
+        let values: Vec<String> = panel.series.iter().zip(&constants).map(value).collect();
+        sentences.push(format!("{} is constant over the range: {}.", panel.y_label, values.join(", ")));
+        false
+    });
+    sentences.join(" ")
+}
+
+/// Mean of the smallest and the largest value of a curve that is constant; `None` for any other curve.
+fn constant(series: &Series) -> Option<f64> {
+    let values: Vec<f64> = series.points.iter().filter_map(|(_, y)| *y).filter(|y| y.is_finite()).collect();
+    let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let is_flat = high - low <= limits::FLAT_CURVE * low.abs().max(high.abs());
+    (values.len() > 1 && is_flat && series.style != Style::Band).then_some(0.5 * (low + high))
+}
+
 /// Interrupts a curve between two values beyond opposite ends of the axis: between them lies a pole, and no line.
 fn break_at_poles(series: &mut Series, bottom: f64, top: f64) {
     let side = |y: Option<f64>| y.map_or(0, |y| i32::from(y > top) - i32::from(y < bottom));
@@ -91,6 +121,16 @@ mod tests {
         let series = vec![Series { points, ..Series::default() }];
         let panel = Panel { y_label: "m̄ (kg)".into(), series, ..Panel::default() };
         Figure { x_label: "angle".into(), panels: vec![panel], ..Figure::default() }
+    }
+
+    #[test]
+    fn constants_are_stated_instead_of_drawn() {
+        let mut flat = figure(|x| 2.5 + 1e-5 * x);
+        assert_eq!(remove_flat_panels(&mut flat), "m̄ (kg) is constant over the range: 2.5.");
+        assert!(flat.panels.is_empty());
+        let mut slope = figure(|x| 2.5 + 1e-3 * x);
+        assert_eq!(remove_flat_panels(&mut slope), "");
+        assert_eq!(slope.panels.len(), 1);
     }
 
     #[test]

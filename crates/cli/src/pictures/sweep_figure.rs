@@ -16,7 +16,7 @@ type Curve = Vec<(f64, Option<f64>)>;
 const MAX_MARKS: usize = 10_000;
 
 /// Largest number of curves in one picture; more cannot be distinguished.
-const MAX_CURVES: usize = 7;
+pub const MAX_CURVES: usize = 7;
 
 /// Scale factor from SI, and unit of the axis for a varied number.
 pub fn axis_unit(column: &VariedColumn) -> (f64, &'static str) {

@@ -105,7 +105,11 @@ pub fn tolerances(report: &ToleranceReport) -> String {
 /// Motion ratio with both of its definitions.
 pub fn motion_ratio(ratio: &MotionRatioRecord) -> String {
     let inverse = ratio.contact_per_wheel.map_or_else(|| "–".to_owned(), number);
-    let whole = if ratio.one_travel { "" } else { "; for the motion of this impact only" };
+    let whole = match &ratio.held {
+        Some(joint) => format!("; with the joint {joint} held"),
+        None if ratio.one_travel => String::new(),
+        None => "; for the motion of this impact only".to_owned(),
+    };
     format!(
         "{} along {}: {} (wheel per contact), {inverse} (contact per wheel){whole}",
         ratio.link,

@@ -49,5 +49,10 @@ pub const OUTLIERS: f64 = 0.1;
 /// Distance of an outlier from the other values, as a multiple of their spread, above which a curve is clipped: the other
 /// values would take less than a third of the axis.
 pub const OUTLIER_DISTANCE: f64 = 2.2;
+/// Spread of a curve, relative to its largest value, below which a report states the constant instead of a plot: the four digits
+/// that its axis shows.
+pub const FLAT_CURVE: f64 = 1e-4;
+/// Relative difference below which two curves of a report are the same: less than the width of a line.
+pub const SAME_CURVE: f64 = 1e-6;
 /// Rows of a sweep with the effect of the tolerances in a report; each takes about twelve evaluations per hardpoint.
-pub const TOLERANCE_BARS: usize = 9;
+pub const TOLERANCE_ROWS: usize = 9;

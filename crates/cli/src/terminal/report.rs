@@ -6,7 +6,7 @@ use crate::terminal::failure::Failure;
 use crate::terminal::wrap;
 use percuss_formats::KNOWN_WARNING;
 use percuss_mechanism::Severity;
-use percuss_study::DiagnosticRecord;
+use percuss_study::{DiagnosticRecord, Model};
 use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -64,6 +64,16 @@ fn write_message(severity: &str, message: &str) {
         "{}",
         wrap::wrap_message(&format!("{severity}: {}", escape::line(message)))
     );
+}
+
+/// The result of a question; without a result, the findings about the model precede the error, because they may be its cause.
+pub fn with_findings<T, E: Into<Failure>>(result: Result<T, E>, model: &Model) -> Result<T, Failure> {
+    result.map_err(|error| {
+        let warnings = model.diagnostics.iter().filter(|d| d.severity == Severity::Warning).cloned();
+        // Without `strict` there is no error.
+        let _ = write_diagnostics(&warnings.collect::<Vec<_>>(), false);
+        error.into()
+    })
 }
 
 /// Writes diagnostics to stderr.

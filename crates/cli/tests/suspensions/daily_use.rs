@@ -2,7 +2,7 @@
 
 use super::own_suspension::{done, run};
 use crate::support;
-use crate::support::{Scratch, Sweep};
+use crate::support::{Scratch, Sweep, percuss, root};
 use serde_json::Value;
 use std::fs;
 
@@ -176,7 +176,11 @@ fn the_contact_point_is_shown_in_the_axes_of_the_sheet() {
     let text = done(&folder, &["mass", "my.toml", "--at", "spring"]).replace("\n                     ", " ");
     let line = text.lines().find(|line| line.starts_with("in the sheet")).expect("the line");
     // The seat of the spring as drawn, [0, 570, 205] mm in the axes of ISO 8855.
-    for part in ["-22.4409", "8.0709", " in, axes adams (x backward, y right, z up)"] {
+    for part in [
+        "-22.4409",
+        "8.0709",
+        " in, normal (0.027626, 0.193385, 0.980734), axes adams (x backward, y right, z up)",
+    ] {
         assert!(line.contains(part), "{part}: {line}");
     }
 }
@@ -200,4 +204,38 @@ fn a_worksheet_is_chosen_by_a_flag() {
     let study = "[model]\npath = \"car.xlsm\"\nworksheet = \"Rear\"\n[contact]\nat = \"bump_stop\"\n";
     folder.write("study.toml", study);
     fails(&folder, 2, &["run", "study.toml"], &["no worksheet is named \"Rear\""]);
+}
+
+/// Messages about keys: the line of the section, no suggestion by the name of the section alone, and the findings about the sheet before
+/// an error that they may explain.
+#[test]
+fn messages_name_the_place_and_the_cause() {
+    let folder = Scratch::new("messages");
+    let sheet =
+        std::fs::read_to_string(root().join("models/suspensions/double-wishbone.toml")).expect("the sheet");
+    let line = 1 + sheet.lines().position(|line| line == "[points]").expect("the section");
+    let of = |from: &str, to: &str| {
+        assert!(sheet.contains(from));
+        let path = folder.write("car.toml", &sheet.replacen(from, to, 1));
+        percuss(&format!("mass {path} --at bump_stop"))
+    };
+    let missing = of("lower_ball = ", "# ");
+    let place = format!("car.toml:{}: error: points.lower_ball: the key is missing", line + 1);
+    assert!(missing.code == 2 && missing.stderr.contains(&place), "{}", missing.stderr);
+    let unknown = of("lower_ball = ", "hello = ");
+    assert!(
+        unknown.stderr.contains("points.hello") && !unknown.stderr.contains("did you mean"),
+        "{}",
+        unknown.stderr
+    );
+    assert!(!unknown.stderr.contains("misspelled"), "{}", unknown.stderr);
+    let near = of("lower_ball = ", "lower_bal = ");
+    assert!(near.stderr.contains("did you mean \"points.lower_ball\"?"), "{}", near.stderr);
+    // The stop is not reached, because a point is on the wrong side.
+    let side = of("lower_ball = [5.0, 720.0", "lower_ball = [5.0, -720.0");
+    assert_eq!(side.code, 1, "{}", side.stderr);
+    let (cause, error) =
+        (side.stderr.find("points.lower_ball: lower_arm"), side.stderr.find("error: the stop"));
+    assert!(cause.is_some() && cause < error, "{}", side.stderr);
+    assert!(side.stderr.contains("change the sign of its y"), "{}", side.stderr);
 }

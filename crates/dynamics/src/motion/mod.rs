@@ -6,6 +6,7 @@ pub(crate) mod forward_dynamics;
 pub(crate) mod gap;
 pub(crate) mod joint_frames;
 pub(crate) mod limits;
+pub(crate) mod lowest_point;
 pub(crate) mod mass_gradient;
 pub(crate) mod operational_inertia;
 pub(crate) mod point_velocity;

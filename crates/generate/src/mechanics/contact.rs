@@ -3,8 +3,9 @@
 use super::body_frames::Bodies;
 use super::motion::WrenchExpr;
 use crate::expression::graph::{Expr, Graph};
+use crate::expression::vector::Vector;
 use crate::request::Request;
-use percuss_dynamics::{Direction, Frame};
+use percuss_dynamics::{Direction, Frame, LowestPoint};
 use percuss_mechanism::LinkId;
 use percuss_spatial::Vector3;
 
@@ -29,11 +30,36 @@ impl Bodies {
         (*body, self.frame_on(*body, frame).vector(v))
     }
 
+    /// Body of the contact link, and the contact point in its frame: the lowest point of the wheel of a patch.
+    fn contact_point(&self, g: &mut Graph, request: &Request) -> (Option<usize>, Vector) {
+        let contact = &request.contact;
+        let (body, point) = self.point_on(contact.link, &contact.point);
+        let Some(wheel) = &request.wheel else { return (body, g.vector(&point)) };
+        let mechanism = request.system.mechanism();
+        let (centre_body, centre) = self.point_on(wheel.centre, &Vector3::zeros());
+        let spin = mechanism.joint(wheel.spin);
+        let (axis_body, axis) = self.vector_on(spin.child(), spin.axis());
+        let (root_body, up) = self.vector_on(mechanism.root(), &Vector3::z());
+        let centre = g.vector(&centre);
+        let centre = self.point_between(g, centre_body, body, centre);
+        let axis = g.vector(&axis);
+        let axis = self.vector_between(g, axis_body, body, axis);
+        let up = g.vector(&up);
+        let up = self.vector_between(g, root_body, body, up);
+        let cosine = g.dot(axis, up);
+        let along = g.scale3(cosine, axis);
+        let down = g.sub3(along, up);
+        let (square, radius) = (g.dot(down, down), g.constant(wheel_radius(request, wheel)));
+        let length = g.sqrt(square);
+        let factor = g.div(radius, length);
+        let offset = g.scale3(factor, down);
+        (body, g.add3(centre, offset))
+    }
+
     /// Contact row of the request's contact.
     pub fn contact(&self, g: &mut Graph, request: &Request) -> ContactExpr {
         let contact = &request.contact;
-        let (body, point) = self.point_on(contact.link, &contact.point);
-        let point = g.vector(&point);
+        let (body, point) = self.contact_point(g, request);
         let mut line_square = None;
         let fixed = |g: &mut Graph, from: Option<usize>, normal: &Vector3<f64>| {
             let normal = g.vector(normal);
@@ -83,14 +109,14 @@ impl Bodies {
     /// Rows of the six unit wrenches at the contact point, in the axes of the contact link: moments, then forces.
     pub fn unit_wrench_rows(&self, g: &mut Graph, request: &Request) -> Vec<Vec<Expr>> {
         let contact = &request.contact;
-        let (body, point) = self.point_on(contact.link, &contact.point);
+        let (body, point) = self.contact_point(g, request);
         let other = contact.against.and_then(|link| self.tree.links[link.index()].0);
         let mut rows = Vec::new();
         for k in 0..6 {
             let mut axis = Vector3::zeros();
             axis[k % 3] = 1.0;
             let (_, axis) = self.vector_on(contact.link, &axis);
-            let (point, axis) = (g.vector(&point), g.vector(&axis));
+            let axis = g.vector(&axis);
             let wrench = match k {
                 0..3 => WrenchExpr { moment: axis, force: g.zeros() },
                 _ => WrenchExpr { moment: g.cross(point, axis), force: axis },
@@ -132,4 +158,10 @@ impl Bodies {
         }
         row
     }
+}
+
+/// Distance of the patch from the wheel centre at the design pose, m.
+fn wheel_radius(request: &Request, wheel: &LowestPoint) -> f64 {
+    let origin = |link| request.pose.link(link).translation;
+    (origin(wheel.patch) - origin(wheel.centre)).norm()
 }

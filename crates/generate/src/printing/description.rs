@@ -153,7 +153,15 @@ pub(crate) fn header_lines(request: &Request) -> Vec<String> {
     if !request.model_hash.is_empty() {
         lines.push(format!("model        sha256 {}", request.model_hash));
     }
-    lines.push(format!("point        {:?}, {:?}, {:?} m in the frame of the link", p.x, p.y, p.z));
+    match &request.wheel {
+        None => {
+            lines.push(format!("point        {:?}, {:?}, {:?} m in the frame of the link", p.x, p.y, p.z))
+        }
+        Some(wheel) => lines.push(format!(
+            "point        lowest point of the wheel about \"{}\"",
+            plain(mechanism.link(wheel.centre).name())
+        )),
+    }
     lines.push(format!("normal       {}", normal_text(request)));
     let against = contact.against.map_or_else(
         || "the ground".to_owned(),

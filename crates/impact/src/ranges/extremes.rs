@@ -3,7 +3,8 @@
 use crate::motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
 use crate::reflected::driving_velocities;
 use percuss_dynamics::{
-    AssemblyError, Configuration, ConfigurationError, Contact, EffectiveMass, Pose, ResponseError, System,
+    AssemblyError, Configuration, ConfigurationError, Contact, EffectiveMass, LowestPoint, Pose,
+    ResponseError, System,
 };
 use percuss_mechanism::JointId;
 use percuss_spatial::Twist;
@@ -105,12 +106,15 @@ pub struct ExtremeMass {
 /// gradient in closed form. The starts are the points of a Halton sequence; the same call has the same result. No method of this kind
 /// proves a global extreme: the number of agreeing starts shows the confidence.
 ///
+/// `wheel`: wheel of a contact patch; the contact point is then its lowest point at every pose.
+///
 /// # Errors
 /// [`ExtremesError`].
 pub fn extreme_effective_mass(
     system: &System,
     configuration: &Configuration,
     contact: &Contact,
+    wheel: Option<&LowestPoint>,
     ranges: &[JointRange],
     extreme: ExtremeKind,
     starts: usize,
@@ -130,7 +134,7 @@ pub fn extreme_effective_mass(
             return Err(ExtremesError::NoDriver { joint: name() });
         }
     }
-    let search = Search { system, configuration, contact, ranges, extreme };
+    let search = Search { system, configuration, contact, wheel, ranges, extreme };
     let mut found: Vec<Point> = Vec::new();
     for start in 0..starts.max(1) {
         let unit: Vec<f64> = (0..ranges.len()).map(|k| halton(start + 1, PRIMES[k % PRIMES.len()])).collect();
@@ -214,6 +218,7 @@ struct Search<'a> {
     system: &'a System,
     configuration: &'a Configuration,
     contact: &'a Contact,
+    wheel: Option<&'a LowestPoint>,
     ranges: &'a [JointRange],
     extreme: ExtremeKind,
 }
@@ -234,9 +239,15 @@ impl Search<'_> {
         })
     }
 
+    /// Contact at a pose.
+    fn contact_at(&self, pose: &Pose) -> Contact {
+        self.wheel.map_or(*self.contact, |wheel| wheel.contact_at(pose, self.contact))
+    }
+
     /// 1/m̄ at the given configuration: a size for comparisons.
     fn typical(&self) -> Result<f64, ExtremesError> {
-        let response = self.pose(&vec![0.5; self.ranges.len()], None)?.respond(self.contact)?;
+        let pose = self.pose(&vec![0.5; self.ranges.len()], None)?;
+        let response = pose.respond(&self.contact_at(&pose))?;
         Ok(response.effective_mass.kilograms().map_or(0.0, |mass| 1.0 / mass))
     }
 
@@ -244,8 +255,9 @@ impl Search<'_> {
     fn point(&self, unit: Vec<f64>, from: Option<&Pose>) -> Result<Option<(Point, Pose)>, ExtremesError> {
         let Ok(pose) = self.pose(&unit, from) else { return Ok(None) };
         let sign = if self.extreme == ExtremeKind::Most { 1.0 } else { -1.0 };
-        let Some(gradient) = pose.effective_mass_gradient(self.contact)? else {
-            return Ok(match pose.respond(self.contact)?.effective_mass {
+        let contact = self.contact_at(&pose);
+        let Some(gradient) = pose.effective_mass_gradient(&contact)? else {
+            return Ok(match pose.respond(&contact)?.effective_mass {
                 EffectiveMass::Immovable => {
                     let gradient = vec![0.0; unit.len()];
                     Some((Point { unit, inverse_mass: 0.0, value: 0.0, gradient }, pose))
@@ -271,7 +283,10 @@ impl Search<'_> {
                 }
             }
             let motion = rates_from_drivers(&pose, &rates, Twist::zero())?;
-            let slope = gradient.rate(&motion.joints);
+            let mut slope = gradient.rate(&motion.joints);
+            if let Some(wheel) = self.wheel {
+                slope += wheel.mass_rate(&pose, &contact, &motion.coordinates(&pose))?;
+            }
             derivatives.push(-sign * slope * inverse_mass * inverse_mass * (range.upper - range.lower));
         }
         let value = sign * inverse_mass;

@@ -26,6 +26,8 @@ pub(super) struct View {
     pub right: [f64; 3],
     pub up: [f64; 3],
     pub label: &'static str,
+    /// True if the numbers of points behind nearer ones are left out.
+    pub hides_far_points: bool,
 }
 
 impl Drawing {

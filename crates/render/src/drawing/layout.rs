@@ -4,7 +4,7 @@ use super::items::{View, circle_polyline, shading_colour};
 use super::key::{KEY_COLUMN, KEY_ROW, draw_key, key_rows};
 use super::numbers::draw_numbers;
 use super::shapes::Drawing;
-use super::vectors::dot;
+use super::vectors::{cross, dot};
 use crate::palette::{GRID, INK, SOFT_INK};
 use crate::scene::{Anchor, Point, Scene, solid};
 use crate::text::{fit_to_width, medium, regular};
@@ -21,15 +21,33 @@ const ONE_ROW: f64 = 430.0;
 const TWO_ROWS: f64 = 700.0;
 /// Smallest width of a view, for its title, and smallest height, for an arrow up or down.
 const SMALLEST: [f64; 2] = [230.0, 124.0];
+/// Columns of a key below the views.
+const KEY_COLUMNS_BELOW: usize = 4;
 /// Margin inside a view, for labels.
 const LABEL_MARGIN: f64 = 26.0;
 
 /// Views in first-angle projection: the view from the left is to the right of the view from the front, and the view
 /// from above is below.
 const VIEWS: [View; 3] = [
-    View { right: [0.0, 1.0, 0.0], up: [0.0, 0.0, 1.0], label: "from the front (y to the right, z up)" },
-    View { right: [-1.0, 0.0, 0.0], up: [0.0, 0.0, 1.0], label: "from the left (x to the left, z up)" },
-    View { right: [0.0, 1.0, 0.0], up: [-1.0, 0.0, 0.0], label: "from above (y to the right, x down)" },
+    View {
+        right: [0.0, 1.0, 0.0],
+        up: [0.0, 0.0, 1.0],
+        label: "from the front (y to the right, z up)",
+        hides_far_points: false,
+    },
+    // The views from the front and from above show the points of the other side.
+    View {
+        right: [-1.0, 0.0, 0.0],
+        up: [0.0, 0.0, 1.0],
+        label: "from the left (x to the left, z up)",
+        hides_far_points: true,
+    },
+    View {
+        right: [0.0, 1.0, 0.0],
+        up: [-1.0, 0.0, 0.0],
+        label: "from above (y to the right, x down)",
+        hides_far_points: false,
+    },
 ];
 
 /// Rectangles of the views on the page, and the scale.
@@ -116,12 +134,18 @@ pub(super) fn layout_drawing(drawing: &Drawing) -> Scene {
     }
     let names: Vec<&str> = drawing.points.iter().map(|point| point.label.as_str()).collect();
     let bottom = if drawing.has_top_view {
-        // The key fills the free quarter, and may be longer than the top view.
+        // The key fills the free quarter, or is below the views if it is longer.
         let most_columns = ((grid.columns[1] / KEY_COLUMN) as usize).clamp(1, 3);
-        let rows = key_rows(names.len(), ((grid.rows[1] - KEY_ROW) / KEY_ROW) as usize, most_columns);
-        let area = (second_column, grid.columns[1]);
-        let end = draw_key(&mut scene, &names, area, second_row + 4.0, rows);
-        end.max(second_row + grid.rows[1])
+        let rows_available = ((grid.rows[1] - KEY_ROW) / KEY_ROW) as usize;
+        let (rows, columns) = key_rows(names.len(), rows_available, most_columns);
+        let end_of_views = second_row + grid.rows[1];
+        if rows <= rows_available {
+            let area = (second_column, grid.columns[1]);
+            draw_key(&mut scene, &names, area, second_row + 4.0, (rows, columns)).max(end_of_views)
+        } else {
+            let rows = key_rows(names.len(), 0, KEY_COLUMNS_BELOW);
+            draw_key(&mut scene, &names, (MARGIN, width_available), end_of_views + 24.0, rows)
+        }
     } else if names.is_empty() {
         top + grid.rows[0]
     } else {
@@ -163,7 +187,9 @@ fn draw_view(
     let frame = vec![(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
     scene.lines(vec![frame], solid(GRID, 1.0));
     drawing.draw_items(scene, &to_page, units_per_metre, (left, right));
-    draw_numbers(scene, drawing, &to_page, ((left, top), (right, bottom)));
+    let eye = cross(&view.right, &view.up);
+    let frame = ((left, top), (right, bottom));
+    draw_numbers(scene, drawing, &to_page, (eye, units_per_metre, view.hides_far_points), frame);
 }
 
 /// Draws the colour scale of the shading below the views.

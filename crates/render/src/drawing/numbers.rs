@@ -1,6 +1,7 @@
 //! Numbers of the named points in a view, placed beside their points without overlap if possible.
 
 use super::shapes::Drawing;
+use super::vectors::dot;
 use crate::font::Font;
 use crate::palette::{INK, SOFT_INK};
 use crate::scene::{Point, Scene, solid};
@@ -14,6 +15,8 @@ const DIRECTIONS: usize = 12;
 const HOVER: f64 = 7.0;
 /// Largest distance of points that share a name under the pointer.
 const COINCIDENT: f64 = 3.0;
+/// Largest distance on the page at which a point hides a farther one, and least difference of their depths.
+const BEHIND: f64 = 8.0;
 /// Distance from which a leader connects the number to its point.
 const LEADER: f64 = 16.0;
 /// Costs of a position: overlap with a number, with a point, leaving the view, and each crossed line.
@@ -50,21 +53,38 @@ fn rectangle(number: &str, at: Point) -> Rectangle {
     ((at.0 - half, at.1 - up), (at.0 + half, at.1 + up))
 }
 
-/// Draws a dot, a number and if necessary a leader for each named point, with the name under the pointer.
+/// True for each point that is hidden behind a nearer one, such as the point of the other side of a vehicle in the side view.
+/// `points`: positions on the page; `depths`: distances towards the viewer, page units.
+fn hidden_points(points: &[Point], depths: &[f64]) -> Vec<bool> {
+    let is_hidden = |i: usize| {
+        (0..points.len()).any(|other| {
+            let apart = (points[other].0 - points[i].0).hypot(points[other].1 - points[i].1);
+            apart <= BEHIND && depths[other] > depths[i] + BEHIND
+        })
+    };
+    (0..points.len()).map(is_hidden).collect()
+}
+
+/// Draws a dot, a number and if necessary a leader for each named point, with the name under the pointer. `eye`: direction
+/// towards the viewer, in which `hides` leaves out the numbers of points behind others.
 pub(super) fn draw_numbers(
     scene: &mut Scene,
     drawing: &Drawing,
     to_page: &dyn Fn(&[f64; 3]) -> Point,
+    (eye, units_per_metre, hides): ([f64; 3], f64, bool),
     frame: Rectangle,
 ) {
     let points: Vec<Point> = drawing.points.iter().map(|point| to_page(&point.at)).collect();
     let lines: Vec<[Point; 2]> =
         drawing.lines.iter().map(|line| line.ends.map(|end| to_page(&end))).collect();
     let marks: Vec<Point> = drawing.marks.iter().map(|mark| to_page(&mark.at)).collect();
+    let depths: Vec<f64> =
+        drawing.points.iter().map(|point| units_per_metre * dot(&eye, &point.at)).collect();
+    let hidden = if hides { hidden_points(&points, &depths) } else { vec![false; points.len()] };
     let is_drawable = |p: &Point| contains(&frame, p);
     let mut taken: Vec<Rectangle> = Vec::new();
     let mut hovers: Vec<(Point, String)> = Vec::new();
-    for (i, at) in points.iter().enumerate().filter(|(_, at)| is_drawable(at)) {
+    for (i, at) in points.iter().enumerate().filter(|(i, at)| is_drawable(at) && !hidden[*i]) {
         let number = (i + 1).to_string();
         let cost = |place: &(Point, f64)| {
             let rectangle = rectangle(&number, place.0);

@@ -3,9 +3,9 @@
 use crate::figure::axis::{Axis, drawable, extent};
 use crate::figure::colours::assign_colours;
 use crate::figure::curve;
-use crate::figure::legend::{DOT, ROW, WIDTH_RESERVE, layout_legend, stroke};
+use crate::figure::legend::{DOT, ROW, WIDTH_RESERVE, band_tint, layout_legend, stroke};
 use crate::figure::marks::{MarkStrip, layout_marks};
-use crate::figure::{Figure, Panel, Style};
+use crate::figure::{Figure, Panel, Series, Style};
 use crate::font::Font;
 use crate::palette::{AXIS, Colour, GRID, INK, MINOR_GRID, SOFT_INK, ZERO};
 use crate::scene::{Anchor, Item, Point, Scene, pixel_centre, solid};
@@ -176,12 +176,16 @@ fn draw_panel(
     let mut empty = true;
     let inside = ((frame.left, frame.top), (frame.right, frame.bottom()));
     let is_clipped = frame.needs_clipping(panel);
-    for (series, &colour) in panel.series.iter().zip(colours).rev() {
+    let is_band = |(series, _): &(&Series, &Colour)| series.style == Style::Band;
+    let (bands, others): (Vec<_>, Vec<_>) = panel.series.iter().zip(colours).partition(is_band);
+    for (series, &colour) in bands.into_iter().chain(others.into_iter().rev()) {
         let before = scene.items.len();
         if series.style == Style::Dots {
             let dots = curve::merged_dots(&series.points, point_at);
             let dots = dots.into_iter().filter(|p| !is_clipped || curve::is_inside(*p, inside)).collect();
             scene.dots(dots, DOT, colour);
+        } else if series.style == Style::Band {
+            draw_band(scene, &series.points, colour, frame);
         } else if series.style == Style::Bars {
             draw_bars(scene, &series.points, colour, frame);
         } else {
@@ -197,6 +201,19 @@ fn draw_panel(
     if empty {
         let at = (0.5 * (frame.left + frame.right), frame.top + 0.5 * FRAME);
         scene.text_on_paper("no value to draw".into(), at, SUBTITLE, SOFT_INK);
+    }
+}
+
+/// Draws the polygons of a band inside the frame, in a light tint so that the grid's labels and the lines stay readable.
+fn draw_band(scene: &mut Scene, points: &[(f64, Option<f64>)], colour: Colour, frame: &Frame) {
+    let on_page = |&(x, y): &(f64, Option<f64>)| {
+        let (x, y) = frame.point_at(drawable(x)?, drawable(y?)?);
+        Some((x.clamp(frame.left, frame.right), y.clamp(frame.top, frame.bottom())))
+    };
+    let points: Vec<Option<Point>> = points.iter().map(on_page).collect();
+    for polygon in points.split(Option::is_none).filter(|polygon| polygon.len() > 2) {
+        let corners = polygon.iter().copied().flatten().collect();
+        scene.items.push(Item::Area { corners, colour: band_tint(colour) });
     }
 }
 

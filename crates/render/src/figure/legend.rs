@@ -2,8 +2,8 @@
 
 use crate::figure::{Series, Style};
 use crate::font::Font;
-use crate::palette::{Colour, INK};
-use crate::scene::{Anchor, Point, Scene, Stroke};
+use crate::palette::{Colour, INK, PAPER};
+use crate::scene::{Anchor, Item, Point, Scene, Stroke};
 use crate::text::{fit_to_width, regular, width};
 
 const FONT: Font = regular(12.5);
@@ -75,11 +75,26 @@ impl Legend {
             let dots = |scene: &mut Scene, at: &[Point]| scene.dots(at.to_vec(), DOT, colour);
             match series.style {
                 Style::Dots => dots(scene, &[(x + 6.0, middle), (x + SAMPLE - 6.0, middle)]),
+                Style::Band => scene.items.push(Item::Patch {
+                    from: (x, middle - 5.0),
+                    to: (x + SAMPLE, middle + 5.0),
+                    colour: band_tint(colour),
+                }),
                 style => scene.lines(vec![vec![(x, middle), (x + SAMPLE, middle)]], stroke(style, colour)),
             }
             scene.text(name, (x + SAMPLE + AFTER_SAMPLE, y), Anchor::Start, FONT, INK);
         }
     }
+}
+
+/// Part of the series colour in the fill of a band; the rest is paper colour.
+const BAND_TINT: f64 = 0.28;
+
+/// Colour of a band, in the legend and in the panel.
+pub(crate) fn band_tint(colour: Colour) -> Colour {
+    let mix =
+        |c: u8, paper: u8| (BAND_TINT * f64::from(c) + (1.0 - BAND_TINT) * f64::from(paper)).round() as u8;
+    Colour(mix(colour.0, PAPER.0), mix(colour.1, PAPER.1), mix(colour.2, PAPER.2))
 }
 
 /// Stroke of a line style, in the legend and in the panel.

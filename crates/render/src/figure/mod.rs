@@ -58,6 +58,9 @@ pub enum Style {
     Dashed,
     /// Unconnected dots, for measurements.
     Dots,
+    /// Filled area inside the polygon of the points, for a tolerance over a range: along one edge and back along the other.
+    /// A gap ends a polygon. Drawn under the lines of the panel.
+    Band,
     /// Filled bars from zero, for histograms: a value extends from its x to the x of the next point.
     Bars,
 }

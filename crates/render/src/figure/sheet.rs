@@ -89,6 +89,9 @@ fn shifted_down(item: Item, down: f64) -> Item {
             Item::Dots { centres: centres.into_iter().map(lower).collect(), radius, colour }
         }
         Item::Patch { from, to, colour } => Item::Patch { from: lower(from), to: lower(to), colour },
+        Item::Area { corners, colour } => {
+            Item::Area { corners: corners.into_iter().map(lower).collect(), colour }
+        }
         Item::Image { at, size, pixels, columns } => Item::Image { at: lower(at), size, pixels, columns },
         Item::Hover { at, radius, title } => Item::Hover { at: lower(at), radius, title },
         Item::Text(mut text) => {

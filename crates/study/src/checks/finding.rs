@@ -20,6 +20,8 @@ pub(crate) enum FindingSubject {
     Closure(String),
     /// Held contact, by number in the question.
     Hold(usize),
+    /// Named contact, by number in the model.
+    Contact(usize),
 }
 
 /// Finding for the reader of a result.

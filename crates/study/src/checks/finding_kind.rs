@@ -95,6 +95,7 @@ finding_kinds! {
     SingularPose = "singular-pose", Warning, Pose;
     SmallRows = "small-rows", Warning, Report;
     StandardTooFast = "standard-too-fast", Warning, Report;
+    StopPassed = "stop-passed", Warning, Pose;
     UncertainMass = "uncertain-mass", Warning, Pose;
     UnclearRank = "unclear-rank", Warning, Model;
     UnclearRankHere = "unclear-rank-here", Warning, Pose;

@@ -96,7 +96,8 @@ impl PenetrationPath<'_> {
 
     /// Response at a pose of the path. Error: `None` if the mass is not finite or nothing moves.
     fn point(&self, pose: Pose) -> Result<PathPoint, Option<StudyError>> {
-        let response = self.prepared.response(&pose, self.contact).map_err(Some)?;
+        let contact = self.prepared.contact_of_row(self.contact, &pose);
+        let response = self.prepared.response(&pose, &contact).map_err(Some)?;
         match response.effective_mass {
             EffectiveMass::Finite(mass) if response.mechanism_moves() => {
                 Ok(PathPoint { pose, response, mass })

@@ -2,6 +2,7 @@
 
 pub(crate) mod estimate;
 pub(crate) mod named_contact;
+pub(crate) mod passed_stops;
 pub(crate) mod prepared_question;
 pub(crate) mod random_rows;
 pub(crate) mod status;

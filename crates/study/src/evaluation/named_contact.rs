@@ -1,6 +1,6 @@
 //! Named contact of a result: its gap and the travel of the wheels.
 
-use crate::evaluation::prepared_question::EvaluatedQuestion;
+use crate::evaluation::prepared_question::{EvaluatedQuestion, PreparedQuestion};
 use crate::model::wheel_points::wheel_centres;
 use crate::pose::touch::touching_stops;
 use crate::question::errors::question_error::StudyError;
@@ -53,14 +53,6 @@ pub(crate) fn named_contact(evaluated: &EvaluatedQuestion) -> Result<Option<Name
     stops.retain(|(_, gap)| touches(gap));
     let touching: Vec<String> = stops.iter().map(|(stop, _)| stop.name().to_owned()).collect();
     let stops: Vec<&NamedContact> = stops.into_iter().map(|(stop, _)| stop).collect();
-    let wheels = wheel_centres(mechanism, contact.name());
-    let drawn =
-        (!wheels.is_empty()).then(|| prepared.system.pose(&prepared.system.configuration()).ok()).flatten();
-    let travel = |link: LinkId| {
-        let height = |pose: &Pose| pose.link(link).translation.z;
-        let travel = height(pose) - height(drawn.as_ref()?);
-        Some(WheelTravelRecord { link: mechanism.link(link).name().to_owned(), travel })
-    };
     Ok(Some(NamedContactRecord {
         name: contact.name().to_owned(),
         kind: contact.kind().name(),
@@ -69,8 +61,26 @@ pub(crate) fn named_contact(evaluated: &EvaluatedQuestion) -> Result<Option<Name
         brought_to_touch: touching.iter().any(|name| name == contact.name()),
         effective_mass_together: mass_together(pose, &stops),
         touching: touching.into_iter().filter(|name| name != contact.name()).collect(),
-        wheel_travel: wheels.into_iter().filter_map(travel).collect(),
+        wheel_travel: wheel_travels(prepared, pose, contact.name()),
     }))
+}
+
+/// Upward travels of the wheel centres on the side of a contact, from the pose as drawn to a pose.
+pub(crate) fn wheel_travels(
+    prepared: &PreparedQuestion,
+    pose: &Pose,
+    contact: &str,
+) -> Vec<WheelTravelRecord> {
+    let mechanism = prepared.system.mechanism();
+    let wheels = wheel_centres(mechanism, contact);
+    let drawn =
+        (!wheels.is_empty()).then(|| prepared.system.pose(&prepared.system.configuration()).ok()).flatten();
+    let travel = |link: LinkId| {
+        let height = |pose: &Pose| pose.link(link).translation.z;
+        let travel = height(pose) - height(drawn.as_ref()?);
+        Some(WheelTravelRecord { link: mechanism.link(link).name().to_owned(), travel })
+    };
+    wheels.into_iter().filter_map(travel).collect()
 }
 
 /// Effective mass of the first of several stops, kg, in the motion in which all close at the same speed: the first impulse of

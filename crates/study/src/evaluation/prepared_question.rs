@@ -10,7 +10,7 @@ use crate::checks::held_contact::HeldContact;
 use crate::checks::joint_limits::many_turns_finding;
 use crate::evaluation::estimate::{EstimateRecord, PreparedEstimate};
 use crate::model::loading::{Input, Model};
-use crate::model::wheel_points::{LowestPoint, RACK, wheel_centres};
+use crate::model::wheel_points::{RACK, wheel_centres, wheel_of_patch};
 use crate::pose::pose_solver;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
@@ -21,7 +21,7 @@ use crate::values::position::GivenPosition;
 use nalgebra::Vector3;
 use percuss_dynamics::{
     Base, BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactResponse, Direction,
-    EffectiveMass, Frame, Pose, ResponseError, System,
+    EffectiveMass, Frame, LowestPoint, Pose, ResponseError, System,
 };
 use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism, UnknownName};
 use std::borrow::Cow;
@@ -133,7 +133,7 @@ impl<'a> PreparedQuestion<'a> {
         }
         let configuration = configuration(mechanism, question)?;
         let named = question.named_contact(mechanism)?;
-        let wheel = named.and_then(|contact| LowestPoint::of(mechanism, contact));
+        let wheel = named.and_then(|contact| wheel_of_patch(mechanism, contact));
         Ok(Self {
             model,
             question: resolved,
@@ -180,6 +180,11 @@ impl<'a> PreparedQuestion<'a> {
         let point =
             lowest.unwrap_or_else(|| pose.point_in_link(self.link, self.against, self.question.frame, given));
         Contact { link: self.link, against: self.against, point, normal: self.normal }
+    }
+
+    /// Wheel, if the contact is its patch: the contact point then moves on its link.
+    pub fn wheel(&self) -> Option<&LowestPoint> {
+        self.wheel.as_ref()
     }
 
     /// Contact of a row of a sweep with the contact `fixed` to its link, as [`contact_at`](Self::contact_at).

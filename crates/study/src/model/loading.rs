@@ -101,6 +101,8 @@ pub(crate) struct SheetKinematics {
 pub struct SheetPoint {
     /// Coordinates in the unit.
     pub point: [f64; 3],
+    /// Unit normal in the axes of the sheet, if the point is a contact.
+    pub normal: Option<[f64; 3]>,
     /// Unit of the sheet.
     pub unit: LengthUnit,
     /// Axes of the sheet.
@@ -112,7 +114,19 @@ impl Model {
     pub fn point_in_sheet(&self, point_world: &[f64; 3]) -> Option<SheetPoint> {
         let OriginSheet { unit, axes, .. } = *self.origin.sheet.as_deref()?;
         let point = axes.to_iso(Vector3::from(*point_world)).map(|x| unit.of_metres(x));
-        Some(SheetPoint { point: point.into(), unit, axes })
+        Some(SheetPoint { point: point.into(), normal: None, unit, axes })
+    }
+
+    /// A direction of the world in the axes of the model's suspension sheet; `None` for a URDF.
+    pub fn direction_in_sheet(&self, direction_world: &[f64; 3]) -> Option<[f64; 3]> {
+        let OriginSheet { axes, .. } = *self.origin.sheet.as_deref()?;
+        Some(axes.to_iso(Vector3::from(*direction_world)).into())
+    }
+
+    /// A point of the world (m) and a direction in the unit and the axes of the model's suspension sheet.
+    pub fn contact_in_sheet(&self, point_world: &[f64; 3], normal_world: &[f64; 3]) -> Option<SheetPoint> {
+        let normal = self.direction_in_sheet(normal_world)?;
+        Some(SheetPoint { normal: Some(normal), ..self.point_in_sheet(point_world)? })
     }
 
     /// True for a model read from a suspension's sheet, table or JSON.

@@ -1,8 +1,7 @@
 //! Links at the wheels, by the names that the suspension importer gives.
 
-use percuss_dynamics::Pose;
+use percuss_dynamics::LowestPoint;
 use percuss_mechanism::{ContactKind, JointId, JointKind, LinkId, Mechanism, NamedContact};
-use percuss_spatial::Vector3;
 
 /// Link names given by the suspension importer; their vertical motion is the wheel travel.
 const WHEEL_POINTS: [&str; 2] = ["wheel_centre", "contact_patch"];
@@ -11,39 +10,13 @@ pub(crate) const RACK: &str = "rack";
 /// Suffixes of the sides in names of the importer.
 pub(crate) const SIDES: [&str; 2] = ["_left", "_right"];
 
-/// Wheel of an imported suspension whose lowest point is a contact patch. The patch is no point of a body: while the wheel
-/// carrier pitches, the lowest point stays below the wheel centre.
-#[derive(Clone, Debug)]
-pub(crate) struct LowestPoint {
-    centre: LinkId,
-    spin: JointId,
-    patch: LinkId,
-}
-
-impl LowestPoint {
-    /// Wheel of a contact; `None` for a contact that is no patch of an imported wheel.
-    pub fn of(mechanism: &Mechanism, contact: &NamedContact) -> Option<Self> {
-        let side =
-            contact.name().strip_prefix(WHEEL_POINTS[1]).filter(|_| contact.kind() == ContactKind::Patch)?;
-        let centre = mechanism.find_link(&format!("{}{side}", WHEEL_POINTS[0])).ok()?;
-        let spin = mechanism.find_joint(&format!("spin{side}")).ok()?;
-        Some(Self { centre, spin, patch: contact.link() })
-    }
-
-    /// The lowest point at a pose, m, frame of the patch's link; `None` if the axis of the wheel is vertical.
-    pub fn at(&self, pose: &Pose) -> Option<Vector3<f64>> {
-        let joint = pose.mechanism().joint(self.spin);
-        let axis = pose.link(joint.child()).vector(joint.axis());
-        let (centre, patch) = (pose.link(self.centre).translation, pose.link(self.patch));
-        let radius = (patch.translation - centre).norm();
-        Some(patch.inverse_point(&lowest_point(&centre, &axis, radius)?))
-    }
-}
-
-/// Lowest point of a wheel, m: `centre` (m), `axis` of the spin (a unit vector) and `radius` (m); `None` if the axis is vertical.
-pub(crate) fn lowest_point(centre: &Vector3<f64>, axis: &Vector3<f64>, radius: f64) -> Option<Vector3<f64>> {
-    let down = (axis * axis.z - Vector3::z()).try_normalize(f64::EPSILON)?;
-    Some(centre + down * radius)
+/// Wheel of a contact; `None` for a contact that is no patch of an imported wheel.
+pub(crate) fn wheel_of_patch(mechanism: &Mechanism, contact: &NamedContact) -> Option<LowestPoint> {
+    let side =
+        contact.name().strip_prefix(WHEEL_POINTS[1]).filter(|_| contact.kind() == ContactKind::Patch)?;
+    let centre = mechanism.find_link(&format!("{}{side}", WHEEL_POINTS[0])).ok()?;
+    let spin = mechanism.find_joint(&format!("spin{side}")).ok()?;
+    Some(LowestPoint { centre, spin, patch: contact.link() })
 }
 
 /// Wheel points; only those on the side of the contact link if the link name ends in a side.

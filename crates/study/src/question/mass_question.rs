@@ -208,6 +208,37 @@ impl MassQuestion {
         self.at.as_ref().map(find).transpose()
     }
 
+    /// Question at a named contact of the model in place of its own contact.
+    pub(crate) fn at_contact(&self, name: &str) -> Self {
+        Self {
+            at: Some(name.to_owned()),
+            link: String::new(),
+            point: [0.0; 3],
+            normal: Normal::Along([0.0; 3]),
+            frame: Frame::Link,
+            normal_frame: Frame::Link,
+            against: None,
+            ..self.clone()
+        }
+    }
+
+    /// Question at the contact of another question, with its own pose and conditions.
+    pub(crate) fn with_contact_of(&self, other: &Self) -> Self {
+        Self {
+            at: other.at.clone(),
+            link: other.link.clone(),
+            point: other.point,
+            normal: other.normal.clone(),
+            frame: other.frame,
+            normal_frame: other.normal_frame,
+            against: other.against.clone(),
+            against_mass: other.against_mass,
+            estimate: other.estimate.clone(),
+            ratio_at: other.ratio_at.clone(),
+            ..self.clone()
+        }
+    }
+
     /// Question without a contact, for commands that define the contact by other data: all joints at 0, nothing
     /// held.
     pub fn without_contact() -> Self {

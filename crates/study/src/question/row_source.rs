@@ -1,6 +1,7 @@
 //! Source of the rows of a sweep.
 
-use crate::question::travel::vary::Vary;
+use crate::question::mass_question::MassQuestion;
+use crate::question::travel::vary::{Varied, Vary};
 
 /// Source of the rows of a sweep.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +30,21 @@ pub struct PositionFile {
     pub ignore: Vec<String>,
     /// Largest number of bytes read from the standard input, a pipe or a device.
     pub max_size: u64,
+}
+
+impl RowSource {
+    /// Question of the rows: without the travel of the pose if the rows vary a travel.
+    pub fn question_of_rows(&self, question: &MassQuestion) -> MassQuestion {
+        let varies_travel = match self {
+            RowSource::Grid(ranges) => ranges.iter().any(|vary| matches!(vary.quantity, Varied::Travel(_))),
+            RowSource::File(_) | RowSource::Random { .. } => false,
+        };
+        let mut question = question.clone();
+        if varies_travel {
+            question.travel.clear();
+        }
+        question
+    }
 }
 
 impl From<Vary> for RowSource {

@@ -4,6 +4,7 @@ use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::damping_report;
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
+use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
 use crate::question::damping_question::DampingQuestion;
@@ -30,6 +31,12 @@ pub(crate) fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassRep
     let mut report = MassReport::of(evaluated);
     let found = named_contact.iter().flat_map(|contact| stop_findings(evaluated, contact));
     report.diagnostics.extend(found.map(Into::into));
+    let prepared = &evaluated.prepared;
+    if let Some(stops) =
+        PassedStops::new(prepared, prepared.question.travel.iter().map(|travel| &travel.moved))
+    {
+        report.diagnostics.extend(stops.findings(&evaluated.pose).into_iter().map(Into::into));
+    }
     Ok(MassReport { motion_ratios, named_contact, ..report })
 }
 

@@ -261,7 +261,7 @@ fn rows(
         if number > 0 && rows.is_empty() {
             return Err(other(design, "the first has no range"));
         }
-        let report = sweep_report(&design.model, &design.question, source)
+        let report = sweep_report(&design.model, &source.question_of_rows(&design.question), source)
             .map_err(|source| CompareError::Question { design: design.name.clone(), source })?;
         let of_rows = report.diagnostics.into_iter().filter(|d| d.path.is_none()).collect();
         merge_diagnostics(diagnostics, of_rows, &design.name);

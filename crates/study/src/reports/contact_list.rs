@@ -8,6 +8,7 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::answer_mass::{mass, mass_with_damper};
 use crate::reports::mass_report::MassReport;
+use percuss_mechanism::ContactKind;
 use serde::Serialize;
 
 /// Effective masses at all named contacts, as JSON.
@@ -19,7 +20,7 @@ pub struct ContactListReport {
     pub percuss: &'static str,
     /// Input files.
     pub inputs: Vec<Input>,
-    /// The contacts, in the order of the model.
+    /// The contacts, in the order of the model or of the study.
     pub contacts: Vec<ListedContact>,
     /// Findings about the file and the results; a finding about one contact begins with its name.
     pub diagnostics: Vec<DiagnosticRecord>,
@@ -52,37 +53,66 @@ pub fn contact_list(
     if contacts.is_empty() {
         return Err(StudyError::input(Field::At, Fault::NoNamedContacts));
     }
-    let mut diagnostics = model.diagnostics.clone();
+    let question = |name: &str| (name.to_owned(), conditions.at_contact(name));
+    let contacts: Vec<_> = contacts.iter().map(|contact| question(contact.name())).collect();
+    contact_list_of(model, &contacts, damping)
+}
+
+/// Evaluates several contacts of a model: names and questions.
+///
+/// # Errors
+/// [`StudyError`]: an invalid question. A contact without a result is a row of the list.
+pub fn contact_list_of(
+    model: &Model,
+    contacts: &[(String, MassQuestion)],
+    damping: Option<&DampingQuestion>,
+) -> Result<ContactListReport, StudyError> {
+    let mut found: Vec<(&String, DiagnosticRecord)> = Vec::new();
     let mut listed = Vec::with_capacity(contacts.len());
-    for contact in contacts {
-        let question = MassQuestion { at: Some(contact.name().to_owned()), ..conditions.clone() };
+    for (name, question) in contacts {
         let answer = match damping {
-            Some(damping) => mass_with_damper(model, &question, damping),
-            None => mass(model, &question),
+            Some(damping) => mass_with_damper(model, question, damping),
+            None => mass(model, question),
         };
         let (report, problem) = match answer {
             Ok(mut report) => {
                 let of_contact = std::mem::take(&mut report.diagnostics).into_iter();
-                for found in of_contact.filter(|found| !model.diagnostics.contains(found)) {
-                    let message = format!("{}: {}", contact.name(), found.message);
-                    let found = DiagnosticRecord { message, ..found };
-                    if !diagnostics.contains(&found) {
-                        diagnostics.push(found);
-                    }
-                }
+                found.extend(
+                    of_contact.filter(|found| !model.diagnostics.contains(found)).map(|found| (name, found)),
+                );
                 (Some(report), None)
             }
             Err(error) if error.has_no_result() => (None, Some(error.message(question.names))),
             Err(error) => return Err(error),
         };
-        let name = contact.name().to_owned();
-        listed.push(ListedContact { name, kind: contact.kind().name(), report, problem });
+        let kind =
+            question.named_contact(&model.mechanism)?.map_or(ContactKind::Other, |contact| contact.kind());
+        listed.push(ListedContact { name: name.clone(), kind: kind.name(), report, problem });
     }
+    let answered = listed.iter().filter(|contact| contact.report.is_some()).count();
     Ok(ContactListReport {
         schema: "percuss.contacts/1",
         percuss: env!("CARGO_PKG_VERSION"),
         inputs: model.inputs.clone(),
         contacts: listed,
-        diagnostics,
+        diagnostics: merge_findings(model.diagnostics.clone(), &found, answered),
     })
+}
+
+/// Adds the findings of the contacts to those of the model: one that all `answered` contacts share once, any other with the name of
+/// its contact.
+fn merge_findings(
+    mut all: Vec<DiagnosticRecord>,
+    found: &[(&String, DiagnosticRecord)],
+    answered: usize,
+) -> Vec<DiagnosticRecord> {
+    for (name, record) in found {
+        let is_shared = answered > 1 && found.iter().filter(|(_, other)| other == record).count() == answered;
+        let message = if is_shared { record.message.clone() } else { format!("{name}: {}", record.message) };
+        let record = DiagnosticRecord { message, ..record.clone() };
+        if !all.contains(&record) {
+            all.push(record);
+        }
+    }
+    all
 }

@@ -48,6 +48,7 @@ pub fn generate_code(
     let request = Request {
         pose,
         contact,
+        wheel: prepared.wheel().copied(),
         other_mass: prepared.other_mass(),
         armatures,
         holds,

@@ -1,13 +1,15 @@
 //! Motion ratios: speed of a wheel or of a given point per closing speed of the contact.
 
-use crate::evaluation::prepared_question::EvaluatedQuestion;
-use crate::model::wheel_points::wheel_points;
+use crate::evaluation::prepared_question::{EvaluatedQuestion, compile};
+use crate::model::wheel_points::{sliding_rack, wheel_points};
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::RatioPoint;
 use crate::thresholds::{INVERSE_RATIO_TOLERANCE, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
-use percuss_dynamics::{Contact, ContactResponse, Direction, EffectiveMass, Frame, PointVelocity, Pose};
+use percuss_dynamics::{
+    Configuration, Contact, ContactResponse, Direction, EffectiveMass, Frame, PointVelocity, Pose,
+};
 use percuss_mechanism::LinkId;
 use serde::Serialize;
 
@@ -28,6 +30,8 @@ pub struct MotionRatioRecord {
     pub contact_per_wheel: Option<f64>,
     /// True if every motion of the mechanism has this ratio; otherwise the ratio holds for the motion v* only.
     pub one_travel: bool,
+    /// Joint that is held for this ratio, although it moves in the impact: the rack of a steered axle; null if none is.
+    pub held: Option<String>,
 }
 
 /// Motion ratios of a result: of the requested points, and of the wheel if the ratio holds for every motion.
@@ -49,31 +53,55 @@ pub(crate) fn motion_ratios(
         if !(direction.norm() > SHORTEST_DIRECTION && direction.norm().is_finite()) {
             return Err(StudyError::input(Field::RatioAt, Fault::NoRatioDirection));
         }
-        found.extend(ratio(evaluated, response, link, point, direction.normalize()));
+        found.extend(ratio(&evaluated.pose, response, link, point, direction.normalize()));
     }
-    for link in wheel_points(mechanism, &evaluated.prepared.question.link) {
-        let ratio = ratio(evaluated, response, link, Vector3::zeros(), Vector3::z());
-        found.extend(ratio.filter(|ratio| ratio.one_travel));
+    let given = found.len();
+    let wheels = wheel_points(mechanism, &evaluated.prepared.question.link);
+    let of_wheels = |pose: &Pose, response: &ContactResponse| -> Vec<MotionRatioRecord> {
+        let ratio = |link| ratio(pose, response, link, Vector3::zeros(), Vector3::z());
+        wheels.iter().filter_map(|link| ratio(*link)).filter(|ratio| ratio.one_travel).collect()
+    };
+    found.extend(of_wheels(&evaluated.pose, response));
+    if found.len() == given
+        && !wheels.is_empty()
+        && let Some((pose, response, rack)) = with_rack_held(evaluated)
+    {
+        let held = |ratio| MotionRatioRecord { held: Some(rack.clone()), ..ratio };
+        found.extend(of_wheels(&pose, &response).into_iter().map(held));
     }
     Ok(found)
 }
 
+/// The pose and the response with the rack held at its position, and the name of the rack; `None` without a rack that can slide.
+fn with_rack_held(evaluated: &EvaluatedQuestion) -> Option<(Pose, ContactResponse, String)> {
+    let EvaluatedQuestion { prepared, pose, contact, .. } = evaluated;
+    let mechanism = &prepared.model.mechanism;
+    let rack = sliding_rack(mechanism).filter(|rack| !pose.is_locked(*rack))?;
+    let name = mechanism.joint(rack).name().to_owned();
+    let mut question = prepared.question.clone().into_owned();
+    question.lock.push(name.clone());
+    let system = compile(mechanism, &question, None).ok()?;
+    let positions = Configuration::from_positions(mechanism, pose.positions()).ok()?;
+    let held = system.pose(&positions).ok()?;
+    let response = held.respond(contact).ok()?;
+    Some((held, response, name))
+}
+
 /// Motion ratio of a point along a direction; `None` if the velocity is undetermined.
 fn ratio(
-    evaluated: &EvaluatedQuestion,
+    pose: &Pose,
     response: &ContactResponse,
     link: LinkId,
     point: Vector3<f64>,
     direction: Vector3<f64>,
 ) -> Option<MotionRatioRecord> {
-    let pose = &evaluated.pose;
     if response.singular_pose {
         return None;
     }
     let wheel_per_contact = speed(pose, response, link, &point, &direction)?;
     let own = Contact {
         link,
-        against: evaluated.contact.against,
+        against: response.contact.against,
         point,
         normal: Direction::Along(direction, Frame::World),
     };
@@ -91,6 +119,7 @@ fn ratio(
         wheel_per_contact,
         contact_per_wheel: (wheel_per_contact != 0.0).then(|| 1.0 / wheel_per_contact),
         one_travel,
+        held: None,
     })
 }
 

@@ -13,11 +13,12 @@ use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Names;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
-use crate::question::travel::vary::Varied;
 use crate::reports::compare::Design;
 use crate::reports::impact::question::ImpactQuestion;
 use crate::study_file::closure::ClosureText;
+use crate::study_file::contacts::{StudyContact, expand, several_contacts};
 use crate::study_file::keys::{StudyKeys, UnknownKey};
+use crate::study_file::tables::contact::ContactTable;
 use crate::study_file::tables::damping::DampingTable;
 use crate::study_file::tables::impact::ImpactTable;
 use crate::study_file::tables::map::StudyMap;
@@ -45,6 +46,8 @@ pub struct StudyFile {
     pub model: Model,
     /// Contact and conditions; `None` if the study has no contact with a normal.
     pub question: Option<MassQuestion>,
+    /// All contacts with their questions, if there are several; the first is that of `question`.
+    pub contacts: Vec<StudyContact>,
     /// Pose and conditions, also without a contact.
     pub conditions: MassQuestion,
     /// Requests about the contact besides the effective mass.
@@ -178,15 +181,10 @@ fn parse_error(path: &str, keys: &StudyKeys, text: &str, error: &toml::de::Error
 impl StudyFile {
     /// Question of the rows of the sweep: that of the contact, without the travel of the pose if the rows vary a travel.
     pub fn question_of_rows(&self, question: &MassQuestion) -> MassQuestion {
-        let varies_travel = self.sweep.as_ref().is_some_and(|sweep| match &sweep.rows {
-            RowSource::Grid(ranges) => ranges.iter().any(|vary| matches!(vary.quantity, Varied::Travel(_))),
-            RowSource::File(_) | RowSource::Random { .. } => false,
-        });
-        let mut question = question.clone();
-        if varies_travel {
-            question.travel.clear();
+        match &self.sweep {
+            Some(sweep) => sweep.rows.question_of_rows(question),
+            None => question.clone(),
         }
-        question
     }
 
     /// Reads a study and its model (path relative to the folder of the study). At most `max_size` bytes each.
@@ -221,25 +219,38 @@ impl StudyFile {
             && Source::read(path, max_size).is_ok_and(|source| is_study(&source))
     }
 
-    /// Designs to compare: first the model of the study, under the name `name`, then the variants. Empty without a contact.
+    /// Designs of the study: first the model of the study as `name`, then the variants, each at all contacts of the study. Empty
+    /// without a contact.
     pub fn designs(&self, name: &str) -> Vec<Design> {
         let Some(question) = &self.question else { return Vec::new() };
-        let rows = self.sweep.as_ref().map(|sweep| &sweep.rows);
-        let own = Design {
-            name: name.to_owned(),
-            model: self.model.clone(),
-            question: question.clone(),
-            contact: None,
-            rows: rows.cloned(),
-        };
-        let variants = self.variants.iter().map(|variant| Design {
-            name: variant.name.clone(),
-            model: variant.model.clone(),
-            question: variant.question.clone(),
-            contact: variant.contact.as_ref().map(|contact| format!("{contact:?}")),
-            rows: rows.cloned(),
+        let own = (name, &self.model, question, None);
+        let variants = self.variants.iter().map(|variant| {
+            (variant.name.as_str(), &variant.model, &variant.question, variant.contact.as_ref())
         });
-        [own].into_iter().chain(variants).collect()
+        let rows = self.sweep.as_ref().map(|sweep| &sweep.rows);
+        let mut designs = Vec::new();
+        for (name, model, question, own_contact) in [own].into_iter().chain(variants) {
+            let design = |name: String, question: MassQuestion, contact: Option<&ContactTable>| Design {
+                name,
+                model: model.clone(),
+                question,
+                contact: contact
+                    .map(|contact| format!("{:?}", ContactTable { name: None, ..contact.clone() })),
+                rows: rows.cloned(),
+            };
+            if self.contacts.is_empty() || own_contact.is_some() {
+                designs.push(design(name.to_owned(), question.clone(), own_contact));
+                continue;
+            }
+            for contact in &self.contacts {
+                let name = match self.variants.is_empty() {
+                    true => contact.name.clone(),
+                    false => format!("{name}: {}", contact.name),
+                };
+                designs.push(design(name, question.with_contact_of(&contact.question), Some(&contact.table)));
+            }
+        }
+        designs
     }
 }
 
@@ -293,7 +304,9 @@ impl StudyReader<'_> {
         // The study closes the loops that the file only marks.
         let options = LoadOptions { accept: study.model.accepted(), open_pairs: !study.closure.is_empty() };
         let model = self.model(study, source, folder, &options)?;
-        let question = study.question(folder, max_size).map_err(refused)?;
+        let contacts = expand(&study.contact, &model.mechanism).map_err(refused)?;
+        let contact = &contacts.first().cloned().unwrap_or_default();
+        let question = study.question(contact, folder, max_size).map_err(refused)?;
         let variants = self.variants(study, &model, &question, folder, &options)?;
         let place = |path: &String| folder.join(path).to_string_lossy().into_owned();
         let sweep = match &study.sweep {
@@ -311,7 +324,7 @@ impl StudyReader<'_> {
         let safe_speed = match &study.safe_speed {
             None => None,
             Some(text) => {
-                let missing = study.contact.missing();
+                let missing = contact.missing();
                 if let Some(part) = missing.filter(|part| !(text.has_directions() && part.contains("normal")))
                 {
                     return Err(self.value("contact", "contact", format!("{part} is missing")));
@@ -327,10 +340,10 @@ impl StudyReader<'_> {
             || impact.is_some()
             || (damping.is_some() && !stops)
             || (map.is_none() && safe_speed.is_none() && !stops);
-        let asks = match study.contact.missing() {
+        let asks = match contact.missing() {
             None => !stops,
             Some(part) if of_contact => {
-                let why = match (study.contact.is_empty(), part) {
+                let why = match (contact.is_empty(), part) {
                     (false, "normal or along_line") => "give either normal or along_line".to_owned(),
                     (false, part) => format!("{part} is missing"),
                     (true, _) => "it is missing; expected link, point, and normal or along_line (or a study of [map] or \
@@ -341,14 +354,16 @@ impl StudyReader<'_> {
             }
             Some(_) => false,
         };
-        if stops && (!study.contact.is_empty() || of_contact) {
+        if stops && (!contact.is_empty() || of_contact) {
             let why = "a joint stop replaces the contact: remove [contact], [sweep], [mass] and [[variant]]";
             return Err(self.value("damping.limit", "damping.limit", why.to_owned()));
         }
+        let contacts = several_contacts(&contacts, &question, variants.len()).map_err(refused)?;
         let mass = study.mass.as_ref().map(|mass| mass.options()).transpose().map_err(refused)?;
         Ok(StudyFile {
             model,
             question: asks.then(|| question.clone()),
+            contacts,
             conditions: question,
             mass: mass.unwrap_or_default(),
             variants,

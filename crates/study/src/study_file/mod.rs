@@ -1,6 +1,7 @@
 //! Study files (TOML): keys, tables, schema.
 
 pub(crate) mod closure;
+pub(crate) mod contacts;
 pub(crate) mod file;
 pub(crate) mod keys;
 pub(crate) mod schema;

@@ -37,6 +37,8 @@ pub fn study_keys() -> Vec<String> {
     let mut found = Vec::new();
     collect(study_schema(), "", &mut found);
     found.sort();
+    // A table and a list of such tables have the same keys.
+    found.dedup();
     found
 }
 
@@ -51,7 +53,8 @@ pub fn study_key_page() -> String {
         let name = if kind(of_table) == "list" { format!("[[{table}]]") } else { format!("[{table}]") };
         page +=
             &format!("\n## {name}\n\n{}\n\n| key | value | meaning |\n|---|---|---|\n", meaning(of_table));
-        for known in alternatives(of_table).into_iter().filter_map(entries) {
+        // A table and a list of such tables have the same keys.
+        if let Some(known) = alternatives(of_table).into_iter().find_map(entries) {
             for (key, of_key) in known {
                 page += &format!("| `{key}` | {} | {} |\n", kind(of_key), meaning(of_key));
             }

@@ -4,6 +4,7 @@ use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Names;
 use crate::question::mass_question::{Hold, MassQuestion};
 use crate::study_file::closure::ClosureText;
+use crate::study_file::contacts::{ContactsSchema, contacts};
 use crate::study_file::tables::contact::{ConditionsTable, ContactTable, PoseTable, QuestionTables};
 use crate::study_file::tables::damping::DampingTable;
 use crate::study_file::tables::impact::ImpactTable;
@@ -32,9 +33,10 @@ pub(crate) struct StudyText {
     /// The joint positions.
     #[serde(default)]
     pub pose: PoseTable,
-    /// The contact of the study.
-    #[serde(default)]
-    pub contact: ContactTable,
+    /// The contact of the study, or several as [[contact]]. at = "all" takes all contacts of the model.
+    #[serde(default, deserialize_with = "contacts")]
+    #[schemars(with = "ContactsSchema")]
+    pub contact: Vec<ContactTable>,
     /// Options of percuss mass.
     pub mass: Option<MassTable>,
     /// Additional loops that are not part of the model.
@@ -62,10 +64,15 @@ pub(crate) struct StudyText {
 }
 
 impl StudyText {
-    /// Converts the study to a question; the contact may be incomplete. Paths are relative to the study's
+    /// Converts the study to a question at a contact, which may be incomplete. Paths are relative to the study's
     /// folder.
-    pub fn question(&self, folder: &Path, max_size: u64) -> Result<MassQuestion, InvalidKey> {
-        let Self { contact, pose, conditions, hold, .. } = self;
+    pub fn question(
+        &self,
+        contact: &ContactTable,
+        folder: &Path,
+        max_size: u64,
+    ) -> Result<MassQuestion, InvalidKey> {
+        let Self { pose, conditions, hold, .. } = self;
         QuestionTables { contact, pose, conditions, hold }.question(folder, max_size, Names::Keys)
     }
 }

@@ -44,6 +44,7 @@ struct LayoutTravel {
     points: Vec<MovedPoint>,
     /// Set joints; these cannot drive the travel.
     set: Vec<JointId>,
+    moved: Moved,
 }
 
 impl RowLayout {
@@ -69,15 +70,17 @@ impl RowLayout {
                 Varied::Travel(_) if number + 1 < ranges.len() => {
                     return Err(refuse(Fault::TravelNotLast { name: vary.name() }));
                 }
-                Varied::Travel(moved) => travel = Some(moved.points(mechanism, Field::Vary, 1.0)?),
+                Varied::Travel(moved) => {
+                    travel = Some((moved.points(mechanism, Field::Vary, 1.0)?, moved.clone()));
+                }
             }
         }
         let mut setting = Self::from_joints(prepared, &joints, Field::Vary);
-        if let Some(points) = travel {
+        if let Some((points, moved)) = travel {
             let by_question =
                 prepared.question.set.iter().filter_map(|(set, _)| mechanism.find_joint(set).ok());
             let set = joints.into_iter().chain(by_question).collect();
-            setting.travel = Some(LayoutTravel { points, set });
+            setting.travel = Some(LayoutTravel { points, set, moved });
             let column = VariedColumn {
                 name: ranges.last().map_or_else(String::new, Vary::name),
                 unit: "m",
@@ -121,6 +124,11 @@ impl RowLayout {
     /// True if the last number is a travel.
     pub fn travels(&self) -> bool {
         self.travel.is_some()
+    }
+
+    /// Moved part of the travel; `None` if the last number is no travel.
+    pub fn moved(&self) -> Option<&Moved> {
+        self.travel.as_ref().map(|travel| &travel.moved)
     }
 
     /// Dimension of the numbers of a column.

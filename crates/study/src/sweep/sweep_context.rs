@@ -1,6 +1,7 @@
 //! Evaluation of the rows of a sweep: pose of a row, and result of the contact.
 
 use crate::checks::finding::{Finding, FindingTally};
+use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::{ContactResult, PreparedQuestion};
 use crate::evaluation::status::Status;
 use crate::pose::driver::Driver;
@@ -32,6 +33,8 @@ pub(crate) struct SweepContext<'a> {
     pub distance_measure: DistanceMeasure,
     /// Gap of the named contact, with the pose as drawn.
     pub gap: Option<(Gap, Pose)>,
+    /// Stops that the travel of a row may pass.
+    pub passed_stops: Option<PassedStops<'a>>,
     /// SIMD evaluation, if rows need no poses.
     pub batch_evaluator: Option<BatchEvaluator>,
 }
@@ -232,6 +235,8 @@ impl SweepContext<'_> {
                     Ok(answer) => {
                         let sweep_row = self.row_with_pose(row, varied, &pose, &answer, travel);
                         portion.tally.add(row, answer.findings);
+                        let passed = self.passed_stops.iter().flat_map(|stops| stops.findings(&pose));
+                        portion.tally.add(row, passed);
                         RowOutcome::Row { converted: convert(sweep_row), reached: true, error: None }
                     }
                 }

@@ -4,6 +4,7 @@
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::checks::joint_limits::many_turns_finding;
+use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::evaluation::random_rows::RandomRows;
 use crate::model::loading::Model;
@@ -156,6 +157,7 @@ impl<'a> Sweep<'a> {
             has_gap: gap.is_some(),
         };
         let (along, lanes) = (rows.distance_measure(), BatchEvaluator::new(&prepared, &setting, &contact));
+        let passed_stops = PassedStops::new(&prepared, setting.moved());
         let context = SweepContext {
             prepared,
             row_layout: setting,
@@ -164,6 +166,7 @@ impl<'a> Sweep<'a> {
             heading,
             distance_measure: along,
             gap,
+            passed_stops,
             batch_evaluator: lanes,
         };
         Ok(Self { context, rows, findings })

@@ -410,12 +410,7 @@ impl CornerBuilder<'_> {
         direction: Vector3<f64>,
         comment: String,
     ) {
-        let [parent_pin, pin] = self.design.pins.get(name).copied().unwrap_or_else(|| {
-            let pin =
-                frames::normal(direction, Vector3::x()).or_else(|| frames::normal(direction, Vector3::z()));
-            let pin = pin.unwrap_or_default();
-            [pin, direction.cross(&pin)]
-        });
+        let [parent_pin, pin] = self.universal_pins(name, direction);
         let cosine = parent_pin.dot(&pin).abs();
         if cosine > OBLIQUE_PINS {
             let message = format!(
@@ -439,6 +434,22 @@ impl CornerBuilder<'_> {
             let joint = format!("{name}_{joint}_pin");
             self.corner.add_joint((&joint, JointKind::Revolute), links, pin, &body.spot, comment);
         }
+    }
+
+    /// Pins of the universal joint of a link along `direction`: as given, or normal to the link and to the vehicle's x axis.
+    fn universal_pins(&mut self, link: &str, direction: Vector3<f64>) -> [Vector3<f64>; 2] {
+        if let Some(pins) = self.design.pins.get(link) {
+            return *pins;
+        }
+        if let Some((pin, spot)) = self.design.first_pins.get(link) {
+            let second =
+                frames::unit(*pin).and_then(|first| Some([first, frames::normal(direction, first)?]));
+            let defect = "the pin has no direction, or is parallel to the link";
+            return self.findings.unwrap_geometry(second, spot, defect);
+        }
+        let pin = frames::normal(direction, Vector3::x()).or_else(|| frames::normal(direction, Vector3::z()));
+        let pin = pin.unwrap_or_default();
+        [pin, direction.cross(&pin)]
     }
 
     /// Adds a ball joint that closes a loop.

@@ -65,6 +65,9 @@ pub(crate) enum Part {
     Close { joint: String, links: [String; 2], at: String },
 }
 
+/// Directions of pins with their positions in the file, by link.
+pub(crate) type FirstPins = BTreeMap<&'static str, (Vector3<f64>, Spot)>;
+
 /// Mass and inertia of a link as given in a file.
 #[derive(Clone, Debug)]
 pub(crate) enum GivenBody {
@@ -90,6 +93,8 @@ pub(crate) struct Design {
     /// Pins of universal joints by link: fixed in the parent, fixed in the link. Without them, the first pin is
     /// normal to the link and to the vehicle's x axis.
     pub pins: BTreeMap<&'static str, [Vector3<f64>; 2]>,
+    /// First pins of universal joints by link, as stated by a sheet; the second pin is normal to this pin and to the link.
+    pub first_pins: FirstPins,
     /// Links with spring, damper or bar mounts, by section.
     pub on: BTreeMap<&'static str, (String, Spot)>,
     /// Gap and direction of stops, as given in the file, by section.
@@ -135,6 +140,26 @@ pub(crate) const SEATS: [(&str, [&str; 2]); 5] = [
     ("bump_stop", ["bump_stop_pad", "bump_stop"]),
     ("rebound_stop", ["rebound_stop_pad", "rebound_stop"]),
 ];
+
+impl Part {
+    /// Link on a universal joint, and the two points of its line; `None` for any other part.
+    pub fn universal_link(&self) -> Option<(&str, [&str; 2])> {
+        match self {
+            Part::Rod { link, ends: [(_, first), (_, second)], .. } => Some((link, [first, second])),
+            Part::Strut { link, line: [bottom, top], .. } => Some((link, [bottom, top])),
+            Part::Hinge { .. }
+            | Part::Swivel { .. }
+            | Part::Ball { .. }
+            | Part::Free { .. }
+            | Part::Axle
+            | Part::GuidedAxle { .. }
+            | Part::Fixed { .. }
+            | Part::Wheel { .. }
+            | Part::Slide { .. }
+            | Part::Close { .. } => None,
+        }
+    }
+}
 
 impl Design {
     /// True if rods without mass become massless links on universal joints: on request, or if the suspension has no other

@@ -10,10 +10,40 @@ use crate::options::Side;
 use crate::units::VehicleAxes;
 use percuss_spatial::{Matrix3, Vector3};
 
+/// Moment of inertia about the line of a link, relative to the sum of its principal moments, from which the pins of its universal
+/// joint have an influence above the digits that a report shows.
+const LEAST_ABOUT_LINE: f64 = 1e-6;
+
 /// Builds the corner of a sheet; reports points that determine no axis or line.
 pub(in super::super) fn build(sheet: &Sheet, findings: &mut Findings) -> Option<Built> {
     let spindle = spindle(sheet, findings);
-    build::build(&sheet.design, &spindle, findings)
+    let built = build::build(&sheet.design, &spindle, findings)?;
+    note_unstated_pins(sheet, findings);
+    Some(built)
+}
+
+/// Notes once which universal joints with an influence on the effective mass have assumed pins: the pins determine the rotation of
+/// a link about its own line, which counts if the link has a moment of inertia about this line.
+fn note_unstated_pins(sheet: &Sheet, findings: &mut Findings) {
+    let design = &sheet.design;
+    let links = design.parts.iter().filter_map(|part| part.universal_link());
+    let assumed = links.filter_map(|(link, ends)| {
+        let Some(GivenBody::Body(body)) = design.bodies.get(link) else { return None };
+        let [from, to] = ends.map(|end| design.point(end));
+        let line = (to? - from?).normalize();
+        let about_line = line.dot(&(body.about_com * line));
+        let is_assumed = !design.first_pins.contains_key(link);
+        (is_assumed && about_line > LEAST_ABOUT_LINE * body.about_com.trace()).then_some((link, &body.spot))
+    });
+    let (links, spots): (Vec<&str>, Vec<&Spot>) = assumed.unzip();
+    if let ([first, ..], [spot, ..]) = (&links[..], &spots[..]) {
+        let message = format!(
+            "the directions of the pins of the universal joint of {} are assumed: the first pin, on the chassis or rack, is \
+             normal to the link and to the x axis; state it by the key {first}.pin = [x, y, z]",
+            links.join(", ")
+        );
+        findings.note("assumed-pins", spot, message);
+    }
 }
 
 /// Spindle and wheel of the left side. A wheel centre on the wrong side is an error.

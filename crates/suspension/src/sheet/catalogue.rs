@@ -5,6 +5,7 @@ use super::template::{Keys, Template};
 use crate::corner;
 use crate::corner::design::{Part, SEATS, STOPS, is_central};
 use crate::limits::MAX_SHEET_KEYS;
+use percuss_mechanism::near_names;
 use std::sync::LazyLock;
 
 /// Texts of the data files, in the order of the list of templates.
@@ -63,6 +64,13 @@ impl Template {
         self.parts.iter().chain(&keys().anti_roll_bar)
     }
 
+    /// True for a body that both sides share; the sheet describes it as it is, on either side.
+    pub fn is_central_body(&self, key: &str) -> bool {
+        self.axle && ["axle", "middle_link", "panhard_rod"].contains(&key)
+            || key.starts_with("watt")
+            || key == corner::CHASSIS
+    }
+
     /// Example position of a point, mm; `None` if the template does not have the point.
     pub fn point(&self, key: &str) -> Option<[f64; 3]> {
         self.points.iter().find(|(known, _)| known == key).map(|(_, at)| *at)
@@ -90,6 +98,12 @@ pub(super) fn force_sections(template: &'static Template) -> Vec<&'static str> {
     sections.filter(|section| section.ends_with("spring") || STOPS.contains(section)).collect()
 }
 
+/// Links of a template on universal joints, whose pins a sheet may state.
+pub(super) fn universal_links(template: &'static Template) -> impl Iterator<Item = &'static str> {
+    let links = template.parts_with_bar().filter_map(|part| Some(part.universal_link()?.0));
+    links.filter(|link| template.bodies.iter().any(|(body, _)| body == link))
+}
+
 /// All keys of a template.
 pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
     let mut keys: Vec<String> = HEAD.iter().map(|key| (*key).to_owned()).collect();
@@ -97,6 +111,7 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
     for body in template.bodies.iter().map(|(body, _)| &**body).chain([corner::CHASSIS]) {
         keys.extend(["mass", "com", "inertia"].map(|key| format!("{body}.{key}")));
     }
+    keys.extend(universal_links(template).map(|link| format!("{link}.pin")));
     keys.push("spindle.axle_inertia".to_owned());
     keys.extend(["mass", "inertia", "radius", "camber", "toe"].map(|key| format!("wheel.{key}")));
     keys.extend(template.on.iter().map(|(section, _)| format!("{section}.on")));
@@ -110,6 +125,28 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
     }
     debug_assert!(keys.len() < MAX_SHEET_KEYS);
     keys
+}
+
+/// Keys that are similar to a key, the most similar first: keys of the same section by the part after the section, otherwise keys whose
+/// last parts are similar. The name of a section alone makes no key similar.
+pub(super) fn near_keys<'a>(key: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    let candidates: Vec<&str> = candidates.into_iter().collect();
+    let (section, last) = split(key);
+    let within = candidates.iter().filter(|other| split(other).0 == section).map(|other| split(other).1);
+    let whole = |last: String| if section.is_empty() { last } else { format!("{section}.{last}") };
+    let near: Vec<String> = near_names(last, within).into_iter().map(whole).collect();
+    if !near.is_empty() {
+        return near;
+    }
+    let similar = near_names(last, candidates.iter().map(|other| split(other).1));
+    // The key itself in another section is equal, not similar.
+    let is_near = |other: &&&str| split(other).1 == last || similar.iter().any(|one| one == split(other).1);
+    candidates.iter().filter(is_near).map(|other| (*other).to_owned()).collect()
+}
+
+/// Section and last part of a key.
+fn split(key: &str) -> (&str, &str) {
+    key.rsplit_once('.').unwrap_or(("", key))
 }
 
 #[cfg(test)]
@@ -160,5 +197,16 @@ mod tests {
             }
         }
         assert_eq!(templates().count(), 18);
+    }
+
+    #[test]
+    fn sections_make_no_key_similar() {
+        let known = ["points", "points.lower_ball", "points.upper_ball", "upper_arm.mass", "bump_stop.gap"];
+        assert_eq!(near_keys("points.hello", known), Vec::<String>::new());
+        assert_eq!(near_keys("points.lower_bal", known)[0], "points.lower_ball");
+        assert_eq!(near_keys("upper_arm.masss", known), ["upper_arm.mass"]);
+        // A key without its section.
+        assert_eq!(near_keys("lower_ball", known)[0], "points.lower_ball");
+        assert_eq!(near_keys("gap", known), ["bump_stop.gap"]);
     }
 }

@@ -1,12 +1,13 @@
 //! Keys and values of a sheet or table, independent of the file format: numbers with units, texts, points.
 
+use super::catalogue::near_keys;
 use crate::corner::design::STOPS;
 use crate::findings::{Findings, Spot};
 use crate::forces::{ForceElements, SpringForce, StopForce};
 use crate::limits::{MAX_CURVE_POINTS, MAX_SHEET_KEYS};
+use crate::options::Side;
 use crate::units::Frame;
 use percuss_formats::reading::{quoted, shortened};
-use percuss_mechanism::near_names;
 use percuss_spatial::Vector3;
 use percuss_units::{Dimension, LengthUnit, Unit};
 
@@ -191,10 +192,15 @@ impl Entries {
         let mut message = format!("the key is missing; {expected} is expected");
         let unknown =
             self.unread().map(|e| e.key.as_str()).filter(|key| !self.known.iter().any(|k| k == key));
-        if let Some(near) = near_names(key, unknown).first() {
+        if let Some(near) = near_keys(key, unknown).first() {
             message.push_str(&format!("; is {} this key, misspelled?", quoted(near)));
         }
-        let spot = Spot { path: Some(shortened(key)), ..Spot::default() };
+        // The place of the other keys of the section.
+        let section = key.rsplit_once('.').map(|(section, _)| format!("{section}."));
+        let beside =
+            section.and_then(|section| self.list.iter().find(|entry| entry.key.starts_with(&section)));
+        let place = beside.map(|entry| entry.spot.clone()).unwrap_or_default();
+        let spot = Spot { path: Some(shortened(key)), ..place };
         findings.error("missing-key", &spot, message);
     }
 
@@ -210,7 +216,21 @@ impl Entries {
         }
     }
 
-    /// Reads true or false; `None` if absent or, with an error, if of another type.
+    /// Reads a direction, in the axes of ISO 8855 and mirrored from the side of the points to the left.
+    pub fn direction(
+        &mut self,
+        findings: &mut Findings,
+        key: &str,
+        frame: Frame,
+        points_side: Side,
+    ) -> Option<(Vector3<f64>, Spot)> {
+        let (values, spot) = self.numbers(findings, key, Quantity::Component, &[3])?;
+        let mirror = if points_side == Side::Right { -1.0 } else { 1.0 };
+        let along = frame.axes.to_iso(Vector3::new(values[0], values[1], values[2]));
+        Some((Vector3::new(along.x, mirror * along.y, along.z), spot))
+    }
+
+    /// Reads a flag.
     pub fn switch(&mut self, findings: &mut Findings, key: &str) -> Option<bool> {
         let (cells, spot) = self.find(key)?;
         let found = match &cells[..] {

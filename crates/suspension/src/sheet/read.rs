@@ -6,7 +6,7 @@ use super::point_table::{self, Files};
 use super::template::{Shape, Template, symmetric_matrix};
 use super::{adams, aliases, table, toml_text};
 use crate::corner;
-use crate::corner::design::{Design, GivenBody, STOPS, Stop};
+use crate::corner::design::{Design, FirstPins, GivenBody, STOPS, Stop};
 use crate::findings::{Findings, Spot};
 use crate::forces::ForceElements;
 use crate::limits::MAX_SHIFT;
@@ -83,7 +83,7 @@ pub(in super::super) fn read(
     for entry in entries.unread() {
         let spot = &entry.spot;
         let known = sheet.as_ref().map(|s| catalogue::keys_of(s.template)).unwrap_or_default();
-        let near = near_names(&entry.key, known.iter().map(String::as_str));
+        let near = catalogue::near_keys(&entry.key, known.iter().map(String::as_str));
         let near = near.first().map_or_else(String::new, |n| format!("; did you mean {}?", quoted(n)));
         let message = format!("the key {} is not known to this template{near}", quoted(&entry.key));
         if sheet.is_some() {
@@ -136,6 +136,7 @@ impl SheetReader<'_> {
             points,
             derived: &template.derived,
             bodies,
+            first_pins: self.first_pins(template, frame, points_side),
             on,
             stops,
             rods_are_links: self.options.movable,
@@ -426,10 +427,7 @@ impl SheetReader<'_> {
             None if self.entries.has(&com_key) => return None,
             None => None,
         };
-        let is_central = template.axle && ["axle", "middle_link", "panhard_rod"].contains(&key)
-            || key.starts_with("watt")
-            || key == corner::CHASSIS;
-        let is_mirrored = points_side == Side::Right && !is_central;
+        let is_mirrored = points_side == Side::Right && !template.is_central_body(key);
         // NaN: the default for a spindle is the wheel centre, which is computed later. A massless body needs no centre of mass.
         let com = match com {
             Some(com) => Vector3::new(com.x, if is_mirrored { 0.0 - com.y } else { com.y }, com.z),
@@ -530,17 +528,22 @@ impl SheetReader<'_> {
         for section in STOPS.into_iter().filter(|section| template.on.iter().any(|(key, _)| key == section)) {
             let gap = self.scalar(&format!("{section}.gap"), Quantity::Length(frame.unit));
             let key = format!("{section}.direction");
-            let direction = self.entries.numbers(self.findings, &key, Quantity::Component, &[3]);
+            let direction = self.entries.direction(self.findings, &key, frame, points_side);
             let spot = direction.iter().map(|(_, spot)| spot).chain(gap.iter().map(|(_, spot)| spot)).next();
             let Some(spot) = spot.cloned() else { continue };
-            let mirror = if points_side == Side::Right { -1.0 } else { 1.0 };
-            let direction = direction.map(|(values, _)| {
-                let along = frame.axes.to_iso(Vector3::new(values[0], values[1], values[2]));
-                Vector3::new(along.x, mirror * along.y, along.z)
-            });
-            stops.insert(section, Stop { gap: gap.map(|(gap, _)| gap), direction, spot });
+            let (gap, direction) = (gap.map(|(gap, _)| gap), direction.map(|(direction, _)| direction));
+            stops.insert(section, Stop { gap, direction, spot });
         }
         stops
+    }
+
+    /// Reads the first pins of the universal joints, mirrored to the left side.
+    fn first_pins(&mut self, template: &'static Template, frame: Frame, points_side: Side) -> FirstPins {
+        let pin = |link: &'static str| {
+            let side = if template.is_central_body(link) { Side::Left } else { points_side };
+            Some((link, self.entries.direction(self.findings, &format!("{link}.pin"), frame, side)?))
+        };
+        catalogue::universal_links(template).filter_map(pin).collect()
     }
 
     /// Rack of the options, or else of the sheet; fixed by default.

@@ -117,7 +117,6 @@ pub(super) fn read_workbook(
     #[cfg(feature = "xlsx")]
     match workbook::worksheet(bytes, file, worksheet) {
         Ok(found) => {
-            let had_errors = findings.has_errors();
             add_rows(found.rows, entries, findings);
             if worksheet.is_none() && !found.others.is_empty() {
                 let spot = Spot { file, ..Spot::default() };
@@ -128,11 +127,7 @@ pub(super) fn read_workbook(
                     quoted(&found.name),
                     workbook::list_of(&found.others)
                 );
-                if findings.has_errors() && !had_errors {
-                    findings.error("first-worksheet", &spot, message);
-                } else {
-                    findings.note("first-worksheet", &spot, message);
-                }
+                findings.note(crate::findings::FIRST_WORKSHEET, &spot, message);
             }
         }
         Err(error) => findings.error(error.code, &Spot { file, ..Spot::default() }, error.message),

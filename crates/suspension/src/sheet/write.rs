@@ -1,13 +1,14 @@
 //! Writer of sheets to fill in, and of the tables in the documentation.
 
 use super::catalogue::HEAD;
-use super::catalogue::{description_of, keys, templates};
+use super::catalogue::{description_of, keys, templates, universal_links};
 use super::template::{Shape, Template, symmetric_matrix};
 use crate::corner::CHASSIS;
 use crate::corner::design::{Part, THIRD_SPRING};
 use crate::units::VehicleAxes;
 use percuss_spatial::Vector3;
 use percuss_units::LengthUnit;
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// Unit and axes of a sheet to fill in.
@@ -268,6 +269,15 @@ pub fn template_keys() -> String {
             &of(&|t| key == CHASSIS || t.bodies.iter().any(|(known, _)| known == key)),
         );
     }
+    let on_pins: BTreeSet<&str> = templates().flat_map(universal_links).collect();
+    let pins: Vec<String> = on_pins.into_iter().map(|link| format!("{link}.pin")).collect();
+    row(
+        &pins.join("`, `"),
+        "the direction of the pin of its universal joint that stays with the body at its first end (chassis, rack or bar), \
+         `[x, y, z]`; the other pin is normal to this pin and to the link. Without it, the pin is normal to the link and to the x \
+         axis. It counts for a link with a moment of inertia about its line",
+        "those with this link",
+    );
     row("spindle.axle_inertia", "of the drive shaft about the axis of spin, added to the spindle's", "all");
     row(
         "wheel.mass`, `.inertia",

@@ -31,7 +31,8 @@ pub fn show(
     strict: bool,
 ) -> Result<(), Failure> {
     let mut report = impact(model, contact, question)?;
-    report.mass.point_in_sheet = model.point_in_sheet(&report.mass.contact.point_world);
+    let contact = &report.mass.contact;
+    report.mass.point_in_sheet = model.contact_in_sheet(&contact.point_world, &contact.normal_world);
     write_diagnostics(&report.diagnostics, strict)?;
     match format {
         CheckFormat::Json => write_json(&report),

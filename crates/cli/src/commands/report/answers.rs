@@ -4,10 +4,12 @@ use super::findings::add_warnings;
 use crate::commands::impacts::{rigid_impact, safe_speed, simultaneous};
 use crate::commands::{compare, damp, map};
 use crate::files::html::Page;
-use crate::pictures::clipping::clip_outliers;
+use crate::pictures::clipping::{clip_outliers, remove_flat_panels};
 use crate::pictures::map_files;
+use crate::pictures::sweep_figure::MAX_CURVES;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
+use percuss_render::Figure;
 use percuss_study::{
     ComparisonReport, DampingQuestion, DampingReport, ImpactReport, MapAnswer, PointMapReport,
     SafeSpeedReport, StudyError, StudyFile, impact_history,
@@ -15,7 +17,12 @@ use percuss_study::{
 
 /// Section of the variants.
 pub(super) fn add_variants(compared: &ComparisonReport, study: &StudyFile, page: &mut Page) {
-    page.section(if compare::has_several_contacts(compared) { "Contacts and variants" } else { "Variants" });
+    let title = match (compare::has_several_contacts(compared), study.variants.is_empty()) {
+        (true, true) => "Contacts",
+        (true, false) => "Contacts and variants",
+        (false, _) => "Variants",
+    };
+    page.section(title);
     page.table(compare::design_table(compared).rows());
     for design in &compared.designs {
         if let Some(error) = &design.error {
@@ -24,11 +31,64 @@ pub(super) fn add_variants(compared: &ComparisonReport, study: &StudyFile, page:
     }
     // A comparison without a figure is covered by the sweep's table.
     let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
-    if let Ok(mut figure) = compare::figure(compared, &figure) {
-        let clipped = clip_outliers(&mut figure);
-        page.picture(&figure.to_svg(), "Effective mass of the variants over the varied quantity", &clipped);
+    let is_readable = compared.designs.len() <= MAX_CURVES || !compare::has_several_contacts(compared);
+    if let Some(all) = compare::figure(compared, &figure).ok().filter(|_| is_readable) {
+        let content = "Effective mass of the designs over the varied quantity";
+        add_figure(all, content, page);
+    }
+    if compare::has_several_contacts(compared) {
+        let mut drawn: Vec<Figure> = Vec::new();
+        for of_contact in compare::contact_figures(compared, &figure) {
+            match drawn.iter().find(|other| has_same_curves(other, &of_contact)) {
+                Some(other) => {
+                    page.paragraph(
+                        "",
+                        &format!("{}: the same curves as in \"{}\".", of_contact.title, other.title),
+                    );
+                }
+                None => {
+                    let content = of_contact.title.clone();
+                    drawn.push(of_contact.clone());
+                    add_figure(of_contact, &content, page);
+                }
+            }
+        }
     }
     add_warnings(&compared.diagnostics, page);
+}
+
+/// True if all curves of two figures coincide to [`limits::SAME_CURVE`], as those of both sides of a vehicle.
+fn has_same_curves(one: &Figure, other: &Figure) -> bool {
+    let values = |figure: &Figure| -> Vec<(f64, Option<f64>)> {
+        figure
+            .panels
+            .iter()
+            .flat_map(|panel| &panel.series)
+            .flat_map(|series| series.points.clone())
+            .collect()
+    };
+    let is_near = |a: f64, b: f64| (a - b).abs() <= limits::SAME_CURVE * a.abs().max(b.abs());
+    let (one, other) = (values(one), values(other));
+    one.len() == other.len()
+        && one.iter().zip(&other).all(|(a, b)| {
+            a.0 == b.0
+                && match (a.1, b.1) {
+                    (Some(a), Some(b)) => is_near(a, b),
+                    (a, b) => a == b,
+                }
+        })
+}
+
+/// Adds a figure whose outliers are clipped; constants are stated in the caption, without a picture if nothing else remains.
+fn add_figure(mut figure: Figure, content: &str, page: &mut Page) {
+    let clipped = clip_outliers(&mut figure);
+    let constants = remove_flat_panels(&mut figure);
+    let caption = [constants, clipped].join(" ").trim().to_owned();
+    if figure.panels.is_empty() {
+        page.paragraph("", &format!("{}: {caption}", figure.title));
+    } else {
+        page.picture(&figure.to_svg(), content, &caption);
+    }
 }
 
 /// Section of a damper, with the history of the impact.

@@ -1,4 +1,4 @@
-//! Tolerance of the effective mass at some rows of a sweep, as error bars.
+//! Tolerance of the effective mass over a sweep, as a band about the curve.
 
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
@@ -7,43 +7,61 @@ use percuss_study::{
     GivenPosition, GivenTravel, MassQuestion, Model, RowSource, StudyFile, Varied, tolerance_report,
 };
 
-/// Error bars at evenly distributed values (SI units) of a sweep over one range: the root sum square of the tolerances of
-/// the study. `None` without tolerances, for another source of rows, and without a result.
+/// First-order tolerance, kg, at evenly distributed values (SI units) of a sweep over one range: pairs of the value times `scale` and the
+/// root sum square of the tolerances of the study. Empty without tolerances, for another source of rows, and without a result.
 ///
 /// # Errors
 /// Those of [`tolerance_report`], apart from a pose that is not reached.
-pub(super) fn tolerance_bars(
+pub(super) fn tolerances_over(
     study: &StudyFile,
     rows: &RowSource,
     values: &[f64],
     scale: f64,
-) -> Result<Option<Series>, Failure> {
+) -> Result<Vec<(f64, f64)>, Failure> {
     let (Some(tolerance), Some(question), RowSource::Grid(ranges)) =
         (study.mass.tolerance, &study.question, rows)
     else {
-        return Ok(None);
+        return Ok(Vec::new());
     };
     let question = &study.question_of_rows(question);
-    let ([range], Some(last)) = (&ranges[..], values.len().checked_sub(1)) else { return Ok(None) };
-    let steps = last.min(limits::TOLERANCE_BARS - 1);
-    let mut points = Vec::new();
+    let ([range], Some(last)) = (&ranges[..], values.len().checked_sub(1)) else { return Ok(Vec::new()) };
+    let steps = last.min(limits::TOLERANCE_ROWS - 1);
+    let mut found = Vec::new();
     for i in 0..=steps {
         let value = values[i * last / steps.max(1)];
         let Some(at_row) = question_at(question, &study.model, &range.quantity, value) else {
-            return Ok(None);
+            return Ok(Vec::new());
         };
         match tolerance_report(&study.model, &at_row, tolerance, None) {
-            Ok(Some(report)) => {
-                let (mass, off) = (report.effective_mass, report.root_sum_square);
-                points.extend([Some(mass - off), Some(mass + off), None].map(|y| (scale * value, y)));
-            }
+            Ok(Some(report)) => found.push((scale * value, report.root_sum_square)),
             Ok(None) => {}
             Err(error) if error.has_no_result() => {}
             Err(error) => return Err(error.into()),
         }
     }
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(found)
+}
+
+/// Band of the tolerances about a curve: `tolerances` in ascending order of x, interpolated linearly. `None` for fewer than two.
+pub(super) fn tolerance_band(curve: &[(f64, Option<f64>)], tolerances: &[(f64, f64)]) -> Option<Series> {
+    let half_width = |x: f64| {
+        let pair = tolerances.windows(2).find(|pair| (pair[0].0..=pair[1].0).contains(&x))?;
+        let [(from, low), (to, high)] = [pair[0], pair[1]];
+        let part = if to > from { (x - from) / (to - from) } else { 0.0 };
+        Some(low + part * (high - low))
+    };
+    let drawn = |&(x, mass): &(f64, Option<f64>)| Some((x, mass?, half_width(x)?));
+    let all: Vec<Option<(f64, f64, f64)>> = curve.iter().map(drawn).collect();
+    let mut points = Vec::new();
+    for run in all.split(Option::is_none).filter(|run| run.len() > 1) {
+        let run: Vec<(f64, f64, f64)> = run.iter().copied().flatten().collect();
+        points.extend(run.iter().map(|(x, mass, half)| (*x, Some(mass - half))));
+        points.extend(run.iter().rev().map(|(x, mass, half)| (*x, Some(mass + half))));
+        points.push((run[0].0, None));
+    }
     let name = "± tolerances (root sum square)".to_owned();
-    Ok((!points.is_empty()).then_some(Series { name, style: Style::Line, points }))
+    (!points.is_empty()).then_some(Series { name, style: Style::Band, points })
 }
 
 /// Question with the varied quantity at a value.
@@ -60,4 +78,23 @@ fn question_at(question: &MassQuestion, model: &Model, varied: &Varied, value: f
         }
     }
     Some(question)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_band_follows_the_curve() {
+        let curve = [(0.0, Some(10.0)), (1.0, Some(12.0)), (2.0, None), (3.0, Some(11.0)), (4.0, Some(11.0))];
+        let band = tolerance_band(&curve, &[(0.0, 1.0), (2.0, 3.0), (4.0, 1.0)]).expect("a band");
+        let lower = [(0.0, Some(9.0)), (1.0, Some(10.0))];
+        let upper = [(1.0, Some(14.0)), (0.0, Some(11.0)), (0.0, None)];
+        assert_eq!(band.points[..5], [lower.as_slice(), &upper].concat());
+        assert_eq!(
+            band.points[5..],
+            [(3.0, Some(9.0)), (4.0, Some(10.0)), (4.0, Some(12.0)), (3.0, Some(13.0)), (3.0, None)]
+        );
+        assert_eq!(tolerance_band(&curve, &[(0.0, 1.0)]), None);
+    }
 }

@@ -2,12 +2,34 @@
 
 use super::findings::add_warnings;
 use super::sensitivity::effect_text;
+use crate::commands::contact_list;
 use crate::commands::mass::{conditions, headline, method};
 use crate::files::html::Page;
 use crate::terminal::explanation::named_contact;
 use crate::terminal::limits;
 use crate::terminal::text::{number, short_number, triple, upper_bound, within_uncertainty};
-use percuss_study::{MassReport, StudyMass};
+use percuss_study::{ContactListReport, MassReport, StudyMass};
+
+/// Adds the results of all contacts of a study with several, before all sections.
+pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
+    let count = listed.contacts.iter().filter(|contact| contact.report.is_some()).count();
+    page.open_result(&format!("m̄ at {count} contacts"));
+    page.table(contact_list::mass_table(listed).rows());
+    if let Some(dampers) = contact_list::damper_table(listed) {
+        page.table(dampers.rows());
+    }
+    page.close_result();
+    page.paragraph("soft", &contact_list::explanation(listed).replace('\n', " "));
+    for contact in &listed.contacts {
+        if let Some(problem) = &contact.problem {
+            page.warning(&format!("{}: {problem}", contact.name));
+        }
+    }
+    add_warnings(&listed.diagnostics, page);
+    if let Some(first) = listed.contacts.first() {
+        page.paragraph("", &format!("The details below are those of the first contact, {}.", first.name));
+    }
+}
 
 /// Adds the result before all sections: the number, its uncertainty, the contact, and the findings.
 pub(super) fn add_result(report: &MassReport, requested: &StudyMass, page: &mut Page) {
@@ -107,6 +129,9 @@ pub(super) fn add_motion_ratios(report: &MassReport, page: &mut Page) {
         [ratio.link.clone(), triple(&ratio.direction), number(ratio.wheel_per_contact), inverse]
     }));
     page.table(&rows);
+    if let Some(joint) = report.motion_ratios.iter().find_map(|ratio| ratio.held.as_ref()) {
+        page.paragraph("soft", &format!("The ratios of the wheel are those with the joint {joint} held."));
+    }
     let of_impact: Vec<&str> = report
         .motion_ratios
         .iter()

@@ -19,6 +19,9 @@ pub(super) fn text(
     inputs: &[Input],
 ) -> Result<String, Failure> {
     let mut page = Page::new(&head(results, study, args));
+    if let Some(listed) = &results.listed {
+        contact::add_contact_list(listed, &mut page);
+    }
     if let Some(report) = &results.mass {
         contact::add_result(report, &study.mass, &mut page);
     }
@@ -63,6 +66,9 @@ pub(super) fn text(
 fn head(results: &StudyResults, study: &StudyFile, args: &RunArgs) -> Head {
     let given = &study.report;
     let default = || match &results.mass {
+        Some(_) if results.listed.is_some() => {
+            format!("Effective mass at {} contacts of {}", study.contacts.len(), study.model.mechanism.name())
+        }
         Some(report) => match &report.named_contact {
             Some(contact) => format!("Effective mass at {}", contact.name),
             None => format!("Effective mass at {}", report.contact.link),

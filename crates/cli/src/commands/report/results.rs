@@ -3,14 +3,16 @@
 use super::sweep::{SweepSection, run_sweep};
 use crate::args::RunArgs;
 use crate::commands::compare;
+use crate::commands::contact_list;
 use crate::commands::damp;
 use crate::commands::impacts::safe_speed;
 use crate::commands::mass::MassRequests;
 use crate::terminal::failure::Failure;
 use percuss_study::{
-    CheckReport, ComparisonReport, DampingReport, DiagnosticRecord, DrawnMechanism, ImpactReport, Input,
-    MapAnswer, MassReport, Names, PointMapReport, SafeSpeedReport, StudyFile, StudyMapQuestion,
-    check as check_of, draw_mechanism, impact as impact_of, map as map_of, map_point, mass_with_drawing,
+    CheckReport, ComparisonReport, ContactListReport, DampingReport, DiagnosticRecord, DrawnMechanism,
+    ImpactReport, Input, MapAnswer, MassReport, Names, PointMapReport, SafeSpeedReport, StudyFile,
+    StudyMapQuestion, check as check_of, draw_mechanism, impact as impact_of, map as map_of, map_point,
+    mass_with_drawing,
 };
 
 /// Result of a map.
@@ -22,6 +24,8 @@ pub(super) enum MapResult {
 /// Results of all questions of a study.
 pub(super) struct StudyResults {
     pub mass: Option<MassReport>,
+    /// List of all contacts of a study with several.
+    pub listed: Option<ContactListReport>,
     pub mechanism: DrawnMechanism,
     /// Contents of the model; only for a study without a contact.
     pub contents: Option<CheckReport>,
@@ -42,6 +46,8 @@ impl StudyResults {
             Some(question) => {
                 let damping = damping.map(|damping| &damping.question);
                 let (mut mass, mechanism) = mass_with_drawing(&study.model, question, damping)?;
+                mass.point_in_sheet =
+                    study.model.contact_in_sheet(&mass.contact.point_world, &mass.contact.normal_world);
                 MassRequests::from_study(&study.mass).add_to(&mut mass, &study.model, question)?;
                 (Some(mass), mechanism, None)
             }
@@ -49,7 +55,7 @@ impl StudyResults {
         };
         let stop = damping.filter(|damping| damping.stop.is_some());
         let stop = stop.map(|damping| damp::study_report(study, damping)).transpose()?;
-        let compared = if study.variants.is_empty() {
+        let compared = if study.variants.is_empty() && study.contacts.is_empty() {
             None
         } else {
             let compared = percuss_study::compare(&study.designs(&compare::study_name(&args.study)));
@@ -70,7 +76,8 @@ impl StudyResults {
         let impact =
             impact.map(|(question, requested)| impact_of(&study.model, question, requested)).transpose()?;
         let sweep = study.sweep.as_ref().map(|requested| run_sweep(study, requested)).transpose()?;
-        Ok(Self { mass, mechanism, contents, stop, impact, sweep, compared, mapped, speeds })
+        let listed = if study.contacts.is_empty() { None } else { Some(contact_list::of_study(study)?) };
+        Ok(Self { mass, listed, mechanism, contents, stop, impact, sweep, compared, mapped, speeds })
     }
 
     /// Input files of all results, without duplicates.
@@ -105,6 +112,7 @@ impl StudyResults {
         });
         let speeds = self.speeds.iter().flatten().flat_map(|report| &report.diagnostics);
         let own = self.mass.iter().flat_map(|mass| &mass.diagnostics);
+        let own = own.chain(self.listed.iter().flat_map(|listed| &listed.diagnostics));
         let own = own.chain(self.contents.iter().flat_map(|contents| &contents.diagnostics));
         let own = own.chain(self.stop.iter().flat_map(|stop| &stop.diagnostics));
         let own = own.chain(self.impact.iter().flat_map(|impact| &impact.diagnostics));
@@ -122,6 +130,7 @@ impl StudyResults {
     /// safe speed.
     pub fn json(&self) -> Result<String, Failure> {
         let text = match (&self.mass, &self.stop, &self.mapped, &self.speeds) {
+            (Some(_), ..) if self.listed.is_some() => serde_json::to_string_pretty(&self.listed),
             (Some(mass), ..) => serde_json::to_string_pretty(mass),
             (None, Some(stop), ..) => serde_json::to_string_pretty(stop),
             (None, None, Some(MapResult::Surfaces(answer)), _) => {

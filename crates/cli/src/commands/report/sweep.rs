@@ -1,11 +1,11 @@
 //! Sweep of a study: table, figure and values of some rows.
 
-use super::bands::tolerance_bars;
+use super::bands::{tolerance_band, tolerances_over};
 use super::findings::add_warnings;
 use crate::files::csv::SweepTable;
 use crate::files::html::Page;
 use crate::files::table_style::TableStyle;
-use crate::pictures::clipping::clip_outliers;
+use crate::pictures::clipping::{clip_outliers, remove_flat_panels};
 use crate::pictures::sweep_figure::{axis_unit, motion_ratio_name, sweep_figure};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
@@ -21,7 +21,7 @@ pub(super) struct SweepSection {
     pub end: SweepEnd,
     pub inputs: Vec<Input>,
     /// Figure and caption, or the reason for no figure.
-    picture: Result<(String, String), &'static str>,
+    picture: Result<(String, String), String>,
     least: Option<f64>,
     greatest: Option<f64>,
     /// Name of the motion ratio.
@@ -76,16 +76,22 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<Swe
             figure.subtitle = model.map_or_else(String::new, |name| name.to_string_lossy().into_owned());
             let mut caption = clip_outliers(&mut figure);
             let scale = varied.as_ref().map_or(1.0, |(_, (scale, _))| *scale);
-            let bars = tolerance_bars(study, &requested.rows, &values, scale)?;
-            if let (Some(bars), Some(panel)) = (bars, figure.panels.first_mut()) {
-                panel.series.push(bars);
-                caption += " The bars are the first-order effect of the tolerances.";
+            let tolerances = tolerances_over(study, &requested.rows, &values, scale)?;
+            if let Some(panel) = figure.panels.first_mut()
+                && let Some(band) =
+                    panel.series.first().and_then(|mass| tolerance_band(&mass.points, &tolerances))
+            {
+                panel.series.push(band);
+                caption += " The band is the first-order effect of the tolerances.";
             }
-            Ok((figure.to_svg(), caption))
+            let constants = remove_flat_panels(&mut figure);
+            let caption = [constants, caption].join(" ").trim().to_owned();
+            if figure.panels.is_empty() { Err(caption) } else { Ok((figure.to_svg(), caption)) }
         }
         // The picture cannot show this sweep; the table contains it.
         Err(_) => Err(
-            "No picture: a picture shows one range, or one curve for each value of the first of two ranges.",
+            "No picture: a picture shows one range, or one curve for each value of the first of two ranges."
+                .to_owned(),
         ),
     };
     let column = varied.map_or_else(String::new, |(name, (_, unit))| match unit {

@@ -6,7 +6,9 @@ use crate::model::record::DiagnosticRecord;
 use crate::pose::pose_solver;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
-use crate::reports::drawing::link_lines::{centre_of_mass, characteristic_points, link_lines};
+use crate::reports::drawing::link_lines::{
+    centre_of_mass, characteristic_points, hardpoint_name, link_lines,
+};
 use crate::reports::drawing::shape_reader::ShapeReader;
 use crate::thresholds::TOUCH_TOLERANCE;
 use percuss_dynamics::{ContactResponse, Gap, PointVelocity, Pose};
@@ -37,7 +39,7 @@ pub struct DrawnLink {
 /// Named point of a mechanism: a movable joint or the end of a loop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnPoint {
-    /// Name, or several names of parts at one position.
+    /// Name of a hardpoint of a sheet or of a part, or several names at one position.
     pub name: String,
     /// Position in the world frame, m.
     pub at: [f64; 3],
@@ -127,7 +129,7 @@ fn draw_pose(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> 
     let mut shapes = ShapeReader::new(model);
     let mut drawing = DrawnMechanism {
         wheels: mechanism.link_ids().filter_map(|id| wheel(mechanism, pose, id)).collect(),
-        points: named_points(mechanism, pose),
+        points: named_points(model, pose),
         elements: mechanism
             .contacts()
             .iter()
@@ -152,29 +154,39 @@ fn draw_pose(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> 
     drawing
 }
 
-/// Movable joints and ends of loops. A loop with both ends at one point is one point.
-fn named_points(mechanism: &Mechanism, pose: &Pose) -> Vec<DrawnPoint> {
+/// Movable joints and ends of loops, by the name of the hardpoint of a sheet at the place, if any. A loop with both ends at one point is
+/// one point.
+fn named_points(model: &Model, pose: &Pose) -> Vec<DrawnPoint> {
+    let mechanism = &*model.mechanism;
     let moves = |joint: &&percuss_mechanism::Joint| !matches!(joint.kind(), JointKind::Fixed);
-    let joints = mechanism.joints().iter().filter(moves).map(|joint| DrawnPoint {
-        name: joint.name().to_owned(),
-        at: pose.link(joint.parent()).point(&joint.origin().point(&Vector3::zeros())).into(),
+    let joints = mechanism.joints().iter().filter(moves).map(|joint| {
+        let (parent, origin) = (joint.parent(), joint.origin().point(&Vector3::zeros()));
+        let hardpoint = hardpoint_name(model, joint.name(), parent, &origin);
+        DrawnPoint {
+            name: hardpoint.unwrap_or_else(|| joint.name().to_owned()),
+            at: pose.link(parent).point(&origin).into(),
+        }
     });
     let of_loop = |closure: &percuss_mechanism::Closure| {
         let ends = [closure.predecessor(), closure.successor()];
         let at = |end: &percuss_mechanism::LoopFrame| {
             let point = end.frame.point(&Vector3::zeros());
-            Some((mechanism.link(end.link?).name(), pose.link(end.link?).point(&point)))
+            let hardpoint = hardpoint_name(model, closure.name(), end.link?, &point);
+            Some((mechanism.link(end.link?).name(), pose.link(end.link?).point(&point), hardpoint))
         };
-        let ends: Vec<(&str, Vector3<f64>)> = ends.into_iter().filter_map(at).collect();
+        let ends: Vec<(&str, Vector3<f64>, Option<String>)> = ends.into_iter().filter_map(at).collect();
         let is_one = match ends[..] {
-            [(_, a), (_, b)] => (a - b).norm() <= TOUCH_TOLERANCE * mechanism.characteristic_length(),
+            [(_, a, _), (_, b, _)] => (a - b).norm() <= TOUCH_TOLERANCE * mechanism.characteristic_length(),
             _ => true,
         };
         let name = |link: &str| match is_one {
             true => closure.name().to_owned(),
             false => format!("{} on {link}", closure.name()),
         };
-        let points = ends.iter().map(|(link, at)| DrawnPoint { name: name(link), at: (*at).into() });
+        let points = ends.iter().map(|(link, at, hardpoint)| DrawnPoint {
+            name: hardpoint.clone().unwrap_or_else(|| name(link)),
+            at: (*at).into(),
+        });
         points.take(if is_one { 1 } else { 2 }).collect::<Vec<_>>()
     };
     let all = joints.chain(mechanism.closures().iter().flat_map(of_loop));
@@ -187,6 +199,7 @@ fn merge_points(points: impl Iterator<Item = DrawnPoint>, tolerance: f64) -> Vec
     for point in points {
         let at = Vector3::from(point.at);
         match merged.iter_mut().find(|other| (Vector3::from(other.at) - at).norm() <= tolerance) {
+            Some(other) if other.name == point.name => {}
             Some(other) => {
                 // The prefix up to the last underscore that both names share is written once.
                 let shared = other.name.bytes().zip(point.name.bytes()).take_while(|(a, b)| a == b).count();

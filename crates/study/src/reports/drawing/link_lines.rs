@@ -2,6 +2,7 @@
 
 use crate::model::loading::Model;
 use crate::model::wheel_points::SIDES;
+use crate::thresholds::TOUCH_TOLERANCE;
 use percuss_mechanism::{LinkId, Mechanism};
 use percuss_spatial::Vector3;
 use percuss_suspension::Line;
@@ -76,6 +77,28 @@ pub(super) fn design_point_in_link(mechanism: &Mechanism, link: LinkId, at: Vect
         above = mechanism.joint(joint).parent();
     }
     joints.into_iter().rev().fold(at, |at, joint| mechanism.joint(joint).origin().inverse_point(&at))
+}
+
+/// Name of the hardpoint of the sheet at a point of a link (link frame, m) as drawn; `None` for a model without a sheet, and away from
+/// the hardpoints. `part`: name of a part at the point; its side is added to the name.
+pub(super) fn hardpoint_name(
+    model: &Model,
+    part: &str,
+    link: LinkId,
+    point: &Vector3<f64>,
+) -> Option<String> {
+    let origin = model.origin.sheet.as_deref()?;
+    let side = SIDES.into_iter().find(|side| part.ends_with(side)).unwrap_or_default();
+    let tolerance = TOUCH_TOLERANCE * model.mechanism.characteristic_length();
+    let is_here = |(_, coordinates): &&(String, [f64; 3])| {
+        let left = origin.axes.to_iso(Vector3::from(*coordinates));
+        [1.0, -1.0].into_iter().any(|mirror| {
+            let world = Vector3::new(left.x, mirror * left.y, left.z);
+            (design_point_in_link(&model.mechanism, link, world) - point).norm() <= tolerance
+        })
+    };
+    let (name, _) = origin.kinematics.coordinates.iter().find(is_here)?;
+    Some(format!("{name}{side}"))
 }
 
 /// Point of some lines that is nearest to a point.

@@ -108,7 +108,8 @@ pub fn extremes(
     let ranges = ranges(&prepared, extremes)?;
     let starts = if extremes.starts == 0 { DEFAULT_STARTS } else { extremes.starts.min(MOST_STARTS) };
     let search = |extreme| {
-        extreme_effective_mass(&prepared.system, &prepared.configuration, &contact, &ranges, extreme, starts)
+        let (system, configuration) = (&prepared.system, &prepared.configuration);
+        extreme_effective_mass(system, configuration, &contact, prepared.wheel(), &ranges, extreme, starts)
             .map_err(|error| match error {
                 ExtremesError::Assembly(error) => StudyError::from(error),
                 ExtremesError::Contact(error) => StudyError::from(error),

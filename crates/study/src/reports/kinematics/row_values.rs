@@ -1,6 +1,6 @@
 //! All quantities of a suspension at one pose.
 
-use crate::model::wheel_points::LowestPoint;
+use crate::model::wheel_points::wheel_of_patch;
 use crate::reports::kinematics::force_element::{ElementRates, ForceElement};
 use crate::reports::kinematics::linkage_motion::{Linkage, LinkageMotion};
 use crate::reports::kinematics::question::{AxlePosition, TorqueReaction, VehicleData};
@@ -217,7 +217,7 @@ impl<'k> RowEvaluation<'k> {
         let mut inverse = Matrix2::zeros();
         for (i, patch) in patches.iter().enumerate() {
             let Some(patch) = patch else { return patches.iter().map(|_| Err(no_radius())).collect() };
-            let lowest = LowestPoint::of(mechanism, patch).and_then(|wheel| wheel.at(pose));
+            let lowest = wheel_of_patch(mechanism, patch).and_then(|wheel| wheel.at(pose));
             let contact = Contact {
                 point: lowest.unwrap_or(*patch.point()),
                 ..Contact::named(patch, mechanism.root())
@@ -238,7 +238,7 @@ impl<'k> RowEvaluation<'k> {
                 let ratio = if i == j {
                     1.0
                 } else {
-                    let lowest = LowestPoint::of(mechanism, other).and_then(|wheel| wheel.at(pose));
+                    let lowest = wheel_of_patch(mechanism, other).and_then(|wheel| wheel.at(pose));
                     match pose.point_velocity(&response, other.link(), &lowest.unwrap_or(*other.point())) {
                         Some(PointVelocity::Known(v)) => -v.z,
                         _ => return patches.iter().map(|_| Err("undetermined".to_owned())).collect(),

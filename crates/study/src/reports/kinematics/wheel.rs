@@ -1,10 +1,9 @@
 //! Geometry of a wheel at a pose: camber, toe, steering axis, contact point. Definitions of ISO 8855 and SAE J670, in the
 //! vehicle's axes; the ground is the horizontal plane through the contact point.
 
-use crate::model::wheel_points::lowest_point;
 use crate::reports::kinematics::linkage_motion::{LinkageMotion, LinkedPoint};
 use nalgebra::Vector3;
-use percuss_dynamics::Pose;
+use percuss_dynamics::{LowestPoint, Pose};
 use percuss_mechanism::{JointId, LinkId};
 
 /// Parts of a wheel in the mechanism.
@@ -50,7 +49,7 @@ impl WheelParts {
         let centre = pose.link(self.centre).translation;
         let axis = pose.link(self.spindle).vector(pose.mechanism().joint(self.spin).axis());
         let outward = if axis.y * self.sign < 0.0 { -axis } else { axis };
-        let contact = self.radius.and_then(|radius| lowest_point(&centre, &outward, radius));
+        let contact = self.radius.and_then(|radius| LowestPoint::of_circle(&centre, &outward, radius));
         WheelState { centre, outward, contact, sign: self.sign }
     }
 

@@ -68,7 +68,11 @@ impl From<BaseName> for Base {
 #[cfg_attr(feature = "flags", derive(clap::Args))]
 #[serde(deny_unknown_fields, default)]
 pub struct ContactTable {
-    /// Named contact of the model, such as bump_stop; a stop is brought to the touch. mass --at all: a table.
+    /// Name in tables and figures, in a study with several contacts; default: `at`, or the link.
+    #[cfg_attr(feature = "flags", arg(skip))]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Named contact of the model, such as bump_stop; a stop is brought to the touch. all: a table.
     ///
     /// Suspension sheets name their stops, spring and damper seats and contact patches; a URDF does so by `<contact>`. The
     /// mechanism moves until the gap of a stop is closed, unless a travel or a file gives the pose. On a vehicle with
