@@ -230,7 +230,7 @@ impl Entries {
         Some((Vector3::new(along.x, mirror * along.y, along.z), spot))
     }
 
-    /// Reads a flag.
+    /// Reads true or false; `None` if absent or, with an error, if of another type.
     pub fn switch(&mut self, findings: &mut Findings, key: &str) -> Option<bool> {
         let (cells, spot) = self.find(key)?;
         let found = match &cells[..] {
