@@ -107,11 +107,10 @@ pub(super) fn response_after_elimination<T: Lanes>(
     // Frames fixed to the root link are rounded at their distance from its origin.
     let far = far + T::from_f64(plan.centre.norm() / 2.0);
     let distant = far * T::from_f64(1.0 / plan.length);
-    // Error of the positions: the step that would close the loops, and at least the residual itself.
-    let open = fill_steps::<T>(plan, scratch)
-        .mul_add(T::from_f64(OPEN_ROUNDINGS / (f64::EPSILON * plan.length)), rows.open);
-    let entries = rows.rods + open + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
-    let mut answer: LoopResponse<T> = solve_response(plan, contact, (entries, least), false, scratch);
+    let other = rows.rods + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
+    // Error of the positions: the residual of the loops divided by the pivots, and at least the residual itself.
+    let open = rows.open * (least * T::from_f64(plan.scale)).max(T::one());
+    let mut answer: LoopResponse<T> = solve_response(plan, contact, (other + open, least), false, scratch);
     let mut quick = [0.0; WIDEST];
     answer.error.store(&mut quick);
     // The quick bound is enough for most configurations. Lanes for which it is enough keep it, so that their results do not depend on
@@ -122,7 +121,10 @@ pub(super) fn response_after_elimination<T: Lanes>(
     let is_clear = excess.map(|excess| excess <= 0.0);
     if is_clear[..T::WIDTH].contains(&false) {
         fill_rate_errors(plan, least, scratch);
-        let refined: LoopResponse<T> = solve_response(plan, contact, (entries, least), true, scratch);
+        // The step that would close the loops.
+        let per_metre = T::from_f64(OPEN_ROUNDINGS / (f64::EPSILON * plan.length));
+        let open = smaller(fill_steps::<T>(plan, scratch).mul_add(per_metre, rows.open), open);
+        let refined: LoopResponse<T> = solve_response(plan, contact, (other + open, least), true, scratch);
         let mut errors = [0.0; WIDEST];
         refined.error.store(&mut errors);
         for lane in (0..T::WIDTH).filter(|lane| is_clear[*lane]) {

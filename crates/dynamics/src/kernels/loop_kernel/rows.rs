@@ -196,15 +196,12 @@ fn add_row<T: Lanes>(
     }
 }
 
-/// Eliminates the dependent coordinates in the order of the plan, also in the residuals; fills the growth of the errors. Returns the
+/// Eliminates the dependent coordinates in the order of the plan. The entries below the pivots are kept. Returns the
 /// largest 1/|pivot|, or a larger value than any such quotient if a redundant row is not redundant here.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn eliminate<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) -> T {
     let (n, rows) = (plan.columns, plan.layout.rows);
     let mut least = T::zero();
-    for row in 0..plan.layout.rate_errors - plan.layout.growth {
-        store(scratch, plan.layout.growth + row, T::one());
-    }
     for (k, pivot) in plan.pivots.iter().enumerate() {
         let over = T::one() / get::<T>(scratch, rows + k * n + k);
         least = least.max(over.abs());
@@ -215,15 +212,6 @@ pub(super) fn eliminate<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) -> T {
                 let to = rows + r * n + c;
                 store(scratch, to, get::<T>(scratch, rows + k * n + c).mul_add(factor, get(scratch, to)));
             }
-            let to = plan.layout.growth + r;
-            store(
-                scratch,
-                to,
-                get::<T>(scratch, plan.layout.growth + k).mul_add(factor.abs(), get(scratch, to)),
-            );
-            let to = plan.layout.residuals + r;
-            let own: T = get(scratch, plan.layout.residuals + k);
-            store(scratch, to, own.mul_add(factor, get(scratch, to)));
         }
     }
     let mut left = T::zero();
@@ -234,10 +222,24 @@ pub(super) fn eliminate<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) -> T {
     excess.mul_add(T::from_f64(f64::MAX), least)
 }
 
-/// Newton steps of the dependent coordinates, m, after the elimination: A\[d\] δ = −r. Returns ‖δ‖.
+/// Factor of pivot row `k` that was added to row `r` in the elimination.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn factor<T: Lanes>(plan: &LoopPlan, k: usize, r: usize, scratch: &[f64]) -> T {
+    let below: T = get(scratch, plan.layout.rows + r * plan.columns + k);
+    -(below * get::<T>(scratch, plan.layout.inverse_pivots + k))
+}
+
+/// Newton steps of the dependent coordinates, m, after the elimination of A: A\[d\] δ = −r. Eliminates the residuals. Returns ‖δ‖.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn fill_steps<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) -> T {
     let (n, rank) = (plan.columns, plan.layout.count);
+    for (k, pivot) in plan.pivots.iter().enumerate() {
+        let own: T = get(scratch, plan.layout.residuals + k);
+        for &r in &pivot.rows {
+            let to = plan.layout.residuals + r;
+            store(scratch, to, own.mul_add(factor(plan, k, r, scratch), get(scratch, to)));
+        }
+    }
     let mut square = T::zero();
     let mut k = rank;
     while k > 0 {
@@ -293,7 +295,17 @@ pub(super) fn fill_rates<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) {
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn fill_rate_errors<T: Lanes>(plan: &LoopPlan, least: T, scratch: &mut [f64]) {
     let (n, f, rank) = (plan.columns, plan.freedoms, plan.layout.count);
-    let (rates, errors) = (plan.layout.rates, plan.layout.rate_errors);
+    let (rates, errors, growth) = (plan.layout.rates, plan.layout.rate_errors, plan.layout.growth);
+    for row in 0..errors - growth {
+        store(scratch, growth + row, T::one());
+    }
+    for (k, pivot) in plan.pivots.iter().enumerate() {
+        let own: T = get(scratch, growth + k);
+        for &r in &pivot.rows {
+            let factor: T = factor(plan, k, r, scratch);
+            store(scratch, growth + r, own.mul_add(factor.abs(), get(scratch, growth + r)));
+        }
+    }
     let mut y = 0;
     while y < f {
         let mut all = T::one();
@@ -315,7 +327,7 @@ pub(super) fn fill_rate_errors<T: Lanes>(plan: &LoopPlan, least: T, scratch: &mu
                         sum += get::<T>(scratch, rates + c * f + y).abs();
                     }
                 }
-                sum *= get::<T>(scratch, plan.layout.growth + k);
+                sum *= get::<T>(scratch, growth + k);
                 for &c in &plan.pivots[k].columns {
                     if c < rank {
                         let entry: T = get(scratch, plan.layout.rows + k * n + c);
