@@ -13,6 +13,7 @@ mod analysis;
 mod batch;
 mod dense;
 mod error;
+pub mod interruption;
 mod kernels;
 mod kinematics;
 mod linear;
@@ -31,6 +32,7 @@ pub use analysis::system::System;
 pub use batch::contact_map::{
     ContactColumns, ContactMap, ContactStatus, MapAnswers, MapError, PrincipalMass,
 };
+pub use batch::derivatives::BatchDerivatives;
 pub use batch::driven_path::{DrivenPath, PathAnswer};
 pub use batch::error::BatchError;
 pub use batch::row_contacts::BatchContacts;

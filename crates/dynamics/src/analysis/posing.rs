@@ -2,6 +2,7 @@
 
 use crate::analysis::assembly::Assembly;
 use crate::analysis::pose::Pose;
+use crate::interruption;
 use crate::kinematics::frames::Kinematics;
 use crate::loops::assembling::{AssemblyError, Closer, LoopState, Start};
 use crate::model::configuration::Configuration;
@@ -43,6 +44,7 @@ impl Assembly {
         configuration: &Configuration,
         from: Option<&Pose>,
     ) -> Result<Pose, AssemblyError> {
+        interruption::check();
         let model = self.pose_model();
         if !Arc::ptr_eq(configuration.mechanism(), &model.mechanism) {
             return Err(AssemblyError::ForeignConfiguration {

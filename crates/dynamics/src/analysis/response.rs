@@ -5,6 +5,7 @@ use crate::analysis::pose::Pose;
 use crate::analysis::routes::{RecursionWorkspace, RouteInput, RouteResult};
 use crate::dense::direct::Minimum;
 use crate::error::budget::ErrorBudget;
+use crate::interruption;
 use crate::kinematics::contact::{Contact, ContactError, LocatedContact};
 use crate::kinematics::outcome::{
     DenseReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError,
@@ -140,6 +141,7 @@ impl Pose {
         contact: &Contact,
         choice: RouteChoice,
     ) -> Result<ContactResponse, ResponseError> {
+        interruption::check();
         let located = self.locate(contact)?;
         let workspace = self.assembly.workspaces().acquire(self.assembly.model());
         let mut query = ContactQuery { pose: self, contact, located: &located, workspace };

@@ -5,7 +5,7 @@ use crate::analysis::response::{status, value};
 use crate::conversion::arrays::{float64_matrix, shape, triple};
 use crate::conversion::errors::input;
 use crate::conversion::labels::AXES;
-use crate::conversion::threads::detached;
+use crate::conversion::threads::{Threads, detached};
 use numpy::ndarray::ArrayView2;
 use numpy::{PyArray1, PyUntypedArrayMethods};
 use percuss::nalgebra::Vector3;
@@ -102,7 +102,7 @@ pub fn contact_map<'py>(
             points: [&points[0], &points[1], &points[2]],
             normals: [&normals[0], &normals[1], &normals[2]],
         };
-        detached(py, || map.fill_answers(contacts, &mut answers))?.map_err(input)?;
+        detached(py, Threads::of(None)?, || map.fill_answers(contacts, &mut answers))?.map_err(input)?;
         py.check_signals()?;
     }
     for ((mass, error), status) in masses.iter_mut().zip(&mut errors).zip(&statuses) {
