@@ -193,7 +193,10 @@ fn gradients_and_inverse_inertias_are_those_of_the_pose() {
     let columns = (&mut [0.0; 2][..], &mut [0.0; 2][..]);
     let positions = BatchPositions::Rows { values: &[0.0; 4], stride: 2 };
     let refused = batch.gradients(positions, None, columns, &mut [0.0; 3], |_, _| {});
-    assert!(matches!(refused, Err(BatchError::DerivativeCount { got: 3, configurations: 2, .. })), "{refused:?}");
+    assert!(
+        matches!(refused, Err(BatchError::DerivativeCount { got: 3, configurations: 2, .. })),
+        "{refused:?}"
+    );
 }
 
 /// Derivatives of a subject of two hinges or more.

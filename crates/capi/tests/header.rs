@@ -29,7 +29,7 @@ fn versions() -> String {
 }
 
 /// Types first, in reading order.
-const FILES: [&str; 13] = [
+const FILES: [&str; 14] = [
     "boundary/status",
     "version",
     "setup/model",
@@ -41,6 +41,7 @@ const FILES: [&str; 13] = [
     "evaluation/response",
     "evaluation/workspace",
     "evaluation/batch",
+    "evaluation/derivatives",
     "laws",
     "suspension",
 ];

@@ -42,7 +42,7 @@ pub use percuss_dynamics::{
     MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer, PointForce,
     PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops, Route,
     RouteChoice, RouteError, RowAnswer, RowHandler, RowPath, Singularity, StateSizeError, System, Travel,
-    TravelError, Workspace, effective_mass, input, interruption,
+    TravelError, Workspace, WorkspaceResponse, effective_mass, input, interruption,
 };
 #[doc(no_inline)]
 pub use percuss_formats::{

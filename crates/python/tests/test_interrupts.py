@@ -13,7 +13,7 @@ from cases import ROOT
 
 #: Calls that take several seconds, after the line `arm, tool = …`.
 CALLS = {
-    "tolerate": 'percuss.tolerate(arm, tool, "mass=2%,com=1mm", samples=10_000_000)',
+    "tolerate": 'percuss.tolerate(arm, tool, "mass=2%,com=1mm", samples=100_000)',
     "compare": 'percuss.compare([percuss.Design("a", arm, tool), percuss.Design("b", arm, tool)], random=3_000_000)',
     "safe_speed": 'percuss.safe_speed(arm, tool, "chest", force=140.0, random=10_000_000)',
     "sweep_report": "percuss.sweep_report(arm, tool, random=10_000_000)",

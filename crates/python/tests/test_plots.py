@@ -31,7 +31,7 @@ def test_a_map_colours_its_facets() -> None:
     ax = plots.plot_map(report)
     (drawn,) = ax.collections
     masses = np.concatenate([facets["effective_mass"] for facets in report.facets.values()])
-    assert np.sort(drawn.get_array()) == pytest.approx(np.sort(masses[np.isfinite(masses)]))
+    assert np.sort(np.asarray(drawn.get_array())) == pytest.approx(np.sort(masses[np.isfinite(masses)]))
     with pytest.raises(percuss.InputError, match="quantity"):
         plots.plot_map(report, quantity="colour")
 

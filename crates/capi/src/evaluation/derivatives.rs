@@ -278,8 +278,7 @@ fn run_task(
     }
     if let (Some(to), Ok(())) = (inverses, &done) {
         let columns = (masses, errors);
-        done =
-            threaded.batch.inverse_operational_inertias(positions, contacts, columns, to, &mut other);
+        done = threaded.batch.inverse_operational_inertias(positions, contacts, columns, to, &mut other);
     }
     done.map_err(|error| match error {
         BatchError::Contact { configuration, error } => {

@@ -23,6 +23,7 @@ pub use self::scale::PrincipalMass;
 use self::scale::{FreeWrenches, InertiaFactor};
 use crate::analysis::pose::Pose;
 use crate::batch::rows::BatchAnswer;
+use crate::interruption;
 use crate::kinematics::contact::{Contact, ContactError, ContactPart};
 use crate::kinematics::outcome::EffectiveMass;
 use crate::recursion::{Pivoting, Recursion};
@@ -156,6 +157,7 @@ impl ContactMap<'_> {
         contacts: ContactColumns<'_>,
         answers: &mut MapAnswers<'_>,
     ) -> Result<(), MapError> {
+        interruption::check();
         let expected = contacts.points[0].len();
         let lengths = contacts.points.iter().chain(&contacts.normals).map(|column| column.len());
         let outputs = [answers.masses.len(), answers.errors.len(), answers.statuses.len()];

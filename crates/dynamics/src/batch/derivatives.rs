@@ -49,13 +49,14 @@ impl Batch {
         let model = assembly.model();
         let kernel = DerivativeKernel::compile(model, contact);
         let (columns, values) = match &kernel {
-            Some(_) => {
-                (model.positions + LaneContacts::COUNT, velocity_count(assembly).max(INERTIA_NUMBERS))
-            }
+            Some(_) => (model.positions + LaneContacts::COUNT, velocity_count(assembly).max(INERTIA_NUMBERS)),
             None => (0, 0),
         };
-        let worker =
-            Worker { kernel, columns: Aligned::zeros(columns * BLOCK), values: Aligned::zeros(values * BLOCK) };
+        let worker = Worker {
+            kernel,
+            columns: Aligned::zeros(columns * BLOCK),
+            values: Aligned::zeros(values * BLOCK),
+        };
         BatchDerivatives { batch: self, worker, pool: WorkerPool::default() }
     }
 }
@@ -190,8 +191,7 @@ impl Worker {
                 self.fill_columns(assembly, &rows, start, (here, padded));
                 let Self { kernel: Some(kernel), columns, values } = self else { return };
                 let contact_column = assembly.model().positions;
-                let contacts =
-                    rows.contacts.contacts.map(|_| LaneContacts { first_column: contact_column });
+                let contacts = rows.contacts.contacts.map(|_| LaneContacts { first_column: contact_column });
                 let results = DerivativeColumns {
                     responses: &mut responses[..padded],
                     losses: &mut losses[..padded],

@@ -39,7 +39,9 @@ pub enum BatchError {
         errors: usize,
     },
     /// Wrong number of gradients or inverse inertias.
-    #[error("there is room for {got} numbers; expected {width} for each of the {configurations} configurations")]
+    #[error(
+        "there is room for {got} numbers; expected {width} for each of the {configurations} configurations"
+    )]
     DerivativeCount {
         /// Number of places.
         got: usize,

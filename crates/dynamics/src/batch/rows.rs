@@ -10,6 +10,7 @@ use crate::batch::error::BatchError;
 use crate::batch::pool::WorkerPool;
 use crate::batch::row_contacts::{BatchContacts, RowContacts, in_root_axes};
 use crate::batch::workspace::Workspace;
+use crate::interruption;
 use crate::kernels::aligned::Aligned;
 use crate::kernels::estimate::{CertifiedMass, LaneContacts, MassColumns, PositionColumns};
 use crate::kernels::lane_kernel::LaneKernel;
@@ -418,6 +419,7 @@ impl Worker {
             conversion = lanes.conversion();
         }
         for block in (0..count).step_by(BLOCK) {
+            interruption::check();
             let (start, here) = (first + block, BLOCK.min(count - block));
             let [mut masses, mut errors] = [[f64::NAN; BLOCK]; 2];
             if let Some(lanes) = in_lanes {

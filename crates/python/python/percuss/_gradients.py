@@ -37,7 +37,8 @@ def _columns(quaternion: _Array) -> _Array:
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
-def _rotation(quaternion: _Array) -> _Array:
+def rotation_of(quaternion: _Array) -> _Array:
+    """Rotation matrices (..., 3, 3) of unit quaternions w, x, y, z."""
     w, x, y, z = np.moveaxis(quaternion, -1, 0)
     rows = [
         [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -74,7 +75,7 @@ def position_gradient(model: Model, q: ArrayLike, gradient: ArrayLike) -> _Array
             out[..., start:stop] = 2 * np.einsum("...ij,...j->...i", _columns(positions[..., start:stop]), own)
         elif joint.kind == "floating":
             quaternion = positions[..., start + 3 : stop]
-            out[..., start : start + 3] = np.einsum("...ij,...j->...i", _rotation(quaternion), own[..., 3:])
+            out[..., start : start + 3] = np.einsum("...ij,...j->...i", rotation_of(quaternion), own[..., 3:])
             out[..., start + 3 : stop] = 2 * np.einsum("...ij,...j->...i", _columns(quaternion), own[..., :3])
         else:
             out[..., start:stop] += own
@@ -106,4 +107,4 @@ def model_of(model: Any) -> Model:
     return found
 
 
-__all__ = ["mass_and_gradient", "model_of", "multipliers", "position_gradient"]
+__all__ = ["mass_and_gradient", "model_of", "multipliers", "position_gradient", "rotation_of"]

@@ -31,6 +31,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._errors import InputError
+from ._gradients import rotation_of
 from ._percuss import Model, loads
 
 __all__ = ["Converter", "from_mujoco", "from_pinocchio"]
@@ -47,6 +48,7 @@ class _Block:
     layout: "plain" (the same numbers), "circle" (cosine and sine), "ball_last", "free_last" (quaternions with w last),
     "free_drake" (quaternion before translation), "planar_circle".
     twist: axes and order of the six velocities of a free joint: "same", "linear_first", "linear_parent", "parent".
+    drawn: position of the other program as drawn, which is zero in percuss: an angle, or x, y, z, w, x, y, z.
     """
 
     name: str
@@ -56,17 +58,35 @@ class _Block:
     other_velocity: slice
     layout: str = "plain"
     twist: str = "same"
+    drawn: tuple[float, ...] | None = None
+
+    def to_percuss(self, x: _Array) -> _Array:
+        found = _to_percuss(self.layout, x)
+        if self.drawn is None:
+            return found
+        if len(self.drawn) == 1:
+            return found - self.drawn[0]
+        drawn = np.asarray(self.drawn)
+        back = np.swapaxes(rotation_of(drawn[3:]), -1, -2)
+        inverse = drawn[3:] * np.array([1.0, -1.0, -1.0, -1.0])
+        return np.concatenate([_turn(back, found[..., :3] - drawn[:3]), _product(inverse, found[..., 3:])], axis=-1)
+
+    def from_percuss(self, x: _Array) -> _Array:
+        found = x
+        if self.drawn is not None and len(self.drawn) == 1:
+            found = x + self.drawn[0]
+        elif self.drawn is not None:
+            drawn = np.asarray(self.drawn)
+            moved = _turn(rotation_of(drawn[3:]), x[..., :3]) + drawn[:3]
+            found = np.concatenate([moved, _product(drawn[3:], x[..., 3:])], axis=-1)
+        return _from_percuss(self.layout, found)
 
 
-def _rotation(quaternion: _Array) -> _Array:
-    """Rotation matrices (..., 3, 3) of unit quaternions w, x, y, z."""
-    w, x, y, z = np.moveaxis(quaternion, -1, 0)
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+def _product(a: _Array, b: _Array) -> _Array:
+    """Products of quaternions w, x, y, z."""
+    w = a[..., :1] * b[..., :1] - np.sum(a[..., 1:] * b[..., 1:], axis=-1, keepdims=True)
+    v = a[..., :1] * b[..., 1:] + b[..., :1] * a[..., 1:] + np.cross(a[..., 1:], b[..., 1:])
+    return np.concatenate([w, v], axis=-1)
 
 
 def _to_percuss(layout: str, x: _Array) -> _Array:
@@ -98,7 +118,8 @@ def _from_percuss(layout: str, x: _Array) -> _Array:
 
 
 def _turn(rotation: _Array, v: _Array) -> _Array:
-    return np.einsum("...ij,...j->...i", rotation, v)
+    turned: _Array = np.einsum("...ij,...j->...i", rotation, v)
+    return turned
 
 
 def _twist_to_percuss(twist: str, v: _Array, rotation: _Array | None) -> _Array:
@@ -162,6 +183,8 @@ class Converter:
     def of_mujoco(cls, model: Model, other: Any) -> Converter:
         """For a mujoco.MjModel with joints of the same names; a free joint of another name is that of the base."""
         joints: dict[str, tuple[slice, slice, str]] = {}
+        # In percuss, and in its reader of MJCF, a joint is at zero as drawn.
+        drawn: dict[str, tuple[float, ...]] = {}
         # Free, ball, slide, hinge: mjtJoint.
         widths = [(7, 6), (4, 3), (1, 1), (1, 1)]
         for number in range(int(other.njnt)):
@@ -169,11 +192,13 @@ class Converter:
             q, v = int(other.jnt_qposadr[number]), int(other.jnt_dofadr[number])
             nq, nv = widths[kind]
             joints[name or f"joint {number}"] = (slice(q, q + nq), slice(v, v + nv), "free" if kind == 0 else "")
+            if kind != 1:
+                drawn[name or f"joint {number}"] = tuple(float(x) for x in other.qpos0[q : q + nq])
 
         def layout(kind: str, _: int) -> tuple[str, str]:
             return "plain", ("linear_parent" if kind == "floating" else "same")
 
-        return cls._of(model, "MuJoCo", int(other.nq), int(other.nv), joints, layout)
+        return cls._of(model, "MuJoCo", int(other.nq), int(other.nv), joints, layout, drawn=drawn)
 
     @classmethod
     def of_drake(cls, model: Model, plant: Any, instance: Any = None) -> Converter:
@@ -218,6 +243,7 @@ class Converter:
         joints: Mapping[str, tuple[slice, slice, str]],
         layout: Any,
         partial: bool = False,
+        drawn: Mapping[str, tuple[float, ...]] | None = None,
     ) -> Converter:
         blocks: list[_Block] = []
         first_velocity, missing = 0, []
@@ -242,7 +268,8 @@ class Converter:
                 raise InputError(
                     f'joint "{joint.name}" ({joint.kind}) has {q.stop - q.start} positions in {program}; expected {expected}'
                 )
-            blocks.append(_Block(joint.name, own, q, own_velocity, v, how, twist))
+            at_zero = (drawn or {}).get(joint.name)
+            blocks.append(_Block(joint.name, own, q, own_velocity, v, how, twist, at_zero))
         if missing:
             raise InputError(
                 f"{program} has no joint {', '.join(map(repr, missing))}; it has {', '.join(map(repr, joints))}. "
@@ -276,7 +303,7 @@ class Converter:
             if joint.kind in ("spherical", "floating"):
                 out[..., joint.positions[0] + (0 if joint.kind == "spherical" else 3)] = 1.0
         for block in self.blocks:
-            out[..., block.own] = _to_percuss(block.layout, found[..., block.other])
+            out[..., block.own] = block.to_percuss(found[..., block.other])
         return out
 
     def from_positions(self, q: ArrayLike, base_pose: ArrayLike | None = None) -> _Array:
@@ -284,7 +311,7 @@ class Converter:
         found = self._checked(q, "q", self.model.position_count, "percuss")
         out = np.zeros((*found.shape[:-1], self.position_count))
         for block in self.blocks:
-            out[..., block.other] = _from_percuss(block.layout, found[..., block.own])
+            out[..., block.other] = block.from_percuss(found[..., block.own])
         if self.base is not None:
             pose = np.asarray([0, 0, 0, 1, 0, 0, 0] if base_pose is None else base_pose, dtype=np.float64)
             out[..., self.base.other] = _from_percuss(self.base.layout, pose)
@@ -332,7 +359,8 @@ class Converter:
             )
         if block.twist == "planar_child":
             return None
-        return _rotation(own[..., block.own][..., 3:])
+        # From the axes of the child to those of the parent of the other program, the world of MuJoCo.
+        return rotation_of(_to_percuss(block.layout, block.from_percuss(own[..., block.own]))[..., 3:])
 
 
 def _plane(v: _Array, angle: _Array, sense: float) -> _Array:

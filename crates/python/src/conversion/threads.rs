@@ -109,11 +109,7 @@ pub fn record_process() {
 ///
 /// # Errors
 /// RuntimeError: threads cannot be started.
-pub fn detached<T: Send>(
-    py: Python<'_>,
-    threads: Threads,
-    work: impl FnOnce() -> T + Send,
-) -> PyResult<T> {
+pub fn detached<T: Send>(py: Python<'_>, threads: Threads, work: impl FnOnce() -> T + Send) -> PyResult<T> {
     let pool = threads.pool(false)?;
     Ok(py.detach(|| match pool {
         None => work(),

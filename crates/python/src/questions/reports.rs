@@ -282,7 +282,8 @@ pub fn compare(
 #[pyfunction]
 pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<String> {
     let path = path.to_string_lossy().into_owned();
-    let study = interruptible(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
+    let study =
+        interruptible(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
     errors::warn(py, &study.model.diagnostics)?;
     comparison_json(py, &study.designs(name))
 }
@@ -310,7 +311,8 @@ pub fn starting_study(py: Python<'_>, model: &Model, path: PathBuf) -> PyResult<
 #[pyfunction]
 pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
     let path = path.to_string_lossy().into_owned();
-    let study = interruptible(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
+    let study =
+        interruptible(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
     errors::warn(py, &study.model.diagnostics)?;
     match (&study.question, &study.sweep) {
         (Some(question), Some(sweep)) => {
@@ -331,7 +333,8 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
 /// Runs a study without a contact: a stop, a map, a safe speed.
 fn run_without_contact(py: Python<'_>, study: &StudyFile) -> PyResult<String> {
     if let Some(study::StudyDamping { question, stop: Some((stop, conditions)), .. }) = &study.damping {
-        let report = interruptible(py, || study::damp_stop(&study.model, stop, conditions.clone(), question))?;
+        let report =
+            interruptible(py, || study::damp_stop(&study.model, stop, conditions.clone(), question))?;
         return json(&report.map_err(errors::study)?);
     }
     match (study.map.as_ref().map(|map| &map.question), &study.safe_speed) {

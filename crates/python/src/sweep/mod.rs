@@ -383,16 +383,7 @@ pub fn sweep_of_arrays(
     gradient: Option<Py<PyArray2<f64>>>,
     inverse_operational_inertia: Option<Py<PyArray3<f64>>>,
 ) -> Sweep {
-    Sweep {
-        effective_mass,
-        error,
-        status,
-        remarks,
-        gradient,
-        inverse_operational_inertia,
-        link,
-        no_answer,
-    }
+    Sweep { effective_mass, error, status, remarks, gradient, inverse_operational_inertia, link, no_answer }
 }
 
 #[pymethods]

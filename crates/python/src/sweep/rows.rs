@@ -8,8 +8,10 @@ use crate::sweep::columns::{Columns, MASSLESS_TO_ROUNDING};
 use crate::sweep::portions::{Progress, run_timed_portions};
 use crate::sweep::row_contacts::RowContacts;
 use numpy::ndarray::{ArrayView2, s};
-use numpy::{PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
-use percuss::{BatchAnswer, BatchDerivatives, BatchError, BatchPositions, Configuration, JointId, RemarkFlags};
+use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
+use percuss::{
+    BatchAnswer, BatchDerivatives, BatchError, BatchPositions, Configuration, JointId, RemarkFlags,
+};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -239,4 +241,3 @@ pub fn solve_tree(
         columns,
     )
 }
-

@@ -28,7 +28,7 @@ JOINT = """<joint name="{0}" type="{1}"><parent link="{2}"/><child link="{3}"/><
 
 def check(what, found, expected):
     global passed, failed
-    found, expected = np.asarray(found), np.asarray(expected)
+    found, expected = np.asarray(found, dtype=float), np.asarray(expected, dtype=float)
     if found.shape == expected.shape and np.abs(found - expected).max() <= TOLERANCE * max(1.0, np.abs(expected).max()):
         passed += 1
     else:

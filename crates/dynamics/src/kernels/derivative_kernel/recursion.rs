@@ -437,8 +437,7 @@ impl<'a, T: Lanes> LaneState<'a, T> {
             let mut k = 0;
             while k < step.velocities {
                 let axis = load_twist::<T>(&self.velocity(step, k)[AXIS * T::WIDTH..]);
-                let linear =
-                    add(&cross(&above.angular, &axis.linear), &cross(&above.linear, &axis.angular));
+                let linear = add(&cross(&above.angular, &axis.linear), &cross(&above.linear, &axis.angular));
                 let moved = PackedTwist { angular: cross(&above.angular, &axis.angular), linear };
                 let mut rate = moved.power(&impulse);
                 if selection.on_path[number] {
