@@ -29,7 +29,7 @@ fn versions() -> String {
 }
 
 /// Types first, in reading order.
-const FILES: [&str; 14] = [
+const FILES: [&str; 15] = [
     "boundary/status",
     "version",
     "setup/model",
@@ -42,6 +42,7 @@ const FILES: [&str; 14] = [
     "evaluation/workspace",
     "evaluation/batch",
     "evaluation/derivatives",
+    "evaluation/path",
     "laws",
     "suspension",
 ];

@@ -20,10 +20,17 @@ pub fn stop_this_thread_by(flag: &'static AtomicBool) {
     STOP.with(|stop| stop.set(Some(flag)));
 }
 
+/// True if the flag of the current thread is set. Loops over many short tasks skip the rest: every task of rayon that unwinds costs some
+/// time.
+#[inline]
+pub fn is_requested() -> bool {
+    STOP.with(|stop| stop.get().is_some_and(|flag| flag.load(Ordering::Relaxed)))
+}
+
 /// Unwinds with [`Interrupted`] if the flag of the current thread is set. Called once per pose and response.
 #[inline]
 pub fn check() {
-    if STOP.with(|stop| stop.get().is_some_and(|flag| flag.load(Ordering::Relaxed))) {
+    if is_requested() {
         // No message: the panic hook is not called.
         resume_unwind(Box::new(Interrupted));
     }

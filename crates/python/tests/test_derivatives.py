@@ -92,9 +92,9 @@ def test_linkages_and_floating_models() -> None:
     floating = ARM.system(base="floating")
     q = rows(ARM, 20, 6)
     swept = percuss.sweep(floating, TOOL, q, gradient=True)
-    expected = floating.pose(q[3]).effective_mass_gradient(TOOL)
-    assert swept.gradient is not None and expected is not None
-    wanted = np.concatenate([expected[joint.name] for joint in ARM.joints if joint.kind != "fixed"])
+    of_pose = floating.pose(q[3]).effective_mass_gradient(TOOL)
+    assert swept.gradient is not None and of_pose is not None
+    wanted = np.concatenate([of_pose[joint.name] for joint in ARM.joints if joint.kind != "fixed"])
     assert np.abs(swept.gradient[3] - wanted).max() <= POSE * np.abs(wanted).max()
 
 

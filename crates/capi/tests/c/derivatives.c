@@ -153,6 +153,48 @@ static void the_four_bar(void)
   const double difference = (masses[2] - masses[0]) / (2.0 * step);
   /* Truncation step^2, rounding 1e-15 / step. */
   CHECK(fabs(rate - difference) <= 1e-8 * (fabs(difference) + masses[1]));
+
+  /* A path of the crank: every row closes the loop as a pose does. */
+  enum { STEPS = 100 };
+  percuss_path *path = NULL;
+  percuss_pose *start = NULL;
+  size_t crank, done = 0;
+  double angles[STEPS], all[3 * STEPS], path_masses[STEPS], path_errors[STEPS];
+  uint32_t remarks[STEPS];
+  OK(percuss_model_find_joint(model, "crank_hinge", &crank));
+  OK(percuss_configuration_set(configuration, "crank_hinge", &angle, 1));
+  OK(percuss_assembly_pose(assembly, configuration, &start));
+  OK(percuss_path_new(start, &contact, &crank, 1, &path));
+  for (int i = 0; i < STEPS; i++) angles[i] = angle + 0.005 * (i + 1);
+  for (int i = 0; i < STEPS; i += 10) {
+    OK(percuss_path_follow(path, angles + i, 10, 10, all + 3 * i, 30, path_masses + i, path_errors + i, remarks + i, &done));
+    CHECK(done == 10);
+  }
+  for (int i = 0; i < STEPS; i += 9) {
+    percuss_pose *pose = NULL;
+    percuss_mass mass;
+    double closed[3];
+    OK(percuss_configuration_set(configuration, "crank_hinge", &angles[i], 1));
+    OK(percuss_assembly_pose(assembly, configuration, &pose));
+    OK(percuss_pose_positions(pose, closed, 3));
+    OK(percuss_pose_effective_mass(pose, &contact, PERCUSS_ROUTE_AUTO, &mass));
+    for (int k = 0; k < 3; k++) CHECK(fabs(all[3 * i + k] - closed[k]) <= 1e-12);
+    CHECK(near_to(path_masses[i], mass.effective_mass, 1e-10) && path_errors[i] >= 0.0 && remarks[i] == 0);
+    OK(percuss_workspace_respond(workspace, all + 3 * i, 3, &contact, &response, velocities, 3));
+    CHECK(near_to(response.effective_mass, mass.effective_mass, 1e-10));
+    OK(percuss_pose_free(&pose));
+  }
+  OK(percuss_path_restart(path, start));
+  OK(percuss_path_follow(path, angles, 1, 1, all, 3, NULL, NULL, NULL, &done));
+  CHECK(done == 1);
+  FAILS(percuss_path_follow(path, angles, 2, 1, all, 3, NULL, NULL, NULL, &done), PERCUSS_ERROR_LENGTH, "values");
+  crank = 7;
+  percuss_path *none = NULL;
+  FAILS(percuss_path_new(start, &contact, &crank, 1, &none), PERCUSS_ERROR_NAME, "3 joints");
+  CHECK(none == NULL);
+  OK(percuss_path_free(&path));
+  CHECK(path == NULL);
+  OK(percuss_pose_free(&start));
   OK(percuss_configuration_free(&configuration));
   OK(percuss_workspace_free(&workspace));
   OK(percuss_assembly_free(&assembly));

@@ -351,7 +351,8 @@ impl<'a, T: Lanes> LaneState<'a, T> {
             let (ω, v) = (dot(&axis.angular, &axis.angular), dot(&axis.linear, &axis.linear));
             let terms = ω.mul_add(moments, v * mass);
             // Twice: the mixed terms of ω and v are at most the sum of the others.
-            self.loss = self.loss.max((terms + terms) * over);
+            // A pivot that is only rounding may be negative.
+            self.loss = self.loss.max(((terms + terms) * over).abs());
             let over_d = u.scaled(over);
             let mut load = T::zero();
             if on_path {

@@ -11,16 +11,19 @@ float32 on the way. The derivative is that of percuss.position_gradient; it is n
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib import import_module
 from typing import Any
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 
-from . import _gradients
-from ._percuss import Assembly, Contact, Model, System
+from .. import _gradients
+from .._percuss import Assembly, Contact, Model, System
 
 __all__ = ["effective_mass"]
+
+# Not by an import statement: in this package the name would be that of this module for checkers of types.
+jax: Any = import_module("jax")
+jnp: Any = import_module("jax.numpy")
 
 
 def effective_mass(

@@ -10,14 +10,16 @@ computed with m̄, not by differences. It is not differentiable again.
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Any
 
-import torch
-
-from . import _gradients
-from ._percuss import Assembly, Contact, Model, System
+from .. import _gradients
+from .._percuss import Assembly, Contact, Model, System
 
 __all__ = ["effective_mass"]
+
+# Not by an import statement: in this package the name would be that of this module for checkers of types.
+torch: Any = import_module("torch")
 
 
 class _EffectiveMass(torch.autograd.Function):
