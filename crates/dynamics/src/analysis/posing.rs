@@ -2,11 +2,11 @@
 
 use crate::analysis::assembly::Assembly;
 use crate::analysis::pose::Pose;
-use crate::interruption;
 use crate::kinematics::frames::Kinematics;
 use crate::loops::assembling::{AssemblyError, Closer, LoopState, Start};
 use crate::model::configuration::Configuration;
 use crate::model::input::rigid_base_pose;
+use crate::model::interruption;
 use percuss_spatial::Transform;
 use std::sync::Arc;
 

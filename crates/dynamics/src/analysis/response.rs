@@ -5,12 +5,12 @@ use crate::analysis::pose::Pose;
 use crate::analysis::routes::{RecursionWorkspace, RouteInput, RouteResult};
 use crate::dense::direct::Minimum;
 use crate::error::budget::ErrorBudget;
-use crate::interruption;
 use crate::kinematics::contact::{Contact, ContactError, LocatedContact};
 use crate::kinematics::outcome::{
     DenseReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError,
 };
 use crate::kinematics::remarks::RemarkFlags;
+use crate::model::interruption;
 use crate::recursion::closing_speed::closing_floor;
 use crate::tolerances::{FILE_MISFITS, IMMOVABLE, LEAST_OTHER_MASS, NEARLY_IMMOVABLE, SAME_BOTH_WAYS};
 use percuss_mechanism::{JointId, LinkId};

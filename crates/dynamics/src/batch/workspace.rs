@@ -4,7 +4,6 @@
 use crate::analysis::assembly::Assembly;
 use crate::analysis::routes::{RecursionWorkspace, RouteInput};
 use crate::analysis::system::System;
-use crate::interruption;
 use crate::kernels::lane_kernel::LaneKernel;
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::kinematics::frames::Kinematics;
@@ -13,6 +12,7 @@ use crate::kinematics::remarks::RemarkFlags;
 use crate::mobility::{GroupMobility, MobilityWorkspace};
 use crate::model::Model;
 use crate::model::input::{InputError, is_number, normalise_quaternion, quaternion_of, rigid_base_pose};
+use crate::model::interruption;
 use crate::model::velocities::{StateSizeError, check_positions};
 use nalgebra::Vector3;
 use percuss_mechanism::JointId;
