@@ -82,9 +82,12 @@ impl PoolKind {
 }
 
 fn cannot_start(error: ThreadPoolBuildError) -> PyErr {
+    let own = process::id();
+    let is_fork = *LOADING_PROCESS.get_or_init(|| own) != own;
     PyRuntimeError::new_err(format!(
-        "this process cannot start threads of its own: {error}; raise its limits of memory and processes, or set fewer \
-         threads"
+        "this process {}cannot start threads of its own: {error}; raise its limits of memory and processes, or set fewer \
+         threads",
+        if is_fork { "was forked and " } else { "" }
     ))
 }
 
