@@ -169,6 +169,29 @@ fn a_workspace_allocates_nothing_and_agrees_with_a_pose() {
     assert!(immovable > 0 && massless > 0, "{immovable} immovable, {massless} massless");
 }
 
+/// The full response of a workspace allocates nothing after the first call, on trees and linkages.
+#[test]
+fn a_response_of_a_workspace_allocates_nothing() {
+    let mut tested = 0;
+    for case in [cases::of_the_zoo(4, 1), cases::at_random(4100, 20, 12)].concat() {
+        let (system, contact) = (case.system(), case.contact());
+        let (mut workspace, mut velocities) = (system.workspace(), Vec::new());
+        let Ok(first) = workspace.respond(&contact, &mut velocities) else { continue };
+        let before = allocations();
+        let again = workspace.respond(&contact, &mut velocities);
+        let allocated = allocations() - before;
+        assert_eq!(again, Ok(first), "{}", case.name);
+        let pose = system.pose(&percuss_dynamics::Configuration::zero(&case.mechanism));
+        let is_accurate = pose
+            .is_ok_and(|pose| pose.respond(&contact).is_ok_and(|response| response.dense_reason.is_none()));
+        if is_accurate {
+            assert_eq!(allocated, 0, "{}", case.name);
+            tested += 1;
+        }
+    }
+    assert!(tested > 20, "{tested} cases");
+}
+
 /// A configuration solved in lanes allocates nothing: as a single configuration, and after the first in a thread's
 /// portion.
 #[test]

@@ -68,6 +68,8 @@ echo "pkg-config: static, archive, shared"
 ran=0
 jobs=()
 for source in crates/capi/tests/c/*.c crates/capi/tests/c/wrapper.cc crates/capi/examples/*.c; do
+  # Needs MuJoCo's header and library: below.
+  [ "$(basename "$source")" != mujoco_coupling.c ] || continue
   (check "$source") &
   jobs+=($!)
 done
@@ -75,7 +77,20 @@ for job in "${jobs[@]}"; do
   wait "$job" || exit 1
   ran=$((ran + 1))
 done
-[ "$ran" -ge 8 ] || { echo "only $ran programs were found"; exit 1; }
+[ "$ran" -ge 9 ] || { echo "only $ran programs were found"; exit 1; }
+# The coupling to MuJoCo, with the library of its Python package, where run.sh or PERCUSS_MUJOCO (a folder with include and
+# libmujoco.so.*) has it.
+mujoco=${PERCUSS_MUJOCO:-$(find "$root/target/external/venv/lib" -maxdepth 3 -type d -name mujoco 2> /dev/null | head -n 1)}
+if [ -n "$mujoco" ] && [ -f "$mujoco/include/mujoco/mujoco.h" ]; then
+  library=$(find "$mujoco" -maxdepth 1 -name 'libmujoco.so*' | head -n 1)
+  # MuJoCo's headers are not those of a C11 program without extensions.
+  # shellcheck disable=SC2046
+  gcc -std=gnu11 -O1 -Wall -Wextra -Werror -isystem "$mujoco/include" crates/capi/examples/mujoco_coupling.c \
+    $(pkg-config --cflags --libs percuss) "$library" -Wl,-rpath,"$mujoco" -lm -o "$work/mujoco_coupling"
+  "$work/mujoco_coupling" || { echo "the coupling to MuJoCo fails"; exit 1; }
+else
+  echo "C interface: MuJoCo is not installed, the coupling is not run"
+fi
 # CMake, both libraries.
 mkdir -p "$work/cmake"
 cat > "$work/cmake/CMakeLists.txt" << END

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The Python package: built and installed as by a user, its tests, its types (mypy, pyright; the stubs compared with the
 # module by stubtest), its examples, a notebook among them; then the peers' matrices, if run.sh has created their
-# environments: Pinocchio and MuJoCo, Drake. Needs python3 (3.10 or later), cargo, node for pyright, and, the first
+# environments: Pinocchio and MuJoCo, Drake, and the converters of positions; arrays of PyTorch and JAX. Needs python3 (3.10 or later), cargo, node for pyright, and, the first
 # time, the network.
 #   python.sh [--tested] [PYTEST OPTION...]     --tested: in the profile of `cargo test --workspace`, with its build
 #   results
@@ -42,7 +42,7 @@ types() {
   "${mypy[@]}" -p percuss && "${mypy[@]}" "$package"/tests/*.py "$package"/examples/*.py && "${mypy[@]}" "$package"/examples/cluster/*.py
 }
 stubs() {
-  "$bin/python" -m mypy.stubtest percuss --mypy-config-file "$package/pyproject.toml"
+  "$bin/python" -m mypy.stubtest percuss --mypy-config-file "$package/pyproject.toml" --allowlist "$package/tests/not_installed.txt" --ignore-unused-allowlist
 }
 step wheel wheel
 [ $failed = 0 ] || exit 1
@@ -55,5 +55,12 @@ for peer in venv drake; do
   python=$root/target/external/$peer/bin/python
   [ -x "$python" ] || { echo "Python: no matrices of peers, run.sh makes target/external/$peer"; continue; }
   step "matrices of peers ($peer)" "$python" "$package/tests/peers/matrices.py" --package "$work/site"
+  [ "$peer" = drake ] || step "converters ($peer)" "$python" "$package/tests/peers/converters.py" --package "$work/site"
 done
+# PyTorch (3 GB) and JAX, where an environment has them: PERCUSS_ARRAYS names its interpreter.
+if [ -n "${PERCUSS_ARRAYS-}" ]; then
+  step "arrays of PyTorch and JAX" "$PERCUSS_ARRAYS" "$package/tests/peers/arrays.py" --package "$work/site"
+else
+  echo "Python: arrays of PyTorch and JAX are not compared; PERCUSS_ARRAYS=INTERPRETER names one that has them"
+fi
 exit $failed

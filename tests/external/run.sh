@@ -55,6 +55,7 @@ done
 export PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 output=$(mktemp -d)
 trap 'rm -rf "$output"' EXIT
+export PERCUSS_VALIDATION=$output
 # check NAME COMMAND...: runs beside the others, one for each processor; its output is printed when all have ended.
 names=()
 check() {
@@ -98,5 +99,6 @@ for name in "${names[@]}"; do
   cat "$output/$name"
   [ "$(cat "$output/$name.code")" = 0 ] || failed=1
 done
+python3 "$here/validation.py" "$output" -o target/external/validation.md --python "$venv/bin/python" --python "$drake/bin/python" || failed=1
 [ -d "$reference" ] || echo "reference files: not at hand ($reference), not compared"
 exit $failed

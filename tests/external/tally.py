@@ -1,6 +1,10 @@
 """Counts passed and failed checks, keeps the worst deviation of each, and prints the tables."""
 
 import collections
+import json
+import os
+import sys
+from pathlib import Path
 
 SHOWN = 5  # failures of one check that are printed
 
@@ -41,8 +45,20 @@ class Tally:
         if why:
             self.reasons[suite][why] += 1
 
+    def keep(self, folder):
+        program = Path(sys.argv[0])
+        name = f"{program.parent.name}-{program.stem}" if program.parent.name != "external" else program.stem
+        checks = []
+        for check in sorted({*self.passed, *self.failed}):
+            worst = self.worst.get(check)
+            kept = worst and {"deviation": worst[0], "where": str(worst[1]), "limit": worst[2]}
+            checks.append({"name": check, "passed": self.passed[check], "failed": self.failed[check], "worst": kept})
+        (folder / f"{name}.tally.json").write_text(json.dumps({"program": name, "checks": checks}))
+
     def report(self, seconds):
-        """Prints all results; returns the exit code."""
+        """Prints all results; returns the exit code. Keeps them for the validation report in the folder PERCUSS_VALIDATION."""
+        if folder := os.environ.get("PERCUSS_VALIDATION"):
+            self.keep(Path(folder))
         for check, lines in self.failures.items():
             print(f"\nFAILED: {check} ({len(lines)})")
             for line in lines[:SHOWN]:

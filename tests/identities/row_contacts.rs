@@ -113,3 +113,95 @@ fn wrong_contacts_are_refused() {
     }
     assert!(ask(two, &[], &[], 0).is_ok());
 }
+
+/// Largest deviation of the lanes from the pose, relative to the largest entry: the agreement of m̄ that the kernel of derivatives
+/// demands, and ten times as much for entries that are differences of larger ones.
+const DERIVATIVES: f64 = 1e-8;
+
+/// Largest deviation relative to the largest expected entry, or to `least` if this is larger.
+fn deviation(found: &[f64], expected: &[f64], least: f64) -> f64 {
+    let size = expected.iter().fold(least, |size, x| size.max(x.abs()));
+    let off = found.iter().zip(expected).fold(0.0_f64, |off, (a, b)| off.max((a - b).abs()));
+    if size > 0.0 { off / size } else { off }
+}
+
+/// Gradients and inverse operational inertias of trees and linkages, with a contact for each row, against those of poses.
+#[test]
+fn gradients_and_inverse_inertias_are_those_of_the_pose() {
+    let mut rng = StdRng::seed_from_u64(17);
+    let (mut in_lanes, mut at_poses, mut worst) = (0, 0, 0.0_f64);
+    for (k, Subject { name, pose, contact, .. }) in
+        of_trees(29, 4, 30).into_iter().chain(of_linkages(48, 8)).enumerate()
+    {
+        let Direction::Along(_, frame) = contact.normal else { continue };
+        let frame = [frame, Frame::World, Frame::Link][k % 3];
+        let contact = contact.normal(Direction::Along(Vector3::x(), frame));
+        let batch = pose.assembly().batch(&contact).expect("a contact that fits").derivatives();
+        let width = pose.positions().len();
+        let values = pose.positions().repeat(COUNT);
+        let positions = BatchPositions::Rows { values: &values, stride: width };
+        let given: [Vec<f64>; 2] =
+            [0, 1].map(|_| (0..3 * COUNT).map(|_| rng.random_range(-1.0..1.0)).collect());
+        let contacts = BatchContacts { points: &given[0], normals: &given[1] };
+        let n = batch.velocities();
+        let (mut masses, mut errors) = ([f64::NAN; COUNT], [f64::NAN; COUNT]);
+        let (mut gradients, mut inverses) = (vec![0.0; COUNT * n], vec![0.0; COUNT * 36]);
+        batch
+            .inverse_operational_inertias(
+                positions,
+                Some(contacts),
+                (&mut masses, &mut errors),
+                &mut inverses,
+                |_, _| {},
+            )
+            .expect("enough");
+        batch
+            .gradients(positions, Some(contacts), (&mut masses, &mut errors), &mut gradients, |_, _| {})
+            .expect("enough");
+        for row in 0..COUNT {
+            let of = |numbers: &[f64]| Vector3::from_column_slice(&numbers[3 * row..3 * row + 3]);
+            let alone =
+                Contact { point: of(&given[0]), normal: Direction::Along(of(&given[1]), frame), ..contact };
+            let own = &gradients[n * row..n * (row + 1)];
+            match pose.effective_mass_gradient(&alone) {
+                Ok(Some(gradient)) => {
+                    let expected: Vec<f64> = gradient.joints.concat();
+                    // By symmetry a gradient may be a difference of equal terms of the size of m̄.
+                    let off = deviation(own, &expected, gradient.effective_mass);
+                    assert!(off <= DERIVATIVES, "{name}, row {row}: {off:e}: {own:?}, expected {expected:?}");
+                    worst = worst.max(off);
+                    *(if batch.has_lanes() { &mut in_lanes } else { &mut at_poses }) += 1;
+                }
+                _ => assert!(own.iter().all(|x| x.is_nan()), "{name}, row {row}: {own:?}"),
+            }
+            let located = pose.locate(&alone).expect("a contact");
+            let own = &inverses[36 * row..36 * (row + 1)];
+            match pose.inverse_operational_inertia(&located) {
+                Ok(found) => {
+                    let expected: Vec<f64> = (0..36).map(|k| found.matrix()[(k / 6, k % 6)]).collect();
+                    let off = deviation(own, &expected, 0.0);
+                    assert!(off <= DERIVATIVES, "{name}, row {row}: {off:e}: {own:?}, expected {expected:?}");
+                    worst = worst.max(off);
+                }
+                Err(_) => assert!(own.iter().all(|x| x.is_nan()), "{name}, row {row}: {own:?}"),
+            }
+        }
+    }
+    println!("{in_lanes} rows in lanes, {at_poses} at poses, largest deviation {worst:e}");
+    assert!(in_lanes > 500 && at_poses > 500, "{in_lanes} rows in lanes, {at_poses} at poses");
+    let batch = zoo_batch();
+    let columns = (&mut [0.0; 2][..], &mut [0.0; 2][..]);
+    let positions = BatchPositions::Rows { values: &[0.0; 4], stride: 2 };
+    let refused = batch.gradients(positions, None, columns, &mut [0.0; 3], |_, _| {});
+    assert!(
+        matches!(refused, Err(BatchError::DerivativeCount { got: 3, configurations: 2, .. })),
+        "{refused:?}"
+    );
+}
+
+/// Derivatives of a subject of two hinges or more.
+fn zoo_batch() -> percuss_dynamics::BatchDerivatives {
+    let subjects = of_trees(31, 1, 4);
+    let found = subjects.iter().find_map(|s| s.pose.assembly().batch(&s.contact).ok());
+    found.expect("a tree").derivatives()
+}

@@ -4,7 +4,8 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 use percuss_dynamics::{
-    Conditions, Contact, DenseReason, Direction, EffectiveMass, Frame, Pose, ResponseError, System,
+    Conditions, Contact, ContactResponse, DenseReason, Direction, EffectiveMass, Frame, Pose, ResponseError,
+    System, Workspace,
 };
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, Mechanism,
@@ -39,6 +40,7 @@ fn compare(name: &str, pose: &Pose, contact: &Contact, counts: &mut Counts) {
         }
         _ => assert_eq!(there, mass, "{name}"),
     }
+    compare_response(name, &mut workspace, contact, &response);
     let status = match response.effective_mass {
         EffectiveMass::Finite(_) => "finite",
         EffectiveMass::Immovable => "immovable",
@@ -52,6 +54,18 @@ fn compare(name: &str, pose: &Pose, contact: &Contact, counts: &mut Counts) {
         Some(DenseReason::Error { .. }) => ", an error",
     };
     *counts.entry(format!("{status}{reason}")).or_default() += 1;
+}
+
+/// The response of a workspace is that of the pose, v* included; its error is that by rounding.
+fn compare_response(name: &str, workspace: &mut Workspace, contact: &Contact, response: &ContactResponse) {
+    let mut velocities = Vec::new();
+    let there = workspace.respond(contact, &mut velocities).unwrap_or_else(|error| panic!("{name}: {error}"));
+    assert_eq!(there.effective_mass, response.effective_mass, "{name}");
+    assert_eq!(there.error, response.error.and_then(|budget| budget.rounding), "{name}");
+    if let EffectiveMass::Finite(_) = there.effective_mass {
+        assert_eq!(velocities, response.joint_velocities.concat(), "{name}");
+        assert_eq!(there.base_velocity, response.base_velocity, "{name}");
+    }
 }
 
 #[track_caller]

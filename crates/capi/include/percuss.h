@@ -201,6 +201,11 @@ typedef struct percuss_kinematics percuss_kinematics;
 typedef struct percuss_model percuss_model;
 
 /*
+ A contact of a linkage whose driving joints follow a path. One thread at a time.
+ */
+typedef struct percuss_path percuss_path;
+
+/*
  A mechanism at one configuration with closed loops. Immutable, so that threads can share it.
  */
 typedef struct percuss_pose percuss_pose;
@@ -411,6 +416,32 @@ typedef struct percuss_mass {
  Memory order of matrix entries.
  */
 typedef int32_t percuss_layout;
+
+/*
+ Response of a workspace to a contact.
+ */
+typedef struct percuss_workspace_response {
+  /*
+   PERCUSS_FINITE, PERCUSS_IMMOVABLE or PERCUSS_MASSLESS.
+   */
+  percuss_outcome outcome;
+  /*
+   PERCUSS_REMARK_… added together.
+   */
+  uint32_t remarks;
+  /*
+   m̄, kg; NaN unless finite.
+   */
+  double effective_mass;
+  /*
+   Error of m̄ by rounding, kg; NaN unless finite. Those by the closing of loops and by the file: percuss_pose_effective_mass.
+   */
+  double error;
+  /*
+   v* of a floating root link: 3 angular and 3 linear numbers, in its axes at its origin; zeros for a fixed root link.
+   */
+  double base_velocity[6];
+} percuss_workspace_response;
 
 /*
  Watch function, called periodically on the calling thread with the number of configurations done. Returns 0 to
@@ -1515,6 +1546,26 @@ percuss_status percuss_workspace_effective_mass_again(struct percuss_workspace *
                                                       uint32_t *remarks);
 
 /*
+ m̄ of a contact at the last positions of the workspace, its error, findings, and v*: the velocities of all joints at unit closing
+ speed (1/m·rad, 1), concatenated in joint order; velocity_count is the velocities of percuss_model_counts. positions: count
+ numbers, as percuss_workspace_effective_mass; null with count 0: the last positions. Allocates nothing after the first call,
+ unless the recursion is not accurate enough. v* is zero unless m̄ is finite.
+
+ Errors: as percuss_workspace_effective_mass.
+
+ Pointers:
+ workspace is a handle; positions is null or has count numbers; contact is null or points to a contact; response is null or points
+ to storage; velocities has space for velocity_count numbers.
+ */
+percuss_status percuss_workspace_respond(struct percuss_workspace *workspace,
+                                         const double *positions,
+                                         size_t count,
+                                         const struct percuss_contact *contact,
+                                         struct percuss_workspace_response *response,
+                                         double *velocities,
+                                         size_t velocity_count);
+
+/*
  Sets the pose of the root link in the world, as percuss_configuration_set_base: for normals that are given in the
  world.
 
@@ -1596,6 +1647,139 @@ percuss_status percuss_batch_run(const struct percuss_batch *batch,
                                  uint32_t *remarks,
                                  percuss_watch watch,
                                  void *user);
+
+/*
+ Frame of a link in the world: rotation (9 numbers, row by row) and origin (3 numbers, m).
+
+ Errors: PERCUSS_ERROR_NAME: no link of this index.
+
+ Pointers:
+ pose is a handle; rotation has space for 9 numbers, origin for 3.
+ */
+percuss_status percuss_pose_link_frame(const struct percuss_pose *pose, size_t link, double *rotation, double *origin);
+
+/*
+ Gradient g of m̄ by the velocities of all joints, in joint order: dm̄/dt = g · v (kg/rad, kg/m) for every admissible motion v; count
+ is the velocities of percuss_model_counts. outcome and effective_mass: as percuss_workspace_effective_mass; g is NaN unless the
+ outcome is PERCUSS_FINITE.
+
+ Errors: as percuss_pose_effective_mass.
+
+ Pointers:
+ pose is a handle; contact is null or points to a contact; gradient has space for count numbers; outcome and effective_mass are
+ null or point to storage.
+ */
+percuss_status percuss_pose_gradient(const struct percuss_pose *pose,
+                                     const struct percuss_contact *contact,
+                                     double *gradient,
+                                     size_t count,
+                                     percuss_outcome *outcome,
+                                     double *effective_mass);
+
+/*
+ Φ = J M⁻¹ Jᵀ of the contact link at the contact point, under the constraints: 36 numbers, 6×6 row by row, in root axes, angular part
+ first; 1/m̄ = nᵀΦn for contacts with the ground, n = (0, normal). Its inverse is the operational space inertia.
+
+ Errors: as percuss_pose_effective_mass; PERCUSS_ERROR_CONTACT if a motion without mass responds.
+
+ Pointers:
+ pose is a handle; contact is null or points to a contact; values has space for 36 numbers.
+ */
+percuss_status percuss_pose_inverse_inertia(const struct percuss_pose *pose,
+                                            const struct percuss_contact *contact,
+                                            double *values);
+
+/*
+ m̄ at count configurations, with a contact point and normal for each, its gradient and Φ.
+
+ positions, length, layout, stride, count, outcomes, effective_masses: as percuss_batch_run. points (m, in the frame of the contact
+ link) and normals (of any length, in the frame of the contact's normal): 3 numbers for each configuration, or 3 for all, with
+ point_numbers and normal_numbers numbers; both null: those of the contact of the batch. errors: count numbers. gradients: null,
+ or count × n numbers, row by row, n the velocities of percuss_model_counts, as percuss_pose_gradient. inverse_inertias: null, or
+ count × 36 numbers, as percuss_pose_inverse_inertia. Without a result the numbers are NaN.
+
+ Errors: as percuss_batch_run; PERCUSS_ERROR_CONTACT: an invalid point or normal, with the number of its configuration.
+
+ Pointers:
+ batch is a handle; every array has the stated number of values, or is null where this is permitted.
+ */
+percuss_status percuss_batch_derivatives(const struct percuss_batch *batch,
+                                         const double *positions,
+                                         size_t length,
+                                         percuss_layout layout,
+                                         size_t stride,
+                                         size_t count,
+                                         const double *points,
+                                         size_t point_numbers,
+                                         const double *normals,
+                                         size_t normal_numbers,
+                                         percuss_outcome *outcomes,
+                                         double *effective_masses,
+                                         double *errors,
+                                         double *gradients,
+                                         double *inverse_inertias);
+
+/*
+ Path of driving joints (indices of percuss_model_find_joint, of one position each) from a pose, for one contact. All other drivers
+ keep their positions. Free it with percuss_path_free.
+
+ Errors: PERCUSS_ERROR_ASSEMBLY if the mechanism has no such path: no loops, more degrees of freedom than the kernel has, redundant
+ rows, a singular pose, or a joint that is no driver; percuss_pose_follow then closes the loops. PERCUSS_ERROR_CONTACT,
+ PERCUSS_ERROR_NAME.
+
+ Pointers:
+ pose is a handle; contact is null or points to a contact; joints has joint_count numbers; path is null or points to storage for a
+ pointer.
+ */
+percuss_status percuss_path_new(const struct percuss_pose *pose,
+                                const struct percuss_contact *contact,
+                                const size_t *joints,
+                                size_t joint_count,
+                                struct percuss_path **path);
+
+/*
+ Frees a path and sets the handle to null; a null handle is ignored.
+
+ Pointers:
+ path is null or points to a handle that no other call uses.
+ */
+percuss_status percuss_path_free(struct percuss_path **path);
+
+/*
+ Follows rows of the path: values has count rows of one number per joint of the path. Newton's method closes the loops of each row
+ from the row before. done: number of rows that were completed; the path stops before a row of which the branch is in doubt, and
+ percuss_path_restart continues it. Allocates nothing after a call with as many rows.
+
+ positions: count × p numbers, the positions of all joints, row by row, for percuss_workspace_respond and batches.
+ effective_masses, errors: null, or count numbers: m̄ and its error, kg; NaN where m̄ is uncertain, for percuss_workspace_respond at
+ these positions. remarks: null, or count numbers: PERCUSS_REMARK_… added together. Rows that were not completed are not written.
+
+ Errors: PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_OVERLAP, PERCUSS_ERROR_BUSY.
+
+ Pointers:
+ path is a handle; every array has the stated number of values; done is null or points to storage.
+ */
+percuss_status percuss_path_follow(struct percuss_path *path,
+                                   const double *values,
+                                   size_t length,
+                                   size_t count,
+                                   double *positions,
+                                   size_t position_numbers,
+                                   double *effective_masses,
+                                   double *errors,
+                                   uint32_t *remarks,
+                                   size_t *done);
+
+/*
+ Moves a path to another pose of the same assembly, for example that of percuss_pose_follow at the row before which the path stopped.
+
+ Errors: PERCUSS_ERROR_ASSEMBLY if the path cannot continue there; the path stays as it is.
+
+ Pointers:
+ path and pose are handles.
+ */
+percuss_status percuss_path_restart(struct percuss_path *path,
+                                    const struct percuss_pose *pose);
 
 /*
  Number of laws: a law has a number from 0 to this count − 1.

@@ -451,6 +451,30 @@ class Pose {
     check(percuss_pose_contact_row(get(), &contact, row.data(), row.size()));
     return row;
   }
+  struct Frame {
+    /// Row by row.
+    std::array<double, 9> rotation;
+    /// m.
+    std::array<double, 3> origin;
+  };
+  /// Frame of a link in the world.
+  Frame link_frame(std::size_t link) const {
+    Frame frame{};
+    check(percuss_pose_link_frame(get(), link, frame.rotation.data(), frame.origin.data()));
+    return frame;
+  }
+  /// Gradient of m̄ by the velocities of all joints, kg/rad or kg/m; NaN unless m̄ is finite.
+  std::vector<double> gradient(const Contact &contact) const {
+    std::vector<double> all(counts_.velocities);
+    check(percuss_pose_gradient(get(), &contact, all.data(), all.size(), nullptr, nullptr));
+    return all;
+  }
+  /// Φ of the contact link at the contact point: 6×6, row by row, root axes, angular part first.
+  std::array<double, 36> inverse_inertia(const Contact &contact) const {
+    std::array<double, 36> values{};
+    check(percuss_pose_inverse_inertia(get(), &contact, values.data()));
+    return values;
+  }
   const percuss_pose *get() const noexcept { return handle_.get(); }
 
  private:
@@ -490,6 +514,16 @@ class Workspace {
     if (outcome != nullptr) *outcome = found;
     return found == PERCUSS_FINITE ? std::optional<double>(mass) : std::nullopt;
   }
+  /// m̄, its error and v* at the positions of all joints, or at the last positions if they are empty; `velocities` has the
+  /// velocities of all joints at unit closing speed. Allocates nothing after the first call if `velocities` has its size.
+  percuss_workspace_response respond(const std::vector<double> &positions, const Contact &contact,
+                                     std::vector<double> &velocities) {
+    velocities.resize(velocity_count_);
+    percuss_workspace_response response{};
+    check(percuss_workspace_respond(handle_.get(), positions.empty() ? nullptr : positions.data(), positions.size(), &contact,
+                                    &response, velocities.data(), velocities.size()));
+    return response;
+  }
   /// Sets the pose of the root link in the world (m, and a unit quaternion w, x, y, z), for normals in the world.
   void set_base(const Vector3 &position, const std::array<double, 4> &quaternion) {
     check(percuss_workspace_set_base(handle_.get(), position.data(), quaternion.data()));
@@ -501,9 +535,10 @@ class Workspace {
 
  private:
   friend class Assembly;
-  Workspace(percuss_workspace *handle, std::size_t positions) : handle_(handle), positions_(positions) {}
+  Workspace(percuss_workspace *handle, std::size_t positions, std::size_t velocities)
+      : handle_(handle), positions_(positions), velocity_count_(velocities) {}
   detail::Owner<percuss_workspace, percuss_workspace_free> handle_;
-  std::size_t positions_;
+  std::size_t positions_, velocity_count_;
 };
 
 /// One contact at many configurations.
@@ -540,6 +575,28 @@ class Batch {
     check(status);
     return answers;
   }
+  struct Derivatives {
+    std::vector<percuss_outcome> outcomes;
+    /// kg; NaN unless finite.
+    std::vector<double> effective_masses, errors;
+    /// Gradients of m̄ by the velocities of all joints, row by row.
+    std::vector<double> gradients;
+    /// Φ of the contact link at the contact point, 36 numbers for each configuration; empty unless wanted.
+    std::vector<double> inverse_inertias;
+  };
+  /// m̄, its gradient and Φ at count configurations, row by row, with a point and a normal for each (or 3 numbers for all, or both
+  /// empty: those of the contact). As percuss_batch_derivatives.
+  Derivatives derivatives(const std::vector<double> &positions, std::size_t count, const std::vector<double> &points = {},
+                          const std::vector<double> &normals = {}, bool inverse_inertias = false) const {
+    Derivatives found{std::vector<percuss_outcome>(count), std::vector<double>(count), std::vector<double>(count),
+                      std::vector<double>(count * velocities_), std::vector<double>(inverse_inertias ? 36 * count : 0)};
+    check(percuss_batch_derivatives(handle_.get(), positions.data(), positions.size(), PERCUSS_ROW_MAJOR, positions_, count,
+                                    points.empty() ? nullptr : points.data(), points.size(),
+                                    normals.empty() ? nullptr : normals.data(), normals.size(), found.outcomes.data(),
+                                    found.effective_masses.data(), found.errors.data(), found.gradients.data(),
+                                    inverse_inertias ? found.inverse_inertias.data() : nullptr));
+    return found;
+  }
   const percuss_batch *get() const noexcept { return handle_.get(); }
 
  private:
@@ -558,15 +615,16 @@ class Batch {
       return 1;
     }
   }
-  Batch(percuss_batch *handle, std::size_t positions) : handle_(handle), positions_(positions) {}
+  Batch(percuss_batch *handle, std::size_t positions, std::size_t velocities)
+      : handle_(handle), positions_(positions), velocities_(velocities) {}
   detail::Owner<percuss_batch, percuss_batch_free> handle_;
-  std::size_t positions_;
+  std::size_t positions_, velocities_;
 };
 
 inline Batch Workspace::batch(const Contact &contact, std::size_t threads) {
   percuss_batch *handle = nullptr;
   check(percuss_workspace_batch(get(), &contact, threads, &handle));
-  return Batch(handle, positions_);
+  return Batch(handle, positions_, velocity_count_);
 }
 
 /// A system with assembled loops.
@@ -588,13 +646,13 @@ class Assembly {
   Workspace workspace() const {
     percuss_workspace *handle = nullptr;
     check(percuss_workspace_new(get(), &handle));
-    return Workspace(handle, counts_.positions);
+    return Workspace(handle, counts_.positions, counts_.velocities);
   }
   /// threads: 1: the calling thread alone; 0: one per processor of the machine.
   Batch batch(const Contact &contact, std::size_t threads = 0) const {
     percuss_batch *handle = nullptr;
     check(percuss_batch_new(get(), &contact, threads, &handle));
-    return Batch(handle, counts_.positions);
+    return Batch(handle, counts_.positions, counts_.velocities);
   }
   const percuss_assembly *get() const noexcept { return handle_.get(); }
 

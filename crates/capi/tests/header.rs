@@ -29,7 +29,7 @@ fn versions() -> String {
 }
 
 /// Types first, in reading order.
-const FILES: [&str; 13] = [
+const FILES: [&str; 15] = [
     "boundary/status",
     "version",
     "setup/model",
@@ -41,6 +41,8 @@ const FILES: [&str; 13] = [
     "evaluation/response",
     "evaluation/workspace",
     "evaluation/batch",
+    "evaluation/derivatives",
+    "evaluation/path",
     "laws",
     "suspension",
 ];

@@ -85,6 +85,13 @@ fn every_function_answers() {
 }
 
 #[test]
+fn derivatives_agree() {
+    for linked in [Linked::Static, Linked::Shared] {
+        assert!(program("tests/c/derivatives.c", linked).contains("every derivative agrees"));
+    }
+}
+
+#[test]
 fn misuse_gives_errors() {
     assert!(program("tests/c/misuse.c", Linked::Static).contains("every misuse was noticed"));
 }

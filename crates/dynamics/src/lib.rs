@@ -31,12 +31,13 @@ pub use analysis::system::System;
 pub use batch::contact_map::{
     ContactColumns, ContactMap, ContactStatus, MapAnswers, MapError, PrincipalMass,
 };
+pub use batch::derivatives::BatchDerivatives;
 pub use batch::driven_path::{DrivenPath, PathAnswer};
 pub use batch::error::BatchError;
 pub use batch::row_contacts::BatchContacts;
 pub use batch::row_path::{RowAnswer, RowHandler, RowPath};
 pub use batch::rows::{Batch, BatchAnswer, BatchPositions};
-pub use batch::workspace::Workspace;
+pub use batch::workspace::{Workspace, WorkspaceResponse};
 pub use dense::matrices::{
     ConstraintRank, LayoutError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView,
     effective_mass,
@@ -52,6 +53,7 @@ pub use mobility::Singularity;
 pub use model::conditions::{Base, ConditionOfJoint, Conditions, ConditionsError};
 pub use model::configuration::{Configuration, ConfigurationError};
 pub use model::input;
+pub use model::interruption;
 pub use model::velocities::StateSizeError;
 pub use motion::constraint_action::{ConstraintAction, ConstraintGroup, ConstraintSource};
 pub use motion::forward_dynamics::{Accelerations, PointForce};

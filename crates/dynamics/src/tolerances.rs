@@ -33,6 +33,12 @@ pub(crate) const TRUSTED_ERROR: f64 = 1e-11;
 /// Largest relative error of a result in SIMD lanes; beyond this limit the row is computed again by the recursion. The bound of the
 /// lanes is quick and some hundred to thousand times the true error, so that rows of common robots exceed 1e-11.
 pub(crate) const LANES_TRUSTED_ERROR: f64 = 1e-9;
+/// Largest relative difference of m̄ between the kernel of derivatives and the batch. Both round each sum of the recursion once; a
+/// larger difference means that one of them has lost digits: as large as [`LANES_TRUSTED_ERROR`].
+pub(crate) const DERIVATIVE_AGREEMENT: f64 = 1e-9;
+/// Largest ratio of the summed terms of a pivot to the pivot in the kernel of derivatives: of 16 digits, 5 are lost. Arms of robots
+/// reach some hundreds, with links in line some thousands.
+pub(crate) const LARGEST_DERIVATIVE_LOSS: f64 = 1e5;
 /// Smallest mass of a free body on the other side, kg. Its inverse, and sums of such inverses, do not overflow.
 pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
 /// Largest number of coordinates for the dense route: O(n³) time, and 8n² bytes per matrix.

@@ -33,8 +33,8 @@ pub use nalgebra;
 pub use percuss_contact as contact;
 #[doc(no_inline)]
 pub use percuss_dynamics::{
-    Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchContacts, BatchError,
-    BatchPositions, BranchLimits, ConditionOfJoint, Conditions, ConditionsError, Configuration,
+    Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchContacts, BatchDerivatives,
+    BatchError, BatchPositions, BranchLimits, ConditionOfJoint, Conditions, ConditionsError, Configuration,
     ConfigurationError, ConstraintAction, ConstraintGroup, ConstraintRank, ConstraintSource, Contact,
     ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse, ContactStatus, Contributions,
     DenseReason, DepartingAxis, Direction, DrawnGap, DrivenPath, EffectiveMass, ErrorBudget, Frame, Gap,
@@ -42,7 +42,7 @@ pub use percuss_dynamics::{
     MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer, PointForce,
     PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops, Route,
     RouteChoice, RouteError, RowAnswer, RowHandler, RowPath, Singularity, StateSizeError, System, Travel,
-    TravelError, Workspace, effective_mass, input,
+    TravelError, Workspace, WorkspaceResponse, effective_mass, input, interruption,
 };
 #[doc(no_inline)]
 pub use percuss_formats::{

@@ -33,6 +33,8 @@ mod module {
     #[pymodule_export]
     use crate::conversion::diagnostic::{Diagnostic, diagnostic_of_parts};
     #[pymodule_export]
+    use crate::conversion::threads::set_threads;
+    #[pymodule_export]
     use crate::questions::damping::{damp, damp_mass, impact_history, laws, regions, tools};
     #[pymodule_export]
     use crate::questions::impact::{extremes, impact};

@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import nbclient
 import nbformat
@@ -34,15 +35,30 @@ def test_examples(name: str, tmp_path: Path) -> None:
     assert "kg" in ran.stdout
 
 
-def test_the_notebook(tmp_path: Path) -> None:
-    notebook = nbformat.read(EXAMPLES / "arm.ipynb", as_version=4)  # type: ignore[no-untyped-call]
+def executed(name: str) -> list[Any]:
+    """Outputs of all cells of a notebook, run in a fresh kernel."""
+    notebook = nbformat.read(EXAMPLES / name, as_version=4)  # type: ignore[no-untyped-call]
     assert all(not cell.get("outputs") for cell in notebook.cells), "it is kept without its outputs"
     client = nbclient.NotebookClient(notebook, timeout=120, resources={"metadata": {"path": str(ROOT)}})
     client.execute()
-    shown = [output for cell in notebook.cells for output in cell.get("outputs", [])]
+    return [output for cell in notebook.cells for output in cell.get("outputs", [])]
+
+
+def printed(shown: list[Any]) -> str:
+    return "".join(output["text"] for output in shown if output["output_type"] == "stream")
+
+
+def test_the_notebook_of_an_arm() -> None:
+    shown = executed("arm.ipynb")
     pages = [output["data"]["text/html"] for output in shown if "text/html" in output.get("data", {})]
     # Pictures: the curve of the motion and the surface of the map. Tables: the reports.
     assert sum("<svg" in page for page in pages) == 2, len(pages)
     assert sum("<table" in page for page in pages) == 3
-    printed = "".join(output["text"] for output in shown if output["output_type"] == "stream")
-    assert "kg ±" in printed and "m/s with the effective mass" in printed
+    assert "kg ±" in printed(shown) and "m/s with the effective mass" in printed(shown)
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in EXAMPLES.glob("*.ipynb") if path.name != "arm.ipynb"))
+def test_notebooks_with_pictures(name: str) -> None:
+    shown = executed(name)
+    assert "kg" in printed(shown)
+    assert any("image/png" in output.get("data", {}) for output in shown), "no picture was drawn"

@@ -79,3 +79,8 @@ def test_everything_of_python_stands_on_the_page() -> None:
     text = PAGE.read_text() + (ROOT / "docs/howto/PYTHON.md").read_text()
     for name in percuss.__all__:
         assert re.search(rf"\b{name}\b", text), f"{name} stands on neither page"
+
+
+def test_the_citation_has_the_version() -> None:
+    cited = re.search(r"^version: (\S+)$", (ROOT / "CITATION.cff").read_text(), flags=re.M)
+    assert cited is not None and cited[1] == percuss.__version__

@@ -20,7 +20,8 @@ pub use articulated::ArticulatedInertia;
 pub use inertia::SpatialInertia;
 pub use nalgebra::{Matrix3, Vector3};
 pub use packed::{
-    PackedInertia, PackedTwist, PackedWrench, Pivot, rotate_back, rotation_rows, splat, turn_vector,
+    PackedInertia, PackedTwist, PackedWrench, Pivot, rotate_back, rotate_symmetric, rotated, rotation_rows,
+    splat, turn_vector,
 };
 pub use rotation::{
     plane_basis, quaternion_product, rotation_about, rotation_from_quaternion, rotation_from_rpy,

@@ -17,7 +17,7 @@ use crate::evaluation::contact::{
 use crate::evaluation::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
 use crate::evaluation::workspace::percuss_workspace;
 use crate::setup::system::percuss_assembly;
-use percuss::{Batch, BatchAnswer, BatchError, BatchPositions};
+use percuss::{Batch, BatchAnswer, BatchDerivatives, BatchError, BatchPositions};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::ffi::c_void;
 
@@ -28,7 +28,7 @@ pub struct percuss_batch {
 
 /// Batch with its thread pool and the id of the process that started the pool; `None` without a pool.
 pub(crate) struct ThreadedBatch {
-    batch: Batch,
+    pub batch: BatchDerivatives,
     positions: usize,
     pool: Option<(u32, ThreadPool)>,
 }
@@ -111,7 +111,7 @@ impl ThreadedBatch {
                 Some((std::process::id(), pool.map_err(Failure::with_status(PERCUSS_ERROR_INTERNAL))?))
             }
         };
-        Ok(Self { batch, positions, pool })
+        Ok(Self { batch: batch.derivatives(), positions, pool })
     }
 }
 
@@ -191,8 +191,8 @@ pub unsafe extern "C" fn percuss_batch_run(
                 _ => BatchPositions::Columns { values: &values[done..], stride },
             };
             let run = match pool {
-                None => threaded.batch.run_here(part, answers),
-                Some(pool) => pool.install(|| threaded.batch.run(part, answers)),
+                None => threaded.batch.batch().run_here(part, answers),
+                Some(pool) => pool.install(|| threaded.batch.batch().run(part, answers)),
             };
             run.map_err(|error: BatchError| Failure::new(PERCUSS_ERROR_LENGTH, error))?;
             for (at, answer) in (done..).zip(&*answers) {
@@ -223,7 +223,7 @@ pub unsafe extern "C" fn percuss_batch_run(
 
 impl ThreadedBatch {
     /// Thread pool; `None` for the calling thread. A forked process has none of its parent's threads and would wait forever.
-    fn thread_pool(&self) -> Result<Option<&ThreadPool>, Failure> {
+    pub fn thread_pool(&self) -> Result<Option<&ThreadPool>, Failure> {
         let Some((process, pool)) = &self.pool else { return Ok(None) };
         if *process == std::process::id() {
             return Ok(Some(pool));
@@ -234,7 +234,13 @@ impl ThreadedBatch {
     }
 
     /// Refuses a `length` that is too small for the configurations, and an unknown layout.
-    fn check_layout(&self, length: usize, layout: i32, stride: usize, count: usize) -> Result<(), Failure> {
+    pub fn check_layout(
+        &self,
+        length: usize,
+        layout: i32,
+        stride: usize,
+        count: usize,
+    ) -> Result<(), Failure> {
         let (outer, inner) = match layout {
             PERCUSS_ROW_MAJOR => (count, self.positions),
             PERCUSS_COLUMN_MAJOR => (self.positions, count),

@@ -2,6 +2,8 @@
 
 pub(crate) mod batch;
 pub(crate) mod contact;
+pub(crate) mod derivatives;
+pub(crate) mod path;
 pub(crate) mod pose;
 pub(crate) mod response;
 pub(crate) mod workspace;

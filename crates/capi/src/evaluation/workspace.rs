@@ -1,6 +1,8 @@
 //! Workspaces: one configuration after another, without allocations.
 
-use crate::boundary::arrays::{ByteRange, input_slice, refuse_overlaps};
+use crate::boundary::arrays::{
+    ByteRange, copy_to_caller, expect_length, input_slice, nan_if_unknown, refuse_overlaps,
+};
 use crate::boundary::handle::{
     Exclusive, Handle, argument_mut, argument_ref, clear_handle, free_handle, lock_object, object_of,
     write_handle,
@@ -27,6 +29,8 @@ pub(crate) struct ModelWorkspace {
     pub workspace: Workspace,
     /// The last contact, in C form and resolved on the model.
     last_contact: Option<(percuss_contact, Contact)>,
+    /// v* of the last response; a reusable buffer.
+    velocities: Vec<f64>,
 }
 
 impl Handle for percuss_workspace {
@@ -48,7 +52,8 @@ pub unsafe extern "C" fn percuss_workspace_new(
         clear_handle(workspace)?;
         let assembled = object_of(assembly)?;
         let (model, inside) = (Arc::clone(&assembled.model), assembled.assembly.workspace());
-        let workspace_guard = ModelWorkspace { model, workspace: inside, last_contact: None };
+        let workspace_guard =
+            ModelWorkspace { model, workspace: inside, last_contact: None, velocities: Vec::new() };
         write_handle(Exclusive::new(workspace_guard), workspace)
     })
 }
@@ -127,6 +132,79 @@ pub unsafe extern "C" fn percuss_workspace_effective_mass_again(
     })
 }
 
+/// Response of a workspace to a contact.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct percuss_workspace_response {
+    /// PERCUSS_FINITE, PERCUSS_IMMOVABLE or PERCUSS_MASSLESS.
+    pub outcome: percuss_outcome,
+    /// PERCUSS_REMARK_… added together.
+    pub remarks: u32,
+    /// m̄, kg; NaN unless finite.
+    pub effective_mass: f64,
+    /// Error of m̄ by rounding, kg; NaN unless finite. Those by the closing of loops and by the file: percuss_pose_effective_mass.
+    pub error: f64,
+    /// v* of a floating root link: 3 angular and 3 linear numbers, in its axes at its origin; zeros for a fixed root link.
+    pub base_velocity: [f64; 6],
+}
+
+/// m̄ of a contact at the last positions of the workspace, its error, findings, and v*: the velocities of all joints at unit closing
+/// speed (1/m·rad, 1), concatenated in joint order; velocity_count is the velocities of percuss_model_counts. positions: count
+/// numbers, as percuss_workspace_effective_mass; null with count 0: the last positions. Allocates nothing after the first call,
+/// unless the recursion is not accurate enough. v* is zero unless m̄ is finite.
+///
+/// Errors: as percuss_workspace_effective_mass.
+///
+/// # Safety
+/// workspace is a handle; positions is null or has count numbers; contact is null or points to a contact; response is null or points
+/// to storage; velocities has space for velocity_count numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_workspace_respond(
+    workspace: *mut percuss_workspace,
+    positions: *const f64,
+    count: usize,
+    contact: *const percuss_contact,
+    response: *mut percuss_workspace_response,
+    velocities: *mut f64,
+    velocity_count: usize,
+) -> percuss_status {
+    guard_call(|| {
+        let read =
+            [ByteRange::of_array(positions, count, "positions"), ByteRange::of_array(contact, 1, "contact")];
+        let written = [
+            ByteRange::of_array(response, 1, "response"),
+            ByteRange::of_array(velocities, velocity_count, "velocities"),
+        ];
+        refuse_overlaps(&written, &read)?;
+        let mut workspace_guard = lock_object(object_of(workspace)?, "percuss_workspace")?;
+        let to = argument_mut(response, "response")?;
+        let c_contact = argument_ref(contact, "contact")?;
+        expect_length(velocity_count, workspace_guard.model.velocities, "velocities")?;
+        if !positions.is_null() || count > 0 {
+            let positions = input_slice(positions, count, "positions")?;
+            let set = workspace_guard.workspace.set_positions(positions);
+            set.map_err(Failure::with_status(PERCUSS_ERROR_LENGTH))?;
+        }
+        let ModelWorkspace { model, workspace, last_contact, velocities: own } = &mut *workspace_guard;
+        let (_, contact) = match last_contact {
+            Some(last) if last.0 == *c_contact => last,
+            _ => last_contact.insert((*c_contact, c_contact.resolve(model)?)),
+        };
+        let found = workspace.respond(contact, own).map_err(response_failure)?;
+        copy_to_caller(own, velocities, velocity_count, "velocities")?;
+        let (outcome, effective_mass) = outcome_and_value(found.effective_mass);
+        let (w, v) = (found.base_velocity.angular, found.base_velocity.linear);
+        *to = percuss_workspace_response {
+            outcome,
+            remarks: found.remarks.bits(),
+            effective_mass,
+            error: nan_if_unknown(found.error),
+            base_velocity: [w.x, w.y, w.z, v.x, v.y, v.z],
+        };
+        Ok(())
+    })
+}
+
 /// Sets the pose of the root link in the world, as percuss_configuration_set_base: for normals that are given in the
 /// world.
 ///
@@ -189,7 +267,7 @@ impl ModelWorkspace {
         c_contact: &percuss_contact,
         results: ResultPointers<'_>,
     ) -> Result<(), Failure> {
-        let ModelWorkspace { model, workspace, last_contact } = self;
+        let ModelWorkspace { model, workspace, last_contact, .. } = self;
         let (_, contact) = match last_contact {
             Some(last) if last.0 == *c_contact => last,
             _ => last_contact.insert((*c_contact, c_contact.resolve(model)?)),

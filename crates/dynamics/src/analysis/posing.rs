@@ -6,6 +6,7 @@ use crate::kinematics::frames::Kinematics;
 use crate::loops::assembling::{AssemblyError, Closer, LoopState, Start};
 use crate::model::configuration::Configuration;
 use crate::model::input::rigid_base_pose;
+use crate::model::interruption;
 use percuss_spatial::Transform;
 use std::sync::Arc;
 
@@ -43,6 +44,7 @@ impl Assembly {
         configuration: &Configuration,
         from: Option<&Pose>,
     ) -> Result<Pose, AssemblyError> {
+        interruption::check();
         let model = self.pose_model();
         if !Arc::ptr_eq(configuration.mechanism(), &model.mechanism) {
             return Err(AssemblyError::ForeignConfiguration {

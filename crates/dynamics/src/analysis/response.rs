@@ -10,6 +10,7 @@ use crate::kinematics::outcome::{
     DenseReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError,
 };
 use crate::kinematics::remarks::RemarkFlags;
+use crate::model::interruption;
 use crate::recursion::closing_speed::closing_floor;
 use crate::tolerances::{FILE_MISFITS, IMMOVABLE, LEAST_OTHER_MASS, NEARLY_IMMOVABLE, SAME_BOTH_WAYS};
 use percuss_mechanism::{JointId, LinkId};
@@ -140,6 +141,7 @@ impl Pose {
         contact: &Contact,
         choice: RouteChoice,
     ) -> Result<ContactResponse, ResponseError> {
+        interruption::check();
         let located = self.locate(contact)?;
         let workspace = self.assembly.workspaces().acquire(self.assembly.model());
         let mut query = ContactQuery { pose: self, contact, located: &located, workspace };

@@ -244,6 +244,34 @@ impl RouteInput<'_> {
         }
     }
 
+    /// m̄, its error by rounding (kg; `None` unless finite), findings, and v* in `velocities` (tree velocities at unit closing speed; zeros
+    /// without a motion), after the recursion ran. Allocates nothing after the first call if the recursion is accurate enough.
+    pub fn respond_into(
+        &self,
+        workspace: &mut RecursionWorkspace,
+        velocities: &mut [f64],
+    ) -> Result<(EffectiveMass, Option<f64>, RemarkFlags), RouteError> {
+        let errors = self.recursion_errors(workspace);
+        let error_of = |mass: EffectiveMass, errors: &RelativeErrors, closing_speed: f64| match mass {
+            EffectiveMass::Finite(m) => Some(m * (errors.rounding + 2.0 * f64::EPSILON / closing_speed)),
+            EffectiveMass::Immovable | EffectiveMass::Massless => None,
+        };
+        if workspace.dense_reason(&errors).is_some() {
+            let found = self.more_accurate_result(workspace, errors)?;
+            velocities.copy_from_slice(&found.velocities);
+            let flags = found.remarks.iter().collect::<RemarkFlags>()
+                | self.remark_flags(workspace, found.mass, found.closing_speed);
+            return Ok((found.mass, error_of(found.mass, &found.errors, found.closing_speed), flags));
+        }
+        let mass = apply_energy_value(workspace.mass(), &errors);
+        velocities.fill(0.0);
+        if let EffectiveMass::Finite(m) = mass {
+            velocities.iter_mut().zip(&workspace.motion.velocities).for_each(|(to, v)| *to = v * m);
+        }
+        let error = error_of(mass, &errors, workspace.closing_speed);
+        Ok((mass, error, self.recursive_flags(workspace, mass)))
+    }
+
     /// [`remark_flags`](Self::remark_flags) of the recursion's result.
     fn recursive_flags(&self, workspace: &RecursionWorkspace, mass: EffectiveMass) -> RemarkFlags {
         let mut flags = self.remark_flags(workspace, mass, workspace.closing_speed);

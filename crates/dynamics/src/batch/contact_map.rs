@@ -25,6 +25,7 @@ use crate::analysis::pose::Pose;
 use crate::batch::rows::BatchAnswer;
 use crate::kinematics::contact::{Contact, ContactError, ContactPart};
 use crate::kinematics::outcome::EffectiveMass;
+use crate::model::interruption;
 use crate::recursion::{Pivoting, Recursion};
 use crate::tolerances::{MAP_FREE_CLEAR, MAP_PORTION, MAP_STILL, MAP_TRUSTED_ERROR, MASSLESS_CLOSING};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
@@ -156,6 +157,7 @@ impl ContactMap<'_> {
         contacts: ContactColumns<'_>,
         answers: &mut MapAnswers<'_>,
     ) -> Result<(), MapError> {
+        interruption::check();
         let expected = contacts.points[0].len();
         let lengths = contacts.points.iter().chain(&contacts.normals).map(|column| column.len());
         let outputs = [answers.masses.len(), answers.errors.len(), answers.statuses.len()];

@@ -38,6 +38,18 @@ pub enum BatchError {
         /// Length of the column of errors.
         errors: usize,
     },
+    /// Wrong number of gradients or inverse inertias.
+    #[error(
+        "there is room for {got} numbers; expected {width} for each of the {configurations} configurations"
+    )]
+    DerivativeCount {
+        /// Number of places.
+        got: usize,
+        /// Required numbers per configuration.
+        width: usize,
+        /// Number of configurations.
+        configurations: usize,
+    },
     /// Wrong number of contact points or normals.
     #[error(
         "{points} numbers of points and {normals} of normals are given; expected three for each of the {configurations} \

@@ -1,6 +1,7 @@
 //! Many configurations or contacts: workspaces, batches, paths of drivers, contact maps.
 
 pub(crate) mod contact_map;
+pub(crate) mod derivatives;
 pub(crate) mod driven_path;
 pub(crate) mod error;
 pub(crate) mod pool;

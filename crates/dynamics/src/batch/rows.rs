@@ -16,6 +16,7 @@ use crate::kernels::lane_kernel::LaneKernel;
 use crate::kinematics::contact::Contact;
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
 use crate::kinematics::remarks::RemarkFlags;
+use crate::model::interruption;
 use crate::model::velocities::{StateSizeError, check_positions};
 use percuss_spatial::Transform;
 use percuss_spatial::lanes::Instructions;
@@ -27,7 +28,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 /// Number of configurations per task of a thread.
 const PORTION: usize = 512;
 /// Number of configurations per call of the SIMD kernel: a multiple of the lane count of every instruction set.
-const BLOCK: usize = 64;
+pub(super) const BLOCK: usize = 64;
 
 /// Positions of many configurations. Each configuration holds the positions of all joints one after another, in joint
 /// order.
@@ -162,6 +163,21 @@ impl Batch {
         }
         self.pool = WorkerPool::default();
         self
+    }
+
+    /// The assembly of the batch.
+    pub(super) fn assembly(&self) -> &Arc<Assembly> {
+        &self.assembly
+    }
+
+    /// The contact; a normal given in the world is in the axes of the root link.
+    pub(super) fn contact(&self) -> &Contact {
+        &self.contact
+    }
+
+    /// Pose of the root link in the world by which normals of rows are converted; `None`: they are not converted.
+    pub(super) fn base_of_normal(&self) -> Option<&Transform<f64>> {
+        self.worker.base_of_normal.as_ref()
     }
 
     /// True if the mechanism has a SIMD kernel; otherwise each configuration is computed separately.
@@ -403,6 +419,7 @@ impl Worker {
             conversion = lanes.conversion();
         }
         for block in (0..count).step_by(BLOCK) {
+            interruption::check();
             let (start, here) = (first + block, BLOCK.min(count - block));
             let [mut masses, mut errors] = [[f64::NAN; BLOCK]; 2];
             if let Some(lanes) = in_lanes {
@@ -452,7 +469,7 @@ impl Worker {
 impl BatchPositions<'_> {
     /// Position `q` of a configuration.
     #[inline]
-    fn at(&self, configuration: usize, q: usize) -> f64 {
+    pub(super) fn at(&self, configuration: usize, q: usize) -> f64 {
         match self {
             BatchPositions::Rows { values, stride } => values[configuration * stride + q],
             BatchPositions::Columns { values, stride } => values[q * stride + configuration],

@@ -12,9 +12,11 @@ use crate::kinematics::remarks::RemarkFlags;
 use crate::mobility::{GroupMobility, MobilityWorkspace};
 use crate::model::Model;
 use crate::model::input::{InputError, is_number, normalise_quaternion, quaternion_of, rigid_base_pose};
+use crate::model::interruption;
 use crate::model::velocities::{StateSizeError, check_positions};
+use nalgebra::Vector3;
 use percuss_mechanism::JointId;
-use percuss_spatial::Transform;
+use percuss_spatial::{Transform, Twist};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -43,6 +45,22 @@ pub struct Workspace {
     base: Option<Transform<f64>>,
     /// Findings about the last result.
     remarks: RemarkFlags,
+    /// v* of all tree velocities; a reusable buffer.
+    velocities: Vec<f64>,
+}
+
+/// Response of a [`Workspace`] to a contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorkspaceResponse {
+    /// m̄.
+    pub effective_mass: EffectiveMass,
+    /// Error of m̄ by rounding, kg; `None` unless m̄ is finite. The errors by the closing of loops and by the file are in
+    /// [`ContactResponse::error`](crate::ContactResponse::error) of a pose.
+    pub error: Option<f64>,
+    /// Findings, as [`Workspace::remarks`].
+    pub remarks: RemarkFlags,
+    /// v* of a floating root link, in its axes at its origin; zero for a fixed root link.
+    pub base_velocity: Twist<f64>,
 }
 
 impl System {
@@ -76,6 +94,7 @@ impl Assembly {
             residuals: Vec::new(),
             base: None,
             remarks: RemarkFlags::NONE,
+            velocities: vec![0.0; model.velocity_coordinates.len()],
         };
         workspace.update_frames();
         workspace
@@ -220,8 +239,52 @@ impl Workspace {
         self.recursion.massless_limit(self.assembly.model())
     }
 
-    /// Computes m̄ by the recursion, without the SIMD kernel.
-    pub(crate) fn recursion_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
+    /// m̄ of a contact at the current positions, its error by rounding, and v*: the velocities of all joints at unit closing speed
+    /// (1/m·rad, 1), in joint order, in `velocities`. Zeros if the contact is not finite. Always by the recursion: m̄ equals that
+    /// of [`Pose::respond`](crate::Pose::respond). Allocates nothing after the first call if the recursion is accurate enough.
+    ///
+    /// # Errors
+    /// As [`effective_mass`](Self::effective_mass). `velocities` is then empty.
+    pub fn respond(
+        &mut self,
+        contact: &Contact,
+        velocities: &mut Vec<f64>,
+    ) -> Result<WorkspaceResponse, ResponseError> {
+        velocities.clear();
+        let (contact, flags) = self.contact_in_root(contact);
+        self.remarks = flags;
+        self.prepare_recursion()?;
+        let assembly = Arc::clone(&self.assembly);
+        let model = assembly.model();
+        let located = model.locate(&self.kinematics, &Transform::identity(), &contact)?;
+        model.refuse_large_clusters(&self.groups)?;
+        let route_input = RouteInput {
+            model,
+            kinematics: &self.kinematics,
+            groups: &self.groups,
+            misfits: assembly.misfits(),
+            located: &located,
+        };
+        route_input.run_recursion(&mut self.recursion);
+        let (effective_mass, error, own) =
+            route_input.respond_into(&mut self.recursion, &mut self.velocities)?;
+        self.remarks |= own;
+        for (joint, body) in model.mechanism.joints().iter().zip(&model.body_of_joint) {
+            match body.map(|b| &model.bodies[b].v).filter(|v| !v.is_empty()) {
+                Some(v) => velocities.extend_from_slice(&self.velocities[v.clone()]),
+                None => velocities.extend(std::iter::repeat_n(0.0, joint.kind().dofs())),
+            }
+        }
+        let mut base_velocity = Twist::zero();
+        if let Some(base) = model.bodies.iter().find(|body| body.joint.is_none() && !body.v.is_empty()) {
+            let v = &self.velocities[base.v.clone()];
+            base_velocity = Twist::new(Vector3::new(v[0], v[1], v[2]), Vector3::new(v[3], v[4], v[5]));
+        }
+        Ok(WorkspaceResponse { effective_mass, error, remarks: self.remarks, base_velocity })
+    }
+
+    /// Checks the positions and updates the frames.
+    fn prepare_recursion(&mut self) -> Result<(), ResponseError> {
         // The SIMD kernel never certifies a result from such values. Without this check the recursion would find no
         // moving body.
         if let Some(index) = self.first_not_finite() {
@@ -237,7 +300,13 @@ impl Workspace {
         if self.stale {
             self.update_frames();
         }
-        self.assembly.refuse_open_loops(&self.kinematics, &mut self.residuals)?;
+        self.assembly.refuse_open_loops(&self.kinematics, &mut self.residuals)
+    }
+
+    /// Computes m̄ by the recursion, without the SIMD kernel.
+    pub(crate) fn recursion_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
+        interruption::check();
+        self.prepare_recursion()?;
         let model = self.assembly.model();
         let located = model.locate(&self.kinematics, &Transform::identity(), contact)?;
         model.refuse_large_clusters(&self.groups)?;

@@ -7,6 +7,7 @@ pub(crate) mod configuration;
 mod constraint;
 mod constraints;
 pub mod input;
+pub mod interruption;
 pub(crate) mod joint_motion;
 pub(crate) mod structure;
 pub(crate) mod tangent;

@@ -16,6 +16,7 @@ from __future__ import annotations
 from importlib.metadata import version as _version
 from typing import Any as _Any
 
+from . import converters
 from ._errors import (
     AssemblyError,
     InputError,
@@ -24,6 +25,7 @@ from ._errors import (
     NoAnswerError,
     PercussError,
 )
+from ._gradients import position_gradient
 from ._kinematics import Kinematics, kinematics
 from ._matrices import MatrixBatch
 from ._percuss import (
@@ -47,6 +49,7 @@ from ._percuss import (
     load_suspension,
     loads,
     regions,
+    set_threads,
     suspension_template,
     suspension_templates,
     sweep,
@@ -84,6 +87,7 @@ from ._reports import (
     sweep_report,
     tolerate,
 )
+from .converters import from_mujoco, from_pinocchio
 
 __version__ = _version("percuss")
 
@@ -126,6 +130,7 @@ __all__ = [
     "check",
     "compare",
     "compare_study",
+    "converters",
     "damp",
     "damp_contact",
     "damp_stop",
@@ -133,6 +138,8 @@ __all__ = [
     "effective_masses",
     "explain",
     "extremes",
+    "from_mujoco",
+    "from_pinocchio",
     "impact",
     "impact_history",
     "kinematics",
@@ -143,10 +150,12 @@ __all__ = [
     "map",
     "map_point",
     "mass",
+    "position_gradient",
     "regions",
     "run_study",
     "safe_speed",
     "safe_speed_directions",
+    "set_threads",
     "starting_study",
     "study_schema",
     "suspension_template",
@@ -188,7 +197,14 @@ def _model(text: bytes, name: str, accept: list[str]) -> Model:
 
 
 def _sweep(
-    effective_mass: _Any, error: _Any, status: _Any, remarks: _Any, link: str, no_answer: str | None
+    effective_mass: _Any,
+    error: _Any,
+    status: _Any,
+    remarks: _Any,
+    link: str,
+    no_answer: str | None,
+    gradient: _Any = None,
+    inverse: _Any = None,
 ) -> Sweep:
     """Rebuilds a pickled sweep."""
-    return _sweep_of_arrays(effective_mass, error, status, remarks, link, no_answer)
+    return _sweep_of_arrays(effective_mass, error, status, remarks, link, no_answer, gradient, inverse)

@@ -1,6 +1,6 @@
 # Types of the extension module; tests/external/python.sh compares them with the module (stubtest).
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal, NoReturn, TypedDict, final
 
 import numpy as np
@@ -51,6 +51,7 @@ __all__ = [
     "run_command",
     "run_study",
     "safe_speed",
+    "set_threads",
     "starting_study",
     "study_schema",
     "suspension_template",
@@ -197,6 +198,8 @@ class Model:
     def position_count(self) -> int: ...
     @property
     def position_names(self) -> list[str]: ...
+    @property
+    def velocity_names(self) -> list[str]: ...
     @property
     def total_mass(self) -> float: ...
     @property
@@ -425,6 +428,10 @@ class Sweep:
     def remarks(self) -> NDArray[np.uint32]: ...
     @property
     def findings(self) -> list[Diagnostic]: ...
+    @property
+    def gradient(self) -> _Array | None: ...
+    @property
+    def inverse_operational_inertia(self) -> _Array | None: ...
     def to_svg(self) -> str: ...
     def _repr_html_(self) -> str: ...
     def __len__(self) -> int: ...
@@ -441,7 +448,10 @@ def sweep_of_arrays(
     remarks: NDArray[np.uint32],
     link: str,
     no_answer: str | None,
+    gradient: _Array | None,
+    inverse_operational_inertia: _Array | None,
 ) -> Sweep: ...
+def set_threads(threads: int | None = None) -> None: ...
 def diagnostic_of_parts(
     severity: str,
     code: str,
@@ -487,6 +497,10 @@ def sweep(
     other_assembly: bool = False,
     points: ArrayLike | None = None,
     normals: ArrayLike | None = None,
+    gradient: bool = False,
+    inverse_operational_inertia: bool = False,
+    threads: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
 ) -> Sweep: ...
 def load_suspension(
     path: str | os.PathLike[str],

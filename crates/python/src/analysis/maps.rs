@@ -5,8 +5,8 @@ use crate::analysis::response::{status, value};
 use crate::conversion::arrays::{float64_matrix, shape, triple};
 use crate::conversion::errors::input;
 use crate::conversion::labels::AXES;
-use crate::conversion::threads::detached;
-use numpy::ndarray::ArrayView2;
+use crate::conversion::threads::{Threads, detached};
+use numpy::ndarray::{ArrayView2, s};
 use numpy::{PyArray1, PyUntypedArrayMethods};
 use percuss::nalgebra::Vector3;
 use percuss::{ContactColumns, ContactMap, ContactStatus, MapAnswers};
@@ -48,14 +48,32 @@ fn columns(values: ArrayView2<'_, f64>) -> [Vec<f64>; 3] {
     [0, 1, 2].map(|axis| values.column(axis).iter().copied().collect())
 }
 
-/// Refuses entries that are not finite.
-fn check_finite(values: ArrayView2<'_, f64>, what: &str) -> PyResult<()> {
-    match values.indexed_iter().find(|(_, x)| !x.is_finite()) {
-        Some(((row, axis), bad)) => {
-            Err(input(format_args!("{what}[{row}, {axis}] is {bad}; expected finite numbers")))
+/// Refuses entries that are not finite; checks for Ctrl-C.
+fn check_finite(py: Python<'_>, values: ArrayView2<'_, f64>, what: &str) -> PyResult<()> {
+    for first in (0..values.nrows()).step_by(PORTION) {
+        let part = values.slice(s![first..values.nrows().min(first + PORTION), ..]);
+        if let Some(((row, axis), bad)) = part.indexed_iter().find(|(_, x)| !x.is_finite()) {
+            let row = first + row;
+            return Err(input(format_args!("{what}[{row}, {axis}] is {bad}; expected finite numbers")));
         }
-        None => Ok(()),
+        py.check_signals()?;
     }
+    Ok(())
+}
+
+/// Least and greatest entries of the three columns; checks for Ctrl-C.
+fn bounds(py: Python<'_>, values: ArrayView2<'_, f64>) -> PyResult<[[f64; 2]; 3]> {
+    let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+    for first in (0..values.nrows()).step_by(PORTION) {
+        let part = values.slice(s![first..values.nrows().min(first + PORTION), ..]);
+        for (axis, [least, most]) in found.iter_mut().enumerate() {
+            for x in part.column(axis) {
+                (*least, *most) = (least.min(*x), most.max(*x));
+            }
+        }
+        py.check_signals()?;
+    }
+    Ok(if values.nrows() == 0 { [[0.0; 2]; 3] } else { found })
 }
 
 /// m̄ of many contacts of a link.
@@ -78,20 +96,19 @@ pub fn contact_map<'py>(
                 shape(array.shape())
             )));
         }
-        check_finite(array.as_array(), what)?;
+        check_finite(py, array.as_array(), what)?;
     }
-    let (points, normals) = (columns(points.as_array()), columns(normals.as_array()));
+    let (points, normals) = (points.as_array(), normals.as_array());
     // Φ refers to the middle of a box around the points; error bounds hold for contacts in this box.
-    let minimum = |axis: usize| points[axis].iter().copied().reduce(f64::min).unwrap_or(0.0);
-    let most = |axis: usize| points[axis].iter().copied().reduce(f64::max).unwrap_or(0.0);
-    let centre = Vector3::from_fn(|axis, _| 0.5 * (minimum(axis) + most(axis)));
-    let reach = Vector3::from_fn(|axis, _| 0.5 * (most(axis) - minimum(axis))).norm();
+    let bounds = bounds(py, points)?;
+    let centre = Vector3::from_fn(|axis, _| 0.5 * (bounds[axis][0] + bounds[axis][1]));
+    let reach = Vector3::from_fn(|axis, _| 0.5 * (bounds[axis][1] - bounds[axis][0])).norm();
     let map = py.detach(|| contact_map_about(pose, link, against, centre, reach))?;
     let (mut masses, mut errors) = (vec![0.0; count], vec![0.0; count]);
     let mut statuses = vec![ContactStatus::Finite; count];
     for first in (0..count).step_by(PORTION) {
         let rows = first..count.min(first + PORTION);
-        let part = |all: &[Vec<f64>; 3]| [0, 1, 2].map(|axis| all[axis][rows.clone()].to_vec());
+        let part = |all: &ArrayView2<'_, f64>| columns(all.slice(s![rows.clone(), ..]));
         let (points, normals) = (part(&points), part(&normals));
         let mut answers = MapAnswers {
             masses: &mut masses[rows.clone()],
@@ -102,7 +119,7 @@ pub fn contact_map<'py>(
             points: [&points[0], &points[1], &points[2]],
             normals: [&normals[0], &normals[1], &normals[2]],
         };
-        detached(py, || map.fill_answers(contacts, &mut answers))?.map_err(input)?;
+        detached(py, Threads::of(None)?, || map.fill_answers(contacts, &mut answers))?.map_err(input)?;
         py.check_signals()?;
     }
     for ((mass, error), status) in masses.iter_mut().zip(&mut errors).zip(&statuses) {

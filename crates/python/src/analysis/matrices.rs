@@ -4,7 +4,7 @@ use crate::analysis::response::{remark, status, value};
 use crate::conversion::arrays::{Numbers, shape};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::input;
-use crate::conversion::threads::detached;
+use crate::conversion::threads::{Threads, detached};
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use percuss::study::matrix_findings as findings_of_batch;
 use percuss::{
@@ -345,7 +345,7 @@ pub fn effective_masses<'py>(
     let (mut masses, mut errors, mut codes) = (Vec::new(), Vec::new(), Vec::new());
     let (mut remarks, mut small_rows) = (Vec::new(), Vec::new());
     for first in (0..count).step_by(256) {
-        let part = detached(py, || {
+        let part = detached(py, Threads::of(None)?, || {
             (first..count.min(first + 256)).into_par_iter().map(one).collect::<PyResult<Vec<_>>>()
         })??;
         for solved in part {

@@ -2,7 +2,7 @@
 
 use crate::analysis::model::{Joint, Model};
 use crate::analysis::pose::Pose;
-use crate::analysis::system::{Assembly, System, position_names};
+use crate::analysis::system::{Assembly, System, position_names, velocity_names};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors;
 use percuss::study::Changes;
@@ -74,6 +74,12 @@ impl Model {
     #[getter]
     fn position_names(&self) -> Vec<String> {
         position_names(&self.read.mechanism)
+    }
+
+    /// Name of each velocity, in the order of Sweep.gradient: joints in the order of the file.
+    #[getter]
+    fn velocity_names(&self) -> Vec<String> {
+        velocity_names(&self.read.mechanism)
     }
 
     /// Total mass, kg.

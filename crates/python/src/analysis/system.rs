@@ -104,6 +104,17 @@ pub fn position_names(mechanism: &Mechanism) -> Vec<String> {
     mechanism.joints().iter().flat_map(of).collect()
 }
 
+/// Name of every velocity; a joint with several has its name with indices. The layout of the gradient of a sweep.
+pub fn velocity_names(mechanism: &Mechanism) -> Vec<String> {
+    let of = |joint: &percuss::Joint| -> Vec<String> {
+        match joint.kind().dofs() {
+            1 => vec![joint.name().to_owned()],
+            count => (0..count).map(|i| format!("{}[{i}]", joint.name())).collect(),
+        }
+    };
+    mechanism.joints().iter().flat_map(of).collect()
+}
+
 /// Configuration from a dict of joints or from the vector of all positions.
 pub fn configuration(
     mechanism: &Arc<Mechanism>,

@@ -1,50 +1,166 @@
-//! Thread pools of sweeps, maps and reports. A forked process (Python's multiprocessing on Linux) has none of its
-//! parent's threads and would wait for them forever; it therefore starts its own pool.
+//! Thread pools of sweeps, maps and reports, and Ctrl-C.
+//!
+//! A forked process (Python's multiprocessing on Linux) has none of its parent's threads and would wait for them forever; it therefore
+//! starts its own pools. Signals reach the main thread only: while a report of the main thread is computed on a pool, the main thread
+//! checks for Ctrl-C and then stops the threads of this pool.
 
+use crate::conversion::errors::input;
+use percuss::interruption::{self, Interrupted};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::process;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Mutex, OnceLock, PoisonError};
+use std::time::Duration;
 
 /// Id of the process that loaded this module; it uses rayon's global pool.
 static LOADING_PROCESS: OnceLock<u32> = OnceLock::new();
+/// Pools of this process and of its ancestors. Never dropped: in a fork, dropping would wait for threads that do not exist.
+static POOLS: Mutex<Vec<(PoolKind, &'static ThreadPool)>> = Mutex::new(Vec::new());
+/// Number of threads of all calls; 0: one per processor.
+static LIMIT: AtomicUsize = AtomicUsize::new(0);
+/// True while the computation of the main thread is to stop.
+static STOP: AtomicBool = AtomicBool::new(false);
+/// Largest number of threads.
+const MOST_THREADS: usize = 1024;
+/// Time between two checks for Ctrl-C: a quarter of the 0.2 s in which a call stops, for the reaction of the threads.
+const CHECK_INTERVAL: Duration = Duration::from_millis(50);
 
-/// Pool of a forked process, with the process id. Never dropped: in another fork, dropping would wait for threads that
-/// do not exist.
-static FORKED_POOL: Mutex<Option<(u32, &'static ThreadPool)>> = Mutex::new(None);
+/// Process and threads of a pool.
+#[derive(Clone, Copy, PartialEq)]
+struct PoolKind {
+    process: u32,
+    threads: usize,
+    /// True for computations of the main thread, which Ctrl-C stops.
+    is_stoppable: bool,
+}
+
+/// Number of threads of a call; 0: one per processor.
+#[derive(Clone, Copy, Default)]
+pub struct Threads(usize);
+
+impl Threads {
+    /// Number of threads as given, else that of [`set_threads`].
+    pub fn of(given: Option<usize>) -> PyResult<Self> {
+        match given {
+            None => Ok(Self(LIMIT.load(Ordering::Relaxed))),
+            Some(threads) if (1..=MOST_THREADS).contains(&threads) => Ok(Self(threads)),
+            Some(threads) => {
+                Err(input(format_args!("threads is {threads}; expected 1 to {MOST_THREADS}, or None")))
+            }
+        }
+    }
+
+    /// Pool of this process; `None` for rayon's global pool.
+    fn pool(self, is_stoppable: bool) -> PyResult<Option<&'static ThreadPool>> {
+        let process = process::id();
+        if self.0 == 0 && !is_stoppable && *LOADING_PROCESS.get_or_init(|| process) == process {
+            return Ok(None);
+        }
+        let kind = PoolKind { process, threads: self.0, is_stoppable };
+        let mut pools = POOLS.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, pool)) = pools.iter().find(|(known, _)| *known == kind) {
+            return Ok(Some(pool));
+        }
+        let pool: &'static ThreadPool = Box::leak(Box::new(kind.start().map_err(cannot_start)?));
+        pools.push((kind, pool));
+        Ok(Some(pool))
+    }
+}
+
+impl PoolKind {
+    fn start(self) -> Result<ThreadPool, ThreadPoolBuildError> {
+        let mut pool = ThreadPoolBuilder::new().num_threads(self.threads);
+        if self.is_stoppable {
+            pool = pool.start_handler(|_| interruption::stop_this_thread_by(&STOP));
+        }
+        pool.build()
+    }
+}
+
+fn cannot_start(error: ThreadPoolBuildError) -> PyErr {
+    let own = process::id();
+    let is_fork = *LOADING_PROCESS.get_or_init(|| own) != own;
+    PyRuntimeError::new_err(format!(
+        "this process {}cannot start threads of its own: {error}; raise its limits of memory and processes, or set fewer \
+         threads",
+        if is_fork { "was forked and " } else { "" }
+    ))
+}
+
+/// Number of threads of every call from now on, 1 to 1024; None: one per processor (or RAYON_NUM_THREADS). Results do not depend on it.
+#[pyfunction]
+#[pyo3(signature = (threads=None))]
+pub fn set_threads(threads: Option<usize>) -> PyResult<()> {
+    let Threads(limit) = match threads {
+        Some(_) => Threads::of(threads)?,
+        None => Threads(0),
+    };
+    LIMIT.store(limit, Ordering::Relaxed);
+    Ok(())
+}
 
 /// Records the id of the loading process.
 pub fn record_process() {
     LOADING_PROCESS.get_or_init(process::id);
 }
 
-/// Runs `work` without the interpreter, on the thread pool of this process.
+/// Runs `work` without the interpreter, on a pool of this process. The caller checks for Ctrl-C.
 ///
 /// # Errors
-/// RuntimeError: a forked process cannot start threads. `work` would wait for the threads of the parent process.
-pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
-    py.detach(|| match forked_pool() {
-        Ok(None) => Ok(work()),
-        Ok(Some(pool)) => Ok(pool.install(work)),
-        Err(error) => Err(PyRuntimeError::new_err(format!(
-            "this process was forked and cannot start threads of its own: {error}; raise its limits of memory and \
-             processes"
-        ))),
-    })
+/// RuntimeError: threads cannot be started.
+pub fn detached<T: Send>(py: Python<'_>, threads: Threads, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    let pool = threads.pool(false)?;
+    Ok(py.detach(|| match pool {
+        None => work(),
+        Some(pool) => pool.install(work),
+    }))
 }
 
-/// Pool of a forked process; `None` in the process that loaded this module.
-fn forked_pool() -> Result<Option<&'static ThreadPool>, ThreadPoolBuildError> {
-    let own = process::id();
-    if *LOADING_PROCESS.get_or_init(|| own) == own {
-        return Ok(None);
+/// Like [`detached`], on the threads of [`set_threads`]. Ctrl-C stops the work at its next configuration.
+///
+/// # Errors
+/// As [`detached`]; KeyboardInterrupt, or the exception of another signal handler.
+pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    let threads = Threads::of(None)?;
+    if !is_main_thread(py)? {
+        return detached(py, threads, work);
     }
-    let mut kept = FORKED_POOL.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some((_, pool)) = kept.filter(|(process, _)| *process == own) {
-        return Ok(Some(pool));
+    let Some(pool) = threads.pool(true)? else { return detached(py, threads, work) };
+    STOP.store(false, Ordering::Relaxed);
+    let (mut found, mut interrupt) = (None, None);
+    py.detach(|| {
+        let (sender, receiver) = channel();
+        pool.in_place_scope(|scope| {
+            let found = &mut found;
+            scope.spawn(move |_| {
+                *found = Some(catch_unwind(AssertUnwindSafe(work)));
+                // The main thread waits for it.
+                let _ = sender.send(());
+            });
+            while let Err(RecvTimeoutError::Timeout) = receiver.recv_timeout(CHECK_INTERVAL) {
+                if let (None, Err(raised)) = (&interrupt, Python::attach(|py| py.check_signals())) {
+                    interrupt = Some(raised);
+                    STOP.store(true, Ordering::Relaxed);
+                }
+            }
+        });
+    });
+    STOP.store(false, Ordering::Relaxed);
+    match (interrupt, found) {
+        (Some(interrupt), _) => Err(interrupt),
+        (None, Some(Ok(found))) => Ok(found),
+        (None, Some(Err(payload))) if !payload.is::<Interrupted>() => resume_unwind(payload),
+        (None, _) => Err(PyRuntimeError::new_err("the computation was stopped")),
     }
-    let pool: &'static ThreadPool = Box::leak(Box::new(ThreadPoolBuilder::new().build()?));
-    *kept = Some((own, pool));
-    Ok(Some(pool))
+}
+
+/// True in the thread that receives signals.
+fn is_main_thread(py: Python<'_>) -> PyResult<bool> {
+    let threading = py.import("threading")?;
+    let main: u64 = threading.call_method0("main_thread")?.getattr("ident")?.extract()?;
+    Ok(main == threading.call_method0("get_ident")?.extract::<u64>()?)
 }

@@ -2,7 +2,7 @@
 
 use crate::analysis::model::Model;
 use crate::conversion::errors::{self, input};
-use crate::conversion::threads::detached;
+use crate::conversion::threads::interruptible;
 use crate::questions::question::{Conditions, Damping, GivenContact};
 use crate::questions::reports::json;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -31,7 +31,7 @@ pub fn damp(
     let report = match (contact, stop) {
         (Some(contact), None) => {
             let question = conditions.question_at(&model.read.mechanism, &contact)?;
-            detached(py, || study::damp_contact(&model.read, &question, &damping))?
+            interruptible(py, || study::damp_contact(&model.read, &question, &damping))?
         }
         (None, Some((joint, end))) => {
             let end = match end.as_deref() {
@@ -43,7 +43,7 @@ pub fn damp(
                 }
             };
             let (question, stop) = (conditions.question()?, JointStop { joint, end });
-            detached(py, || study::damp_stop(&model.read, &stop, question, &damping))?
+            interruptible(py, || study::damp_stop(&model.read, &stop, question, &damping))?
         }
         _ => return Err(input("give one of contact and stop")),
     };

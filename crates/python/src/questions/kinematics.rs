@@ -2,7 +2,7 @@
 
 use crate::analysis::model::Model;
 use crate::conversion::errors::{self, input};
-use crate::conversion::threads::detached;
+use crate::conversion::threads::interruptible;
 use crate::questions::reports::json;
 use percuss::study::{
     self, AxlePosition, KinematicVariable, KinematicsQuestion, TorqueReaction, VehicleData, WheelMotion,
@@ -124,7 +124,7 @@ impl Question {
 #[pyfunction]
 pub fn kinematics(py: Python<'_>, model: &Model, question: Question) -> PyResult<String> {
     let question = question.question()?;
-    let report = detached(py, || study::kinematics(&model.read, &question))?;
+    let report = interruptible(py, || study::kinematics(&model.read, &question))?;
     json(&report.map_err(|error| match error {
         study::KinematicsError::Study(error) => errors::study(error),
         error => input(error),

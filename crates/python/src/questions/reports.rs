@@ -3,7 +3,7 @@
 use crate::analysis::maps::code;
 use crate::analysis::model::Model;
 use crate::conversion::errors::{self, input};
-use crate::conversion::threads::detached;
+use crate::conversion::threads::{Threads, detached, interruptible};
 use crate::questions::question::{Conditions, Damping, GivenContact, optional_rows, rows};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::DEFAULT_MAX_SIZE;
@@ -31,13 +31,13 @@ pub fn contact_report<R: Serialize + Send>(
     answer: impl FnOnce(&study::Model, &MassQuestion) -> Result<R, StudyError> + Send,
 ) -> PyResult<String> {
     let question = conditions.question_at(&model.read.mechanism, &contact)?;
-    json(&detached(py, || answer(&model.read, &question))?.map_err(errors::study)?)
+    json(&interruptible(py, || answer(&model.read, &question))?.map_err(errors::study)?)
 }
 
 /// Summary of a model.
 #[pyfunction]
 pub fn check(py: Python<'_>, model: &Model) -> PyResult<String> {
-    json(&detached(py, || study::check(&model.read))?.map_err(errors::study)?)
+    json(&interruptible(py, || study::check(&model.read))?.map_err(errors::study)?)
 }
 
 /// Report on one contact of a model, with the damper if damping is given.
@@ -110,7 +110,7 @@ fn run_watched<'a>(
     sweep: impl FnOnce() -> Result<Sweep<'a>, StudyError> + Send,
 ) -> PyResult<study::SweepReport> {
     let mut interrupted = None;
-    let report = detached(py, || {
+    let report = detached(py, Threads::of(None)?, || {
         let sweep = sweep()?;
         let heading = sweep.heading().clone();
         let mut rows = Vec::new();
@@ -182,12 +182,12 @@ pub fn map_report<'py>(
         }
     };
     (question.edge, question.packages) = (edge, packages);
-    let answer = detached(py, || study::map(&model.read, &question))?.map_err(errors::study)?;
+    let answer = interruptible(py, || study::map(&model.read, &question))?.map_err(errors::study)?;
     let by_link = PyDict::new(py);
     for skin in &answer.skins {
         by_link.set_item(&skin.link, facets(py, skin)?)?;
     }
-    let picture = detached(py, || percuss_cli::map_skin(&answer).to_svg())?;
+    let picture = interruptible(py, || percuss_cli::map_skin(&answer).to_svg())?;
     Ok((json(&answer.report)?, by_link, picture))
 }
 
@@ -282,14 +282,15 @@ pub fn compare(
 #[pyfunction]
 pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<String> {
     let path = path.to_string_lossy().into_owned();
-    let study = detached(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
+    let study =
+        interruptible(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
     errors::warn(py, &study.model.diagnostics)?;
     comparison_json(py, &study.designs(name))
 }
 
 /// Compares designs and returns the report as JSON.
 fn comparison_json(py: Python<'_>, designs: &[study::Design]) -> PyResult<String> {
-    let report = detached(py, || study::compare(designs))?;
+    let report = interruptible(py, || study::compare(designs))?;
     json(&report.map_err(|error| input(error.message(Names::Fields)))?)
 }
 
@@ -303,14 +304,15 @@ pub fn study_schema() -> PyResult<String> {
 #[pyfunction]
 pub fn starting_study(py: Python<'_>, model: &Model, path: PathBuf) -> PyResult<String> {
     let path = path.to_string_lossy();
-    detached(py, || study::starting_study(&model.read, &path))?.map_err(errors::study)
+    interruptible(py, || study::starting_study(&model.read, &path))?.map_err(errors::study)
 }
 
 /// Runs a study and returns the report of its sweep, or of its contact if the study has no sweep.
 #[pyfunction]
 pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
     let path = path.to_string_lossy().into_owned();
-    let study = detached(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
+    let study =
+        interruptible(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
     errors::warn(py, &study.model.diagnostics)?;
     match (&study.question, &study.sweep) {
         (Some(question), Some(sweep)) => {
@@ -318,7 +320,7 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
             json(&run_watched(py, &study.model, || Sweep::new(&study.model, question, rows))?)
         }
         (Some(question), None) => {
-            let report = detached(py, || match &study.damping {
+            let report = interruptible(py, || match &study.damping {
                 Some(damping) => study::mass_with_damper(&study.model, question, &damping.question),
                 None => study::mass(&study.model, question),
             })?;
@@ -331,19 +333,20 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
 /// Runs a study without a contact: a stop, a map, a safe speed.
 fn run_without_contact(py: Python<'_>, study: &StudyFile) -> PyResult<String> {
     if let Some(study::StudyDamping { question, stop: Some((stop, conditions)), .. }) = &study.damping {
-        let report = detached(py, || study::damp_stop(&study.model, stop, conditions.clone(), question))?;
+        let report =
+            interruptible(py, || study::damp_stop(&study.model, stop, conditions.clone(), question))?;
         return json(&report.map_err(errors::study)?);
     }
     match (study.map.as_ref().map(|map| &map.question), &study.safe_speed) {
         (Some(study::StudyMapQuestion::Surfaces(question)), _) => {
-            json(&detached(py, || study::map(&study.model, question))?.map_err(errors::study)?.report)
+            json(&interruptible(py, || study::map(&study.model, question))?.map_err(errors::study)?.report)
         }
         (Some(study::StudyMapQuestion::Directions(question, count)), _) => {
-            let report = detached(py, || study::map_point(&study.model, question, *count))?;
+            let report = interruptible(py, || study::map_point(&study.model, question, *count))?;
             json(&report.map_err(errors::study)?)
         }
         (None, Some(contact_report)) => {
-            json(&detached(py, || contact_report.reports(&study.model))?.map_err(errors::study)?)
+            json(&interruptible(py, || contact_report.reports(&study.model))?.map_err(errors::study)?)
         }
         (None, None) => Err(errors::input("the study contains no question")),
     }

@@ -14,6 +14,10 @@ pub struct Columns<'a> {
     pub errors: &'a mut [f64],
     pub codes: &'a mut [u8],
     pub remarks: &'a mut [u32],
+    /// Gradients of m̄, row by row.
+    pub gradients: Option<&'a mut [f64]>,
+    /// Inverse operational inertias, 36 numbers per row.
+    pub inverses: Option<&'a mut [f64]>,
     /// True if the base pose is given; the poses of a path do not contain it.
     pub has_base_pose: bool,
 }

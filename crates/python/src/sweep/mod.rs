@@ -3,38 +3,37 @@
 pub(crate) mod columns;
 pub(crate) mod portions;
 pub(crate) mod row_contacts;
+pub(crate) mod rows;
 
 use crate::analysis::contact::Contact;
-use crate::analysis::matrices::mass_and_code;
 use crate::analysis::model::Model;
 use crate::analysis::system::{Assembly, System, position_names};
 use crate::analysis::system_methods::in_root_axes;
 use crate::conversion::arrays::{float64_matrix as matrix, shape};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::{self, input};
-use crate::sweep::columns::{Columns, MASSLESS_TO_ROUNDING, zeros};
-use crate::sweep::portions::{run_fixed_portions, run_timed_portions};
+use crate::conversion::threads::Threads;
+use crate::sweep::columns::{Columns, zeros};
+use crate::sweep::portions::{Progress, run_fixed_portions};
 use crate::sweep::row_contacts::{BasePose, RowContacts};
-use numpy::ndarray::{ArrayView2, s};
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use crate::sweep::rows::{RowQuestion, is_finite, nonfinite_error, solve_all_positions, solve_tree};
+use numpy::ndarray::s;
+use numpy::{
+    PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1, PyUntypedArrayMethods,
+};
 use percuss::study::row_findings;
 use percuss::{
-    Assembly as Assembled, Batch, BatchAnswer, BatchError, BatchPositions, Configuration,
-    Contact as Resolved, DrivenPath, JointId, Pose as Posed, RemarkFlags, RowAnswer, RowHandler, RowPath,
+    Assembly as Assembled, Configuration, Contact as Resolved, DrivenPath, JointId, Pose as Posed,
+    RemarkFlags, RowAnswer, RowHandler, RowPath,
 };
 use percuss_render::{Figure, Panel, Series, Style};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyAny;
-use rayon::prelude::*;
-use std::ops::Range;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
-/// Least and greatest block size of a thread, in configurations. At the greatest size, positions and results stay in
-/// the cache.
-const BLOCK_SIZES: (usize, usize) = (256, 1 << 11);
-/// Blocks per thread and portion. Several blocks balance the load from other processes.
-const BLOCKS_PER_THREAD: usize = 8;
+/// Numbers of an inverse operational inertia: 6×6.
+const INERTIA_NUMBERS: usize = 36;
 
 /// m̄ of a contact at many configurations.
 #[pyclass(frozen, module = "percuss")]
@@ -53,6 +52,14 @@ pub struct Sweep {
     /// Findings about each row: RemarkFlags added together; uint32, (N,). Joint limits are checked with joints only.
     #[pyo3(get)]
     remarks: Py<PyArray1<u32>>,
+    /// Gradient of m̄ by the velocities of all joints (Model.velocity_names), kg/rad or kg/m; NaN unless m̄ is finite; (N, n). None
+    /// unless asked for. With loops, only sums over admissible motions have a meaning.
+    #[pyo3(get)]
+    gradient: Option<Py<PyArray2<f64>>>,
+    /// Φ = J M_c⁻¹ Jᵀ of the contact link at the contact point, in root axes, angular part first: the inverse of the operational
+    /// inertia Λ; (N, 6, 6). The block [:, 3:, 3:] is that of forces, 1/kg. None unless asked for.
+    #[pyo3(get)]
+    inverse_operational_inertia: Option<Py<PyArray3<f64>>>,
     /// Link name in the title of the picture.
     link: String,
     /// Reason of the first row of a path without an answer.
@@ -60,8 +67,16 @@ pub struct Sweep {
 }
 
 /// Arrays, link name and reason of a pickled sweep.
-type PickledSweep =
-    (Py<PyArray1<f64>>, Py<PyArray1<f64>>, Py<PyArray1<u8>>, Py<PyArray1<u32>>, String, Option<String>);
+type PickledSweep = (
+    Py<PyArray1<f64>>,
+    Py<PyArray1<f64>>,
+    Py<PyArray1<u8>>,
+    Py<PyArray1<u32>>,
+    String,
+    Option<String>,
+    Option<Py<PyArray2<f64>>>,
+    Option<Py<PyArray3<f64>>>,
+);
 
 /// Model and assembly of a sweep.
 fn model_and_assembly(model_or_assembly: &Bound<'_, PyAny>) -> PyResult<(Model, Arc<Assembled>)> {
@@ -101,8 +116,13 @@ fn model_and_assembly(model_or_assembly: &Bound<'_, PyAny>) -> PyResult<(Model, 
 /// base_pose: pose of the root link in the world, x, y, z (m), w, x, y, z, for normals in the world: (7,), or (N, 7), one
 /// for each row; default: the world's origin. other_assembly: also solves rows on another assembly mode, beyond the reach of the branch of the
 /// first closed pose; otherwise these rows have no answer. Ctrl-C stops the sweep.
+///
+/// gradient, inverse_operational_inertia: True also computes Sweep.gradient, Sweep.inverse_operational_inertia. threads: number of
+/// threads of this call, 1 to 1024; default: those of set_threads. progress: function of the numbers of finished rows and of all
+/// rows, called about 20 times a second; its exceptions stop the sweep.
 #[pyfunction]
-#[pyo3(signature = (model, contact, q, *, joints=None, base_pose=None, other_assembly=false, points=None, normals=None))]
+#[pyo3(signature = (model, contact, q, *, joints=None, base_pose=None, other_assembly=false, points=None, normals=None,
+    gradient=false, inverse_operational_inertia=false, threads=None, progress=None))]
 #[allow(clippy::too_many_arguments, reason = "the question of a sweep")]
 pub fn sweep(
     py: Python<'_>,
@@ -114,7 +134,12 @@ pub fn sweep(
     other_assembly: bool,
     points: Option<&Bound<'_, PyAny>>,
     normals: Option<&Bound<'_, PyAny>>,
+    gradient: bool,
+    inverse_operational_inertia: bool,
+    threads: Option<usize>,
+    progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Sweep> {
+    let (threads, progress) = (Threads::of(threads)?, Progress(progress));
     let (model, assembly) = model_and_assembly(model)?;
     let joints = joints.map(column_names).transpose()?;
     let (names, hint) = match &joints {
@@ -130,7 +155,11 @@ pub fn sweep(
     let given = contact.resolve(&model.read.mechanism)?;
     let contacts = RowContacts::of(&given, points, normals, &base, count)?;
     let resolved = in_root_axes(given, base.one());
-    let batch = assembly.batch(&resolved).map_err(errors::response)?;
+    let batch = assembly.batch(&resolved).map_err(errors::response)?.derivatives();
+    let velocities = batch.velocities();
+    let question = RowQuestion { batch: &batch, contacts: contacts.as_ref(), threads, progress: &progress };
+    let mut gradients = gradient.then(|| zeros(py, count * velocities));
+    let mut inverses = inverse_operational_inertia.then(|| zeros(py, count * INERTIA_NUMBERS));
     let (effective_mass, mut masses) = zeros(py, count);
     let (error, mut errors) = zeros(py, count);
     let (status, mut codes) = zeros(py, count);
@@ -141,6 +170,8 @@ pub fn sweep(
         errors: errors.as_slice_mut()?,
         codes: codes.as_slice_mut()?,
         remarks: flags.as_slice_mut()?,
+        gradients: slice_of(&mut gradients)?,
+        inverses: slice_of(&mut inverses)?,
         has_base_pose: base.is_given(),
     };
     match joints {
@@ -154,16 +185,16 @@ pub fn sweep(
                     if count == expected { "; of its transpose, q.T, there are as many" } else { "" }
                 )));
             }
-            solve_all_positions(py, (&batch, contacts.as_ref()), &q, columns)?;
+            solve_all_positions(py, question, &q, columns)?;
         }
         Some(names) => {
             let position_indices = drivers(&model, &names, q.shape())?;
             match assembly.groups().is_empty() {
-                true => solve_tree(py, (&batch, contacts.as_ref()), &model, &q, &position_indices, columns)?,
-                false if contacts.is_some() => {
+                true => solve_tree(py, question, &model, &q, &position_indices, columns)?,
+                false if contacts.is_some() || gradient || inverse_operational_inertia => {
                     return Err(input(
-                        "points, normals and a base_pose for each row need the positions of all joints if the model has loops: \
-                         give q without joints, with the positions of a Pose in each row",
+                        "points, normals, a base_pose for each row, gradient and inverse_operational_inertia need the positions of \
+                         all joints if the model has loops: give q without joints, with the positions of a Pose in each row",
                     ));
                 }
                 false => {
@@ -177,20 +208,44 @@ pub fn sweep(
                         first: 0,
                         no_answer: None,
                     };
-                    no_answer = path.solve(py, &q)?;
+                    no_answer = path.solve(py, &q, (threads, &progress))?;
                 }
             }
         }
     }
     drop((masses, errors, codes, flags));
+    let gradient = match gradients {
+        Some((array, values)) => {
+            drop(values);
+            Some(array.reshape([count, velocities])?.unbind())
+        }
+        None => None,
+    };
+    let inverse_operational_inertia = match inverses {
+        Some((array, values)) => {
+            drop(values);
+            Some(array.reshape([count, 6, 6])?.unbind())
+        }
+        None => None,
+    };
     Ok(Sweep {
         effective_mass: effective_mass.unbind(),
         error: error.unbind(),
         status: status.unbind(),
         remarks: remarks.unbind(),
+        gradient,
+        inverse_operational_inertia,
         link: contact.link.clone(),
         no_answer,
     })
+}
+
+/// Array of numpy with its values.
+type OwnedArray<'py> = (Bound<'py, PyArray1<f64>>, PyReadwriteArray1<'py, f64>);
+
+/// Values of an optional array.
+fn slice_of<'a>(array: &'a mut Option<OwnedArray<'_>>) -> PyResult<Option<&'a mut [f64]>> {
+    array.as_mut().map(|(_, values)| values.as_slice_mut().map_err(PyErr::from)).transpose()
 }
 
 /// Names from a list or another sequence of strings; a single string is refused.
@@ -229,180 +284,6 @@ fn drivers(model: &Model, names: &[String], given: &[usize]) -> PyResult<Vec<(Jo
     names.iter().map(find).collect()
 }
 
-/// True if every number is finite. The loop visits all entries so that it vectorizes; a sum or an early exit would take
-/// as long as solving an arm.
-fn is_finite(values: &[f64]) -> bool {
-    !values.iter().fold(false, |bad, x| bad | !x.is_finite())
-}
-
-/// Error that names the first nonfinite entry of some rows.
-fn nonfinite_error(q: ArrayView2<'_, f64>, rows: Range<usize>) -> PyErr {
-    let entries = rows.flat_map(|row| (0..q.ncols()).map(move |column| (row, column)));
-    let mut nonfinite = entries.filter(|entry| !q[*entry].is_finite());
-    let (row, column) = nonfinite.next().unwrap_or_default();
-    input(format_args!("q[{row}, {column}] is {}; expected finite numbers", q[(row, column)]))
-}
-
-/// Layout of the rows of q.
-#[derive(Clone, Copy)]
-enum Rows<'a> {
-    /// All positions, row by row.
-    RowMajor(&'a [f64]),
-    /// All positions, column by column.
-    Columns(&'a [f64]),
-    /// All positions, with any strides.
-    Strided,
-    /// Some positions: `position_indices` maps each column to its position; `zero_positions` holds all positions of the zero
-    /// configuration.
-    Some { position_indices: &'a [usize], zero_positions: &'a [f64] },
-}
-
-/// Solves the rows of q in blocks, on all threads. Each number is read, checked, solved and written while it is in the
-/// cache.
-fn solve_rows(
-    py: Python<'_>,
-    (batch, contacts): (&Batch, Option<&RowContacts>),
-    q: ArrayView2<'_, f64>,
-    layout: Rows<'_>,
-    columns: Columns<'_>,
-) -> PyResult<()> {
-    let count = q.nrows();
-    // Pool of position buffers.
-    let buffers = Mutex::new(Vec::new());
-    let buffers = || buffers.lock().unwrap_or_else(PoisonError::into_inner);
-    let common_remarks = columns.reported_bits(batch.remarks());
-    run_timed_portions(py, count, |rows| {
-        // Of the pool of this process.
-        let threads = rayon::current_num_threads();
-        let block = rows.len().div_ceil(threads * BLOCKS_PER_THREAD).clamp(BLOCK_SIZES.0, BLOCK_SIZES.1);
-        let masses = columns.masses[rows.clone()].par_chunks_mut(block);
-        let errors = columns.errors[rows.clone()].par_chunks_mut(block);
-        let codes = columns.codes[rows.clone()].par_chunks_mut(block);
-        let remarks = columns.remarks[rows.clone()].par_chunks_mut(block);
-        let base = if columns.has_base_pose { RemarkFlags::BASE_NOT_GIVEN.bits() } else { 0 };
-        let blocks = masses.zip(errors).zip(codes.zip(remarks)).enumerate();
-        let done = blocks.try_for_each(|(number, ((masses, errors), (codes, remarks)))| {
-            let first = rows.start + number * block;
-            let row_positions = first..first + masses.len();
-            let mut buffer = buffers().pop().unwrap_or_default();
-            let Some(positions) = layout.block_positions(q, row_positions.clone(), &mut buffer) else {
-                return Err(BlockFailure::NotFinite);
-            };
-            // `codes` already holds the code of finite masses, and `remarks` no finding.
-            if common_remarks != 0 {
-                remarks.fill(common_remarks);
-            }
-            let other = |at: usize, answer: BatchAnswer| {
-                remarks[at] = answer.remarks.bits() & !base;
-                let rounding = answer.is_massless_to_rounding();
-                codes[at] = if rounding { MASSLESS_TO_ROUNDING } else { mass_and_code(answer.mass).1 };
-            };
-            let done = match contacts {
-                None => batch.run_columns(positions, masses, errors, other),
-                Some(contacts) => {
-                    let contacts = contacts.of_rows(row_positions);
-                    batch.run_contacts(positions, contacts, masses, errors, other)
-                }
-            };
-            done.map_err(BlockFailure::Refused)?;
-            buffers().push(buffer);
-            Ok(())
-        });
-        done.map_err(|failure| match failure {
-            BlockFailure::NotFinite => nonfinite_error(q, rows),
-            BlockFailure::Refused(error) => input(error),
-        })
-    })
-}
-
-/// Reason for a failed block.
-enum BlockFailure {
-    NotFinite,
-    Refused(BatchError),
-}
-
-impl<'a> Rows<'a> {
-    /// Positions of a range of rows; `None` if a number is not finite.
-    fn block_positions<'b>(
-        self,
-        q: ArrayView2<'_, f64>,
-        rows: Range<usize>,
-        buffer: &'b mut Vec<f64>,
-    ) -> Option<BatchPositions<'b>>
-    where
-        'a: 'b,
-    {
-        let (count, width, row_count) = (q.nrows(), q.ncols(), rows.len());
-        let (values, positions) = match self {
-            Rows::RowMajor(values) => {
-                let values = &values[rows.start * width..rows.end * width];
-                (values, BatchPositions::Rows { values, stride: width })
-            }
-            Rows::Columns(values) => {
-                let column = |c: usize| &values[c * count..][rows.clone()];
-                let positions = BatchPositions::Columns {
-                    values: values.get(rows.start..).unwrap_or_default(),
-                    stride: count,
-                };
-                return (0..width).all(|c| is_finite(column(c))).then_some(positions);
-            }
-            Rows::Strided => {
-                buffer.clear();
-                q.slice(s![rows, ..]).rows().into_iter().for_each(|row| buffer.extend(row));
-                (&buffer[..], BatchPositions::Rows { values: buffer, stride: width })
-            }
-            // Column by column: the fastest layout.
-            Rows::Some { position_indices, zero_positions } => {
-                buffer.clear();
-                zero_positions.iter().for_each(|x| buffer.extend(std::iter::repeat_n(*x, row_count)));
-                for (column, index) in position_indices.iter().enumerate() {
-                    let to = &mut buffer[index * row_count..(index + 1) * row_count];
-                    to.iter_mut().zip(q.slice(s![rows.clone(), column])).for_each(|(to, x)| *to = *x);
-                }
-                (&buffer[..], BatchPositions::Columns { values: buffer, stride: row_count })
-            }
-        };
-        is_finite(values).then_some(positions)
-    }
-}
-
-/// Solves rows with all positions.
-fn solve_all_positions(
-    py: Python<'_>,
-    batch: (&Batch, Option<&RowContacts>),
-    q: &PyReadonlyArray2<'_, f64>,
-    columns: Columns<'_>,
-) -> PyResult<()> {
-    let layout = match q.as_slice() {
-        Ok(values) if q.is_c_contiguous() => Rows::RowMajor(values),
-        Ok(values) => Rows::Columns(values),
-        Err(_) => Rows::Strided,
-    };
-    solve_rows(py, batch, q.as_array(), layout, columns)
-}
-
-/// Solves rows with some positions and the others at 0, for mechanisms without loops.
-fn solve_tree(
-    py: Python<'_>,
-    batch: (&Batch, Option<&RowContacts>),
-    model: &Model,
-    q: &PyReadonlyArray2<'_, f64>,
-    position_indices: &[(JointId, usize)],
-    columns: Columns<'_>,
-) -> PyResult<()> {
-    let mechanism = &model.read.mechanism;
-    let zero = Configuration::zero(mechanism);
-    let zero_positions: Vec<f64> = mechanism.joint_ids().flat_map(|joint| zero.get(joint).to_vec()).collect();
-    let position_indices: Vec<usize> = position_indices.iter().map(|(_, index)| *index).collect();
-    solve_rows(
-        py,
-        batch,
-        q.as_array(),
-        Rows::Some { position_indices: &position_indices, zero_positions: &zero_positions },
-        columns,
-    )
-}
-
 /// Rows of the drivers of a linkage, with the columns of their results.
 struct PathColumns<'a> {
     model: &'a Model,
@@ -420,13 +301,18 @@ struct PathColumns<'a> {
 
 impl PathColumns<'_> {
     /// Solves all rows; returns the reason of the first row without an answer.
-    fn solve(mut self, py: Python<'_>, q: &PyReadonlyArray2<'_, f64>) -> PyResult<Option<String>> {
+    fn solve(
+        mut self,
+        py: Python<'_>,
+        q: &PyReadonlyArray2<'_, f64>,
+        options: (Threads, &Progress<'_>),
+    ) -> PyResult<Option<String>> {
         let zero = Configuration::zero(&self.model.read.mechanism);
         let start = self.assembly.pose(&zero).map_err(errors::assembly)?;
         let mut path = RowPath::new(Some(Arc::new(start)));
         let view = q.as_array();
         let mut values = Vec::new();
-        run_fixed_portions(py, view.nrows(), |rows| {
+        run_fixed_portions(py, view.nrows(), options, |rows| {
             values.clear();
             view.slice(s![rows.clone(), ..]).rows().into_iter().for_each(|row| values.extend(row));
             if !is_finite(&values) {
@@ -486,6 +372,7 @@ impl RowHandler for PathColumns<'_> {
 
 /// Rebuilds a pickled sweep in another process.
 #[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "the arrays of a sweep")]
 pub fn sweep_of_arrays(
     effective_mass: Py<PyArray1<f64>>,
     error: Py<PyArray1<f64>>,
@@ -493,8 +380,10 @@ pub fn sweep_of_arrays(
     remarks: Py<PyArray1<u32>>,
     link: String,
     no_answer: Option<String>,
+    gradient: Option<Py<PyArray2<f64>>>,
+    inverse_operational_inertia: Option<Py<PyArray3<f64>>>,
 ) -> Sweep {
-    Sweep { effective_mass, error, status, remarks, link, no_answer }
+    Sweep { effective_mass, error, status, remarks, gradient, inverse_operational_inertia, link, no_answer }
 }
 
 #[pymethods]
@@ -517,7 +406,10 @@ impl Sweep {
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, PickledSweep)> {
         let [effective_mass, error] = [&self.effective_mass, &self.error].map(|array| array.clone_ref(py));
         let (status, remarks) = (self.status.clone_ref(py), self.remarks.clone_ref(py));
-        let parts = (effective_mass, error, status, remarks, self.link.clone(), self.no_answer.clone());
+        let gradient = self.gradient.as_ref().map(|array| array.clone_ref(py));
+        let inverse = self.inverse_operational_inertia.as_ref().map(|array| array.clone_ref(py));
+        let (link, no_answer) = (self.link.clone(), self.no_answer.clone());
+        let parts = (effective_mass, error, status, remarks, link, no_answer, gradient, inverse);
         Ok((py.import("percuss")?.getattr("_sweep")?, parts))
     }
 

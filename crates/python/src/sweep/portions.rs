@@ -1,6 +1,6 @@
 //! Portions of rows, with a check for Ctrl-C after each.
 
-use crate::conversion::threads::detached;
+use crate::conversion::threads::{Threads, detached};
 use pyo3::prelude::*;
 use std::ops::Range;
 use std::time::{Duration, Instant};
@@ -16,19 +16,31 @@ const GROWTH: f64 = 8.0;
 /// Target duration of a portion.
 const PORTION_DURATION: Duration = Duration::from_millis(50);
 
+/// Function of the caller that receives the number of finished rows and of all rows.
+pub struct Progress<'a>(pub Option<&'a Bound<'a, PyAny>>);
+
+impl Progress<'_> {
+    /// Reports finished rows; an exception of the function stops the sweep.
+    fn report(&self, done: usize, count: usize) -> PyResult<()> {
+        self.0.map_or(Ok(()), |function| function.call1((done, count)).map(|_| ()))
+    }
+}
+
 /// Runs portions of configurations, with sizes adapted to [`PORTION_DURATION`]; checks for Ctrl-C after each.
 pub fn run_timed_portions(
     py: Python<'_>,
     count: usize,
+    (threads, progress): (Threads, &Progress<'_>),
     mut portion: impl FnMut(Range<usize>) -> PyResult<()> + Send,
 ) -> PyResult<()> {
     let (mut first, mut size) = (0, FIRST_PORTION);
     while first < count {
         let count_of_portion = size.min(count - first);
         let start = Instant::now();
-        detached(py, || portion(first..first + count_of_portion))??;
+        detached(py, threads, || portion(first..first + count_of_portion))??;
         py.check_signals()?;
         first += count_of_portion;
+        progress.report(first, count)?;
         let duration = start.elapsed().as_secs_f64().max(1e-9);
         let factor = (PORTION_DURATION.as_secs_f64() / duration).clamp(1.0 / GROWTH, GROWTH);
         size = ((count_of_portion as f64 * factor) as usize).clamp(16, LARGEST_PORTION);
@@ -40,11 +52,14 @@ pub fn run_timed_portions(
 pub fn run_fixed_portions(
     py: Python<'_>,
     count: usize,
+    (threads, progress): (Threads, &Progress<'_>),
     mut portion: impl FnMut(Range<usize>) -> PyResult<()> + Send,
 ) -> PyResult<()> {
     for first in (0..count).step_by(PATH_PORTION) {
-        detached(py, || portion(first..count.min(first + PATH_PORTION)))??;
+        let end = count.min(first + PATH_PORTION);
+        detached(py, threads, || portion(first..end))??;
         py.check_signals()?;
+        progress.report(end, count)?;
     }
     Ok(())
 }

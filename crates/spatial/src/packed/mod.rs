@@ -7,12 +7,12 @@ mod vector;
 mod wrench;
 
 pub use twist::PackedTwist;
-pub use vector::{rotate_back, rotation_rows, splat, turn_vector};
+pub use vector::{rotate_back, rotated, rotation_rows, splat, turn_vector};
 pub use wrench::PackedWrench;
 
 use crate::lanes::{Lanes, Single};
 use crate::{Scalar, SpatialInertia};
-use vector::{after, number, rotated, turned};
+use vector::{after, number, turned};
 
 /// Index of the entry (i, j) of a symmetric 3×3 matrix in its packed upper triangle.
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -127,9 +127,9 @@ fn turn_symmetric_right<T: Lanes, const Z: usize>(m: &mut [T; 6]) {
     (m[xz], m[yz]) = (-m[yz], m[xz]);
 }
 
-/// R M Rᵀ for a general rotation R given by rows.
+/// R M Rᵀ of a symmetric matrix, packed as its upper triangle by rows, for a general rotation R given by rows.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn rotate_symmetric<T: Lanes>(m: &mut [T; 6], r: &[[T; 3]; 3]) {
+pub fn rotate_symmetric<T: Lanes>(m: &mut [T; 6], r: &[[T; 3]; 3]) {
     let mut half = *r;
     each!(i in [0 1 2] {
         half[i] = rotated(&[m[at(i, 0)], m[at(i, 1)], m[at(i, 2)]], r);

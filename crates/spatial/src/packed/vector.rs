@@ -24,7 +24,7 @@ pub(super) fn number<T: Lanes>(from: &[f64], k: usize) -> T {
 
 /// R v, with R given by rows.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn rotated<T: Lanes>(v: &[T; 3], r: &[[T; 3]; 3]) -> [T; 3] {
+pub fn rotated<T: Lanes>(v: &[T; 3], r: &[[T; 3]; 3]) -> [T; 3] {
     let mut out = *v;
     each!(i in [0 1 2] {
         out[i] = r[i][0].mul_add(v[0], r[i][1].mul_add(v[1], r[i][2] * v[2]));

@@ -9,6 +9,7 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::explain::{Explanation, changed_mass, explain};
 use crate::thresholds::SAMPLES;
+use percuss_dynamics::interruption;
 use percuss_units::{Dimension, Quantity};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -281,6 +282,9 @@ fn sample_masses(
     options: Sampling,
 ) -> Option<SampleRecord> {
     let of_sample = |number: usize| {
+        if interruption::is_requested() {
+            return None;
+        }
         let mut uniform = RandomStream::new(options.seed, number as u64);
         let mut off = |most: f64| most * (2.0 * uniform.next() - 1.0);
         let mut moved = Changes::default();
@@ -314,6 +318,7 @@ fn sample_masses(
         changed_mass(model, &question, &changes)
     };
     let masses: Vec<Option<f64>> = (0..options.count).into_par_iter().map(of_sample).collect();
+    interruption::check();
     let mut found: Vec<f64> = masses.into_iter().flatten().collect();
     found.sort_by(f64::total_cmp);
     let (&least, &greatest) = (found.first()?, found.last()?);

@@ -1,0 +1,110 @@
+"""Gradient of m̄ by positions, from that by velocities."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._errors import InputError
+from ._percuss import Model
+
+_Array = NDArray[np.float64]
+#: Velocities of a joint by its kind, if they are not as many as its positions.
+_TURNING = {"spherical": 3, "floating": 6}
+
+
+def multipliers(model: Model) -> dict[str, float]:
+    """Multiplier of every mimic by its master's position."""
+    masters = {joint.mimics for joint in model.joints if joint.mimics}
+    mimics = [joint for joint in model.joints if joint.mimics]
+    if not mimics:
+        return {}
+    if model.closures:
+        raise InputError(
+            f'the model has loops and "{mimics[0].name}" mimics "{mimics[0].mimics}": gradients by positions are not '
+            "defined; use Sweep.gradient with velocities"
+        )
+    at = [model.pose({name: value for name in masters if name}).joints for value in (0.0, 1.0)]
+    return {joint.name: float(at[1][joint.name][0] - at[0][joint.name][0]) for joint in mimics}
+
+
+def _columns(quaternion: _Array) -> _Array:
+    """E (..., 4, 3) with q̇ = ½ E ω, ω in the axes of the child."""
+    w, x, y, z = np.moveaxis(quaternion, -1, 0)
+    rows = [[-x, -y, -z], [w, -z, y], [z, w, -x], [-y, x, w]]
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
+
+def rotation_of(quaternion: _Array) -> _Array:
+    """Rotation matrices (..., 3, 3) of unit quaternions w, x, y, z."""
+    w, x, y, z = np.moveaxis(quaternion, -1, 0)
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
+
+def position_gradient(model: Model, q: ArrayLike, gradient: ArrayLike) -> _Array:
+    """Gradient of m̄ by the positions q (..., p), from that by the velocities (..., n), as Sweep.gradient has it.
+
+    dm̄ = g · dq for every change of q that keeps quaternions at unit length; their part of g is tangent to the unit sphere.
+    Mimics are not read: their part is added to that of their masters.
+    """
+    positions, by_velocity = np.asarray(q, dtype=np.float64), np.asarray(gradient, dtype=np.float64)
+    if positions.shape[-1] != model.position_count or by_velocity.shape[-1] != len(model.velocity_names):
+        raise InputError(
+            f"q has shape {positions.shape} and gradient {by_velocity.shape}; expected (..., {model.position_count}) and "
+            f"(..., {len(model.velocity_names)})"
+        )
+    out = np.zeros(positions.shape)
+    factors = multipliers(model)
+    starts = {joint.name: joint.positions[0] for joint in model.joints}
+    first = 0
+    for joint in model.joints:
+        start, stop = joint.positions
+        count = _TURNING.get(joint.kind, stop - start)
+        own = by_velocity[..., first : first + count]
+        first += count
+        if joint.mimics:
+            out[..., starts[joint.mimics]] += factors[joint.name] * own[..., 0]
+        elif joint.kind == "spherical":
+            out[..., start:stop] = 2 * np.einsum("...ij,...j->...i", _columns(positions[..., start:stop]), own)
+        elif joint.kind == "floating":
+            quaternion = positions[..., start + 3 : stop]
+            out[..., start : start + 3] = np.einsum("...ij,...j->...i", rotation_of(quaternion), own[..., 3:])
+            out[..., start + 3 : stop] = 2 * np.einsum("...ij,...j->...i", _columns(quaternion), own[..., :3])
+        else:
+            out[..., start:stop] += own
+    return out
+
+
+def mass_and_gradient(
+    model: Model, system: Any, contact: Any, q: _Array, options: dict[str, Any], *, gradient: bool
+) -> tuple[_Array, _Array]:
+    """m̄ of an array of positions (..., p), and its gradient (..., p) if wanted."""
+    from ._percuss import sweep
+
+    positions = np.ascontiguousarray(q, dtype=np.float64)
+    if positions.ndim == 0 or positions.shape[-1] != model.position_count:
+        raise InputError(f"q has shape {positions.shape}; expected (..., {model.position_count})")
+    rows = positions.reshape(-1, model.position_count)
+    swept = sweep(system, contact, rows, gradient=gradient, **options)
+    mass = swept.effective_mass.reshape(positions.shape[:-1])
+    if not gradient:
+        return mass, np.zeros(0)
+    assert swept.gradient is not None
+    return mass, position_gradient(model, rows, swept.gradient).reshape(positions.shape)
+
+
+def model_of(model: Any) -> Model:
+    """Model of a Model, System or Assembly."""
+    found = model if isinstance(model, Model) else model.model
+    assert isinstance(found, Model)
+    return found
+
+
+__all__ = ["mass_and_gradient", "model_of", "multipliers", "position_gradient", "rotation_of"]

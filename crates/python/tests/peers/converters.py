@@ -1,0 +1,199 @@
+"""Converters of positions and velocities, and models from memory, against Pinocchio and MuJoCo: frames of links, effective masses,
+and the closing speed by velocities agree.
+
+    converters.py --package FOLDER     runs what can be imported; prints `N passed, N failed`
+"""
+
+import argparse
+import importlib.util
+import sys
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[4]
+# Both sides compute frames and M by their own recursions; condition numbers up to some thousand.
+TOLERANCE = 1e-9
+
+passed = failed = 0
+
+ROBOT = """<robot name="all">
+<link name="base"><inertial><mass value="3"/><inertia ixx=".1" iyy=".2" izz=".15" ixy="0" ixz="0" iyz="0"/></inertial></link>
+{links}{joints}</robot>"""
+LINK = """<link name="{0}"><inertial><origin xyz="0.1 0.02 -0.03"/><mass value="1.5"/>
+<inertia ixx=".02" iyy=".03" izz=".04" ixy=".001" ixz="0" iyz="-.002"/></inertial></link>"""
+JOINT = """<joint name="{0}" type="{1}"><parent link="{2}"/><child link="{3}"/><origin xyz="0.2 0.1 0.05" rpy="0.3 -0.4 0.7"/>
+<axis xyz="{4}"/>{5}</joint>"""
+
+
+def check(what, found, expected):
+    global passed, failed
+    found, expected = np.asarray(found, dtype=float), np.asarray(expected, dtype=float)
+    if found.shape == expected.shape and np.abs(found - expected).max() <= TOLERANCE * max(1.0, np.abs(expected).max()):
+        passed += 1
+    else:
+        failed += 1
+        print(f"{what}: {found}, expected {expected}")
+
+
+def unit(random):
+    x = random.normal(size=4)
+    return x / np.linalg.norm(x)
+
+
+def urdf():
+    """Hinge, hinge without limits, slide, a branch; names against the alphabet, so that programs order them otherwise."""
+    limit = '<limit lower="-2" upper="2" effort="0" velocity="0"/>'
+    joints = [
+        JOINT.format("z_hinge", "revolute", "base", "first", "0 0 1", limit),
+        JOINT.format("m_turn", "continuous", "first", "second", "0 1 0", ""),
+        JOINT.format("a_slide", "prismatic", "second", "third", "1 0 0", limit),
+        JOINT.format("b_branch", "revolute", "first", "fourth", "0.6 0 0.8", limit),
+    ]
+    links = [LINK.format(name) for name in ("first", "second", "third", "fourth")]
+    return ROBOT.format(links="".join(links), joints="".join(joints))
+
+
+def closing_speeds(model, converter, q, v, point):
+    """Speed of a point of a link by the velocities of percuss."""
+    pose = model.pose(converter.positions(q))
+    velocities = converter.velocities(v, q)
+    names = model.velocity_names
+    jacobian = pose.point_jacobian("third", point)
+    system = model.system().coordinate_joints
+    order = [names.index(joint if f"{joint}[0]" not in names else f"{joint}[{k}]") for joint, k in system]
+    return (jacobian @ velocities[order])[-3:]
+
+
+def pinocchio():
+    import pinocchio as pin
+
+    text = urdf()
+    model = percuss.loads(text)
+    point = np.array([0.05, -0.1, 0.2])
+    contact = percuss.Contact("third", point, [0.2, -0.3, 0.9], normal_frame="world")
+    for floating in (False, True):
+        peer = pin.buildModelFromXML(text, pin.JointModelFreeFlyer()) if floating else pin.buildModelFromXML(text)
+        data, converter = peer.createData(), percuss.converters.Converter.of_pinocchio(model, peer)
+        random = np.random.default_rng(4)
+        rows = []
+        for number in range(20):
+            q = pin.randomConfiguration(peer, np.full(peer.nq, -1.0), np.full(peer.nq, 1.0))
+            pin.framesForwardKinematics(peer, data, q)
+            own = converter.positions(q)
+            base = converter.base_pose(q)
+            pose = model.system(base="floating" if floating else "fixed").pose(own, base_pose=base)
+            for link in ("first", "third", "fourth"):
+                frame = data.oMf[peer.getFrameId(link, pin.FrameType.BODY)].homogeneous
+                check(f"Pinocchio, floating {floating}, {link} {number}", pose.link_frame(link, frame="world"), frame)
+            back = converter.from_positions(own, base)
+            check(f"Pinocchio, back {number}", pin.normalize(peer, back), q)
+            rows.append(q)
+            if not floating:
+                v = random.normal(size=peer.nv)
+                frame = peer.getFrameId("third", pin.FrameType.BODY)
+                jacobian = pin.computeFrameJacobian(peer, data, q, frame, pin.LOCAL_WORLD_ALIGNED)
+                arm = data.oMf[frame].rotation @ point
+                expected = (jacobian[:3] - pin.skew(arm) @ jacobian[3:]) @ v
+                check(f"Pinocchio, velocities {number}", closing_speeds(model, converter, q, v, point), expected)
+                check(f"Pinocchio, velocities back {number}", converter.from_velocities(converter.velocities(v)), v)
+        check("Pinocchio, rows", converter.positions(np.stack(rows))[7], converter.positions(rows[7]))
+        built = percuss.from_pinocchio(peer)
+        base_kind = "floating" if floating else "fixed"
+        system, again = model.system(base=base_kind), built.system(base=base_kind)
+        of_built = percuss.converters.Converter.of_pinocchio(built, peer)
+        for number, q in enumerate(rows):
+            given = {"base_pose": converter.base_pose(q)} if floating else {}
+            expected = system.pose(converter.positions(q), **given).respond(contact).effective_mass
+            found = again.pose(of_built.positions(q), **given).respond(contact).effective_mass
+            check(f"from_pinocchio, floating {floating}, {number}", found, expected)
+    try:
+        percuss.converters.Converter.of_pinocchio(percuss.load(ROOT / "models/six_r_arm.urdf"), peer)
+        check("a model of other joints is refused", 0, 1)
+    except percuss.InputError as error:
+        check("a model of other joints is refused", "matched by name" in str(error), True)
+
+
+MJCF = """<mujoco model="m"><compiler angle="radian"/><worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>
+<inertial pos="0.01 0 0" mass="4" diaginertia=".1 .2 .15"/>
+<body name="upper" pos="0.2 0 0" quat="0.9 0.1 0.3 -0.2"><inertial pos="0 .1 0" mass="1" diaginertia=".02 .03 .04"/>
+<joint name="ball" type="ball" armature="0.01"/>
+<body name="third" pos="0 0.3 0"><inertial pos="0 .1 .02" mass=".7" diaginertia=".01 .02 .02"/>
+<joint name="slide" type="slide" axis="0 1 0"/><joint name="hinge" axis="1 0 1" pos="0 0.05 0" ref="0.2" armature="0.02"/>
+</body></body></body>
+<body name="crank"><inertial pos=".1 0 0" mass="1" diaginertia=".01 .01 .01"/><joint name="crank" axis="0 1 0"/>
+<body name="coupler" pos=".2 0 0"><inertial pos=".1 0 0" mass="1" diaginertia=".01 .01 .01"/><joint name="coupler" axis="0 1 0"/>
+</body></body></worldbody>
+<equality><joint joint1="coupler" joint2="crank" polycoef="0 -0.5 0 0 0"/></equality></mujoco>"""
+
+
+def mujoco():
+    import mujoco as mj
+
+    peer = mj.MjModel.from_xml_string(MJCF)
+    data = mj.MjData(peer)
+    model = percuss.from_mujoco(peer)
+    file = percuss.loads(MJCF)
+    converter = percuss.converters.Converter.of_mujoco(model, peer)
+    random = np.random.default_rng(8)
+    contact = percuss.Contact("third", [0.1, 0.2, 0], [0.3, 0.5, -0.2], normal_frame="world")
+    for number in range(20):
+        q = random.uniform(-0.6, 0.6, peer.nq)
+        for joint in range(peer.njnt):
+            first = peer.jnt_qposadr[joint]
+            if peer.jnt_type[joint] < 2:
+                first += 3 if peer.jnt_type[joint] == 0 else 0
+                q[first : first + 4] = unit(random)
+        data.qpos[:] = q
+        mj.mj_forward(peer, data)
+        own = converter.positions(q)
+        check(f"MuJoCo, back {number}", converter.from_positions(own, converter.base_pose(q)), q)
+        masses = []
+        for candidate in (model, file):
+            pose = candidate.pose(percuss.converters.Converter.of_mujoco(candidate, peer).positions(q))
+            masses.append(pose.respond(contact).effective_mass)
+            for link in ("trunk", "upper", "third"):
+                body = data.body(link)
+                frame = np.eye(4)
+                frame[:3, :3], frame[:3, 3] = body.xmat.reshape(3, 3), body.xpos
+                check(f"MuJoCo, {link} {number}", pose.link_frame(link), frame)
+        check(f"from_mujoco {number}", masses[0], masses[1])
+        # m̄ without the coupling of the other mechanism, by M and the Jacobian of MuJoCo.
+        mass, jacobian = np.zeros((peer.nv, peer.nv)), np.zeros((3, peer.nv))
+        mj.mj_fullM(peer, mass, data.qM) if hasattr(data, "qM") else mj.mj_fullM(peer, data, mass)
+        body = data.body("third")
+        point = body.xpos + body.xmat.reshape(3, 3) @ contact.point
+        mj.mj_jac(peer, data, jacobian, None, point, peer.body("third").id)
+        row = np.asarray(contact.normal) / np.linalg.norm(contact.normal) @ jacobian
+        check(f"MuJoCo, mass {number}", masses[0], 1 / (row @ np.linalg.solve(mass, row)))
+        # dm̄/dt by the gradient, with velocities of MuJoCo, against a step of MuJoCo's integration of positions.
+        v = random.normal(size=peer.nv)
+        v[[peer.joint(name).dofadr[0] for name in ("crank", "coupler")]] = 0
+        step, masses = 1e-5, []
+        for sign in (1, -1):
+            moved = q.copy()
+            mj.mj_integratePos(peer, moved, v, sign * step)
+            masses.append(percuss.sweep(model, contact, converter.positions(moved)[None]).effective_mass[0])
+        swept = percuss.sweep(model, contact, own[None], gradient=True)
+        found = swept.gradient[0] @ converter.velocities(v, q)
+        expected = (masses[0] - masses[1]) / (2 * step)
+        # Central differences: 1e-10 of the third derivative, 1e-16 / 1e-5 of rounding.
+        check(f"MuJoCo, rate {number}", round(abs(found - expected) / (1 + abs(expected)), 6), 0.0)
+
+
+def run(name, work):
+    if importlib.util.find_spec(name):
+        work()
+
+
+flags = argparse.ArgumentParser()
+flags.add_argument("--package", type=Path)
+given = flags.parse_args()
+if given.package:
+    sys.path.insert(0, str(given.package))
+import percuss  # noqa: E402
+
+run("pinocchio", pinocchio)
+run("mujoco", mujoco)
+print(f"{passed} passed, {failed} failed")
+sys.exit(failed > 0 or passed == 0)

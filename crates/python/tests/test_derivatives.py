@@ -1,0 +1,133 @@
+"""Gradients and inverse operational inertias of sweeps, against poses, differences and the masses themselves; threads and progress."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+from cases import ROOT
+
+import percuss
+
+ARM = percuss.load(ROOT / "models/six_r_arm.urdf")
+TOOL = percuss.Contact("tool", [0.08, 0.01, -0.02], [0.3, 1, -0.2])
+#: Deviation from a pose: the agreement of m̄ that the kernel demands, for differences of larger terms.
+POSE = 1e-8
+#: Central differences with a step h: truncation h², rounding 1e-15 / h.
+STEP, DIFFERENCES = 1e-5, 1e-7
+
+
+def rows(model: percuss.Model, count: int, seed: int) -> np.ndarray:
+    return np.random.default_rng(seed).uniform(-1, 1, (count, model.position_count))
+
+
+def test_gradients_are_those_of_poses_and_of_differences() -> None:
+    q = rows(ARM, 300, 1)
+    swept = percuss.sweep(ARM, TOOL, q, gradient=True)
+    assert swept.gradient is not None and swept.gradient.shape == (300, len(ARM.velocity_names))
+    plain = percuss.sweep(ARM, TOOL, q)
+    assert plain.gradient is None and (plain.effective_mass == swept.effective_mass).all()
+    for row in range(0, 300, 60):
+        expected = ARM.pose(q[row]).effective_mass_gradient(TOOL)
+        assert expected is not None
+        wanted = np.concatenate([expected[joint.name] for joint in ARM.joints if joint.kind != "fixed"])
+        assert np.abs(swept.gradient[row] - wanted).max() <= POSE * np.abs(wanted).max()
+    by_position = percuss.position_gradient(ARM, q, swept.gradient)
+    for column in range(ARM.position_count):
+        step = np.zeros(ARM.position_count)
+        step[column] = STEP
+        masses = [percuss.sweep(ARM, TOOL, q + sign * step).effective_mass for sign in (1, -1)]
+        differences = (masses[0] - masses[1]) / (2 * STEP)
+        scale = np.abs(by_position).max(axis=1) + swept.effective_mass
+        assert (np.abs(by_position[:, column] - differences) <= DIFFERENCES * scale).all(), column
+
+
+def test_points_and_normals_per_row() -> None:
+    q, random = rows(ARM, 64, 2), np.random.default_rng(3)
+    points, normals = random.uniform(-0.1, 0.1, (64, 3)), random.normal(size=(64, 3))
+    contact = percuss.Contact("tool", [0, 0, 0], [1, 0, 0], normal_frame="world")
+    base = [0.1, 0.2, 0.3, 0.5, 0.5, -0.5, 0.5]
+    swept = percuss.sweep(
+        ARM, contact, q, points=points, normals=normals, base_pose=base, gradient=True, inverse_operational_inertia=True
+    )
+    assert swept.gradient is not None and swept.inverse_operational_inertia is not None
+    for row in range(0, 64, 8):
+        own = percuss.Contact("tool", points[row], normals[row], normal_frame="world")
+        pose = ARM.pose(q[row], base_pose=base)
+        expected = pose.effective_mass_gradient(own)
+        assert expected is not None
+        wanted = np.concatenate([expected[joint.name] for joint in ARM.joints if joint.kind != "fixed"])
+        assert np.abs(swept.gradient[row] - wanted).max() <= POSE * np.abs(wanted).max()
+        phi = pose.inverse_operational_inertia(own, frame="root")[:6, :6]
+        assert np.abs(swept.inverse_operational_inertia[row] - phi).max() <= POSE * np.abs(phi).max()
+
+
+def test_inverse_inertias_give_the_masses() -> None:
+    q = rows(ARM, 200, 4)
+    contact = percuss.Contact("tool", [0.08, 0, 0], [0, 0.6, 0.8], normal_frame="world")
+    swept = percuss.sweep(ARM, contact, q, inverse_operational_inertia=True)
+    phi = swept.inverse_operational_inertia
+    assert phi is not None and phi.shape == (200, 6, 6)
+    normal = np.array([0, 0.6, 0.8])
+    assert 1 / np.einsum("i,nij,j->n", normal, phi[:, 3:, 3:], normal) == pytest.approx(swept.effective_mass, rel=1e-9)
+    again = pickle.loads(pickle.dumps(swept))
+    assert (again.inverse_operational_inertia == phi).all() and again.gradient is None
+
+
+def test_linkages_and_floating_models() -> None:
+    four_bar = percuss.load(ROOT / "models/four_bar.urdf")
+    contact = percuss.Contact("coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0])
+    poses = [four_bar.pose({"crank_hinge": angle}) for angle in (0.1, 0.3, 0.5)]
+    q = np.stack([pose.positions for pose in poses])
+    swept = percuss.sweep(four_bar, contact, q, gradient=True)
+    assert swept.gradient is not None
+    for pose, found in zip(poses, swept.gradient):
+        rates = pose.respond(contact).joint_velocities
+        expected = pose.effective_mass_rate(contact, rates)
+        velocities = np.concatenate([rates[joint.name] for joint in four_bar.joints if joint.kind != "fixed"])
+        assert found @ velocities == pytest.approx(expected, rel=1e-9, abs=1e-12)
+    with pytest.raises(percuss.InputError, match="gradient"):
+        percuss.sweep(four_bar, contact, [[0.1]], joints=["crank_hinge"], gradient=True)
+    floating = ARM.system(base="floating")
+    q = rows(ARM, 20, 6)
+    swept = percuss.sweep(floating, TOOL, q, gradient=True)
+    of_pose = floating.pose(q[3]).effective_mass_gradient(TOOL)
+    assert swept.gradient is not None and of_pose is not None
+    wanted = np.concatenate([of_pose[joint.name] for joint in ARM.joints if joint.kind != "fixed"])
+    assert np.abs(swept.gradient[3] - wanted).max() <= POSE * np.abs(wanted).max()
+
+
+def test_threads_change_nothing_but_the_time() -> None:
+    q = rows(ARM, 5000, 7)
+    expected = percuss.sweep(ARM, TOOL, q, gradient=True)
+    assert expected.gradient is not None
+    for threads in (1, 2, 3):
+        found = percuss.sweep(ARM, TOOL, q, gradient=True, threads=threads)
+        assert found.gradient is not None
+        assert (found.effective_mass == expected.effective_mass).all() and (found.gradient == expected.gradient).all()
+    percuss.set_threads(1)
+    try:
+        assert (percuss.sweep(ARM, TOOL, q).effective_mass == expected.effective_mass).all()
+        assert percuss.mass(ARM, TOOL).effective_mass > 0
+    finally:
+        percuss.set_threads(None)
+    for wrong in (0, 2000):
+        with pytest.raises(percuss.InputError, match="threads"):
+            percuss.sweep(ARM, TOOL, q, threads=wrong)
+
+
+def test_progress_is_reported_and_may_stop_the_sweep() -> None:
+    q = rows(ARM, 100_000, 8)
+    seen: list[tuple[int, int]] = []
+    percuss.sweep(ARM, TOOL, q, progress=lambda done, count: seen.append((done, count)))
+    assert seen[-1] == (100_000, 100_000) and all(a < b for (a, _), (b, _) in zip(seen, seen[1:]))
+
+    class Enough(Exception):
+        pass
+
+    def stop(done: int, count: int) -> None:
+        raise Enough
+
+    with pytest.raises(Enough):
+        percuss.sweep(ARM, TOOL, q, progress=stop)
