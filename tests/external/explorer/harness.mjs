@@ -3,15 +3,28 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { dirname, isAbsolute, join } from 'node:path';
 import { chromium } from 'playwright-core';
 
 export const root = process.argv[2];
-const percuss = process.env.PERCUSS;
+const program = process.env.PERCUSS;
 export const folder = join(root, 'target/explorer-tests/pages');
 mkdirSync(folder, { recursive: true });
 
 const GL = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
+/** Output of the command in the root of the project. */
+export function percuss(...args) {
+  return execFileSync(program, args, { cwd: root, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'], maxBuffer: 1 << 28 });
+}
+
+export const json = (...args) => JSON.parse(percuss(...args, '--format', 'json'));
+
+/** Questions, results and values of the page. */
+export const state = (page) => page.evaluate(() => window.percussView.state());
+
+/** Waits until the work is done that a drag leaves out. */
+export const rested = (page) => page.evaluate(() => window.percussView.rested());
 
 export async function launch(extra = GL) {
   return chromium.launch({ executablePath: process.env.CHROMIUM, args: extra.includes('--no-sandbox') ? extra : ['--no-sandbox', ...extra] });
@@ -20,7 +33,7 @@ export async function launch(extra = GL) {
 /** Page of a model, written by the command. */
 export function explore(model, ...flags) {
   const output = join(folder, `${model.replace(/.*\//, '')}.html`);
-  execFileSync(percuss, ['explore', join(root, model), ...flags, '-o', output, '--force'], { stdio: ['ignore', 'ignore', 'pipe'] });
+  execFileSync(program, ['explore', isAbsolute(model) ? model : join(root, model), ...flags, '-o', output, '--force'], { stdio: ['ignore', 'ignore', 'pipe'] });
   return output;
 }
 
