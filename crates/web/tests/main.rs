@@ -214,7 +214,7 @@ fn further_results_are_those_of_the_library() {
     let mut wanted = DampingQuestion::new(0.3, 2e5);
     wanted.speed = Some(1.0);
     let expected = damp_contact(&model, &native, &wanted).unwrap();
-    assert_eq!(reply["ok"]["damper"]["damping"].as_f64(), expected.damper.damping, "{reply}");
+    assert_eq!(reply["ok"]["damping"].as_f64(), expected.damper.damping, "{reply}");
     assert!(reply["ok"]["exports"]["mujoco"]["snippet"].as_str().unwrap().contains("solref"));
     let impact = json!({ "restitution": 0.3, "speed": 1.0 });
     let reply = ask(&mut session, &json!({ "do": "impact", "question": question, "impact": impact }));

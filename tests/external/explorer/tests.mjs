@@ -230,7 +230,7 @@ const tests = {
     assert.match(await saved('Curve SVG'), /^<svg/);
     assert.match(await saved('Changed sheet'), /lower_ball = \[5.0, 720.0, 180.0\]/);
     await page.click('[role=tab]:has-text("Study")');
-    assert.match(await page.textContent('pre.text'), /\[contact\]\nat = "bump_stop"/);
+    assert.match(await page.textContent('pre.text[aria-label=Study]'), /\[contact\]\nat = "bump_stop"/);
     await page.click('[role=tab]:has-text("Command")');
     await close(page);
   },

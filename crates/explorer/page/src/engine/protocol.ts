@@ -67,12 +67,9 @@ export interface Simulator {
   snippets: { text: string }[]; time_step: number | null; error_bound: number | null; assumptions: string[]; missing: string[];
 }
 export interface DampingReport {
-  damper: {
-    damping_ratio: number | null; damping: number | null; dissipation: number | null; achieved_restitution: number;
-    contact_duration: number | null; max_penetration: number | null; peak_force: number | null; energy_lost: number | null;
-    rebound_speed: number | null;
-  };
-  exports: Record<string, Simulator>; diagnostics: Finding[];
+  damping_ratio: number | null; damping: number | null; dissipation: number | null; achieved_restitution: number;
+  contact_duration: number | null; max_penetration: number | null; peak_force: number | null; energy_lost: number | null;
+  rebound_speed: number | null; exports: Record<string, Simulator>; diagnostics: Finding[];
 }
 export interface Reaction {
   place: string; name: string; from: string | null; on: string | null; point_world: Triple; axes_world: [Triple, Triple, Triple];

@@ -103,8 +103,8 @@ export class Answers {
       case 'safe': return this.ask({
         do: 'safe-speed', question: study,
         safe_speed: {
-          ...(s.region ? { region: s.region } : {}), [s.limit]: value(s.limitValue),
-          ...(s.limit === 'pressure' ? { area: value(s.area) } : {}), load: value(s.load),
+          ...(s.region ? { region: s.region } : {}), ...(s.limitValue.trim() ? { [s.limit]: value(s.limitValue) } : {}),
+          ...(s.limit === 'pressure' ? { area: value(s.area) } : {}), load: value(s.load.trim() || '0'),
         },
       });
       case 'kinematics': return this.ask({ do: 'kinematics', model: study.model, state });

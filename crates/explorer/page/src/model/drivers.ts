@@ -97,11 +97,21 @@ export function valueOf(driver: Driver, study: Study, posed: Posed | undefined):
   return travels.reduce((a, b) => a + b, 0) / travels.length;
 }
 
-/** Driver that moves a link: a motion of the wheels, or the nearest joint on the way to the root that can be set. */
-export function driverOf(scene: Scene, all: Driver[], link: number): Driver | undefined {
-  if (link === scene.root) return undefined;
-  if (all[0]?.isMotion) return all[0];
-  return firstDriver(scene, all, scene.links[link]?.name);
+/** Drivers that move a link: a motion of the wheels, or the joints on the way to the root that can be set, the nearest first. */
+export function driversOf(scene: Scene, all: Driver[], link: number): Driver[] {
+  if (link === scene.root) return [];
+  if (all[0]?.isMotion) return [all[0]];
+  const found: Driver[] = [];
+  let at = link;
+  for (let left = scene.links.length; left > 0; left--) {
+    const joint = scene.joints.find((j) => j.child === at);
+    if (!joint) break;
+    const driver = all.find((d) => d.name === joint.name);
+    if (driver) found.push(driver);
+    at = joint.parent;
+  }
+  // A link of a loop may be moved by a joint on the other side of the loop.
+  return [...found, ...all.filter((driver) => !found.includes(driver))];
 }
 
 function written(value: number, unit: DisplayUnit): string {

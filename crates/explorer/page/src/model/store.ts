@@ -260,7 +260,8 @@ export class Store {
 
   /** True if no work is left for the question shown. */
   async rested() {
-    while (!this.isIdle || this.rest !== undefined) await new Promise((done) => setTimeout(done, 20));
+    const isDone = () => this.isIdle && this.rest === undefined && (this.problem !== undefined || this.answers.isFresh());
+    while (!isDone()) await new Promise((done) => setTimeout(done, 20));
     await this.resting;
   }
 

@@ -67,7 +67,7 @@ const quantity = (x: number | null, scale: number, unit: string) => (x === null 
 
 export function DamperPanel() {
   return (
-    <Panel kind="damper" title="Damper and simulator" result={({ damper, exports }) => (
+    <Panel kind="damper" title="Damper and simulator" result={({ exports, ...damper }) => (
       <>
         <Rows of={[
           ['damping c', quantity(damper.damping, 1, 'N·s/m')],

@@ -14,6 +14,8 @@ const SMALL_IMPULSE = 1e-3;
 const MOST_RATIO = 400;
 /** Part of the facets at each end of a map that the colours leave out. */
 const OUTLIERS = 0.02;
+/** Largest ratio of the masses at the ends of the colours: m̄ grows without limit toward an immovable facet. */
+const MOST_COLOURS = 100;
 
 /** Impulses on the second link of each joint, and that of the contact, if the impact is shown. */
 export function impulses(radius: number) {
@@ -52,7 +54,8 @@ export function directions(radius: number) {
 export function rangeOfMap(found: Map<number, GivenContact[]>): [number, number] | undefined {
   const all = [...found.values()].flat().map((answer) => answer.effective_mass).filter((m): m is number => m !== null && m > 0).sort((a, b) => a - b);
   if (!all.length) return undefined;
-  return [all[Math.floor(OUTLIERS * (all.length - 1))], all[Math.ceil((1 - OUTLIERS) * (all.length - 1))]];
+  const low = all[Math.floor(OUTLIERS * (all.length - 1))];
+  return [low, Math.min(all[Math.ceil((1 - OUTLIERS) * (all.length - 1))], MOST_COLOURS * low)];
 }
 
 /** Colours of the facets, in proportion to the logarithm of m̄. */

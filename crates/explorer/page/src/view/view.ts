@@ -3,7 +3,7 @@
 import { AmbientLight, DirectionalLight, GridHelper, HemisphereLight, Line3, Matrix4, Raycaster, Scene as Stage, Vector3, WebGLRenderer } from 'three';
 import type { Scene, Triple } from '../engine/protocol';
 import { mass, signed } from '../model/numbers';
-import { driverOf } from '../model/drivers';
+import { driversOf } from '../model/drivers';
 import { store } from '../model/store';
 import { Bodies } from './bodies';
 import { Cameras, POINT_RADIUS } from './cameras';
@@ -326,7 +326,7 @@ export class View {
       const { pull } = hit;
       this.drag = { what: 'link', name: hit.name, held: null, moved: false, frames: store.frames, hadProblem: false, at: pull.place(store.frames), start: [0, 0, 0], pull };
       store.begin(`drag ${hit.name}`);
-      void pull.probe();
+      void pull.probe(this.cameras);
       return;
     }
     this.drag = {
@@ -357,10 +357,10 @@ export class View {
   /** Link under the pointer with the driver that moves it; undefined for the background and for links without a driver. */
   private linkAt(x: number, y: number): { what: 'link'; name: string; pull: Pull } | undefined {
     const found = this.bodies && this.cast(x, y);
-    const driver = found && driverOf(store.scene!, store.drivers, found.link);
-    if (!found || !driver) return undefined;
+    const drivers = found ? driversOf(store.scene!, store.drivers, found.link) : [];
+    if (!found || !drivers.length) return undefined;
     const point = found.at.clone().applyMatrix4(frame(store.frames!, found.link).invert());
-    return { what: 'link', name: store.scene!.links[found.link].name, pull: new Pull(driver, found.link, point.toArray() as Triple) };
+    return { what: 'link', name: store.scene!.links[found.link].name, pull: new Pull(drivers, found.link, point.toArray() as Triple) };
   }
 
   private hover(hit: { what: string; name: string } | undefined) {
