@@ -205,7 +205,10 @@ fn further_results_are_those_of_the_library() {
     let question = json!({ "model": table, "contact": { "at": "spring" } });
     let model = Model::load(&path.to_string_lossy(), DEFAULT_MAX_SIZE, &LoadOptions::default())
         .unwrap()
-        .with_changes(&Changes { moves: vec![("lower_ball".into(), [0.0, 0.0, 0.005])], ..Changes::default() })
+        .with_changes(&Changes {
+            moves: vec![("lower_ball".into(), [0.0, 0.0, 0.005])],
+            ..Changes::default()
+        })
         .unwrap();
     let native = MassQuestion { at: Some("spring".into()), ..MassQuestion::without_contact() };
     let m = mass(&model, &native).unwrap().effective_mass.unwrap();
@@ -233,7 +236,8 @@ fn further_results_are_those_of_the_library() {
     let expected = serde_json::to_value(kinematics(&model, &wanted).unwrap()).unwrap();
     assert!(expected["rows"][0]["camber"].is_number());
     assert_eq!(reply["ok"]["rows"], expected["rows"]);
-    let unknown = ask(&mut session, &json!({ "do": "kinematics", "model": table, "state": { "speed": 1.0 } }));
+    let unknown =
+        ask(&mut session, &json!({ "do": "kinematics", "model": table, "state": { "speed": 1.0 } }));
     assert!(unknown["refused"]["message"].as_str().unwrap().contains("wheel-travel"), "{unknown}");
 }
 
@@ -275,12 +279,16 @@ fn maps_and_directions_are_single_questions() {
         reply["ok"]["result"]["ok"]["report"]["effective_mass"].as_f64().expect("a finite mass")
     };
     let single: Vec<f64> = contacts.iter().map(&mut mass_of).collect();
-    let request = json!({ "do": "map", "question": question(&contacts[0]), "link": "tool", "contacts": contacts });
+    let request =
+        json!({ "do": "map", "question": question(&contacts[0]), "link": "tool", "contacts": contacts });
     let reply = ask(&mut session, &request);
     let map = reply["ok"].as_array().expect("masses").clone();
     assert_eq!(map.len(), contacts.len());
     for (found, expected) in map.iter().zip(&single) {
-        assert!((found["effective_mass"].as_f64().unwrap() / expected - 1.0).abs() < RELATIVE, "{found}, {expected}");
+        assert!(
+            (found["effective_mass"].as_f64().unwrap() / expected - 1.0).abs() < RELATIVE,
+            "{found}, {expected}"
+        );
     }
     let reply = ask(&mut session, &json!({ "do": "directions", "question": question(&contacts[3]) }));
     let axes = reply["ok"]["principal"].as_array().expect("three axes").clone();

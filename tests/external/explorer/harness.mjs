@@ -78,7 +78,12 @@ export async function shown(page) {
 
 /** Waits until the page has answered all changes. */
 export async function settle(page) {
-  await page.waitForFunction(() => window.percussView.isSettled());
+  try {
+    await page.waitForFunction(() => window.percussView.isSettled());
+  } catch (error) {
+    const busy = await page.evaluate(() => document.querySelector('.bar')?.textContent).catch(() => 'no answer of the page');
+    throw new Error(`${error.message}: ${busy}; ${page.bad.join('; ')}`);
+  }
 }
 
 /** Executes the command that the page shows, as a shell does, and returns m̄ or the outcome. */
