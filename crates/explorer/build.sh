@@ -6,9 +6,9 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
-# Largest module, bytes, shrunk by wasm-opt and compressed by zopfli: every page contains it and stays below 2.6 MB. Without these two
+# Largest module, bytes, shrunk by wasm-opt and compressed by zopfli: every page contains it and stays near 2.6 MB. Without these two
 # programs the file is larger, and of the same format.
-largest_module=1420000
+largest_module=1430000
 largest_without_tools=1560000
 
 engine() {
