@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Installs, as root, missing Debian packages of the checks; other users install them beforehand.
 #   packages.sh [--with-gazebo] [--with-octave]
-# Always: ODE, Bullet, the SDFormat program (8 MB), and Chromium for the reports (80 MB). --with-gazebo: ign-physics (306 packages, four minutes).
+# Always: ODE, Bullet, the SDFormat program (8 MB), Chromium for the reports and the explorer (80 MB), and the programs that make
+# the engine of the explorer small. --with-gazebo: ign-physics (306 packages, four minutes).
 # --with-octave: Octave, which reads the MATLAB snippet (135 packages, 80 MB). Without these two flags the checks use
 # both if already installed.
 set -euo pipefail
-wanted=(libode-dev libbullet-dev ignition-tools libsdformat-dev chromium)
+wanted=(libode-dev libbullet-dev ignition-tools libsdformat-dev chromium binaryen zopfli)
 for option in "$@"; do
   case $option in
     --with-gazebo) wanted+=(libignition-physics-dev libignition-physics5-dartsim-plugin5) ;;

@@ -35,6 +35,7 @@ pub use damper::simulators::ExportRecord;
 pub use evaluation::estimate::EstimateRecord;
 pub use evaluation::named_contact::{NamedContactRecord, WheelTravelRecord};
 pub use evaluation::status::Status;
+pub use map::given_contacts::{GivenContact, given_contact_masses};
 pub use map::map_report::{
     Extreme, FacetRecord, LinkMap, MapAnswer, MapReport, OmittedLink, OrientationRecord, SkinFacets,
 };
@@ -132,6 +133,7 @@ pub use study_file::tables::safe_speed::{SafeSpeedTable, StudySafeSpeed};
 pub use study_file::tables::sweep::{
     AxisLimits, DecimalSign, StudyFigure, StudyTable, SweepTable, TableUnit,
 };
+pub use study_file::tables_of_page::{StudyTables, VariantTables};
 pub use study_file::variant::Variant;
 pub use sweep::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
 pub use sweep::sweep_rows::{Sweep, sweep, sweep_report};

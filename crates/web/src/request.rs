@@ -2,9 +2,11 @@
 
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::{
-    ConditionsTable, ContactTable, Hold, MassQuestion, ModelTable, Names, PoseTable, QuestionTables,
+    ConditionsTable, ContactTable, DampingTable, Hold, ImpactTable, MassQuestion, ModelTable, Names,
+    PoseTable, QuestionTables, SafeSpeedTable,
 };
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Request of the page.
@@ -28,6 +30,52 @@ pub enum Request {
     },
     /// Sensitivities of m̄ to hardpoints, masses and centres of mass.
     Explain {
+        /// Question.
+        question: QuestionRequest,
+    },
+    /// Damper for a restitution, and the parameters of simulators.
+    Damp {
+        /// Question.
+        question: QuestionRequest,
+        /// Table of the damper.
+        damping: DampingTable,
+    },
+    /// Rigid impact with the reactions of the joints.
+    Impact {
+        /// Question.
+        question: QuestionRequest,
+        /// Table of the impact.
+        impact: ImpactTable,
+    },
+    /// Safe speed of a contact with a person.
+    SafeSpeed {
+        /// Question.
+        question: QuestionRequest,
+        /// Table of the limit.
+        safe_speed: SafeSpeedTable,
+    },
+    /// Angles, motion ratios and further kinematics of the wheels.
+    Kinematics {
+        /// Table of the model with its changes.
+        model: ModelTable,
+        /// Values of `wheel-travel`, `heave`, `roll` and `steer`, m.
+        #[serde(default)]
+        state: BTreeMap<String, f64>,
+        /// Variable of the rows and its values, m; without it, one row.
+        #[serde(default)]
+        range: Option<(String, Vec<f64>)>,
+    },
+    /// m̄ of many contacts of a link, for a map of its surface.
+    Map {
+        /// Question; its contact is not evaluated.
+        question: QuestionRequest,
+        /// Link.
+        link: String,
+        /// Points and outward normals, frame of the link: six numbers a contact, m and 1.
+        contacts: Vec<[f64; 6]>,
+    },
+    /// Principal directions of m̄ at the contact point.
+    Directions {
         /// Question.
         question: QuestionRequest,
     },

@@ -1,14 +1,21 @@
 //! Session of a page: a model with its changes, and replies to requests.
 
 use crate::request::{QuestionRequest, Request};
-use percuss_formats::{LoadError, LoadOptions, Source};
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Source};
 use percuss_study::{
-    BaseName, Changes, ConditionsTable, ContactListReport, ContactTable, DesignError, DiagnosticRecord,
-    Explanation, Frames, MassQuestion, Model, ModelTable, Names, PosedMass, RowSource, Scene, StudyError,
-    Vary, changed_sheet, contact_list, explain, link_frames, mass_with_frames, scene, starting_contact,
-    sweep_report,
+    BaseName, Changes, ConditionsTable, ContactListReport, ContactTable, DampingReport, DesignError,
+    DiagnosticRecord, Explanation, Frames, GivenContact, ImpactReport, InvalidKey, KinematicVariable,
+    KinematicsQuestion, KinematicsReport, MassQuestion, Model, ModelTable, Names, PointMapReport, PosedMass,
+    RowSource, SafeSpeedReport, Scene, StudyError, Vary, WheelMotion, changed_sheet, contact_list,
+    damp_contact, explain, given_contact_masses, impact, kinematics, link_frames, map_point,
+    mass_with_frames, scene, starting_contact, sweep_report,
 };
 use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Directions at the contact point besides the principal ones, which alone are shown.
+const DIRECTIONS: usize = 1;
 
 /// Model of a page, as opened and with the changes of the last request.
 #[derive(Debug, Default)]
@@ -44,6 +51,12 @@ impl From<StudyError> for Refusal {
         let key = error.field().map(|field| field.key());
         let no_result = error.has_no_result();
         Self { key, no_result, ..Self::of_message(error.message(Names::Fields)) }
+    }
+}
+
+impl From<InvalidKey> for Refusal {
+    fn from(refusal: InvalidKey) -> Self {
+        Self { key: Some(refusal.key), ..Self::of_message(refusal.reason(Names::Fields)) }
     }
 }
 
@@ -92,6 +105,12 @@ enum Reply {
     Shown(Box<Shown>),
     Explained(Option<Explanation>),
     Sheet(String),
+    Damped(Box<DampingReport>),
+    Impact(Box<ImpactReport>),
+    SafeSpeeds(Vec<SafeSpeedReport>),
+    Kinematics(Box<KinematicsReport>),
+    Masses(Vec<GivenContact>),
+    Directions(Box<PointMapReport>),
 }
 
 /// Reply to an opened model.
@@ -168,6 +187,39 @@ impl Session {
                 Ok(Reply::Shown(Box::new(self.show(&question, vary.as_deref())?)))
             }
             Request::Explain { question } => Ok(Reply::Explained(self.explain(&question)?)),
+            Request::Damp { question, damping } => {
+                let wanted = damping
+                    .question()?
+                    .ok_or_else(|| Refusal::of_message("the damper needs a restitution and a stiffness"))?;
+                damping.check_units(&wanted, false)?;
+                let (model, question) = self.model_and_question(&question)?;
+                Ok(Reply::Damped(Box::new(damp_contact(model, &question, &wanted)?)))
+            }
+            Request::Impact { question, impact: table } => {
+                let wanted = table.question()?;
+                let (model, question) = self.model_and_question(&question)?;
+                Ok(Reply::Impact(Box::new(impact(model, &question, &wanted)?)))
+            }
+            Request::SafeSpeed { question, safe_speed } => {
+                let (model, question) = self.model_and_question(&question)?;
+                let wanted = safe_speed.safe_speed(&question, Path::new(""), DEFAULT_MAX_SIZE)?;
+                Ok(Reply::SafeSpeeds(wanted.reports(model)?))
+            }
+            Request::Kinematics { model, state, range } => {
+                let question = kinematics_question(&state, range)?;
+                let model = self.model(&model.changes())?;
+                let report =
+                    kinematics(model, &question).map_err(|error| Refusal::of_message(error.to_string()))?;
+                Ok(Reply::Kinematics(Box::new(report)))
+            }
+            Request::Map { question, link, contacts } => {
+                let (model, question) = self.model_and_question(&question)?;
+                Ok(Reply::Masses(given_contact_masses(model, &question, &link, &contacts)?))
+            }
+            Request::Directions { question } => {
+                let (model, question) = self.model_and_question(&question)?;
+                Ok(Reply::Directions(Box::new(map_point(model, &question, DIRECTIONS)?)))
+            }
             Request::Sheet { model } => {
                 let opened = self.opened()?;
                 let text = changed_sheet(opened, &model.changes().moves);
@@ -231,12 +283,35 @@ impl Session {
         Ok(Shown { scene, result: result.into(), frames, curve })
     }
 
+    /// Model and question of a request.
+    fn model_and_question(&mut self, request: &QuestionRequest) -> Result<(&Model, MassQuestion), Refusal> {
+        let question = request.question().map_err(Refusal::of_message)?;
+        Ok((self.model(&request.model.changes())?, question))
+    }
+
     /// Sensitivities of m̄; `None` if m̄ is not finite or the pose is singular.
     fn explain(&mut self, request: &QuestionRequest) -> Result<Option<Explanation>, Refusal> {
-        let model = self.model(&request.model.changes())?;
-        let question = request.question().map_err(Refusal::of_message)?;
+        let (model, question) = self.model_and_question(request)?;
         Ok(explain(model, &question)?)
     }
+}
+
+/// Question about kinematics with variables by name.
+fn kinematics_question(
+    state: &BTreeMap<String, f64>,
+    range: Option<(String, Vec<f64>)>,
+) -> Result<KinematicsQuestion, Refusal> {
+    let variable = |name: &str| match WheelMotion::from_name(name) {
+        Some(motion) => Ok(KinematicVariable::Wheels(motion)),
+        None if name == KinematicVariable::Steer.name() => Ok(KinematicVariable::Steer),
+        None => Err(Refusal::of_message(format!(
+            "kinematics: \"{name}\" is no variable; expected wheel-travel, heave, roll or steer"
+        ))),
+    };
+    let state =
+        state.iter().map(|(name, value)| Ok((variable(name)?, *value))).collect::<Result<_, Refusal>>()?;
+    let range = range.map(|(name, values)| Ok::<_, Refusal>((variable(&name)?, values))).transpose()?;
+    Ok(KinematicsQuestion { state, range, ..KinematicsQuestion::default() })
 }
 
 /// m̄ over the range `vary`, which replaces the position of the same joint and all travels of the question.

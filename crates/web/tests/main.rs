@@ -1,7 +1,10 @@
 //! Tests of the engine of the explorer, natively: the module has the same functions.
 
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
-use percuss_study::{Changes, MassQuestion, Model, mass};
+use percuss_study::{
+    Changes, DampingQuestion, KinematicVariable, KinematicsQuestion, MassQuestion, Model, WheelMotion,
+    damp_contact, kinematics, mass,
+};
 use percuss_web::{Session, percuss_answer, percuss_reply, percuss_request};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -9,6 +12,9 @@ use std::path::{Path, PathBuf};
 /// Largest distance of points that coincide in exact arithmetic, m: coordinates are of the order of 1 m, and loops are closed
 /// to 1e-10 of the size of the mechanism.
 const SAME_POINT: f64 = 1e-8;
+
+/// Largest relative difference of two computations of one number: masses of these models are known to 1e-12.
+const RELATIVE: f64 = 1e-9;
 
 fn models() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models")
@@ -188,6 +194,115 @@ fn a_travel_out_of_reach_is_explained_and_the_session_goes_on() {
     assert_eq!(refused["no_result"], json!(true));
     assert!(refused["message"].as_str().unwrap().contains("reach"), "{refused}");
     assert!(show(&mut session, "wheel-travel=9mm")["ok"]["result"]["ok"].is_object());
+}
+
+#[test]
+fn further_results_are_those_of_the_library() {
+    let mut session = Session::new();
+    let path = double_wishbone();
+    open(&mut session, &path);
+    let table = json!({ "path": path.to_string_lossy(), "move": { "lower_ball": [0.0, 0.0, 0.005] } });
+    let question = json!({ "model": table, "contact": { "at": "spring" } });
+    let model = Model::load(&path.to_string_lossy(), DEFAULT_MAX_SIZE, &LoadOptions::default())
+        .unwrap()
+        .with_changes(&Changes {
+            moves: vec![("lower_ball".into(), [0.0, 0.0, 0.005])],
+            ..Changes::default()
+        })
+        .unwrap();
+    let native = MassQuestion { at: Some("spring".into()), ..MassQuestion::without_contact() };
+    let m = mass(&model, &native).unwrap().effective_mass.unwrap();
+    let damping = json!({ "restitution": 0.3, "stiffness": "200 N/mm", "speed": 1.0, "for": "mujoco" });
+    let reply = ask(&mut session, &json!({ "do": "damp", "question": question, "damping": damping }));
+    let mut wanted = DampingQuestion::new(0.3, 2e5);
+    wanted.speed = Some(1.0);
+    let expected = damp_contact(&model, &native, &wanted).unwrap();
+    assert_eq!(reply["ok"]["damping"].as_f64(), expected.damper.damping, "{reply}");
+    assert!(reply["ok"]["exports"]["mujoco"]["snippet"].as_str().unwrap().contains("solref"));
+    let impact = json!({ "restitution": 0.3, "speed": 1.0 });
+    let reply = ask(&mut session, &json!({ "do": "impact", "question": question, "impact": impact }));
+    // p = (1 + e) m v.
+    let impulse = reply["ok"]["impulse"].as_f64().unwrap();
+    assert!((impulse / (1.3 * m) - 1.0).abs() < RELATIVE, "{impulse} N·s");
+    let state = json!({ "wheel-travel": 0.02, "steer": 0.0 });
+    let reply = ask(&mut session, &json!({ "do": "kinematics", "model": table, "state": state }));
+    let wanted = KinematicsQuestion {
+        state: vec![
+            (KinematicVariable::Steer, 0.0),
+            (KinematicVariable::Wheels(WheelMotion::WheelTravel), 0.02),
+        ],
+        ..KinematicsQuestion::default()
+    };
+    let expected = serde_json::to_value(kinematics(&model, &wanted).unwrap()).unwrap();
+    assert!(expected["rows"][0]["camber"].is_number());
+    assert_eq!(reply["ok"]["rows"], expected["rows"]);
+    let unknown =
+        ask(&mut session, &json!({ "do": "kinematics", "model": table, "state": { "speed": 1.0 } }));
+    assert!(unknown["refused"]["message"].as_str().unwrap().contains("wheel-travel"), "{unknown}");
+}
+
+#[test]
+fn a_safe_speed_needs_a_limit() {
+    let mut session = Session::new();
+    let path = models().join("six_r_arm.urdf");
+    open(&mut session, &path);
+    let contact = json!({ "link": "tool", "point": [0.08, 0.0, 0.0], "normal": [0.0, 0.0, -1.0] });
+    let question = json!({ "model": { "path": path.to_string_lossy() }, "contact": contact });
+    let mut ask_speed = |table: Value| {
+        ask(&mut session, &json!({ "do": "safe-speed", "question": question, "safe_speed": table }))
+    };
+    let refused = ask_speed(json!({ "region": "chest" }));
+    assert!(refused["refused"]["message"].as_str().unwrap().contains("one limit is required"), "{refused}");
+    let found = ask_speed(json!({ "region": "chest", "force": 140.0 }));
+    assert!(found["ok"][0]["reflected"]["speed"].as_f64().unwrap() > 0.0, "{found}");
+}
+
+/// A map in one request has the masses of single questions, and the principal directions give the mass of every normal.
+#[test]
+fn maps_and_directions_are_single_questions() {
+    let mut session = Session::new();
+    let path = models().join("six_r_arm.urdf");
+    open(&mut session, &path);
+    let pose = json!({ "set": { "elbow": 0.7, "shoulder": -0.4 } });
+    let contacts: Vec<[f64; 6]> = (0..20)
+        .map(|i| {
+            let turn = f64::from(i) * 0.7;
+            [0.05 * turn.cos(), 0.05 * turn.sin(), 0.01 * f64::from(i), turn.sin(), 0.3, turn.cos()]
+        })
+        .collect();
+    let question = |contact: &[f64; 6]| {
+        json!({ "model": { "path": path.to_string_lossy() }, "pose": pose,
+                "contact": { "link": "tool", "point": contact[..3], "normal": contact[3..] } })
+    };
+    let mut mass_of = |contact: &[f64; 6]| {
+        let reply = ask(&mut session, &json!({ "do": "show", "question": question(contact) }));
+        reply["ok"]["result"]["ok"]["report"]["effective_mass"].as_f64().expect("a finite mass")
+    };
+    let single: Vec<f64> = contacts.iter().map(&mut mass_of).collect();
+    let request =
+        json!({ "do": "map", "question": question(&contacts[0]), "link": "tool", "contacts": contacts });
+    let reply = ask(&mut session, &request);
+    let map = reply["ok"].as_array().expect("masses").clone();
+    assert_eq!(map.len(), contacts.len());
+    for (found, expected) in map.iter().zip(&single) {
+        assert!(
+            (found["effective_mass"].as_f64().unwrap() / expected - 1.0).abs() < RELATIVE,
+            "{found}, {expected}"
+        );
+    }
+    let reply = ask(&mut session, &json!({ "do": "directions", "question": question(&contacts[3]) }));
+    let axes = reply["ok"]["principal"].as_array().expect("three axes").clone();
+    assert_eq!(axes.len(), 3);
+    let normal = &contacts[3][3..];
+    let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let inverse: f64 = axes
+        .iter()
+        .map(|axis| {
+            let along: f64 = (0..3).map(|k| normal[k] * axis["direction_link"][k].as_f64().unwrap()).sum();
+            axis["effective_mass"].as_f64().map_or(0.0, |m| (along / length).powi(2) / m)
+        })
+        .sum();
+    assert!((inverse * single[3] - 1.0).abs() < RELATIVE, "{inverse}, {}", single[3]);
 }
 
 #[test]

@@ -3,15 +3,34 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { dirname, isAbsolute, join } from 'node:path';
 import { chromium } from 'playwright-core';
 
 export const root = process.argv[2];
-const percuss = process.env.PERCUSS;
+const program = process.env.PERCUSS;
 export const folder = join(root, 'target/explorer-tests/pages');
 mkdirSync(folder, { recursive: true });
 
 const GL = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
+/** Output of the command in the root of the project. */
+export function percuss(...args) {
+  return execFileSync(program, args, { cwd: root, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'], maxBuffer: 1 << 28 });
+}
+
+export const json = (...args) => JSON.parse(percuss(...args, '--format', 'json'));
+
+/** Questions, results and values of the page. */
+export const state = (page) => page.evaluate(() => window.percussView.state());
+
+/** Longest work that a drag leaves out, ms: a map of 40,000 facets on a machine that compiles at the same time. */
+const LONGEST_REST = 60_000;
+
+/** Waits until the work is done that a drag leaves out. */
+export async function rested(page) {
+  const late = new Promise((_, reject) => setTimeout(() => reject(new Error('the page does not come to rest')), LONGEST_REST).unref());
+  await Promise.race([page.evaluate(() => window.percussView.rested()), late]);
+}
 
 export async function launch(extra = GL) {
   return chromium.launch({ executablePath: process.env.CHROMIUM, args: extra.includes('--no-sandbox') ? extra : ['--no-sandbox', ...extra] });
@@ -20,7 +39,7 @@ export async function launch(extra = GL) {
 /** Page of a model, written by the command. */
 export function explore(model, ...flags) {
   const output = join(folder, `${model.replace(/.*\//, '')}.html`);
-  execFileSync(percuss, ['explore', join(root, model), ...flags, '-o', output, '--force'], { stdio: ['ignore', 'ignore', 'pipe'] });
+  execFileSync(program, ['explore', isAbsolute(model) ? model : join(root, model), ...flags, '-o', output, '--force'], { stdio: ['ignore', 'ignore', 'pipe'] });
   return output;
 }
 
@@ -59,12 +78,17 @@ export async function shown(page) {
 
 /** Waits until the page has answered all changes. */
 export async function settle(page) {
-  await page.waitForFunction(() => window.percussView.isSettled());
+  try {
+    await page.waitForFunction(() => window.percussView.isSettled());
+  } catch (error) {
+    const busy = await page.evaluate(() => document.querySelector('.bar')?.textContent).catch(() => 'no answer of the page');
+    throw new Error(`${error.message}: ${busy}; ${page.bad.join('; ')}`);
+  }
 }
 
 /** Executes the command that the page shows, as a shell does, and returns m̄ or the outcome. */
 export async function executed(page, cwd) {
-  const command = await page.textContent('pre.text');
+  const command = await page.textContent('pre.text[aria-label=Command]');
   assert.match(command, /^percuss mass /);
   const text = execFileSync('bash', ['-c', `${command.replace(/^percuss/, '"$PERCUSS"')} --format json 2>/dev/null`], { cwd, encoding: 'utf8' });
   const report = JSON.parse(text);

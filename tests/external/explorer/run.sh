@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# Tests of the page of `percuss explore` in headless Chromium. Needs npm, Chromium (Debian: apt install chromium) and the engine
-# (crates/explorer/build.sh engine, which is run if engine/percuss.wasm.gz is missing).
+# Tests of the page of `percuss explore` in headless Chromium: the bundle is that of the sources, the engine is built if it is not up
+# to date, then the tests of the page and of the gallery. Needs npm and Chromium (Debian: apt install chromium binaryen zopfli).
 #   run.sh [TEST…]   only the tests whose names contain one of the words
+# EXPLORER_DRAGS: number of random drags (150)
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../.." && pwd)
 work=$root/target/explorer-tests
 browser=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
 [ -n "$browser" ] || { echo "Chromium is needed: apt install chromium, or CHROMIUM=/path/to/it" >&2; exit 1; }
-[ -f "$root/crates/explorer/engine/percuss.wasm.gz" ] || "$root/crates/explorer/build.sh" engine
+"$root/crates/explorer/build.sh" page --check
+"$root/crates/explorer/build.sh" engine
 mkdir -p "$work"
 cp "$here/package.json" "$here/package-lock.json" "$work"
 [ -d "$work/node_modules/playwright-core" ] && cmp -s "$here/package-lock.json" "$work/installed.json" ||

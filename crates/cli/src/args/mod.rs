@@ -144,7 +144,7 @@ pub enum Command {
     /// One HTML file without requests: joints, wheel travel, contact and hardpoints are dragged, and the curve follows.
     #[command(
         after_help = examples::EXPLORE,
-        override_usage = "percuss explore MODEL [--at NAME | --link L --point X,Y,Z --normal X,Y,Z] …\n                       [-o FILE.html] [--open]"
+        override_usage = "percuss explore MODEL|STUDY [--at NAME | --link L --point X,Y,Z --normal X,Y,Z] …\n                       [-o FILE.html] [--open]"
     )]
     Explore(Box<ExploreArgs>),
     /// Write C or Rust code that computes the effective mass from a configuration.
@@ -289,6 +289,9 @@ pub struct RunArgs {
     /// written to the same folder.
     #[arg(long, value_name = "FILE.html", conflicts_with = "format")]
     pub report: Option<String>,
+    /// Write the page of percuss explore as well, and link to it in the report.
+    #[arg(long, value_name = "FILE.html", requires = "report")]
+    pub explorer: Option<String>,
     /// Allow the study to write outside its own folder.
     #[arg(long)]
     pub allow_outside: bool,

@@ -78,7 +78,8 @@ fn output_files<'a>(
     args: &'a RunArgs,
 ) -> Box<dyn Iterator<Item = (&'static str, String)> + 'a> {
     if let Some(path) = &args.report {
-        return Box::new([("--report", path.clone())].into_iter());
+        let explorer = args.explorer.iter().map(|path| ("--explorer", path.clone()));
+        return Box::new([("--report", path.clone())].into_iter().chain(explorer));
     }
     if args.format.is_some() {
         return Box::new(std::iter::empty());

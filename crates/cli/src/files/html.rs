@@ -35,6 +35,22 @@ figure>svg{max-width:100%;height:auto;display:block}figure{margin:.8rem 0;break-
 .result,.warning,.note,pre{print-color-adjust:exact;-webkit-print-color-adjust:exact}\
 tr,figure,table.short{break-inside:avoid}figure>svg{width:auto;max-height:112mm}pre{font-size:7.6pt}table.data{font-size:8.4pt}td.hash{font-size:6.4pt}td.name{width:36mm}p{orphans:3;widows:3}}";
 
+/// Path as a relative reference: every byte except letters, digits and `-._~/` is written as `%XX` (RFC 3986, 2.1).
+fn percent_encoded(path: &str) -> String {
+    let mut out = String::with_capacity(path.len());
+    for byte in path.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' | b'/' => {
+                out.push(char::from(byte))
+            }
+            _ => {
+                let _ = write!(out, "%{byte:02X}");
+            }
+        }
+    }
+    out
+}
+
 /// Escapes text between tags.
 pub fn escape_text(content: &str) -> String {
     let mut out = String::with_capacity(content.len());
@@ -116,6 +132,12 @@ impl Page {
     /// Adds a paragraph with a class of the style sheet.
     pub fn paragraph(&mut self, class: &str, content: &str) {
         let _ = writeln!(self.body(), "<p class=\"{class}\">{}</p>", escape_text(content));
+    }
+
+    /// Paragraph with a link to a file.
+    pub fn link(&mut self, content: &str, path: &str) {
+        let target = percent_encoded(path);
+        let _ = writeln!(self.body(), "<p><a href=\"{target}\">{}</a></p>", escape_text(content));
     }
 
     /// Adds a warning.

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Every page, with the number of its commands.
-const PAGES: [(&str, usize); 40] = [
+const PAGES: [(&str, usize); 41] = [
     ("README.md", 4),
     ("docs/INTRODUCTION.md", 1),
     ("docs/SUMMARY.md", 0),
@@ -22,6 +22,7 @@ const PAGES: [(&str, usize); 40] = [
     ("docs/howto/CODE.md", 2),
     ("docs/howto/DESIGNS.md", 8),
     ("docs/howto/EXPLORER.md", 0),
+    ("docs/howto/GALLERY.md", 0),
     ("docs/howto/IMPACT.md", 6),
     ("docs/howto/IMPACT_RECIPES.md", 5),
     ("docs/howto/KINEMATICS.md", 3),

@@ -4,14 +4,16 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { Vector3 } from 'three';
 import type { ViewName } from './model/store';
 import { store } from './model/store';
-import { fixed } from './model/numbers';
+import { digits, fixed } from './model/numbers';
 import { toHash } from './model/link';
 import { Away, copy } from './panels/away';
 import { CurvePanel } from './panels/curve';
+import { DamperPanel, ImpactPanel, KinematicsPanel, SafeSpeedPanel } from './panels/further';
 import { useStore } from './panels/hooks';
 import { ContactPanel, PosePanel } from './panels/question';
 import { Result } from './panels/result';
 import { Contributions, CurveTable, Findings, Hardpoints, Masses, Ratios, Sensitivities } from './panels/tables';
+import { rangeOfMap } from './view/further';
 import { rampGradient } from './view/space';
 import { View } from './view/view';
 
@@ -70,9 +72,13 @@ export function App() {
             <PosePanel />
             <Contributions />
             <Ratios />
+            <KinematicsPanel />
             <Hardpoints />
             <Masses />
             <Sensitivities />
+            <DamperPanel />
+            <ImpactPanel />
+            <SafeSpeedPanel />
             <Away png={() => view.current?.png()} />
             <CurveTable />
             <Findings />
@@ -180,8 +186,14 @@ function Stage({ view }: { view: { current: View | null } }) {
         {scene?.sheet ? <Toggle on={showsPoints} label="Hardpoints" set={(on) => store.set({ showsPoints: on })} /> : null}
         <Toggle on={showsMotion} label="Motion" title="Velocities of the centres of mass when the gap closes" set={(on) => store.set({ showsMotion: on })} />
         <Toggle on={showsDesign} label="Design pose" set={(on) => store.set({ showsDesign: on })} />
+        <Toggle on={store.answers.isShown('directions')} label="Directions" title="Ellipsoid of m̄ over directions at the contact point: its radius is in proportion to √m̄"
+          set={(on) => store.answers.show('directions', on)} />
+        {store.shapes?.some((shape) => shape) ? (
+          <Toggle on={store.answers.isShown('map')} label="Map" title="m̄ of a contact at each facet, along its outward normal" set={(on) => store.answers.show('map', on)} />
+        ) : null}
       </div>
-      {posed?.report.status === 'finite' && most > 0 && colours === 'share' && !problem ? (
+      <MapLegend />
+      {!store.answers.isShown('map') && posed?.report.status === 'finite' && most > 0 && colours === 'share' && !problem ? (
         <div class="legend"><span>share of m̄ 0</span><i style={{ backgroundImage: `linear-gradient(90deg, ${rampGradient()})` }} /><span>{fixed(100 * most, 0)} %</span></div>
       ) : null}
       {body && picked ? (
@@ -198,6 +210,20 @@ function Stage({ view }: { view: { current: View | null } }) {
         </div>
       ) : null}
     </section>
+  );
+}
+
+function MapLegend() {
+  const found = store.answers.results.map;
+  if (!store.answers.isShown('map')) return null;
+  if (!found) return <div class="legend">computing the map …</div>;
+  if ('refused' in found) return <div class="legend">{found.refused.message}</div>;
+  const range = rangeOfMap(found.ok);
+  if (!range) return <div class="legend">no facet has a finite m̄</div>;
+  return (
+    <div class="legend" data-map={range.join(' ')}>
+      <span>m̄ {digits(range[0], 3)}</span><i style={{ backgroundImage: `linear-gradient(90deg, ${rampGradient()})` }} /><span>{digits(range[1], 3)} kg</span>
+    </div>
   );
 }
 

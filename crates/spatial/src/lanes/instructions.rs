@@ -1,7 +1,7 @@
 //! SIMD instruction sets, selected at run time.
 
 use super::lane::Work;
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(not(any(target_arch = "x86_64", target_arch = "wasm32")))]
 use super::portable::run_pair;
 use super::portable::run_single;
 #[cfg(target_arch = "x86_64")]
@@ -11,7 +11,8 @@ use super::x86;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Instructions {
-    /// Minimum of the architecture: two lanes.
+    /// Minimum of the architecture: two lanes; one on 32-bit WebAssembly, where a second instance of every kernel costs more in
+    /// transfer than it saves in time.
     Baseline,
     /// x86-64 with AVX2 and FMA: four lanes.
     Avx2,
@@ -23,6 +24,7 @@ impl Instructions {
     /// Number of `f64` lanes.
     pub fn width(self) -> usize {
         match self {
+            Instructions::Baseline if cfg!(target_arch = "wasm32") => 1,
             Instructions::Baseline => 2,
             Instructions::Avx2 => 4,
             Instructions::Avx512 => 8,
@@ -66,7 +68,9 @@ impl Instructions {
             Instructions::Avx2 => x86::run_four(work),
             Instructions::Baseline => x86::run_two(work),
         }
-        #[cfg(not(target_arch = "x86_64"))]
+        #[cfg(target_arch = "wasm32")]
+        run_single(work);
+        #[cfg(not(any(target_arch = "x86_64", target_arch = "wasm32")))]
         run_pair(work);
     }
 

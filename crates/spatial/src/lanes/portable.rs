@@ -136,7 +136,7 @@ pub(super) fn run_single<W: Work>(work: W) {
 }
 
 /// Runs a kernel with two lanes.
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(not(any(target_arch = "x86_64", target_arch = "wasm32")))]
 #[inline(never)]
 pub(super) fn run_pair<W: Work>(work: W) {
     work.run::<Pair>();

@@ -26,6 +26,7 @@ use crate::study_file::tables::mass::StudyMass;
 use crate::study_file::tables::report::StudyReport;
 use crate::study_file::tables::safe_speed::StudySafeSpeed;
 use crate::study_file::tables::sweep::{StudyFigure, StudyTable};
+use crate::study_file::tables_of_page::StudyTables;
 use crate::study_file::text::StudyText;
 use crate::study_file::variant::{Variant, VariantModels};
 use crate::thresholds::{
@@ -66,6 +67,8 @@ pub struct StudyFile {
     pub safe_speed: Option<StudySafeSpeed>,
     /// Head of the report.
     pub report: StudyReport,
+    /// Tables of the question, for a page.
+    pub tables: StudyTables,
     /// Folder of the study; paths in the study are relative to this folder.
     pub folder: PathBuf,
     /// Keys with their positions.
@@ -373,6 +376,7 @@ impl StudyReader<'_> {
             map,
             safe_speed,
             report: study.report.clone(),
+            tables: StudyTables::from_text(study, folder),
             folder: folder.to_owned(),
             keys: self.keys.clone(),
         })

@@ -85,7 +85,7 @@ impl<'a> VariantModels<'a> {
 }
 
 /// Replaces the entries of a list that have the same name, and adds the others.
-fn replace_by_name<T: Clone>(list: &mut Vec<(String, T)>, entries: &[(String, T)]) {
+pub(crate) fn replace_by_name<T: Clone>(list: &mut Vec<(String, T)>, entries: &[(String, T)]) {
     list.retain(|(name, _)| !entries.iter().any(|(other, _)| other == name));
     list.extend_from_slice(entries);
 }

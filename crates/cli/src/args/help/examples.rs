@@ -218,6 +218,8 @@ Examples:
   A robot arm, with a contact at the tool:
     percuss explore models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
         --normal 0,0,-1 -o arm.html
+  A study with its contact, pose and variants:
+    percuss explore models/studies/report.toml
   See docs/howto/EXPLORER.md.";
 
 pub const GENERATE: &str = "\

@@ -4,15 +4,17 @@ use crate::args::ExploreArgs;
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_out};
+use crate::terminal::report::{note, write_diagnostics, write_out};
 use crate::terminal::wrap::fact_line;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use percuss_explorer::{ENGINE, PageContent, page};
-use percuss_formats::{Source, root_name};
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, root_name};
 use percuss_render::MADE_BY;
-use percuss_study::{Model, ModelTable, PoseTable, mass, scene_shapes};
-use serde_json::{Value, json};
+use percuss_study::{
+    Model, ModelTable, Names, PoseTable, QuestionTables, StudyFile, StudyTables, mass, scene_shapes,
+};
+use serde_json::json;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -20,22 +22,58 @@ use std::process::{Command, Stdio};
 const NOT_BUILT: &str = "this build of percuss has no explorer: run crates/explorer/build.sh engine and build with \
     `cargo build --release --features explorer`, or take a package, which has everything";
 
+/// Question at first sight, from flags or from a study.
+struct FirstQuestion {
+    tables: StudyTables,
+    max_size: u64,
+    strict: bool,
+}
+
 /// Runs the command.
 pub fn run(args: &ExploreArgs) -> Result<(), Failure> {
-    let engine = ENGINE.ok_or_else(|| Failure::bad_input(NOT_BUILT))?;
     args.writing.apply();
     let path = &args.model.model;
     let reading = &args.model.reading;
-    if reading.changes.worksheet.is_some() {
+    let (max_size, strict) = (reading.max_size, reading.strict);
+    let is_study = StudyFile::is_study(path, max_size);
+    let tables = if is_study { of_study(args)? } else { of_flags(args)? };
+    let output = args.output.clone().unwrap_or_else(|| default_output(path));
+    if is_study {
+        record_input(path);
+    }
+    check_writable(&output)?;
+    let html = page_text(&FirstQuestion { tables, max_size, strict })?;
+    write_file(&output, html.as_bytes())?;
+    write_out(&fact_line("written", &line(&output)))?;
+    if args.open { open(&output) } else { Ok(()) }
+}
+
+/// Text of the page of a study.
+pub fn study_page(study: &StudyFile, max_size: u64, strict: bool) -> Result<String, Failure> {
+    page_text(&FirstQuestion { tables: study.tables.clone(), max_size, strict })
+}
+
+/// Text of the page, which contains the model and the question.
+fn page_text(first: &FirstQuestion) -> Result<String, Failure> {
+    let engine = ENGINE.ok_or_else(|| Failure::bad_input(NOT_BUILT))?;
+    let FirstQuestion { tables, max_size, strict } = first;
+    let path = &tables.model.path;
+    if tables.model.worksheet.is_some() {
+        return Err(Failure::bad_input("worksheet: the explorer reads no workbooks; save the sheet as CSV"));
+    }
+    if tables.pose.file.is_some() {
         return Err(Failure::bad_input(
-            "--worksheet: the explorer reads no workbooks; save the sheet as CSV",
+            "pose: the page has no other files; give the positions by --set, or by [pose] set",
         ));
     }
-    if args.contact.pose.file.is_some() {
-        return Err(Failure::bad_input("--pose: the page has no other files; give the positions by --set"));
+    if tables.closures > 0 {
+        return Err(Failure::bad_input(
+            "closure: the page cannot add loops to a model; write them into the model file (percuss convert)",
+        ));
     }
-    let source = Source::read(path, reading.max_size)?;
-    let opened = Model::from_source(&source, &reading.options())?;
+    let source = Source::read(path, *max_size)?;
+    let options = LoadOptions { accept: tables.model.accepted(), ..LoadOptions::default() };
+    let opened = Model::from_source(&source, &options)?;
     opened.inputs.iter().for_each(|input| record_input(&input.path));
     if let Some(other) = opened.inputs.get(1) {
         return Err(Failure::bad_input(format!(
@@ -51,44 +89,67 @@ pub fn run(args: &ExploreArgs) -> Result<(), Failure> {
             "{path}: the page does not read SDFormat; convert the model: percuss convert {path} -o MODEL.urdf"
         )));
     }
-    let changes = reading.changes();
+    let changes = tables.model.changes();
     let model = if changes.is_empty() { opened } else { opened.with_changes(&changes)? };
-    write_diagnostics(&model.diagnostics, reading.strict)?;
-    let study = study(args, &model)?;
+    write_diagnostics(&model.diagnostics, *strict)?;
+    check_question(tables, &model)?;
+    if !tables.other_models.is_empty() {
+        note(&format!(
+            "the page contains one model file; variants of other files are left out: {}",
+            tables.other_models.join(", ")
+        ));
+    }
     let start = json!({
         "model": { "name": source.name, "text": text, "shapes": shapes(&model) },
-        "study": study,
+        "study": tables,
+        "driver": tables.varied,
+        "variants": tables.variants,
     });
-    let output = args.output.clone().unwrap_or_else(|| default_output(&source.name));
-    check_writable(&output)?;
     let title = format!("percuss explorer: {}", model.mechanism.name());
-    let html = page(&PageContent { title: &title, generator: MADE_BY, start: &start, engine });
-    write_file(&output, html.as_bytes())?;
-    write_out(&fact_line("written", &line(&output)))?;
-    if args.open { open(&output) } else { Ok(()) }
+    Ok(page(&PageContent { title: &title, generator: MADE_BY, start: &start, engine }))
 }
 
-/// Tables of the question at first sight. Without a contact, the page chooses the first one with a result.
-fn study(args: &ExploreArgs, model: &Model) -> Result<Value, Failure> {
+/// Tables of the flags. Without a contact, the page chooses the first one with a result.
+fn of_flags(args: &ExploreArgs) -> Result<StudyTables, Failure> {
     let given = &args.contact;
-    if !given.contact.is_empty() {
-        // A question without a result is explained by the page; an invalid one is refused here.
-        match mass(model, &given.question()?) {
-            Err(error) if !error.has_no_result() => return Err(error.into()),
-            Ok(_) | Err(_) => {}
-        }
-    }
     let conditions = given.conditions()?;
-    let pose =
-        PoseTable { set: conditions.set, guess: conditions.guess, travel: conditions.travel, file: None };
-    let table = ModelTable { path: args.model.model.clone(), ..args.model.reading.changes.clone() };
-    Ok(json!({
-        "model": table,
-        "contact": given.contact,
-        "pose": pose,
-        "conditions": given.conditions,
-        "hold": given.hold,
-    }))
+    let file = given.pose.file.clone();
+    let pose = PoseTable { set: conditions.set, guess: conditions.guess, travel: conditions.travel, file };
+    Ok(StudyTables {
+        model: ModelTable { path: args.model.model.clone(), ..args.model.reading.changes.clone() },
+        contact: given.contact.clone(),
+        pose,
+        conditions: given.conditions.clone(),
+        hold: given.hold.clone(),
+        ..StudyTables::default()
+    })
+}
+
+/// Tables of a study. Flags of the question would exclude those of the study.
+fn of_study(args: &ExploreArgs) -> Result<StudyTables, Failure> {
+    let path = &args.model.model;
+    if args.contact.is_given() || !args.model.reading.changes().is_empty() {
+        return Err(Failure::bad_input(format!(
+            "{path} is a study with its own question: remove the flags of contact, pose, conditions and changes, or write them \
+             into the study"
+        )));
+    }
+    Ok(StudyFile::load(path, args.model.reading.max_size)?.tables)
+}
+
+/// Refuses an invalid question. A question without a result is explained by the page.
+fn check_question(tables: &StudyTables, model: &Model) -> Result<(), Failure> {
+    let StudyTables { contact, pose, conditions, hold, .. } = tables;
+    if contact.is_empty() {
+        return Ok(());
+    }
+    let question = QuestionTables { contact, pose, conditions, hold }
+        .question(Path::new(""), DEFAULT_MAX_SIZE, Names::Flags)
+        .map_err(|error| Failure::bad_input(error.message(Names::Flags)))?;
+    match mass(model, &question) {
+        Err(error) if !error.has_no_result() => Err(error.into()),
+        Ok(_) | Err(_) => Ok(()),
+    }
 }
 
 /// Triangles of each link as base64 of 32-bit floats, which drawing needs; null for a link without shapes.

@@ -12,6 +12,7 @@ mod sensitivity;
 mod sweep;
 
 use crate::args::RunArgs;
+use crate::commands::exports::explore::study_page;
 use crate::commands::mass::{MassRequests, headline};
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::terminal::escape;
@@ -38,7 +39,13 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
     if study.sweep.is_some() {
         files.push(accompanying_file("csv"));
     }
+    files.extend(args.explorer.clone());
     files.iter().try_for_each(|file| check_writable(file))?;
+    // The page refuses a study before the computation.
+    let explorer = match &args.explorer {
+        Some(_) => Some(study_page(study, args.max_size, args.strict)?),
+        None => None,
+    };
     let answers = StudyResults::from_study(study, args)?;
     let inputs = answers.inputs();
     inputs.iter().for_each(|input| record_input(&input.path));
@@ -49,6 +56,9 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
     write_file(&accompanying_file("json"), json.as_bytes())?;
     if let Some(sweep) = &answers.sweep {
         write_file(&accompanying_file("csv"), sweep.csv.as_bytes())?;
+    }
+    if let (Some(path), Some(text)) = (&args.explorer, &explorer) {
+        write_file(path, text.as_bytes())?;
     }
     write_file(path, page.as_bytes())?;
     let headline = answers.mass.as_ref().map(|mass| format!("{:<20} {}\n", "effective mass", headline(mass)));

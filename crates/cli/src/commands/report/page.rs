@@ -26,6 +26,9 @@ pub(super) fn text(
         contact::add_result(report, &study.mass, &mut page);
     }
     mechanism::add_mechanism(results, &mut page);
+    if let Some(explorer) = &args.explorer {
+        page.link("Move the mechanism and change the design in the explorer.", &relative(explorer, path));
+    }
     if let Some(report) = &results.mass {
         contact::add_conditions(report, &mut page);
         contact::add_contributions(report, &mut page);
@@ -123,9 +126,13 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
     page.heading("Command");
     page.paragraph("soft", "In the folder of the study, this command makes the report again:");
     page.code(&format!(
-        "percuss run {} --report {}",
+        "percuss run {} --report {}{}",
         shell_quoted(&file_name(&args.study)),
-        shell_quoted(&file_name(path))
+        shell_quoted(&file_name(path)),
+        args.explorer.as_ref().map_or_else(String::new, |explorer| format!(
+            " --explorer {}",
+            shell_quoted(&relative(explorer, path))
+        ))
     ));
     page.heading("Validity");
     page.paragraph(
@@ -138,4 +145,13 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
 /// File name without its folder.
 fn file_name(path: &str) -> String {
     Path::new(path).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
+}
+
+/// Path of a file from the folder of another file; as given if the folders have nothing in common.
+fn relative(file: &str, from: &str) -> String {
+    let folder = Path::new(from).parent().unwrap_or(Path::new(""));
+    match Path::new(file).strip_prefix(folder) {
+        Ok(inside) => inside.to_string_lossy().into_owned(),
+        Err(_) => std::path::absolute(file).unwrap_or_else(|_| file.into()).to_string_lossy().into_owned(),
+    }
 }

@@ -22,6 +22,8 @@ export class Engine {
   private worker: Worker | undefined;
   private module: Module | undefined;
   private pending: Pending | undefined;
+  /** Memory of the module, bytes. */
+  memory = 0;
   private queue: Promise<unknown> = Promise.resolve();
 
   private constructor(private readonly bytes: ArrayBuffer) {}
@@ -50,6 +52,7 @@ export class Engine {
       this.pending = { resolve, reject };
       worker.onmessage = ({ data }) => {
         this.pending = undefined;
+        this.memory = data.memory ?? this.memory;
         if (data.failed) reject(new Error(data.failed));
         else resolve(data.reply);
       };

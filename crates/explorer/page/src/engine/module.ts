@@ -15,6 +15,11 @@ export class Module {
     return new Module(instance.exports as unknown as Exports);
   }
 
+  /** Bytes of the memory of the module. */
+  get memory(): number {
+    return this.exports.memory.buffer.byteLength;
+  }
+
   /** Reply to a request, both as JSON text. */
   ask(request: string): string {
     const bytes = new TextEncoder().encode(request);

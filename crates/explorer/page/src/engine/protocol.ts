@@ -62,6 +62,35 @@ export interface Explanation {
   points: { point: string; per_metre: Triple | null }[];
 }
 
+export interface Simulator {
+  title: string; law: string; cannot: string[]; caution: string; error: string | null; snippet: string | null;
+  snippets: { text: string }[]; time_step: number | null; error_bound: number | null; assumptions: string[]; missing: string[];
+}
+export interface DampingReport {
+  damping_ratio: number | null; damping: number | null; dissipation: number | null; achieved_restitution: number;
+  contact_duration: number | null; max_penetration: number | null; peak_force: number | null; energy_lost: number | null;
+  rebound_speed: number | null; exports: Record<string, Simulator>; diagnostics: Finding[];
+}
+export interface Reaction {
+  place: string; name: string; from: string | null; on: string | null; point_world: Triple; axes_world: [Triple, Triple, Triple];
+  force: [number | null, number | null, number | null]; open_by: string[];
+}
+export interface ImpactReport {
+  impulse: number; closing_speed: number; energy_loss: number; sticking_mass: number | null; reactions: Reaction[];
+  reaction_residual: number; diagnostics: Finding[];
+}
+export interface SafeSpeed { robot_mass: number | null; reduced_mass: number | null; speed: number }
+export interface SafeSpeedReport {
+  region: string | null; region_mass: number | null; standard: SafeSpeed; reflected: SafeSpeed; diagnostics: Finding[];
+}
+export interface KinematicsReport {
+  columns: { quantity: string; side: string; unit: string; missing: string | null }[];
+  rows: ({ variable: number | null; problem: string | null } & Record<string, number | string | null>)[];
+}
+export interface GivenContact { status: string | null; effective_mass: number | null }
+export interface DirectionMass { direction_world: Triple; status: string; effective_mass: number | null }
+export interface Directions { principal: DirectionMass[]; point_world: Triple }
+
 // Tables of a study file.
 export interface ModelTable {
   path: string; move?: Record<string, Triple>; link_mass?: Record<string, number>; [key: string]: unknown;
@@ -81,4 +110,10 @@ export type Request =
   | { do: 'open'; model: ModelTable; text: string }
   | { do: 'show'; question: Study; vary?: string }
   | { do: 'explain'; question: Study }
+  | { do: 'damp'; question: Study; damping: Record<string, unknown> }
+  | { do: 'impact'; question: Study; impact: Record<string, unknown> }
+  | { do: 'safe-speed'; question: Study; safe_speed: Record<string, unknown> }
+  | { do: 'kinematics'; model: ModelTable; state: Record<string, number>; range?: [string, number[]] }
+  | { do: 'map'; question: Study; link: string; contacts: number[][] }
+  | { do: 'directions'; question: Study }
   | { do: 'sheet'; model: ModelTable };

@@ -9,7 +9,7 @@ self.onmessage = async (event: MessageEvent<{ bytes?: ArrayBuffer; request?: str
   try {
     if (bytes) starting = Module.start(bytes);
     const module = await starting;
-    self.postMessage(bytes ? { ready: true } : { reply: module!.ask(request!) });
+    self.postMessage(bytes ? { ready: true } : { reply: module!.ask(request!), memory: module!.memory });
   } catch (error) {
     starting = undefined;
     self.postMessage({ failed: String(error) });

@@ -1,6 +1,6 @@
 // Quantities that move the mechanism: motions of the wheels, and joints that can be set.
 
-import type { Opened, Scene, SceneJoint, Study } from '../engine/protocol';
+import type { Opened, Posed, Scene, SceneJoint, Study } from '../engine/protocol';
 import { DEGREE, MILLIMETRE, plain, siValue, type DisplayUnit } from './numbers';
 
 export interface Driver {
@@ -84,6 +84,34 @@ export function givenValue(study: Study, driver: Driver): number | undefined {
   }
   const text = study.pose.travel?.find((t) => t.startsWith(`${driver.name}=`));
   return text === undefined ? undefined : siValue(text.slice(driver.name.length + 1));
+}
+
+/** Value of a driver at the pose shown, SI. */
+export function valueOf(driver: Driver, study: Study, posed: Posed | undefined): number {
+  const given = givenValue(study, driver);
+  if (given !== undefined) return given;
+  if (!driver.isMotion) return posed?.report.pose[driver.name]?.[0] ?? 0;
+  // A stop brought to the touch has its own travel.
+  const travels = posed?.report.named_contact?.wheel_travel.map(({ travel }) => travel) ?? [];
+  if (!travels.length || study.pose.travel?.length || driver.name === 'roll') return 0;
+  return travels.reduce((a, b) => a + b, 0) / travels.length;
+}
+
+/** Drivers that move a link: a motion of the wheels, or the joints on the way to the root that can be set, the nearest first. */
+export function driversOf(scene: Scene, all: Driver[], link: number): Driver[] {
+  if (link === scene.root) return [];
+  if (all[0]?.isMotion) return [all[0]];
+  const found: Driver[] = [];
+  let at = link;
+  for (let left = scene.links.length; left > 0; left--) {
+    const joint = scene.joints.find((j) => j.child === at);
+    if (!joint) break;
+    const driver = all.find((d) => d.name === joint.name);
+    if (driver) found.push(driver);
+    at = joint.parent;
+  }
+  // A link of a loop may be moved by a joint on the other side of the loop.
+  return [...found, ...all.filter((driver) => !found.includes(driver))];
 }
 
 function written(value: number, unit: DisplayUnit): string {

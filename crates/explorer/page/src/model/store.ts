@@ -2,28 +2,38 @@
 
 import { Ended, Engine } from '../engine/engine';
 import type {
-  ContactTable, Curve, Explanation, Finding, Opened, Outcome, Posed, Refusal, Scene, Shown, Study, Triple,
+  ContactTable, Curve, Explanation, Finding, KinematicsReport, Opened, Outcome, Posed, Refusal, Scene, Shown, Study, Triple,
 } from '../engine/protocol';
-import { drivers, firstDriver, vary, type Driver } from './drivers';
+import { Answers } from './answers';
+import { drivers, firstDriver, valueOf, vary, withValue, type Driver } from './drivers';
+import { endsOf, type End } from './ends';
 import { fromHash, toHash } from './link';
 
 export type ViewName = '3d' | 'front' | 'side' | 'top';
-export interface Variant { name: string; study: Study; mass: number | null; curve: Curve | null; driver: string; scene: Scene; frames: number[] }
+export interface Variant { name: string; study: Study; mass: number | null; curve: Curve | null; driver: string; scene: Scene; frames: number[]; kinematics?: KinematicsReport }
 interface Entry { study: Study; label: string }
 export interface Start {
   model?: { name: string; text: string; shapes?: (string | null)[] };
   study?: Partial<Study>;
   driver?: string;
   view?: ViewName;
+  /** Variants of a study, shown as frozen ones. */
+  variants?: (Partial<Study> & { name: string })[];
 }
 
 /** Rows of the curve; a drag has fewer. */
 export const ROWS = 81;
 const ROWS_OF_DRAG = 33;
+/** Rows and steps of the search for the end of a travel: each step divides the distance between two rows by 20. */
+const ROWS_OF_END = 21;
+const STEPS_OF_END = 2;
+/** Poses of the band of tolerances, each with all sensitivities. */
+const POSES_OF_BAND = 9;
 /** Time of rest before the work that a drag leaves out, ms. */
 const REST = 250;
 /** Work that takes longer is reported, ms. */
 const SLOW = 300;
+const MOST_VARIANTS = 8;
 const LONGEST_HISTORY = 200;
 const MOST_TIMES = 400;
 
@@ -60,6 +70,18 @@ export class Store {
   movedAtOpening: Record<string, Triple> = {};
   past: Entry[] = [];
   future: Entry[] = [];
+  /** Band of m̄ that a design shall have, kg. */
+  target: [number, number] | undefined;
+  /** Tolerance of each coordinate of the hardpoints, m. */
+  tolerance: number | undefined;
+  /** Variation of m̄ within the tolerance along the curve, kg: root of the sum of squares, and sum. */
+  variation: { at: number; mass: number; rss: number; worst: number }[] | undefined;
+  /** Ends of the branch shown, refined when the question rests. */
+  ends: End[] = [];
+  private resting: Promise<void> = Promise.resolve();
+  readonly answers = new Answers(
+    (request) => this.ask(request), () => ({ study: this.problem ? undefined : this.study, state: this.state() }), () => this.changed(),
+  );
   private gesture: Entry | undefined;
   private dirty = false;
   private working = false;
@@ -106,8 +128,22 @@ export class Store {
     } else if (start.model) {
       await this.open(start.model.name, start.model.text, start.model.shapes, start.study, start.driver);
       if (start.view) this.view = start.view;
+      await this.freezeAll(start.variants ?? []);
     }
     this.changed();
+  }
+
+  /** Freezes the variants of a study and returns to its own design. */
+  private async freezeAll(variants: NonNullable<Start['variants']>) {
+    const own = this.study;
+    if (!own) return;
+    for (const { name, ...values } of variants.slice(0, MOST_VARIANTS)) {
+      this.study = { ...own, ...values, model: { ...own.model, ...values.model, path: own.model.path } } as Study;
+      await this.update();
+      this.freeze(name);
+    }
+    this.study = own;
+    await this.update();
   }
 
   async open(name: string, text: string, shapes?: (string | null)[], given?: Partial<Study>, driver?: string) {
@@ -133,8 +169,9 @@ export class Store {
       fileName: name, text, shapes, opened, refusal: undefined, scene: opened.scene, study, posed: undefined, problem: undefined,
       frames: opened.scene.design, curve: undefined, explanation: undefined, drivers: all,
       driver: all.find((d) => d.name === driver) ?? firstDriver(opened.scene, all, link),
-      variants: [], past: [], future: [], selected: undefined, movedAtOpening: model.move ?? {},
+      variants: [], ends: [], variation: undefined, past: [], future: [], selected: undefined, movedAtOpening: model.move ?? {},
     });
+    this.answers.clear();
     await this.update();
   }
 
@@ -198,13 +235,96 @@ export class Store {
           this.frames = frames ?? this.frames;
         }
         this.curve = curve ?? undefined;
+        this.ends = this.rows ? endsOf(this.rows, this.driver ? this.positionOf(this.driver) : 0) : [];
+        this.variation = undefined;
       }
       this.changed();
     }
     this.working = false;
     clearTimeout(this.rest);
-    this.rest = setTimeout(() => void this.writeHash(), REST);
+    this.rest = setTimeout(() => {
+      this.rest = undefined;
+      this.resting = this.atRest();
+    }, REST);
     this.changed();
+  }
+
+  /** Work that a drag leaves out. */
+  private async atRest() {
+    if (!this.study || this.gesture || this.working) return;
+    await this.writeHash();
+    await this.refineEnds();
+    await this.answers.refresh();
+    await this.varyPoints();
+  }
+
+  /** True if no work is left for the question shown. */
+  async rested() {
+    const isDone = () => this.isIdle && this.rest === undefined && (this.problem !== undefined || this.answers.isFresh());
+    while (!isDone()) await new Promise((done) => setTimeout(done, 20));
+    await this.resting;
+  }
+
+  private get rows() {
+    return this.curve && 'ok' in this.curve ? this.curve.ok.rows : undefined;
+  }
+
+  private async refineEnds() {
+    const { study, driver } = this;
+    const now = driver && this.positionOf(driver);
+    for (const end of this.ends) {
+      for (let step = 0; step < STEPS_OF_END; step++) {
+        const low = Math.min(end.inside, end.outside);
+        const high = Math.max(end.inside, end.outside);
+        const reply = await this.ask<Shown>({ do: 'show', question: study!, vary: vary({ ...driver!, range: [low, high] }, ROWS_OF_END) });
+        if (this.study !== study || this.driver !== driver || !reply || !('ok' in reply) || !reply.ok.curve || !('ok' in reply.ok.curve)) return;
+        const [found] = endsOf(reply.ok.curve.ok.rows, end.inside);
+        if (!found || now === undefined) break;
+        Object.assign(end, { inside: found.inside, outside: found.outside });
+      }
+    }
+    if (this.ends.length) this.set({ ends: [...this.ends] });
+  }
+
+  /** Variation of m̄ within the tolerance, to first order, at some poses of the curve. */
+  private async varyPoints() {
+    const { study, driver, tolerance, rows } = this;
+    if (!tolerance || !driver || !rows || !this.scene?.sheet) return;
+    const finite = rows.filter((row) => row.mass !== null);
+    const count = Math.min(POSES_OF_BAND, finite.length);
+    const found: NonNullable<Store['variation']> = [];
+    for (let i = 0; i < count; i++) {
+      const row = finite[Math.round((i * (finite.length - 1)) / Math.max(1, count - 1))];
+      const reply = await this.ask<Explanation | null>({ do: 'explain', question: withValue(study!, driver, row.at) });
+      if (this.study !== study || this.tolerance !== tolerance || this.driver !== driver) return;
+      if (!reply || !('ok' in reply) || !reply.ok) continue;
+      const rates = reply.ok.points.flatMap((point) => point.per_metre ?? []).map((rate) => Math.abs(rate) * tolerance);
+      found.push({ at: row.at, mass: row.mass!, rss: Math.hypot(...rates), worst: rates.reduce((a, b) => a + b, 0) });
+    }
+    this.set({ variation: found });
+  }
+
+  setTolerance(tolerance: number | undefined) {
+    this.set({ tolerance, variation: undefined });
+    this.resting = this.resting.then(() => this.varyPoints());
+  }
+
+  /** Value of a driver at the pose shown, SI. */
+  positionOf(driver: Driver): number {
+    return this.study ? valueOf(driver, this.study, this.posed) : 0;
+  }
+
+  /** Values of the motions of the wheels and of the rack, m. */
+  private state(): Record<string, number> {
+    const named = this.drivers.filter((driver) => driver.isMotion || driver.name === 'rack');
+    return Object.fromEntries(named.map((driver) => [driver.isMotion ? driver.name : 'steer', this.positionOf(driver)]).filter(([, value]) => value !== 0));
+  }
+
+  /** Frames at another value of a driver; undefined without such a pose. */
+  async framesAt(driver: Driver, value: number): Promise<number[] | undefined> {
+    const reply = await this.ask<Shown>({ do: 'show', question: withValue(this.study!, driver, value) });
+    if (!reply || !('ok' in reply)) return undefined;
+    return 'ok' in reply.ok.result ? reply.ok.result.ok.frames : (reply.ok.frames ?? undefined);
   }
 
   private async writeHash() {
@@ -307,15 +427,17 @@ export class Store {
     this.changed();
   }
 
-  freeze() {
+  freeze(given?: string) {
     if (!this.posed || !this.study || !this.scene || this.problem) return;
     const letters = 'ABCDEFGH';
-    const name = [...letters].find((c) => !this.variants.some((v) => v.name === c)) ?? letters[0];
+    const name = given ?? [...letters].find((c) => !this.variants.some((v) => v.name === c)) ?? letters[0];
     const curve = this.curve && 'ok' in this.curve ? this.curve.ok : null;
     const variant: Variant = {
       name, study: this.study, mass: this.posed.report.effective_mass, curve, driver: this.driver?.name ?? '',
       scene: this.scene, frames: this.posed.frames,
     };
+    const kinematics = this.answers.results.kinematics;
+    if (kinematics && 'ok' in kinematics && this.answers.isFresh()) variant.kinematics = kinematics.ok;
     this.set({ variants: [...this.variants.filter((v) => v.name !== name), variant] });
   }
 

@@ -3,6 +3,7 @@
 import { useRef, useState } from 'preact/hooks';
 import type { Curve } from '../engine/protocol';
 import { withValue } from '../model/drivers';
+import { insideBand, remarks } from '../model/ends';
 import { digits, fixed, plain, ticks } from '../model/numbers';
 import { store } from '../model/store';
 import { useStore } from './hooks';
@@ -27,7 +28,9 @@ export function CurvePanel() {
           </select>
         </label>
         <Legend />
+        <Bands />
       </div>
+      <Remarks />
       {failed ? <p class="box bad">{failed}</p> : <Plot />}
     </section>
   );
@@ -46,6 +49,60 @@ function Legend() {
   );
 }
 
+/** Band that a design shall keep, and tolerance of the hardpoints. */
+function Bands() {
+  const [open, setOpen] = useState(false);
+  const { target, tolerance, posed } = store;
+  const m = posed?.report.effective_mass ?? 1;
+  if (!open && !target && !tolerance) return <button class="quiet" onClick={() => setOpen(true)}>Bands …</button>;
+  const [low, high] = target ?? [0.9 * m, 1.1 * m];
+  const decimals = Math.max(0, 2 - Math.floor(Math.log10(Math.max(Math.abs(m), 1e-9))));
+  const field = (label: string, value: number, set: (x: number) => void) => (
+    <PlainNumber label={label} value={Number(value.toFixed(decimals))} set={set} />
+  );
+  return (
+    <span class="bands">
+      <label><input type="checkbox" checked={target !== undefined} onChange={(event) => store.set({ target: event.currentTarget.checked ? [low, high] : undefined })} /> target</label>
+      {target ? <>{field('target from, kg', low, (x) => store.set({ target: [x, high] }))}–{field('target to, kg', high, (x) => store.set({ target: [low, x] }))} kg</> : null}
+      {store.scene?.sheet ? (
+        <>
+          <label><input type="checkbox" checked={tolerance !== undefined} onChange={(event) => store.setTolerance(event.currentTarget.checked ? 0.001 : undefined)} /> tolerance</label>
+          {tolerance ? <>±<PlainNumber label="tolerance of the hardpoints, mm" value={Number((tolerance * 1000).toFixed(3))} set={(x) => store.setTolerance(x > 0 ? x / 1000 : undefined)} /> mm</> : null}
+        </>
+      ) : null}
+    </span>
+  );
+}
+
+function PlainNumber({ label, value, set }: { label: string; value: number; set(x: number): void }) {
+  return (
+    <input type="text" inputMode="decimal" class="number" aria-label={label} value={value}
+      onChange={(event) => {
+        const x = Number(event.currentTarget.value.replace(',', '.'));
+        if (Number.isFinite(x)) set(x);
+      }} />
+  );
+}
+
+/** The curve in words: ends of the travel, change points, and how much of it is inside of the target. */
+function Remarks() {
+  const { driver, ends, target, variation, posed } = store;
+  const curve = rowsOf();
+  if (!driver || !curve) return null;
+  const all = remarks(curve, driver, ends);
+  if (target) {
+    const parts = insideBand(curve.rows, target).map((part) => part.map((x) => fixed(x * driver.unit.perSi, 1)).join(' to '));
+    all.push(parts.length ? `Inside of the target from ${parts.join(', and from ')} ${driver.unit.name}.` : 'Nowhere inside of the target.');
+  }
+  if (variation?.length && posed) {
+    const now = store.positionOf(driver);
+    const nearest = variation.reduce((a, b) => (Math.abs(b.at - now) < Math.abs(a.at - now) ? b : a));
+    all.push(`Within the tolerance, to first order, m̄ varies by ±${digits(nearest.rss, 3)} kg (independent coordinates) and by at most `
+      + `±${digits(nearest.worst, 3)} kg (all at their limits) at ${fixed(nearest.at * driver.unit.perSi, 1)} ${driver.unit.name}.`);
+  }
+  return all.length ? <p class="remarks" role="status">{all.join(' ')}</p> : null;
+}
+
 export const rowsOf = (): Curve | undefined => (store.curve && 'ok' in store.curve ? store.curve.ok : undefined);
 
 function Plot() {
@@ -61,6 +118,9 @@ function Plot() {
   const masses = shown.flatMap((c) => c.rows.map((r) => r.mass).filter((m): m is number => m !== null)).sort((a, b) => a - b);
   const report = store.posed?.report;
   const present = report?.effective_mass ?? undefined;
+  const { target, variation } = store;
+  if (target) masses.push(...target);
+  for (const v of variation ?? []) masses.push(v.mass - v.worst, v.mass + v.worst);
   if (present !== undefined) masses.push(present);
   masses.sort((a, b) => a - b);
   const median = masses[Math.floor(masses.length / 2)] ?? 1;
@@ -94,6 +154,10 @@ function Plot() {
     const box = frame.current!.getBoundingClientRect();
     const part = (event.clientX - box.left - MARGIN.left) / (width - MARGIN.left - MARGIN.right);
     return driver.range[0] + part * (driver.range[1] - driver.range[0]);
+  };
+  const around = (by: 'rss' | 'worst') => {
+    const edge = (sign: number) => variation!.map((v) => `${x(v.at * scale).toFixed(1)} ${y(v.mass + sign * v[by]).toFixed(1)}`);
+    return `M${[...edge(1), ...edge(-1).reverse()].join('L')}Z`;
   };
   const hatched = curve ? gaps(curve) : [];
   const inside = now * scale >= from - 1e-9 && now * scale <= to + 1e-9;
@@ -149,6 +213,8 @@ function Plot() {
         <text x={(MARGIN.left + width - MARGIN.right) / 2} y={height - 5} text-anchor="middle" class="name">{label}</text>
         <text transform={`translate(14,${(MARGIN.top + height - MARGIN.bottom) / 2}) rotate(-90)`} text-anchor="middle" class="name">m̄, kg</text>
         <g clip-path="url(#inner)">
+          {target ? <rect x={MARGIN.left} y={y(target[1])} width={Math.max(0, width - MARGIN.left - MARGIN.right)} height={Math.max(0, y(target[0]) - y(target[1]))} class="target" /> : null}
+          {variation?.length ? <><path d={around('worst')} class="within worst" /><path d={around('rss')} class="within" /></> : null}
           {hatched.map(({ from: a, to: b, why }) => (
             <g key={a}>
               <rect x={x(a * scale)} y={MARGIN.top} width={Math.max(2, x(b * scale) - x(a * scale))} height={Math.max(0, height - MARGIN.top - MARGIN.bottom)} fill="url(#hatch)" />

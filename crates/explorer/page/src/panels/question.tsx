@@ -6,7 +6,6 @@ import { fixed, mass } from '../model/numbers';
 import { store } from '../model/store';
 import { NumberField, Slider } from './field';
 import { useStore } from './hooks';
-import { valueOf } from './result';
 
 const OWN = '\u0000own';
 const KINDS = [['stop', 'Stops'], ['spring', 'Springs'], ['damper', 'Dampers'], ['patch', 'Contact patches'], ['other', 'Others']] as const;
@@ -130,7 +129,7 @@ export function PosePanel() {
 function DriverLine({ driver }: { driver: Driver }) {
   const { study } = store;
   const { unit } = driver;
-  const value = valueOf(driver);
+  const value = store.positionOf(driver);
   const set = (x: number) => store.change(withValue(study!, driver, x), driver.label);
   const shown = value * unit.perSi;
   return (

@@ -1,7 +1,7 @@
 // The result: m̄ with its error bound, the difference from a frozen variant, and each outcome in words with a way out.
 
 import type { MassReport } from '../engine/protocol';
-import { bound, digits, fixed, mass, siValue, signed } from '../model/numbers';
+import { bound, digits, fixed, mass, signed } from '../model/numbers';
 import { withValue } from '../model/drivers';
 import { store } from '../model/store';
 import { useStore } from './hooks';
@@ -142,18 +142,5 @@ function Explained({ report }: { report: MassReport }) {
 /** Value of the driver of the curve at the pose shown, SI. */
 export function currentValue(): number {
   const { driver, study } = store;
-  return driver && study ? valueOf(driver) : 0;
-}
-
-export function valueOf(driver: { name: string; isMotion: boolean; range: [number, number] }): number {
-  const { study, posed } = store;
-  const given = driver.isMotion
-    ? study!.pose.travel?.find((t) => t.startsWith(`${driver.name}=`))
-    : study!.pose.set?.[driver.name];
-  if (given !== undefined) return siValue(given.slice(given.indexOf('=') + 1));
-  if (!driver.isMotion) return posed?.report.pose[driver.name]?.[0] ?? 0;
-  // A stop brought to the touch has its own travel.
-  const travels = posed?.report.named_contact?.wheel_travel.map(({ travel }) => travel) ?? [];
-  if (!travels.length || study!.pose.travel?.length) return 0;
-  return driver.name === 'roll' ? 0 : travels.reduce((a, b) => a + b, 0) / travels.length;
+  return driver && study ? store.positionOf(driver) : 0;
 }

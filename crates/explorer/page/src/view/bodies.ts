@@ -60,6 +60,7 @@ export class Bodies {
   private unitBar = new CylinderGeometry(1, 1, 1, 14);
   private unitSpring = spring();
   private grey = new MeshLambertMaterial({ color: GREY });
+  private painted = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide });
   private dark = new MeshLambertMaterial({ color: DARK });
   private own: BufferGeometry[] = [this.unitBar, this.unitSpring];
 
@@ -217,6 +218,24 @@ export class Bodies {
     for (const { link, material } of this.tyres) material.color.copy(colours?.[link] ?? new Color(TYRE));
   }
 
+  /** Colours of the facets of the links with shapes; undefined for one colour a link. */
+  paint(colours: Map<number, Color[]> | undefined) {
+    for (const mesh of this.pickable) {
+      const own = colours?.get(mesh.userData.link as number);
+      const material = this.materials[mesh.userData.link as number];
+      if (!own) {
+        mesh.material = material;
+        continue;
+      }
+      const values = new Float32Array(9 * own.length);
+      own.forEach((colour, i) => {
+        for (let k = 0; k < 3; k++) colour.toArray(values, 9 * i + 3 * k);
+      });
+      mesh.geometry.setAttribute('color', new BufferAttribute(values, 3));
+      mesh.material = this.painted;
+    }
+  }
+
   private outline(scene: Scene, frames: number[], material: LineBasicMaterial): LineSegments {
     const ends = scene.links.flatMap((link, i) => link.lines.filter((line) => !this.endsAtPatch(i, line))
       .flatMap((line) => line.map((end) => pointAt(frames, i, end))));
@@ -238,7 +257,7 @@ export class Bodies {
 
   dispose() {
     for (const geometry of this.own) geometry.dispose();
-    for (const material of [...this.materials, ...this.tyres.map((t) => t.material), this.grey, this.dark]) material.dispose();
+    for (const material of [...this.materials, ...this.tyres.map((t) => t.material), this.grey, this.dark, this.painted]) material.dispose();
     this.outlines(false, undefined);
   }
 }

@@ -29,6 +29,8 @@ export class Overlay {
   private wires: SVGGElement;
   private points: SVGGElement;
   private motion: SVGGElement;
+  private directions: SVGGElement;
+  private impulses: SVGGElement;
   private contact: SVGGElement;
   private label: SVGGElement;
   private axes: SVGGElement;
@@ -40,6 +42,8 @@ export class Overlay {
     const group = (name: string) => element('g', { class: name }, this.svg);
     this.wires = group('wires');
     this.motion = group('motion');
+    this.directions = group('directions');
+    this.impulses = group('impulses');
     this.points = group('points');
     this.contact = group('contact');
     this.label = group('label');
@@ -74,6 +78,40 @@ export class Overlay {
       const [a, b] = [cameras.project(at), cameras.project(at.clone().add(by))];
       return this.arrow(a.x, a.y, b.x, b.y, 8);
     }));
+  }
+
+  /** Arrows with a name for a pointer that rests on them. */
+  drawImpulses(cameras: Cameras, arrows: { at: Vector3; by: Vector3; title: string }[]) {
+    this.impulses.replaceChildren(...arrows.map(({ at, by, title }) => {
+      const [a, b] = [cameras.project(at), cameras.project(at.clone().add(by))];
+      const group = element('g', { 'data-impulse': title });
+      element('title', {}, group).textContent = title;
+      group.append(...this.arrow(a.x, a.y, b.x, b.y, 10));
+      return group;
+    }));
+  }
+
+  /** Ellipsoid by its three principal sections, and its half axes with labels. */
+  drawDirections(cameras: Cameras, centre: Vector3, axes: { half: Vector3; label: string; isBounded: boolean }[]) {
+    const parts: SVGElement[] = [];
+    axes.forEach(({ half, label, isBounded }, i) => {
+      const next = axes[(i + 1) % axes.length];
+      if (isBounded && next.isBounded) {
+        const section = Array.from({ length: 49 }, (_, k) => {
+          const turn = (2 * Math.PI * k) / 48;
+          const at = centre.clone().addScaledVector(half, Math.cos(turn)).addScaledVector(next.half, Math.sin(turn));
+          const { x, y } = cameras.project(at);
+          return `${x.toFixed(1)} ${y.toFixed(1)}`;
+        });
+        parts.push(element('path', { d: `M${section.join('L')}Z` }));
+      }
+      const [a, b] = [-1, 1].map((sign) => cameras.project(centre.clone().addScaledVector(half, sign)));
+      parts.push(element('line', { x1: a.x, y1: a.y, x2: b.x, y2: b.y, class: isBounded ? '' : 'open' }));
+      const text = element('text', { x: b.x + 4, y: b.y - 4 });
+      text.textContent = label;
+      parts.push(text);
+    });
+    this.directions.replaceChildren(...parts);
   }
 
   private arrow(x1: number, y1: number, x2: number, y2: number, head: number): SVGElement[] {

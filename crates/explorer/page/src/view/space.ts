@@ -64,3 +64,22 @@ export function decodeShape(text: string | null): Float32Array | null {
   const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
   return new Float32Array(bytes.buffer);
 }
+
+/** Contacts at the centres of the facets of a shape along their outward normals: six numbers each, frame of the link. */
+export function facetsOf(scene: Scene, shapes: (Float32Array | null)[]): { link: number; name: string; contacts: number[][] }[] {
+  const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
+  return shapes.flatMap((corners, link) => {
+    if (!corners?.length) return [];
+    const contacts: number[][] = [];
+    for (let k = 0; k + 8 < corners.length; k += 9) {
+      a.fromArray(corners, k);
+      b.fromArray(corners, k + 3);
+      c.fromArray(corners, k + 6);
+      const centre = a.clone().add(b).add(c).multiplyScalar(1 / 3);
+      const normal = b.clone().sub(a).cross(c.clone().sub(a)).normalize();
+      // A facet without an area has no normal.
+      contacts.push([...centre.toArray(), ...(normal.length() > 0 ? normal : new Vector3(0, 0, 1)).toArray()]);
+    }
+    return [{ link, name: scene.links[link].name, contacts }];
+  });
+}

@@ -3,11 +3,14 @@
 import { AmbientLight, DirectionalLight, GridHelper, HemisphereLight, Line3, Matrix4, Raycaster, Scene as Stage, Vector3, WebGLRenderer } from 'three';
 import type { Scene, Triple } from '../engine/protocol';
 import { mass, signed } from '../model/numbers';
+import { driversOf } from '../model/drivers';
 import { store } from '../model/store';
 import { Bodies } from './bodies';
 import { Cameras, POINT_RADIUS } from './cameras';
 import { Overlay, type Mark } from './overlay';
-import { decodeShape, intoLink, outline, pointAt, rampColour } from './space';
+import { coloursOfMap, directions, impulses } from './further';
+import { Pull } from './pull';
+import { decodeShape, facetsOf, frame, intoLink, outline, pointAt, rampColour } from './space';
 
 /** Nearest distance to a mark that counts as a hit, pixels: mouse and finger. */
 const REACH = { mouse: 12, touch: 24 };
@@ -18,8 +21,10 @@ const SNAP = 0.001;
 /** Angle within which a dragged normal takes the direction of an axis, rad. */
 const SNAP_ANGLE = 0.1;
 
+const MOST_TIMES = 400;
+
 interface Drag {
-  what: 'point' | 'contact' | 'normal';
+  what: 'point' | 'contact' | 'normal' | 'link';
   name: string;
   /** World position at the start. */
   at: Vector3;
@@ -30,6 +35,8 @@ interface Drag {
   moved: boolean;
   /** True if the study had no result before. */
   hadProblem: boolean;
+  /** Driver of a dragged link. */
+  pull?: Pull;
 }
 
 export class View {
@@ -40,7 +47,7 @@ export class View {
   private bodies: Bodies | undefined;
   private cameras: Cameras;
   private overlay: Overlay;
-  private shown: { scene?: Scene; shapes?: unknown; view?: string; fitted?: unknown } = {};
+  private shown: { scene?: Scene; shapes?: unknown; view?: string; fitted?: unknown; map?: unknown; mapped?: unknown } = {};
   private shapes: (Float32Array | null)[] = [];
   private centre = new Vector3();
   private points: Vector3[] = [];
@@ -51,6 +58,8 @@ export class View {
   private pointer: { x: number; y: number } | undefined;
   private hovered: string | undefined;
   private pending = false;
+  /** Times of drawings, ms. */
+  private times: number[] = [];
   private stop: () => void;
   private observer: ResizeObserver;
 
@@ -125,7 +134,10 @@ export class View {
     this.pending = true;
     requestAnimationFrame(() => {
       this.pending = false;
+      const begun = performance.now();
       this.draw();
+      this.times.push(performance.now() - begun);
+      if (this.times.length > MOST_TIMES) this.times.shift();
     });
   }
 
@@ -134,6 +146,7 @@ export class View {
     if (this.shown.shapes !== store.shapes || isNewModel) {
       this.shapes = (store.shapes ?? []).map(decodeShape);
       this.shown.shapes = store.shapes;
+      store.answers.facets = facetsOf(scene, this.shapes);
     }
     this.bodies?.dispose();
     if (this.bodies) this.stage.remove(this.bodies.group);
@@ -184,6 +197,7 @@ export class View {
     const byShare = store.colours === 'share' && shares?.some((share) => share !== null) && !problem;
     const colours = byShare ? scene.links.map((_, i) => rampColour((shares![i] ?? 0) / most)) : null;
     bodies.colour(colours, undefined);
+    this.colourMap();
     const variant = store.variants.at(-1);
     bodies.outlines(store.showsDesign, variant && variant.study !== store.answered ? variant : undefined);
     this.renderer?.render(this.stage, this.cameras.camera);
@@ -196,6 +210,8 @@ export class View {
     this.overlay.drawAxes(this.cameras);
     this.overlay.drawScale(this.cameras, this.centre, store.view !== '3d');
     this.overlay.drawPoints(this.cameras, store.showsPoints ? this.marks() : [], store.selected);
+    this.overlay.drawImpulses(this.cameras, problem ? [] : impulses(this.radius));
+    this.overlay.drawDirections(this.cameras, posed ? new Vector3(...posed.report.contact.point_world) : this.centre, problem ? [] : directions(this.radius));
     this.overlay.drawMotion(this.cameras, store.showsMotion && posed && !problem ? this.motion(frames) : []);
     this.tip = this.overlay.drawContact(this.cameras, posed && {
       point: new Vector3(...posed.report.contact.point_world),
@@ -248,6 +264,15 @@ export class View {
     });
   }
 
+  private colourMap() {
+    const found = store.answers.isShown('map') ? store.answers.results.map : undefined;
+    const shown = found && 'ok' in found ? found.ok : undefined;
+    if (this.shown.map === shown && this.shown.mapped === this.bodies) return;
+    this.shown.map = shown;
+    this.shown.mapped = this.bodies;
+    this.bodies!.paint(shown && coloursOfMap(shown));
+  }
+
   private drawLabel() {
     const name = this.drag?.what === 'point' ? this.drag.name : (this.hovered ?? store.selected);
     const mark = name ? this.marks().find((m) => m.name === name) : undefined;
@@ -289,7 +314,7 @@ export class View {
     if (event.button !== 0 || !store.frames) return;
     const { x, y } = this.at(event);
     this.press = { x, y };
-    const hit = this.hit(x, y, event.pointerType);
+    const hit: { what: Drag['what']; name: string; pull?: Pull } | undefined = this.hit(x, y, event.pointerType) ?? this.linkAt(x, y);
     if (!hit) return;
     // Otherwise the camera would turn as well.
     this.cameras.enable(false);
@@ -297,6 +322,13 @@ export class View {
     (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
     const mark = hit.what === 'point' ? this.marks().find((m) => m.name === hit.name) : undefined;
     const contact = store.posed?.report.contact;
+    if (hit.pull) {
+      const { pull } = hit;
+      this.drag = { what: 'link', name: hit.name, held: null, moved: false, frames: store.frames, hadProblem: false, at: pull.place(store.frames), start: [0, 0, 0], pull };
+      store.begin(`drag ${hit.name}`);
+      void pull.probe(this.cameras);
+      return;
+    }
     this.drag = {
       ...hit, held: null, moved: false, frames: store.frames, hadProblem: store.problem !== undefined,
       at: mark ? mark.at : hit.what === 'normal' ? this.tip!.clone() : new Vector3(...contact!.point_world),
@@ -315,11 +347,21 @@ export class View {
     }
     if (!this.drag.moved && this.press && Math.hypot(at.x - this.press.x, at.y - this.press.y) < SLOP) return;
     this.drag.moved = true;
-    if (this.drag.what === 'point') this.dragPoint(at, event.altKey);
+    if (this.drag.pull) this.drag.pull.toward(this.cameras, at);
+    else if (this.drag.what === 'point') this.dragPoint(at, event.altKey);
     else if (this.drag.what === 'contact') this.dragContact(at);
     else this.dragNormal(at);
     this.invalidate();
   };
+
+  /** Link under the pointer with the driver that moves it; undefined for the background and for links without a driver. */
+  private linkAt(x: number, y: number): { what: 'link'; name: string; pull: Pull } | undefined {
+    const found = this.bodies && this.cast(x, y);
+    const drivers = found ? driversOf(store.scene!, store.drivers, found.link) : [];
+    if (!found || !drivers.length) return undefined;
+    const point = found.at.clone().applyMatrix4(frame(store.frames!, found.link).invert());
+    return { what: 'link', name: store.scene!.links[found.link].name, pull: new Pull(drivers, found.link, point.toArray() as Triple) };
+  }
 
   private hover(hit: { what: string; name: string } | undefined) {
     const name = hit?.what === 'point' ? hit.name : undefined;
@@ -419,20 +461,26 @@ export class View {
       const text = by.map((x, k) => (Math.abs(x) > 1e-6 ? `${signed(x, 1)} mm ${'xyz'[k]}` : '')).filter(Boolean).join(' ');
       // A refused place of a hardpoint is taken back.
       const label = text ? `${drag.name} ${text}` : undefined;
-      if (drag.what === 'point' && !drag.hadProblem) void store.finishAnswered(drag.moved, label);
+      if (drag.what === 'link' && isClick) {
+        store.finish(false);
+        this.pickAt(at.x, at.y);
+      } else if (drag.what === 'point' && !drag.hadProblem) void store.finishAnswered(drag.moved, label);
       else store.finish(drag.moved, label);
     } else if (isClick && this.bodies && !this.hit(at.x, at.y, event.pointerType)) {
-      const found = this.cast(at.x, at.y);
-      if (!found) {
-        store.set({ selected: undefined });
-        this.picked(undefined);
-      } else {
-        this.picked(found.link, found.at, found.normal);
-      }
+      this.pickAt(at.x, at.y);
     }
     this.press = undefined;
     this.invalidate();
   };
+
+  private pickAt(x: number, y: number) {
+    const found = this.cast(x, y);
+    if (found) this.picked(found.link, found.at, found.normal);
+    else {
+      store.set({ selected: undefined });
+      this.picked(undefined);
+    }
+  }
 
   private cancel = () => {
     if (!this.drag) return;
@@ -458,13 +506,48 @@ export class View {
     }, `contact on ${store.scene!.links[link].name}`);
   }
 
-  /** True if the newest study is answered and drawn; for tests. */
+  // ---- for tests -----------------------------------------------------------------------------------------------------
+
+  /** True if the newest study is answered and drawn. */
   isSettled(): boolean {
     return !this.pending && store.isIdle;
   }
 
-  /** Median time from a question to its reply, ms; for tests. */
-  medianTime(): number {
-    return [...store.times].sort((a, b) => a - b)[Math.floor(store.times.length / 2)] ?? 0;
+  /** Resolves when all work for the study is done, also that which a drag leaves out. */
+  rested(): Promise<void> {
+    return store.rested();
+  }
+
+  /** Median times of a question with its reply, and of a drawing, ms; the times before are forgotten. */
+  takeTimes(): { answer: number; draw: number; count: number } {
+    const median = (times: number[]) => [...times].sort((a, b) => a - b)[Math.floor(times.length / 2)] ?? 0;
+    const found = { answer: median(store.times), draw: median(this.times), count: store.times.length };
+    store.times.length = 0;
+    this.times.length = 0;
+    return found;
+  }
+
+  state() {
+    const { scene, frames, problem, study, answers, ends, variation, drivers } = store;
+    return {
+      scene, frames, study, ends, variation, problem: problem?.message, memory: store.engine?.memory,
+      values: Object.fromEntries(drivers.map((driver) => [driver.name, store.positionOf(driver)])),
+      results: { ...answers.results, map: undefined },
+    };
+  }
+
+  /** Link that a drag from this position of the page moves. */
+  linkUnder(x: number, y: number): number | undefined {
+    const box = this.element.getBoundingClientRect();
+    const [dx, dy] = [x - box.left, y - box.top];
+    return this.hit(dx, dy, 'mouse') ? undefined : this.cast(dx, dy)?.link;
+  }
+
+  /** Position of a point of a link on the screen, pixels of the page. */
+  onScreen(link: string, point: Triple): { x: number; y: number } {
+    const i = store.scene!.links.findIndex((l) => l.name === link);
+    const box = this.element.getBoundingClientRect();
+    const { x, y } = this.cameras.project(pointAt(store.frames!, i, point));
+    return { x: x + box.left, y: y + box.top };
   }
 }

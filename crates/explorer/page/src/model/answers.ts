@@ -1,0 +1,136 @@
+// Further results at the pose shown: damper, impact, safe speed, kinematics, principal directions, maps of surfaces. Each is asked for
+// only while it is shown, when the question rests.
+
+import type { DampingReport, Directions, GivenContact, ImpactReport, KinematicsReport, Outcome, Request, SafeSpeedReport, Study } from '../engine/protocol';
+
+/** Settings of the further results, as texts of a study. */
+export interface Settings {
+  restitution: string; stiffness: string; speed: string; law: string; tool: string;
+  region: string; limit: string; limitValue: string; area: string; load: string;
+}
+
+export const DEFAULTS: Settings = {
+  restitution: '0.3', stiffness: '200 N/mm', speed: '1 m/s', law: 'kelvin-voigt', tool: 'mujoco',
+  region: 'chest', limit: 'force', limitValue: '', area: '1 cm2', load: '0',
+};
+
+export type Kind = 'damper' | 'impact' | 'safe' | 'kinematics' | 'directions' | 'map';
+
+export interface Results {
+  damper: DampingReport;
+  impact: ImpactReport;
+  safe: SafeSpeedReport[];
+  kinematics: KinematicsReport;
+  directions: Directions;
+  /** By link: m̄ of each facet. */
+  map: Map<number, GivenContact[]>;
+}
+
+export interface Facets { link: number; name: string; contacts: number[][] }
+
+type Ask = <T>(request: Request) => Promise<Outcome<T> | undefined>;
+
+/** Facets in one request: a reply within a tenth of a second. */
+const FACETS_AT_ONCE = 10_000;
+
+export class Answers {
+  settings: Settings = { ...DEFAULTS };
+  results: { [K in Kind]?: Outcome<Results[K]> } = {};
+  private shown = new Set<Kind>();
+  /** Question of the results. */
+  private study: Study | undefined;
+  private run = 0;
+  /** Surfaces of the links with shapes; given by the view. */
+  facets: Facets[] = [];
+
+  constructor(
+    private readonly ask: Ask, private readonly present: () => { study?: Study; state: Record<string, number> }, private readonly changed: () => void,
+  ) {}
+
+  isShown(kind: Kind): boolean {
+    return this.shown.has(kind);
+  }
+
+  show(kind: Kind, on: boolean) {
+    if (on === this.shown.has(kind)) return;
+    if (on) this.shown.add(kind);
+    else this.shown.delete(kind);
+    this.study = undefined;
+    this.changed();
+    void this.refresh();
+  }
+
+  set(values: Partial<Settings>) {
+    Object.assign(this.settings, values);
+    this.study = undefined;
+    this.changed();
+    void this.refresh();
+  }
+
+  /** True if the results belong to the question shown. */
+  isFresh(): boolean {
+    return this.shown.size === 0 || this.study === this.present().study;
+  }
+
+  clear() {
+    this.results = {};
+    this.study = undefined;
+  }
+
+  /** Asks for all results that are shown, unless they belong to this question already. A newer call ends an older one. */
+  async refresh() {
+    const { study, state } = this.present();
+    if (!study || this.study === study || this.shown.size === 0) return;
+    const run = ++this.run;
+    for (const kind of [...this.shown]) {
+      const result = await this.one(kind, study, state);
+      if (run !== this.run || this.present().study !== study) return;
+      this.results = { ...this.results, [kind]: result };
+      this.changed();
+    }
+    this.study = study;
+    this.changed();
+  }
+
+  private one(kind: Kind, study: Study, state: Record<string, number>): Promise<Outcome<unknown> | undefined> {
+    const s = this.settings;
+    switch (kind) {
+      case 'damper': return this.ask({
+        do: 'damp', question: study,
+        damping: { restitution: number(s.restitution), stiffness: value(s.stiffness), ...(s.speed.trim() ? { speed: value(s.speed) } : {}), law: s.law, for: [s.tool] },
+      });
+      case 'impact': return this.ask({ do: 'impact', question: study, impact: { restitution: number(s.restitution), speed: value(s.speed.trim() || '1 m/s') } });
+      case 'safe': return this.ask({
+        do: 'safe-speed', question: study,
+        safe_speed: {
+          ...(s.region ? { region: s.region } : {}), ...(s.limitValue.trim() ? { [s.limit]: value(s.limitValue) } : {}),
+          ...(s.limit === 'pressure' ? { area: value(s.area) } : {}), load: value(s.load.trim() || '0'),
+        },
+      });
+      case 'kinematics': return this.ask({ do: 'kinematics', model: study.model, state });
+      case 'directions': return this.ask({ do: 'directions', question: study });
+      case 'map': return this.map(study);
+    }
+  }
+
+  private async map(study: Study): Promise<Outcome<Results['map']> | undefined> {
+    const found: Results['map'] = new Map();
+    const run = this.run;
+    for (const { link, name, contacts } of this.facets) {
+      if (study.contact.against === name) continue;
+      const masses: GivenContact[] = [];
+      for (let from = 0; from < contacts.length; from += FACETS_AT_ONCE) {
+        const reply = await this.ask<GivenContact[]>({ do: 'map', question: study, link: name, contacts: contacts.slice(from, from + FACETS_AT_ONCE) });
+        if (run !== this.run || !reply) return undefined;
+        if ('refused' in reply) return reply;
+        masses.push(...reply.ok);
+      }
+      found.set(link, masses);
+    }
+    return { ok: found };
+  }
+}
+
+const number = (text: string) => (Number.isFinite(Number(text)) && text.trim() !== '' ? Number(text) : text);
+/** Number or quantity with a unit, as a study has it. */
+const value = number;

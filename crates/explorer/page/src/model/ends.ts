@@ -1,0 +1,60 @@
+// Ends of the range that the linkage reaches, and poses in it without a finite mass, in words.
+
+import type { Curve, CurveRow } from '../engine/protocol';
+import type { Driver } from './drivers';
+import { fixed } from './numbers';
+
+/** Where the branch shown ends: between a row that is reached and one that is not. */
+export interface End { side: 'lower' | 'upper'; inside: number; outside: number }
+
+const isReached = (row: CurveRow) => row.status !== 'unreachable' && row.status !== 'no answer';
+
+/** Rows of the branch shown: those reached without a gap around a value. */
+export function branchRows(rows: CurveRow[], now: number): [number, number] | undefined {
+  const nearest = rows.reduce((best, row, i) => (isReached(row) && (best < 0 || Math.abs(row.at - now) < Math.abs(rows[best].at - now)) ? i : best), -1);
+  if (nearest < 0) return undefined;
+  let [first, last] = [nearest, nearest];
+  while (first > 0 && isReached(rows[first - 1])) first--;
+  while (last + 1 < rows.length && isReached(rows[last + 1])) last++;
+  return [first, last];
+}
+
+export function endsOf(rows: CurveRow[], now: number): End[] {
+  const range = branchRows(rows, now);
+  if (!range) return [];
+  const [first, last] = range;
+  const out: End[] = [];
+  if (first > 0) out.push({ side: 'lower', inside: rows[first].at, outside: rows[first - 1].at });
+  if (last + 1 < rows.length) out.push({ side: 'upper', inside: rows[last].at, outside: rows[last + 1].at });
+  return out;
+}
+
+const shown = (driver: Driver, x: number) => `${fixed(x * driver.unit.perSi, driver.unit.decimals + 1)} ${driver.unit.name}`;
+
+/** Sentences about the curve: its ends, singular poses, and ranges without a finite mass. */
+export function remarks(curve: Curve, driver: Driver, ends: End[]): string[] {
+  const out = ends.map(({ side, inside }) => (
+    `The linkage ends at ${shown(driver, inside)} of ${driver.label}: a dead centre, beyond which the loops do not close. It is the ${side} end.`));
+  const of = (status: string, text: string) => {
+    const at = curve.rows.filter((row) => row.status === status).map((row) => row.at);
+    if (at.length) out.push(`${text} from ${shown(driver, at[0])} to ${shown(driver, at.at(-1)!)}.`);
+  };
+  of('immovable', 'Immovable');
+  of('massless', 'Massless');
+  const singular = curve.rows.filter((row) => row.singular).map((row) => shown(driver, row.at));
+  if (singular.length) out.push(`Change points, at which branches cross and m̄ depends on the branch: ${singular.slice(0, 4).join(', ')}.`);
+  return out;
+}
+
+/** Parts of the range in which m̄ is inside of a band: from, to. */
+export function insideBand(rows: CurveRow[], band: [number, number]): [number, number][] {
+  const out: [number, number][] = [];
+  let open = false;
+  for (const row of rows) {
+    const isInside = row.mass !== null && row.mass >= band[0] && row.mass <= band[1];
+    if (isInside && open) out.at(-1)![1] = row.at;
+    else if (isInside) out.push([row.at, row.at]);
+    open = isInside;
+  }
+  return out;
+}

@@ -1,0 +1,199 @@
+// Further results: kinematics of the wheels, damper and simulator, impact, safe speed. Each panel asks only while it is open.
+
+import type { ComponentChildren } from 'preact';
+import type { KinematicsReport, Outcome } from '../engine/protocol';
+import type { Kind, Results, Settings } from '../model/answers';
+import { digits, fixed, signed } from '../model/numbers';
+import { store } from '../model/store';
+import { useStore } from './hooks';
+
+const TOOLS = [
+  'mujoco', 'drake', 'gazebo', 'gazebo-classic', 'ode', 'bullet', 'physx', 'rapier', 'chrono', 'adams', 'simscape', 'dart', 'opensim', 'exudyn',
+  'newton', 'jolt',
+];
+const LAWS = ['kelvin-voigt', 'hunt-crossley'];
+const REGIONS = ['skull', 'face', 'neck', 'back', 'chest', 'abdomen', 'pelvis', 'upper-arm', 'lower-arm', 'hand', 'thigh', 'lower-leg'];
+const LIMITS = ['force', 'pressure', 'energy', 'momentum'];
+
+function Panel<K extends Kind>({ kind, title, children, result }: {
+  kind: K; title: string; children?: ComponentChildren; result(found: Results[K]): ComponentChildren;
+}) {
+  useStore();
+  const { answers } = store;
+  const found = answers.results[kind] as Outcome<Results[K]> | undefined;
+  return (
+    <details class={`further ${kind}`} open={answers.isShown(kind)} onToggle={(event) => answers.show(kind, event.currentTarget.open)}>
+      <summary><h2>{title}</h2></summary>
+      {children}
+      <div class={store.problem || !answers.isFresh() ? 'stale' : ''}>
+        {!found ? (answers.isShown(kind) ? <p class="soft">Computing …</p> : null)
+          : 'refused' in found ? <p class="box warn">{found.refused.message}</p> : result(found.ok)}
+      </div>
+    </details>
+  );
+}
+
+function Field({ name, label, hint }: { name: keyof Settings; label: string; hint?: string }) {
+  return (
+    <label class="line"><span>{label}</span>
+      <input class="setting" type="text" autocomplete="off" placeholder={hint} value={store.answers.settings[name]}
+        onChange={(event) => store.answers.set({ [name]: event.currentTarget.value })} />
+    </label>
+  );
+}
+
+function Choice({ name, label, of }: { name: keyof Settings; label: string; of: readonly (string | [string, string])[] }) {
+  return (
+    <label class="line"><span>{label}</span>
+      <select value={store.answers.settings[name]} onChange={(event) => store.answers.set({ [name]: event.currentTarget.value })}>
+        {of.map((entry) => {
+          const [value, text] = typeof entry === 'string' ? [entry, entry] : entry;
+          return <option key={value} value={value}>{text}</option>;
+        })}
+      </select>
+    </label>
+  );
+}
+
+function Rows({ of }: { of: [string, string | null][] }) {
+  return (
+    <table class="plain"><tbody>
+      {of.filter(([, value]) => value !== null).map(([name, value]) => <tr key={name}><th scope="row">{name}</th><td class="n">{value}</td></tr>)}
+    </tbody></table>
+  );
+}
+
+const quantity = (x: number | null, scale: number, unit: string) => (x === null ? null : `${digits(x * scale, 4)} ${unit}`);
+
+export function DamperPanel() {
+  return (
+    <Panel kind="damper" title="Damper and simulator" result={({ exports, ...damper }) => (
+      <>
+        <Rows of={[
+          ['damping c', quantity(damper.damping, 1, 'N·s/m')],
+          ['damping ratio', damper.damping_ratio === null ? null : digits(damper.damping_ratio, 4)],
+          ['dissipation d', quantity(damper.dissipation, 1, 's/m')],
+          ['restitution of the law', digits(damper.achieved_restitution, 4)],
+          ['largest force', quantity(damper.peak_force, 1, 'N')],
+          ['largest penetration', quantity(damper.max_penetration, 1000, 'mm')],
+          ['duration of the contact', quantity(damper.contact_duration, 1000, 'ms')],
+          ['rebound speed', quantity(damper.rebound_speed, 1, 'm/s')],
+          ['lost energy', quantity(damper.energy_lost, 1, 'J')],
+        ]} />
+        {Object.entries(exports).map(([name, tool]) => (
+          <div key={name} class="simulator">
+            <h3>{tool.title}</h3>
+            {tool.error ? <p class="box warn">{tool.error}</p> : null}
+            {tool.snippet ? <pre class="text" tabIndex={0} aria-label={`parameters for ${tool.title}`}>{tool.snippet}</pre> : null}
+            {tool.time_step !== null ? <p>Time step at most {digits(tool.time_step * 1000, 3)} ms.</p> : null}
+            {tool.caution ? <p class="soft">{tool.caution}</p> : null}
+          </div>
+        ))}
+      </>
+    )}>
+      <Field name="restitution" label="restitution" />
+      <Field name="stiffness" label="stiffness" hint="200 N/mm" />
+      <Field name="speed" label="speed" hint="1 m/s" />
+      <Choice name="law" label="law" of={LAWS} />
+      <Choice name="tool" label="simulator" of={TOOLS} />
+    </Panel>
+  );
+}
+
+export function ImpactPanel() {
+  return (
+    <Panel kind="impact" title="Impact" result={(found) => {
+      const size = (force: (number | null)[]) => (force.some((f) => f === null) ? null : Math.hypot(...(force as number[])));
+      const rows = found.reactions.map((r) => ({ name: r.name, place: r.place, on: r.on, size: size(r.force), open: r.open_by }))
+        .sort((a, b) => (b.size ?? 0) - (a.size ?? 0));
+      return (
+        <>
+          <Rows of={[
+            ['impulse', quantity(found.impulse, 1, 'N·s')],
+            ['lost energy', quantity(found.energy_loss, 1, 'J')],
+            ['mass of a point that sticks', quantity(found.sticking_mass, 1, 'kg')],
+          ]} />
+          <table class="plain">
+            <caption>impulses of joints, N·s; arrows in the view: on the second link</caption>
+            <tbody>{rows.map((r) => (
+              <tr key={r.place + r.name}>
+                <th scope="row" title={r.on ?? 'ground'}>{r.name}</th>
+                <td class="n">{r.size === null ? <span title={`left open by ${r.open.join(', ')}`}>not determined</span> : digits(r.size, 3)}</td>
+              </tr>
+            ))}</tbody>
+          </table>
+        </>
+      );
+    }}>
+      <Field name="restitution" label="restitution" />
+      <Field name="speed" label="speed" hint="1 m/s" />
+      <p class="soft">Before the impact, the mechanism moves with v*, the motion of least energy with this closing speed.</p>
+    </Panel>
+  );
+}
+
+export function SafeSpeedPanel() {
+  const { answers } = store;
+  const unit = { force: 'N', pressure: 'N/cm2', energy: 'J', momentum: 'N·s' }[answers.settings.limit] ?? '';
+  return (
+    <Panel kind="safe" title="Safe speed" result={([found]) => (
+      <>
+        <p class="speed"><b>{fixed(found.reflected.speed, 3)}</b> m/s <span class="soft">for m̄ {found.reflected.robot_mass === null ? '= ∞' : `${digits(found.reflected.robot_mass, 4)} kg`}</span></p>
+        <Rows of={[
+          ['for the mass of the standard', `${fixed(found.standard.speed, 3)} m/s`],
+          ['its mass', quantity(found.standard.robot_mass, 1, 'kg')],
+          ['mass of the body region', quantity(found.region_mass, 1, 'kg')],
+        ]} />
+        {found.diagnostics.filter((d) => d.severity === 'warning').map((d, i) => <p key={i} class="finding warning">{d.message}</p>)}
+      </>
+    )}>
+      <Choice name="region" label="region" of={[['', 'held, cannot move'], ...REGIONS]} />
+      <Choice name="limit" label="limit" of={LIMITS} />
+      <Field name="limitValue" label={`${answers.settings.limit}, ${unit}`} hint="from your edition of the standard" />
+      {answers.settings.limit === 'pressure' ? <Field name="area" label="area, cm²" /> : null}
+      <Field name="load" label="load, kg" />
+    </Panel>
+  );
+}
+
+/** Quantities that come first, the others follow on request. */
+const FIRST = ['camber', 'toe', 'caster', 'kingpin_inclination', 'scrub_radius', 'half_track_change', 'roll_centre_height', 'camber_gradient', 'toe_gradient'];
+const UNITS: Record<string, [string, number, number]> = {
+  rad: ['°', 180 / Math.PI, 3], m: ['mm', 1000, 2], 'rad/m': ['°/m', 180 / Math.PI, 2], 'N/m': ['N/mm', 1e-3, 2], N: ['N', 1, 1], kg: ['kg', 1, 3], Hz: ['Hz', 1, 3],
+};
+
+export function KinematicsPanel() {
+  if (!store.opened?.scene.sheet || !store.opened.scene.motions.length) return null;
+  return (
+    <Panel kind="kinematics" title="Camber, toe, motion ratios" result={(found) => {
+      const row = found.rows[0];
+      if (row?.problem) return <p class="box warn">{row.problem}</p>;
+      const base = store.variants.at(-1)?.kinematics;
+      const name = (c: KinematicsReport['columns'][number]) => (c.side ? `${c.quantity}_${c.side}` : c.quantity);
+      const shown = found.columns.filter((c) => typeof row?.[name(c)] === 'number');
+      const rank = (c: { quantity: string }) => {
+        const at = FIRST.indexOf(c.quantity);
+        return at >= 0 ? at : c.quantity.includes('motion_ratio') ? FIRST.length : FIRST.length + 1;
+      };
+      return (
+        <table class="plain">
+          <thead><tr><th>quantity</th><th>value</th>{base ? <th>Δ {store.variants.at(-1)!.name}</th> : null}</tr></thead>
+          <tbody>{[...shown].sort((a, b) => rank(a) - rank(b)).map((column) => {
+            const [unit, scale, decimals] = UNITS[column.unit] ?? ['', 1, 4];
+            const value = row[name(column)] as number;
+            const before = base?.rows[0]?.[name(column)];
+            return (
+              <tr key={name(column)} data-quantity={name(column)} data-value={value}>
+                <th scope="row">{name(column).replaceAll('_', ' ')}</th>
+                <td class="n">{fixed(value * scale, decimals)} {unit}</td>
+                {base ? <td class="n soft">{typeof before === 'number' ? signed((value - before) * scale, decimals) : ''}</td> : null}
+              </tr>
+            );
+          })}</tbody>
+        </table>
+      );
+    }}>
+      <p class="soft">At the pose shown, from the sheet; every bush is rigid.</p>
+    </Panel>
+  );
+}
