@@ -82,6 +82,7 @@ pub use reports::impact::extremes::{
     ExtremePosition, ExtremeRecord, ExtremesQuestion, ExtremesReport, GivenRange, extremes,
 };
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
+pub use reports::impact::in_time::{BearingForceRecord, ImpactTimeRecord, JointMotionRecord};
 pub use reports::impact::question::{FurtherContact, ImpactQuestion, PercussionRequest};
 pub use reports::impact::reactions::{ReactionPlace, ReactionRecord};
 pub use reports::impact::report::{

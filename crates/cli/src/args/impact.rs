@@ -2,7 +2,7 @@
 
 use super::{CheckFormat, ContactArgs, ModelArgs};
 use clap::Args;
-use percuss_study::headings::ANSWER;
+use percuss_study::headings::{ANSWER, OUTPUT};
 use percuss_study::{ExtremesQuestion, GivenRange, ImpactTable};
 
 /// Flags of `percuss impact`.
@@ -14,6 +14,11 @@ pub struct ImpactArgs {
     pub contact: ContactArgs,
     #[command(flatten)]
     pub impact: ImpactTable,
+    /// Impact in time: .svg .png .pdf .csv
+    ///
+    /// The figure shows the forces of contact and bearings, the penetration and the effective mass over time; CSV has the numbers.
+    #[arg(long, short, value_name = "FILE", requires = "in_time", help_heading = OUTPUT)]
+    pub output: Option<String>,
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = ANSWER)]
     pub format: CheckFormat,

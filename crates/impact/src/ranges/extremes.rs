@@ -1,7 +1,7 @@
 //! Extreme effective masses over ranges of joint positions.
 
 use crate::motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
-use crate::reflected::driving_velocities;
+use crate::ranges::reflected::driving_velocities;
 use percuss_dynamics::{
     AssemblyError, Configuration, ConfigurationError, Contact, EffectiveMass, Pose, ResponseError, System,
 };

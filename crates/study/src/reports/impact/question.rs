@@ -30,6 +30,10 @@ pub struct ImpactQuestion {
     pub base_twist: Option<[f64; 6]>,
     /// Contact law for peak forces; its restitution and speed are those of the impact.
     pub law: Option<DampingQuestion>,
+    /// True for the impact in time with this law, in addition.
+    pub in_time: bool,
+    /// Gravity during the impact in time, world axes, m/s²; `None` for none.
+    pub gravity: Option<[f64; 3]>,
     /// Largest permitted jumps of joint rates.
     pub rate_limits: Vec<(String, GivenRates)>,
     /// Joints whose reflected inertia is requested, by name, or over a range of positions as `JOINT=FROM:TO:COUNT`.

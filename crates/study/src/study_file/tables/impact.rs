@@ -141,6 +141,25 @@ pub struct ImpactTable {
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub law: Option<LawName>,
+    /// Impact in time with the contact law: force, penetration, speeds and bearing forces.
+    ///
+    /// The equations of motion of the whole mechanism, without friction. Adds the restitution that is reached, the change of the
+    /// effective mass, and the peak force of every bearing beside its estimate.
+    #[cfg_attr(feature = "flags", arg(long, requires = "stiffness", conflicts_with = "friction", help_heading = IMPACT))]
+    pub in_time: bool,
+    /// Gravity during the impact in time (m/s², world axes); default: none.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "X,Y,Z",
+            allow_hyphen_values = true,
+            value_delimiter = ',',
+            requires = "in_time",
+            help_heading = IMPACT
+        )
+    )]
+    pub gravity: Vec<f64>,
     /// Reflected inertia at a joint, free and held.
     ///
     /// Free: all other joints move. Held: the other driving joints are at rest. JOINT=FROM:TO:COUNT: over a range of positions, with
@@ -203,6 +222,20 @@ impl ImpactTable {
             _ if self.base_twist.is_empty() => None,
             _ => return refuse("impact.base_twist", "six finite numbers are expected: WX,WY,WZ,VX,VY,VZ"),
         };
+        let gravity = match <[f64; 3]>::try_from(self.gravity.as_slice()) {
+            Ok(gravity) if gravity.iter().all(|x| x.is_finite()) => Some(gravity),
+            _ if self.gravity.is_empty() => None,
+            _ => return refuse("impact.gravity", "three finite numbers are expected: X,Y,Z in m/s²"),
+        };
+        if gravity.is_some() && !self.in_time {
+            return refuse("impact.gravity", "it requires `in_time`: a rigid impact is instantaneous");
+        }
+        if self.in_time && self.stiffness.is_none() {
+            return refuse("impact.in_time", "it requires `stiffness`, that of the contact");
+        }
+        if self.in_time && self.friction.is_some() {
+            return refuse("impact.in_time", "the impact in time has no friction; expected no `friction`");
+        }
         Ok(ImpactQuestion {
             restitution,
             speed: self.speed.map(|speed| speed.0.value),
@@ -215,6 +248,8 @@ impl ImpactTable {
             rates: self.rates.clone(),
             base_twist,
             law: self.law(restitution)?,
+            in_time: self.in_time,
+            gravity,
             rate_limits: self.rate_limit.clone(),
             reflected: self.reflected.clone(),
             percussion: self.percussion.clone(),
