@@ -3,7 +3,7 @@
 use super::{CheckFormat, ContactArgs, ModelArgs};
 use clap::Args;
 use percuss_study::headings::{ANSWER, OUTPUT};
-use percuss_study::{ExtremesQuestion, GivenRange, ImpactTable};
+use percuss_study::{ExtremesQuestion, GivenNormals, GivenRange, ImpactTable};
 
 /// Flags of `percuss impact`.
 #[derive(Debug, Args)]
@@ -34,6 +34,11 @@ pub struct ExtremesArgs {
     /// Range of a driving joint; default: the limits of all driving joints with limits.
     #[arg(long, value_name = "JOINT=FROM:TO", allow_hyphen_values = true, help_heading = ANSWER)]
     pub range: Vec<GivenRange>,
+    /// Normals among which the extremes are searched: given, any, across:X,Y,Z.
+    ///
+    /// across: all normals perpendicular to an axis (world axes), such as those in the plane of a planar mechanism.
+    #[arg(long, value_name = "NORMALS", default_value = "given", allow_hyphen_values = true, help_heading = ANSWER)]
+    pub normals: GivenNormals,
     /// Number of starts of the search.
     #[arg(long, value_name = "N", default_value_t = 32, value_parser = clap::value_parser!(u16).range(1..=10_000), help_heading = ANSWER)]
     pub starts: u16,
@@ -45,6 +50,10 @@ pub struct ExtremesArgs {
 impl ExtremesArgs {
     /// Ranges and number of starts.
     pub fn question(&self) -> ExtremesQuestion {
-        ExtremesQuestion { ranges: self.range.clone(), starts: usize::from(self.starts) }
+        ExtremesQuestion {
+            ranges: self.range.clone(),
+            normals: self.normals,
+            starts: usize::from(self.starts),
+        }
     }
 }

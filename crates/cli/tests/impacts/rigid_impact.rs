@@ -286,6 +286,11 @@ fn several_contacts_show_the_spread_of_the_laws() {
     // W is diagonal here: the energetic law has independent contacts, so that all laws agree.
     let spread = several["spread"].as_f64().expect("a spread");
     assert!(spread < 1e-9, "{spread}");
+    // Each contact has its own restitution.
+    let own = json(&format!("{TWO_POINTS} --also-restitution 0.2 --format json"));
+    for (contact, e) in [(0, 0.5), (1, 0.2)] {
+        close(&own["simultaneous"]["laws"][0]["opening_speeds"][contact], e);
+    }
     // With coupled contacts they differ, and depend on the stiffness ratio.
     let coupled = TWO_POINTS.replace("body:-0.2", "body:-0.1");
     let spread = |more: &str| {
@@ -300,6 +305,8 @@ fn several_contacts_show_the_spread_of_the_laws() {
     }
     for (more, words) in [
         (" --stiffness-ratio 1", "--stiffness-ratio"),
+        (" --also-restitution 0.2,0.3", "also_restitution"),
+        (" --also-restitution 1.2", "also_restitution"),
         (" --also nope", "--also"),
         (" --also body:0,0,0", "--also"),
     ] {
@@ -360,6 +367,16 @@ fn extremes_of_an_arm() {
         assert!(found["residual"].as_f64().expect("a residual") < 1e-5, "{found}");
         assert!(found["agreeing"].as_u64().expect("a number") > 1, "{found}");
     }
+    // Over all normals of the plane the smallest mass is smaller and the largest larger.
+    let plane = json(&format!("{command} --normals across:0,0,1 --format json"));
+    let mass = |report: &Value, key: &str| report[key]["effective_mass"].as_f64().expect("a mass");
+    assert!(mass(&plane, "least") <= mass(&report, "least") && mass(&plane, "most") >= mass(&report, "most"));
+    assert!(plane["most"]["normal_world"][2].as_f64().expect("a number").abs() < ROUNDING);
+    assert!(report["most"]["normal_world"].is_null());
+    let text = percuss(&format!("{command} --normals across:0,0,1")).stdout;
+    assert!(text.contains("up to its sign"), "{text}");
+    let wrong = percuss(&format!("{command} --normals across:0,0"));
+    assert!(wrong.code == 2 && wrong.stderr.contains("across:X,Y,Z"), "{}", wrong.stderr);
     let text = percuss(command).stdout;
     assert!(text.contains("starts agree") && text.contains("no proof"), "{text}");
     for (more, words) in [

@@ -18,6 +18,8 @@ pub struct ImpactQuestion {
     pub restitution_law: RestitutionLaw,
     /// Further contacts that touch at the same time.
     pub also: Vec<FurtherContact>,
+    /// Coefficient of restitution of each further contact; empty for that of the first.
+    pub also_restitution: Vec<f64>,
     /// True for a plastic impact with sticking points, in addition.
     pub sticking: bool,
     /// Stiffness of each contact relative to the first, of the energetic law of several contacts; empty for equal ones.

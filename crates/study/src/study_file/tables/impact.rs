@@ -83,6 +83,12 @@ pub struct ImpactTable {
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub also: Vec<FurtherContact>,
+    /// Coefficient of restitution of each further contact; default: that of the first.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "E,E,…", value_delimiter = ',', requires = "also", help_heading = ADDITIONAL)
+    )]
+    pub also_restitution: Vec<f64>,
     /// Plastic impact in which the contact points stick.
     ///
     /// Adds the impulses, the contacts that let go, the friction that sticking needs, and the impact map.
@@ -222,6 +228,12 @@ impl ImpactTable {
             _ if self.base_twist.is_empty() => None,
             _ => return refuse("impact.base_twist", "six finite numbers are expected: WX,WY,WZ,VX,VY,VZ"),
         };
+        if !self.also_restitution.is_empty() && self.also_restitution.len() != self.also.len() {
+            return refuse("impact.also_restitution", "one number for each contact of `also` is expected");
+        }
+        if self.also_restitution.iter().any(|e| !(0.0..=1.0).contains(e)) {
+            return refuse("impact.also_restitution", "numbers from 0 to 1 are expected");
+        }
         let gravity = match <[f64; 3]>::try_from(self.gravity.as_slice()) {
             Ok(gravity) if gravity.iter().all(|x| x.is_finite()) => Some(gravity),
             _ if self.gravity.is_empty() => None,
@@ -242,6 +254,7 @@ impl ImpactTable {
             friction: self.friction.map(|friction| friction.0),
             restitution_law: self.restitution_law.unwrap_or_default().law(),
             also: self.also.clone(),
+            also_restitution: self.also_restitution.clone(),
             sticking: self.sticking,
             stiffness_ratios: self.stiffness_ratio.clone(),
             contact_exponent: self.contact_exponent.map(|exponent| exponent.0),
