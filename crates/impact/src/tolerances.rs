@@ -76,8 +76,8 @@ pub const TIME_STEP_ERROR: f64 = 1e-12;
 /// Largest step of an impact in time, relative to stopping depth / closing speed: about a hundred samples of the force.
 pub const LARGEST_TIME_STEP: f64 = 0.03;
 
-/// Largest number of steps of an impact in time: about 600 times the duration of an elastic impact.
-pub const MOST_TIME_STEPS: usize = 60_000;
+/// Largest number of steps of an impact in time: about 60 times the duration of an elastic impact.
+pub const MOST_TIME_STEPS: usize = 6_000;
 
 /// Distance from the end of the contact, relative to the step and the penetration, at which the end is found: rounding.
 pub const CONTACT_ENDS: f64 = 1e-14;

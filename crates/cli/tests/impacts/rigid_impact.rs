@@ -127,7 +127,7 @@ fn invalid_impacts_in_time_are_refused() {
         ("--speed 1 --stiffness 1e5 --in-time --gravity 0,1", "three finite numbers"),
         ("--speed 1 --stiffness 1e5 --in-time --friction 0.2", "--friction"),
         ("--speed 1 --stiffness 1e5 --output x.svg", "--in-time"),
-        ("--speed 1 --stiffness 1e5 --in-time --output x.txt", ".svg"),
+        ("--speed 0.2 --stiffness 2e5 --in-time --output x.txt", ".svg"),
     ] {
         let run = percuss(&format!("{FOUR_BAR} {flags}"));
         assert_eq!(run.code, 2, "{flags}");
@@ -305,8 +305,8 @@ fn several_contacts_show_the_spread_of_the_laws() {
     }
     for (more, words) in [
         (" --stiffness-ratio 1", "--stiffness-ratio"),
-        (" --also-restitution 0.2,0.3", "also_restitution"),
-        (" --also-restitution 1.2", "also_restitution"),
+        (" --also-restitution 0.2,0.3", "also-restitution"),
+        (" --also-restitution 1.2", "also-restitution"),
         (" --also nope", "--also"),
         (" --also body:0,0,0", "--also"),
     ] {
