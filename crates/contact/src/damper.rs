@@ -60,6 +60,18 @@ impl Damper {
         Ok(Self::HuntCrossley { dissipation: not_negative("dissipation, s/m", dissipation)? })
     }
 
+    /// Force in newtons at a penetration (m) and its rate (m/s): k xᵖ + c x^((p−1)/2) ẋ, or k xᵖ (1 + d ẋ). A negative
+    /// penetration counts as 0.
+    pub fn force(self, contact: CompliantContact, penetration: f64, rate: f64) -> f64 {
+        let (k, p, x) = (contact.stiffness(), contact.exponent(), penetration.max(0.0));
+        match self {
+            Self::KelvinVoigt { coefficient, .. } => {
+                k * x.powf(p) + coefficient * x.powf(0.5 * (p - 1.0)) * rate
+            }
+            Self::HuntCrossley { dissipation } => k * x.powf(p) * (1.0 + dissipation * rate),
+        }
+    }
+
     /// Restitution at a contact for an approach speed, in m/s. The value is exact for the force of the damper, also
     /// if an approximate formula determined the coefficient. The restitution of a Kelvin–Voigt damper does not depend
     /// on the speed.

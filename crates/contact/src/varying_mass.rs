@@ -78,15 +78,7 @@ fn integrate(
     }
     let constant = damper.impact(contact, speed)?;
     let step = constant.duration.unwrap_or(4.0 * constant.time_of_max_penetration) / STEPS;
-    let force = |x: f64, rate: f64| {
-        let (k, p, x) = (contact.stiffness(), contact.exponent(), x.max(0.0));
-        match damper {
-            Damper::KelvinVoigt { coefficient, .. } => {
-                k * x.powf(p) + coefficient * x.powf(0.5 * (p - 1.0)) * rate
-            }
-            Damper::HuntCrossley { dissipation } => k * x.powf(p) * (1.0 + dissipation * rate),
-        }
-    };
+    let force = |x: f64, rate: f64| damper.force(contact, x, rate);
     let ends_at_zero_force =
         matches!(damper, Damper::KelvinVoigt { separation: Separation::ForceVanishes, .. });
     let mass = |x: f64| interpolate(profile, x);

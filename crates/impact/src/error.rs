@@ -67,6 +67,26 @@ pub enum ImpactError {
     /// No subset of sticking contacts satisfies the conditions.
     #[error("no subset of sticking contacts is free of pulling and closing contacts")]
     NoConsistentSubset,
+    /// The contact of an impact in time does not end.
+    #[error(
+        "the contact does not end within {time:.3e} s; expected a force that grows with the penetration, and no gravity or other \
+         motion that keeps the sides together"
+    )]
+    EndlessContact {
+        /// Time reached, s.
+        time: f64,
+    },
+    /// A closure or held point between a floating mechanism and the ground.
+    #[error(
+        "impact in time: a closure or a held point connects a mechanism with a floating base to the ground; expected a fixed base, \
+         or a joint between the ground and the mechanism"
+    )]
+    GroundedBase,
+    /// The motion of an impact in time leads to a pose without a contact normal, or out of the range of numbers.
+    #[error(
+        "the motion of the impact leads to a pose at which the contact has no normal or the loops break; expected a stiffer contact"
+    )]
+    LostContact,
     /// The mobility of the contacts cannot be computed.
     #[error(transparent)]
     Mobility(#[from] DelassusError),

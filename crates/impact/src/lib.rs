@@ -22,9 +22,9 @@ mod motion;
 mod percussion;
 mod ranges;
 mod reactions;
-mod reflected;
 mod rigid_impact;
 mod several;
+mod time;
 mod tolerances;
 
 pub use error::ImpactError;
@@ -37,14 +37,19 @@ pub use motion::joint_rates::JointRates;
 pub use percussion::{
     PercussionCentre, PercussionError, centre_of_percussion, centre_of_percussion_in_plane,
 };
-pub use ranges::extremes::{ExtremeKind, ExtremeMass, ExtremesError, JointRange, extreme_effective_mass};
+pub use ranges::extremes::{
+    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, extreme_effective_mass,
+};
+pub use ranges::reflected::{
+    ReflectedError, ReflectedInertia, driving_joints, held_point_mass, reflected_inertia,
+};
 pub use ranges::reflected_range::{RangeError, ReflectedRange, ReflectedSample, reflected_inertia_over};
 pub use reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
 pub use reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};
-pub use reflected::{ReflectedError, ReflectedInertia, driving_joints, held_point_mass, reflected_inertia};
 pub use rigid_impact::{RigidImpact, closing_speed, greatest_closing_speed};
 pub use several::energetic::ContactStiffness;
 pub use several::laws::{
     SimultaneousImpact, SimultaneousLaw, simultaneous_impact, simultaneous_impact_of_matrix,
 };
 pub use several::sticking::{StickingContact, StickingImpact, sticking_impact};
+pub use time::impact_in_time::{ImpactInTime, ImpactSample, TimeConditions, impact_in_time};

@@ -69,3 +69,24 @@ pub const LEAST_ENERGETIC: f64 = 0.01;
 
 /// Energy created by a law of restitution, relative to the energy of the closing motion, that is rounding.
 pub const CREATED_ENERGY: f64 = 1e-10;
+
+/// Error of one step of an impact in time, relative to the penetration and the largest rate.
+pub const TIME_STEP_ERROR: f64 = 1e-12;
+
+/// Largest step of an impact in time, relative to stopping depth / closing speed: about a hundred samples of the force.
+pub const LARGEST_TIME_STEP: f64 = 0.03;
+
+/// Largest number of steps of an impact in time: about 60 times the duration of an elastic impact.
+pub const MOST_TIME_STEPS: usize = 6_000;
+
+/// Distance from the end of the contact, relative to the step and the penetration, at which the end is found: rounding.
+pub const CONTACT_ENDS: f64 = 1e-14;
+
+/// Largest number of iterations for the end of the contact.
+pub const END_ITERATIONS: usize = 60;
+
+/// Largest number of doublings or halvings of the stopping depth from 1 m: beyond any size of a mechanism.
+pub const MOST_DOUBLINGS: usize = 600;
+
+/// Intervals of the work of the contact force; only a scale follows from it.
+pub const WORK_INTERVALS: u32 = 64;

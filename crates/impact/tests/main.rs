@@ -3,6 +3,7 @@
 mod cases;
 mod closed_forms;
 mod friction;
+mod in_time;
 mod maximal_coordinates;
 mod mobility;
 mod properties;

@@ -80,9 +80,10 @@ pub use reports::impact::additions::{
     GreatestSpeedRecord, PercussionRecord, ReflectedRangeRecord, ReflectedRecord,
 };
 pub use reports::impact::extremes::{
-    ExtremePosition, ExtremeRecord, ExtremesQuestion, ExtremesReport, GivenRange, extremes,
+    ExtremePosition, ExtremeRecord, ExtremesQuestion, ExtremesReport, GivenNormals, GivenRange, extremes,
 };
 pub use reports::impact::friction::{FrictionRecord, LawRecord, PhaseRecord};
+pub use reports::impact::in_time::{BearingForceRecord, ImpactTimeRecord, JointMotionRecord};
 pub use reports::impact::question::{FurtherContact, ImpactQuestion, PercussionRequest};
 pub use reports::impact::reactions::{ReactionPlace, ReactionRecord};
 pub use reports::impact::report::{

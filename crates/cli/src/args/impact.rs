@@ -2,8 +2,8 @@
 
 use super::{CheckFormat, ContactArgs, ModelArgs};
 use clap::Args;
-use percuss_study::headings::ANSWER;
-use percuss_study::{ExtremesQuestion, GivenRange, ImpactTable};
+use percuss_study::headings::{ANSWER, OUTPUT};
+use percuss_study::{ExtremesQuestion, GivenNormals, GivenRange, ImpactTable};
 
 /// Flags of `percuss impact`.
 #[derive(Debug, Args)]
@@ -14,6 +14,11 @@ pub struct ImpactArgs {
     pub contact: ContactArgs,
     #[command(flatten)]
     pub impact: ImpactTable,
+    /// Impact in time: .svg .png .pdf .csv
+    ///
+    /// The figure shows the forces of contact and bearings, the penetration and the effective mass over time; CSV has the numbers.
+    #[arg(long, short, value_name = "FILE", requires = "in_time", help_heading = OUTPUT)]
+    pub output: Option<String>,
     /// Format of the result.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = ANSWER)]
     pub format: CheckFormat,
@@ -29,6 +34,11 @@ pub struct ExtremesArgs {
     /// Range of a driving joint; default: the limits of all driving joints with limits.
     #[arg(long, value_name = "JOINT=FROM:TO", allow_hyphen_values = true, help_heading = ANSWER)]
     pub range: Vec<GivenRange>,
+    /// Normals among which the extremes are searched: given, any, across:X,Y,Z.
+    ///
+    /// across: all normals perpendicular to an axis (world axes), such as those in the plane of a planar mechanism.
+    #[arg(long, value_name = "NORMALS", default_value = "given", allow_hyphen_values = true, help_heading = ANSWER)]
+    pub normals: GivenNormals,
     /// Number of starts of the search.
     #[arg(long, value_name = "N", default_value_t = 32, value_parser = clap::value_parser!(u16).range(1..=10_000), help_heading = ANSWER)]
     pub starts: u16,
@@ -40,6 +50,10 @@ pub struct ExtremesArgs {
 impl ExtremesArgs {
     /// Ranges and number of starts.
     pub fn question(&self) -> ExtremesQuestion {
-        ExtremesQuestion { ranges: self.range.clone(), starts: usize::from(self.starts) }
+        ExtremesQuestion {
+            ranges: self.range.clone(),
+            normals: self.normals,
+            starts: usize::from(self.starts),
+        }
     }
 }

@@ -69,6 +69,72 @@ fn peak_forces_are_reactions_times_the_peak_of_the_contact() {
     close(&report["contact_law"]["peak_force"], json(damp)["peak_force"].as_f64().expect("a force"));
 }
 
+/// Sums of a few hundred samples by the trapezium rule.
+const SAMPLED: f64 = 2e-3;
+
+#[test]
+fn an_impact_in_time_reaches_its_restitution_and_loads_its_bearings() {
+    let scratch = Scratch::new("impact-in-time");
+    let csv = scratch.path("time.csv");
+    let line = format!("{FOUR_BAR} --speed 0.5 --stiffness 2e6 --in-time");
+    let report = json(&format!("{line} --output {csv} --format json"));
+    let found = &report["in_time"];
+    let number = |value: &Value| value.as_f64().expect("a number");
+    // The stiff limit is the rigid impact.
+    assert!((number(&found["restitution"]) - 0.3).abs() < 0.02, "{}", found["restitution"]);
+    // The motion of one freedom by the effective mass alone is another computation; its steps are fixed.
+    let one = &found["one_freedom"];
+    for key in ["restitution", "peak_force", "max_penetration"] {
+        let (a, b) = (number(&one[key]), number(&found[key]));
+        assert!((a / b - 1.0).abs() < 1e-3, "{key}: {a} {b}");
+    }
+    assert!(number(&found["loop_gap"]) < 1e-10, "{}", found["loop_gap"]);
+    // The bearings: the estimate is that of a constant pose.
+    let hinge = named(&found["bearings"], "name", "crank_hinge");
+    let (peak, estimate) = (number(&hinge["peak_force"]), number(&hinge["estimate"]));
+    assert!((peak / estimate - 1.0).abs() < 0.1, "{peak} {estimate}");
+    assert_eq!(hinge["open_components"], serde_json::json!([false, false, true]));
+    // Force over penetration encloses the lost energy, up to the change of the kinetic energy with the pose.
+    let table = std::fs::read_to_string(&csv).expect("written");
+    let mut rows = table.lines();
+    assert!(
+        rows.next().expect("a header").starts_with("time,penetration,rate,force,effective_mass,rate of ")
+    );
+    let rows: Vec<Vec<f64>> =
+        rows.map(|row| row.split(',').map(|cell| cell.parse().expect("a number")).collect()).collect();
+    let work: f64 = rows.windows(2).map(|w| 0.5 * (w[0][3] + w[1][3]) * (w[1][1] - w[0][1])).sum();
+    let energy = |row: &[f64]| 0.5 * row[4] * row[2] * row[2];
+    let lost = energy(&rows[0]) - energy(rows.last().expect("rows"));
+    assert!((work / lost - 1.0).abs() < SAMPLED, "{work} {lost}");
+    // Gravity presses the sides together or apart.
+    let pressed = json(&format!("{line} --gravity 0,9.81,0 --format json"));
+    let apart = json(&format!("{line} --gravity 0,-9.81,0 --format json"));
+    assert!(number(&pressed["in_time"]["max_penetration"]) > number(&apart["in_time"]["max_penetration"]));
+    assert!(pressed["in_time"]["one_freedom"].is_null());
+    let text = percuss(&line).stdout;
+    assert!(text.contains("in time") && text.contains("bearing in time"), "{text}");
+    let svg = scratch.path("time.svg");
+    assert_eq!(percuss(&format!("{line} --output {svg}")).code, 0);
+    let drawn = std::fs::read_to_string(&svg).expect("written");
+    assert!(drawn.contains("crank_hinge") && drawn.contains("penetration (mm)"));
+}
+
+#[test]
+fn invalid_impacts_in_time_are_refused() {
+    for (flags, expected) in [
+        ("--speed 1 --in-time", "--stiffness"),
+        ("--speed 1 --stiffness 1e5 --gravity 0,0,1", "--in-time"),
+        ("--speed 1 --stiffness 1e5 --in-time --gravity 0,1", "three finite numbers"),
+        ("--speed 1 --stiffness 1e5 --in-time --friction 0.2", "--friction"),
+        ("--speed 1 --stiffness 1e5 --output x.svg", "--in-time"),
+        ("--speed 0.2 --stiffness 2e5 --in-time --output x.txt", ".svg"),
+    ] {
+        let run = percuss(&format!("{FOUR_BAR} {flags}"));
+        assert_eq!(run.code, 2, "{flags}");
+        assert!(run.stderr.contains(expected), "{flags}: {}", run.stderr);
+    }
+}
+
 #[test]
 fn a_free_body_on_the_other_side_and_a_floating_base() {
     // Two free masses: 1/m̄ = 1/m₁ + 1/m₂.
@@ -220,6 +286,11 @@ fn several_contacts_show_the_spread_of_the_laws() {
     // W is diagonal here: the energetic law has independent contacts, so that all laws agree.
     let spread = several["spread"].as_f64().expect("a spread");
     assert!(spread < 1e-9, "{spread}");
+    // Each contact has its own restitution.
+    let own = json(&format!("{TWO_POINTS} --also-restitution 0.2 --format json"));
+    for (contact, e) in [(0, 0.5), (1, 0.2)] {
+        close(&own["simultaneous"]["laws"][0]["opening_speeds"][contact], e);
+    }
     // With coupled contacts they differ, and depend on the stiffness ratio.
     let coupled = TWO_POINTS.replace("body:-0.2", "body:-0.1");
     let spread = |more: &str| {
@@ -234,6 +305,8 @@ fn several_contacts_show_the_spread_of_the_laws() {
     }
     for (more, words) in [
         (" --stiffness-ratio 1", "--stiffness-ratio"),
+        (" --also-restitution 0.2,0.3", "also-restitution"),
+        (" --also-restitution 1.2", "also-restitution"),
         (" --also nope", "--also"),
         (" --also body:0,0,0", "--also"),
     ] {
@@ -294,6 +367,16 @@ fn extremes_of_an_arm() {
         assert!(found["residual"].as_f64().expect("a residual") < 1e-5, "{found}");
         assert!(found["agreeing"].as_u64().expect("a number") > 1, "{found}");
     }
+    // Over all normals of the plane the smallest mass is smaller and the largest larger.
+    let plane = json(&format!("{command} --normals across:0,0,1 --format json"));
+    let mass = |report: &Value, key: &str| report[key]["effective_mass"].as_f64().expect("a mass");
+    assert!(mass(&plane, "least") <= mass(&report, "least") && mass(&plane, "most") >= mass(&report, "most"));
+    assert!(plane["most"]["normal_world"][2].as_f64().expect("a number").abs() < ROUNDING);
+    assert!(report["most"]["normal_world"].is_null());
+    let text = percuss(&format!("{command} --normals across:0,0,1")).stdout;
+    assert!(text.contains("up to its sign"), "{text}");
+    let wrong = percuss(&format!("{command} --normals across:0,0"));
+    assert!(wrong.code == 2 && wrong.stderr.contains("across:X,Y,Z"), "{}", wrong.stderr);
     let text = percuss(command).stdout;
     assert!(text.contains("starts agree") && text.contains("no proof"), "{text}");
     for (more, words) in [

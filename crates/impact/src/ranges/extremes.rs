@@ -1,13 +1,15 @@
 //! Extreme effective masses over ranges of joint positions.
 
+use crate::mobility::delassus::Delassus;
 use crate::motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
-use crate::reflected::driving_velocities;
+use crate::ranges::reflected::driving_velocities;
+use nalgebra::{Matrix3xX, Vector3};
 use percuss_dynamics::{
-    AssemblyError, Configuration, ConfigurationError, Contact, EffectiveMass, LowestPoint, Pose,
-    ResponseError, System,
+    AssemblyError, Configuration, ConfigurationError, Contact, Direction, EffectiveMass, Frame, LowestPoint,
+    Pose, ResponseError, System,
 };
 use percuss_mechanism::JointId;
-use percuss_spatial::Twist;
+use percuss_spatial::{Twist, plane_basis};
 
 /// Largest number of steps of one search.
 const MOST_STEPS: usize = 200;
@@ -36,6 +38,9 @@ pub enum ExtremesError {
         /// Upper end.
         upper: f64,
     },
+    /// The axis of a range of normals has no direction.
+    #[error("the axis of the normals has no direction; expected a vector other than 0,0,0")]
+    NoAxis,
     /// No joint varies.
     #[error("no joint varies; give the range of at least one driving joint")]
     NoJoint,
@@ -82,6 +87,18 @@ pub enum ExtremeKind {
     Most,
 }
 
+/// Normals of the contact among which the extreme is searched.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum NormalRange {
+    /// The normal of the contact.
+    #[default]
+    Given,
+    /// All normals.
+    Any,
+    /// All normals across an axis (world axes).
+    Across(Vector3<f64>),
+}
+
 /// Extreme effective mass over ranges of positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExtremeMass {
@@ -89,6 +106,8 @@ pub struct ExtremeMass {
     pub effective_mass: EffectiveMass,
     /// Positions of the varied joints, in the order of the ranges.
     pub positions: Vec<f64>,
+    /// Normal at the extreme, world axes, up to its sign; `None` for the normal of the contact.
+    pub normal_world: Option<Vector3<f64>>,
     /// Joints at a limit, true for the upper one.
     pub active_limits: Vec<(JointId, bool)>,
     /// Optimality: largest component of the projected gradient of m̄, times its range, relative to m̄; 0 at an exact
@@ -101,6 +120,10 @@ pub struct ExtremeMass {
 }
 
 /// Largest or smallest effective mass of a contact over ranges of driving joints: local searches from several starts.
+///
+/// With a range of normals the extreme is that over positions and normals. At each position the extreme normal is an eigenvector of
+/// the mobility of the contact point; the mass does not change to first order with the normal there, so that the gradient over
+/// the positions is that of this normal.
 ///
 /// 1/m̄ is minimised or maximised, since it is smooth where the contact is immovable, by a projected quasi-Newton method with the
 /// gradient in closed form. The starts are the points of a Halton sequence; the same call has the same result. No method of this kind
@@ -116,6 +139,7 @@ pub fn extreme_effective_mass(
     contact: &Contact,
     wheel: Option<&LowestPoint>,
     ranges: &[JointRange],
+    normals: NormalRange,
     extreme: ExtremeKind,
     starts: usize,
 ) -> Result<ExtremeMass, ExtremesError> {
@@ -134,7 +158,12 @@ pub fn extreme_effective_mass(
             return Err(ExtremesError::NoDriver { joint: name() });
         }
     }
-    let search = Search { system, configuration, contact, wheel, ranges, extreme };
+    if let NormalRange::Across(axis) = normals
+        && !(axis.norm().is_finite() && axis.norm() > 0.0)
+    {
+        return Err(ExtremesError::NoAxis);
+    }
+    let search = Search { system, configuration, contact, wheel, ranges, normals, extreme };
     let mut found: Vec<Point> = Vec::new();
     for start in 0..starts.max(1) {
         let unit: Vec<f64> = (0..ranges.len()).map(|k| halton(start + 1, PRIMES[k % PRIMES.len()])).collect();
@@ -160,6 +189,7 @@ pub fn extreme_effective_mass(
             EffectiveMass::Finite(1.0 / best.inverse_mass)
         },
         positions: search.positions(&best.unit),
+        normal_world: best.normal_world,
         active_limits: (0..ranges.len()).filter_map(at_limit).collect(),
         residual: if is_immovable { 0.0 } else { best.residual() / best.inverse_mass },
         starts: starts.max(1),
@@ -191,6 +221,8 @@ struct Point {
     value: f64,
     /// Its gradient over the ranges.
     gradient: Vec<f64>,
+    /// Normal, world axes; `None` for that of the contact.
+    normal_world: Option<Vector3<f64>>,
 }
 
 impl Point {
@@ -220,6 +252,7 @@ struct Search<'a> {
     contact: &'a Contact,
     wheel: Option<&'a LowestPoint>,
     ranges: &'a [JointRange],
+    normals: NormalRange,
     extreme: ExtremeKind,
 }
 
@@ -239,15 +272,36 @@ impl Search<'_> {
         })
     }
 
-    /// Contact at a pose.
-    fn contact_at(&self, pose: &Pose) -> Contact {
-        self.wheel.map_or(*self.contact, |wheel| wheel.contact_at(pose, self.contact))
+    /// Contact with the extreme normal at a pose. `None`: a massless motion moves the point.
+    fn contact_at(&self, pose: &Pose) -> Option<(Contact, Option<Vector3<f64>>)> {
+        let base = pose.base();
+        let contact = self.wheel.map_or(*self.contact, |wheel| wheel.contact_at(pose, self.contact));
+        let directions = match self.normals {
+            NormalRange::Given => return Some((contact, None)),
+            NormalRange::Any => Matrix3xX::from_columns(&[Vector3::x(), Vector3::y(), Vector3::z()]),
+            NormalRange::Across(axis) => {
+                let (e1, e2) = plane_basis(&base.inverse_vector(&axis.normalize()));
+                Matrix3xX::from_columns(&[e1, e2])
+            }
+        };
+        let mobility = Delassus::new(pose, &[pose.locate(&contact).ok()?]).ok()?;
+        let axes = mobility.axes(0);
+        let block = directions.transpose() * (axes * mobility.block(0) * axes.transpose()) * &directions;
+        let eigen = block.symmetric_eigen();
+        let best = match self.extreme {
+            ExtremeKind::Least => eigen.eigenvalues.imax(),
+            ExtremeKind::Most => eigen.eigenvalues.imin(),
+        };
+        let normal: Vector3<f64> = base.vector(&(&directions * eigen.eigenvectors.column(best)));
+        let normal = normal * normal[normal.iamax()].signum();
+        Some((Contact { normal: Direction::Along(normal, Frame::World), ..contact }, Some(normal)))
     }
 
-    /// 1/m̄ at the given configuration: a size for comparisons.
+    /// 1/m̄ at the middle of the ranges: a size for comparisons.
     fn typical(&self) -> Result<f64, ExtremesError> {
         let pose = self.pose(&vec![0.5; self.ranges.len()], None)?;
-        let response = pose.respond(&self.contact_at(&pose))?;
+        let Some((contact, _)) = self.contact_at(&pose) else { return Ok(0.0) };
+        let response = pose.respond(&contact)?;
         Ok(response.effective_mass.kilograms().map_or(0.0, |mass| 1.0 / mass))
     }
 
@@ -255,12 +309,12 @@ impl Search<'_> {
     fn point(&self, unit: Vec<f64>, from: Option<&Pose>) -> Result<Option<(Point, Pose)>, ExtremesError> {
         let Ok(pose) = self.pose(&unit, from) else { return Ok(None) };
         let sign = if self.extreme == ExtremeKind::Most { 1.0 } else { -1.0 };
-        let contact = self.contact_at(&pose);
+        let Some((contact, normal_world)) = self.contact_at(&pose) else { return Ok(None) };
         let Some(gradient) = pose.effective_mass_gradient(&contact)? else {
             return Ok(match pose.respond(&contact)?.effective_mass {
                 EffectiveMass::Immovable => {
                     let gradient = vec![0.0; unit.len()];
-                    Some((Point { unit, inverse_mass: 0.0, value: 0.0, gradient }, pose))
+                    Some((Point { unit, inverse_mass: 0.0, value: 0.0, gradient, normal_world }, pose))
                 }
                 _ => None,
             });
@@ -290,7 +344,7 @@ impl Search<'_> {
             derivatives.push(-sign * slope * inverse_mass * inverse_mass * (range.upper - range.lower));
         }
         let value = sign * inverse_mass;
-        Ok(Some((Point { unit, inverse_mass, value, gradient: derivatives }, pose)))
+        Ok(Some((Point { unit, inverse_mass, value, gradient: derivatives, normal_world }, pose)))
     }
 
     /// Local search from one start; `None` if the start has no finite mass.

@@ -1,6 +1,6 @@
 //! Reflected inertia over the range of a driving joint, and the best constant armature.
 
-use crate::reflected::{ReflectedError, ReflectedInertia, reflected_inertia};
+use crate::ranges::reflected::{ReflectedError, ReflectedInertia, reflected_inertia};
 use percuss_dynamics::{AssemblyError, Configuration, ConfigurationError, EffectiveMass, System};
 use percuss_mechanism::JointId;
 

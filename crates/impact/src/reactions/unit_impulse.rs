@@ -52,6 +52,16 @@ pub fn reactions_to_unit_impulse(
     Ok(Sweep::new(pose, response, change).reactions())
 }
 
+/// Reactions (N, N·m) to given loads of the links in motion, with the accelerations `change`.
+pub(crate) fn reactions_to_loads(pose: &Pose, loads: LinkLoads, change: JointRates) -> Reactions {
+    Sweep::solved(pose, loads, change).reactions()
+}
+
+/// Generalised forces of given loads over the coordinates: h + jᵀF − Q, and M u̇ with the accelerations `change`.
+pub(crate) fn generalised_loads(pose: &Pose, loads: LinkLoads, change: JointRates) -> Vec<f64> {
+    Sweep::unsolved(pose, loads, change).generalised_impulses()
+}
+
 /// Linear function of the multipliers of one group: one number per row.
 type RowFunction = (usize, Vec<f64>);
 
@@ -73,19 +83,28 @@ impl<'a> Sweep<'a> {
     /// Solves the multipliers and the loads of all links. `change`: Δq̇.
     fn new(pose: &'a Pose, response: &ContactResponse, change: JointRates) -> Self {
         let loads = LinkLoads::new(pose, response, &change.joints, change.base);
-        let groups: Vec<GroupRows> = pose.constraint_groups().into_iter().map(GroupRows::new).collect();
-        let mut sweep = Self {
-            pose,
-            change,
-            loads,
-            groups,
-            multipliers: Vec::new(),
-            sensitivities: vec![Vec::new(); pose.mechanism().links().len()],
-            residual: 0.0,
-        };
+        Self::solved(pose, loads, change)
+    }
+
+    fn solved(pose: &'a Pose, loads: LinkLoads, change: JointRates) -> Self {
+        let mut sweep = Self::unsolved(pose, loads, change);
+        sweep.groups = pose.constraint_groups().into_iter().map(GroupRows::new).collect();
         sweep.solve_multipliers();
         sweep.collect_sensitivities();
         sweep
+    }
+
+    fn unsolved(pose: &'a Pose, loads: LinkLoads, change: JointRates) -> Self {
+        let links = pose.mechanism().links().len();
+        Self {
+            pose,
+            change,
+            loads,
+            groups: Vec::new(),
+            multipliers: Vec::new(),
+            sensitivities: vec![Vec::new(); links],
+            residual: 0.0,
+        }
     }
 
     /// Solves Aᵀλ = M Δq̇ + jᵀ for each group, and measures the unbalanced generalised impulses.

@@ -101,12 +101,15 @@ class _Impact:
     friction: float | None
     restitution_law: str
     also: Sequence[str]
+    also_restitution: Sequence[float]
     sticking: bool
     stiffness_ratios: Sequence[float]
     contact_exponent: float | None
     rates: Mapping[str, Position]
     base_twist: Sequence[float] | None
     law: Damping | None
+    in_time: bool
+    gravity: Sequence[float] | None
     rate_limits: Mapping[str, Position]
     reflected: Sequence[str]
     percussion: Sequence[str]
@@ -385,6 +388,9 @@ def impact(
     sticking: bool = False,
     stiffness_ratio: Sequence[float] = (),
     contact_exponent: float | None = None,
+    in_time: bool = False,
+    gravity: Sequence[float] | None = None,
+    also_restitution: Sequence[float] = (),
 ) -> Report:
     """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
     joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
@@ -396,11 +402,16 @@ def impact(
     tangent plane or "JOINT:X,Y,Z" along a line. Components that redundant loops leave open are None. also: further
     contacts that touch at the same time, the name of a contact or "LINK:X,Y,Z:NX,NY,NZ" (point in the link's frame,
     normal in world axes); stiffness_ratio and contact_exponent: their stiffnesses relative to the first, and the exponent of
-    their forces, for the energetic law. sticking: adds the plastic impact with sticking points. As ``percuss impact``."""
+    their forces, for the energetic law; also_restitution: their restitutions. sticking: adds the plastic impact with sticking
+    points. in_time: adds the impact in time with the contact law, gravity in m/s² and world axes. As ``percuss impact``."""
+    if in_time and stiffness is None:
+        raise ValueError("in_time: the impact in time requires stiffness, that of the contact")
+    if in_time and friction is not None:
+        raise ValueError("in_time: the impact in time has no friction; expected friction=None")
     damping = None if stiffness is None else Damping(restitution, stiffness, exponent, law=law)
     asked = _Impact(
-        restitution, speed, friction, restitution_law, also, sticking, stiffness_ratio, contact_exponent, rates or {},
-        base_twist, damping, rate_limit or {}, reflected, percussion,
+        restitution, speed, friction, restitution_law, also, also_restitution, sticking, stiffness_ratio, contact_exponent,
+        rates or {}, base_twist, damping, in_time, gravity, rate_limit or {}, reflected, percussion,
     )
     return Report(json.loads(_percuss.impact(model, contact, _asked(conditions), asked)))
 
@@ -411,13 +422,15 @@ def extremes(
     conditions: Conditions | None = None,
     *,
     ranges: Mapping[str, tuple[float, float]] | None = None,
+    normals: str = "given",
     starts: int = 32,
 ) -> Report:
     """Smallest and largest effective mass of a contact over ranges of its driving joints (rad or m); without ranges, over the
-    limits of all driving joints with limits. Local searches from a number of starts; the report has the positions, the active
+    limits of all driving joints with limits. normals: "given", "any", or "across:X,Y,Z" for all normals across an axis (world axes):
+    the extremes are those over positions and normals. Local searches from a number of starts; the report has the positions, the active
     limits, the optimality residual and the number of agreeing starts. As ``percuss extremes``."""
     given = [f"{joint}={lower!r}:{upper!r}" for joint, (lower, upper) in (ranges or {}).items()]
-    return Report(json.loads(_percuss.extremes(model, contact, _asked(conditions), given, starts)))
+    return Report(json.loads(_percuss.extremes(model, contact, _asked(conditions), given, normals, starts)))
 
 
 def safe_speed(

@@ -20,12 +20,15 @@ pub struct Impact<'py> {
     friction: Option<f64>,
     restitution_law: String,
     also: Vec<String>,
+    also_restitution: Vec<f64>,
     sticking: bool,
     stiffness_ratios: Vec<f64>,
     contact_exponent: Option<f64>,
     rates: Bound<'py, PyDict>,
     base_twist: Option<[f64; 6]>,
     law: Option<Damping>,
+    in_time: bool,
+    gravity: Option<[f64; 3]>,
     rate_limits: Bound<'py, PyDict>,
     reflected: Vec<String>,
     percussion: Vec<String>,
@@ -69,12 +72,15 @@ impl Impact<'_> {
             friction: self.friction,
             restitution_law: law(&self.restitution_law)?,
             also: self.also.iter().map(further).collect::<PyResult<_>>()?,
+            also_restitution: self.also_restitution.clone(),
             sticking: self.sticking,
             stiffness_ratios: self.stiffness_ratios.clone(),
             contact_exponent: self.contact_exponent,
             rates: rates(&self.rates, "rates")?,
             base_twist: self.base_twist,
             law: self.law.as_ref().map(Damping::question).transpose()?,
+            in_time: self.in_time,
+            gravity: self.gravity,
             rate_limits: rates(&self.rate_limits, "rate_limit")?,
             reflected: self.reflected.clone(),
             percussion: self.percussion.iter().map(percussion).collect::<PyResult<_>>()?,
@@ -90,12 +96,15 @@ pub fn extremes(
     contact: GivenContact<'_>,
     conditions: Conditions<'_>,
     ranges: Vec<String>,
+    normals: &str,
     starts: usize,
 ) -> PyResult<String> {
     let range = |text: &String| {
         text.parse::<GivenRange>().map_err(|error| input(format_args!("ranges: \"{text}\": {error}")))
     };
-    let requested = ExtremesQuestion { ranges: ranges.iter().map(range).collect::<PyResult<_>>()?, starts };
+    let normals = normals.parse().map_err(|error| input(format_args!("normals: \"{normals}\": {error}")))?;
+    let ranges = ranges.iter().map(range).collect::<PyResult<_>>()?;
+    let requested = ExtremesQuestion { ranges, normals, starts };
     contact_report(py, model, contact, &conditions, |model, question| {
         study::extremes(model, question, &requested)
     })

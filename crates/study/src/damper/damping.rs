@@ -128,7 +128,10 @@ pub(crate) fn contact(question: &DampingQuestion, mass: f64) -> Result<Compliant
 }
 
 /// Damper of a question for a contact.
-fn contact_damper(question: &DampingQuestion, contact: CompliantContact) -> Result<Damper, ContactLawError> {
+pub(crate) fn contact_damper(
+    question: &DampingQuestion,
+    contact: CompliantContact,
+) -> Result<Damper, ContactLawError> {
     question.law.damper(contact, question.restitution, question.speed, question.separation)
 }
 

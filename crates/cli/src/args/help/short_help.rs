@@ -151,7 +151,6 @@ const EXPLAINED: [(&str, &[&str]); 20] = [
             "rates",
             "friction",
             "stiffness",
-            "reflected",
             "format",
         ],
     ),

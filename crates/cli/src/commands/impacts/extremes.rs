@@ -4,7 +4,7 @@ use crate::args::{CheckFormat, ExtremesArgs};
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_json, write_out};
-use crate::terminal::text::{number, short_number};
+use crate::terminal::text::{number, short_number, triple};
 use crate::terminal::wrap::{fact_line, wrap_lines};
 use percuss_study::{ExtremeRecord, ExtremesReport, Status, extremes};
 
@@ -25,6 +25,9 @@ fn text(report: &ExtremesReport) -> String {
     for (name, record) in [("smallest", &report.least), ("largest", &report.most)] {
         out += &fact_line(name, &line(&value(record)));
         out += &fact_line("  at", &line(&positions(record)));
+        if let Some(normal) = &record.normal_world {
+            out += &fact_line("  normal", &format!("{} (world, up to its sign)", triple(normal)));
+        }
         out += &fact_line(
             "  search",
             &format!(

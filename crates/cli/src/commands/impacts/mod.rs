@@ -1,6 +1,7 @@
 //! Commands about impacts: rigid impact, safe speed.
 
 pub(crate) mod extremes;
+pub(crate) mod in_time;
 pub(crate) mod rigid_impact;
 pub(crate) mod safe_speed;
 pub(crate) mod simultaneous;

@@ -1,7 +1,7 @@
 //! Command `percuss impact`.
 
 use crate::args::{CheckFormat, ImpactArgs};
-use crate::commands::impacts::simultaneous;
+use crate::commands::impacts::{in_time, simultaneous};
 use crate::commands::mass::facts as mass_facts;
 use crate::terminal::escape::line;
 use crate::terminal::failure::Failure;
@@ -10,8 +10,8 @@ use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, short_number, triple};
 use crate::terminal::wrap::{fact_line, wrap_lines};
 use percuss_study::{
-    FrictionRecord, ImpactQuestion, ImpactReport, MassQuestion, Model, ReactionPlace, ReactionRecord,
-    ReflectedRangeRecord, ReflectedRecord, Status, impact,
+    FrictionRecord, ImpactQuestion, ImpactReport, MassQuestion, Model, ReactionRecord, ReflectedRangeRecord,
+    ReflectedRecord, Status, impact,
 };
 
 /// Runs the command.
@@ -19,7 +19,11 @@ pub fn run(args: &ImpactArgs) -> Result<(), Failure> {
     let contact = args.contact.question()?;
     let question = args.impact.question()?;
     let model = args.model.load()?;
-    show(&model, &contact, &question, args.format, args.model.reading.strict)
+    let report = answer(&model, &contact, &question, args.model.reading.strict)?;
+    if let Some(path) = &args.output {
+        in_time::write_history(&report, path)?;
+    }
+    write(&report, args.format)
 }
 
 /// Computes an impact and writes it.
@@ -30,13 +34,28 @@ pub fn show(
     format: CheckFormat,
     strict: bool,
 ) -> Result<(), Failure> {
+    write(&answer(model, contact, question, strict)?, format)
+}
+
+/// Computes an impact and writes its findings.
+fn answer(
+    model: &Model,
+    contact: &MassQuestion,
+    question: &ImpactQuestion,
+    strict: bool,
+) -> Result<ImpactReport, Failure> {
     let mut report = impact(model, contact, question)?;
     let contact = &report.mass.contact;
     report.mass.point_in_sheet = model.contact_in_sheet(&contact.point_world, &contact.normal_world);
     write_diagnostics(&report.diagnostics, strict)?;
+    Ok(report)
+}
+
+/// Writes a report.
+fn write(report: &ImpactReport, format: CheckFormat) -> Result<(), Failure> {
     match format {
-        CheckFormat::Json => write_json(&report),
-        CheckFormat::Text => write_out(&text(&report)),
+        CheckFormat::Json => write_json(report),
+        CheckFormat::Text => write_out(&text(report)),
     }
 }
 
@@ -61,6 +80,7 @@ fn text(report: &ImpactReport) -> String {
     }
     out += &format!("\n{}", rate_table(report));
     out += &format!("\n{}{}", reaction_table(report), wrap_lines(&legend(report)));
+    out += &in_time::bearing_table(report).map_or_else(String::new, |table| format!("\n{table}"));
     out += &drive_table(report).map_or_else(String::new, |table| format!("\n{table}"));
     let friction = if report.friction.is_some() { "" } else { "friction, " };
     let several = if report.simultaneous.is_some() { "" } else { ", several impacts at once" };
@@ -117,6 +137,7 @@ pub fn results(report: &ImpactReport) -> Vec<(&'static str, String)> {
             format!("{} N at the contact ({}, {stiffness}){change}", number(law.peak_force), law.law),
         ));
     }
+    facts.extend(in_time::facts(report));
     if let Some(greatest) = &report.greatest_closing_speed {
         let by = format!("{} m/s, limited by {}", number(greatest.speed), greatest.joint);
         facts.push(("greatest speed", by));
@@ -353,12 +374,7 @@ pub fn legend(report: &ImpactReport) -> String {
 
 /// Name of the place of a reaction.
 fn place(record: &ReactionRecord) -> String {
-    match record.place {
-        ReactionPlace::Joint => record.name.clone(),
-        ReactionPlace::Closure => format!("{} (closure)", record.name),
-        ReactionPlace::Hold => format!("{} (held point)", record.name),
-        ReactionPlace::Ground => format!("{} (ground)", record.name),
-    }
+    in_time::place_name(record.place, &record.name)
 }
 
 /// Impulses of gears, locks, mimics and couplings; `None` without any.

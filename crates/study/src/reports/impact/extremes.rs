@@ -7,7 +7,9 @@ use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::impact::additions::find_joint;
-use percuss_impact::{ExtremeKind, ExtremeMass, ExtremesError, JointRange, extreme_effective_mass};
+use percuss_impact::{
+    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, extreme_effective_mass,
+};
 use percuss_mechanism::JointKind;
 use percuss_units::{Dimension, Quantity};
 use serde::Serialize;
@@ -22,8 +24,31 @@ pub const MOST_STARTS: usize = 10_000;
 pub struct ExtremesQuestion {
     /// Ranges of joints; empty for the limits of all driving joints with limits.
     pub ranges: Vec<GivenRange>,
+    /// Normals among which the extremes are searched.
+    pub normals: GivenNormals,
     /// Number of starts of the search; 0 for the default.
     pub starts: usize,
+}
+
+/// Normals of the contact among which extremes are searched.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct GivenNormals(pub NormalRange);
+
+impl std::str::FromStr for GivenNormals {
+    type Err = String;
+    /// Reads `given`, `any` or `across:X,Y,Z`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "given" => return Ok(Self(NormalRange::Given)),
+            "any" => return Ok(Self(NormalRange::Any)),
+            _ => {}
+        }
+        let wrong = || "expected given, any or across:X,Y,Z (world axes), such as across:0,0,1".to_owned();
+        let axis = text.strip_prefix("across:").ok_or_else(wrong)?;
+        let axis = percuss_units::parse_triple(axis, Dimension::Plain)
+            .map_err(|error| format!("across:X,Y,Z is expected: {error}"))?;
+        Ok(Self(NormalRange::Across(axis.into())))
+    }
 }
 
 /// Range of a joint.
@@ -70,6 +95,8 @@ pub struct ExtremeRecord {
     pub status: Status,
     /// Positions of the varied joints.
     pub positions: Vec<ExtremePosition>,
+    /// Normal at the extreme, world axes, up to its sign; null for the normal of the contact.
+    pub normal_world: Option<[f64; 3]>,
     /// Largest component of the projected gradient times its range, relative to the mass: zero at an exact optimum.
     pub residual: f64,
     /// Number of starts that reached this value to six digits.
@@ -108,8 +135,8 @@ pub fn extremes(
     let ranges = ranges(&prepared, extremes)?;
     let starts = if extremes.starts == 0 { DEFAULT_STARTS } else { extremes.starts.min(MOST_STARTS) };
     let search = |extreme| {
-        let (system, configuration) = (&prepared.system, &prepared.configuration);
-        extreme_effective_mass(system, configuration, &contact, prepared.wheel(), &ranges, extreme, starts)
+        let (system, start, wheel) = (&prepared.system, &prepared.configuration, prepared.wheel());
+        extreme_effective_mass(system, start, &contact, wheel, &ranges, extremes.normals.0, extreme, starts)
             .map_err(|error| match error {
                 ExtremesError::Assembly(error) => StudyError::from(error),
                 ExtremesError::Contact(error) => StudyError::from(error),
@@ -133,6 +160,7 @@ pub fn extremes(
             effective_mass,
             status,
             positions: ranges.iter().zip(&found.positions).map(position).collect(),
+            normal_world: found.normal_world.map(Into::into),
             residual: found.residual,
             agreeing: found.agreeing,
         }

@@ -4,6 +4,7 @@ pub(crate) mod additions;
 pub(crate) mod errors;
 pub(crate) mod extremes;
 pub(crate) mod friction;
+pub(crate) mod in_time;
 pub(crate) mod question;
 pub(crate) mod reactions;
 pub(crate) mod report;

@@ -18,6 +18,8 @@ pub struct ImpactQuestion {
     pub restitution_law: RestitutionLaw,
     /// Further contacts that touch at the same time.
     pub also: Vec<FurtherContact>,
+    /// Coefficient of restitution of each further contact; empty for that of the first.
+    pub also_restitution: Vec<f64>,
     /// True for a plastic impact with sticking points, in addition.
     pub sticking: bool,
     /// Stiffness of each contact relative to the first, of the energetic law of several contacts; empty for equal ones.
@@ -30,6 +32,10 @@ pub struct ImpactQuestion {
     pub base_twist: Option<[f64; 6]>,
     /// Contact law for peak forces; its restitution and speed are those of the impact.
     pub law: Option<DampingQuestion>,
+    /// True for the impact in time with this law, in addition.
+    pub in_time: bool,
+    /// Gravity during the impact in time, world axes, m/s²; `None` for none.
+    pub gravity: Option<[f64; 3]>,
     /// Largest permitted jumps of joint rates.
     pub rate_limits: Vec<(String, GivenRates)>,
     /// Joints whose reflected inertia is requested, by name, or over a range of positions as `JOINT=FROM:TO:COUNT`.

@@ -18,6 +18,7 @@ use crate::reports::impact::additions::{
 };
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::friction::{FrictionRecord, friction_record};
+use crate::reports::impact::in_time::{ImpactTimeRecord, in_time};
 use crate::reports::impact::question::ImpactQuestion;
 use crate::reports::impact::reactions::{ReactionRecord, records};
 use crate::reports::impact::simultaneous::{SimultaneousRecord, simultaneous};
@@ -126,6 +127,8 @@ pub struct ImpactReport {
     pub reaction_residual: f64,
     /// Compliant contact, if a contact law was requested.
     pub contact_law: Option<ImpactLawRecord>,
+    /// Impact in time with the contact law, if requested.
+    pub in_time: Option<ImpactTimeRecord>,
     /// Greatest closing speed by limits of joint rates, if requested.
     pub greatest_closing_speed: Option<GreatestSpeedRecord>,
     /// Reflected inertias, if requested.
@@ -203,6 +206,7 @@ pub fn impact(
             .map(|mass| OtherBodyRecord { mass, speed_change: rigid.impulse / mass }),
         reactions: records(pose, &rigid.reactions, &held, peak),
         reaction_residual: rigid.reactions.residual,
+        in_time: in_time(&evaluated, impact, &rigid, &held)?,
         contact_law,
         greatest_closing_speed: greatest_speed(&evaluated, impact)?,
         reflected_inertia: reflected(&evaluated, impact)?,

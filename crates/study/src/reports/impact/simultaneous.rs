@@ -151,10 +151,13 @@ pub(crate) fn simultaneous(
     let stiffness = ContactStiffness { ratios, exponent: question.contact_exponent.unwrap_or(1.0) };
     let speeds = DVector::from_fn(k, |i, _| velocities[3 * i]);
     let closing = (0..k).map(|i| -velocities[3 * i]).fold(0.0, f64::max);
+    let restitution: Vec<f64> = match question.also_restitution.len() {
+        0 => vec![question.restitution; k],
+        _ => [question.restitution].iter().chain(&question.also_restitution).copied().collect(),
+    };
     let mut laws = Vec::new();
     if k > 1 {
         for law in SimultaneousLaw::ALL {
-            let restitution = vec![question.restitution; k];
             let found = simultaneous_impact(&delassus, &speeds, &restitution, law, &stiffness);
             laws.push(match found {
                 Ok(found) => {
@@ -172,7 +175,7 @@ pub(crate) fn simultaneous(
                     }
                 }
                 // The other laws have results.
-                Err(error) if has_other_laws(&error, question.restitution) => SimultaneousLawRecord {
+                Err(error) if has_other_laws(&error, &restitution) => SimultaneousLawRecord {
                     law: law.name(),
                     impulses: vec![None; k],
                     opening_speeds: Vec::new(),
@@ -221,10 +224,10 @@ pub(crate) fn simultaneous(
 }
 
 /// True if an error concerns one law only.
-fn has_other_laws(error: &ImpactError, restitution: f64) -> bool {
+fn has_other_laws(error: &ImpactError, restitution: &[f64]) -> bool {
     match error {
         ImpactError::NoEnd { .. } => true,
-        ImpactError::OutOfRange { got, .. } => *got == restitution,
+        ImpactError::OutOfRange { got, .. } => restitution.contains(got),
         _ => false,
     }
 }

@@ -83,6 +83,12 @@ pub struct ImpactTable {
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub also: Vec<FurtherContact>,
+    /// Coefficient of restitution of each further contact; default: that of the first.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "E,E,…", value_delimiter = ',', requires = "also", help_heading = ADDITIONAL)
+    )]
+    pub also_restitution: Vec<f64>,
     /// Plastic impact in which the contact points stick.
     ///
     /// Adds the impulses, the contacts that let go, the friction that sticking needs, and the impact map.
@@ -141,6 +147,25 @@ pub struct ImpactTable {
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub law: Option<LawName>,
+    /// Impact in time with the contact law: force, penetration, speeds and bearing forces.
+    ///
+    /// The equations of motion of the whole mechanism, without friction. Adds the restitution that is reached, the change of the
+    /// effective mass, and the peak force of every bearing beside its estimate.
+    #[cfg_attr(feature = "flags", arg(long, requires = "stiffness", conflicts_with = "friction", help_heading = IMPACT))]
+    pub in_time: bool,
+    /// Gravity during the impact in time (m/s², world axes); default: none.
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "X,Y,Z",
+            allow_hyphen_values = true,
+            value_delimiter = ',',
+            requires = "in_time",
+            help_heading = IMPACT
+        )
+    )]
+    pub gravity: Vec<f64>,
     /// Reflected inertia at a joint, free and held.
     ///
     /// Free: all other joints move. Held: the other driving joints are at rest. JOINT=FROM:TO:COUNT: over a range of positions, with
@@ -203,18 +228,41 @@ impl ImpactTable {
             _ if self.base_twist.is_empty() => None,
             _ => return refuse("impact.base_twist", "six finite numbers are expected: WX,WY,WZ,VX,VY,VZ"),
         };
+        if !self.also_restitution.is_empty() && self.also_restitution.len() != self.also.len() {
+            return refuse("impact.also_restitution", "one number for each contact of `also` is expected");
+        }
+        if self.also_restitution.iter().any(|e| !(0.0..=1.0).contains(e)) {
+            return refuse("impact.also_restitution", "numbers from 0 to 1 are expected");
+        }
+        let gravity = match <[f64; 3]>::try_from(self.gravity.as_slice()) {
+            Ok(gravity) if gravity.iter().all(|x| x.is_finite()) => Some(gravity),
+            _ if self.gravity.is_empty() => None,
+            _ => return refuse("impact.gravity", "three finite numbers are expected: X,Y,Z in m/s²"),
+        };
+        if gravity.is_some() && !self.in_time {
+            return refuse("impact.gravity", "it requires `in_time`: a rigid impact is instantaneous");
+        }
+        if self.in_time && self.stiffness.is_none() {
+            return refuse("impact.in_time", "it requires `stiffness`, that of the contact");
+        }
+        if self.in_time && self.friction.is_some() {
+            return refuse("impact.in_time", "the impact in time has no friction; expected no `friction`");
+        }
         Ok(ImpactQuestion {
             restitution,
             speed: self.speed.map(|speed| speed.0.value),
             friction: self.friction.map(|friction| friction.0),
             restitution_law: self.restitution_law.unwrap_or_default().law(),
             also: self.also.clone(),
+            also_restitution: self.also_restitution.clone(),
             sticking: self.sticking,
             stiffness_ratios: self.stiffness_ratio.clone(),
             contact_exponent: self.contact_exponent.map(|exponent| exponent.0),
             rates: self.rates.clone(),
             base_twist,
             law: self.law(restitution)?,
+            in_time: self.in_time,
+            gravity,
             rate_limits: self.rate_limit.clone(),
             reflected: self.reflected.clone(),
             percussion: self.percussion.clone(),

@@ -1,0 +1,190 @@
+//! Impact in time: facts, table of the bearings, figure and CSV.
+
+use crate::files::output::{record_input, write_file};
+use crate::terminal::failure::Failure;
+use crate::terminal::text::{Table, number, short_number};
+use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
+use percuss_study::{BearingForceRecord, ImpactReport, ImpactTimeRecord, ReactionPlace};
+use std::fmt::Write;
+use std::path::Path;
+
+/// Bearings with a force below this part of the contact force are left out of the figure.
+const SHOWN_FORCE: f64 = 1e-3;
+/// Most bearings in the figure: more lines cannot be told apart.
+const MOST_SHOWN: usize = 5;
+
+/// Name of the place of a reaction.
+pub fn place_name(place: ReactionPlace, name: &str) -> String {
+    match place {
+        ReactionPlace::Joint => name.to_owned(),
+        ReactionPlace::Closure => format!("{name} (closure)"),
+        ReactionPlace::Hold => format!("{name} (held point)"),
+        ReactionPlace::Ground => format!("{name} (ground)"),
+    }
+}
+
+/// Results of the impact in time; empty unless requested.
+pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
+    let Some(found) = &report.in_time else { return Vec::new() };
+    let change = found.mass_change.map_or_else(String::new, |change| {
+        format!("; the effective mass changes by {:+.2} % over it", 100.0 * change)
+    });
+    let mut facts = vec![
+        (
+            "in time",
+            format!(
+                "restitution {} reached, {} requested; the contact lasts {} ms, peak force {} N",
+                short_number(found.restitution),
+                number(report.restitution),
+                short_number(1e3 * found.duration),
+                short_number(found.peak_force),
+            ),
+        ),
+        ("penetration", format!("{} mm at most{change}", short_number(1e3 * found.max_penetration))),
+    ];
+    if let Some(one) = &found.one_freedom {
+        facts.push((
+            "one freedom",
+            format!(
+                "by the effective mass over the penetration alone: restitution {}, peak force {} N",
+                short_number(one.restitution),
+                short_number(one.peak_force)
+            ),
+        ));
+    }
+    if found.loop_gap > 0.0 {
+        facts.push(("loops", format!("closed to {:.1e} m during the motion", found.loop_gap)));
+    }
+    facts
+}
+
+/// Peak forces of the bearings in time beside their estimates; `None` unless requested.
+pub fn bearing_table(report: &ImpactReport) -> Option<Table<4>> {
+    let found = report.in_time.as_ref()?;
+    let mut table = Table::new(["bearing in time", "peak N", "at ms", "estimate N"]);
+    for bearing in found.bearings.iter().filter(|bearing| is_loaded(bearing, found)) {
+        let mark = if bearing.open_components.contains(&true) { " (determinate components)" } else { "" };
+        table.row([
+            format!("{}{mark}", place_name(bearing.place, &bearing.name)),
+            short_number(bearing.peak_force),
+            short_number(1e3 * bearing.peak_time),
+            short_number(bearing.estimate),
+        ]);
+    }
+    Some(table)
+}
+
+fn is_loaded(bearing: &BearingForceRecord, found: &ImpactTimeRecord) -> bool {
+    bearing.peak_force > SHOWN_FORCE * found.peak_force
+}
+
+/// Writes the impact in time as a figure or as numbers.
+pub fn write_history(report: &ImpactReport, path: &str) -> Result<(), Failure> {
+    report.mass.inputs.iter().for_each(|input| record_input(&input.path));
+    let Some(found) = &report.in_time else { return Ok(()) };
+    let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
+    let bytes = match ending.as_str() {
+        "svg" => sheet(report, found).to_svg().into_bytes(),
+        "png" => sheet(report, found).to_png(2.0)?,
+        "pdf" => sheet(report, found).to_pdf()?,
+        "csv" => csv(found).into_bytes(),
+        _ => {
+            return Err(Failure::bad_input(format!(
+                "--output {path}: its name must end in .svg, .png, .pdf or .csv"
+            )));
+        }
+    };
+    write_file(path, &bytes)
+}
+
+/// One row for each time: contact, effective mass, joint rates, bearing forces.
+fn csv(found: &ImpactTimeRecord) -> String {
+    let quoted = |name: &str| {
+        if name.contains([',', '"', '\n', '\r']) {
+            format!("\"{}\"", name.replace('"', "\"\""))
+        } else {
+            name.to_owned()
+        }
+    };
+    let mut out = "time,penetration,rate,force,effective_mass".to_owned();
+    for motion in &found.joints {
+        let count = motion.rates.first().map_or(0, Vec::len);
+        for k in 0..count {
+            let name = if count == 1 {
+                format!("rate of {}", motion.joint)
+            } else {
+                format!("rate {k} of {}", motion.joint)
+            };
+            let _ = write!(out, ",{}", quoted(&name));
+        }
+    }
+    for bearing in &found.bearings {
+        let name = format!("force at {}", place_name(bearing.place, &bearing.name));
+        let _ = write!(out, ",{}", quoted(&name));
+    }
+    out.push('\n');
+    for k in 0..found.times.len() {
+        let _ = write!(
+            out,
+            "{},{},{},{},{}",
+            found.times[k],
+            found.penetration[k],
+            found.closing_speed[k],
+            found.force[k],
+            found.effective_mass[k].map_or_else(String::new, |mass| mass.to_string())
+        );
+        for rate in found.joints.iter().flat_map(|motion| &motion.rates[k]) {
+            let _ = write!(out, ",{rate}");
+        }
+        for bearing in &found.bearings {
+            let _ = write!(out, ",{}", bearing.force[k]);
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// Figure of the impact in time: forces, penetration, effective mass.
+pub fn sheet(report: &ImpactReport, found: &ImpactTimeRecord) -> Sheet {
+    let over_time = |values: &dyn Fn(usize) -> Option<f64>| -> Vec<(f64, Option<f64>)> {
+        found.times.iter().enumerate().map(|(k, t)| (1e3 * t, values(k))).collect()
+    };
+    let series = |name: String, points| Series { name, style: Style::Line, points };
+    let mut forces = vec![series("contact".into(), over_time(&|k| Some(found.force[k])))];
+    let mut loaded: Vec<&BearingForceRecord> = found
+        .bearings
+        .iter()
+        .filter(|bearing| bearing.place != ReactionPlace::Ground && is_loaded(bearing, found))
+        .collect();
+    loaded.sort_by(|a, b| b.peak_force.total_cmp(&a.peak_force));
+    for bearing in loaded.into_iter().take(MOST_SHOWN) {
+        let points = over_time(&|k| Some(bearing.force[k]));
+        forces.push(series(place_name(bearing.place, &bearing.name), points));
+    }
+    let panel = |label: &str, series| Panel { y_label: label.into(), series, ..Panel::default() };
+    let depth = series("penetration".into(), over_time(&|k| Some(1e3 * found.penetration[k])));
+    let mass = series("effective mass".into(), over_time(&|k| found.effective_mass[k]));
+    let deepest = (0..found.times.len())
+        .max_by(|&a, &b| found.penetration[a].total_cmp(&found.penetration[b]))
+        .map(|k| Mark { x: 1e3 * found.times[k], label: "deepest".into() });
+    let law = report.contact_law.as_ref().map_or_else(String::new, |law| {
+        format!("{}, stiffness {} N/m, {} m/s", law.law, number(law.stiffness), number(report.closing_speed))
+    });
+    let figure = Figure {
+        title: format!(
+            "Impact in time: restitution {}, peak force {} N",
+            short_number(found.restitution),
+            short_number(found.peak_force)
+        ),
+        subtitle: law,
+        x_label: "time (ms)".into(),
+        panels: vec![
+            panel("force (N)", forces),
+            panel("penetration (mm)", vec![depth]),
+            panel("m̄ (kg)", vec![mass]),
+        ],
+        marks: deepest.into_iter().collect(),
+        ..Figure::default()
+    };
+    Sheet { figures: vec![figure] }
+}

@@ -1,0 +1,386 @@
+//! Impact in time against a compliant contact.
+
+use crate::error::ImpactError;
+use crate::extrapolation::{controlled_step, step};
+use crate::motion::driver_rates::lengths;
+use crate::motion::joint_rates::JointRates;
+use crate::reactions::link_loads::LinkLoads;
+use crate::reactions::reaction::Reactions;
+use crate::reactions::unit_impulse::reactions_to_loads;
+use crate::time::equations::{accelerations, rates_of};
+use crate::tolerances::{
+    CONTACT_ENDS, END_ITERATIONS, LARGEST_TIME_STEP, MOST_DOUBLINGS, MOST_TIME_STEPS, TIME_STEP_ERROR,
+    WORK_INTERVALS,
+};
+use nalgebra::Vector3;
+use percuss_dynamics::{ConstraintAction, ConstraintSource, Contact, EffectiveMass, LocatedContact, Pose};
+use percuss_spatial::{Transform, quaternion_product, rotation_from_quaternion};
+
+/// Numbers that describe the motion of a base: position and quaternion w, x, y, z.
+const BASE: usize = 7;
+
+/// Conditions of an impact in time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TimeConditions {
+    /// Gravity in world axes, m/s².
+    pub gravity: Vector3<f64>,
+    /// Mass of a free body on the other side of the contact, kg. `None`: the other side is a link or the ground.
+    pub other_mass: Option<f64>,
+    /// True if the contact ends when its force vanishes; false if it ends when the gap closes, with a pull before.
+    pub ends_without_force: bool,
+}
+
+/// State of an impact at one time.
+#[derive(Clone, Debug)]
+pub struct ImpactSample {
+    /// Time since the touch, s.
+    pub time: f64,
+    /// Penetration δ: integral of the closing speed, m.
+    pub penetration: f64,
+    /// Closing speed δ̇, m/s.
+    pub rate: f64,
+    /// Force of the contact, N: −F n̂ acts on the contact link.
+    pub force: f64,
+    /// m̄ of the contact at this pose, kg; `None` if it is not finite.
+    pub effective_mass: Option<f64>,
+    /// Largest gap of the loops, m: error of the integration.
+    pub loop_gap: f64,
+    /// Positions of all joints (layout of [`Pose::positions`]), rad and m.
+    pub positions: Vec<f64>,
+    /// X_wr: pose of the root link in the world.
+    pub base: Transform<f64>,
+    /// Rates of all joints.
+    pub rates: JointRates,
+    /// Forces (N) and moments (N·m) in all joints and loops.
+    pub reactions: Reactions,
+}
+
+/// Impact in time, from the touch to the separation.
+#[derive(Clone, Debug)]
+pub struct ImpactInTime {
+    /// Separation speed divided by closing speed.
+    pub restitution: f64,
+    /// Duration of the contact, s.
+    pub duration: f64,
+    /// Largest penetration, m.
+    pub max_penetration: f64,
+    /// Largest force, N.
+    pub peak_force: f64,
+    /// m̄ at the largest penetration, kg; `None` if it is not finite.
+    pub mass_at_max_penetration: Option<f64>,
+    /// Samples at the steps of the integration; the last one is the end of the contact.
+    pub samples: Vec<ImpactSample>,
+}
+
+/// Impact of any mechanism in time: equations of motion with the force F(δ, δ̇) of a compliant contact, δ̇ = j u.
+///
+/// `before`: admissible rates before the impact; `closing_speed` is their closing speed, with a free body on the other side the
+/// difference of both speeds. `force`: F over penetration (m) and closing speed (m/s), N. Trees and loops, redundant constraints,
+/// fixed and floating bases; m̄, normal and contact row follow the pose. Without friction.
+///
+/// The accelerations have a closed form at each pose; the loops are followed by the integration (extrapolated midpoint rule, error
+/// 1e-12 per step, relative to the penetration and the largest rate) without a correction, so that
+/// [`loop_gap`](ImpactSample::loop_gap) shows its error. Source: Featherstone 2008, §8; Hairer, Nørsett and Wanner 1993, §II.9.
+///
+/// # Errors
+/// [`ImpactError`]: a closing speed out of range; a contact that does not end; a pose without a contact.
+pub fn impact_in_time(
+    pose: &Pose,
+    contact: &Contact,
+    closing_speed: f64,
+    before: &JointRates,
+    force: &dyn Fn(f64, f64) -> f64,
+    conditions: &TimeConditions,
+) -> Result<ImpactInTime, ImpactError> {
+    if !(closing_speed.is_finite() && closing_speed > 0.0) {
+        return Err(ImpactError::ClosingSpeed { got: closing_speed });
+    }
+    refuse_grounded_base(pose)?;
+    let mass = match pose.respond(contact).map(|response| response.effective_mass) {
+        Ok(EffectiveMass::Finite(mass)) => mass,
+        Ok(EffectiveMass::Massless) => return Err(crate::ReactionError::Massless.into()),
+        _ => return Err(ImpactError::Immovable),
+    };
+    let mass = conditions.other_mass.map_or(mass, |other| mass * other / (mass + other));
+    let depth = stopping_depth(force, 0.5 * mass * closing_speed * closing_speed)?;
+    Motion::new(pose, contact, closing_speed, before, force, conditions, depth).run()
+}
+
+/// Refuses constraints between a floating base and the ground: poses keep the ground at the root link.
+fn refuse_grounded_base(pose: &Pose) -> Result<(), ImpactError> {
+    let is_floating = pose.coordinate_joints().first().is_some_and(|(joint, _)| joint.is_none());
+    let constraints = pose.constraint_groups().into_iter().flat_map(|group| group.constraints);
+    let on_ground = |c: &ConstraintAction| {
+        !matches!(c.source, ConstraintSource::Coupling(_))
+            && (c.successor.is_none() || c.predecessor.is_none())
+    };
+    if is_floating && constraints.into_iter().any(|c| on_ground(&c)) {
+        return Err(ImpactError::GroundedBase);
+    }
+    Ok(())
+}
+
+/// Penetration at which the force at rest has done the work `energy`.
+fn stopping_depth(force: &dyn Fn(f64, f64) -> f64, energy: f64) -> Result<f64, ImpactError> {
+    let work = |depth: f64| {
+        let part = depth / f64::from(WORK_INTERVALS);
+        (0..WORK_INTERVALS).map(|k| force((f64::from(k) + 0.5) * part, 0.0) * part).sum::<f64>()
+    };
+    let mut depth = 1.0;
+    for _ in 0..MOST_DOUBLINGS {
+        if work(depth) < energy {
+            depth *= 2.0;
+        } else if work(0.5 * depth) >= energy {
+            depth *= 0.5;
+        } else {
+            return Ok(depth);
+        }
+    }
+    Err(ImpactError::EndlessContact { time: f64::INFINITY })
+}
+
+/// Motion in scaled variables, each of order one: displacements of the joints and of the base over `depth`, rates over the largest
+/// rate, penetration over `depth`, speed of the other body over the closing speed; time over `depth`/closing speed.
+struct Motion<'a> {
+    start: &'a Pose,
+    contact: &'a Contact,
+    force: &'a dyn Fn(f64, f64) -> f64,
+    conditions: &'a TimeConditions,
+    speed: f64,
+    depth: f64,
+    /// Largest rate before the impact, m/s over scaled coordinates.
+    rate: f64,
+    /// Factor from a coordinate's rate to the rate of a displacement in metres.
+    lengths: Vec<f64>,
+    /// State at the touch.
+    initial: Vec<f64>,
+}
+
+/// Values at one state.
+struct Instant {
+    pose: Pose,
+    contact: LocatedContact,
+    rates: Vec<f64>,
+    penetration: f64,
+    closing: f64,
+    force: f64,
+}
+
+impl<'a> Motion<'a> {
+    fn new(
+        start: &'a Pose,
+        contact: &'a Contact,
+        speed: f64,
+        before: &JointRates,
+        force: &'a dyn Fn(f64, f64) -> f64,
+        conditions: &'a TimeConditions,
+        depth: f64,
+    ) -> Self {
+        let lengths = lengths(start, &start.coordinate_joints());
+        let u = before.coordinates(start);
+        let scaled = |(u, length): (&f64, &f64)| (u * length).abs();
+        let rate = u.iter().zip(&lengths).map(scaled).fold(speed, f64::max);
+        let row = start.locate(contact).map(|located| start.contact_row(&located)).unwrap_or_default();
+        let own: f64 = row.iter().zip(&u).map(|(j, u)| j * u).sum();
+        let mut initial = vec![0.0; start.positions().len() + BASE];
+        initial.extend(u.iter().zip(&lengths).map(|(u, length)| u * length / rate));
+        initial.extend([0.0, if conditions.other_mass.is_some() { (speed - own) / speed } else { 0.0 }]);
+        Self { start, contact, force, conditions, speed, depth, rate, lengths, initial }
+    }
+
+    /// Displacement of positions, rad or m, per unit of a scaled position.
+    fn displacement(&self) -> f64 {
+        self.depth * self.rate / self.speed
+    }
+
+    fn instant(&self, y: &[f64]) -> Option<Instant> {
+        let (positions, rest) = y.split_at(self.start.positions().len());
+        let (base, rest) = rest.split_at(BASE);
+        let (rates, rest) = rest.split_at(self.lengths.len());
+        let size = self.displacement();
+        let q: Vec<f64> = self.start.positions().iter().zip(positions).map(|(q, x)| q + size * x).collect();
+        let pose = self.start.at_positions(&q, *self.start.base() * base_motion(base, size)).ok()?;
+        let contact = pose.locate(self.contact).ok()?;
+        let rates: Vec<f64> = rates.iter().zip(&self.lengths).map(|(x, l)| x * self.rate / l).collect();
+        let own: f64 = pose.contact_row(&contact).iter().zip(&rates).map(|(j, u)| j * u).sum();
+        let (penetration, closing) = (self.depth * rest[0], own + self.speed * rest[1]);
+        let force = (self.force)(penetration, closing);
+        Some(Instant { pose, contact, rates, penetration, closing, force })
+    }
+
+    /// Gravity in root axes.
+    fn gravity(&self, pose: &Pose) -> Vector3<f64> {
+        pose.base().inverse_vector(&self.conditions.gravity)
+    }
+
+    /// Rates of the scaled state over scaled time; NaN if the contact does not exist.
+    fn derivative(&self, y: &[f64], out: &mut [f64]) {
+        if self.try_derivative(y, out).is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    fn try_derivative(&self, y: &[f64], out: &mut [f64]) -> Option<()> {
+        let at = self.instant(y)?;
+        let time = self.depth / self.speed;
+        let change = accelerations(&at.pose, &at.contact, &at.rates, at.force, &self.gravity(&at.pose))?;
+        let (n, m) = (self.start.positions().len(), self.lengths.len());
+        let rates = rates_of(&at.pose, &at.rates);
+        let size = self.displacement();
+        let of_positions = at.pose.position_rates(&rates.joints).ok()?;
+        out[..n].iter_mut().zip(&of_positions).for_each(|(out, rate)| *out = rate * time / size);
+        let base = &y[n..n + BASE];
+        let spin = rates.base.angular * 0.5;
+        let slide = base_motion(base, size).vector(&rates.base.linear);
+        let quaternion = [1.0 + size * base[3], size * base[4], size * base[5], size * base[6]];
+        let turn = quaternion_product(quaternion, [0.0, spin.x, spin.y, spin.z]);
+        for (out, rate) in out[n..n + BASE].iter_mut().zip(slide.iter().chain(&turn)) {
+            *out = rate * time / size;
+        }
+        let scaled = change.iter().zip(&self.lengths).map(|(a, length)| a * length * time / self.rate);
+        out[n + BASE..n + BASE + m].iter_mut().zip(scaled).for_each(|(out, rate)| *out = rate);
+        out[n + BASE + m] = at.closing * time / self.depth;
+        out[n + BASE + m + 1] =
+            self.conditions.other_mass.map_or(0.0, |mass| -at.force / mass * time / self.speed);
+        Some(())
+    }
+
+    /// Quantity that falls through zero at the end of the contact, of order one.
+    fn remaining(&self, at: &Instant) -> f64 {
+        if self.conditions.ends_without_force {
+            at.force / (self.force)(self.depth, 0.0)
+        } else {
+            at.penetration / self.depth
+        }
+    }
+
+    fn run(&self) -> Result<ImpactInTime, ImpactError> {
+        let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
+        let lost = || ImpactError::LostContact;
+        let (mut y, mut time) = (self.initial.clone(), 0.0);
+        let mut at = self.instant(&y).ok_or_else(lost)?;
+        let mut samples = vec![self.sample(time, &at)];
+        let mut deepest: Option<(f64, Option<f64>)> = None;
+        let mut h = LARGEST_TIME_STEP;
+        for _ in 0..MOST_TIME_STEPS {
+            let (mut next, mut taken, proposal) =
+                controlled_step(&f, &y, h.min(LARGEST_TIME_STEP), TIME_STEP_ERROR);
+            let mut then = self.instant(&next).filter(|at| at.closing.is_finite()).ok_or_else(lost)?;
+            if deepest.is_none() && then.closing <= 0.0 {
+                let (_, turn, _) =
+                    self.locate_end(&y, taken, &|at| at.closing / self.speed).ok_or_else(lost)?;
+                deepest = Some((turn.penetration, finite_mass(&turn.pose, self.contact)));
+            }
+            let ends = then.closing < 0.0 && self.remaining(&then) <= 0.0;
+            if ends {
+                (next, then, taken) =
+                    self.locate_end(&y, taken, &|at| self.remaining(at)).ok_or_else(lost)?;
+            }
+            time += taken;
+            (y, at, h) = (next, then, proposal);
+            samples.push(self.sample(time, &at));
+            if ends {
+                let (max_penetration, mass) = deepest.unwrap_or((at.penetration, None));
+                return Ok(ImpactInTime {
+                    restitution: -at.closing / self.speed,
+                    duration: time * self.depth / self.speed,
+                    max_penetration,
+                    peak_force: peak(&samples),
+                    mass_at_max_penetration: mass,
+                    samples,
+                });
+            }
+        }
+        Err(ImpactError::EndlessContact { time: time * self.depth / self.speed })
+    }
+
+    /// State at which `value` falls to zero within a step of length `h` from `y`, by the Illinois method.
+    fn locate_end(
+        &self,
+        y: &[f64],
+        h: f64,
+        value: &dyn Fn(&Instant) -> f64,
+    ) -> Option<(Vec<f64>, Instant, f64)> {
+        let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
+        let state = |h: f64| {
+            let next = step(&f, y, h, TIME_STEP_ERROR).0;
+            self.instant(&next).map(|at| (next, at, h))
+        };
+        let (mut low, mut high) = (0.0, h);
+        let (mut above, mut below) = (value(&self.instant(y)?), value(&state(h)?.1));
+        let mut found = state(h)?;
+        let mut side = 0;
+        for _ in 0..END_ITERATIONS {
+            if above - below == 0.0 || high - low <= CONTACT_ENDS * h {
+                break;
+            }
+            let middle = low + (high - low) * (above / (above - below)).clamp(0.0, 1.0);
+            found = state(middle)?;
+            let v = value(&found.1);
+            if v.abs() <= CONTACT_ENDS {
+                break;
+            }
+            if v > 0.0 {
+                (low, above) = (middle, v);
+                below *= if side == 1 { 0.5 } else { 1.0 };
+                side = 1;
+            } else {
+                (high, below) = (middle, v);
+                above *= if side == -1 { 0.5 } else { 1.0 };
+                side = -1;
+            }
+        }
+        Some(found)
+    }
+
+    fn sample(&self, time: f64, at: &Instant) -> ImpactSample {
+        let pose = &at.pose;
+        let rates = rates_of(pose, &at.rates);
+        let gravity = self.gravity(pose);
+        let change = accelerations(pose, &at.contact, &at.rates, at.force, &gravity).unwrap_or_default();
+        let change =
+            if change.is_empty() { JointRates::at_rest(pose.mechanism()) } else { rates_of(pose, &change) };
+        let loads = LinkLoads::of_motion(pose, &at.contact, at.force, &rates, &change, &gravity);
+        ImpactSample {
+            time: time * self.depth / self.speed,
+            penetration: at.penetration,
+            rate: at.closing,
+            force: at.force,
+            effective_mass: finite_mass(pose, self.contact),
+            loop_gap: pose.loops().map_or(0.0, |loops| loops.residual),
+            reactions: reactions_to_loads(pose, loads, change),
+            positions: pose.positions().to_vec(),
+            base: *pose.base(),
+            rates,
+        }
+    }
+}
+
+/// m̄ at a pose; `None` if it is not finite.
+fn finite_mass(pose: &Pose, contact: &Contact) -> Option<f64> {
+    pose.respond(contact).ok()?.effective_mass.kilograms()
+}
+
+/// Motion of the base since the touch.
+fn base_motion(scaled: &[f64], size: f64) -> Transform<f64> {
+    let mut q = [1.0 + size * scaled[3], size * scaled[4], size * scaled[5], size * scaled[6]];
+    let norm = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+    q.iter_mut().for_each(|x| *x /= norm);
+    let slide = Vector3::new(scaled[0], scaled[1], scaled[2]) * size;
+    Transform::new(rotation_from_quaternion(q), slide)
+}
+
+/// Largest force: vertex of the parabola through the largest sample and its neighbours.
+fn peak(samples: &[ImpactSample]) -> f64 {
+    let best = (0..samples.len()).max_by(|&a, &b| samples[a].force.total_cmp(&samples[b].force)).unwrap_or(0);
+    let largest = samples[best].force;
+    if best == 0 || best + 1 >= samples.len() {
+        return largest;
+    }
+    let point = |k: usize| (samples[k].time - samples[best].time, samples[k].force - largest);
+    let ((a, fa), (b, fb)) = (point(best - 1), point(best + 1));
+    // f = s t + c t² through both neighbours.
+    let c = (fa / a - fb / b) / (a - b);
+    let s = fa / a - c * a;
+    if c < 0.0 { largest - s * s / (4.0 * c) } else { largest }
+}

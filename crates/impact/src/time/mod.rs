@@ -1,0 +1,4 @@
+//! Impact in time: equations of motion with a compliant contact, and their integration.
+
+pub(crate) mod equations;
+pub(crate) mod impact_in_time;

@@ -1,0 +1,182 @@
+//! Impact in time with the contact law, as a record.
+
+use crate::damper::damping::{contact, contact_damper, impact_over_stroke};
+use crate::damper::penetration::PenetrationPath;
+use crate::evaluation::prepared_question::EvaluatedQuestion;
+use crate::question::damping_question::DampingQuestion;
+use crate::question::errors::question_error::StudyError;
+use crate::reports::impact::errors::impact_error;
+use crate::reports::impact::question::ImpactQuestion;
+use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
+use crate::thresholds::STROKES;
+use percuss_contact::{Damper, Separation, VaryingMassImpact};
+use percuss_dynamics::Pose;
+use percuss_impact::{ImpactInTime, RigidImpact, TimeConditions, impact_in_time};
+use percuss_spatial::Vector3;
+use serde::Serialize;
+
+/// Force in one bearing over the time of an impact.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BearingForceRecord {
+    /// Place.
+    pub place: ReactionPlace,
+    /// Name of the joint or closure; of the held link; of the root link.
+    pub name: String,
+    /// Magnitude of the force at each time, N: of the components that redundant loops leave determinate.
+    pub force: Vec<f64>,
+    /// Largest magnitude, N.
+    pub peak_force: f64,
+    /// Time of the largest magnitude, s.
+    pub peak_time: f64,
+    /// The estimate for comparison: reaction to a unit impulse at the touch, times the peak force of the contact, N.
+    pub estimate: f64,
+    /// True for each component (two transverse directions, the axis of the joint) that redundant loops leave open.
+    pub open_components: [bool; 3],
+}
+
+/// Motion of a joint over the time of an impact.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JointMotionRecord {
+    /// The joint.
+    pub joint: String,
+    /// Velocities of the joint at each time, rad/s or m/s.
+    pub rates: Vec<Vec<f64>>,
+}
+
+/// Impact in time with a compliant contact.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ImpactTimeRecord {
+    /// Restitution that is reached: separation speed divided by closing speed.
+    pub restitution: f64,
+    /// Duration of the contact, s.
+    pub duration: f64,
+    /// Largest penetration, m.
+    pub max_penetration: f64,
+    /// Largest force of the contact, N.
+    pub peak_force: f64,
+    /// Relative change of m̄ from the touch to the largest penetration; null if m̄ is not finite there.
+    pub mass_change: Option<f64>,
+    /// The impact of a mechanism of one degree of freedom by m̄ over the penetration alone; null for others, with gravity, or if the
+    /// motion ends before.
+    pub one_freedom: Option<VaryingMassImpact>,
+    /// Gravity, world axes, m/s².
+    pub gravity_world: [f64; 3],
+    /// Largest gap of the loops during the motion, m: error of the integration.
+    pub loop_gap: f64,
+    /// Times since the touch, s.
+    pub times: Vec<f64>,
+    /// Penetration at each time, m.
+    pub penetration: Vec<f64>,
+    /// Closing speed at each time, m/s.
+    pub closing_speed: Vec<f64>,
+    /// Force of the contact at each time, N.
+    pub force: Vec<f64>,
+    /// m̄ at each time, kg; null if not finite.
+    pub effective_mass: Vec<Option<f64>>,
+    /// Velocities of the movable joints.
+    pub joints: Vec<JointMotionRecord>,
+    /// Forces in the bearings.
+    pub bearings: Vec<BearingForceRecord>,
+}
+
+/// Impact in time; `None` unless requested.
+pub(crate) fn in_time(
+    evaluated: &EvaluatedQuestion,
+    impact: &ImpactQuestion,
+    rigid: &RigidImpact,
+    held: &[String],
+) -> Result<Option<ImpactTimeRecord>, StudyError> {
+    let EvaluatedQuestion { prepared, pose, contact: touched, result } = evaluated;
+    let Some(law) = impact.law.as_ref().filter(|_| impact.in_time) else { return Ok(None) };
+    let law =
+        DampingQuestion { restitution: rigid.restitution, speed: Some(rigid.closing_speed), ..law.clone() };
+    let own = result.response.effective_mass;
+    let mass = prepared.other_mass().map_or(own, |other| own.against_mass(Some(other))).kilograms();
+    let mass = mass.ok_or(StudyError::NoDamper { status: "immovable" })?;
+    let compliant = contact(&law, mass)?;
+    let damper = contact_damper(&law, compliant)?;
+    let gravity = impact.gravity.unwrap_or_default();
+    let conditions = TimeConditions {
+        gravity: Vector3::from(gravity),
+        other_mass: prepared.other_mass(),
+        ends_without_force: matches!(
+            damper,
+            Damper::KelvinVoigt { separation: Separation::ForceVanishes, .. }
+        ),
+    };
+    let force = |penetration: f64, rate: f64| damper.force(compliant, penetration, rate);
+    let found = impact_in_time(pose, touched, rigid.closing_speed, &rigid.before, &force, &conditions)
+        .map_err(|error| impact_error(error, impact))?;
+    let is_single = pose.degrees_of_freedom() == 1 && prepared.other_mass().is_none();
+    let one_freedom = if is_single && impact.gravity.is_none() {
+        let path = PenetrationPath { prepared, contact: touched };
+        STROKES.into_iter().find_map(|factor| {
+            let depth = factor * found.max_penetration;
+            let masses = path.masses_to(pose, depth).ok()?;
+            let impact = impact_over_stroke(&law, &masses).ok()??;
+            (impact.max_penetration <= depth).then_some(impact)
+        })
+    } else {
+        None
+    };
+    Ok(Some(ImpactTimeRecord {
+        restitution: found.restitution,
+        duration: found.duration,
+        max_penetration: found.max_penetration,
+        peak_force: found.peak_force,
+        mass_change: found.mass_at_max_penetration.zip(own.kilograms()).map(|(most, m)| most / m - 1.0),
+        one_freedom,
+        gravity_world: gravity,
+        loop_gap: found.samples.iter().map(|s| s.loop_gap).fold(0.0, f64::max),
+        times: found.samples.iter().map(|s| s.time).collect(),
+        penetration: found.samples.iter().map(|s| s.penetration).collect(),
+        closing_speed: found.samples.iter().map(|s| s.rate).collect(),
+        force: found.samples.iter().map(|s| s.force).collect(),
+        effective_mass: found.samples.iter().map(|s| s.effective_mass).collect(),
+        joints: joints(pose, &found),
+        bearings: bearings(pose, &found, rigid, held),
+    }))
+}
+
+/// Velocities of the movable joints.
+fn joints(pose: &Pose, found: &ImpactInTime) -> Vec<JointMotionRecord> {
+    let mechanism = pose.mechanism();
+    let movable = mechanism.joint_ids().filter(|id| mechanism.joint(*id).kind().dofs() > 0);
+    let record = |id| JointMotionRecord {
+        joint: mechanism.joint(id).name().to_owned(),
+        rates: found.samples.iter().map(|sample| sample.rates.joint(id).to_vec()).collect(),
+    };
+    movable.map(record).collect()
+}
+
+/// Forces in all bearings, with the estimate of the rigid impact.
+fn bearings(
+    pose: &Pose,
+    found: &ImpactInTime,
+    rigid: &RigidImpact,
+    held: &[String],
+) -> Vec<BearingForceRecord> {
+    let size = |record: &ReactionRecord| record.force.iter().flatten().map(|f| f * f).sum::<f64>().sqrt();
+    let estimates = records(pose, &rigid.reactions, held, None);
+    let per_impulse = found.peak_force / rigid.impulse;
+    let start = |estimate: &ReactionRecord| BearingForceRecord {
+        place: estimate.place,
+        name: estimate.name.clone(),
+        force: Vec::with_capacity(found.samples.len()),
+        peak_force: 0.0,
+        peak_time: 0.0,
+        estimate: size(estimate) * per_impulse,
+        open_components: estimate.force.map(|f| f.is_none()),
+    };
+    let mut bearings: Vec<BearingForceRecord> = estimates.iter().map(start).collect();
+    for sample in &found.samples {
+        for (bearing, record) in bearings.iter_mut().zip(records(pose, &sample.reactions, held, None)) {
+            let force = size(&record);
+            bearing.force.push(force);
+            if force > bearing.peak_force {
+                (bearing.peak_force, bearing.peak_time) = (force, sample.time);
+            }
+        }
+    }
+    bearings
+}
