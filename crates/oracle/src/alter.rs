@@ -1,8 +1,9 @@
 //! Modified copies of a mechanism: as descriptions, in other units, on another ground, or rounded.
 
 use percuss_mechanism::{
-    Accept, ClosureDescription, CouplingDescription, Geometry, Joint, JointDescription, JointId, JointKind,
-    Limits, Link, LinkDescription, LinkId, LoopFrame, Mechanism, MechanismBuilder, Mimic, MimicDescription,
+    Accept, ClosureDescription, CouplingDescription, CurveDescription, Geometry, Joint, JointDescription,
+    JointId, JointKind, Limits, Link, LinkDescription, LinkId, LinkRatio, LoopFrame, Mechanism,
+    MechanismBuilder, Mimic, MimicDescription, RelationDescription,
 };
 use percuss_spatial::{Transform, Vector3, rotation_from_rpy, rpy_from_rotation};
 
@@ -42,8 +43,29 @@ fn describe_joint(mechanism: &Mechanism, joint: &Joint) -> JointDescription {
     }
 }
 
+/// Descriptions of couplings: ratios of links, and relations of joint positions.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Couplings {
+    /// Ratios of links.
+    pub ratios: Vec<CouplingDescription>,
+    /// Relations of joint positions.
+    pub relations: Vec<RelationDescription>,
+}
+
+impl From<Vec<CouplingDescription>> for Couplings {
+    fn from(ratios: Vec<CouplingDescription>) -> Self {
+        Self { ratios, relations: Vec::new() }
+    }
+}
+
+impl From<Vec<RelationDescription>> for Couplings {
+    fn from(relations: Vec<RelationDescription>) -> Self {
+        Self { ratios: Vec::new(), relations }
+    }
+}
+
 /// Descriptions of the closures and couplings of a mechanism, in the same order.
-pub fn describe_loops(mechanism: &Mechanism) -> (Vec<ClosureDescription>, Vec<CouplingDescription>) {
+pub fn describe_loops(mechanism: &Mechanism) -> (Vec<ClosureDescription>, Couplings) {
     let name = |frame: &LoopFrame| frame.link.map_or("world", |link| mechanism.link(link).name()).to_owned();
     let closures = mechanism.closures().iter().map(|closure| ClosureDescription {
         name: closure.name().to_owned(),
@@ -56,13 +78,17 @@ pub fn describe_loops(mechanism: &Mechanism) -> (Vec<ClosureDescription>, Vec<Co
         axis2: *closure.axis2(),
         distance: closure.distance(),
     });
-    let couplings = mechanism.couplings().iter().map(|coupling| CouplingDescription {
-        name: coupling.name().to_owned(),
-        predecessor: mechanism.link(coupling.predecessor()).name().to_owned(),
-        successor: mechanism.link(coupling.successor()).name().to_owned(),
-        ratio: coupling.ratio(),
-    });
-    (closures.collect(), couplings.collect())
+    let mut couplings = Couplings::default();
+    for coupling in mechanism.couplings() {
+        let name = coupling.name().to_owned();
+        let Some(LinkRatio { predecessor, successor, ratio }) = coupling.ratio() else {
+            couplings.relations.push(mechanism.describe_relation(coupling));
+            continue;
+        };
+        let [predecessor, successor] = [predecessor, successor].map(|id| mechanism.link(id).name().to_owned());
+        couplings.ratios.push(CouplingDescription { name, predecessor, successor, ratio });
+    }
+    (closures.collect(), couplings)
 }
 
 /// Builds a mechanism without loops; inertias are accepted without check.
@@ -82,14 +108,16 @@ pub fn build_with_loops(
     links: Vec<LinkDescription>,
     joints: Vec<JointDescription>,
     closures: Vec<ClosureDescription>,
-    couplings: Vec<CouplingDescription>,
+    couplings: impl Into<Couplings>,
 ) -> Mechanism {
+    let Couplings { ratios, relations } = couplings.into();
     let builder =
         MechanismBuilder::new(name).accept(Accept { indefinite_inertia: true, ..Accept::default() });
     let builder = links.into_iter().fold(builder, MechanismBuilder::link);
     let builder = joints.into_iter().fold(builder, MechanismBuilder::joint);
     let builder = closures.into_iter().fold(builder, MechanismBuilder::closure);
-    match couplings.into_iter().fold(builder, MechanismBuilder::coupling).build() {
+    let builder = ratios.into_iter().fold(builder, MechanismBuilder::coupling);
+    match relations.into_iter().fold(builder, MechanismBuilder::relation).build() {
         Ok(built) => built.mechanism,
         Err(error) => panic!("{name}: {error}"),
     }
@@ -144,10 +172,12 @@ pub fn scaled(mechanism: &Mechanism, length: f64, mass: f64) -> Mechanism {
         closure.successor_frame.translation *= length;
         closure.distance = closure.distance.map(|distance| distance * length);
     }
-    for (coupling, own) in couplings.iter_mut().zip(mechanism.couplings()) {
+    let (scaled_ratios, scaled_relations) = (couplings.ratios.iter_mut(), couplings.relations.iter_mut());
+    let of_links = mechanism.couplings().iter().filter_map(|own| Some((own, own.ratio()?)));
+    for (coupling, (own, links)) in scaled_ratios.zip(of_links) {
         let below = |link: LinkId, id: JointId| is_below(mechanism, link, id);
         let (on, against): (Vec<_>, Vec<_>) =
-            own.terms().iter().map(|term| term.0).partition(|&id| below(own.successor(), id));
+            own.terms().iter().map(|term| term.0).partition(|&id| below(links.successor, id));
         let side = |joints: &[JointId]| {
             let units = joints.iter().map(|&id| position_scale(mechanism.joint(id).kind(), length));
             let first = units.clone().next();
@@ -156,6 +186,16 @@ pub fn scaled(mechanism: &Mechanism, length: f64, mass: f64) -> Mechanism {
         };
         if let (Some(on), Some(against)) = (side(&on), side(&against)) {
             coupling.ratio *= on / against;
+        }
+    }
+    for relation in scaled_relations {
+        let scale_of = |name: &String| {
+            mechanism.find_joint(name).map_or(1.0, |id| position_scale(mechanism.joint(id).kind(), length))
+        };
+        // In units of the argument the factors change; the constant and the coefficients stay.
+        relation.terms.iter_mut().for_each(|(name, factor)| *factor /= scale_of(name));
+        if let Some(curve) = &mut relation.curve {
+            curve.terms.iter_mut().for_each(|(name, factor)| *factor /= scale_of(name));
         }
     }
     build_with_loops(mechanism.name(), links, joints, closures, couplings)
@@ -262,7 +302,7 @@ fn rounded_number(x: f64, decimals: usize) -> f64 {
 pub fn on_common_ground(parts: &[(&str, &Mechanism)]) -> Mechanism {
     const GROUND: &str = "ground";
     let mut links = vec![LinkDescription::massless(GROUND)];
-    let (mut joints, mut closures, mut couplings) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut joints, mut closures, mut couplings) = (Vec::new(), Vec::new(), Couplings::default());
     for (prefix, mechanism) in parts {
         assert!(mechanism.link(mechanism.root()).inertia().mass == 0.0, "{prefix}: a heavy root");
         let root = mechanism.link(mechanism.root()).name().to_owned();
@@ -289,11 +329,20 @@ pub fn on_common_ground(parts: &[(&str, &Mechanism)]) -> Mechanism {
             successor: name(&closure.successor),
             ..closure
         }));
-        couplings.extend(own_couplings.into_iter().map(|coupling| CouplingDescription {
+        couplings.ratios.extend(own_couplings.ratios.into_iter().map(|coupling| CouplingDescription {
             name: format!("{prefix}{}", coupling.name),
             predecessor: name(&coupling.predecessor),
             successor: name(&coupling.successor),
             ..coupling
+        }));
+        let joints_of = |terms: Vec<(String, f64)>| {
+            terms.into_iter().map(|(joint, factor)| (format!("{prefix}{joint}"), factor)).collect()
+        };
+        couplings.relations.extend(own_couplings.relations.into_iter().map(|relation| RelationDescription {
+            name: format!("{prefix}{}", relation.name),
+            terms: joints_of(relation.terms),
+            curve: relation.curve.map(|curve| CurveDescription { terms: joints_of(curve.terms), ..curve }),
+            ..relation
         }));
     }
     build_with_loops("beside", links, joints, closures, couplings)

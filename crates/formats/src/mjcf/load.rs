@@ -22,7 +22,9 @@ use crate::reading::report::{Report, cut};
 use crate::reading::unique_names::UniqueNames;
 use crate::urdf::elements::shapes::shape::{Purpose, Shape};
 use crate::urdf::load::{LoadOptions, Loaded};
-use percuss_mechanism::{Built, ClosureDescription, Geometry, Mechanism, MechanismBuilder, Problem, Subject};
+use percuss_mechanism::{
+    Built, ClosureDescription, Geometry, Mechanism, MechanismBuilder, Problem, RelationDescription, Subject,
+};
 use std::path::PathBuf;
 
 /// Reads the text of a model named `name`; `report` contains findings about its bytes.
@@ -78,7 +80,7 @@ fn read_model(
             format!("{} constraints; at most {MAX_ELEMENTS_PER_KIND} are read", closures.len())
         });
     }
-    for ((body, position), armature) in added {
+    for ((body, position), armature) in added.joints {
         bodies.bodies[body].joints[position].armature += armature;
     }
     let mut meshes = Meshes::read(tree, &tree.files[0].name, &settings, &classes, findings);
@@ -88,7 +90,16 @@ fn read_model(
     }
     let body_shapes: Vec<Vec<Shape>> = bodies.bodies.iter().map(|body| shapes(body, &meshes)).collect();
     let extents = bodies.bodies.iter().map(extent).collect();
-    let chains = build_chains(&bodies, inertias, extents, &mut relations);
+    let sums = match relations.sums() {
+        Ok(sums) => sums,
+        Err(element) => {
+            findings.error("contradiction", element, || {
+                "other constraints lock all joints of this one, at other positions".to_owned()
+            });
+            return None;
+        }
+    };
+    let chains = build_chains(&bodies, inertias, extents, &mut relations, &added.rotors, sums);
     let mechanism = build_mechanism(tree, &bodies, &chains, &closures, options, findings)?;
     // Auxiliary links have no shapes.
     let mut of_bodies = body_shapes.into_iter();
@@ -127,6 +138,15 @@ fn build_mechanism(
             distance: closure.distance,
             ..ClosureDescription::new(name, closure.kind, first, second)
         });
+    }
+    for (element, relation) in &chains.relations {
+        let own = tree.attribute(*element, "name").unwrap_or_default();
+        let name = match (relation.name.as_str(), own) {
+            ("", "") => names.take(tree.tag(*element).to_owned()),
+            ("", own) => names.take(own.to_owned()),
+            (name, _) => names.take(name.to_owned()),
+        };
+        builder = builder.relation(RelationDescription { name, ..relation.clone() });
     }
     let (mechanism, found) = match builder.build() {
         Ok(Built { mechanism, mut findings }) => {
@@ -179,7 +199,8 @@ fn locate(
         Subject::Link { index, .. } => chains.link_elements.get(*index).copied(),
         Subject::Joint { index, .. } => chains.joint_elements.get(*index).copied(),
         Subject::Closure { index, .. } => closures.get(*index).map(|closure| closure.element),
-        Subject::Mechanism | Subject::Coupling { .. } | Subject::Contact { .. } => None,
+        Subject::Coupling { index, .. } => chains.relations.get(*index).map(|(element, _)| *element),
+        Subject::Mechanism | Subject::Contact { .. } => None,
     };
     found.unwrap_or_else(|| tree.root())
 }

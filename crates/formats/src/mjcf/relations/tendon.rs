@@ -23,6 +23,8 @@ pub(crate) enum TendonPath {
 #[derive(Clone, Debug)]
 pub(crate) struct Tendon {
     pub element: ElementId,
+    /// Empty if absent.
+    pub name: String,
     pub path: TendonPath,
     /// Armature per rate of the length, kg or kg·m².
     pub armature: f64,
@@ -45,11 +47,9 @@ pub(crate) fn read_tendons(
             _ => continue,
         };
         let armature = attributes.number("armature", findings).unwrap_or(0.0);
-        let name = match tree.attribute(element, "name").unwrap_or_default() {
-            "" => format!("\u{0}{number}"),
-            name => name.to_owned(),
-        };
-        if tendons.insert(name, Tendon { element, path, armature }).is_some() {
+        let name = tree.attribute(element, "name").unwrap_or_default().to_owned();
+        let key = if name.is_empty() { format!("\u{0}{number}") } else { name.clone() };
+        if tendons.insert(key, Tendon { element, name, path, armature }).is_some() {
             findings.error("duplicate-name", element, || {
                 "the name of the tendon was given before; names must be unique".to_owned()
             });
