@@ -7,7 +7,8 @@ use crate::names::name_mark::NameMark;
 use crate::problem::{Accept, Problem, Severity, Subject};
 use crate::{
     ClosureDescription, ClosureKind, ContactDescription, CouplingDescription, Geometry, Inertial, Joint,
-    JointDescription, JointId, JointKind, Link, LinkDescription, LinkId, Mechanism, Mimic, RelationDescription, tree,
+    JointDescription, JointId, JointKind, Link, LinkDescription, LinkId, Mechanism, Mimic,
+    RelationDescription, tree,
 };
 use percuss_spatial::{SpatialInertia, Vector3};
 use std::collections::HashMap;

@@ -85,7 +85,8 @@ pub fn describe_loops(mechanism: &Mechanism) -> (Vec<ClosureDescription>, Coupli
             couplings.relations.push(mechanism.describe_relation(coupling));
             continue;
         };
-        let [predecessor, successor] = [predecessor, successor].map(|id| mechanism.link(id).name().to_owned());
+        let [predecessor, successor] =
+            [predecessor, successor].map(|id| mechanism.link(id).name().to_owned());
         couplings.ratios.push(CouplingDescription { name, predecessor, successor, ratio });
     }
     (closures.collect(), couplings)

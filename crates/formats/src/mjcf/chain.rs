@@ -153,7 +153,9 @@ impl ChainBuilder {
         described.terms.iter_mut().for_each(|(_, factor)| *factor = -*factor);
         described.terms.insert(0, (joint, 1.0));
         // The length counts from the drawing: a constant has no effect on rates.
-        self.chains.relations.push((rotor.element, RelationDescription { name: format!("{tendon}/length"), ..described }));
+        self.chains
+            .relations
+            .push((rotor.element, RelationDescription { name: format!("{tendon}/length"), ..described }));
     }
 
     /// Relation with the names of the joints; its own name is empty.

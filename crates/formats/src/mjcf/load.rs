@@ -7,14 +7,14 @@ use crate::mjcf::bodies::inertia::{body_inertias, inertia_element};
 use crate::mjcf::bodies::mesh::Meshes;
 use crate::mjcf::bodies::walk::read_bodies;
 use crate::mjcf::chain::{Chains, build_chains};
+use crate::mjcf::document::attach::attach_models;
 use crate::mjcf::document::check::check_grammar;
-use crate::mjcf::document::files::{Files, read_files};
+use crate::mjcf::document::files::{AttachedModel, Files, read_files};
 use crate::mjcf::relations::actuator::reflected_armatures;
 use crate::mjcf::relations::equality::{BodyClosure, Constraints, EqualityReader};
 use crate::mjcf::relations::references::References;
 use crate::mjcf::relations::tendon::read_tendons;
-use crate::mjcf::values::classes::Classes;
-use crate::mjcf::values::settings::Settings;
+use crate::mjcf::values::models::Models;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND};
@@ -34,11 +34,21 @@ pub(crate) fn load_text(
     options: &LoadOptions,
     report: Report,
 ) -> Result<Loaded, LoadError> {
-    let Files { tree, reports } = read_files(name, text, report);
+    let mut files = read_files(name, text, report);
+    // After an error of a file the tree may be empty.
+    if !files.reports.iter().any(Report::has_errors) {
+        let roots: Vec<ElementId> = files.models.iter().map(|model| model.root).collect();
+        let mut findings = Findings::new(&files.tree, files.reports);
+        roots.into_iter().for_each(|root| check_grammar(&files.tree, root, &mut findings));
+        files.reports = findings.into_reports();
+        if !files.reports.iter().any(Report::has_errors) {
+            attach_models(&mut files);
+        }
+    }
+    let Files { tree, reports, models } = files;
     let failed = reports.iter().any(Report::has_errors);
     let mut findings = Findings::new(&tree, reports);
-    // After an error of a file the tree may be empty.
-    let model = if failed { None } else { read_model(&tree, options, &mut findings) };
+    let model = if failed { None } else { read_model(&tree, &models, options, &mut findings) };
     let failed = findings.has_errors();
     let diagnostics = findings.finish();
     match model {
@@ -54,26 +64,19 @@ pub(crate) fn load_text(
 /// Mechanism, shapes of its links, and mesh files that were opened; `None` after an error.
 fn read_model(
     tree: &ElementTree,
+    models: &[AttachedModel],
     options: &LoadOptions,
     findings: &mut Findings<'_>,
 ) -> Option<(Mechanism, Vec<Vec<Shape>>, Vec<PathBuf>)> {
-    check_grammar(tree, findings);
-    let settings = Settings::read(tree, findings);
-    let classes = Classes::read(tree, findings);
-    let mut bodies = read_bodies(tree, &settings, &classes, findings);
+    let models = Models::read(tree, models, findings);
+    let mut bodies = read_bodies(tree, &models, findings);
     if findings.has_errors() {
         return None;
     }
     let references = References { bodies: &bodies };
-    let tendons = read_tendons(tree, &classes, &references, findings);
-    let added = reflected_armatures(tree, &classes, &bodies, &tendons, findings);
-    let reader = EqualityReader {
-        tree,
-        settings: &settings,
-        classes: &classes,
-        references: &references,
-        tendons: &tendons,
-    };
+    let tendons = read_tendons(tree, &models, &references, findings);
+    let added = reflected_armatures(tree, &models, &bodies, &tendons, findings);
+    let reader = EqualityReader { tree, models: &models, references: &references, tendons: &tendons };
     let Constraints { closures, joints: mut relations } = reader.read(findings);
     if closures.len() > MAX_ELEMENTS_PER_KIND {
         findings.error("too-complex", tree.root(), || {
@@ -83,8 +86,8 @@ fn read_model(
     for ((body, position), armature) in added.joints {
         bodies.bodies[body].joints[position].armature += armature;
     }
-    let mut meshes = Meshes::read(tree, &tree.files[0].name, &settings, &classes, findings);
-    let inertias = body_inertias(&bodies.bodies, &mut meshes, &settings, findings);
+    let mut meshes = Meshes::read(tree, &tree.files[0].name, &models, findings);
+    let inertias = body_inertias(&bodies.bodies, &mut meshes, &models, findings);
     if findings.has_errors() {
         return None;
     }

@@ -2,8 +2,8 @@
 
 use crate::xml_text::{append, escape_attribute, escape_comment, format_number, format_vector};
 use percuss_mechanism::{
-    Closure, ClosureKind, ContactNormal, Coupling, Joint, JointId, JointKind, Link, LinkRatio, LoopFrame, Mechanism,
-    NamedContact,
+    Closure, ClosureKind, ContactNormal, Coupling, Joint, JointId, JointKind, Link, LinkRatio, LoopFrame,
+    Mechanism, NamedContact,
 };
 use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
 use std::collections::HashMap;

@@ -96,7 +96,9 @@ impl Model {
         match constraint {
             Constraint::Closure(i) => {
                 let closure = &self.closures[i];
-                self.for_each_support(closure.successor.body, closure.predecessor.body, |b, f| add(b, f, 0.0));
+                self.for_each_support(closure.successor.body, closure.predecessor.body, |b, f| {
+                    add(b, f, 0.0)
+                });
             }
             Constraint::Coupling(i) => {
                 self.couplings[i].terms.iter().for_each(|t| add(t.body, t.factor, t.argument));

@@ -6,9 +6,9 @@ use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::shortened;
 use percuss_mechanism::Severity;
 
-/// Applies the treatments of the grammar to all elements.
-pub(crate) fn check_grammar(tree: &ElementTree, findings: &mut Findings<'_>) {
-    check_element(tree, tree.root(), &ROOT, findings);
+/// Applies the treatments of the grammar to all elements of a model.
+pub(crate) fn check_grammar(tree: &ElementTree, root: ElementId, findings: &mut Findings<'_>) {
+    check_element(tree, root, &ROOT, findings);
 }
 
 /// Applies the treatments to an element, its attributes and its descendants.

@@ -143,7 +143,7 @@ const IN_ASSET: &[ElementRule] = &[
     unread("skin", Silent),
     unread("texture", Silent),
     unread("material", Silent),
-    unread("model", Silent),
+    element("model", &[("name", Read), ("file", Read), ("content_type", Silent)], NO_CHILDREN),
 ];
 
 const MESH: &[(&str, Treatment)] = &[
@@ -159,7 +159,7 @@ const MESH: &[(&str, Treatment)] = &[
     ("refquat", Read),
     ("scale", Read),
     ("smoothnormal", Silent),
-    ("maxhullvert", Silent),
+    ("maxhullvert", Read),
     ("inertia", Read),
     ("builtin", Read),
     ("params", Silent),
@@ -201,7 +201,7 @@ const IN_BODY: &[ElementRule] = &[
     element(
         "frame",
         &[
-            ("name", Silent),
+            ("name", Read),
             ("childclass", Read),
             POS,
             QUAT,
@@ -249,13 +249,7 @@ const IN_BODY: &[ElementRule] = &[
     element("site", SITE, NO_CHILDREN),
     unread("camera", Silent),
     unread("light", Silent),
-    unread(
-        "attach",
-        Refused(
-            "attached models are not read, and the answer without them would be wrong; save the compiled model \
-             (mujoco.mj_saveLastXML) and load that file",
-        ),
-    ),
+    element("attach", &[("model", Read), ("body", Read), ("frame", Read), ("prefix", Read)], NO_CHILDREN),
     unread("plugin", Warned("a plugin of a body is taken as a source of finite forces and ignored")),
     unread(
         "composite",

@@ -4,7 +4,8 @@ use crate::mjcf::bodies::body::Bodies;
 use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::relations::tendon::{Tendon, TendonPath};
 use crate::mjcf::values::attributes::Attributes;
-use crate::mjcf::values::classes::{Classes, DefaultKind};
+use crate::mjcf::values::classes::DefaultKind;
+use crate::mjcf::values::models::Models;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::report::quoted;
@@ -33,7 +34,13 @@ pub(crate) struct TendonRotor {
 
 impl Armatures {
     /// Adds the armature of a tendon: coefficient² · armature for one joint, else a rotor. An error for a spatial tendon.
-    fn add_tendon(&mut self, tendon: &Tendon, armature: f64, element: ElementId, findings: &mut Findings<'_>) {
+    fn add_tendon(
+        &mut self,
+        tendon: &Tendon,
+        armature: f64,
+        element: ElementId,
+        findings: &mut Findings<'_>,
+    ) {
         let TendonPath::Fixed(terms) = &tendon.path else {
             findings.error("unsupported", element, || {
                 "the armature of a spatial tendon is not read, and the answer without it would be wrong; fixed tendons are read"
@@ -77,7 +84,7 @@ impl Armatures {
 /// Armatures of all actuators and tendons. An actuator adds gear² · armature to all velocities of its joint, or to its tendon.
 pub(crate) fn reflected_armatures(
     tree: &ElementTree,
-    classes: &Classes,
+    models: &Models<'_>,
     bodies: &Bodies,
     tendons: &HashMap<String, Tendon>,
     findings: &mut Findings<'_>,
@@ -90,7 +97,7 @@ pub(crate) fn reflected_armatures(
         added.add_tendon(tendon, tendon.armature, tendon.element, findings);
     }
     for element in tree.in_sections("actuator") {
-        let actuator = Attributes::with_class(tree, element, DefaultKind::Actuator, classes, None, findings);
+        let actuator = Attributes::with_class(tree, element, DefaultKind::Actuator, models, None, findings);
         let armature = actuator.number("armature", findings).unwrap_or(0.0);
         if armature == 0.0 {
             continue;

@@ -6,9 +6,9 @@ use crate::mjcf::relations::joint_relations::{JointCurve, JointRelations, JointS
 use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::relations::tendon::{Tendon, TendonPath};
 use crate::mjcf::values::attributes::Attributes;
-use crate::mjcf::values::classes::{Classes, DefaultKind};
+use crate::mjcf::values::classes::DefaultKind;
+use crate::mjcf::values::models::Models;
 use crate::mjcf::values::orientation::rotation_from_quat;
-use crate::mjcf::values::settings::Settings;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
@@ -41,8 +41,7 @@ pub(crate) struct Constraints {
 /// Source of the constraints of a model.
 pub(crate) struct EqualityReader<'r, 't> {
     pub tree: &'t ElementTree,
-    pub settings: &'r Settings,
-    pub classes: &'t Classes,
+    pub models: &'t Models<'t>,
     pub references: &'r References<'r>,
     pub tendons: &'r HashMap<String, Tendon>,
 }
@@ -51,7 +50,7 @@ impl EqualityReader<'_, '_> {
     /// Reads all active constraints.
     pub fn read(&self, findings: &mut Findings<'_>) -> Constraints {
         let mut constraints = Constraints::default();
-        if !self.settings.equalities {
+        if !self.models.main().equalities {
             return constraints;
         }
         for element in self.tree.in_sections("equality") {
@@ -59,7 +58,7 @@ impl EqualityReader<'_, '_> {
                 self.tree,
                 element,
                 DefaultKind::Equality,
-                self.classes,
+                self.models,
                 None,
                 findings,
             );

@@ -3,7 +3,8 @@
 use crate::mjcf::bodies::body::Site;
 use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::values::attributes::Attributes;
-use crate::mjcf::values::classes::{Classes, DefaultKind};
+use crate::mjcf::values::classes::DefaultKind;
+use crate::mjcf::values::models::Models;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use std::collections::HashMap;
@@ -33,13 +34,13 @@ pub(crate) struct Tendon {
 /// Reads all tendons, by name. Unnamed tendons are kept for their armature, with a key that no reference has.
 pub(crate) fn read_tendons(
     tree: &ElementTree,
-    classes: &Classes,
+    models: &Models<'_>,
     references: &References<'_>,
     findings: &mut Findings<'_>,
 ) -> HashMap<String, Tendon> {
     let mut tendons = HashMap::new();
     for (number, element) in tree.in_sections("tendon").enumerate() {
-        let attributes = Attributes::with_class(tree, element, DefaultKind::Tendon, classes, None, findings);
+        let attributes = Attributes::with_class(tree, element, DefaultKind::Tendon, models, None, findings);
         let path = match tree.tag(element) {
             "fixed" => fixed_path(tree, element, references, findings),
             "spatial" => spatial_path(tree, element, references, findings),

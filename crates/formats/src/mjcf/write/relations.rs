@@ -68,10 +68,7 @@ fn write_tendon(sections: &mut Sections, mechanism: &Mechanism, name: &str, term
     append(&mut sections.tendons, format_args!("    <fixed name=\"{name}\">\n"));
     for (joint, factor) in terms.iter().filter(|(_, factor)| *factor != 0.0) {
         let (joint, factor) = (escape_attribute(mechanism.joint(*joint).name()), format_number(*factor));
-        append(
-            &mut sections.tendons,
-            format_args!("      <joint joint=\"{joint}\" coef=\"{factor}\"/>\n"),
-        );
+        append(&mut sections.tendons, format_args!("      <joint joint=\"{joint}\" coef=\"{factor}\"/>\n"));
     }
     sections.tendons.push_str("    </fixed>\n");
 }

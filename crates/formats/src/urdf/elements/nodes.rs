@@ -72,7 +72,9 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
             Subject::Link { index, .. } => self.links.get(*index).copied(),
             Subject::Joint { index, .. } => self.joints.get(*index).copied(),
             Subject::Closure { index, .. } => self.closures.get(*index).copied(),
-            Subject::Coupling { index, .. } => self.couplings.iter().chain(&self.relations).nth(*index).copied(),
+            Subject::Coupling { index, .. } => {
+                self.couplings.iter().chain(&self.relations).nth(*index).copied()
+            }
             Subject::Contact { index, .. } => self.contacts.get(*index).copied(),
         };
         let node = node.unwrap_or(robot);
