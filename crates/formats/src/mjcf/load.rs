@@ -1,7 +1,7 @@
 //! Construction of a mechanism from a model in MJCF.
 
 use crate::LoadError;
-use crate::mjcf::bodies::body::{Bodies, Body};
+use crate::mjcf::bodies::body::{Bodies, Body, Site};
 use crate::mjcf::bodies::geom::GeomShape;
 use crate::mjcf::bodies::inertia::{body_inertias, inertia_element};
 use crate::mjcf::bodies::mesh::Meshes;
@@ -23,8 +23,11 @@ use crate::reading::unique_names::UniqueNames;
 use crate::urdf::elements::shapes::shape::{Purpose, Shape};
 use crate::urdf::load::{LoadOptions, Loaded};
 use percuss_mechanism::{
-    Built, ClosureDescription, Geometry, Mechanism, MechanismBuilder, Problem, RelationDescription, Subject,
+    Built, ClosureDescription, ContactDescription, ContactKind, ContactNormal, Geometry, Mechanism,
+    MechanismBuilder, Problem, RelationDescription, Subject,
 };
+use percuss_spatial::Vector3;
+use std::collections::HashSet;
 use std::path::PathBuf;
 
 /// Reads the text of a model named `name`; `report` contains findings about its bytes.
@@ -151,6 +154,7 @@ fn build_mechanism(
         };
         builder = builder.relation(RelationDescription { name, ..relation.clone() });
     }
+    builder = named_contacts(tree, bodies, chains).into_iter().fold(builder, MechanismBuilder::contact);
     let (mechanism, found) = match builder.build() {
         Ok(Built { mechanism, mut findings }) => {
             findings.extend(mechanism.implausible_inertias(options.accept));
@@ -174,6 +178,37 @@ fn build_mechanism(
         }
     }
     mechanism
+}
+
+/// Sites of moving bodies as contacts with the world, without those of constraints and tendons. The normal is the z-axis of the site
+/// as drawn.
+fn named_contacts(tree: &ElementTree, bodies: &Bodies, chains: &Chains) -> Vec<ContactDescription> {
+    let in_constraints = ["equality", "tendon"].into_iter().flat_map(|section| tree.in_sections(section));
+    let elements = in_constraints.flat_map(|id| [id].into_iter().chain(tree.children(id).iter().copied()));
+    let used: HashSet<&str> = elements
+        .flat_map(|id| {
+            ["site", "site1", "site2"].into_iter().filter_map(move |name| tree.attribute(id, name))
+        })
+        .collect();
+    let is_contact = |(name, site): &(&String, &Site)| {
+        bodies.bodies[site.body].moving_ancestor != 0 && !used.contains(name.as_str())
+    };
+    let moving = bodies.sites.iter().filter(is_contact);
+    let contact = |(name, site): (&String, &Site)| ContactDescription {
+        name: name.clone(),
+        kind: ContactKind::Other,
+        link: chains.link_names[site.body].clone(),
+        point: site.frame.translation,
+        against: chains.link_names[0].clone(),
+        normal: ContactNormal::Fixed(
+            (bodies.bodies[site.body].world_pose * site.frame).vector(&Vector3::z()),
+        ),
+        gap: None,
+    };
+    let mut contacts: Vec<ContactDescription> = moving.map(contact).collect();
+    contacts.sort_by(|a, b| a.name.cmp(&b.name));
+    contacts.truncate(MAX_ELEMENTS_PER_KIND);
+    contacts
 }
 
 /// Element of a finding of the builder.

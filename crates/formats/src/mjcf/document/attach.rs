@@ -5,6 +5,7 @@ use crate::mjcf::document::files::{AttachedModel, Files};
 use crate::reading::element_tree::{Attribute, Element, ElementId, ElementTree};
 use crate::reading::limits::{MAX_ATTACH_STEPS, MAX_ELEMENTS};
 use crate::reading::report::{Place, Report, quoted, shortened};
+use percuss_mechanism::Severity;
 use std::collections::HashSet;
 
 /// Kinds of elements that others refer to by name.
@@ -294,16 +295,18 @@ impl Attacher<'_> {
         for section in SECTIONS {
             // Meshes of the same model have their names already, but without the prefix.
             let elements: Vec<ElementId> = self.tree.in_sections_of(root, section).collect();
-            let chosen: Vec<ElementId> = elements
-                .into_iter()
-                .filter(|element| match section {
-                    "asset" => self.tree.tag(*element) == "mesh",
-                    _ => self
-                        .references(*element)
-                        .iter()
-                        .all(|name| within.contains(name) || !all.contains(name)),
-                })
-                .collect();
+            let mut chosen = Vec::new();
+            for element in elements {
+                let names = self.references(element);
+                let is_inside = |name: &(Kind, String)| within.contains(name) || !all.contains(name);
+                match section {
+                    "asset" if self.tree.tag(element) != "mesh" => {}
+                    "asset" => chosen.push(element),
+                    _ if names.iter().all(is_inside) => chosen.push(element),
+                    _ if names.iter().any(|name| within.contains(name)) => self.warn_of_omission(element),
+                    _ => {}
+                }
+            }
             if section == "tendon" {
                 let tendons = self.names(&chosen);
                 within.extend(tendons);
@@ -330,6 +333,17 @@ impl Attacher<'_> {
             }
         }
         Some(())
+    }
+
+    /// Warns about an element that refers to the attached part and to another part of its model.
+    fn warn_of_omission(&mut self, element: ElementId) {
+        let (file, offset) = (self.tree.element(element).file, self.tree.element(element).offset);
+        let place = Place::Named(offset, self.tree.tag(element));
+        self.reports[file].add_once(Severity::Warning, "attached-part", "reference".to_owned(), place, || {
+            "not attached: the element refers to a part of its model that is not attached; MuJoCo leaves it out too, unless the \
+             surrounding model has a part of that name"
+                .to_owned()
+        });
     }
 
     /// Gives a mesh without a name that of its file, with the prefix.
