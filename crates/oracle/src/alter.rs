@@ -43,29 +43,17 @@ fn describe_joint(mechanism: &Mechanism, joint: &Joint) -> JointDescription {
     }
 }
 
-/// Descriptions of couplings: ratios of links, and relations of joint positions.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Couplings {
-    /// Ratios of links.
-    pub ratios: Vec<CouplingDescription>,
-    /// Relations of joint positions.
-    pub relations: Vec<RelationDescription>,
-}
-
-impl From<Vec<CouplingDescription>> for Couplings {
-    fn from(ratios: Vec<CouplingDescription>) -> Self {
-        Self { ratios, relations: Vec::new() }
-    }
-}
-
-impl From<Vec<RelationDescription>> for Couplings {
-    fn from(relations: Vec<RelationDescription>) -> Self {
-        Self { ratios: Vec::new(), relations }
-    }
+/// Description of a coupling.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CouplingForm {
+    /// Ratio of links.
+    Ratio(CouplingDescription),
+    /// Relation of joint positions.
+    Relation(RelationDescription),
 }
 
 /// Descriptions of the closures and couplings of a mechanism, in the same order.
-pub fn describe_loops(mechanism: &Mechanism) -> (Vec<ClosureDescription>, Couplings) {
+pub fn describe_loops(mechanism: &Mechanism) -> (Vec<ClosureDescription>, Vec<CouplingForm>) {
     let name = |frame: &LoopFrame| frame.link.map_or("world", |link| mechanism.link(link).name()).to_owned();
     let closures = mechanism.closures().iter().map(|closure| ClosureDescription {
         name: closure.name().to_owned(),
@@ -78,16 +66,16 @@ pub fn describe_loops(mechanism: &Mechanism) -> (Vec<ClosureDescription>, Coupli
         axis2: *closure.axis2(),
         distance: closure.distance(),
     });
-    let mut couplings = Couplings::default();
+    let mut couplings = Vec::new();
     for coupling in mechanism.couplings() {
         let name = coupling.name().to_owned();
         let Some(LinkRatio { predecessor, successor, ratio }) = coupling.ratio() else {
-            couplings.relations.push(mechanism.describe_relation(coupling));
+            couplings.push(CouplingForm::Relation(mechanism.describe_relation(coupling)));
             continue;
         };
         let [predecessor, successor] =
             [predecessor, successor].map(|id| mechanism.link(id).name().to_owned());
-        couplings.ratios.push(CouplingDescription { name, predecessor, successor, ratio });
+        couplings.push(CouplingForm::Ratio(CouplingDescription { name, predecessor, successor, ratio }));
     }
     (closures.collect(), couplings)
 }
@@ -109,16 +97,18 @@ pub fn build_with_loops(
     links: Vec<LinkDescription>,
     joints: Vec<JointDescription>,
     closures: Vec<ClosureDescription>,
-    couplings: impl Into<Couplings>,
+    couplings: Vec<CouplingForm>,
 ) -> Mechanism {
-    let Couplings { ratios, relations } = couplings.into();
     let builder =
         MechanismBuilder::new(name).accept(Accept { indefinite_inertia: true, ..Accept::default() });
     let builder = links.into_iter().fold(builder, MechanismBuilder::link);
     let builder = joints.into_iter().fold(builder, MechanismBuilder::joint);
     let builder = closures.into_iter().fold(builder, MechanismBuilder::closure);
-    let builder = ratios.into_iter().fold(builder, MechanismBuilder::coupling);
-    match relations.into_iter().fold(builder, MechanismBuilder::relation).build() {
+    let builder = couplings.into_iter().fold(builder, |builder, coupling| match coupling {
+        CouplingForm::Ratio(ratio) => builder.coupling(ratio),
+        CouplingForm::Relation(relation) => builder.relation(relation),
+    });
+    match builder.build() {
         Ok(built) => built.mechanism,
         Err(error) => panic!("{name}: {error}"),
     }
@@ -173,30 +163,31 @@ pub fn scaled(mechanism: &Mechanism, length: f64, mass: f64) -> Mechanism {
         closure.successor_frame.translation *= length;
         closure.distance = closure.distance.map(|distance| distance * length);
     }
-    let (scaled_ratios, scaled_relations) = (couplings.ratios.iter_mut(), couplings.relations.iter_mut());
-    let of_links = mechanism.couplings().iter().filter_map(|own| Some((own, own.ratio()?)));
-    for (coupling, (own, links)) in scaled_ratios.zip(of_links) {
-        let below = |link: LinkId, id: JointId| is_below(mechanism, link, id);
-        let (on, against): (Vec<_>, Vec<_>) =
-            own.terms().iter().map(|term| term.0).partition(|&id| below(links.successor, id));
-        let side = |joints: &[JointId]| {
-            let units = joints.iter().map(|&id| position_scale(mechanism.joint(id).kind(), length));
-            let first = units.clone().next();
-            assert!(units.clone().all(|u| Some(u) == first), "coupling {}: a sum of rad and m", own.name());
-            first
-        };
-        if let (Some(on), Some(against)) = (side(&on), side(&against)) {
-            coupling.ratio *= on / against;
-        }
-    }
-    for relation in scaled_relations {
-        let scale_of = |name: &String| {
-            mechanism.find_joint(name).map_or(1.0, |id| position_scale(mechanism.joint(id).kind(), length))
-        };
-        // In units of the argument the factors change; the constant and the coefficients stay.
-        relation.terms.iter_mut().for_each(|(name, factor)| *factor /= scale_of(name));
-        if let Some(curve) = &mut relation.curve {
-            curve.terms.iter_mut().for_each(|(name, factor)| *factor /= scale_of(name));
+    let scale_of = |id: JointId| position_scale(mechanism.joint(id).kind(), length);
+    for (coupling, own) in couplings.iter_mut().zip(mechanism.couplings()) {
+        match (coupling, own.ratio()) {
+            (CouplingForm::Ratio(coupling), Some(links)) => {
+                let below = |id: JointId| is_below(mechanism, links.successor, id);
+                let (on, against): (Vec<_>, Vec<_>) =
+                    own.terms().iter().map(|term| term.0).partition(|&id| below(id));
+                let side = |joints: &[JointId]| {
+                    let units = joints.iter().map(|&id| scale_of(id));
+                    let first = units.clone().next();
+                    let is_sum = units.clone().all(|u| Some(u) == first);
+                    assert!(is_sum, "coupling {}: a sum of rad and m", own.name());
+                    first
+                };
+                if let (Some(on), Some(against)) = (side(&on), side(&against)) {
+                    coupling.ratio *= on / against;
+                }
+            }
+            (CouplingForm::Relation(relation), _) => {
+                // The factors change with the units of the positions; the terms, the constant and the curve stay.
+                let of_name = |name: &str| mechanism.find_joint(name).map_or(1.0, scale_of);
+                let curve = relation.curve.iter_mut().flat_map(|curve| &mut curve.terms);
+                relation.terms.iter_mut().chain(curve).for_each(|(name, factor)| *factor /= of_name(name));
+            }
+            (CouplingForm::Ratio(_), None) => {}
         }
     }
     build_with_loops(mechanism.name(), links, joints, closures, couplings)
@@ -303,7 +294,7 @@ fn rounded_number(x: f64, decimals: usize) -> f64 {
 pub fn on_common_ground(parts: &[(&str, &Mechanism)]) -> Mechanism {
     const GROUND: &str = "ground";
     let mut links = vec![LinkDescription::massless(GROUND)];
-    let (mut joints, mut closures, mut couplings) = (Vec::new(), Vec::new(), Couplings::default());
+    let (mut joints, mut closures, mut couplings) = (Vec::new(), Vec::new(), Vec::new());
     for (prefix, mechanism) in parts {
         assert!(mechanism.link(mechanism.root()).inertia().mass == 0.0, "{prefix}: a heavy root");
         let root = mechanism.link(mechanism.root()).name().to_owned();
@@ -330,20 +321,23 @@ pub fn on_common_ground(parts: &[(&str, &Mechanism)]) -> Mechanism {
             successor: name(&closure.successor),
             ..closure
         }));
-        couplings.ratios.extend(own_couplings.ratios.into_iter().map(|coupling| CouplingDescription {
-            name: format!("{prefix}{}", coupling.name),
-            predecessor: name(&coupling.predecessor),
-            successor: name(&coupling.successor),
-            ..coupling
-        }));
         let joints_of = |terms: Vec<(String, f64)>| {
             terms.into_iter().map(|(joint, factor)| (format!("{prefix}{joint}"), factor)).collect()
         };
-        couplings.relations.extend(own_couplings.relations.into_iter().map(|relation| RelationDescription {
-            name: format!("{prefix}{}", relation.name),
-            terms: joints_of(relation.terms),
-            curve: relation.curve.map(|curve| CurveDescription { terms: joints_of(curve.terms), ..curve }),
-            ..relation
+        couplings.extend(own_couplings.into_iter().map(|coupling| match coupling {
+            CouplingForm::Ratio(coupling) => CouplingForm::Ratio(CouplingDescription {
+                name: format!("{prefix}{}", coupling.name),
+                predecessor: name(&coupling.predecessor),
+                successor: name(&coupling.successor),
+                ..coupling
+            }),
+            CouplingForm::Relation(relation) => CouplingForm::Relation(RelationDescription {
+                name: format!("{prefix}{}", relation.name),
+                terms: joints_of(relation.terms),
+                curve:
+                    relation.curve.map(|curve| CurveDescription { terms: joints_of(curve.terms), ..curve }),
+                ..relation
+            }),
         }));
     }
     build_with_loops("beside", links, joints, closures, couplings)

@@ -23,7 +23,7 @@ use crate::analysis::response::ContactResponse;
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
 use crate::kinematics::rows::{MOST, closure_wrench_rates, closure_wrenches};
-use crate::model::{Constraint, Group, Model};
+use crate::model::{Constraint, CouplingTerm, Group, Model};
 use nalgebra::Vector3;
 use percuss_spatial::{Transform, Twist, Wrench};
 
@@ -263,7 +263,9 @@ impl<'a> BodyResponse<'a> {
         let coupling = &model.couplings[number];
         let [_, curvature] = coupling.curve_derivatives(&self.pose.kinematics.q);
         let scale = if coupling.turns { length } else { 1.0 };
-        let entries = coupling.terms.iter().map(|term| (model.bodies[term.body].v.start, term.argument));
+        // A locked joint has no velocity.
+        let entry = |term: &CouplingTerm| Some((model.bodies[term.body].v.clone().next()?, term.argument));
+        let entries = coupling.terms.iter().filter_map(entry);
         let rate: f64 = entries.clone().map(|(v, argument)| argument * self.velocities[v]).sum();
         entries.for_each(|(v, argument)| self.bending[v] -= multiplier * scale * curvature * rate * argument);
     }

@@ -1,7 +1,9 @@
 //! Attached models. Expected values: MuJoCo 4.0.0.
 
-use percuss_formats::{LoadError, Loaded, load_file};
+use crate::support::Folder;
+use percuss_formats::{LoadError, Loaded};
 use percuss_mechanism::Mechanism;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Attached model: radians, fixed axes of Euler angles, a class, a body below a frame, and constraints within and across bodies.
 const CHILD: &str = r#"<mujoco model="child"><compiler angle="radian" eulerseq="XYZ"/>
@@ -23,11 +25,11 @@ fn main_model(worldbody: &str) -> String {
 }
 
 fn read(worldbody: &str, child: &str) -> Result<Loaded, LoadError> {
-    let folder = tempfile::tempdir().expect("a folder");
-    std::fs::write(folder.path().join("child.xml"), child).expect("a file");
-    let main = folder.path().join("main.xml");
-    std::fs::write(&main, main_model(worldbody)).expect("a file");
-    load_file(&main.to_string_lossy())
+    // Tests run at the same time in one process.
+    static NUMBER: AtomicUsize = AtomicUsize::new(0);
+    let name = format!("attach-{}", NUMBER.fetch_add(1, Ordering::Relaxed));
+    let files = [("main.xml", main_model(worldbody)), ("child.xml", child.to_owned())];
+    Folder::new(&name, &files).load("main.xml")
 }
 
 fn joint_names(mechanism: &Mechanism) -> Vec<&str> {
@@ -94,11 +96,14 @@ fn circles_and_explosions_are_bounded() {
     assert!(["too-complex", "attach-circle"].contains(&error.diagnostics[0].code), "{error}");
     // Every part attaches the one before a hundred times.
     let copies = |body: &str, name: &str| {
-        let all: String = (0..100).map(|i| format!("<attach body=\"{body}\" prefix=\"{name}{i}_\"/>")).collect();
+        let all: String =
+            (0..100).map(|i| format!("<attach body=\"{body}\" prefix=\"{name}{i}_\"/>")).collect();
         format!("<body name=\"{name}\">{all}</body>")
     };
-    let bodies = ["b", "c", "d", "e", "f"].windows(2).map(|pair| copies(pair[0], pair[1])).collect::<String>();
-    let error = read(&format!("<body name=\"b\"><geom size=\"1\"/></body>{bodies}"), CHILD).expect_err("too many");
+    let bodies =
+        ["b", "c", "d", "e", "f"].windows(2).map(|pair| copies(pair[0], pair[1])).collect::<String>();
+    let error =
+        read(&format!("<body name=\"b\"><geom size=\"1\"/></body>{bodies}"), CHILD).expect_err("too many");
     assert_eq!(error.diagnostics[0].code, "too-complex");
     assert!(error.diagnostics[0].line.is_some());
     // Seconds; the limit is for slow machines.

@@ -51,7 +51,10 @@ fn unknown_names_have_a_remedy() {
 #[test]
 fn elements_without_a_form_in_a_mechanism_are_refused_by_name() {
     for (sections, words) in [
-        ("<deformable><flex name=\"f\" body=\"upper_arm\" element=\"0\"/></deformable>", &["<flex>", "deformable"][..]),
+        (
+            "<deformable><flex name=\"f\" body=\"upper_arm\" element=\"0\"/></deformable>",
+            &["<flex>", "deformable"][..],
+        ),
         ("<equality><flex flex=\"f\"/></equality>", &["<flex>"]),
         ("<equality><distance geom1=\"a\"/></equality>", &["<distance>"]),
         (
@@ -125,6 +128,18 @@ fn values_that_mujoco_refuses() {
         "<equality><connect body1=\"a\" anchor=\"0 0 0\"/></equality>",
     );
     assert_refused(&replicated, "unknown-reference", &["<replicate>", "\"a0\""]);
+    let tendon = |sections: &str| {
+        model(
+            "<replicate count=\"2\"><body name=\"a\"><joint name=\"r\"/><geom size=\".1\"/></body></replicate>",
+            &format!("<tendon><fixed name=\"t\"><joint joint=\"r\" coef=\"1\"/></fixed></tendon>{sections}"),
+        )
+    };
+    assert!(load_mjcf(&tendon("")).is_ok());
+    assert_refused(
+        &tendon("<equality><tendon tendon1=\"t\"/></equality>"),
+        "unsupported",
+        &["<replicate>", "\"a0\""],
+    );
     let twice =
         "<equality><joint joint1=\"j\" polycoef=\"0.1\"/><joint joint1=\"j\" polycoef=\"0.2\"/></equality>";
     assert_refused(&model(ARM, twice), "contradiction", &["earlier constraints"]);

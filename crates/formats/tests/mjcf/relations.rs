@@ -1,7 +1,7 @@
 //! Relations of several joints, polynomial relations, and armatures of tendons.
 
 use super::{load_mjcf, model};
-use percuss_formats::{Loaded, LoadOptions, Source, load, write_mjcf, write_urdf};
+use percuss_formats::{LoadOptions, Loaded, Source, load, write_mjcf, write_urdf};
 use percuss_mechanism::{Coupling, Mechanism};
 
 const BODIES: &str = "<body name=\"a\"><joint name=\"j\"/><geom size=\".1\"/><body name=\"b\"><joint name=\"k\"/><geom size=\".1\"/></body></body>
@@ -26,13 +26,12 @@ fn terms(of: &[(&str, f64)]) -> Vec<(String, f64)> {
 
 #[test]
 fn a_polynomial_of_degree_four_is_a_curve() {
-    let loaded = read("<equality><joint name=\"cam\" joint1=\"l\" joint2=\"j\" polycoef=\".1 .2 .3 .4 .5\"/></equality>");
-    let [coupling] = loaded.mechanism.couplings() else { panic!("one relation") };
-    let expected = (
-        terms(&[("l", 1.0), ("j", -0.2)]),
-        0.1,
-        Some((terms(&[("j", 1.0)]), 0.0, [0.3, 0.4, 0.5])),
+    let loaded = read(
+        "<equality><joint name=\"cam\" joint1=\"l\" joint2=\"j\" polycoef=\".1 .2 .3 .4 .5\"/></equality>",
     );
+    let [coupling] = loaded.mechanism.couplings() else { panic!("one relation") };
+    let expected =
+        (terms(&[("l", 1.0), ("j", -0.2)]), 0.1, Some((terms(&[("j", 1.0)]), 0.0, [0.3, 0.4, 0.5])));
     assert_eq!((coupling.name(), describe(&loaded.mechanism, coupling)), ("cam", expected));
 }
 

@@ -1,7 +1,7 @@
 //! Linkages with couplings.
 
 use super::Linkage;
-use crate::alter::build_with_loops;
+use crate::alter::{CouplingForm, build_with_loops};
 use crate::parts::{frame, ground, joint, lump};
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, CouplingDescription, CurveDescription, Inertial, JointKind,
@@ -14,13 +14,13 @@ use JointKind::{Continuous, Prismatic, Revolute};
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// Coupling of two joints with a ratio.
-fn coupling(name: &str, predecessor: &str, successor: &str, ratio: f64) -> CouplingDescription {
-    CouplingDescription {
+fn coupling(name: &str, predecessor: &str, successor: &str, ratio: f64) -> CouplingForm {
+    CouplingForm::Ratio(CouplingDescription {
         name: name.into(),
         predecessor: predecessor.into(),
         successor: successor.into(),
         ratio,
-    }
+    })
 }
 
 /// Wheel with a given moment of inertia about z and its mass on the axis.
@@ -165,6 +165,7 @@ pub fn cam_and_sum() -> Linkage {
             curve: None,
         },
     ];
+    let relations = relations.into_iter().map(CouplingForm::Relation).collect();
     let mechanism = build_with_loops("cam_and_sum", links, joints, Vec::new(), relations);
     let drivers = [("cam", [-1.0, 1.0]), ("first", [-0.5, 0.5]), ("second", [-0.5, 0.5])];
     let start =

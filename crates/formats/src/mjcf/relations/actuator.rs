@@ -1,6 +1,7 @@
 //! Armatures of actuators and tendons, reflected to the joints.
 
 use crate::mjcf::bodies::body::Bodies;
+use crate::mjcf::relations::equality::REPLICATED_TENDON;
 use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::relations::tendon::{Tendon, TendonPath};
 use crate::mjcf::values::attributes::Attributes;
@@ -41,6 +42,10 @@ impl Armatures {
         element: ElementId,
         findings: &mut Findings<'_>,
     ) {
+        if matches!(tendon.path, TendonPath::Replicated) {
+            findings.error("unsupported", element, || REPLICATED_TENDON.to_owned());
+            return;
+        }
         let TendonPath::Fixed(terms) = &tendon.path else {
             findings.error("unsupported", element, || {
                 "the armature of a spatial tendon is not read, and the answer without it would be wrong; fixed tendons are read"

@@ -38,6 +38,10 @@ pub(crate) struct Constraints {
     pub joints: JointRelations,
 }
 
+/// Refusal of a tendon with copies.
+pub(crate) const REPLICATED_TENDON: &str = "the tendon refers to an element of a <replicate>, of which MuJoCo makes copies of the tendon; \
+    write one for each copy, with the full names, such as \"a0\"";
+
 /// Source of the constraints of a model.
 pub(crate) struct EqualityReader<'r, 't> {
     pub tree: &'t ElementTree,
@@ -299,6 +303,9 @@ impl EqualityReader<'_, '_> {
                 if let Some(closure) = constraints.closures.get_mut(before) {
                     closure.distance = Some((points[1] - points[0]).norm() + coefficients[0]);
                 }
+            }
+            (TendonPath::Replicated, _) | (_, Some(Some(TendonPath::Replicated))) => {
+                findings.error("unsupported", element, || REPLICATED_TENDON.to_owned());
             }
             _ => findings.error("unsupported", element, || {
                 "of spatial tendons, only the length of a straight line between two sites is kept constant here; other equalities of \

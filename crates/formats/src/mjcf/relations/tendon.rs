@@ -18,6 +18,8 @@ pub(crate) enum TendonPath {
     Line([Site; 2]),
     /// Line through more sites, around geoms or over pulleys.
     Wrapped,
+    /// Tendon of a `<replicate>`, of which MuJoCo makes copies.
+    Replicated,
 }
 
 /// Tendon.
@@ -41,7 +43,15 @@ pub(crate) fn read_tendons(
     let mut tendons = HashMap::new();
     for (number, element) in tree.in_sections("tendon").enumerate() {
         let attributes = Attributes::with_class(tree, element, DefaultKind::Tendon, models, None, findings);
+        let is_replicated = tree.children(element).iter().any(|child| {
+            ["joint", "site"]
+                .into_iter()
+                .filter_map(|name| tree.attribute(*child, name))
+                .any(|name| references.is_replicated(name))
+        });
         let path = match tree.tag(element) {
+            // Without a constraint and an armature the tendon has no effect.
+            _ if is_replicated => TendonPath::Replicated,
             "fixed" => fixed_path(tree, element, references, findings),
             "spatial" => spatial_path(tree, element, references, findings),
             // The grammar reports other elements.
