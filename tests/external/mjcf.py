@@ -67,6 +67,9 @@ class Peer:
                 address = m.jnt_qposadr[m.eq_obj1id[e]]
                 d.qpos[address] = m.qpos0[address] + m.eq_data[e, 0]
         for name, values in pose.items():
+            if name not in self.joints:
+                # The length of a tendon with an armature is a joint of percuss only.
+                continue
             j = self.joints[name]
             at, kind = m.jnt_qposadr[j], m.jnt_type[j]
             if kind == mujoco.mjtJoint.mjJNT_FREE:
@@ -85,10 +88,28 @@ class Peer:
         m, d = self.model, self.data
         mass = np.zeros((m.nv, m.nv))
         mujoco.mj_fullM(m, d, mass)
+        mass += self.left_out()
         rows = np.ravel(d.efc_J)[: d.nefc * m.nv].reshape(d.nefc, m.nv)
         rows = rows[d.efc_type == mujoco.mjtConstraint.mjCNSTR_EQUALITY]
         # A tendon between sites of one rigid body has a row of rounding errors.
         return mass, rows[np.abs(rows).max(axis=1, initial=0) > NO_MOTION]
+
+    def left_out(self):
+        """Entries of tendon armatures between joints of different branches, which MuJoCo leaves out of M."""
+        m, d = self.model, self.data
+        related = np.eye(m.nv, dtype=bool)
+        for dof in range(m.nv):
+            above = m.dof_parentid[dof]
+            while above >= 0:
+                related[dof, above] = related[above, dof] = True
+                above = m.dof_parentid[above]
+        missing = np.zeros((m.nv, m.nv))
+        for t in np.flatnonzero(m.tendon_armature):
+            row = np.zeros(m.nv)
+            first, count = m.ten_J_rowadr[t], m.ten_J_rownnz[t]
+            row[m.ten_J_colind[first : first + count]] = np.ravel(d.ten_J)[first : first + count]
+            missing += m.tendon_armature[t] * np.where(related, 0, np.outer(row, row))
+        return missing
 
     def compare(self, report):
         """Deviation of the effective mass, or of what takes its place, and the largest residual of a constraint."""
@@ -177,8 +198,11 @@ def compare_file(percuss, path, rng, count, options=(), peer=None):
 class RandomModel:
     """Random MJCF: a tree of bodies with several joints, frames, classes, geoms or declared inertias, and constraints."""
 
-    def __init__(self, seed):
+    def __init__(self, seed, is_attached=False):
         self.rng = np.random.default_rng(seed)
+        self.child = None
+        # MuJoCo resolves a name outside of an attached part in the surrounding model.
+        self.mark = "c" if is_attached else ""
         self.degrees = self.rng.random() < 0.5
         self.bodies, self.scalar, self.sites = [], [], []
         self.root = ElementTree.Element("mujoco", model=f"random {seed}")
@@ -192,6 +216,22 @@ class RandomModel:
         for _ in range(self.rng.integers(1, 3)):
             self.body(world, 0)
         self.constraints()
+        if not is_attached and self.chance(0.3):
+            self.attach(seed)
+
+    def attach(self, seed):
+        """A second random model, with its own settings and classes, attached twice: a body of it and all of it."""
+        self.child = RandomModel(seed + 100_000, is_attached=True)
+        ElementTree.SubElement(self.root.find("asset"), "model", name="other", file=f"{seed}_attached.xml")
+        world = self.root.find("worldbody")
+        holder = world if self.chance(0.5) else world.find(".//body")
+        frame = ElementTree.SubElement(holder, "frame", pos=self.vector(3, 0.3))
+        self.orientation(frame)
+        free = {body.get("name") for body in self.child.root.iter("body") if body.find("freejoint") is not None}
+        fixed = [body for body in self.child.bodies if body not in free]
+        if fixed:
+            ElementTree.SubElement(frame, "attach", model="other", body=str(self.rng.choice(fixed)), prefix="one_")
+        ElementTree.SubElement(world, "attach", model="other", prefix="two_")
 
     def chance(self, probability):
         return self.rng.random() < probability
@@ -233,7 +273,7 @@ class RandomModel:
         asset = ElementTree.SubElement(self.root, "asset")
         ElementTree.SubElement(
             asset, "mesh", name="tetrahedron", vertex="0 0 0 .25 0 0 0 .25 0 0 0 .25", face="0 2 1 0 1 3 0 3 2 1 2 3",
-            inertia=str(self.rng.choice(["exact", "legacy", "shell"])), scale="1 2 0.5", refpos="0.125 0 0.25",
+            inertia=str(self.rng.choice(["exact", "legacy", "shell", "convex"])), scale="1 2 0.5", refpos="0.125 0 0.25",
         )
 
     def body(self, parent, depth):
@@ -243,7 +283,7 @@ class RandomModel:
             self.orientation(inside)
             if self.chance(0.3):
                 inside.set("childclass", "arm")
-        name = f"b{len(self.bodies)}"
+        name = f"{self.mark}b{len(self.bodies)}"
         body = ElementTree.SubElement(inside, "body", name=name, pos=self.vector(3, 0.5))
         self.orientation(body)
         if self.chance(0.3):
@@ -252,7 +292,7 @@ class RandomModel:
         self.joints(body, depth)
         self.inertia(body)
         for _ in range(self.rng.integers(0, 3)):
-            site = ElementTree.SubElement(body, "site", name=f"s{len(self.sites)}", pos=self.vector(3, 0.3))
+            site = ElementTree.SubElement(body, "site", name=f"{self.mark}s{len(self.sites)}", pos=self.vector(3, 0.3))
             self.orientation(site)
             self.sites.append((site.get("name"), name))
         if depth < 3 and len(self.bodies) < 7:
@@ -356,15 +396,16 @@ class RandomModel:
             if self.chance(0.8):
                 relation.set("joint2", joints.pop())
             if self.chance(0.8):
-                count = self.rng.integers(1, 3)
+                count = self.rng.choice([1, 2, 2, 5])
                 # Loops with many constraints close only as drawn.
                 offset = 0.0 if len(equality) > 1 else 0.1
-                relation.set("polycoef", numbers([offset, self.rng.uniform(-2, 2)][:count]))
+                relation.set("polycoef", numbers([offset, *self.rng.uniform(-2, 2, 4)][:count]))
         if len(joints) >= 2 and self.chance(0.3):
             fixed = ElementTree.SubElement(tendon, "fixed", name="pair")
             for joint in (joints.pop(), joints.pop()):
                 ElementTree.SubElement(fixed, "joint", joint=joint, coef=f"{self.rng.uniform(0.5, 2):.3f}")
             ElementTree.SubElement(equality, "tendon", tendon1="pair")
+        self.sums(joints, equality, tendon)
         for joint in self.scalar:
             if self.chance(0.3):
                 kind = str(self.rng.choice(["motor", "general", "position"]))
@@ -374,7 +415,24 @@ class RandomModel:
                 if self.chance(0.3):
                     drive.set("class", "arm")
 
+    def sums(self, joints, equality, tendon):
+        """Relations of several joints, and armatures of tendons over several joints."""
+        if len(joints) >= 3 and self.chance(0.4):
+            for name, count in (("sum", 2), ("argument", 1)):
+                fixed = ElementTree.SubElement(tendon, "fixed", name=name)
+                for _ in range(count):
+                    ElementTree.SubElement(fixed, "joint", joint=joints.pop(), coef=f"{self.rng.uniform(0.5, 2):.3f}")
+            relation = ElementTree.SubElement(equality, "tendon", tendon1="sum", tendon2="argument")
+            relation.set("polycoef", numbers([0, *self.rng.uniform(-1, 1, 4)]))
+        if len(self.scalar) >= 2 and self.chance(0.4):
+            armature = f"{self.rng.uniform(0.1, 1):.3f}"
+            fixed = ElementTree.SubElement(tendon, "fixed", name="rotor", armature=armature)
+            for joint in self.rng.choice(self.scalar, min(3, len(self.scalar)), replace=False):
+                ElementTree.SubElement(fixed, "joint", joint=str(joint), coef=f"{self.rng.uniform(0.5, 2):.3f}")
+
     def write(self, path):
+        if self.child:
+            self.child.write(path.replace(".xml", "_attached.xml"))
         ElementTree.indent(self.root)
         ElementTree.ElementTree(self.root).write(path)
 

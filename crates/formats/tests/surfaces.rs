@@ -214,7 +214,7 @@ fn bad_meshes_are_refused_with_what_is_wrong() {
         ("index.dae", dae(&triangles).replace("<p>0 0", "<p>99 0").into_bytes(), "names vertex 99"),
         ("number.dae", dae(&triangles).replace("<p>0 0", "<p>x 0").into_bytes(), "no index"),
         ("missing.dae", dae(&triangles).replace(r##"url="#g""##, r##"url="#h""##).into_bytes(), "refers to"),
-        ("mesh.glb", b"glTF".to_vec(), "expected STL, OBJ or COLLADA"),
+        ("mesh.glb", b"glTF".to_vec(), "expected STL, OBJ, COLLADA or MSH"),
     ];
     for (name, bytes, what) in cases {
         let path = folder.join(name);

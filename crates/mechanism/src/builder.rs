@@ -2,12 +2,13 @@
 
 use crate::axis::unit;
 use crate::checks::check::Check;
-use crate::checks::{closures, contacts, inertias};
+use crate::checks::{closures, contacts, inertias, relations};
 use crate::names::name_mark::NameMark;
 use crate::problem::{Accept, Problem, Severity, Subject};
 use crate::{
     ClosureDescription, ClosureKind, ContactDescription, CouplingDescription, Geometry, Inertial, Joint,
-    JointDescription, JointId, JointKind, Link, LinkDescription, LinkId, Mechanism, Mimic, tree,
+    JointDescription, JointId, JointKind, Link, LinkDescription, LinkId, Mechanism, Mimic,
+    RelationDescription, tree,
 };
 use percuss_spatial::{SpatialInertia, Vector3};
 use std::collections::HashMap;
@@ -51,6 +52,7 @@ pub struct MechanismBuilder {
     joint_index: Vec<usize>,
     closures: Vec<ClosureDescription>,
     couplings: Vec<CouplingDescription>,
+    relations: Vec<RelationDescription>,
     contacts: Vec<ContactDescription>,
 }
 
@@ -87,6 +89,13 @@ impl MechanismBuilder {
     /// Adds a coupling.
     pub fn coupling(mut self, coupling: CouplingDescription) -> Self {
         self.couplings.push(coupling);
+        self
+    }
+
+    /// Adds a relation between joint positions. In the mechanism the relations are couplings, behind those of
+    /// [`coupling`](Self::coupling).
+    pub fn relation(mut self, relation: RelationDescription) -> Self {
+        self.relations.push(relation);
         self
     }
 
@@ -137,6 +146,7 @@ impl MechanismBuilder {
             check.joint_numbers(joint_subject(i, &joint.name), joint);
         }
         closures::check(&self.closures, &self.couplings, &self.links, &link_ids, check);
+        relations::check(&self.relations, self.couplings.len(), check);
         contacts::check(&self.contacts, &self.links, &link_ids, check);
         let second_parents = self.take_second_parents(check, &link_ids);
         self.closures.extend(second_parents);
@@ -175,6 +185,7 @@ impl MechanismBuilder {
         }
         let mut mechanism = Mechanism::new(self.name, links, joints, tree, length);
         closures::attach(&mut mechanism, &self.closures, &self.couplings, check);
+        relations::attach(&mut mechanism, &self.relations, self.couplings.len(), check);
         contacts::attach(&mut mechanism, &self.contacts);
         Some(mechanism)
     }

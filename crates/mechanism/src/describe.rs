@@ -1,8 +1,9 @@
 //! Converts a mechanism back to a builder, to change parts of it.
 
 use crate::{
-    Accept, ClosureDescription, ContactDescription, CouplingDescription, JointDescription, LinkDescription,
-    LinkId, Mechanism, MechanismBuilder, MimicDescription,
+    Accept, ClosureDescription, ContactDescription, Coupling, CouplingDescription, CurveDescription,
+    JointDescription, JointId, LinkDescription, LinkId, LinkRatio, Mechanism, MechanismBuilder,
+    MimicDescription, RelationDescription,
 };
 
 impl Mechanism {
@@ -24,12 +25,15 @@ impl Mechanism {
             });
         }
         for coupling in &self.couplings {
-            builder = builder.coupling(CouplingDescription {
-                name: coupling.name.clone(),
-                predecessor: self.link(coupling.predecessor).name.clone(),
-                successor: self.link(coupling.successor).name.clone(),
-                ratio: coupling.ratio,
-            });
+            builder = match coupling.ratio {
+                None => builder.relation(self.describe_relation(coupling)),
+                Some(LinkRatio { predecessor, successor, ratio }) => builder.coupling(CouplingDescription {
+                    name: coupling.name.clone(),
+                    predecessor: self.link(predecessor).name.clone(),
+                    successor: self.link(successor).name.clone(),
+                    ratio,
+                }),
+            };
         }
         for contact in &self.contacts {
             builder = builder.contact(ContactDescription {
@@ -43,6 +47,26 @@ impl Mechanism {
             });
         }
         builder
+    }
+
+    /// Description of a coupling of this mechanism as a relation of joint positions.
+    ///
+    /// # Panics
+    /// A coupling of another mechanism.
+    pub fn describe_relation(&self, coupling: &Coupling) -> RelationDescription {
+        let names = |terms: &[(JointId, f64)]| {
+            terms.iter().map(|&(id, factor)| (self.joint(id).name.clone(), factor)).collect()
+        };
+        RelationDescription {
+            name: coupling.name.clone(),
+            terms: names(&coupling.terms),
+            constant: coupling.constant,
+            curve: coupling.curve.as_ref().map(|curve| CurveDescription {
+                terms: names(&curve.terms),
+                offset: curve.offset,
+                coefficients: curve.coefficients,
+            }),
+        }
     }
 
     /// Builder of the spanning tree alone, without closures, couplings and mimics.

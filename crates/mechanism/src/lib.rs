@@ -16,10 +16,12 @@ mod problem;
 mod tree;
 
 pub use builder::{BuildError, Built, MechanismBuilder};
-pub use elements::closure::{Closure, ClosureId, ClosureKind, Coupling, LoopFrame};
+pub use elements::closure::{Closure, ClosureId, ClosureKind, LoopFrame};
 pub use elements::contact::{ContactDescription, ContactKind, ContactNormal, NamedContact};
+pub use elements::coupling::{Coupling, Curve, LinkRatio};
 pub use elements::description::{
-    ClosureDescription, CouplingDescription, JointDescription, LinkDescription, MimicDescription,
+    ClosureDescription, CouplingDescription, CurveDescription, JointDescription, LinkDescription,
+    MimicDescription, RelationDescription,
 };
 pub use elements::inertial::Inertial;
 pub use elements::joint::{Joint, JointId, JointKind, Limits, Mimic};

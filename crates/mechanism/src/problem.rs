@@ -174,8 +174,15 @@ pub enum Problem {
         /// Kind of the joint.
         kind: &'static str,
     },
-    /// Coupling of links without a movable joint between them.
+    /// Coupling of links without a movable joint between them, or of no movable joint.
     CouplingOfNothing,
+    /// Relation of a joint that does not exist.
+    UnknownJoint {
+        /// Given name.
+        joint: String,
+        /// Similar names.
+        near: Vec<String>,
+    },
     /// Couplings that form a cycle.
     CouplingCycle {
         /// Links at the ends of the coupling that closes the cycle.
@@ -290,6 +297,7 @@ impl Problem {
             | Problem::BadDistance { .. }
             | Problem::CouplingKind { .. }
             | Problem::CouplingOfNothing
+            | Problem::UnknownJoint { .. }
             | Problem::CouplingCycle { .. }
             | Problem::SeveralRoots { .. }
             | Problem::Cycle { .. }
@@ -329,6 +337,7 @@ impl Problem {
             Problem::BadDistance { .. } => "bad-distance",
             Problem::CouplingKind { .. } => "coupling-kind",
             Problem::CouplingOfNothing => "coupling-of-nothing",
+            Problem::UnknownJoint { .. } => "unknown-joint",
             Problem::CouplingCycle { .. } => "coupling-cycle",
             Problem::SeveralRoots { .. } => "several-roots",
             Problem::Cycle { .. } => "cycle",
@@ -382,9 +391,13 @@ impl fmt::Display for Problem {
             ),
             Problem::CouplingKind { joint, kind } => write!(
                 f,
-                "joint \"{joint}\" on its path is {kind}; a coupling needs joints with one degree of freedom"
+                "its joint \"{joint}\" is {kind}; a coupling needs joints with one degree of freedom"
             ),
-            Problem::CouplingOfNothing => f.write_str("no joint between its links can move"),
+            Problem::CouplingOfNothing => f.write_str("none of its joints can move"),
+            Problem::UnknownJoint { joint, near } => {
+                write!(f, "joint \"{joint}\" does not exist")?;
+                write_near(f, near)
+            }
             Problem::CouplingCycle { links: [a, b] } => write!(
                 f,
                 "links \"{a}\" and \"{b}\" are coupled already, by way of other couplings: the ratios form a circle"

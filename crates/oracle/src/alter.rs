@@ -1,8 +1,9 @@
 //! Modified copies of a mechanism: as descriptions, in other units, on another ground, or rounded.
 
 use percuss_mechanism::{
-    Accept, ClosureDescription, CouplingDescription, Geometry, Joint, JointDescription, JointId, JointKind,
-    Limits, Link, LinkDescription, LinkId, LoopFrame, Mechanism, MechanismBuilder, Mimic, MimicDescription,
+    Accept, ClosureDescription, CouplingDescription, CurveDescription, Geometry, Joint, JointDescription,
+    JointId, JointKind, Limits, Link, LinkDescription, LinkId, LinkRatio, LoopFrame, Mechanism,
+    MechanismBuilder, Mimic, MimicDescription, RelationDescription,
 };
 use percuss_spatial::{Transform, Vector3, rotation_from_rpy, rpy_from_rotation};
 
@@ -42,8 +43,17 @@ fn describe_joint(mechanism: &Mechanism, joint: &Joint) -> JointDescription {
     }
 }
 
+/// Description of a coupling.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CouplingForm {
+    /// Ratio of links.
+    Ratio(CouplingDescription),
+    /// Relation of joint positions.
+    Relation(RelationDescription),
+}
+
 /// Descriptions of the closures and couplings of a mechanism, in the same order.
-pub fn describe_loops(mechanism: &Mechanism) -> (Vec<ClosureDescription>, Vec<CouplingDescription>) {
+pub fn describe_loops(mechanism: &Mechanism) -> (Vec<ClosureDescription>, Vec<CouplingForm>) {
     let name = |frame: &LoopFrame| frame.link.map_or("world", |link| mechanism.link(link).name()).to_owned();
     let closures = mechanism.closures().iter().map(|closure| ClosureDescription {
         name: closure.name().to_owned(),
@@ -56,13 +66,18 @@ pub fn describe_loops(mechanism: &Mechanism) -> (Vec<ClosureDescription>, Vec<Co
         axis2: *closure.axis2(),
         distance: closure.distance(),
     });
-    let couplings = mechanism.couplings().iter().map(|coupling| CouplingDescription {
-        name: coupling.name().to_owned(),
-        predecessor: mechanism.link(coupling.predecessor()).name().to_owned(),
-        successor: mechanism.link(coupling.successor()).name().to_owned(),
-        ratio: coupling.ratio(),
-    });
-    (closures.collect(), couplings.collect())
+    let mut couplings = Vec::new();
+    for coupling in mechanism.couplings() {
+        let name = coupling.name().to_owned();
+        let Some(LinkRatio { predecessor, successor, ratio }) = coupling.ratio() else {
+            couplings.push(CouplingForm::Relation(mechanism.describe_relation(coupling)));
+            continue;
+        };
+        let [predecessor, successor] =
+            [predecessor, successor].map(|id| mechanism.link(id).name().to_owned());
+        couplings.push(CouplingForm::Ratio(CouplingDescription { name, predecessor, successor, ratio }));
+    }
+    (closures.collect(), couplings)
 }
 
 /// Builds a mechanism without loops; inertias are accepted without check.
@@ -82,14 +97,18 @@ pub fn build_with_loops(
     links: Vec<LinkDescription>,
     joints: Vec<JointDescription>,
     closures: Vec<ClosureDescription>,
-    couplings: Vec<CouplingDescription>,
+    couplings: Vec<CouplingForm>,
 ) -> Mechanism {
     let builder =
         MechanismBuilder::new(name).accept(Accept { indefinite_inertia: true, ..Accept::default() });
     let builder = links.into_iter().fold(builder, MechanismBuilder::link);
     let builder = joints.into_iter().fold(builder, MechanismBuilder::joint);
     let builder = closures.into_iter().fold(builder, MechanismBuilder::closure);
-    match couplings.into_iter().fold(builder, MechanismBuilder::coupling).build() {
+    let builder = couplings.into_iter().fold(builder, |builder, coupling| match coupling {
+        CouplingForm::Ratio(ratio) => builder.coupling(ratio),
+        CouplingForm::Relation(relation) => builder.relation(relation),
+    });
+    match builder.build() {
         Ok(built) => built.mechanism,
         Err(error) => panic!("{name}: {error}"),
     }
@@ -144,18 +163,31 @@ pub fn scaled(mechanism: &Mechanism, length: f64, mass: f64) -> Mechanism {
         closure.successor_frame.translation *= length;
         closure.distance = closure.distance.map(|distance| distance * length);
     }
+    let scale_of = |id: JointId| position_scale(mechanism.joint(id).kind(), length);
     for (coupling, own) in couplings.iter_mut().zip(mechanism.couplings()) {
-        let below = |link: LinkId, id: JointId| is_below(mechanism, link, id);
-        let (on, against): (Vec<_>, Vec<_>) =
-            own.terms().iter().map(|term| term.0).partition(|&id| below(own.successor(), id));
-        let side = |joints: &[JointId]| {
-            let units = joints.iter().map(|&id| position_scale(mechanism.joint(id).kind(), length));
-            let first = units.clone().next();
-            assert!(units.clone().all(|u| Some(u) == first), "coupling {}: a sum of rad and m", own.name());
-            first
-        };
-        if let (Some(on), Some(against)) = (side(&on), side(&against)) {
-            coupling.ratio *= on / against;
+        match (coupling, own.ratio()) {
+            (CouplingForm::Ratio(coupling), Some(links)) => {
+                let below = |id: JointId| is_below(mechanism, links.successor, id);
+                let (on, against): (Vec<_>, Vec<_>) =
+                    own.terms().iter().map(|term| term.0).partition(|&id| below(id));
+                let side = |joints: &[JointId]| {
+                    let units = joints.iter().map(|&id| scale_of(id));
+                    let first = units.clone().next();
+                    let is_sum = units.clone().all(|u| Some(u) == first);
+                    assert!(is_sum, "coupling {}: a sum of rad and m", own.name());
+                    first
+                };
+                if let (Some(on), Some(against)) = (side(&on), side(&against)) {
+                    coupling.ratio *= on / against;
+                }
+            }
+            (CouplingForm::Relation(relation), _) => {
+                // The factors change with the units of the positions; the terms, the constant and the curve stay.
+                let of_name = |name: &str| mechanism.find_joint(name).map_or(1.0, scale_of);
+                let curve = relation.curve.iter_mut().flat_map(|curve| &mut curve.terms);
+                relation.terms.iter_mut().chain(curve).for_each(|(name, factor)| *factor /= of_name(name));
+            }
+            (CouplingForm::Ratio(_), None) => {}
         }
     }
     build_with_loops(mechanism.name(), links, joints, closures, couplings)
@@ -289,11 +321,23 @@ pub fn on_common_ground(parts: &[(&str, &Mechanism)]) -> Mechanism {
             successor: name(&closure.successor),
             ..closure
         }));
-        couplings.extend(own_couplings.into_iter().map(|coupling| CouplingDescription {
-            name: format!("{prefix}{}", coupling.name),
-            predecessor: name(&coupling.predecessor),
-            successor: name(&coupling.successor),
-            ..coupling
+        let joints_of = |terms: Vec<(String, f64)>| {
+            terms.into_iter().map(|(joint, factor)| (format!("{prefix}{joint}"), factor)).collect()
+        };
+        couplings.extend(own_couplings.into_iter().map(|coupling| match coupling {
+            CouplingForm::Ratio(coupling) => CouplingForm::Ratio(CouplingDescription {
+                name: format!("{prefix}{}", coupling.name),
+                predecessor: name(&coupling.predecessor),
+                successor: name(&coupling.successor),
+                ..coupling
+            }),
+            CouplingForm::Relation(relation) => CouplingForm::Relation(RelationDescription {
+                name: format!("{prefix}{}", relation.name),
+                terms: joints_of(relation.terms),
+                curve:
+                    relation.curve.map(|curve| CurveDescription { terms: joints_of(curve.terms), ..curve }),
+                ..relation
+            }),
         }));
     }
     build_with_loops("beside", links, joints, closures, couplings)

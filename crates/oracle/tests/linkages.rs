@@ -179,6 +179,17 @@ fn trains_of_couplings() {
         let answer = ask(&pair, &positions, "slow", [0.08, 0.0, 0.1], n);
         assert!(relative(answer.outcome, closed_form::gear_pair(0.02, 0.005, -2.5, 0.08)) < TOL);
     }
+    let cam = linkage::cam_and_sum();
+    for positions in cam.sweep(9) {
+        let angle = cam.drivers_at(&positions)[0];
+        let s = angle + 0.1;
+        let slope = 0.1 + 2.0 * 0.05 * s - 3.0 * 0.02 * s * s + 4.0 * 0.01 * s * s * s;
+        let along = origin(&cam.mechanism, "follower").vector(&Vector3::x());
+        let answer = ask(&cam, &positions, "follower", [0.1, 0.0, 0.0], along);
+        // The energy at unit speed of the follower; the cam turns 1/slope times as fast.
+        assert!(relative(answer.outcome, 1.5 + 0.02 / (slope * slope)) < TOL);
+        assert_eq!((answer.degrees_of_freedom, answer.redundant_constraints), (3, 0));
+    }
     let planetary = linkage::planetary_gear();
     let expected =
         closed_form::planetary_gear([0.004, 0.0006, 0.0003], 0.4, 0.063, 1.0, [24.0, 18.0, 60.0], 0.05);

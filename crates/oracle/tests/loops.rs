@@ -51,6 +51,7 @@ fn counted(name: &str) -> (usize, usize) {
         "trammel_with_rod" => (2, 0),
         "planetary_gear" => (1, 5),
         "rocker_bogie" => (9, 0),
+        "cam_and_sum" => (3, 0),
         "every_closure" => (10, 0),
         "foot_on_the_world" => (2, 0),
         "ladder" => (1, 12),

@@ -56,9 +56,10 @@ pub use percuss_mechanism as mechanism;
 #[doc(no_inline)]
 pub use percuss_mechanism::{
     Accept, BuildError, Built, Closure, ClosureDescription, ClosureId, ClosureKind, ContactDescription,
-    ContactKind, ContactNormal, Coupling, CouplingDescription, Geometry, Inertial, Joint, JointDescription,
-    JointId, JointKind, Limits, Link, LinkDescription, LinkId, LoopFrame, Mechanism, MechanismBuilder, Mimic,
-    MimicDescription, NameKind, NamedContact, Problem, Severity, Subject, UnknownName,
+    ContactKind, ContactNormal, Coupling, CouplingDescription, Curve, CurveDescription, Geometry, Inertial,
+    Joint, JointDescription, JointId, JointKind, Limits, Link, LinkDescription, LinkId, LinkRatio, LoopFrame,
+    Mechanism, MechanismBuilder, Mimic, MimicDescription, NameKind, NamedContact, Problem,
+    RelationDescription, Severity, Subject, UnknownName,
 };
 pub use percuss_spatial as spatial;
 #[cfg(feature = "study")]

@@ -37,8 +37,12 @@ impl GroupRows {
                     }
                 }
                 Constraint::Coupling(i) => {
-                    let scale = coupling_scale(model.couplings[i].turns, group);
-                    let entry = |t: &crate::model::ConstraintTerm| scale * t.factor * t.multiplier;
+                    let coupling = &model.couplings[i];
+                    let scale = coupling_scale(coupling.turns, group);
+                    let [slope, _] = coupling.curve_derivatives(&kinematics.q);
+                    let entry = |t: &crate::model::ConstraintTerm| {
+                        scale * (t.factor - slope * t.argument) * t.multiplier
+                    };
                     self.values.extend(rows.terms.iter().map(entry));
                 }
                 Constraint::Hold(i) => {
@@ -113,8 +117,7 @@ impl Model {
                 }
                 Constraint::Coupling(i) => {
                     let coupling = &self.couplings[i];
-                    let sum: f64 = coupling.terms.iter().map(|(q, _, f)| f * kinematics.q[*q]).sum();
-                    residuals.push(coupling_scale(coupling.turns, group) * sum);
+                    residuals.push(coupling_scale(coupling.turns, group) * coupling.residual(&kinematics.q));
                 }
                 Constraint::Hold(_) => residuals.extend(std::iter::repeat_n(0.0, rows.count)),
             }

@@ -3,12 +3,13 @@
 use super::Model;
 use super::body::LinkFrame;
 use super::compile::ZeroFrames;
-use super::constraint::{CompiledClosure, CompiledCoupling};
+use super::constraint::{CompiledClosure, CompiledCoupling, CouplingTerm};
 use crate::model::conditions::CompiledHold;
 use crate::model::joint_motion::turns;
 use crate::tolerances::REVERSED_AXES;
-use percuss_mechanism::{ClosureKind, LoopFrame};
+use percuss_mechanism::{ClosureKind, JointId, LoopFrame};
 use percuss_spatial::Transform;
+use std::collections::HashMap;
 
 impl Model {
     /// Compiles the closures, couplings and held contacts, after the bodies are numbered.
@@ -45,15 +46,23 @@ impl Model {
             });
         }
         for coupling in mechanism.couplings() {
-            let term = |&(joint, factor): &(percuss_mechanism::JointId, f64)| {
+            let curve = coupling.curve();
+            let argument: HashMap<JointId, f64> =
+                curve.iter().flat_map(|curve| curve.terms()).copied().collect();
+            let term = |&(joint, factor): &(JointId, f64)| {
                 let body = self.body_of_joint[joint.index()]?;
-                Some((self.joint_q[joint.index()].start, body, factor))
+                let q = self.joint_q[joint.index()].start;
+                let argument = argument.get(&joint).copied().unwrap_or(0.0);
+                Some(CouplingTerm { q, body, factor, argument })
             };
             let first = coupling.terms().first();
             self.couplings.push(CompiledCoupling {
                 name: coupling.name().to_owned(),
                 terms: coupling.terms().iter().filter_map(term).collect(),
                 turns: first.is_some_and(|(j, _)| turns(mechanism.joint(*j).kind(), 0)),
+                constant: coupling.constant(),
+                offset: curve.map_or(0.0, |curve| curve.offset()),
+                curve: curve.map(|curve| curve.coefficients()),
             });
         }
         self.holds = holds.to_vec();

@@ -14,7 +14,7 @@ pub(crate) mod tangent;
 pub(crate) mod velocities;
 
 pub(crate) use body::{Body, Coordinate, LinkFrame, VelocityCoordinate};
-pub(crate) use constraint::{CompiledClosure, CompiledCoupling};
+pub(crate) use constraint::{CompiledClosure, CompiledCoupling, CouplingTerm};
 pub(crate) use structure::cluster::{Cluster, ClusterGroup};
 pub(crate) use structure::group::{Constraint, ConstraintRows, ConstraintTerm, Group};
 

@@ -116,10 +116,14 @@ impl Pose {
                 action.predecessor = declared.predecessor().link;
             }
             Constraint::Coupling(i) => {
-                let scale = if model.couplings[i].turns { size } else { 1.0 };
-                let terms = model.mechanism.couplings()[i].terms();
+                let (coupling, declared) = (&model.couplings[i], &model.mechanism.couplings()[i]);
+                let scale = if coupling.turns { size } else { 1.0 };
+                let [slope, _] = coupling.curve_derivatives(&self.kinematics.q);
+                let curve = declared.curve().map_or(&[][..], |curve| curve.terms());
+                let in_curve = curve.iter().map(|&(joint, argument)| (joint, -slope * argument));
+                let terms = declared.terms().iter().copied().chain(in_curve);
                 action.source = ConstraintSource::Coupling(i);
-                action.joint_forces = terms.iter().map(|&(joint, factor)| (joint, scale * factor)).collect();
+                action.joint_forces = terms.map(|(joint, factor)| (joint, scale * factor)).collect();
             }
             Constraint::Hold(i) => {
                 let hold = &model.holds[i];

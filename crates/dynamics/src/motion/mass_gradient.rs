@@ -23,7 +23,7 @@ use crate::analysis::response::ContactResponse;
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
 use crate::kinematics::rows::{MOST, closure_wrench_rates, closure_wrenches};
-use crate::model::{Constraint, Group, Model};
+use crate::model::{Constraint, CouplingTerm, Group, Model};
 use nalgebra::Vector3;
 use percuss_spatial::{Transform, Twist, Wrench};
 
@@ -58,6 +58,8 @@ struct BodyResponse<'a> {
     impulses: Vec<Wrench<f64>>,
     /// Wrenches Q of closures and contact that move relative to the bodies.
     turning: Vec<Wrench<f64>>,
+    /// For each tree velocity: λᵀȦv* of the curves of couplings at unit velocity.
+    bending: Vec<f64>,
 }
 
 impl Pose {
@@ -113,7 +115,8 @@ impl<'a> BodyResponse<'a> {
             twists.push(twist);
         }
         let turning = vec![Wrench::zero(); twists.len()];
-        Self { pose, response, mass, velocities, twists, impulses, turning }
+        let bending = vec![0.0; velocities.len()];
+        Self { pose, response, mass, velocities, twists, impulses, turning, bending }
     }
 
     fn model(&self) -> &'a Model {
@@ -237,7 +240,7 @@ impl<'a> BodyResponse<'a> {
         }
     }
 
-    /// Adds the impulses of closures and held contacts. Couplings act on joints only, and their rows are constant.
+    /// Adds the impulses of closures and held contacts. Couplings act on joints only; their rows change with a curve.
     fn add_constraints(&mut self, multipliers: &[Vec<f64>]) {
         let model = self.model();
         for (group, multipliers) in model.groups.iter().zip(multipliers) {
@@ -245,11 +248,26 @@ impl<'a> BodyResponse<'a> {
                 let own = &multipliers[rows.first..rows.first + rows.count];
                 match rows.constraint {
                     Constraint::Closure(number) => self.add_closure(number, group.size, own),
-                    Constraint::Coupling(_) => {}
+                    Constraint::Coupling(number) => {
+                        own.iter().for_each(|multiplier| self.add_curve(number, group.size, *multiplier));
+                    }
                     Constraint::Hold(number) => self.add_hold(number, own),
                 }
             }
         }
+    }
+
+    /// Adds the change of a coupling's row, d(f − p′(s) g) = −p″(s) ṡ g.
+    fn add_curve(&mut self, number: usize, length: f64, multiplier: f64) {
+        let model = self.model();
+        let coupling = &model.couplings[number];
+        let [_, curvature] = coupling.curve_derivatives(&self.pose.kinematics.q);
+        let scale = if coupling.turns { length } else { 1.0 };
+        // A locked joint has no velocity.
+        let entry = |term: &CouplingTerm| Some((model.bodies[term.body].v.clone().next()?, term.argument));
+        let entries = coupling.terms.iter().filter_map(entry);
+        let rate: f64 = entries.clone().map(|(v, argument)| argument * self.velocities[v]).sum();
+        entries.for_each(|(v, argument)| self.bending[v] -= multiplier * scale * curvature * rate * argument);
     }
 
     /// Adds the impulse of a closure.
@@ -301,7 +319,7 @@ impl<'a> BodyResponse<'a> {
             let bias = body.motion.column_rate(v - body.v.start, &kinematics.q[body.q.clone()], own);
             let bias = Twist::new(Vector3::zeros(), kinematics.frames[i].vector(&bias.linear));
             let parent = self.twist(body.parent);
-            tree[v] = 2.0 * impulse.power(&(parent.cross_motion(column) + bias));
+            tree[v] = 2.0 * (impulse.power(&(parent.cross_motion(column) + bias)) + self.bending[v]);
         });
         self.for_each_joint(&mut turning, |v, _, column, wrench, _| tree[v] += 2.0 * wrench.power(column));
         let of_joint =

@@ -2,12 +2,14 @@
 //! links.
 
 use crate::mjcf::bodies::body::{Bodies, Body, BodyJoint, JointType};
-use crate::mjcf::relations::joint_relations::{JointRelations, Relation};
+use crate::mjcf::relations::actuator::TendonRotor;
+use crate::mjcf::relations::joint_relations::{JointRelations, JointSum, Relation};
 use crate::mjcf::relations::references::JointKey;
 use crate::reading::element_tree::ElementId;
 use crate::reading::unique_names::UniqueNames;
 use percuss_mechanism::{
-    Geometry, Inertial, JointDescription, JointKind, Limits, LinkDescription, MimicDescription,
+    CurveDescription, Geometry, Inertial, JointDescription, JointKind, Limits, LinkDescription,
+    MimicDescription, RelationDescription,
 };
 use percuss_spatial::{Transform, Vector3, rotation_about};
 use std::collections::HashMap;
@@ -23,6 +25,8 @@ pub(crate) struct Chains {
     pub joint_elements: Vec<ElementId>,
     /// Name of the link of every body.
     pub link_names: Vec<String>,
+    /// Relations of joint positions, with their elements.
+    pub relations: Vec<(ElementId, RelationDescription)>,
 }
 
 /// Converts the bodies to links and joints. `inertias` and `extents`: inertia and extent of each body.
@@ -31,6 +35,8 @@ pub(crate) fn build_chains(
     inertias: Vec<Option<Inertial>>,
     extents: Vec<Geometry>,
     relations: &mut JointRelations,
+    rotors: &[TendonRotor],
+    sums: Vec<(ElementId, JointSum)>,
 ) -> Chains {
     let mut link_names = UniqueNames::default();
     let mut joint_names = UniqueNames::default();
@@ -53,6 +59,11 @@ pub(crate) fn build_chains(
             builder.add_joints(index, body, relations);
         }
         builder.add_link(link, body.element, false);
+    }
+    rotors.iter().for_each(|rotor| builder.add_rotor(rotor, relations));
+    for (element, sum) in sums {
+        let described = builder.describe_sum(sum);
+        builder.chains.relations.push((element, described));
     }
     builder.chains
 }
@@ -124,6 +135,44 @@ impl ChainBuilder {
         let name = self.joint_names.take(format!("{body_name}_fixed"));
         let fixed = JointDescription::new(name, JointKind::Fixed, parent, body_name);
         self.add_joint(fixed.origin(origin * Transform::from_translation(-anchor)), body.element);
+    }
+
+    /// Adds the rotor of a tendon: a massless link on a slide with the armature, which follows the sum of the tendon's joints.
+    fn add_rotor(&mut self, rotor: &TendonRotor, relations: &mut JointRelations) {
+        let tendon = if rotor.name.is_empty() { "tendon" } else { &rotor.name };
+        let link = self.link_names.take(format!("{tendon}/rotor"));
+        let joint = self.joint_names.take(format!("{tendon}/length"));
+        let world = self.chains.link_names[0].clone();
+        let slide = JointDescription::new(joint.clone(), JointKind::Prismatic, world, link.clone());
+        let slide = JointDescription { independent: Some(false), ..slide.armature(rotor.armature) };
+        self.add_joint(slide, rotor.element);
+        self.add_link(LinkDescription::massless(link), rotor.element, true);
+        let mut sum = JointSum { terms: rotor.terms.clone(), ..JointSum::default() };
+        relations.take_locked(&mut sum.terms);
+        let mut described = self.describe_sum(sum);
+        described.terms.iter_mut().for_each(|(_, factor)| *factor = -*factor);
+        described.terms.insert(0, (joint, 1.0));
+        // The length counts from the drawing: a constant has no effect on rates.
+        self.chains
+            .relations
+            .push((rotor.element, RelationDescription { name: format!("{tendon}/length"), ..described }));
+    }
+
+    /// Relation with the names of the joints; its own name is empty.
+    fn describe_sum(&self, sum: JointSum) -> RelationDescription {
+        let named = |terms: Vec<(JointKey, f64)>| {
+            terms.into_iter().map(|(key, factor)| (self.joints[&key].clone(), factor)).collect()
+        };
+        RelationDescription {
+            name: String::new(),
+            terms: named(sum.terms),
+            constant: sum.constant,
+            curve: sum.curve.map(|curve| CurveDescription {
+                terms: named(curve.terms),
+                offset: curve.offset,
+                coefficients: curve.coefficients,
+            }),
+        }
     }
 
     /// Joint of the mechanism. A joint that an equality locks becomes a fixed joint at that position.

@@ -1,20 +1,20 @@
 //! Construction of a mechanism from a model in MJCF.
 
 use crate::LoadError;
-use crate::mjcf::bodies::body::{Bodies, Body};
+use crate::mjcf::bodies::body::{Bodies, Body, Site};
 use crate::mjcf::bodies::geom::GeomShape;
 use crate::mjcf::bodies::inertia::{body_inertias, inertia_element};
 use crate::mjcf::bodies::mesh::Meshes;
 use crate::mjcf::bodies::walk::read_bodies;
 use crate::mjcf::chain::{Chains, build_chains};
+use crate::mjcf::document::attach::attach_models;
 use crate::mjcf::document::check::check_grammar;
-use crate::mjcf::document::files::{Files, read_files};
+use crate::mjcf::document::files::{AttachedModel, Files, read_files};
 use crate::mjcf::relations::actuator::reflected_armatures;
 use crate::mjcf::relations::equality::{BodyClosure, Constraints, EqualityReader};
 use crate::mjcf::relations::references::References;
 use crate::mjcf::relations::tendon::read_tendons;
-use crate::mjcf::values::classes::Classes;
-use crate::mjcf::values::settings::Settings;
+use crate::mjcf::values::models::Models;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND};
@@ -22,7 +22,12 @@ use crate::reading::report::{Report, cut};
 use crate::reading::unique_names::UniqueNames;
 use crate::urdf::elements::shapes::shape::{Purpose, Shape};
 use crate::urdf::load::{LoadOptions, Loaded};
-use percuss_mechanism::{Built, ClosureDescription, Geometry, Mechanism, MechanismBuilder, Problem, Subject};
+use percuss_mechanism::{
+    Built, ClosureDescription, ContactDescription, ContactKind, ContactNormal, Geometry, Mechanism,
+    MechanismBuilder, Problem, RelationDescription, Subject,
+};
+use percuss_spatial::Vector3;
+use std::collections::HashSet;
 use std::path::PathBuf;
 
 /// Reads the text of a model named `name`; `report` contains findings about its bytes.
@@ -32,11 +37,21 @@ pub(crate) fn load_text(
     options: &LoadOptions,
     report: Report,
 ) -> Result<Loaded, LoadError> {
-    let Files { tree, reports } = read_files(name, text, report);
+    let mut files = read_files(name, text, report);
+    // After an error of a file the tree may be empty.
+    if !files.reports.iter().any(Report::has_errors) {
+        let roots: Vec<ElementId> = files.models.iter().map(|model| model.root).collect();
+        let mut findings = Findings::new(&files.tree, files.reports);
+        roots.into_iter().for_each(|root| check_grammar(&files.tree, root, &mut findings));
+        files.reports = findings.into_reports();
+        if !files.reports.iter().any(Report::has_errors) {
+            attach_models(&mut files);
+        }
+    }
+    let Files { tree, reports, models } = files;
     let failed = reports.iter().any(Report::has_errors);
     let mut findings = Findings::new(&tree, reports);
-    // After an error of a file the tree may be empty.
-    let model = if failed { None } else { read_model(&tree, options, &mut findings) };
+    let model = if failed { None } else { read_model(&tree, &models, options, &mut findings) };
     let failed = findings.has_errors();
     let diagnostics = findings.finish();
     match model {
@@ -52,43 +67,45 @@ pub(crate) fn load_text(
 /// Mechanism, shapes of its links, and mesh files that were opened; `None` after an error.
 fn read_model(
     tree: &ElementTree,
+    models: &[AttachedModel],
     options: &LoadOptions,
     findings: &mut Findings<'_>,
 ) -> Option<(Mechanism, Vec<Vec<Shape>>, Vec<PathBuf>)> {
-    check_grammar(tree, findings);
-    let settings = Settings::read(tree, findings);
-    let classes = Classes::read(tree, findings);
-    let mut bodies = read_bodies(tree, &settings, &classes, findings);
+    let models = Models::read(tree, models, findings);
+    let mut bodies = read_bodies(tree, &models, findings);
     if findings.has_errors() {
         return None;
     }
     let references = References { bodies: &bodies };
-    let tendons = read_tendons(tree, &classes, &references, findings);
-    let added = reflected_armatures(tree, &classes, &bodies, &tendons, findings);
-    let reader = EqualityReader {
-        tree,
-        settings: &settings,
-        classes: &classes,
-        references: &references,
-        tendons: &tendons,
-    };
+    let tendons = read_tendons(tree, &models, &references, findings);
+    let added = reflected_armatures(tree, &models, &bodies, &tendons, findings);
+    let reader = EqualityReader { tree, models: &models, references: &references, tendons: &tendons };
     let Constraints { closures, joints: mut relations } = reader.read(findings);
     if closures.len() > MAX_ELEMENTS_PER_KIND {
         findings.error("too-complex", tree.root(), || {
             format!("{} constraints; at most {MAX_ELEMENTS_PER_KIND} are read", closures.len())
         });
     }
-    for ((body, position), armature) in added {
+    for ((body, position), armature) in added.joints {
         bodies.bodies[body].joints[position].armature += armature;
     }
-    let mut meshes = Meshes::read(tree, &tree.files[0].name, &settings, &classes, findings);
-    let inertias = body_inertias(&bodies.bodies, &mut meshes, &settings, findings);
+    let mut meshes = Meshes::read(tree, &tree.files[0].name, &models, findings);
+    let inertias = body_inertias(&bodies.bodies, &mut meshes, &models, findings);
     if findings.has_errors() {
         return None;
     }
     let body_shapes: Vec<Vec<Shape>> = bodies.bodies.iter().map(|body| shapes(body, &meshes)).collect();
     let extents = bodies.bodies.iter().map(extent).collect();
-    let chains = build_chains(&bodies, inertias, extents, &mut relations);
+    let sums = match relations.sums() {
+        Ok(sums) => sums,
+        Err(element) => {
+            findings.error("contradiction", element, || {
+                "other constraints lock all joints of this one, at other positions".to_owned()
+            });
+            return None;
+        }
+    };
+    let chains = build_chains(&bodies, inertias, extents, &mut relations, &added.rotors, sums);
     let mechanism = build_mechanism(tree, &bodies, &chains, &closures, options, findings)?;
     // Auxiliary links have no shapes.
     let mut of_bodies = body_shapes.into_iter();
@@ -128,6 +145,16 @@ fn build_mechanism(
             ..ClosureDescription::new(name, closure.kind, first, second)
         });
     }
+    for (element, relation) in &chains.relations {
+        let own = tree.attribute(*element, "name").unwrap_or_default();
+        let name = match (relation.name.as_str(), own) {
+            ("", "") => names.take(tree.tag(*element).to_owned()),
+            ("", own) => names.take(own.to_owned()),
+            (name, _) => names.take(name.to_owned()),
+        };
+        builder = builder.relation(RelationDescription { name, ..relation.clone() });
+    }
+    builder = named_contacts(tree, bodies, chains).into_iter().fold(builder, MechanismBuilder::contact);
     let (mechanism, found) = match builder.build() {
         Ok(Built { mechanism, mut findings }) => {
             findings.extend(mechanism.implausible_inertias(options.accept));
@@ -151,6 +178,37 @@ fn build_mechanism(
         }
     }
     mechanism
+}
+
+/// Sites of moving bodies as contacts with the world, without those of constraints and tendons. The normal is the z-axis of the site
+/// as drawn.
+fn named_contacts(tree: &ElementTree, bodies: &Bodies, chains: &Chains) -> Vec<ContactDescription> {
+    let in_constraints = ["equality", "tendon"].into_iter().flat_map(|section| tree.in_sections(section));
+    let elements = in_constraints.flat_map(|id| [id].into_iter().chain(tree.children(id).iter().copied()));
+    let used: HashSet<&str> = elements
+        .flat_map(|id| {
+            ["site", "site1", "site2"].into_iter().filter_map(move |name| tree.attribute(id, name))
+        })
+        .collect();
+    let is_contact = |(name, site): &(&String, &Site)| {
+        bodies.bodies[site.body].moving_ancestor != 0 && !used.contains(name.as_str())
+    };
+    let moving = bodies.sites.iter().filter(is_contact);
+    let contact = |(name, site): (&String, &Site)| ContactDescription {
+        name: name.clone(),
+        kind: ContactKind::Other,
+        link: chains.link_names[site.body].clone(),
+        point: site.frame.translation,
+        against: chains.link_names[0].clone(),
+        normal: ContactNormal::Fixed(
+            (bodies.bodies[site.body].world_pose * site.frame).vector(&Vector3::z()),
+        ),
+        gap: None,
+    };
+    let mut contacts: Vec<ContactDescription> = moving.map(contact).collect();
+    contacts.sort_by(|a, b| a.name.cmp(&b.name));
+    contacts.truncate(MAX_ELEMENTS_PER_KIND);
+    contacts
 }
 
 /// Element of a finding of the builder.
@@ -179,7 +237,8 @@ fn locate(
         Subject::Link { index, .. } => chains.link_elements.get(*index).copied(),
         Subject::Joint { index, .. } => chains.joint_elements.get(*index).copied(),
         Subject::Closure { index, .. } => closures.get(*index).map(|closure| closure.element),
-        Subject::Mechanism | Subject::Coupling { .. } | Subject::Contact { .. } => None,
+        Subject::Coupling { index, .. } => chains.relations.get(*index).map(|(element, _)| *element),
+        Subject::Mechanism | Subject::Contact { .. } => None,
     };
     found.unwrap_or_else(|| tree.root())
 }

@@ -38,6 +38,8 @@ pub(crate) struct FileText {
     /// Path, as the user or the `<include>` gave it.
     pub name: String,
     pub text: String,
+    /// Index of the model to which the file belongs: 0 for the main model, further numbers for attached models of MJCF.
+    pub model: usize,
 }
 
 /// All elements of a model; the first element is the root of the main file.
@@ -89,6 +91,20 @@ impl ElementTree {
     /// Children of all sections with a tag, in the order of the file: sections may occur several times.
     pub fn in_sections<'t>(&'t self, tag: &'t str) -> impl Iterator<Item = ElementId> + 't {
         self.children_named(self.root(), tag).flat_map(|section| self.children(section).iter().copied())
+    }
+
+    /// As [`in_sections`](Self::in_sections), below another root.
+    pub fn in_sections_of<'t>(
+        &'t self,
+        root: ElementId,
+        tag: &'t str,
+    ) -> impl Iterator<Item = ElementId> + 't {
+        self.children_named(root, tag).flat_map(|section| self.children(section).iter().copied())
+    }
+
+    /// Index of the model whose file contains an element.
+    pub fn model_of(&self, id: ElementId) -> usize {
+        self.files[self.element(id).file].model
     }
 
     /// Value of an attribute of the element itself.

@@ -75,6 +75,11 @@ impl<'t> Findings<'t> {
         self.reports[file].add_once(severity, code, kind.to_owned(), Place::Named(offset, &path), message);
     }
 
+    /// Reports of the files.
+    pub fn into_reports(self) -> Vec<Report> {
+        self.reports
+    }
+
     /// True if a finding is an error.
     pub fn has_errors(&self) -> bool {
         self.reports.iter().any(Report::has_errors)

@@ -39,10 +39,14 @@ pub(crate) const MAX_TREE_VISITS: usize = 1_000_000;
 /// Largest total number of triangles in the meshes from which inertias are computed.
 pub(crate) const MAX_INERTIA_TRIANGLES: usize = 20_000_000;
 
+/// Largest number of distances computed for a convex hull: ten seconds.
+pub(crate) const MAX_HULL_WORK: usize = 2_000_000_000;
+/// Largest number of elements that are searched for the names of attached models: seconds.
+pub(crate) const MAX_ATTACH_STEPS: usize = 50_000_000;
+
 // SDFormat: the files and the frames.
 
 /// Deepest nesting of included files and of models within models.
-#[cfg(feature = "sdf")]
 pub(crate) const MAX_MODEL_DEPTH: usize = 32;
 /// Longest chain of frames, each placed in the next one, that is multiplied without the poses in the world: the cost of a joint.
 #[cfg(feature = "sdf")]

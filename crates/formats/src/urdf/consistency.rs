@@ -34,7 +34,11 @@ pub(crate) fn resolve_references<'a, 'i: 'a>(
     );
     let closes_loop = find_loop_closing_joints(&texts.joints);
     LoopChecks { texts, nodes, closes_loop: &closes_loop }.check_all(&mut suggestions, report);
-    if texts.closures.is_empty() && texts.couplings.is_empty() && !closes_loop.contains(&true) {
+    if texts.closures.is_empty()
+        && texts.couplings.is_empty()
+        && texts.relations.is_empty()
+        && !closes_loop.contains(&true)
+    {
         let joints = texts.joints.iter().zip(&nodes.joints);
         joints.for_each(|(joint, node)| joint::warn_if_dependence_is_ignored(joint, *node, report));
     }

@@ -101,6 +101,7 @@ fn build_mechanism(
         texts.joints.iter().map(descriptions::describe_joint).fold(builder, MechanismBuilder::joint);
     let builder = texts.closures.into_iter().fold(builder, MechanismBuilder::closure);
     let builder = texts.couplings.into_iter().fold(builder, MechanismBuilder::coupling);
+    let builder = texts.relations.into_iter().fold(builder, MechanismBuilder::relation);
     let builder = texts.contacts.into_iter().fold(builder, MechanismBuilder::contact);
     let (mechanism, findings) = match builder.build() {
         Ok(Built { mechanism, mut findings }) => {

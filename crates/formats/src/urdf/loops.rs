@@ -85,10 +85,13 @@ impl<'a, 'i: 'a> LoopChecks<'_, 'a, 'i> {
     fn check_unique_names(&self, report: &mut Report) {
         let closures = self.texts.closures.iter().map(|c| c.name.as_str()).zip(&self.nodes.closures);
         let couplings = self.texts.couplings.iter().map(|c| c.name.as_str()).zip(&self.nodes.couplings);
+        let relations = self.texts.relations.iter().map(|r| r.name.as_str()).zip(&self.nodes.relations);
         let joints = self.texts.joints.iter().map(|j| j.name).zip(&self.nodes.joints);
         let joints = joints.zip(self.closes_loop).filter(|(_, closes)| **closes).map(|(named, _)| named);
         let mut given: HashMap<&str, Node<'a, 'i>> = HashMap::new();
-        for (name, node) in closures.chain(couplings).chain(joints).filter(|(name, _)| !name.is_empty()) {
+        for (name, node) in
+            closures.chain(couplings).chain(relations).chain(joints).filter(|(name, _)| !name.is_empty())
+        {
             if let Some(first) = given.get(name) {
                 let tag = first.tag_name().name();
                 report.error("duplicate-name", Place::Element(*node), || {

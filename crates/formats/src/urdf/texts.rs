@@ -9,9 +9,10 @@ use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::link;
 use crate::urdf::elements::link::LinkText;
 use crate::urdf::elements::nodes::Nodes;
+use crate::urdf::elements::relation;
 use crate::urdf::elements::survey::is_gazebo_joint;
 use crate::urdf::references::index_by_name;
-use percuss_mechanism::{ClosureDescription, ContactDescription, CouplingDescription};
+use percuss_mechanism::{ClosureDescription, ContactDescription, CouplingDescription, RelationDescription};
 use roxmltree::Node;
 
 /// Contents of the file, in the order of [`Nodes`]. If the report has no error, all numbers are valid.
@@ -21,6 +22,7 @@ pub(crate) struct Texts<'a> {
     pub joints: Vec<JointText<'a>>,
     pub closures: Vec<ClosureDescription>,
     pub couplings: Vec<CouplingDescription>,
+    pub relations: Vec<RelationDescription>,
     pub contacts: Vec<ContactDescription>,
 }
 
@@ -45,6 +47,7 @@ impl<'a> Texts<'a> {
             links,
             joints,
             couplings: nodes.couplings.iter().map(|n| closure::read_coupling(*n, report)).collect(),
+            relations: nodes.relations.iter().map(|n| relation::read_relation(*n, report)).collect(),
             contacts: nodes.contacts.iter().map(|n| contact::read_contact(*n, report)).collect(),
         }
     }

@@ -2,7 +2,8 @@
 
 use crate::xml_text::{append, escape_attribute, escape_comment, format_number, format_vector};
 use percuss_mechanism::{
-    Closure, ClosureKind, ContactNormal, Coupling, Joint, JointKind, Link, LoopFrame, Mechanism, NamedContact,
+    Closure, ClosureKind, ContactNormal, Coupling, Joint, JointId, JointKind, Link, LinkRatio, LoopFrame,
+    Mechanism, NamedContact,
 };
 use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
 use std::collections::HashMap;
@@ -151,14 +152,37 @@ fn write_closure(out: &mut String, mechanism: &Mechanism, closure: &Closure) {
 }
 
 fn write_coupling(out: &mut String, mechanism: &Mechanism, coupling: &Coupling) {
-    append(out, format_args!("  <coupling name=\"{}\">\n", escape_attribute(coupling.name())));
-    for (tag, link) in [("predecessor", coupling.predecessor()), ("successor", coupling.successor())] {
+    let name = escape_attribute(coupling.name());
+    let Some(LinkRatio { predecessor, successor, ratio }) = coupling.ratio() else {
+        append(out, format_args!("  <relation name=\"{name}\">\n"));
+        write_terms(out, mechanism, coupling.terms(), "    ");
+        append(out, format_args!("    <constant value=\"{}\"/>\n", format_number(coupling.constant())));
+        if let Some(curve) = coupling.curve() {
+            let offset = format_number(curve.offset());
+            let coefficients = format_vector(&curve.coefficients().into());
+            append(out, format_args!("    <curve offset=\"{offset}\" coefficients=\"{coefficients}\">\n"));
+            write_terms(out, mechanism, curve.terms(), "      ");
+            out.push_str("    </curve>\n");
+        }
+        out.push_str("  </relation>\n");
+        return;
+    };
+    append(out, format_args!("  <coupling name=\"{name}\">\n"));
+    for (tag, link) in [("predecessor", predecessor), ("successor", successor)] {
         append(
             out,
             format_args!("    <{tag} link=\"{}\"/>\n", escape_attribute(mechanism.link(link).name())),
         );
     }
-    append(out, format_args!("    <ratio value=\"{}\"/>\n  </coupling>\n", format_number(coupling.ratio())));
+    append(out, format_args!("    <ratio value=\"{}\"/>\n  </coupling>\n", format_number(ratio)));
+}
+
+/// Joints of a relation with their factors.
+fn write_terms(out: &mut String, mechanism: &Mechanism, terms: &[(JointId, f64)], indent: &str) {
+    for (joint, factor) in terms {
+        let (name, factor) = (escape_attribute(mechanism.joint(*joint).name()), format_number(*factor));
+        append(out, format_args!("{indent}<joint name=\"{name}\" factor=\"{factor}\"/>\n"));
+    }
 }
 
 fn write_contact(out: &mut String, mechanism: &Mechanism, contact: &NamedContact) {

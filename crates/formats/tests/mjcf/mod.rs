@@ -1,8 +1,10 @@
 //! MJCF: reading, refusals, and writing.
 
+mod attach;
 mod hostile;
 mod reading;
 mod refusals;
+mod relations;
 mod writing;
 
 use percuss_formats::{LoadError, LoadOptions, Loaded, Source, load};

@@ -5,7 +5,7 @@ use crate::support::codes;
 use percuss_mechanism::Severity;
 
 const ARM: &str = "<body name=\"upper_arm\"><joint name=\"j\"/><geom size=\".1\"/></body>";
-const OTHERS: &str = "<body name=\"b\"><joint name=\"k\"/><geom size=\".1\"/></body><body name=\"c\"><joint name=\"l\"/><geom size=\".1\"/></body>";
+const OTHERS: &str = "<site name=\"s\"/><body name=\"b\"><site name=\"t\" pos=\"1 0 0\"/><joint name=\"k\"/><geom size=\".1\"/></body><body name=\"c\"><joint name=\"l\"/><geom size=\".1\"/></body>";
 
 /// The model is refused with this code, and the first error contains all the words.
 fn assert_refused(text: &str, code: &str, words: &[&str]) {
@@ -51,18 +51,15 @@ fn unknown_names_have_a_remedy() {
 #[test]
 fn elements_without_a_form_in_a_mechanism_are_refused_by_name() {
     for (sections, words) in [
-        ("<deformable><flex name=\"f\" body=\"upper_arm\" element=\"0\"/></deformable>", &["<flex>", "deformable"][..]),
-        ("<equality><joint joint1=\"j\" joint2=\"k\" polycoef=\"0 1 2\"/></equality>", &["degree 2"]),
+        (
+            "<deformable><flex name=\"f\" body=\"upper_arm\" element=\"0\"/></deformable>",
+            &["<flex>", "deformable"][..],
+        ),
         ("<equality><flex flex=\"f\"/></equality>", &["<flex>"]),
         ("<equality><distance geom1=\"a\"/></equality>", &["<distance>"]),
         (
-            "<tendon><fixed name=\"t\"><joint joint=\"j\" coef=\"1\"/><joint joint=\"k\" coef=\"1\"/><joint joint=\"l\" coef=\"1\"/></fixed></tendon>
-             <equality><tendon tendon1=\"t\"/></equality>",
-            &["3 independent joints"],
-        ),
-        (
-            "<tendon><fixed name=\"t\" armature=\"1\"><joint joint=\"j\" coef=\"1\"/><joint joint=\"k\" coef=\"1\"/></fixed></tendon>",
-            &["armature of a tendon"],
+            "<tendon><spatial name=\"t\" armature=\"1\"><site site=\"s\"/><site site=\"t\"/></spatial></tendon>",
+            &["armature of a spatial tendon"],
         ),
         ("<actuator><motor body=\"upper_arm\" armature=\"1\"/></actuator>", &["armature of an actuator"]),
         ("<compiler coordinate=\"global\"/>", &["global coordinates"]),
@@ -70,8 +67,7 @@ fn elements_without_a_form_in_a_mechanism_are_refused_by_name() {
         assert_refused(&model(&format!("{ARM}{OTHERS}"), sections), "unsupported", words);
     }
     for (body, words) in [
-        ("<attach model=\"m\" prefix=\"p\"/>", &["<attach>"][..]),
-        ("<composite type=\"cable\"/>", &["<composite>"]),
+        ("<composite type=\"cable\"/>", &["<composite>"][..]),
         ("<flexcomp name=\"f\"/>", &["<flexcomp>"]),
         ("<frame scale=\"2\"/>", &["scale of a frame"]),
         (
@@ -83,12 +79,17 @@ fn elements_without_a_form_in_a_mechanism_are_refused_by_name() {
     ] {
         assert_refused(&model(body, ""), "unsupported", words);
     }
-    let convex = "<asset><mesh name=\"m\" vertex=\"0 0 0 1 0 0 0 1 0 0 0 1\" inertia=\"convex\"/></asset>";
-    assert_refused(
-        &model("<body><joint/><geom type=\"mesh\" mesh=\"m\"/></body>", convex),
-        "unsupported",
-        &["convex"],
-    );
+    let mesh = |attributes: &str| {
+        model(
+            "<body><joint/><geom type=\"mesh\" mesh=\"m\"/></body>",
+            &format!("<asset><mesh name=\"m\" inertia=\"convex\" {attributes}/></asset>"),
+        )
+    };
+    let pyramid = "vertex=\"0 0 0 1 0 0 0 1 0 0 0 1\"";
+    assert_refused(&mesh(&format!("{pyramid} maxhullvert=\"8\"")), "unsupported", &["maxhullvert"]);
+    assert_refused(&mesh("vertex=\"0 0 0 1 0 0 0 1 0 1 1 0\""), "bad-mesh", &["plane"]);
+    // The hull needs no limit of its vertices.
+    assert!(load_mjcf(&mesh(&format!("{pyramid} maxhullvert=\"-1\""))).is_ok());
 }
 
 #[test]
@@ -127,6 +128,18 @@ fn values_that_mujoco_refuses() {
         "<equality><connect body1=\"a\" anchor=\"0 0 0\"/></equality>",
     );
     assert_refused(&replicated, "unknown-reference", &["<replicate>", "\"a0\""]);
+    let tendon = |sections: &str| {
+        model(
+            "<replicate count=\"2\"><body name=\"a\"><joint name=\"r\"/><geom size=\".1\"/></body></replicate>",
+            &format!("<tendon><fixed name=\"t\"><joint joint=\"r\" coef=\"1\"/></fixed></tendon>{sections}"),
+        )
+    };
+    assert!(load_mjcf(&tendon("")).is_ok());
+    assert_refused(
+        &tendon("<equality><tendon tendon1=\"t\"/></equality>"),
+        "unsupported",
+        &["<replicate>", "\"a0\""],
+    );
     let twice =
         "<equality><joint joint1=\"j\" polycoef=\"0.1\"/><joint joint1=\"j\" polycoef=\"0.2\"/></equality>";
     assert_refused(&model(ARM, twice), "contradiction", &["earlier constraints"]);

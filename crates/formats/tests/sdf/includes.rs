@@ -1,37 +1,10 @@
 //! Included models.
 
 use super::{axis, drawn_pose, find, joint, link};
-use crate::support::{codes, told};
+use crate::support::{Folder, codes, told};
 use approx::assert_relative_eq;
-use percuss_formats::{LoadError, Loaded, load_file};
 use percuss_mechanism::{JointKind, Severity};
 use percuss_spatial::Vector3;
-use std::path::PathBuf;
-
-/// Folder of files, removed at the end.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str, files: &[(&str, String)]) -> Self {
-        let path = std::env::temp_dir().join(format!("percuss-sdf-{name}-{}", std::process::id()));
-        for (file, text) in files {
-            let file = path.join(file);
-            std::fs::create_dir_all(file.parent().expect("a folder")).expect("a folder");
-            std::fs::write(file, text).expect("a file");
-        }
-        Self(path)
-    }
-
-    fn load(&self, file: &str) -> Result<Loaded, LoadError> {
-        load_file(&self.0.join(file).to_string_lossy())
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
-}
 
 /// Library model `arm` of version 1.4 beside the main file: its axis is in the model frame.
 fn library() -> Vec<(&'static str, String)> {
@@ -110,6 +83,31 @@ fn a_merged_model_has_no_scope() {
         Vector3::new(1.0, 0.0, 1.0),
         epsilon = 1e-15
     );
+}
+
+#[test]
+fn a_model_of_models_is_merged_into_a_world() {
+    let world = |model: &str| {
+        format!(
+            "<sdf version=\"1.10\"><world name=\"w\"><include merge=\"true\"><uri>set.sdf</uri><name>set</name></include></world></sdf>{model}"
+        )
+    };
+    let set = |contents: &str| format!("<sdf version=\"1.10\"><model name=\"set\">{contents}</model></sdf>");
+    let nested = format!(
+        "<model name=\"one\"><pose>1 0 0 0 0 0</pose>{}</model><model name=\"two\">{}</model>{}",
+        link("a", ""),
+        link("b", ""),
+        joint("pin", "revolute", "one::a", "two::b", &axis("0 0 1", ""))
+    );
+    let folder = Folder::new("merged-world", &[("main.sdf", world("")), ("set.sdf", set(&nested))]);
+    let loaded = folder.load("main.sdf").unwrap_or_else(|error| panic!("{error}"));
+    let names: Vec<&str> = loaded.mechanism.links().iter().map(|link| link.name()).collect();
+    assert!(names.contains(&"one::a") && names.contains(&"two::b"), "{names:?}");
+    assert_eq!(drawn_pose(&loaded.mechanism, "one::a").translation.x, 1.0);
+    // Links of its own have no place in a world.
+    let folder = Folder::new("merged-links", &[("main.sdf", world("")), ("set.sdf", set(&link("a", "")))]);
+    let error = folder.load("main.sdf").expect_err("a refusal");
+    assert!(error.diagnostics.iter().any(|d| d.code == "merged-links" && d.line.is_some()), "{error}");
 }
 
 #[test]

@@ -1,8 +1,9 @@
 //! Shared helpers of the tests of this crate.
 #![allow(dead_code, reason = "each test binary uses a part")]
 
-use percuss_formats::{Diagnostic, LoadError, LoadOptions, Loaded, Source, load};
+use percuss_formats::{Diagnostic, LoadError, LoadOptions, Loaded, Source, load, load_file};
 use percuss_mechanism::Severity;
+use std::path::PathBuf;
 
 /// Pendulum of 2 kg at a height of 1 m.
 pub const PENDULUM: &str = r#"<?xml version="1.0"?>
@@ -55,4 +56,31 @@ pub fn told(loaded: &Result<Loaded, LoadError>) -> &[Diagnostic] {
 /// Severity and code of every diagnostic.
 pub fn codes(loaded: &Result<Loaded, LoadError>) -> Vec<(Severity, &'static str)> {
     told(loaded).iter().map(|d| (d.severity, d.code)).collect()
+}
+
+/// Temporary folder with files; removed at the end.
+pub struct Folder(PathBuf);
+
+impl Folder {
+    /// Folder with these files. `name`: unique among the tests.
+    pub fn new(name: &str, files: &[(&str, String)]) -> Self {
+        let path = std::env::temp_dir().join(format!("percuss-formats-{name}-{}", std::process::id()));
+        for (file, text) in files {
+            let file = path.join(file);
+            std::fs::create_dir_all(file.parent().expect("a folder")).expect("a folder");
+            std::fs::write(file, text).expect("a file");
+        }
+        Self(path)
+    }
+
+    /// Loads a file of the folder.
+    pub fn load(&self, file: &str) -> Result<Loaded, LoadError> {
+        load_file(&self.0.join(file).to_string_lossy())
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
 }

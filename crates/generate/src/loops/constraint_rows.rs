@@ -7,7 +7,7 @@ use crate::mechanics::body_frames::Bodies;
 use crate::mechanics::motion::{FrameExpr, WrenchExpr};
 use crate::request::Request;
 use nalgebra::Vector3;
-use percuss_mechanism::{Closure, ClosureKind, LoopFrame};
+use percuss_mechanism::{Closure, ClosureKind, Curve, LoopFrame};
 use percuss_spatial::{Transform, plane_basis};
 
 /// Constraint row.
@@ -54,29 +54,17 @@ pub(crate) fn constraints(g: &mut Graph, bodies: &Bodies, request: &Request) -> 
     for coupling in mechanism.couplings() {
         let zero = g.zero();
         let mut row = ConstraintRow { entries: vec![zero; bodies.tree.coordinates], residual: zero };
-        let bound = coupling
-            .terms()
-            .iter()
-            .filter_map(|(id, factor)| Some((bodies.tree.body_of_joint[id.index()]?, *factor)));
         let mut turns = false;
-        for (body, factor) in bound {
-            let body = &bodies.tree.bodies[body];
-            turns |= body.kind != percuss_mechanism::JointKind::Prismatic;
-            let position = match body.mimic {
-                None => g.input(body.inputs.start),
-                Some((master, multiplier, offset)) => {
-                    let (master, offset) = (g.input(master), g.constant(offset));
-                    let scaled = g.scale(master, multiplier);
-                    g.add(scaled, offset)
-                }
-            };
-            let term = g.scale(position, factor);
-            row.residual = g.add(row.residual, term);
-            for v in body.velocities.clone() {
-                let velocity = bodies.tree.velocities[v];
-                let entry = g.constant(factor * velocity.multiplier);
-                row.entries[velocity.coordinate] = g.add(row.entries[velocity.coordinate], entry);
-            }
+        for &(id, factor) in coupling.terms() {
+            let Some(body) = bodies.tree.body_of_joint[id.index()] else { continue };
+            turns |= bodies.tree.bodies[body].kind != percuss_mechanism::JointKind::Prismatic;
+            let factor = g.constant(factor);
+            add_position(g, bodies, body, factor, &mut row);
+        }
+        let constant = g.constant(-coupling.constant());
+        row.residual = g.add(row.residual, constant);
+        if let Some(curve) = coupling.curve() {
+            add_curve(g, bodies, curve, &mut row);
         }
         let length = if turns { request.scale() } else { 1.0 };
         row.residual = g.scale(row.residual, length);
@@ -110,6 +98,67 @@ pub(crate) fn constraints(g: &mut Graph, bodies: &Bodies, request: &Request) -> 
         }
     }
     found
+}
+
+/// Adds `factor` times the position of a body's joint to the residual, and the factor to the entries.
+fn add_position(g: &mut Graph, bodies: &Bodies, body: usize, factor: Expr, row: &mut ConstraintRow) {
+    let position = joint_position(g, bodies, body);
+    let term = g.mul(position, factor);
+    row.residual = g.add(row.residual, term);
+    for v in bodies.tree.bodies[body].velocities.clone() {
+        let velocity = bodies.tree.velocities[v];
+        let entry = g.scale(factor, velocity.multiplier);
+        row.entries[velocity.coordinate] = g.add(row.entries[velocity.coordinate], entry);
+    }
+}
+
+/// Position of a body's joint: an input, or that of the master of a mimic.
+fn joint_position(g: &mut Graph, bodies: &Bodies, body: usize) -> Expr {
+    let body = &bodies.tree.bodies[body];
+    match body.mimic {
+        None => g.input(body.inputs.start),
+        Some((master, multiplier, offset)) => {
+            let (master, offset) = (g.input(master), g.constant(offset));
+            let scaled = g.scale(master, multiplier);
+            g.add(scaled, offset)
+        }
+    }
+}
+
+/// Subtracts a₂ s² + a₃ s³ + a₄ s⁴ from the residual, and its derivatives from the entries.
+fn add_curve(g: &mut Graph, bodies: &Bodies, curve: &Curve, row: &mut ConstraintRow) {
+    let mut argument = g.constant(curve.offset());
+    let bound: Vec<(usize, f64)> = curve
+        .terms()
+        .iter()
+        .filter_map(|(id, factor)| Some((bodies.tree.body_of_joint[id.index()]?, *factor)))
+        .collect();
+    for (body, factor) in &bound {
+        let position = joint_position(g, bodies, *body);
+        let term = g.scale(position, *factor);
+        argument = g.add(argument, term);
+    }
+    let [a2, a3, a4] = curve.coefficients().map(|a| g.constant(-a));
+    // Horner's scheme: value s² (a₂ + s (a₃ + s a₄)), slope s (2 a₂ + s (3 a₃ + s 4 a₄)).
+    let horner = |g: &mut Graph, [c2, c3, c4]: [Expr; 3]| {
+        let inner = g.mul(argument, c4);
+        let inner = g.add(c3, inner);
+        let inner = g.mul(argument, inner);
+        let inner = g.add(c2, inner);
+        g.mul(argument, inner)
+    };
+    let value = horner(g, [a2, a3, a4]);
+    let value = g.mul(argument, value);
+    row.residual = g.add(row.residual, value);
+    let derived = [g.scale(a2, 2.0), g.scale(a3, 3.0), g.scale(a4, 4.0)];
+    let slope = horner(g, derived);
+    for (body, factor) in bound {
+        for v in bodies.tree.bodies[body].velocities.clone() {
+            let velocity = bodies.tree.velocities[v];
+            let entry = g.scale(slope, factor * velocity.multiplier);
+            row.entries[velocity.coordinate] = g.add(row.entries[velocity.coordinate], entry);
+        }
+    }
 }
 
 /// Distance of the ends of a closure with all joints at 0, m.

@@ -38,7 +38,7 @@ impl Check {
     pub fn unique<'a>(
         &mut self,
         names: impl Iterator<Item = &'a String>,
-        subject: fn(usize, &str) -> Subject,
+        subject: impl Fn(usize, &str) -> Subject,
     ) -> HashMap<String, usize> {
         let mut ids = HashMap::new();
         for (i, name) in names.enumerate() {

@@ -2,7 +2,8 @@
 
 use crate::axis::unit;
 use crate::checks::check::Check;
-use crate::elements::closure::{Closure, ClosureKind, Coupling, LoopFrame};
+use crate::elements::closure::{Closure, ClosureKind, LoopFrame};
+use crate::elements::coupling::{Coupling, LinkRatio};
 use crate::limits;
 use crate::problem::{Problem, Subject};
 use crate::{
@@ -18,7 +19,7 @@ fn closure_subject(index: usize, name: &str) -> Subject {
 }
 
 /// Subject of a finding about coupling number `index`.
-fn coupling_subject(index: usize, name: &str) -> Subject {
+pub(crate) fn coupling_subject(index: usize, name: &str) -> Subject {
     Subject::Coupling { index, name: name.to_owned() }
 }
 
@@ -173,10 +174,10 @@ pub(crate) fn attach(
         match terms(mechanism, predecessor, successor, coupling.ratio) {
             Ok(terms) => mechanism.couplings.push(Coupling {
                 name: coupling.name.clone(),
-                predecessor,
-                successor,
-                ratio: coupling.ratio,
+                ratio: Some(LinkRatio { predecessor, successor, ratio: coupling.ratio }),
                 terms,
+                constant: 0.0,
+                curve: None,
             }),
             Err(problem) => check.add(coupling_subject(i, &coupling.name), problem),
         }

@@ -5,3 +5,4 @@ pub(crate) mod closures;
 pub(crate) mod contacts;
 pub(crate) mod inertias;
 pub(crate) mod plausibility;
+pub(crate) mod relations;

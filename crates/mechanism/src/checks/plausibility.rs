@@ -2,7 +2,7 @@
 
 use crate::checks::inertias::principal_moments;
 use crate::limits::{DENSEST, FAR_GYRATION, LEAST_GYRATION, SPHERE_OVER_GYRATION, WIDE_GYRATION};
-use crate::{Accept, Geometry, Mechanism, Problem, Subject};
+use crate::{Accept, Geometry, LinkRatio, Mechanism, Problem, Subject};
 
 impl Mechanism {
     /// Links whose inertia does not fit their mass and size.
@@ -84,8 +84,16 @@ impl Mechanism {
     fn rotors(&self) -> Vec<bool> {
         let mut rotors = vec![false; self.links().len()];
         for coupling in self.couplings() {
-            rotors[coupling.predecessor().index()] = true;
-            rotors[coupling.successor().index()] = true;
+            match coupling.ratio() {
+                Some(LinkRatio { predecessor, successor, .. }) => {
+                    rotors[predecessor.index()] = true;
+                    rotors[successor.index()] = true;
+                }
+                None => {
+                    let children = coupling.terms().iter().map(|term| self.joint(term.0).child());
+                    children.for_each(|child| rotors[child.index()] = true);
+                }
+            }
         }
         for joint in self.joints() {
             if let Some(mimic) = joint.mimic() {

@@ -1,6 +1,6 @@
-//! Loop closures: joints outside the spanning tree, and ratios between rates.
+//! Loop closures: joints outside the spanning tree.
 
-use crate::{JointId, LinkId};
+use crate::LinkId;
 use percuss_spatial::{Transform, Vector3};
 
 /// Index of a closure in its mechanism, in the order the closures were given.
@@ -154,44 +154,5 @@ impl Closure {
     /// Declared length of a distance closure, m; `None` takes the distance with all joints at 0.
     pub fn distance(&self) -> Option<f64> {
         self.distance
-    }
-}
-
-/// Coupling of two rates: the successor's rate is `ratio` times the predecessor's rate. Each rate is the sum
-/// over the joints from the nearest common ancestor. The positions have the same ratio, without offset.
-#[derive(Clone, Debug)]
-pub struct Coupling {
-    pub(crate) name: String,
-    pub(crate) predecessor: LinkId,
-    pub(crate) successor: LinkId,
-    pub(crate) ratio: f64,
-    pub(crate) terms: Vec<(JointId, f64)>,
-}
-
-impl Coupling {
-    /// Name, unique among closures and couplings.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
-    /// Link with the independent rate.
-    pub fn predecessor(&self) -> LinkId {
-        self.predecessor
-    }
-
-    /// Link with the dependent rate.
-    pub fn successor(&self) -> LinkId {
-        self.successor
-    }
-
-    /// Rate of the successor divided by the rate of the predecessor.
-    pub fn ratio(&self) -> f64 {
-        self.ratio
-    }
-
-    /// Terms of the constraint Σ factor · q = 0 over these joints: +1 on the successor's path, −ratio on the
-    /// predecessor's path.
-    pub fn terms(&self) -> &[(JointId, f64)] {
-        &self.terms
     }
 }

@@ -198,3 +198,27 @@ pub struct CouplingDescription {
     /// Rate of the successor divided by the rate of the predecessor.
     pub ratio: f64,
 }
+
+/// Description of a relation between joint positions: Σ fᵢ qᵢ = c + a₂ s² + a₃ s³ + a₄ s⁴ (see [`Coupling`](crate::Coupling)).
+#[derive(Clone, Debug, PartialEq)]
+pub struct RelationDescription {
+    /// Unique name among closures and couplings.
+    pub name: String,
+    /// Names of joints, with the factors fᵢ. Fixed joints have the position 0.
+    pub terms: Vec<(String, f64)>,
+    /// Constant c, in the unit of the terms.
+    pub constant: f64,
+    /// Higher powers.
+    pub curve: Option<CurveDescription>,
+}
+
+/// Description of the higher powers of a relation: a₂ s² + a₃ s³ + a₄ s⁴ with s = s₀ + Σ gⱼ qⱼ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurveDescription {
+    /// Names of joints, with the factors gⱼ.
+    pub terms: Vec<(String, f64)>,
+    /// Offset s₀ of the argument.
+    pub offset: f64,
+    /// Coefficients a₂, a₃, a₄.
+    pub coefficients: [f64; 3],
+}

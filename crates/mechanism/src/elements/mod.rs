@@ -2,6 +2,7 @@
 
 pub(crate) mod closure;
 pub(crate) mod contact;
+pub(crate) mod coupling;
 pub(crate) mod description;
 pub(crate) mod inertial;
 pub(crate) mod joint;

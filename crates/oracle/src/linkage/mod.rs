@@ -29,7 +29,7 @@ pub use planar::{
 pub use rounded::rounded_four_bar;
 pub use spatial::{TRAMMEL, hooke_shaft, trammel, trammel_with_rod};
 pub use suspension::{Arm, Corner, GENERIC_CORNER, double_wishbone, double_wishbone_of, two_point_wishbone};
-pub use trains::{geared_pair, planetary_gear, rack_and_pinion, rocker_bogie};
+pub use trains::{cam_and_sum, geared_pair, planetary_gear, rack_and_pinion, rocker_bogie};
 
 /// All linkages. They contain all kinds of closure, with and without redundancy, couplings, several loops in
 /// one group, several groups, closures to an ancestor and to the world, and free massless rotations.
@@ -51,6 +51,7 @@ pub fn all() -> Vec<Linkage> {
         geared_pair(),
         planetary_gear(),
         rocker_bogie(),
+        cam_and_sum(),
         every_closure(),
         foot_on_the_world(),
         ladder(4),

@@ -1,10 +1,11 @@
 //! Linkages with couplings.
 
 use super::Linkage;
-use crate::alter::build_with_loops;
+use crate::alter::{CouplingForm, build_with_loops};
 use crate::parts::{frame, ground, joint, lump};
 use percuss_mechanism::{
-    ClosureDescription, ClosureKind, CouplingDescription, Inertial, JointKind, LinkDescription,
+    ClosureDescription, ClosureKind, CouplingDescription, CurveDescription, Inertial, JointKind,
+    LinkDescription, RelationDescription,
 };
 use std::f64::consts::PI;
 
@@ -13,13 +14,13 @@ use JointKind::{Continuous, Prismatic, Revolute};
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// Coupling of two joints with a ratio.
-fn coupling(name: &str, predecessor: &str, successor: &str, ratio: f64) -> CouplingDescription {
-    CouplingDescription {
+fn coupling(name: &str, predecessor: &str, successor: &str, ratio: f64) -> CouplingForm {
+    CouplingForm::Ratio(CouplingDescription {
         name: name.into(),
         predecessor: predecessor.into(),
         successor: successor.into(),
         ratio,
-    }
+    })
 }
 
 /// Wheel with a given moment of inertia about z and its mass on the axis.
@@ -123,4 +124,51 @@ pub fn rocker_bogie() -> Linkage {
     let start = [("left_rocker", 0.2), ("right_rocker", -0.2), ("left_bogie", -0.3), ("right_bogie", 0.1)];
     let drivers = drivers.iter().map(|(name, range)| (name.as_str(), *range));
     Linkage::new(mechanism, "rocker_bogie", drivers, start)
+}
+
+/// Relations of joint positions: a follower (1.5 kg) on a cam (0.02 kg·m²), y = 0.02 + 0.1 θ + 0.05 s² − 0.02 s³ + 0.01 s⁴ with
+/// s = 0.1 + θ, and two arms with a counter-shaft, first + 2 second − 1.5 counter = 0.1. Drivers: cam and arms.
+pub fn cam_and_sum() -> Linkage {
+    let links = vec![
+        ground(),
+        wheel("cam", 0.8, 0.02),
+        lump("follower", 1.5, [0.1, 0.02, 0.0], 0.4),
+        lump("first", 1.1, [0.2, 0.0, 0.05], 0.3),
+        lump("second", 0.7, [0.1, 0.1, 0.0], 0.2),
+        wheel("counter", 0.5, 0.004),
+    ];
+    let origin = frame([0.3, 0.2, -0.5], [0.1, 0.0, 0.2]);
+    let joints = vec![
+        joint("cam", Continuous, "ground", "cam").origin(origin).axis(Z),
+        joint("follower", Prismatic, "ground", "follower").origin(origin),
+        joint("first", Revolute, "ground", "first").at([0.0, -0.3, 0.1]).axis([0.2, 1.0, 0.1]),
+        joint("second", Revolute, "first", "second").at([0.4, 0.0, 0.0]).axis([1.0, 0.3, 0.0]),
+        joint("counter", Continuous, "ground", "counter").at([-0.2, 0.0, 0.0]).axis(Z),
+    ];
+    let terms =
+        |of: &[(&str, f64)]| of.iter().map(|(joint, factor)| ((*joint).to_owned(), *factor)).collect();
+    let relations = vec![
+        RelationDescription {
+            name: "cam".into(),
+            terms: terms(&[("follower", 1.0), ("cam", -0.1)]),
+            constant: 0.02,
+            curve: Some(CurveDescription {
+                terms: terms(&[("cam", 1.0)]),
+                offset: 0.1,
+                coefficients: [0.05, -0.02, 0.01],
+            }),
+        },
+        RelationDescription {
+            name: "sum".into(),
+            terms: terms(&[("first", 1.0), ("second", 2.0), ("counter", -1.5)]),
+            constant: 0.1,
+            curve: None,
+        },
+    ];
+    let relations = relations.into_iter().map(CouplingForm::Relation).collect();
+    let mechanism = build_with_loops("cam_and_sum", links, joints, Vec::new(), relations);
+    let drivers = [("cam", [-1.0, 1.0]), ("first", [-0.5, 0.5]), ("second", [-0.5, 0.5])];
+    let start =
+        [("cam", 0.3), ("follower", 0.056_976), ("first", 0.2), ("second", -0.1), ("counter", -0.1 / 1.5)];
+    Linkage::new(mechanism, "cam_and_sum", drivers, start)
 }

@@ -1,7 +1,7 @@
 //! Constraint rows of closures, couplings and held contacts.
 
 use super::joints::JointInWorld;
-use super::residual::{across, distance, loop_frame_in_world};
+use super::residual::{across, coupling_entries, distance, loop_frame_in_world};
 use super::row::{Row, WORLD, com, rotation, translation, velocity_row};
 use super::{Held, Question};
 use nalgebra::{Matrix4, Vector3};
@@ -17,10 +17,10 @@ pub(super) fn rows(question: &Question, placed: &[JointInWorld], x_wl: &[Matrix4
         rows.extend(of_closure);
     }
     for coupling in mechanism.couplings() {
-        let rate = |row: Row, &(joint, factor): &(percuss_mechanism::JointId, f64)| {
+        let rate = |row: Row, (joint, factor): (percuss_mechanism::JointId, f64)| {
             row.add_scaled(factor, &placed[joint.index()].rates().swap_remove(0))
         };
-        rows.push(coupling.terms().iter().fold(Row::default(), rate));
+        rows.push(coupling_entries(coupling, &question.positions).into_iter().fold(Row::default(), rate));
     }
     for Held { link, point, normal } in &question.held {
         let arm = rotation(&x_wl[link.index()]) * (point - com(mechanism.link(*link)));

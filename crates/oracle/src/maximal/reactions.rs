@@ -2,7 +2,7 @@
 
 use super::joints::JointInWorld;
 use super::minimum::minimum_and_response;
-use super::residual::loop_frame_in_world;
+use super::residual::{coupling_entries, loop_frame_in_world};
 use super::row::{Row, WORLD, com, rotation, translation};
 use super::rows::{armature, assemble};
 use super::{Question, loops, pose};
@@ -225,11 +225,11 @@ fn acting_rows(question: &Question, placed: &[JointInWorld], x_wl: &[Matrix4<f64
     }
     for coupling in mechanism.couplings() {
         let row = others.next().expect("a row per coupling");
-        let part = |&(joint, factor): &(percuss_mechanism::JointId, f64)| {
+        let part = |(joint, factor): (percuss_mechanism::JointId, f64)| {
             let rate = placed[joint.index()].rates().swap_remove(0);
             (1 + joint.index(), Row::default().add_scaled(factor, &rate))
         };
-        add(row, coupling.terms().iter().map(part).collect());
+        add(row, coupling_entries(coupling, &question.positions).into_iter().map(part).collect());
     }
     let first = first + mechanism.closures().len();
     for (i, held) in question.held.iter().enumerate() {

@@ -4,7 +4,7 @@ use super::pose;
 use super::row::{rotation, translation};
 use crate::positions::zero_positions;
 use nalgebra::{Matrix4, Vector3};
-use percuss_mechanism::{Closure, ClosureKind, Coupling, JointKind, LoopFrame, Mechanism};
+use percuss_mechanism::{Closure, ClosureKind, Coupling, Curve, JointId, JointKind, LoopFrame, Mechanism};
 
 /// X_wf: loop frame in the world (the frame of the root link).
 pub(super) fn loop_frame_in_world(end: &LoopFrame, x_wl: &[Matrix4<f64>]) -> Matrix4<f64> {
@@ -88,9 +88,32 @@ fn distance_at_zero(closure: &Closure, mechanism: &Mechanism) -> f64 {
     distance(&(translation(&to) - translation(&from)))
 }
 
-/// Σ factor · q; a length if the first joint is prismatic.
+/// Argument of a coupling's curve at given positions of all joints.
+fn curve_argument(curve: &Curve, positions: &[Vec<f64>]) -> f64 {
+    curve.offset()
+        + curve.terms().iter().map(|&(joint, factor)| factor * positions[joint.index()][0]).sum::<f64>()
+}
+
+/// Joints of a coupling with their entries at given positions; a joint may occur twice.
+pub(super) fn coupling_entries(coupling: &Coupling, positions: &[Vec<f64>]) -> Vec<(JointId, f64)> {
+    let mut entries = coupling.terms().to_vec();
+    if let Some(curve) = coupling.curve() {
+        let s = curve_argument(curve, positions);
+        let powers = curve.coefficients().into_iter().zip(2..);
+        let slope: f64 = powers.map(|(a, k)| f64::from(k) * a * s.powi(k - 1)).sum();
+        entries.extend(curve.terms().iter().map(|&(joint, factor)| (joint, -slope * factor)));
+    }
+    entries
+}
+
+/// Σ factor · q − constant − curve; a length if the first joint is prismatic.
 fn coupling_residual(coupling: &Coupling, mechanism: &Mechanism, positions: &[Vec<f64>]) -> f64 {
     let sum: f64 = coupling.terms().iter().map(|&(joint, factor)| factor * positions[joint.index()][0]).sum();
+    let curve = coupling.curve().map_or(0.0, |curve| {
+        let s = curve_argument(curve, positions);
+        curve.coefficients().into_iter().zip(2..).map(|(a, k)| a * s.powi(k)).sum::<f64>()
+    });
+    let sum = sum - coupling.constant() - curve;
     let slides = coupling.terms().first().map(|&(joint, _)| mechanism.joint(joint).kind());
     if slides == Some(JointKind::Prismatic) { sum } else { sum * mechanism.characteristic_length() }
 }

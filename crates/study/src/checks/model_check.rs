@@ -155,13 +155,23 @@ fn closure_records(mechanism: &Mechanism) -> Vec<ClosureRecord> {
         rows: c.kind().rows(),
         ratio: None,
     };
-    let coupling = |c: &percuss_mechanism::Coupling| ClosureRecord {
-        name: c.name().to_owned(),
-        kind: "coupling",
-        predecessor: end(Some(c.predecessor())),
-        successor: end(Some(c.successor())),
-        rows: 1,
-        ratio: Some(c.ratio()),
+    let coupling = |c: &percuss_mechanism::Coupling| {
+        // A relation of joints names its first and its last joint.
+        let joint = |term: Option<&(percuss_mechanism::JointId, f64)>| {
+            term.map_or_else(String::new, |(id, _)| mechanism.joint(*id).name().to_owned())
+        };
+        let (predecessor, successor) = match c.ratio() {
+            Some(links) => (end(Some(links.predecessor)), end(Some(links.successor))),
+            None => (joint(c.terms().last()), joint(c.terms().first())),
+        };
+        ClosureRecord {
+            name: c.name().to_owned(),
+            kind: if c.ratio().is_some() { "coupling" } else { "relation" },
+            predecessor,
+            successor,
+            rows: 1,
+            ratio: c.ratio().map(|links| links.ratio),
+        }
     };
     mechanism.closures().iter().map(closure).chain(mechanism.couplings().iter().map(coupling)).collect()
 }

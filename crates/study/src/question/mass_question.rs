@@ -1,6 +1,7 @@
 //! Question about a contact of a model, in terms of names. The fields correspond to the flags of `percuss
 //! mass`.
 
+use crate::question::errors::fault::Fault;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
 use crate::question::pose_file::GivenPose;
@@ -181,8 +182,15 @@ impl MassQuestion {
         let contact = self.named_contact(mechanism)?.filter(|_| self.link.is_empty());
         let Some(contact) = contact else { return Ok(Cow::Borrowed(self)) };
         let name = |link: LinkId| mechanism.link(link).name().to_owned();
-        let (normal, normal_frame) =
-            Normal::of_direction(Contact::named(contact, mechanism.root()).normal, name);
+        let (normal, normal_frame) = match &self.normal {
+            Normal::Along(zero) if *zero == [0.0; 3] => {
+                Normal::of_direction(Contact::named(contact, mechanism.root()).normal, name)
+            }
+            _ if contact.gap().is_some() => {
+                return Err(StudyError::input(Field::Normal, Fault::NormalOfStop));
+            }
+            given => (given.clone(), self.normal_frame),
+        };
         Ok(Cow::Owned(Self {
             link: name(contact.link()),
             point: (*contact.point()).into(),
@@ -269,7 +277,7 @@ impl MassQuestion {
 /// Question about a contact of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassQuestion {
-    /// Named contact of the model; replaces `link`, `point`, `normal`, the frames and `against`. A stop is brought to
+    /// Named contact of the model; replaces `link`, `point`, the frames and `against`, and a zero normal. A stop is brought to
     /// the touch, unless `travel` or `pose` gives the pose, or all joints that move it are set.
     pub at: Option<String>,
     /// Contact link.

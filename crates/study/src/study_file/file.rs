@@ -376,7 +376,7 @@ impl StudyReader<'_> {
             map,
             safe_speed,
             report: study.report.clone(),
-            tables: StudyTables::from_text(study, folder),
+            tables: StudyTables::from_text(study, contact, folder),
             folder: folder.to_owned(),
             keys: self.keys.clone(),
         })

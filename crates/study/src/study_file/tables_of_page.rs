@@ -47,12 +47,12 @@ pub struct VariantTables {
 }
 
 impl StudyTables {
-    /// Tables of the text of a study in the given folder.
-    pub(crate) fn from_text(text: &StudyText, folder: &Path) -> Self {
+    /// Tables of the text of a study in the given folder, at one of its contacts.
+    pub(crate) fn from_text(text: &StudyText, contact: &ContactTable, folder: &Path) -> Self {
         let path = folder.join(&text.model.path).to_string_lossy().into_owned();
         let mut tables = Self {
             model: ModelTable { path, ..text.model.clone() },
-            contact: text.contact.clone(),
+            contact: ContactTable { name: None, ..contact.clone() },
             pose: text.pose.clone(),
             conditions: text.conditions.clone(),
             hold: text.hold.clone(),

@@ -119,6 +119,10 @@ impl UnitImpulse<'_> {
         size: f64,
         places: FrameErrorMode,
     ) -> f64 {
+        let curve = match constraint.constraint {
+            Constraint::Coupling(i) => self.model.couplings[i].slope_roundings(&self.kinematics.q),
+            Constraint::Closure(_) | Constraint::Hold(_) => 0.0,
+        };
         let moving = constraint.terms.iter().map(|term| term.body);
         let bodies = moving.chain(sides.on).chain(sides.against);
         match places {
@@ -126,12 +130,12 @@ impl UnitImpulse<'_> {
                 let (turn, place) = bodies.fold((0.0_f64, 0.0_f64), |(turn, place), b| {
                     (turn.max(frames.bounds[b].0), place.max(frames.bounds[b].1))
                 });
-                ROW_ROUNDINGS + turn + place / size
+                ROW_ROUNDINGS + curve + turn + place / size
             }
             // An arm is a difference of two positions.
             FrameErrorMode::ByJoint => {
                 let far = bodies.map(|b| self.kinematics.frames[b].translation.norm()).fold(0.0, f64::max);
-                ROW_ROUNDINGS + 4.0 * far / size
+                ROW_ROUNDINGS + curve + 4.0 * far / size
             }
         }
     }

@@ -152,6 +152,9 @@ impl LoopPlan {
                 (Some(origin(&closure.predecessor)), origin(&closure.successor), forms)
             }
             Constraint::Coupling(i) => {
+                if model.couplings[i].curve.is_some() {
+                    return None;
+                }
                 let ground = BodyPoint { body: None, at: [0.0; 3] };
                 let scale = if model.couplings[i].turns { size } else { 1.0 };
                 let terms = self.terms(model, constraint, scale)?;

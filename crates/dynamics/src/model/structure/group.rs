@@ -12,6 +12,8 @@ pub(crate) struct ConstraintTerm {
     /// Sign of the velocity along the path: +1 on the successor's side, −1 on the predecessor's side; the factor of a
     /// coupling.
     pub factor: f64,
+    /// Factor of the velocity in the argument of a coupling's curve; otherwise 0.
+    pub argument: f64,
     /// Index of the coordinate within the group, and the multiplier of the velocity.
     pub column: usize,
     pub multiplier: f64,

@@ -85,23 +85,27 @@ impl Model {
     /// Velocities that a constraint restricts; columns are coordinates of the model.
     fn terms(&self, constraint: Constraint) -> Vec<ConstraintTerm> {
         let mut terms = Vec::new();
-        let mut add = |body: usize, factor: f64| {
+        let mut add = |body: usize, factor: f64, argument: f64| {
             for (component, v) in self.bodies[body].v.clone().enumerate() {
                 if let Some(f) = self.velocity_coordinates[v] {
                     let (column, multiplier) = (f.index, f.multiplier);
-                    terms.push(ConstraintTerm { body, component, factor, column, multiplier });
+                    terms.push(ConstraintTerm { body, component, factor, argument, column, multiplier });
                 }
             }
         };
         match constraint {
             Constraint::Closure(i) => {
                 let closure = &self.closures[i];
-                self.for_each_support(closure.successor.body, closure.predecessor.body, add);
+                self.for_each_support(closure.successor.body, closure.predecessor.body, |b, f| {
+                    add(b, f, 0.0)
+                });
             }
             Constraint::Coupling(i) => {
-                self.couplings[i].terms.iter().for_each(|(_, body, factor)| add(*body, *factor));
+                self.couplings[i].terms.iter().for_each(|t| add(t.body, t.factor, t.argument));
             }
-            Constraint::Hold(i) => self.for_each_support(self.body_of(self.holds[i].link), None, add),
+            Constraint::Hold(i) => {
+                self.for_each_support(self.body_of(self.holds[i].link), None, |b, f| add(b, f, 0.0));
+            }
         }
         terms
     }
@@ -132,7 +136,7 @@ impl Model {
                         bodies.push(b);
                     });
                 }
-                Constraint::Coupling(i) => bodies.extend(self.couplings[i].terms.iter().map(|t| t.1)),
+                Constraint::Coupling(i) => bodies.extend(self.couplings[i].terms.iter().map(|t| t.body)),
                 Constraint::Hold(i) => {
                     self.for_each_support(self.body_of(self.holds[i].link), None, |b, _| bodies.push(b));
                 }

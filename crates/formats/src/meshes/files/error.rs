@@ -33,7 +33,7 @@ pub enum MeshError {
     },
     /// The format is not supported.
     #[error(
-        "{}: not a mesh that is read: expected STL, OBJ or COLLADA (.stl, .obj, .dae); convert it, e.g. with Blender or assimp",
+        "{}: not a mesh that is read: expected STL, OBJ, COLLADA or MSH (.stl, .obj, .dae, .msh); convert it, e.g. with Blender or assimp",
         path.display()
     )]
     Format {

@@ -1,10 +1,11 @@
-//! Readers of triangle meshes: STL (binary and ASCII), OBJ, COLLADA. Only positions are read, in metres.
+//! Readers of triangle meshes: STL (binary and ASCII), OBJ, COLLADA, MSH. Only positions are read, in metres.
 //!
 //! The crate `mesh-loader` (0.1.13) is not used: it has single precision, and panics or allocates without bound for indices and
 //! offsets out of range in COLLADA.
 
 mod dae;
 mod error;
+mod msh;
 mod obj;
 mod path;
 mod stl;
@@ -43,6 +44,7 @@ pub fn read_mesh(path: &Path, max_size: u64) -> Result<Triangles, MeshError> {
     let (format, read) = match ending.as_str() {
         "stl" | "stla" | "stlb" => ("STL", stl::read_stl(&bytes)),
         "obj" => ("OBJ", obj::read_obj(&bytes)),
+        "msh" => ("MSH", msh::read_msh(&bytes)),
         "dae" => ("COLLADA", dae::read_collada(&bytes)),
         _ => return Err(MeshError::Format { path: path.to_owned() }),
     };

@@ -2,6 +2,7 @@
 
 mod facet;
 mod grid;
+pub(crate) mod hull;
 mod orient;
 
 pub use facet::Facet;

@@ -70,6 +70,13 @@ pub(crate) struct Bodies {
 }
 
 impl Bodies {
+    /// True if `ancestor` is `body` or one of the bodies that carry it.
+    pub fn is_ancestor(&self, ancestor: usize, body: usize) -> bool {
+        // An ancestor has a smaller number.
+        let above = |&body: &usize| (body > ancestor).then(|| self.bodies[body].parent);
+        std::iter::successors(Some(body), above).any(|body| body == ancestor)
+    }
+
     /// Joint of a body.
     pub fn joint(&self, (body, position): (usize, usize)) -> &BodyJoint {
         &self.bodies[body].joints[position]

@@ -5,6 +5,7 @@ use crate::mjcf::bodies::geom::{Geom, GeomShape};
 use crate::mjcf::bodies::mesh::Meshes;
 use crate::mjcf::bodies::solids::{self, UnitInertia};
 use crate::mjcf::values::attributes::Attributes;
+use crate::mjcf::values::models::Models;
 use crate::mjcf::values::orientation::read_pose;
 use crate::mjcf::values::settings::{InertiaFromGeom, Settings};
 use crate::reading::element_tree::ElementId;
@@ -67,11 +68,12 @@ pub(crate) fn turn(rotation: &Matrix3<f64>, tensor: &Matrix3<f64>) -> Matrix3<f6
 pub(crate) fn body_inertias(
     bodies: &[Body],
     meshes: &mut Meshes<'_>,
-    settings: &Settings,
+    models: &Models<'_>,
     findings: &mut Findings<'_>,
 ) -> Vec<Option<Inertial>> {
     let mut inertias = vec![None; bodies.len()];
     for (inertia, body) in inertias.iter_mut().zip(bodies).skip(1) {
+        let settings = models.settings(body.element);
         let mut own = body_inertia(body, meshes, settings, findings);
         let bounded = apply_bounds(&mut own, settings);
         if bounded {
@@ -88,7 +90,7 @@ pub(crate) fn body_inertias(
         *inertia = own;
     }
     let total: f64 = inertias.iter().flatten().map(|inertia: &Inertial| inertia.mass).sum();
-    if let Some(wanted) = settings.total_mass.filter(|_| total > 0.0) {
+    if let Some(wanted) = models.main().total_mass.filter(|_| total > 0.0) {
         let factor = wanted / total;
         for inertia in inertias.iter_mut().flatten() {
             inertia.mass *= factor;

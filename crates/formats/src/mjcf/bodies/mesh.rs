@@ -1,9 +1,11 @@
 //! Mesh assets, and their inertias. A file is opened only if an inertia depends on it.
 
 use crate::meshes::files::{DEFAULT_MAX_MESH_SIZE, Triangles, read_mesh};
+use crate::meshes::surface::hull::{HullDefect, convex_hull};
 use crate::mjcf::bodies::mesh_inertia::{MeshInertia, MeshRule, mesh_inertia};
 use crate::mjcf::values::attributes::Attributes;
-use crate::mjcf::values::classes::{Classes, DefaultKind};
+use crate::mjcf::values::classes::DefaultKind;
+use crate::mjcf::values::models::Models;
 use crate::mjcf::values::orientation::rotation_from_quat;
 use crate::mjcf::values::settings::Settings;
 use crate::reading::element_tree::{ElementId, ElementTree};
@@ -43,19 +45,21 @@ pub(crate) struct Meshes<'t> {
 
 impl<'t> Meshes<'t> {
     /// Reads the assets of a model whose main file is `name`.
-    pub fn read(
-        tree: &'t ElementTree,
-        name: &str,
-        settings: &Settings,
-        classes: &Classes,
-        findings: &mut Findings<'_>,
-    ) -> Self {
+    pub fn read(tree: &'t ElementTree, name: &str, models: &Models<'_>, findings: &mut Findings<'_>) -> Self {
         let folder = Path::new(name).parent().map(Path::to_owned).unwrap_or_default();
         let mut meshes = HashMap::new();
         for element in tree.in_sections("asset").filter(|element| tree.tag(*element) == "mesh") {
-            let attributes =
-                Attributes::with_class(tree, element, DefaultKind::Mesh, classes, None, findings);
-            let Some((name, mesh)) = read_mesh_asset(attributes, settings, findings) else { continue };
+            let attributes = Attributes::with_class(tree, element, DefaultKind::Mesh, models, None, findings);
+            let settings = models.settings(element);
+            let Some((name, mut mesh)) = read_mesh_asset(attributes, settings, findings) else { continue };
+            let own = tree.model_of(element);
+            if own > 0 {
+                // Files of an attached model are in its folder.
+                let file = tree.files.iter().find(|file| file.model == own);
+                let own = file.and_then(|file| Path::new(&file.name).parent()).unwrap_or(Path::new(""));
+                let own = own.strip_prefix(&folder).unwrap_or(own);
+                mesh.file = mesh.file.map(|file| own.join(file).to_string_lossy().into_owned());
+            }
             if meshes.insert(name, mesh).is_some() {
                 findings.error("duplicate-name", element, || {
                     "the name of the mesh was given before; names must be unique".to_owned()
@@ -112,9 +116,14 @@ impl<'t> Meshes<'t> {
         let mesh = self.meshes.get(name)?;
         let element = mesh.element;
         let remedy = "give the body an <inertial>";
-        if rule == MeshRule::Convex {
-            findings.error("unsupported", element, || {
-                format!("inertia=\"convex\" (the convex hull) is not computed; use exact, legacy or shell, or {remedy}")
+        let attributes = Attributes::new(self.tree, element);
+        if rule == MeshRule::Convex
+            && attributes.number("maxhullvert", findings).is_some_and(|most| most >= 0.0)
+        {
+            findings.attribute_error("unsupported", element, "maxhullvert", || {
+                format!(
+                    "the inertia of a convex hull with fewer vertices (maxhullvert) is not computed; {remedy}"
+                )
             });
             return None;
         }
@@ -125,7 +134,7 @@ impl<'t> Meshes<'t> {
                 self.opened.push(path);
                 read
             }
-            None => inline_triangles(Attributes::new(self.tree, element), findings),
+            None => inline_triangles(attributes, findings),
         };
         let triangles = match read {
             Ok(triangles) => triangles,
@@ -152,6 +161,19 @@ impl<'t> Meshes<'t> {
         let (scale, reference) = (Vector3::from(mesh.scale), mesh.reference);
         let place = |p: [f64; 3]| reference.inverse_point(&p.into()).component_mul(&scale).into();
         let triangles: Triangles = triangles.into_iter().map(|corners| corners.map(place)).collect();
+        let hull = if rule == MeshRule::Convex { hull_of(&triangles) } else { Ok(triangles) };
+        let triangles = match hull {
+            Ok(triangles) => triangles,
+            Err(message) => {
+                findings.error("bad-mesh", element, || {
+                    format!(
+                        "the convex hull of the mesh {} is not computed: {message}; {remedy}",
+                        quoted(name)
+                    )
+                });
+                return None;
+            }
+        };
         let inertia = mesh_inertia(&triangles, rule);
         if inertia.volume <= 0.0 {
             findings.error("bad-mesh", element, || {
@@ -241,13 +263,16 @@ fn inline_triangles(attributes: Attributes<'_>, findings: &mut Findings<'_>) -> 
     if attributes.text("builtin").is_some_and(|name| name != "none") {
         return Err("meshes that MuJoCo makes itself (builtin) are not computed; use a file".to_owned());
     }
-    let (Some(_), Some(_)) = (attributes.text("vertex"), attributes.text("face")) else {
-        return Err(
-            "it has neither a file nor both vertex and face (the convex hull is not computed)".to_owned()
-        );
-    };
+    if attributes.text("vertex").is_none() {
+        return Err("it has neither a file nor vertices".to_owned());
+    }
     let invalid = || "its numbers are invalid".to_owned();
     let vertices = attributes.list("vertex", MAX_TOTAL_ATTRIBUTES, findings).ok_or_else(invalid)?;
+    if attributes.text("face").is_none() {
+        // Without faces the mesh is the convex hull of its vertices.
+        let points: Vec<Vector3<f64>> = vertices.chunks_exact(3).map(Vector3::from_column_slice).collect();
+        return hull_triangles(&points);
+    }
     let faces = attributes.list("face", MAX_TOTAL_ATTRIBUTES, findings).ok_or_else(invalid)?;
     let vertex = |index: f64| {
         let start = if index >= 0.0 && index.fract() == 0.0 {
@@ -265,4 +290,22 @@ fn inline_triangles(attributes: Attributes<'_>, findings: &mut Findings<'_>) -> 
         return Err(format!("face has {} numbers; three for each triangle are expected", faces.len()));
     }
     faces.chunks_exact(3).map(triangle).collect()
+}
+
+/// Triangles of the convex hull of the corners of triangles.
+fn hull_of(triangles: &Triangles) -> Result<Triangles, String> {
+    let mut known = std::collections::HashSet::new();
+    // Bits of the coordinates: corners of neighbouring triangles are equal.
+    let corners = triangles.iter().flatten().filter(|p| known.insert(p.map(f64::to_bits)));
+    let points: Vec<Vector3<f64>> = corners.map(|p| Vector3::from(*p)).collect();
+    hull_triangles(&points)
+}
+
+/// Triangles of the convex hull of points.
+fn hull_triangles(points: &[Vector3<f64>]) -> Result<Triangles, String> {
+    let faces = convex_hull(points).map_err(|defect| match defect {
+        HullDefect::Flat => "its vertices lie in a plane".to_owned(),
+        HullDefect::TooMuchWork => "it has too many vertices".to_owned(),
+    })?;
+    Ok(faces.into_iter().map(|face| face.map(|corner| points[corner].into())).collect())
 }

@@ -6,7 +6,7 @@ use percuss_spatial::{Matrix3, Vector3};
 /// Rule for the inertia of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MeshRule {
-    /// Convex hull; not supported.
+    /// Volume of the convex hull.
     Convex,
     /// Pyramids over all faces, with the absolute values of their volumes.
     Legacy,

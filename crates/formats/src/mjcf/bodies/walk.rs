@@ -4,9 +4,9 @@ use crate::mjcf::bodies::body::{Bodies, Body, BodyJoint, JointType, Site};
 use crate::mjcf::bodies::geom::{frame_on_line, read_geom};
 use crate::mjcf::bodies::inertia::read_inertial;
 use crate::mjcf::values::attributes::Attributes;
-use crate::mjcf::values::classes::{ClassId, Classes, DefaultKind};
+use crate::mjcf::values::classes::{ClassId, DefaultKind};
+use crate::mjcf::values::models::Models;
 use crate::mjcf::values::orientation::{read_orientation, read_pose, rotation_from_euler, unit};
-use crate::mjcf::values::settings::Settings;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND, MAX_TREE_VISITS};
@@ -37,12 +37,7 @@ struct Parent {
 }
 
 /// Reads all bodies. A tree with too many elements is an error, after which the tree is incomplete.
-pub(crate) fn read_bodies(
-    tree: &ElementTree,
-    settings: &Settings,
-    classes: &Classes,
-    findings: &mut Findings<'_>,
-) -> Bodies {
+pub(crate) fn read_bodies(tree: &ElementTree, models: &Models<'_>, findings: &mut Findings<'_>) -> Bodies {
     let world = Body {
         element: tree.root(),
         name: "world".to_owned(),
@@ -56,11 +51,11 @@ pub(crate) fn read_bodies(
     };
     let bodies =
         Bodies { bodies: vec![world], body_by_name: [("world".to_owned(), 0)].into(), ..Bodies::default() };
-    let mut walker = Walker { tree, settings, classes, findings, bodies, visits: 0 };
+    let mut walker = Walker { tree, models, findings, bodies, visits: 0 };
     let mut has_world = false;
     for section in tree.children_named(tree.root(), "worldbody") {
         has_world = true;
-        let class = classes.named(tree, section, "childclass", walker.findings);
+        let class = models.classes(section).named(tree, section, "childclass", walker.findings);
         let parent = Parent {
             body: 0,
             frame: Transform::identity(),
@@ -80,8 +75,7 @@ pub(crate) fn read_bodies(
 
 struct Walker<'w, 't, 'f> {
     tree: &'t ElementTree,
-    settings: &'w Settings,
-    classes: &'t Classes,
+    models: &'t Models<'t>,
     findings: &'w mut Findings<'f>,
     bodies: Bodies,
     visits: usize,
@@ -98,8 +92,9 @@ impl<'t> Walker<'_, 't, '_> {
             match tree.tag(child) {
                 "body" => self.read_body(child, parent),
                 "frame" => {
-                    let frame = read_pose(Attributes::new(tree, child), self.settings, self.findings);
-                    let class = self.classes.named(tree, child, "childclass", self.findings);
+                    let frame =
+                        read_pose(Attributes::new(tree, child), self.models.settings(child), self.findings);
+                    let class = self.models.classes(child).named(tree, child, "childclass", self.findings);
                     let inner = Parent {
                         frame: parent.frame * frame,
                         class: class.or(parent.class),
@@ -108,10 +103,13 @@ impl<'t> Walker<'_, 't, '_> {
                     self.walk_children(child, &inner);
                 }
                 "replicate" => self.replicate(child, parent),
+                // Classes of the surrounding model have no effect on an attached one.
+                "attach" => self.walk_children(child, &Parent { class: None, ..parent.clone() }),
                 "joint" | "freejoint" | "inertial" => self.read_body_part(child, parent),
                 "geom" => {
                     let attributes = self.attributes(child, DefaultKind::Geom, parent);
-                    let geom = read_geom(attributes, &parent.frame, self.settings, self.findings);
+                    let geom =
+                        read_geom(attributes, &parent.frame, self.models.settings(child), self.findings);
                     self.bodies.bodies[parent.body].geoms.extend(geom);
                 }
                 "site" => self.read_site(child, parent),
@@ -138,7 +136,7 @@ impl<'t> Walker<'_, 't, '_> {
 
     /// Attributes of an element, with the defaults of its class or of the `childclass` of its body.
     fn attributes(&mut self, element: ElementId, kind: DefaultKind, parent: &Parent) -> Attributes<'t> {
-        Attributes::with_class(self.tree, element, kind, self.classes, parent.class, self.findings)
+        Attributes::with_class(self.tree, element, kind, self.models, parent.class, self.findings)
     }
 
     /// Name of an element with the suffix of its replicates; empty if absent.
@@ -168,7 +166,7 @@ impl<'t> Walker<'_, 't, '_> {
 
     fn read_body(&mut self, element: ElementId, parent: &Parent) {
         let attributes = Attributes::new(self.tree, element);
-        let pose = parent.frame * read_pose(attributes, self.settings, self.findings);
+        let pose = parent.frame * read_pose(attributes, self.models.settings(element), self.findings);
         let name = self.name(element, parent);
         let index = self.bodies.bodies.len();
         if !name.is_empty() && self.bodies.body_by_name.insert(name.clone(), index).is_some() {
@@ -192,7 +190,7 @@ impl<'t> Walker<'_, 't, '_> {
             inertial: None,
             moving_ancestor: above.moving_ancestor,
         });
-        let class = self.classes.named(self.tree, element, "childclass", self.findings);
+        let class = self.models.classes(element).named(self.tree, element, "childclass", self.findings);
         let inner = Parent {
             body: index,
             frame: Transform::identity(),
@@ -220,7 +218,8 @@ impl<'t> Walker<'_, 't, '_> {
         }
         if tag == "inertial" {
             let attributes = Attributes::new(self.tree, element);
-            let inertial = read_inertial(attributes, &parent.frame, self.settings, self.findings);
+            let inertial =
+                read_inertial(attributes, &parent.frame, self.models.settings(element), self.findings);
             if parent.frame != Transform::identity() {
                 self.findings.add_once(Severity::Warning, "frame-of-inertia", "frame", element, || {
                     "an <inertial> within a <frame> is placed in that frame, as in MuJoCo from version 3.14 on; earlier \
@@ -301,7 +300,7 @@ impl<'t> Walker<'_, 't, '_> {
     fn read_limits(&mut self, attributes: Attributes<'_>, kind: JointType) -> Option<[f64; 2]> {
         let findings = &mut *self.findings;
         let element = attributes.element;
-        let unit = if kind == JointType::Slide { 1.0 } else { self.settings.angle_unit };
+        let unit = if kind == JointType::Slide { 1.0 } else { self.models.settings(element).angle_unit };
         let range = attributes.numbers::<2>("range", findings);
         let words = [("true", Some(true)), ("false", Some(false)), ("auto", None)];
         let limited = attributes.word("limited", &words, findings).flatten();
@@ -320,7 +319,7 @@ impl<'t> Walker<'_, 't, '_> {
                     .to_owned()
             });
         }
-        if range.is_some() && limited.is_none() && !self.settings.auto_limits {
+        if range.is_some() && limited.is_none() && !self.models.settings(element).auto_limits {
             findings.error("limits", element, || {
                 "the joint has a range but no \"limited\", and autolimits is false; MuJoCo refuses this: set limited to true or false"
                     .to_owned()
@@ -344,7 +343,7 @@ impl<'t> Walker<'_, 't, '_> {
             Some(line) => frame_on_line(attributes, line, self.findings),
             None => {
                 let position = attributes.numbers::<3>("pos", self.findings).unwrap_or_default();
-                let rotation = read_orientation(attributes, self.settings, self.findings);
+                let rotation = read_orientation(attributes, self.models.settings(element), self.findings);
                 Some(Transform::new(rotation.unwrap_or_else(Matrix3::identity), position.into()))
             }
         };
@@ -370,14 +369,15 @@ impl<'t> Walker<'_, 't, '_> {
         let separator = attributes.text("sep").unwrap_or_default();
         let offset = Vector3::from(attributes.numbers::<3>("offset", self.findings).unwrap_or_default());
         let angles = attributes.numbers::<3>("euler", self.findings).unwrap_or_default();
-        let class = self.classes.named(self.tree, element, "childclass", self.findings);
+        let class = self.models.classes(element).named(self.tree, element, "childclass", self.findings);
         let digits = (count as usize).to_string().len();
         let mut translation = Vector3::zeros();
         for copy in 0..count as usize {
             if !self.count_visit(element) {
                 return;
             }
-            let rotation = rotation_from_euler(angles.map(|angle| angle * copy as f64), self.settings);
+            let rotation =
+                rotation_from_euler(angles.map(|angle| angle * copy as f64), self.models.settings(element));
             let frame = parent.frame * Transform::new(rotation, translation);
             translation += rotation * offset;
             let inner = Parent {
@@ -397,7 +397,7 @@ impl<'t> Walker<'_, 't, '_> {
 fn has_joint(tree: &ElementTree, element: ElementId) -> bool {
     tree.children(element).iter().any(|child| match tree.tag(*child) {
         "joint" | "freejoint" => true,
-        "frame" => has_joint(tree, *child),
+        "frame" | "attach" => has_joint(tree, *child),
         _ => false,
     })
 }

@@ -5,7 +5,9 @@
 
 use crate::Source;
 use crate::reading::element_tree::{Attribute, Element, ElementId, ElementTree, FileText};
-use crate::reading::limits::{MAX_ELEMENT_DEPTH, MAX_ELEMENTS, MAX_INCLUDED_BYTES, MAX_INCLUDED_FILES};
+use crate::reading::limits::{
+    MAX_ELEMENT_DEPTH, MAX_ELEMENTS, MAX_INCLUDED_BYTES, MAX_INCLUDED_FILES, MAX_MODEL_DEPTH,
+};
 use crate::reading::report::{Place, Report, quoted, shortened};
 use crate::reading::xml;
 use roxmltree::Node;
@@ -16,6 +18,16 @@ use std::path::{Path, PathBuf};
 pub(crate) struct Files {
     pub tree: ElementTree,
     pub reports: Vec<Report>,
+    /// The main model, then the models that it and they can attach.
+    pub models: Vec<AttachedModel>,
+}
+
+/// Model of which parts can be attached.
+#[derive(Debug)]
+pub(crate) struct AttachedModel {
+    pub root: ElementId,
+    /// Names and indices of the models in its assets.
+    pub attachable: Vec<(String, usize)>,
 }
 
 /// Reads the main file (`text`, named `name`) and its included files. Defects are reported; after an error the tree may be
@@ -23,22 +35,29 @@ pub(crate) struct Files {
 pub(crate) fn read_files(name: &str, text: &str, report: Report) -> Files {
     let folder = Path::new(name).parent().map(Path::to_owned).unwrap_or_default();
     let mut reader = FileReader {
-        files: Files { tree: ElementTree::default(), reports: vec![report] },
+        files: Files { tree: ElementTree::default(), reports: vec![report], models: Vec::new() },
         folder,
+        model: 0,
         included: HashSet::new(),
         bytes: text.len() as u64,
     };
     reader.included.extend(std::fs::canonicalize(name).ok());
-    reader.files.tree.files.push(FileText { name: name.to_owned(), text: text.to_owned() });
+    reader.files.tree.files.push(FileText { name: name.to_owned(), text: text.to_owned(), model: 0 });
     reader.append_file(0, None, 0);
+    if !reader.files.tree.elements.is_empty() {
+        reader.files.models.push(AttachedModel { root: ElementId(0), attachable: Vec::new() });
+        reader.read_models(0, 0);
+    }
     reader.files
 }
 
 struct FileReader {
     files: Files,
-    /// Folder of the main file.
+    /// Folder of the main file of the current model.
     folder: PathBuf,
-    /// Canonical paths of all files.
+    /// Index of the current model.
+    model: usize,
+    /// Canonical paths of all files of the current model.
     included: HashSet<PathBuf>,
     /// Total size of all files, bytes.
     bytes: u64,
@@ -114,24 +133,10 @@ impl FileReader {
             });
             return;
         };
-        if self.files.tree.files.len() > MAX_INCLUDED_FILES {
-            self.files.reports[file]
-                .error("too-complex", place, || format!("more than {MAX_INCLUDED_FILES} included files"));
-            return;
-        }
         let of_including = Path::new(&self.files.tree.files[file].name).parent().map(Path::to_owned);
         let candidates = [Some(self.folder.join(name)), of_including.map(|folder| folder.join(name))];
-        let Some(path) = candidates.iter().flatten().find(|path| path.is_file()).cloned() else {
-            self.files.reports[file].error("no-such-file", Place::Attribute(node, "file"), || {
-                let tried = candidates[0].as_deref().unwrap_or(Path::new(name)).display().to_string();
-                format!(
-                    "the included file {} does not exist; it is searched in the folder of the main file ({})",
-                    quoted(name),
-                    shortened(&tried)
-                )
-            });
-            return;
-        };
+        let candidates: Vec<PathBuf> = candidates.into_iter().flatten().collect();
+        let Some(path) = self.find_file(node, file, name, &candidates) else { return };
         let canonical = std::fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
         if !self.included.insert(canonical) {
             self.files.reports[file].error("included-twice", Place::Attribute(node, "file"), || {
@@ -142,25 +147,126 @@ impl FileReader {
             });
             return;
         }
+        if let Some(index) = self.open_file(&path, file, Place::Attribute(node, "file")) {
+            self.append_file(index, parent, depth);
+        }
+    }
+
+    /// First of the paths that is a file; `None`, with an error.
+    fn find_file(
+        &mut self,
+        node: Node<'_, '_>,
+        file: usize,
+        name: &str,
+        candidates: &[PathBuf],
+    ) -> Option<PathBuf> {
+        let found = candidates.iter().find(|path| path.is_file()).cloned();
+        if found.is_none() {
+            self.files.reports[file].error("no-such-file", Place::Attribute(node, "file"), || {
+                let tried =
+                    candidates.first().map_or(Path::new(name), PathBuf::as_path).display().to_string();
+                format!(
+                    "the included file {} does not exist; it is searched in the folder of the main file ({})",
+                    quoted(name),
+                    shortened(&tried)
+                )
+            });
+        }
+        found
+    }
+
+    /// Reads a file into the list of files; `None`, with an error at `place` in file number `file`, if this is impossible.
+    fn open_file(&mut self, path: &Path, file: usize, place: Place<'_, '_>) -> Option<usize> {
+        if self.files.tree.files.len() > MAX_INCLUDED_FILES {
+            self.files.reports[file]
+                .error("too-complex", place, || format!("more than {MAX_INCLUDED_FILES} included files"));
+            return None;
+        }
         let left = MAX_INCLUDED_BYTES.saturating_sub(self.bytes);
         let source = match Source::read(&path.to_string_lossy(), left) {
             Ok(source) => source,
             Err(error) => {
-                self.files.reports[file].error("unreadable", Place::Attribute(node, "file"), || {
+                self.files.reports[file].error("unreadable", place, || {
                     let reason = error.diagnostics.first().map(|d| d.message.clone()).unwrap_or_default();
-                    format!("the included file {} cannot be read: {reason}", quoted(name))
+                    format!("the included file {} cannot be read: {reason}", quoted(&path.to_string_lossy()))
                 });
-                return;
+                return None;
             }
         };
         self.bytes += source.bytes.len() as u64;
         let mut report = Report::default();
         let text = source.text(&mut report).map(str::to_owned);
         let index = self.files.tree.files.len();
-        self.files.tree.files.push(FileText { name: source.name, text: text.clone().unwrap_or_default() });
+        self.files.tree.files.push(FileText {
+            name: source.name,
+            text: text.clone().unwrap_or_default(),
+            model: self.model,
+        });
         self.files.reports.push(report);
-        if text.is_some() {
-            self.append_file(index, parent, depth);
+        text.map(|_| index)
+    }
+
+    /// Reads the models in the assets of model number `own`, and the models in their assets.
+    fn read_models(&mut self, own: usize, depth: usize) {
+        let root = self.files.models[own].root;
+        let tree = &self.files.tree;
+        let assets: Vec<ElementId> =
+            tree.in_sections_of(root, "asset").filter(|id| tree.tag(*id) == "model").collect();
+        let folder = self.folder.clone();
+        for asset in assets {
+            let tree = &self.files.tree;
+            let file = tree.element(asset).file;
+            let offset = tree.attribute_offset(asset, "file");
+            let Some(name) = tree.attribute(asset, "file").map(str::to_owned) else {
+                self.files.reports[file].error("missing-attribute", Place::Offset(offset), || {
+                    "<model> has no attribute \"file\"; it names an MJCF file".to_owned()
+                });
+                continue;
+            };
+            let given = tree.attribute(asset, "name").map(str::to_owned);
+            if depth >= MAX_MODEL_DEPTH {
+                self.files.reports[file].error("too-complex", Place::Offset(offset), || {
+                    format!(
+                        "models in the assets of models, nested deeper than {MAX_MODEL_DEPTH} levels; a circle of models has no end"
+                    )
+                });
+                return;
+            }
+            let path = folder.join(&name);
+            if !path.is_file() {
+                self.files.reports[file].error("no-such-file", Place::Offset(offset), || {
+                    format!(
+                        "the model {} does not exist; it is searched in the folder of the main file ({})",
+                        quoted(&name),
+                        shortened(&path.display().to_string())
+                    )
+                });
+                continue;
+            }
+            let model = self.files.models.len();
+            self.model = model;
+            self.folder = path.parent().map(Path::to_owned).unwrap_or_default();
+            self.included = std::fs::canonicalize(&path).into_iter().collect();
+            let Some(index) = self.open_file(&path, file, Place::Offset(offset)) else { return };
+            let root = ElementId(self.files.tree.elements.len() as u32);
+            self.append_file(index, None, 0);
+            if self.files.tree.elements.len() <= root.0 as usize {
+                return;
+            }
+            if self.files.tree.tag(root) != "mujoco" {
+                let tag = shortened(self.files.tree.tag(root));
+                self.files.reports[file].error("wrong-root", Place::Offset(offset), || {
+                    format!(
+                        "the root element of the model is <{tag}>; MJCF models (<mujoco>) can be attached"
+                    )
+                });
+                return;
+            }
+            let own_name = self.files.tree.attribute(root, "model").map(str::to_owned);
+            let attached = given.or(own_name).unwrap_or_default();
+            self.files.models.push(AttachedModel { root, attachable: Vec::new() });
+            self.files.models[own].attachable.push((attached, model));
+            self.read_models(model, depth + 1);
         }
     }
 }

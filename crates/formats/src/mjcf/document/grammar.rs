@@ -135,6 +135,9 @@ const IN_COMPILER: &[(&str, Treatment)] = &[
     ("saveinertial", Silent),
     ("alignfree", Silent),
     ("conflict", Silent),
+    ("savecompiled", Silent),
+    ("savecanonical", Silent),
+    ("passthrough", Silent),
 ];
 
 const IN_ASSET: &[ElementRule] = &[
@@ -143,7 +146,7 @@ const IN_ASSET: &[ElementRule] = &[
     unread("skin", Silent),
     unread("texture", Silent),
     unread("material", Silent),
-    unread("model", Silent),
+    element("model", &[("name", Read), ("file", Read), ("content_type", Silent)], NO_CHILDREN),
 ];
 
 const MESH: &[(&str, Treatment)] = &[
@@ -159,7 +162,7 @@ const MESH: &[(&str, Treatment)] = &[
     ("refquat", Read),
     ("scale", Read),
     ("smoothnormal", Silent),
-    ("maxhullvert", Silent),
+    ("maxhullvert", Read),
     ("inertia", Read),
     ("builtin", Read),
     ("params", Silent),
@@ -194,6 +197,7 @@ const IN_BODY: &[ElementRule] = &[
             ("gravcomp", Silent),
             ("sleep", Silent),
             ("simple", Silent),
+            ("fuse", Silent),
             ("user", Silent),
         ],
         Content::Body,
@@ -201,7 +205,7 @@ const IN_BODY: &[ElementRule] = &[
     element(
         "frame",
         &[
-            ("name", Silent),
+            ("name", Read),
             ("childclass", Read),
             POS,
             QUAT,
@@ -249,13 +253,7 @@ const IN_BODY: &[ElementRule] = &[
     element("site", SITE, NO_CHILDREN),
     unread("camera", Silent),
     unread("light", Silent),
-    unread(
-        "attach",
-        Refused(
-            "attached models are not read, and the answer without them would be wrong; save the compiled model \
-             (mujoco.mj_saveLastXML) and load that file",
-        ),
-    ),
+    element("attach", &[("model", Read), ("body", Read), ("frame", Read), ("prefix", Read)], NO_CHILDREN),
     unread("plugin", Warned("a plugin of a body is taken as a source of finite forces and ignored")),
     unread(
         "composite",
@@ -290,6 +288,7 @@ const JOINT: &[(&str, Treatment)] = &[
     ("stiffness", Silent),
     ("margin", Silent),
     ("springref", Silent),
+    ("springyield", Silent),
     ("damping", Silent),
     ("frictionloss", Silent),
     ("user", Silent),
@@ -328,6 +327,7 @@ const GEOM: &[(&str, Treatment)] = &[
     ("surfacevel", Silent),
     ("adhesion", Silent),
     ("rgba", Silent),
+    ("castshadow", Silent),
     ("fluidshape", Silent),
     ("fluidcoef", Silent),
     ("user", Silent),
@@ -346,6 +346,7 @@ const SITE: &[(&str, Treatment)] = &[
     ("type", Silent),
     ("group", Silent),
     ("material", Silent),
+    ("mesh", Silent),
     ("size", Silent),
     ("rgba", Silent),
     ("user", Silent),
@@ -378,6 +379,7 @@ const IN_CLASS: &[ElementRule] = with_actuators![
     element("default", &[("class", Read)], Content::Class),
     element("mesh", MESH, NO_CHILDREN),
     unread("material", Silent),
+    unread("texture", Silent),
     element("joint", JOINT, NO_CHILDREN),
     element("geom", GEOM, Content::List(&[unread("plugin", Silent)])),
     element("site", SITE, NO_CHILDREN),

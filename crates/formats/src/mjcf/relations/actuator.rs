@@ -1,10 +1,12 @@
 //! Armatures of actuators and tendons, reflected to the joints.
 
 use crate::mjcf::bodies::body::Bodies;
+use crate::mjcf::relations::equality::REPLICATED_TENDON;
 use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::relations::tendon::{Tendon, TendonPath};
 use crate::mjcf::values::attributes::Attributes;
-use crate::mjcf::values::classes::{Classes, DefaultKind};
+use crate::mjcf::values::classes::DefaultKind;
+use crate::mjcf::values::models::Models;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::report::quoted;
@@ -13,22 +15,94 @@ use std::collections::HashMap;
 /// Armature added to a joint, kg·m² or kg.
 pub(crate) type AddedArmature = (JointKey, f64);
 
-/// Armatures of all actuators and tendons. An actuator adds gear² · armature to all velocities of its joint; a tendon with one joint
-/// adds coefficient² · armature.
+/// Armatures of the joints and of tendons over several joints.
+#[derive(Debug, Default)]
+pub(crate) struct Armatures {
+    pub joints: Vec<AddedArmature>,
+    pub rotors: Vec<TendonRotor>,
+}
+
+/// Rotor that turns with the length of a fixed tendon: its inertia adds a · JᵀJ to M, with the coefficients J of the joints.
+#[derive(Clone, Debug)]
+pub(crate) struct TendonRotor {
+    pub element: ElementId,
+    /// Name of the tendon; empty if absent.
+    pub name: String,
+    /// Sum of the armatures of the tendon and of its actuators, kg or kg·m².
+    pub armature: f64,
+    pub terms: Vec<(JointKey, f64)>,
+}
+
+impl Armatures {
+    /// Adds the armature of a tendon: coefficient² · armature for one joint, else a rotor. An error for a spatial tendon.
+    fn add_tendon(
+        &mut self,
+        tendon: &Tendon,
+        armature: f64,
+        element: ElementId,
+        findings: &mut Findings<'_>,
+    ) {
+        if matches!(tendon.path, TendonPath::Replicated) {
+            findings.error("unsupported", element, || REPLICATED_TENDON.to_owned());
+            return;
+        }
+        let TendonPath::Fixed(terms) = &tendon.path else {
+            findings.error("unsupported", element, || {
+                "the armature of a spatial tendon is not read, and the answer without it would be wrong; fixed tendons are read"
+                    .to_owned()
+            });
+            return;
+        };
+        if let [(joint, coefficient)] = terms[..] {
+            self.joints.push((joint, coefficient * coefficient * armature));
+            return;
+        }
+        match self.rotors.iter_mut().find(|rotor| rotor.element == tendon.element) {
+            Some(rotor) => rotor.armature += armature,
+            None => self.rotors.push(TendonRotor {
+                element: tendon.element,
+                name: tendon.name.clone(),
+                armature,
+                terms: terms.clone(),
+            }),
+        }
+    }
+
+    /// Warns about a rotor over joints of different branches, which MuJoCo treats in another way.
+    fn warn_of_branches(&self, bodies: &Bodies, findings: &mut Findings<'_>) {
+        for rotor in &self.rotors {
+            let mut of_terms: Vec<usize> = rotor.terms.iter().map(|((body, _), _)| *body).collect();
+            // Bodies are numbered depth first, so that ancestors come first.
+            of_terms.sort_unstable();
+            let is_chain = of_terms.windows(2).all(|pair| bodies.is_ancestor(pair[0], pair[1]));
+            if !is_chain {
+                findings.warning("tendon-armature", rotor.element, || {
+                    "the armature of this tendon couples joints of different branches; MuJoCo leaves these entries of the mass \
+                     matrix out, the result here has them"
+                        .to_owned()
+                });
+            }
+        }
+    }
+}
+
+/// Armatures of all actuators and tendons. An actuator adds gear² · armature to all velocities of its joint, or to its tendon.
 pub(crate) fn reflected_armatures(
     tree: &ElementTree,
-    classes: &Classes,
+    models: &Models<'_>,
     bodies: &Bodies,
     tendons: &HashMap<String, Tendon>,
     findings: &mut Findings<'_>,
-) -> Vec<AddedArmature> {
+) -> Armatures {
     let references = References { bodies };
-    let mut added = Vec::new();
-    for tendon in tendons.values().filter(|tendon| tendon.armature != 0.0) {
-        added.extend(tendon_armature(tendon, tendon.armature, tendon.element, findings));
+    let mut added = Armatures::default();
+    let mut with_armature: Vec<&Tendon> = tendons.values().filter(|tendon| tendon.armature != 0.0).collect();
+    with_armature.sort_by_key(|tendon| tendon.element.0);
+    for tendon in with_armature {
+        added.add_tendon(tendon, tendon.armature, tendon.element, findings);
     }
     for element in tree.in_sections("actuator") {
-        let actuator = Attributes::with_class(tree, element, DefaultKind::Actuator, classes, None, findings);
+        let actuator = Attributes::with_class(tree, element, DefaultKind::Actuator, models, None, findings);
         let armature = actuator.number("armature", findings).unwrap_or(0.0);
         if armature == 0.0 {
             continue;
@@ -43,10 +117,10 @@ pub(crate) fn reflected_armatures(
             ["joint", "jointinparent"].into_iter().find_map(|name| Some((name, actuator.text(name)?)));
         if let Some((attribute, name)) = joint {
             let joint = references.joint(name, element, attribute, findings);
-            added.extend(joint.map(|joint| (joint, reflected)));
+            added.joints.extend(joint.map(|joint| (joint, reflected)));
         } else if let Some(name) = actuator.text("tendon") {
             match tendons.get(name) {
-                Some(tendon) => added.extend(tendon_armature(tendon, reflected, element, findings)),
+                Some(tendon) => added.add_tendon(tendon, reflected, element, findings),
                 None => findings.attribute_error("unknown-reference", element, "tendon", || {
                     format!("the tendon {} does not exist", quoted(name))
                 }),
@@ -57,25 +131,6 @@ pub(crate) fn reflected_armatures(
             });
         }
     }
+    added.warn_of_branches(bodies, findings);
     added
-}
-
-/// Armature of a tendon with one joint; an error for another tendon.
-fn tendon_armature(
-    tendon: &Tendon,
-    armature: f64,
-    element: ElementId,
-    findings: &mut Findings<'_>,
-) -> Option<AddedArmature> {
-    if let TendonPath::Fixed(terms) = &tendon.path
-        && let [(joint, coefficient)] = terms[..]
-    {
-        return Some((joint, coefficient * coefficient * armature));
-    }
-    findings.error("unsupported", element, || {
-        "the armature of a tendon over several joints or sites is not read, and the answer without it would be wrong; tendons of one \
-         joint are read"
-            .to_owned()
-    });
-    None
 }

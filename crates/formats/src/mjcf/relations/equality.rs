@@ -2,13 +2,13 @@
 //! equalities of joints and fixed tendons relate joint positions.
 
 use crate::mjcf::bodies::body::Bodies;
-use crate::mjcf::relations::joint_relations::{JointRelations, RelationDefect};
+use crate::mjcf::relations::joint_relations::{JointCurve, JointRelations, JointSum};
 use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::relations::tendon::{Tendon, TendonPath};
 use crate::mjcf::values::attributes::Attributes;
-use crate::mjcf::values::classes::{Classes, DefaultKind};
+use crate::mjcf::values::classes::DefaultKind;
+use crate::mjcf::values::models::Models;
 use crate::mjcf::values::orientation::rotation_from_quat;
-use crate::mjcf::values::settings::Settings;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
@@ -38,11 +38,14 @@ pub(crate) struct Constraints {
     pub joints: JointRelations,
 }
 
+/// Refusal of a tendon with copies.
+pub(crate) const REPLICATED_TENDON: &str = "the tendon refers to an element of a <replicate>, of which MuJoCo makes copies of the tendon; \
+    write one for each copy, with the full names, such as \"a0\"";
+
 /// Source of the constraints of a model.
 pub(crate) struct EqualityReader<'r, 't> {
     pub tree: &'t ElementTree,
-    pub settings: &'r Settings,
-    pub classes: &'t Classes,
+    pub models: &'t Models<'t>,
     pub references: &'r References<'r>,
     pub tendons: &'r HashMap<String, Tendon>,
 }
@@ -51,7 +54,7 @@ impl EqualityReader<'_, '_> {
     /// Reads all active constraints.
     pub fn read(&self, findings: &mut Findings<'_>) -> Constraints {
         let mut constraints = Constraints::default();
-        if !self.settings.equalities {
+        if !self.models.main().equalities {
             return constraints;
         }
         for element in self.tree.in_sections("equality") {
@@ -59,7 +62,7 @@ impl EqualityReader<'_, '_> {
                 self.tree,
                 element,
                 DefaultKind::Equality,
-                self.classes,
+                self.models,
                 None,
                 findings,
             );
@@ -200,28 +203,15 @@ impl EqualityReader<'_, '_> {
         Some([(bodies[0], first), (bodies[1], Transform::new(Matrix3::identity(), anchor))])
     }
 
-    /// Coefficients a₀ and a₁ of the polynomial; `None`, with an error, for a higher degree.
-    fn linear_coefficients(
-        &self,
-        attributes: Attributes<'_>,
-        findings: &mut Findings<'_>,
-    ) -> Option<[f64; 2]> {
+    /// Coefficients a₀ to a₄ of the polynomial; `None`, with an error, if they are invalid.
+    fn coefficients(&self, attributes: Attributes<'_>, findings: &mut Findings<'_>) -> Option<[f64; 5]> {
         // Coefficients that are not given keep their defaults.
         let mut coefficients = [0.0, 1.0, 0.0, 0.0, 0.0];
         if attributes.text("polycoef").is_some() {
             let given = attributes.list("polycoef", 5, findings)?;
             coefficients[..given.len()].copy_from_slice(&given);
         }
-        let [constant, linear, higher @ ..] = coefficients;
-        if higher.iter().any(|coefficient| *coefficient != 0.0) {
-            findings.attribute_error("unsupported", attributes.element, "polycoef", || {
-                "a relation of degree 2 or more is not read, and the answer without it would be wrong; replace it by its tangent at \
-                 the pose of interest"
-                    .to_owned()
-            });
-            return None;
-        }
-        Some([constant, linear])
+        Some(coefficients)
     }
 
     /// Adds `<joint>`: q₁ = a₀ + a₁ q₂, or q₁ = a₀ without a second joint; positions are relative to the drawing.
@@ -237,7 +227,7 @@ impl EqualityReader<'_, '_> {
             return;
         };
         let Some(dependent) = self.references.scalar_joint(name, element, "joint1", findings) else { return };
-        let coefficients = self.linear_coefficients(attributes, findings);
+        let coefficients = self.coefficients(attributes, findings);
         let driver = match attributes.text("joint2") {
             Some(name) => {
                 let Some(joint) = self.references.scalar_joint(name, element, "joint2", findings) else {
@@ -247,32 +237,24 @@ impl EqualityReader<'_, '_> {
             }
             None => None,
         };
-        let Some([constant, linear]) = coefficients else { return };
-        let mut terms = vec![(dependent, 1.0)];
-        terms.extend(driver.map(|joint| (joint, -linear)));
-        self.add_relation(element, &terms, constant, relations, findings);
+        let Some(coefficients) = coefficients else { return };
+        let driver = driver.map(|joint| vec![(joint, 1.0)]);
+        let sum = joint_sum(vec![(dependent, 1.0)], driver.as_deref(), coefficients);
+        self.add_relation(element, sum, relations, findings);
     }
 
-    /// Adds a relation of joint positions, with an error if a mechanism cannot express it.
+    /// Adds a relation of joint positions, with an error if it contradicts an earlier one.
     fn add_relation(
         &self,
         element: ElementId,
-        terms: &[(JointKey, f64)],
-        constant: f64,
+        sum: JointSum,
         relations: &mut JointRelations,
         findings: &mut Findings<'_>,
     ) {
-        match relations.add(terms, constant) {
-            Ok(()) => {}
-            Err(RelationDefect::TooManyJoints(count)) => findings.error("unsupported", element, || {
-                format!(
-                    "a relation of {count} independent joints is not read, and the answer without it would be wrong; relations of two \
-                     joints are read"
-                )
-            }),
-            Err(RelationDefect::Contradiction) => findings.error("contradiction", element, || {
+        if relations.add(element, sum).is_err() {
+            findings.error("contradiction", element, || {
                 "earlier constraints determine these joints already, with other positions".to_owned()
-            }),
+            });
         }
     }
 
@@ -302,16 +284,16 @@ impl EqualityReader<'_, '_> {
             return;
         };
         let (Some(first), second) = (first, second) else { return };
-        let Some([constant, linear]) = self.linear_coefficients(attributes, findings) else { return };
+        let Some(coefficients) = self.coefficients(attributes, findings) else { return };
         match (&first.path, second.map(|second| second.map(|tendon| &tendon.path))) {
             (_, Some(None)) => {}
             (TendonPath::Fixed(terms), None) => {
-                self.add_relation(element, terms, constant, &mut constraints.joints, findings);
+                let sum = joint_sum(terms.clone(), None, coefficients);
+                self.add_relation(element, sum, &mut constraints.joints, findings);
             }
             (TendonPath::Fixed(terms), Some(Some(TendonPath::Fixed(others)))) => {
-                let others = others.iter().map(|(joint, coefficient)| (*joint, -linear * coefficient));
-                let terms: Vec<_> = terms.iter().copied().chain(others).collect();
-                self.add_relation(element, &terms, constant, &mut constraints.joints, findings);
+                let sum = joint_sum(terms.clone(), Some(others), coefficients);
+                self.add_relation(element, sum, &mut constraints.joints, findings);
             }
             (TendonPath::Line(sites), None) => {
                 let ends = sites.each_ref().map(|site| (site.body, site.frame));
@@ -320,8 +302,11 @@ impl EqualityReader<'_, '_> {
                 let before = constraints.closures.len();
                 self.add_closure(attributes, ClosureKind::Distance, Some(ends), constraints, findings);
                 if let Some(closure) = constraints.closures.get_mut(before) {
-                    closure.distance = Some((points[1] - points[0]).norm() + constant);
+                    closure.distance = Some((points[1] - points[0]).norm() + coefficients[0]);
                 }
+            }
+            (TendonPath::Replicated, _) | (_, Some(Some(TendonPath::Replicated))) => {
+                findings.error("unsupported", element, || REPLICATED_TENDON.to_owned());
             }
             _ => findings.error("unsupported", element, || {
                 "of spatial tendons, only the length of a straight line between two sites is kept constant here; other equalities of \
@@ -330,4 +315,20 @@ impl EqualityReader<'_, '_> {
             }),
         }
     }
+}
+
+/// Relation Σ terms = a₀ + a₁ s + a₂ s² + a₃ s³ + a₄ s⁴ with s = Σ others; without others only a₀ counts.
+fn joint_sum(
+    mut terms: Vec<(JointKey, f64)>,
+    others: Option<&[(JointKey, f64)]>,
+    [constant, linear, higher @ ..]: [f64; 5],
+) -> JointSum {
+    let Some(others) = others else { return JointSum { terms, constant, curve: None } };
+    terms.extend(others.iter().map(|(joint, coefficient)| (*joint, -linear * coefficient)));
+    let curve = (higher != [0.0; 3]).then(|| JointCurve {
+        terms: others.to_vec(),
+        offset: 0.0,
+        coefficients: higher,
+    });
+    JointSum { terms, constant, curve }
 }

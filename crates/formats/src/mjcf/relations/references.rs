@@ -15,6 +15,11 @@ pub(crate) struct References<'b> {
 }
 
 impl<'b> References<'b> {
+    /// True for a name that only elements within a `<replicate>` have, with a suffix.
+    pub fn is_replicated(&self, name: &str) -> bool {
+        self.bodies.replicated_names.contains_key(name)
+    }
+
     /// Index of the body with a name; an unknown name is an error at `attribute`, as for the other elements.
     pub fn body(
         &self,
@@ -91,7 +96,7 @@ impl<'b> References<'b> {
         names: impl Iterator<Item = &'n str>,
         findings: &mut Findings<'_>,
     ) {
-        let is_replicated = self.bodies.replicated_names.contains_key(name);
+        let is_replicated = self.is_replicated(name);
         findings.attribute_error("unknown-reference", element, attribute, || {
             if is_replicated {
                 return format!(

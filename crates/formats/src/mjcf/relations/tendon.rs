@@ -3,7 +3,8 @@
 use crate::mjcf::bodies::body::Site;
 use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::values::attributes::Attributes;
-use crate::mjcf::values::classes::{Classes, DefaultKind};
+use crate::mjcf::values::classes::DefaultKind;
+use crate::mjcf::values::models::Models;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use std::collections::HashMap;
@@ -17,12 +18,16 @@ pub(crate) enum TendonPath {
     Line([Site; 2]),
     /// Line through more sites, around geoms or over pulleys.
     Wrapped,
+    /// Tendon of a `<replicate>`, of which MuJoCo makes copies.
+    Replicated,
 }
 
 /// Tendon.
 #[derive(Clone, Debug)]
 pub(crate) struct Tendon {
     pub element: ElementId,
+    /// Empty if absent.
+    pub name: String,
     pub path: TendonPath,
     /// Armature per rate of the length, kg or kg·m².
     pub armature: f64,
@@ -31,25 +36,31 @@ pub(crate) struct Tendon {
 /// Reads all tendons, by name. Unnamed tendons are kept for their armature, with a key that no reference has.
 pub(crate) fn read_tendons(
     tree: &ElementTree,
-    classes: &Classes,
+    models: &Models<'_>,
     references: &References<'_>,
     findings: &mut Findings<'_>,
 ) -> HashMap<String, Tendon> {
     let mut tendons = HashMap::new();
     for (number, element) in tree.in_sections("tendon").enumerate() {
-        let attributes = Attributes::with_class(tree, element, DefaultKind::Tendon, classes, None, findings);
+        let attributes = Attributes::with_class(tree, element, DefaultKind::Tendon, models, None, findings);
+        let is_replicated = tree.children(element).iter().any(|child| {
+            ["joint", "site"]
+                .into_iter()
+                .filter_map(|name| tree.attribute(*child, name))
+                .any(|name| references.is_replicated(name))
+        });
         let path = match tree.tag(element) {
+            // Without a constraint and an armature the tendon has no effect.
+            _ if is_replicated => TendonPath::Replicated,
             "fixed" => fixed_path(tree, element, references, findings),
             "spatial" => spatial_path(tree, element, references, findings),
             // The grammar reports other elements.
             _ => continue,
         };
         let armature = attributes.number("armature", findings).unwrap_or(0.0);
-        let name = match tree.attribute(element, "name").unwrap_or_default() {
-            "" => format!("\u{0}{number}"),
-            name => name.to_owned(),
-        };
-        if tendons.insert(name, Tendon { element, path, armature }).is_some() {
+        let name = tree.attribute(element, "name").unwrap_or_default().to_owned();
+        let key = if name.is_empty() { format!("\u{0}{number}") } else { name.clone() };
+        if tendons.insert(key, Tendon { element, name, path, armature }).is_some() {
             findings.error("duplicate-name", element, || {
                 "the name of the tendon was given before; names must be unique".to_owned()
             });

@@ -1,6 +1,7 @@
 //! Typed values of an element's attributes, with the defaults of its class.
 
 use crate::mjcf::values::classes::{ClassId, Classes, DefaultKind};
+use crate::mjcf::values::models::Models;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
@@ -26,10 +27,11 @@ impl<'t> Attributes<'t> {
         tree: &'t ElementTree,
         element: ElementId,
         kind: DefaultKind,
-        classes: &'t Classes,
+        models: &'t Models<'t>,
         inherited: Option<ClassId>,
         findings: &mut Findings<'_>,
     ) -> Self {
+        let classes = models.classes(element);
         let own = classes.named(tree, element, "class", findings);
         Self { tree, element, defaults: Some((classes, own.or(inherited).unwrap_or(Classes::MAIN), kind)) }
     }

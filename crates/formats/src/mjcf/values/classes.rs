@@ -61,11 +61,11 @@ impl Classes {
     /// The class `main`, which exists without a declaration.
     pub const MAIN: ClassId = ClassId(0);
 
-    /// Reads all `<default>` sections.
-    pub fn read(tree: &ElementTree, findings: &mut Findings<'_>) -> Self {
+    /// Reads the `<default>` sections below a root.
+    pub fn read(tree: &ElementTree, root: ElementId, findings: &mut Findings<'_>) -> Self {
         let mut classes =
             Self { classes: vec![Class::default()], by_name: HashMap::from([(MAIN.to_owned(), Self::MAIN)]) };
-        for section in tree.children_named(tree.root(), "default") {
+        for section in tree.children_named(root, "default") {
             if let Some(name) = tree.attribute(section, "class").filter(|name| *name != MAIN) {
                 findings.attribute_error("bad-class", section, "class", || {
                     format!("the top class is {}; its only name is \"main\", or none", quoted(name))

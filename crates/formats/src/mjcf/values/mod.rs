@@ -2,5 +2,6 @@
 
 pub(crate) mod attributes;
 pub(crate) mod classes;
+pub(crate) mod models;
 pub(crate) mod orientation;
 pub(crate) mod settings;

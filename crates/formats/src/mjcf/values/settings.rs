@@ -1,7 +1,7 @@
 //! Settings of the compiler and of the options. Several sections are merged: the last value of an attribute counts.
 
 use crate::mjcf::values::attributes::Attributes;
-use crate::reading::element_tree::ElementTree;
+use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::report::quoted;
 
@@ -61,11 +61,15 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Reads all `<compiler>` and `<option>` sections.
-    pub fn read(tree: &ElementTree, findings: &mut Findings<'_>) -> Self {
+    /// Reads the `<compiler>` and `<option>` sections below a root.
+    pub fn read(tree: &ElementTree, root: ElementId, findings: &mut Findings<'_>) -> Self {
         let mut settings = Self::default();
-        for element in tree.children_named(tree.root(), "compiler") {
+        for element in tree.children_named(root, "compiler") {
             settings.merge_compiler(Attributes::new(tree, element), findings);
+        }
+        if root != tree.root() {
+            // Options of attached models have no effect.
+            return settings;
         }
         let flags = tree.in_sections("option").filter(|element| tree.tag(*element) == "flag");
         for element in flags {

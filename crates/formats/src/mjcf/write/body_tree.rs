@@ -105,6 +105,11 @@ impl BodyTree {
         Ok(tree)
     }
 
+    /// True unless the link is merged into the body of its child.
+    pub fn has_body(&self, link: LinkId) -> bool {
+        self.chains[link.index()].is_some()
+    }
+
     /// Appends a line within the body of a link; within the world for `None`.
     pub fn append_content(&mut self, mechanism: &Mechanism, link: Option<LinkId>, line: &str) {
         match link.filter(|link| !(self.root_is_world && *link == mechanism.root())) {

@@ -2,6 +2,7 @@
 
 mod body_tree;
 pub(crate) mod closures;
+mod contacts;
 mod error;
 mod relations;
 
@@ -33,6 +34,7 @@ pub fn write_mjcf(mechanism: &Mechanism, heading: &str) -> Result<ModelText, Mjc
     let mut tree = BodyTree::new(mechanism)?;
     let closures = closures::write_closures(mechanism, &mut tree)?;
     let relations = relations::write_relations(mechanism);
+    contacts::add_contacts(mechanism, &mut tree);
     let mut out = xml_head(heading, mechanism, "MJCF");
     append(&mut out, format_args!("<mujoco model=\"{}\">\n", escape_attribute(mechanism.name())));
     out.push_str(
@@ -50,8 +52,6 @@ pub fn write_mjcf(mechanism: &Mechanism, heading: &str) -> Result<ModelText, Mjc
         }
     }
     out.push_str("</mujoco>\n");
-    let contacts = mechanism.contacts().iter();
-    let lost = contacts.map(|contact| format!("contact \"{}\": MJCF has no named contacts", contact.name()));
-    let notes = tree.notes.into_iter().chain(lost).collect();
+    let notes = tree.notes;
     Ok(ModelText { text: out, notes })
 }

@@ -2,7 +2,7 @@
 
 use super::closures::Sections;
 use crate::xml_text::{append, escape_attribute, format_number};
-use percuss_mechanism::Mechanism;
+use percuss_mechanism::{JointId, Mechanism};
 
 /// Writes all mimics and couplings.
 pub(super) fn write_relations(mechanism: &Mechanism) -> Sections {
@@ -23,31 +23,64 @@ pub(super) fn write_relations(mechanism: &Mechanism) -> Sections {
     }
     for coupling in mechanism.couplings() {
         let own = escape_attribute(coupling.name());
-        if let [(first, a), (second, b)] = coupling.terms() {
+        let constant = coupling.constant();
+        if let ([(first, a), (second, b)], None) = (coupling.terms(), coupling.curve()) {
             append(
                 &mut sections.equalities,
                 format_args!(
-                    "    <joint name=\"{own}\" joint1=\"{}\" joint2=\"{}\" polycoef=\"0 {} 0 0 0\"/>\n",
+                    "    <joint name=\"{own}\" joint1=\"{}\" joint2=\"{}\" polycoef=\"{} {} 0 0 0\"/>\n",
                     name(*first),
                     name(*second),
+                    format_number(constant / a),
                     format_number(-b / a)
                 ),
             );
             continue;
         }
-        append(&mut sections.tendons, format_args!("    <fixed name=\"{own}\">\n"));
-        for (joint, factor) in coupling.terms() {
+        write_tendon(&mut sections, mechanism, &own, coupling.terms());
+        let Some(curve) = coupling.curve() else {
             append(
-                &mut sections.tendons,
+                &mut sections.equalities,
                 format_args!(
-                    "      <joint joint=\"{}\" coef=\"{}\"/>\n",
-                    name(*joint),
-                    format_number(*factor)
+                    "    <tendon name=\"{own}\" tendon1=\"{own}\" polycoef=\"{} 0 0 0 0\"/>\n",
+                    format_number(constant)
                 ),
             );
-        }
-        sections.tendons.push_str("    </fixed>\n");
-        append(&mut sections.equalities, format_args!("    <tendon name=\"{own}\" tendon1=\"{own}\"/>\n"));
+            continue;
+        };
+        let argument = format!("{own}/argument");
+        write_tendon(&mut sections, mechanism, &argument, curve.terms());
+        let shifted = shifted_coefficients(curve.offset(), curve.coefficients());
+        let coefficients = [constant + shifted[0], shifted[1], shifted[2], shifted[3], shifted[4]];
+        append(
+            &mut sections.equalities,
+            format_args!(
+                "    <tendon name=\"{own}\" tendon1=\"{own}\" tendon2=\"{argument}\" polycoef=\"{}\"/>\n",
+                coefficients.map(format_number).join(" ")
+            ),
+        );
     }
     sections
+}
+
+/// Writes a fixed tendon with the length Σ factor · q.
+fn write_tendon(sections: &mut Sections, mechanism: &Mechanism, name: &str, terms: &[(JointId, f64)]) {
+    append(&mut sections.tendons, format_args!("    <fixed name=\"{name}\">\n"));
+    for (joint, factor) in terms.iter().filter(|(_, factor)| *factor != 0.0) {
+        let (joint, factor) = (escape_attribute(mechanism.joint(*joint).name()), format_number(*factor));
+        append(&mut sections.tendons, format_args!("      <joint joint=\"{joint}\" coef=\"{factor}\"/>\n"));
+    }
+    sections.tendons.push_str("    </fixed>\n");
+}
+
+/// Coefficients b₀ … b₄ of a₂ s² + a₃ s³ + a₄ s⁴ as a polynomial in x, with s = offset + x.
+fn shifted_coefficients(offset: f64, [a2, a3, a4]: [f64; 3]) -> [f64; 5] {
+    let o = offset;
+    [
+        o * o * (a2 + o * (a3 + o * a4)),
+        o * (2.0 * a2 + o * (3.0 * a3 + o * 4.0 * a4)),
+        a2 + o * (3.0 * a3 + o * 6.0 * a4),
+        a3 + o * 4.0 * a4,
+        a4,
+    ]
 }

@@ -29,7 +29,7 @@ pub(crate) fn read_files(name: &str, text: &str, report: Report) -> Files {
         open: vec![std::fs::canonicalize(name).unwrap_or_else(|_| PathBuf::from(name))],
         bytes: text.len() as u64,
     };
-    reader.files.tree.files.push(FileText { name: name.to_owned(), text: text.to_owned() });
+    reader.files.tree.files.push(FileText { name: name.to_owned(), text: text.to_owned(), model: 0 });
     reader.append_file(0, None, 0);
     reader.files
 }
@@ -151,7 +151,11 @@ impl FileReader {
         let mut report = Report::default();
         let text = source.text(&mut report).map(|text| tolerant_text(text).into_owned());
         let index = self.files.tree.files.len();
-        self.files.tree.files.push(FileText { name: source.name, text: text.clone().unwrap_or_default() });
+        self.files.tree.files.push(FileText {
+            name: source.name,
+            text: text.clone().unwrap_or_default(),
+            model: 0,
+        });
         self.files.reports.push(report);
         if text.is_some() {
             self.open.push(canonical);

@@ -198,9 +198,10 @@ impl Walker<'_, '_, '_> {
         let id = ScopeId(self.scopes.scopes.len());
         let is_merged =
             include.is_some_and(|include| read_boolean_attribute(tree, include, "merge", self.findings));
-        if is_merged && scope.0 == 0 {
-            self.findings.error("unsupported", source, || {
-                "a model that is merged into a world is not read; remove merge=\"true\"".to_owned()
+        if is_merged && scope.0 == 0 && tree.children_named(model, "link").next().is_some() {
+            self.findings.error("merged-links", source, || {
+                "a model with links of its own is merged into a world, which has models and joints, but no links; remove merge=\"true\""
+                    .to_owned()
             });
         }
         // The frame of a merged model has a name that no file can refer to.

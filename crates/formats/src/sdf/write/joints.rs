@@ -53,22 +53,26 @@ impl Axes {
         }
         for coupling in mechanism.couplings() {
             let refusal = |reason: &str| SdfError::new("coupling", coupling.name(), reason);
+            if coupling.curve().is_some() || coupling.constant() != 0.0 && coupling.terms().len() != 2 {
+                return Err(refusal("SDFormat has only linear relations of two joints, by a <mimic>"));
+            }
             let [(first, a), (second, b)] = coupling.terms() else {
                 return Err(refusal(
                     "SDFormat couples two joints, by a <mimic>; this coupling has another number of joints",
                 ));
             };
-            let (follower, leader, multiplier) = if axes.followers.contains_key(first) {
-                (*second, *first, -a / b)
+            let (follower, leader, multiplier, own) = if axes.followers.contains_key(first) {
+                (*second, *first, -a / b, *b)
             } else {
-                (*first, *second, -b / a)
+                (*first, *second, -b / a, *a)
             };
-            if axes.followers.contains_key(&follower) || !multiplier.is_finite() {
+            let offset = coupling.constant() / own;
+            if axes.followers.contains_key(&follower) || !multiplier.is_finite() || !offset.is_finite() {
                 return Err(refusal(
                     "in SDFormat a joint follows one other, and both joints of this coupling follow another already",
                 ));
             }
-            axes.followers.insert(follower, Follower { leader, multiplier, offset: 0.0 });
+            axes.followers.insert(follower, Follower { leader, multiplier, offset });
         }
         for (id, follower) in &axes.followers {
             if ![id, &follower.leader].iter().all(|joint| axes.names.contains_key(joint)) {

@@ -109,6 +109,7 @@ const IN_ROBOT: &[ElementRule] = &[
     element("loop", &[("name", Read), ("type", Read)], IN_LOOP),
     element("loop_joint", &[("name", Read), ("type", Read)], IN_LOOP_JOINT),
     element("coupling", &[("name", Read), ("type", Read)], IN_COUPLING),
+    element("relation", &[("name", Read)], IN_RELATION),
     element("contact", &[("name", Read), ("type", Read)], IN_CONTACT),
     unread_element("constraint", write_instead!("a <loop> or a <coupling>")),
     unread_element(
@@ -180,6 +181,18 @@ const IN_COUPLING: &[ElementRule] = &[
     // Both axes are joint axes.
     unread_element("axis", Silent),
 ];
+
+const IN_RELATION: &[ElementRule] = &[
+    element("joint", RELATED_JOINT, &[]),
+    single_element("constant", &[("value", Read)]),
+    single_element_with_children(
+        "curve",
+        &[("offset", Read), ("coefficients", Read)],
+        &[element("joint", RELATED_JOINT, &[])],
+    ),
+];
+
+const RELATED_JOINT: &[(&str, Treatment)] = &[("name", Read), ("factor", Read)];
 
 const IN_CONTACT: &[ElementRule] = &[
     single_element("body", &[("link", Read), ("xyz", Read)]),

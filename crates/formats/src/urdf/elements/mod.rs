@@ -8,6 +8,7 @@ pub(crate) mod link;
 pub(crate) mod nodes;
 pub(crate) mod numbers;
 pub(crate) mod origin;
+pub(crate) mod relation;
 pub(crate) mod sdf_values;
 pub(crate) mod shapes;
 pub(crate) mod survey;

@@ -9,12 +9,13 @@ use percuss_mechanism::{Problem, Subject};
 use roxmltree::Node;
 use std::collections::HashSet;
 
-/// Elements of links, joints, loops, couplings and contacts, in the order of the file.
+/// Elements of links, joints, loops, couplings, relations and contacts, in the order of the file.
 pub(crate) struct Nodes<'a, 'i> {
     pub links: Vec<Node<'a, 'i>>,
     pub joints: Vec<Node<'a, 'i>>,
     pub closures: Vec<Node<'a, 'i>>,
     pub couplings: Vec<Node<'a, 'i>>,
+    pub relations: Vec<Node<'a, 'i>>,
     pub contacts: Vec<Node<'a, 'i>>,
 }
 
@@ -40,6 +41,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 .filter(|node| !is_gazebo_joint(*node) || !fixes_root_to_world(*node, is_root, report))
                 .collect(),
             couplings: children(robot, "coupling").collect(),
+            relations: children(robot, "relation").collect(),
             contacts: children(robot, "contact").collect(),
         }
     }
@@ -51,6 +53,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
             ("joints", self.joints.len()),
             ("loops", self.closures.len()),
             ("couplings", self.couplings.len()),
+            ("relations", self.relations.len()),
             ("contacts", self.contacts.len()),
         ];
         let excess = counts.into_iter().find(|(_, count)| *count > MAX_ELEMENTS_PER_KIND);
@@ -69,7 +72,9 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
             Subject::Link { index, .. } => self.links.get(*index).copied(),
             Subject::Joint { index, .. } => self.joints.get(*index).copied(),
             Subject::Closure { index, .. } => self.closures.get(*index).copied(),
-            Subject::Coupling { index, .. } => self.couplings.get(*index).copied(),
+            Subject::Coupling { index, .. } => {
+                self.couplings.iter().chain(&self.relations).nth(*index).copied()
+            }
             Subject::Contact { index, .. } => self.contacts.get(*index).copied(),
         };
         let node = node.unwrap_or(robot);
@@ -85,6 +90,8 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 "armature" => &["dynamics"],
                 "distance" => &["distance"],
                 "ratio" => &["ratio"],
+                "constant" => &["constant"],
+                "offset" | "coefficient" => &["curve"],
                 "contact point" => &["body"],
                 "normal" => &["normal"],
                 "point of the line" => &["toward"],

@@ -23,9 +23,14 @@ pub enum Fault {
     /// Model without named contacts.
     #[error(
         "the model names no contact; a suspension sheet names its stops, springs and dampers, a URDF names contacts by \
-         <contact> elements; give link, point and normal instead"
+         <contact> elements, an MJCF by its sites; give link, point and normal instead"
     )]
     NoNamedContacts,
+    /// Normal in addition to a named stop.
+    #[error(
+        "the named contact is a stop, whose normal belongs to its gap; remove the normal, or give link, point and normal"
+    )]
+    NormalOfStop,
     /// Invalid position.
     #[error(transparent)]
     Configuration(#[from] ConfigurationError),

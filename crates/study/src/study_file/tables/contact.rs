@@ -74,15 +74,15 @@ pub struct ContactTable {
     pub name: Option<String>,
     /// Named contact of the model, such as bump_stop; a stop is brought to the touch. all: a table.
     ///
-    /// Suspension sheets name their stops, spring and damper seats and contact patches; a URDF does so by `<contact>`. The
-    /// mechanism moves until the gap of a stop is closed, unless a travel or a file gives the pose. On a vehicle with
+    /// Suspension sheets name their stops, spring and damper seats and contact patches; a URDF does so by `<contact>`, an MJCF by
+    /// its sites (the normal is the z-axis as drawn). A normal replaces that of a contact that is no stop. The mechanism moves until the gap of a stop is closed, unless a travel or a file gives the pose. On a vehicle with
     /// both sides, both stops touch.
     #[cfg_attr(
         feature = "flags",
         arg(
             long,
             value_name = "NAME",
-            conflicts_with_all = ["link", "point", "normal", "along_line", "normal_frame", "against"],
+            conflicts_with_all = ["link", "point", "along_line", "frame", "against"],
             help_heading = CONTACT
         )
     )]
@@ -292,8 +292,9 @@ impl ContactTable {
                 return Err(InvalidKey::new("contact", "give either `normal` or `along_line`"));
             }
         };
-        if self.at.is_some() && (!self.has_no_geometry() || self.against.is_some()) {
-            let why = "it names a contact of the model: remove `link`, `point`, `normal`, `along_line`, `frame` and `against`";
+        let with_normal = Self { normal: None, normal_frame: None, ..self.clone() };
+        if self.at.is_some() && (!with_normal.has_no_geometry() || self.against.is_some()) {
+            let why = "it names a contact of the model: remove `link`, `point`, `along_line`, `frame` and `against`";
             return Err(InvalidKey::new("contact.at", why));
         }
         if self.against.is_some() && self.against_mass.is_some() {

@@ -28,7 +28,7 @@ pub enum Acceptable {
 #[cfg_attr(feature = "flags", derive(clap::Args))]
 #[serde(deny_unknown_fields)]
 pub struct ModelTable {
-    /// A URDF, or a suspension's sheet or table.
+    /// A URDF, MJCF or SDFormat file, or a suspension's sheet or table.
     #[cfg_attr(feature = "flags", arg(skip))]
     pub path: String,
     /// Worksheet of a workbook; default: the first one.

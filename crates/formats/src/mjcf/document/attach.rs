@@ -1,0 +1,383 @@
+//! Attached models: every `<attach>` gets a copy of a body, a frame or the world of a model as its children, and the main model gets
+//! copies of the constraints, tendons, actuators and meshes that belong to the copy. All names of a copy have a prefix.
+
+use crate::mjcf::document::files::{AttachedModel, Files};
+use crate::reading::element_tree::{Attribute, Element, ElementId, ElementTree};
+use crate::reading::limits::{MAX_ATTACH_STEPS, MAX_ELEMENTS};
+use crate::reading::report::{Place, Report, quoted, shortened};
+use percuss_mechanism::Severity;
+use std::collections::HashSet;
+
+/// Kinds of elements that others refer to by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Kind {
+    Body,
+    Joint,
+    Site,
+    Geom,
+    Tendon,
+    Asset,
+}
+
+/// Attributes that refer to elements.
+const REFERENCES: [(&str, Kind); 20] = [
+    ("body", Kind::Body),
+    ("body1", Kind::Body),
+    ("body2", Kind::Body),
+    ("joint", Kind::Joint),
+    ("joint1", Kind::Joint),
+    ("joint2", Kind::Joint),
+    ("jointinparent", Kind::Joint),
+    ("site", Kind::Site),
+    ("site1", Kind::Site),
+    ("site2", Kind::Site),
+    ("refsite", Kind::Site),
+    ("cranksite", Kind::Site),
+    ("slidersite", Kind::Site),
+    ("sidesite", Kind::Site),
+    ("geom", Kind::Geom),
+    ("tendon", Kind::Tendon),
+    ("tendon1", Kind::Tendon),
+    ("tendon2", Kind::Tendon),
+    ("mesh", Kind::Asset),
+    ("hfield", Kind::Asset),
+];
+
+/// Sections of which elements are copied, in an order in which every section refers to earlier ones only.
+const SECTIONS: [&str; 4] = ["asset", "tendon", "equality", "actuator"];
+
+/// Names by kind.
+type Names = HashSet<(Kind, String)>;
+
+/// Progress of the attachments within a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    Waiting,
+    Started,
+    Done,
+}
+
+/// Carries out all attachments. Defects are reported; after an error the tree may be incomplete.
+pub(crate) fn attach_models(files: &mut Files) {
+    let Files { tree, reports, models } = files;
+    let states = vec![State::Waiting; models.len()];
+    Attacher { tree, reports, models, states, steps: 0, expanded: HashSet::new() }.complete(0);
+}
+
+struct Attacher<'f> {
+    tree: &'f mut ElementTree,
+    reports: &'f mut [Report],
+    models: &'f [AttachedModel],
+    states: Vec<State>,
+    /// Elements searched for names.
+    steps: usize,
+    /// Elements `<attach>` with contents.
+    expanded: HashSet<ElementId>,
+}
+
+impl Attacher<'_> {
+    /// Carries out the attachments of a model. The recursion is bounded by the nesting of the models.
+    fn complete(&mut self, model: usize) {
+        self.states[model] = State::Started;
+        let worlds: Vec<ElementId> = self.tree.children_named(self.models[model].root, "worldbody").collect();
+        let waiting: Vec<ElementId> = worlds.into_iter().flat_map(|world| self.unexpanded(world)).collect();
+        for element in waiting {
+            if self.attach(model, element).is_none() {
+                return;
+            }
+        }
+        self.states[model] = State::Done;
+    }
+
+    /// Elements `<attach>` below an element that wait for their contents, in the order of the file.
+    fn unexpanded(&self, element: ElementId) -> Vec<ElementId> {
+        let mut found = Vec::new();
+        let mut stack = vec![element];
+        while let Some(id) = stack.pop() {
+            if self.tree.tag(id) == "attach" && !self.expanded.contains(&id) {
+                found.push(id);
+            }
+            stack.extend(self.tree.children(id).iter().rev());
+        }
+        found
+    }
+
+    fn error(&mut self, code: &'static str, element: ElementId, attribute: &str, message: String) {
+        let offset = self.tree.attribute_offset(element, attribute);
+        let file = self.tree.element(element).file;
+        self.reports[file].error(code, Place::Named(offset, "attach"), || message);
+    }
+
+    /// Carries out one attachment; `None` after an error.
+    fn attach(&mut self, own: usize, element: ElementId) -> Option<()> {
+        let text = |name: &str| self.tree.attribute(element, name).map(str::to_owned);
+        let (name, body, frame, prefix) = (text("model"), text("body"), text("frame"), text("prefix"));
+        let model = match &name {
+            None => own,
+            Some(name) => match self.models[own].attachable.iter().find(|(known, _)| known == name) {
+                Some((_, model)) => *model,
+                None => {
+                    let message = format!(
+                        "the model {} does not exist; an <asset> names it: <model name=\"...\" file=\"...\"/>",
+                        quoted(name)
+                    );
+                    self.error("unknown-reference", element, "model", message);
+                    return None;
+                }
+            },
+        };
+        if model != own {
+            match self.states[model] {
+                State::Waiting => self.complete(model),
+                State::Started => {
+                    let message =
+                        "the attached model attaches this one: a circle of models has no end".to_owned();
+                    self.error("attach-circle", element, "model", message);
+                    return None;
+                }
+                State::Done => {}
+            }
+            if self.states[model] != State::Done {
+                return None;
+            }
+        }
+        let sources = match (&body, &frame) {
+            (Some(_), Some(_)) => {
+                let message = "both body and frame are given; one of them, or none, is expected".to_owned();
+                self.error("two-notations", element, "frame", message);
+                return None;
+            }
+            (Some(wanted), None) => self.find(element, model, "body", wanted)?,
+            (None, Some(wanted)) => self.find(element, model, "frame", wanted)?,
+            (None, None) if model == own => {
+                let message =
+                    "without a model, body or frame names the part of this model to attach".to_owned();
+                self.error("missing-attribute", element, "prefix", message);
+                return None;
+            }
+            (None, None) => self.tree.children_named(self.models[model].root, "worldbody").collect(),
+        };
+        let holds_itself = sources.iter().any(|source| !self.unexpanded(*source).is_empty());
+        if holds_itself {
+            let message = "the attached part contains an <attach> that comes later, or this one".to_owned();
+            self.error("attach-circle", element, "body", message);
+            return None;
+        }
+        self.expanded.insert(element);
+        let prefix = prefix.unwrap_or_default();
+        let within = self.names(&sources);
+        for source in sources {
+            let class = self.inherited_class(source);
+            let copy = self.copy(source, element, &prefix, element)?;
+            let copied = &mut self.tree.elements[copy.0 as usize];
+            if copied.tag == "worldbody" {
+                copied.tag = "frame".to_owned();
+            }
+            if let Some(class) = class.filter(|_| copied.attributes.iter().all(|a| a.name != "childclass")) {
+                let offset = copied.offset;
+                copied.attributes.push(Attribute { name: "childclass".to_owned(), value: class, offset });
+            }
+        }
+        self.copy_sections(element, own, model, within, &prefix)
+    }
+
+    /// Body or frame with a name in the tree of a model, as a list of one element.
+    fn find(&mut self, element: ElementId, model: usize, tag: &str, name: &str) -> Option<Vec<ElementId>> {
+        let mut stack: Vec<ElementId> =
+            self.tree.children_named(self.models[model].root, "worldbody").collect();
+        while let Some(id) = stack.pop() {
+            if self.tree.tag(id) == tag && self.tree.attribute(id, "name") == Some(name) {
+                return Some(vec![id]);
+            }
+            stack.extend(self.tree.children(id));
+        }
+        let message = format!("the attached model has no {tag} {}", quoted(name));
+        self.error("unknown-reference", element, tag, message);
+        None
+    }
+
+    /// Nearest `childclass` above an element.
+    fn inherited_class(&self, element: ElementId) -> Option<String> {
+        let above = |id: &ElementId| self.tree.element(*id).parent;
+        let mut ancestors = std::iter::successors(above(&element), above);
+        ancestors.find_map(|id| self.tree.attribute(id, "childclass")).map(str::to_owned)
+    }
+
+    /// Names of the bodies, joints, sites and geoms below elements, and of the elements themselves.
+    fn names(&mut self, sources: &[ElementId]) -> Names {
+        let mut names = Names::new();
+        let mut stack = sources.to_vec();
+        while let Some(id) = stack.pop() {
+            self.steps += 1;
+            let kind = match self.tree.tag(id) {
+                "body" => Some(Kind::Body),
+                "joint" | "freejoint" => Some(Kind::Joint),
+                "site" => Some(Kind::Site),
+                "geom" => Some(Kind::Geom),
+                "fixed" | "spatial" => Some(Kind::Tendon),
+                _ => None,
+            };
+            if let (Some(kind), Some(name)) = (kind, self.tree.attribute(id, "name")) {
+                names.insert((kind, name.to_owned()));
+            }
+            stack.extend(self.tree.children(id));
+        }
+        names
+    }
+
+    /// Copies an element and its descendants below `parent`; `None`, with an error at `cause`, beyond the limit.
+    fn copy(
+        &mut self,
+        source: ElementId,
+        parent: ElementId,
+        prefix: &str,
+        cause: ElementId,
+    ) -> Option<ElementId> {
+        let mut first = None;
+        let mut stack = vec![(source, parent)];
+        while let Some((source, parent)) = stack.pop() {
+            if self.tree.elements.len() >= MAX_ELEMENTS {
+                let message =
+                    format!("with all attached models, the model has more than {MAX_ELEMENTS} elements");
+                self.error("too-complex", cause, "model", message);
+                return None;
+            }
+            let element = self.tree.element(source);
+            let attributes = element.attributes.iter().map(|attribute| Attribute {
+                name: attribute.name.clone(),
+                value: prefixed(&attribute.name, &attribute.value, prefix),
+                offset: attribute.offset,
+            });
+            let copied = Element {
+                tag: element.tag.clone(),
+                attributes: attributes.collect(),
+                children: Vec::new(),
+                text: String::new(),
+                parent: Some(parent),
+                file: element.file,
+                offset: element.offset,
+            };
+            let children = element.children.clone();
+            let id = self.append(copied, parent);
+            if self.expanded.contains(&source) {
+                self.expanded.insert(id);
+            }
+            first.get_or_insert(id);
+            stack.extend(children.into_iter().rev().map(|child| (child, id)));
+        }
+        first
+    }
+
+    fn append(&mut self, element: Element, parent: ElementId) -> ElementId {
+        let id = ElementId(self.tree.elements.len() as u32);
+        self.tree.elements.push(element);
+        self.tree.elements[parent.0 as usize].children.push(id);
+        id
+    }
+
+    /// Copies the meshes of a model, and those of its tendons, constraints and actuators that refer only to the names `within` the
+    /// copy. A name that the model does not have is copied too: it is an error.
+    fn copy_sections(
+        &mut self,
+        cause: ElementId,
+        own: usize,
+        model: usize,
+        mut within: Names,
+        prefix: &str,
+    ) -> Option<()> {
+        let (root, target) = (self.models[model].root, self.models[own].root);
+        let all = self.names(&[root]);
+        if self.steps > MAX_ATTACH_STEPS {
+            let message = "too many attachments of a large model".to_owned();
+            self.error("too-complex", cause, "model", message);
+            return None;
+        }
+        for section in SECTIONS {
+            // Meshes of the same model have their names already, but without the prefix.
+            let elements: Vec<ElementId> = self.tree.in_sections_of(root, section).collect();
+            let mut chosen = Vec::new();
+            for element in elements {
+                let names = self.references(element);
+                let is_inside = |name: &(Kind, String)| within.contains(name) || !all.contains(name);
+                match section {
+                    "asset" if self.tree.tag(element) != "mesh" => {}
+                    "asset" => chosen.push(element),
+                    _ if names.iter().all(is_inside) => chosen.push(element),
+                    _ if names.iter().any(|name| within.contains(name)) => self.warn_of_omission(element),
+                    _ => {}
+                }
+            }
+            if section == "tendon" {
+                let tendons = self.names(&chosen);
+                within.extend(tendons);
+            }
+            if chosen.is_empty() {
+                continue;
+            }
+            let (file, offset) = (self.tree.element(cause).file, self.tree.element(cause).offset);
+            let holder = Element {
+                tag: section.to_owned(),
+                attributes: Vec::new(),
+                children: Vec::new(),
+                text: String::new(),
+                parent: Some(target),
+                file,
+                offset,
+            };
+            let holder = self.append(holder, target);
+            for element in chosen {
+                let copy = self.copy(element, holder, prefix, cause)?;
+                if section == "asset" {
+                    self.name_mesh(copy, prefix);
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// Warns about an element that refers to the attached part and to another part of its model.
+    fn warn_of_omission(&mut self, element: ElementId) {
+        let (file, offset) = (self.tree.element(element).file, self.tree.element(element).offset);
+        let place = Place::Named(offset, self.tree.tag(element));
+        self.reports[file].add_once(Severity::Warning, "attached-part", "reference".to_owned(), place, || {
+            "not attached: the element refers to a part of its model that is not attached; MuJoCo leaves it out too, unless the \
+             surrounding model has a part of that name"
+                .to_owned()
+        });
+    }
+
+    /// Gives a mesh without a name that of its file, with the prefix.
+    fn name_mesh(&mut self, mesh: ElementId, prefix: &str) {
+        let element = &mut self.tree.elements[mesh.0 as usize];
+        let value = |name: &str| element.attributes.iter().find(|a| a.name == name).map(|a| a.value.clone());
+        if let (None, Some(file)) = (value("name"), value("file")) {
+            let base = file.rsplit(['/', '\\']).next().unwrap_or(&file);
+            let stem = base.rsplit_once('.').map_or(base, |(stem, _)| stem);
+            let value = format!("{prefix}{}", shortened(stem.trim()));
+            element.attributes.push(Attribute { name: "name".to_owned(), value, offset: element.offset });
+        }
+    }
+
+    /// Names to which an element and its descendants refer, without meshes and without the world.
+    fn references(&self, element: ElementId) -> Vec<(Kind, String)> {
+        let mut found = Vec::new();
+        let mut stack = vec![element];
+        while let Some(id) = stack.pop() {
+            for attribute in &self.tree.element(id).attributes {
+                let kind = REFERENCES.iter().find(|(name, _)| *name == attribute.name).map(|(_, kind)| *kind);
+                if let Some(kind) = kind.filter(|kind| *kind != Kind::Asset && attribute.value != "world") {
+                    found.push((kind, attribute.value.clone()));
+                }
+            }
+            stack.extend(self.tree.children(id));
+        }
+        found
+    }
+}
+
+/// Value of an attribute in a copy: names and references have the prefix.
+fn prefixed(attribute: &str, value: &str, prefix: &str) -> String {
+    let is_name = attribute == "name" || REFERENCES.iter().any(|(name, _)| *name == attribute);
+    let is_world = value == "world" && ["body", "body1", "body2"].contains(&attribute);
+    if is_name && !value.is_empty() && !is_world { format!("{prefix}{value}") } else { value.to_owned() }
+}

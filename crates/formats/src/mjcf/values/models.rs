@@ -1,0 +1,38 @@
+//! Settings and classes of the main model and of the attached models. An element has those of the model whose file contains it.
+
+use crate::mjcf::document::files::AttachedModel;
+use crate::mjcf::values::classes::Classes;
+use crate::mjcf::values::settings::Settings;
+use crate::reading::element_tree::{ElementId, ElementTree};
+use crate::reading::findings::Findings;
+
+/// Settings and classes of all models; the main model is the first.
+pub(crate) struct Models<'t> {
+    tree: &'t ElementTree,
+    models: Vec<(Settings, Classes)>,
+}
+
+impl<'t> Models<'t> {
+    /// Reads the settings and classes of all models.
+    pub fn read(tree: &'t ElementTree, models: &[AttachedModel], findings: &mut Findings<'_>) -> Self {
+        let read = |model: &AttachedModel| {
+            (Settings::read(tree, model.root, findings), Classes::read(tree, model.root, findings))
+        };
+        Self { tree, models: models.iter().map(read).collect() }
+    }
+
+    /// Settings of the main model.
+    pub fn main(&self) -> &Settings {
+        &self.models[0].0
+    }
+
+    /// Settings for an element.
+    pub fn settings(&self, element: ElementId) -> &Settings {
+        &self.models[self.tree.model_of(element)].0
+    }
+
+    /// Classes for an element.
+    pub fn classes(&self, element: ElementId) -> &Classes {
+        &self.models[self.tree.model_of(element)].1
+    }
+}
