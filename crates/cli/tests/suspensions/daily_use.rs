@@ -231,11 +231,13 @@ fn messages_name_the_place_and_the_cause() {
     assert!(!unknown.stderr.contains("misspelled"), "{}", unknown.stderr);
     let near = of("lower_ball = ", "lower_bal = ");
     assert!(near.stderr.contains("did you mean \"points.lower_ball\"?"), "{}", near.stderr);
-    // The stop is not reached, because a point is on the wrong side.
-    let side = of("lower_ball = [5.0, 720.0", "lower_ball = [5.0, -720.0");
+    // The travel is not reached, because a point is on the wrong side.
+    let path =
+        folder.write("car.toml", &sheet.replacen("lower_ball = [5.0, 720.0", "lower_ball = [5.0, -720.0", 1));
+    let side = percuss(&format!("mass {path} --at spring --wheel-travel 500mm"));
     assert_eq!(side.code, 1, "{}", side.stderr);
     let (cause, error) =
-        (side.stderr.find("points.lower_ball: lower_arm"), side.stderr.find("error: the stop"));
+        (side.stderr.find("points.lower_ball: lower_arm"), side.stderr.find("error: --travel"));
     assert!(cause.is_some() && cause < error, "{}", side.stderr);
     assert!(side.stderr.contains("change the sign of its y"), "{}", side.stderr);
 }

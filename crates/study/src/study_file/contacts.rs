@@ -21,7 +21,7 @@ const ALL: &str = "all";
 #[allow(dead_code, reason = "the schema of a contact or a list of contacts")]
 pub(crate) enum ContactsSchema {
     /// One contact.
-    One(ContactTable),
+    One(Box<ContactTable>),
     /// Several contacts, `[[contact]]`.
     Several(Vec<ContactTable>),
 }
