@@ -13,4 +13,3 @@ pub(crate) mod point_velocity;
 pub(crate) mod rigid_body;
 pub(crate) mod travel;
 pub(crate) mod travel_search;
-pub(crate) mod velocity_products;
