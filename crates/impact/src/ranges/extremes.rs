@@ -133,6 +133,7 @@ pub struct ExtremeMass {
 ///
 /// # Errors
 /// [`ExtremesError`].
+#[allow(clippy::too_many_arguments, reason = "mechanism, contact and search")]
 pub fn extreme_effective_mass(
     system: &System,
     configuration: &Configuration,
