@@ -80,7 +80,7 @@ done
 [ "$ran" -ge 9 ] || { echo "only $ran programs were found"; exit 1; }
 # The coupling to MuJoCo, with the library of its Python package, where run.sh or PERCUSS_MUJOCO (a folder with include and
 # libmujoco.so.*) has it.
-mujoco=${PERCUSS_MUJOCO:-$(find "$root/target/external/venv/lib" -maxdepth 3 -type d -name mujoco 2> /dev/null | head -n 1)}
+mujoco=${PERCUSS_MUJOCO:-$(find "$root/target/external/venv/lib" -maxdepth 3 -type d -name mujoco 2> /dev/null | head -n 1 || true)}
 if [ -n "$mujoco" ] && [ -f "$mujoco/include/mujoco/mujoco.h" ]; then
   library=$(find "$mujoco" -maxdepth 1 -name 'libmujoco.so*' | head -n 1)
   # MuJoCo's headers are not those of a C11 program without extensions.
