@@ -121,8 +121,8 @@ fn keys_of_other_tables_and_of_no_table_say_what_there_is() {
             ":2: error: unknown key \"sweep.along_line\"; there is \"contact.along_line\"",
         ),
         (
-            "\n\n[pose]\nset.elbow = 1\ngravity = 9.81\n",
-            ":5: error: unknown key \"pose.gravity\"; the keys of [pose] are ",
+            "\n\n[pose]\nset.elbow = 1\ncolour = 9.81\n",
+            ":5: error: unknown key \"pose.colour\"; the keys of [pose] are ",
         ),
         (
             "[contact]\nlink = \"a\"\npoint = [1, 2]\n[model]\npath = \"x\"\n",
