@@ -56,7 +56,7 @@ fn a_block_is_the_damped_oscillator() {
     let (mass, stiffness, speed) = (2.5, 4e5, 1.3);
     let (pose, contact) = at(&body(JointKind::Prismatic, mass), 0.2, Vector3::x());
     for ratio in [0.05, 0.3, 0.7] {
-        let natural: f64 = (stiffness / mass as f64).sqrt();
+        let natural: f64 = (stiffness / mass).sqrt();
         let damped = natural * (1.0_f64 - ratio * ratio).sqrt();
         let damping = 2.0 * ratio * natural * mass;
         let found = run(&pose, &contact, speed, &|x, v| stiffness * x + damping * v);
@@ -320,7 +320,7 @@ fn the_stiff_limit_has_its_order() {
             (found.restitution - e).abs()
         };
         let (soft, hard) = (1e8, 1.6e9);
-        let found = (error(soft) / error(hard)).ln() / (hard / soft as f64).ln();
+        let found = (error(soft) / error(hard)).ln() / (hard / soft).ln();
         assert!((found - order).abs() < 0.02, "{angle}: {found}");
     }
 }

@@ -60,6 +60,8 @@ PYTHON_NAMES = {
     "contact.along_line": "toward",
     "contact.turning_normal": "turning",
     "damping.for": "tools",
+    # Names one of several contacts of a study.
+    "contact.name": "",
     "damping.limit": "",
     "damping.output": "",
 }
@@ -69,7 +71,9 @@ FIELDS_ONLY = {"closed_loops"}
 
 def keys(table: str) -> set[str]:
     """Python names of the keys of a table of a study."""
-    known: dict[str, Any] = percuss.study_schema()["properties"][table]["properties"]
+    schema: dict[str, Any] = percuss.study_schema()["properties"][table]
+    # A table, or a list of tables.
+    known = next(one["properties"] for one in (schema, *schema.get("anyOf", ())) if "properties" in one)
     return {PYTHON_NAMES.get(f"{table}.{key}", key) for key in known} - {""}
 
 

@@ -80,7 +80,10 @@ fn every_shipped_model_has_the_mass_of_the_library() {
             at: opened["contact"]["at"].as_str().map(str::to_owned),
             link: opened["contact"]["link"].as_str().unwrap_or_default().to_owned(),
             point: if opened["contact"]["at"].is_null() { triple("point_link") } else { [0.0; 3] },
-            normal: percuss_study::Normal::Along(triple("normal_link")),
+            normal: match opened["contact"]["at"].is_null() {
+                true => percuss_study::Normal::Along(triple("normal_link")),
+                false => MassQuestion::without_contact().normal,
+            },
             base: if report["conditions"]["base"] == "floating" {
                 percuss_study::BaseName::Floating.into()
             } else {

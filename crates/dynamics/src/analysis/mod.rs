@@ -7,3 +7,4 @@ pub(crate) mod response;
 pub(crate) mod rigid_loops;
 pub(crate) mod routes;
 pub(crate) mod system;
+pub(crate) mod velocity_products;

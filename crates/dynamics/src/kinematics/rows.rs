@@ -89,7 +89,7 @@ impl GroupRows {
 }
 
 /// Factor that converts the row of a coupling to metres.
-fn coupling_scale(turns: bool, group: &Group) -> f64 {
+pub(crate) fn coupling_scale(turns: bool, group: &Group) -> f64 {
     if turns { group.size } else { 1.0 }
 }
 

@@ -12,4 +12,3 @@ pub(crate) mod points;
 pub(crate) mod rigid_body;
 pub(crate) mod travel;
 pub(crate) mod travel_search;
-pub(crate) mod velocity_products;

@@ -51,10 +51,10 @@ pub fn all() -> Vec<Linkage> {
         geared_pair(),
         planetary_gear(),
         rocker_bogie(),
-        cam_and_sum(),
         every_closure(),
         foot_on_the_world(),
         ladder(4),
         separate(3),
+        cam_and_sum(),
     ]
 }

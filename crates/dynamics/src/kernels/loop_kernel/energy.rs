@@ -16,9 +16,7 @@ use super::rows::{RowRoundings, eliminate, fill_rate_errors, fill_rates, fill_ro
 use crate::kernels::estimate::{
     ContactConversion, LaneContacts, PositionColumns, WIDEST, quaternion_norm_excess,
 };
-use crate::tolerances::{
-    FAR_ROUNDINGS, LANES_TRUSTED_ERROR, LINKAGE_FREEDOMS, OPEN_ROUNDINGS, ROUTE_ROUNDINGS,
-};
+use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, OPEN_ROUNDINGS, QUICK_ERROR, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
 
 /// Contact in the frames of the plan.
@@ -116,7 +114,7 @@ pub(super) fn response_after_elimination<T: Lanes>(
     // The quick bound is enough for most configurations. Lanes for which it is enough keep it, so that their results do not depend on
     // the other lanes.
     let mut excess = [0.0; WIDEST];
-    let accepted = answer.response * T::from_f64(LANES_TRUSTED_ERROR / f64::EPSILON);
+    let accepted = answer.response * T::from_f64(QUICK_ERROR / f64::EPSILON);
     (answer.error - accepted).store(&mut excess);
     let is_clear = excess.map(|excess| excess <= 0.0);
     if is_clear[..T::WIDTH].contains(&false) {

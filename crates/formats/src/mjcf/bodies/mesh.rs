@@ -49,7 +49,7 @@ impl<'t> Meshes<'t> {
         let folder = Path::new(name).parent().map(Path::to_owned).unwrap_or_default();
         let mut meshes = HashMap::new();
         for element in tree.in_sections("asset").filter(|element| tree.tag(*element) == "mesh") {
-            let attributes = Attributes::with_class(tree, element, DefaultKind::Mesh, models, None, findings);
+            let attributes = models.attributes(element, DefaultKind::Mesh, None, findings);
             let settings = models.settings(element);
             let Some((name, mut mesh)) = read_mesh_asset(attributes, settings, findings) else { continue };
             let own = tree.model_of(element);

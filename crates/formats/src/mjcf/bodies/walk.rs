@@ -136,7 +136,7 @@ impl<'t> Walker<'_, 't, '_> {
 
     /// Attributes of an element, with the defaults of its class or of the `childclass` of its body.
     fn attributes(&mut self, element: ElementId, kind: DefaultKind, parent: &Parent) -> Attributes<'t> {
-        Attributes::with_class(self.tree, element, kind, self.models, parent.class, self.findings)
+        self.models.attributes(element, kind, parent.class, self.findings)
     }
 
     /// Name of an element with the suffix of its replicates; empty if absent.

@@ -4,7 +4,6 @@ use crate::mjcf::bodies::body::Bodies;
 use crate::mjcf::relations::equality::REPLICATED_TENDON;
 use crate::mjcf::relations::references::{JointKey, References};
 use crate::mjcf::relations::tendon::{Tendon, TendonPath};
-use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::DefaultKind;
 use crate::mjcf::values::models::Models;
 use crate::reading::element_tree::{ElementId, ElementTree};
@@ -102,7 +101,7 @@ pub(crate) fn reflected_armatures(
         added.add_tendon(tendon, tendon.armature, tendon.element, findings);
     }
     for element in tree.in_sections("actuator") {
-        let actuator = Attributes::with_class(tree, element, DefaultKind::Actuator, models, None, findings);
+        let actuator = models.attributes(element, DefaultKind::Actuator, None, findings);
         let armature = actuator.number("armature", findings).unwrap_or(0.0);
         if armature == 0.0 {
             continue;

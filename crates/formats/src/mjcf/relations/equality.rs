@@ -58,14 +58,7 @@ impl EqualityReader<'_, '_> {
             return constraints;
         }
         for element in self.tree.in_sections("equality") {
-            let attributes = Attributes::with_class(
-                self.tree,
-                element,
-                DefaultKind::Equality,
-                self.models,
-                None,
-                findings,
-            );
+            let attributes = self.models.attributes(element, DefaultKind::Equality, None, findings);
             if attributes.flag("active", findings) == Some(false) {
                 findings.add_once(Severity::Warning, "inactive-equality", "inactive", element, || {
                     "the constraint is inactive and does not count".to_owned()

@@ -42,7 +42,7 @@ pub(crate) fn read_tendons(
 ) -> HashMap<String, Tendon> {
     let mut tendons = HashMap::new();
     for (number, element) in tree.in_sections("tendon").enumerate() {
-        let attributes = Attributes::with_class(tree, element, DefaultKind::Tendon, models, None, findings);
+        let attributes = models.attributes(element, DefaultKind::Tendon, None, findings);
         let is_replicated = tree.children(element).iter().any(|child| {
             ["joint", "site"]
                 .into_iter()

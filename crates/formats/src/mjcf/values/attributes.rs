@@ -1,7 +1,6 @@
 //! Typed values of an element's attributes, with the defaults of its class.
 
 use crate::mjcf::values::classes::{ClassId, Classes, DefaultKind};
-use crate::mjcf::values::models::Models;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::report::quoted;
@@ -22,18 +21,13 @@ impl<'t> Attributes<'t> {
         Self { tree, element, defaults: None }
     }
 
-    /// Attributes with the defaults of the element's own class; else of `inherited`.
-    pub fn with_class(
+    /// Attributes with the defaults of a class.
+    pub fn with_defaults(
         tree: &'t ElementTree,
         element: ElementId,
-        kind: DefaultKind,
-        models: &'t Models<'t>,
-        inherited: Option<ClassId>,
-        findings: &mut Findings<'_>,
+        defaults: (&'t Classes, ClassId, DefaultKind),
     ) -> Self {
-        let classes = models.classes(element);
-        let own = classes.named(tree, element, "class", findings);
-        Self { tree, element, defaults: Some((classes, own.or(inherited).unwrap_or(Classes::MAIN), kind)) }
+        Self { tree, element, defaults: Some(defaults) }
     }
 
     /// Element that gives a value to one of the attributes: the element itself, or one in its class.

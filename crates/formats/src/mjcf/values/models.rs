@@ -1,7 +1,8 @@
 //! Settings and classes of the main model and of the attached models. An element has those of the model whose file contains it.
 
 use crate::mjcf::document::files::AttachedModel;
-use crate::mjcf::values::classes::Classes;
+use crate::mjcf::values::attributes::Attributes;
+use crate::mjcf::values::classes::{ClassId, Classes, DefaultKind};
 use crate::mjcf::values::settings::Settings;
 use crate::reading::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
@@ -29,6 +30,20 @@ impl<'t> Models<'t> {
     /// Settings for an element.
     pub fn settings(&self, element: ElementId) -> &Settings {
         &self.models[self.tree.model_of(element)].0
+    }
+
+    /// Attributes of an element with the defaults of its own class; else of `inherited`.
+    pub fn attributes(
+        &'t self,
+        element: ElementId,
+        kind: DefaultKind,
+        inherited: Option<ClassId>,
+        findings: &mut Findings<'_>,
+    ) -> Attributes<'t> {
+        let classes = self.classes(element);
+        let own = classes.named(self.tree, element, "class", findings);
+        let class = own.or(inherited).unwrap_or(Classes::MAIN);
+        Attributes::with_defaults(self.tree, element, (classes, class, kind))
     }
 
     /// Classes for an element.

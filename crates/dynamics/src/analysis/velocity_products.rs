@@ -2,11 +2,11 @@
 
 use crate::analysis::pose::Pose;
 use crate::kinematics::frames::Kinematics;
-use crate::kinematics::rows::{closure_wrench_rates, closure_wrenches};
+use crate::kinematics::rows::{closure_wrench_rates, closure_wrenches, coupling_scale};
 use crate::model::joint_motion::JointMotion;
 use crate::model::tangent;
 use crate::model::velocities::{StateSizeError, check_positions, check_velocities};
-use crate::model::{Constraint, ConstraintRows, Model};
+use crate::model::{Constraint, ConstraintRows, ConstraintTerm, Group, Model};
 use nalgebra::Vector3;
 use percuss_mechanism::JointId;
 use percuss_spatial::{Transform, Twist};
@@ -80,9 +80,9 @@ impl Pose {
             return Ok(Vec::new());
         }
         let motions = self.body_motions(model, velocities, base);
-        let of_group = |group: &crate::model::Group| {
+        let of_group = |group: &Group| {
             let rows = group.constraints.iter();
-            rows.flat_map(|rows| self.row_bias(model, rows, group.size, &motions, base)).collect()
+            rows.flat_map(|rows| self.row_bias(model, rows, group, velocities, &motions, base)).collect()
         };
         Ok(model.groups.iter().map(of_group).collect())
     }
@@ -115,12 +115,13 @@ impl Pose {
         motions
     }
 
-    /// Ȧ u of the rows of one constraint; `length` is that of its group.
+    /// Ȧ u of the rows of one constraint of a group.
     fn row_bias(
         &self,
         model: &Model,
         rows: &ConstraintRows,
-        length: f64,
+        group: &Group,
+        velocities: &[Vec<f64>],
         motions: &[(Twist<f64>, Twist<f64>)],
         base: &Twist<f64>,
     ) -> Vec<f64> {
@@ -137,11 +138,22 @@ impl Pose {
                 let speed = twist_s.velocity_at(&at);
                 let about = Twist::new(twist.angular, twist.velocity_at(&at));
                 let changed = Twist::new(rate.angular, rate.velocity_at(&at) + twist.angular.cross(&speed));
+                let length = group.size;
                 let wrenches = closure_wrenches(closure, &x_rp, &x_rs, length);
                 let turned = closure_wrench_rates(closure, &x_rp, &x_rs, length, &twist_p, &twist_s);
                 (0..rows.count).map(|k| turned[k].power(&about) + wrenches[k].power(&changed)).collect()
             }
-            Constraint::Coupling(_) => vec![0.0; rows.count],
+            // The rows of a curve p(s) change by −p″(s) ṡ.
+            Constraint::Coupling(number) => {
+                let coupling = &model.couplings[number];
+                let [_, curvature] = coupling.curve_derivatives(&self.kinematics.q);
+                let rate = |term: &ConstraintTerm| {
+                    let joint = model.bodies[term.body].joint;
+                    joint.map_or(0.0, |id| term.argument * velocities[id.index()][term.component])
+                };
+                let rate: f64 = rows.terms.iter().map(rate).sum();
+                vec![-coupling_scale(coupling.turns, group) * curvature * rate * rate; rows.count]
+            }
             Constraint::Hold(number) => {
                 let hold = &model.holds[number];
                 let at = self.kinematics.link_frame(model, hold.link).point(&hold.point);
