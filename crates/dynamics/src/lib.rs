@@ -59,8 +59,8 @@ pub use motion::constraint_action::{ConstraintAction, ConstraintGroup, Constrain
 pub use motion::forward_dynamics::{Accelerations, PointForce};
 pub use motion::gap::Gap;
 pub use motion::limits::BranchLimits;
-pub use motion::lowest_point::LowestPoint;
 pub use motion::mass_gradient::MassGradient;
 pub use motion::operational_inertia::InverseOperationalInertia;
-pub use motion::point_velocity::PointVelocity;
+pub use motion::points::lowest_point::LowestPoint;
+pub use motion::points::point_velocity::PointVelocity;
 pub use motion::travel::{Travel, TravelError};

@@ -38,7 +38,7 @@ pub use percussion::{
     PercussionCentre, PercussionError, centre_of_percussion, centre_of_percussion_in_plane,
 };
 pub use ranges::extremes::{
-    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, extreme_effective_mass,
+    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, SearchedContact, extreme_effective_mass,
 };
 pub use ranges::reflected::{
     ReflectedError, ReflectedInertia, driving_joints, held_point_mass, reflected_inertia,

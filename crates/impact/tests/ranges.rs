@@ -4,8 +4,8 @@ use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, System};
 use percuss_formats::load_file;
 use percuss_impact::{
-    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, extreme_effective_mass,
-    reflected_inertia_over,
+    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, SearchedContact,
+    extreme_effective_mass, reflected_inertia_over,
 };
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
@@ -46,16 +46,7 @@ fn extremes_of_a_planar_arm() {
     let range = |name: &str, lower, upper| JointRange { joint: joint(name), lower, upper };
     let ranges = [range("shoulder", -3.0, 3.0), range("elbow", 0.3, 2.0)];
     let search = |ranges: &[JointRange], extreme| {
-        extreme_effective_mass(
-            &system,
-            &system.configuration(),
-            &contact,
-            None,
-            ranges,
-            NormalRange::Given,
-            extreme,
-            16,
-        )
+        extreme_effective_mass(&system, &system.configuration(), (&contact).into(), ranges, extreme, 16)
     };
     let least = search(&ranges, ExtremeKind::Least).expect("a minimum");
     let EffectiveMass::Finite(mass) = least.effective_mass else { panic!("{least:?}") };
@@ -102,8 +93,15 @@ fn extremes_over_normals_are_planted() {
             ];
             let search = |normals, extreme| {
                 let start = system.configuration();
-                extreme_effective_mass(&system, &start, &contact, None, &ranges, normals, extreme, 16)
-                    .expect("an extreme")
+                extreme_effective_mass(
+                    &system,
+                    &start,
+                    SearchedContact { normals, ..(&contact).into() },
+                    &ranges,
+                    extreme,
+                    16,
+                )
+                .expect("an extreme")
             };
             let across = NormalRange::Across(Vector3::z() * 3.0);
             let (least, most) = (search(across, ExtremeKind::Least), search(across, ExtremeKind::Most));
@@ -142,8 +140,14 @@ fn extremes_over_normals_are_planted() {
     let none = NormalRange::Across(Vector3::zeros());
     let ranges = [JointRange { joint, lower: 0.1, upper: 1.0 }];
     let start = system.configuration();
-    let refused =
-        extreme_effective_mass(&system, &start, &contact, None, &ranges, none, ExtremeKind::Most, 1);
+    let refused = extreme_effective_mass(
+        &system,
+        &start,
+        SearchedContact { normals: none, ..(&contact).into() },
+        &ranges,
+        ExtremeKind::Most,
+        1,
+    );
     assert!(matches!(refused, Err(ExtremesError::NoAxis)), "{refused:?}");
 }
 
@@ -169,16 +173,8 @@ fn extremes_of_a_linkage_are_those_of_its_sweep() {
     let sweep: Vec<f64> = (0..=600).map(|k| mass(lower + (upper - lower) * f64::from(k) / 600.0)).collect();
     let ranges = [JointRange { joint: crank, lower, upper }];
     for extreme in [ExtremeKind::Least, ExtremeKind::Most] {
-        let found = extreme_effective_mass(
-            &system,
-            &system.configuration(),
-            &contact,
-            None,
-            &ranges,
-            NormalRange::Given,
-            extreme,
-            8,
-        );
+        let found =
+            extreme_effective_mass(&system, &system.configuration(), (&contact).into(), &ranges, extreme, 8);
         let found = found.expect("an extreme");
         let EffectiveMass::Finite(value) = found.effective_mass else { panic!("{found:?}") };
         let of_sweep = match extreme {

@@ -99,6 +99,23 @@ pub enum NormalRange {
     Across(Vector3<f64>),
 }
 
+/// Contact of a search for extremes.
+#[derive(Clone, Copy, Debug)]
+pub struct SearchedContact<'a> {
+    /// The contact.
+    pub contact: &'a Contact,
+    /// Wheel of a contact patch; the contact point is then its lowest point at every pose.
+    pub wheel: Option<&'a LowestPoint>,
+    /// Range of the normals.
+    pub normals: NormalRange,
+}
+
+impl<'a> From<&'a Contact> for SearchedContact<'a> {
+    fn from(contact: &'a Contact) -> Self {
+        Self { contact, wheel: None, normals: NormalRange::Given }
+    }
+}
+
 /// Extreme effective mass over ranges of positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExtremeMass {
@@ -129,18 +146,13 @@ pub struct ExtremeMass {
 /// gradient in closed form. The starts are the points of a Halton sequence; the same call has the same result. No method of this kind
 /// proves a global extreme: the number of agreeing starts shows the confidence.
 ///
-/// `wheel`: wheel of a contact patch; the contact point is then its lowest point at every pose.
-///
 /// # Errors
 /// [`ExtremesError`].
-#[allow(clippy::too_many_arguments, reason = "mechanism, contact and search")]
 pub fn extreme_effective_mass(
     system: &System,
     configuration: &Configuration,
-    contact: &Contact,
-    wheel: Option<&LowestPoint>,
+    contact: SearchedContact,
     ranges: &[JointRange],
-    normals: NormalRange,
     extreme: ExtremeKind,
     starts: usize,
 ) -> Result<ExtremeMass, ExtremesError> {
@@ -159,6 +171,7 @@ pub fn extreme_effective_mass(
             return Err(ExtremesError::NoDriver { joint: name() });
         }
     }
+    let SearchedContact { contact, wheel, normals } = contact;
     if let NormalRange::Across(axis) = normals
         && !(axis.norm().is_finite() && axis.norm() > 0.0)
     {

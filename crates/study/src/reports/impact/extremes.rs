@@ -8,7 +8,7 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::impact::additions::find_joint;
 use percuss_impact::{
-    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, extreme_effective_mass,
+    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, SearchedContact, extreme_effective_mass,
 };
 use percuss_mechanism::JointKind;
 use percuss_units::{Dimension, Quantity};
@@ -135,13 +135,16 @@ pub fn extremes(
     let ranges = ranges(&prepared, extremes)?;
     let starts = if extremes.starts == 0 { DEFAULT_STARTS } else { extremes.starts.min(MOST_STARTS) };
     let search = |extreme| {
-        let (system, start, wheel) = (&prepared.system, &prepared.configuration, prepared.wheel());
-        extreme_effective_mass(system, start, &contact, wheel, &ranges, extremes.normals.0, extreme, starts)
-            .map_err(|error| match error {
+        let (system, start) = (&prepared.system, &prepared.configuration);
+        let contact =
+            SearchedContact { contact: &contact, wheel: prepared.wheel(), normals: extremes.normals.0 };
+        extreme_effective_mass(system, start, contact, &ranges, extreme, starts).map_err(
+            |error| match error {
                 ExtremesError::Assembly(error) => StudyError::from(error),
                 ExtremesError::Contact(error) => StudyError::from(error),
                 error => StudyError::input(Field::Range, error),
-            })
+            },
+        )
     };
     let (least, most) = (search(ExtremeKind::Least)?, search(ExtremeKind::Most)?);
     let mechanism = &model.mechanism;

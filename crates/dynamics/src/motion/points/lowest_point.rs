@@ -3,7 +3,7 @@
 use crate::analysis::pose::Pose;
 use crate::kinematics::contact::Contact;
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
-use crate::motion::point_velocity::PointVelocity;
+use crate::motion::points::point_velocity::PointVelocity;
 use nalgebra::{DVector, Vector3};
 use percuss_mechanism::{JointId, LinkId};
 

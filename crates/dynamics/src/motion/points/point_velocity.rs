@@ -92,7 +92,7 @@ impl Pose {
     }
 
     /// Velocities of a contact response, over the tree velocities: those of the joints and of a floating base.
-    pub(super) fn tree_velocities(&self, response: &ContactResponse) -> Vec<f64> {
+    pub(in crate::motion) fn tree_velocities(&self, response: &ContactResponse) -> Vec<f64> {
         let mut tree = vec![0.0; self.assembly.model().velocity_coordinates.len()];
         for body in self.assembly.model().bodies.iter().filter(|b| !b.v.is_empty()) {
             match body.joint {
