@@ -14,5 +14,6 @@ while read -r _ command; do
   words[-1]=$folder/${words[-1]}
   "$percuss" "${words[@]}" --force > /dev/null
   count=$((count + 1))
-done < <(grep '^percuss explore ' docs/howto/GALLERY.md)
+done < <(grep '^target/release/percuss explore ' docs/howto/GALLERY.md)
+[ "$count" -gt 0 ] || { echo "docs/howto/GALLERY.md has no command"; exit 1; }
 echo "$count pages in $folder"

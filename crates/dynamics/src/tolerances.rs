@@ -39,8 +39,8 @@ pub(crate) const DERIVATIVE_AGREEMENT: f64 = 1e-9;
 /// Largest ratio of the summed terms of a pivot to the pivot in the kernel of derivatives: of 16 digits, 5 are lost. Arms of robots
 /// reach some hundreds, with links in line some thousands.
 pub(crate) const LARGEST_DERIVATIVE_LOSS: f64 = 1e5;
-/// Largest relative error by the quick bound of linkages in SIMD lanes; beyond this limit the refined bound is computed, which is several
-/// times smaller. Most results need no refinement.
+/// Largest relative error by the quick bound of linkages in SIMD lanes; beyond this limit the refined bound is computed, which takes
+/// longer and is smaller.
 pub(crate) const QUICK_ERROR: f64 = 1e-11;
 /// Smallest mass of a free body on the other side, kg. Its inverse, and sums of such inverses, do not overflow.
 pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
