@@ -73,7 +73,7 @@ def keys(table: str) -> set[str]:
     """Python names of the keys of a table of a study."""
     schema: dict[str, Any] = percuss.study_schema()["properties"][table]
     # A table, or a list of tables.
-    known = next(one["properties"] for one in (schema, *schema.get("anyOf", ())) if "properties" in one)
+    known: dict[str, Any] = next(one["properties"] for one in (schema, *schema.get("anyOf", ())) if "properties" in one)
     return {PYTHON_NAMES.get(f"{table}.{key}", key) for key in known} - {""}
 
 
