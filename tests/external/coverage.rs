@@ -21,7 +21,11 @@ fn main() {
         }
     }
     for (base, sum) in ["fixed", "floating"].into_iter().zip(all) {
-        let Coverage { mechanisms, regular, by_kernel } = sum;
-        println!("{base} base: {mechanisms} mechanisms, {by_kernel} of {regular} ({:.1} %)", sum.per_cent());
+        let Coverage { mechanisms, regular, by_kernel, wrong } = sum;
+        println!(
+            "{base} base: {mechanisms} mechanisms, {by_kernel} of {regular} ({:.1} %); {wrong} differ from the pose by more than the \
+             stated errors",
+            sum.per_cent()
+        );
     }
 }

@@ -26,14 +26,16 @@ fn sum(base: Base) -> Coverage {
     all
 }
 
-/// The configurations that no kernel answers are those with massless motions, such as rods that spin, and those whose quick bound
-/// of the rounding error is too large. On a processor that does not fuse products and sums a few bounds are different.
+/// The configurations that no kernel answers are those whose bound of the rounding error is too large: contacts nearly immovable, and
+/// axles on a floating base. On a processor that does not fuse products and sums a few bounds are different.
 #[test]
 fn shipped_models() {
     let fixed = sum(Base::Fixed);
     assert_eq!((fixed.mechanisms, fixed.regular), (37, 1190));
-    assert!(fixed.by_kernel >= 1125, "{fixed:?}");
+    assert_eq!(fixed.wrong, 0);
+    assert!(fixed.by_kernel >= 1170, "{fixed:?}");
     let floating = sum(Base::Floating);
     assert_eq!((floating.mechanisms, floating.regular), (37, 1543));
-    assert!(floating.by_kernel >= 1235, "{floating:?}");
+    assert_eq!(floating.wrong, 0);
+    assert!(floating.by_kernel >= 1480, "{floating:?}");
 }

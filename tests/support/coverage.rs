@@ -1,7 +1,7 @@
 //! Share of the configurations that the compiled kernels answer, without a second computation by the recursion.
 
 use nalgebra::Vector3;
-use percuss_dynamics::{Base, Conditions, Contact, EffectiveMass, Pose, System};
+use percuss_dynamics::{Base, Conditions, Configuration, Contact, EffectiveMass, Pose, System};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
 use percuss_mechanism::{JointKind, LinkId, Mechanism};
 use percuss_suspension::{ImportOptions, import};
@@ -25,6 +25,8 @@ pub struct Coverage {
     pub regular: usize,
     /// Regular configurations answered by a kernel.
     pub by_kernel: usize,
+    /// Answers of a kernel that differ from that of the pose by more than the stated errors of both.
+    pub wrong: usize,
 }
 
 impl Coverage {
@@ -39,6 +41,7 @@ impl AddAssign for Coverage {
         self.mechanisms += other.mechanisms;
         self.regular += other.regular;
         self.by_kernel += other.by_kernel;
+        self.wrong += other.wrong;
     }
 }
 
@@ -73,12 +76,16 @@ fn random_positions(rng: &mut StdRng, mechanism: &Mechanism) -> Vec<f64> {
     positions
 }
 
-/// Configurations of a tree: any positions. Configurations of a mechanism with loops: closed for random positions of its drivers.
-fn configurations(rng: &mut StdRng, system: &System, pose: &Pose) -> Vec<Vec<f64>> {
-    if pose.loops().is_none() {
-        return (0..CONFIGURATIONS).map(|_| random_positions(rng, pose.mechanism())).collect();
-    }
+/// Poses of a tree: any positions. Poses of a mechanism with loops: closed for random positions of its drivers.
+fn poses(rng: &mut StdRng, system: &System, pose: &Pose) -> Vec<Pose> {
     let mechanism = pose.mechanism();
+    if pose.loops().is_none() {
+        let mut any = || {
+            let positions = random_positions(rng, mechanism);
+            system.pose(&Configuration::from_positions(mechanism, &positions).ok()?).ok()
+        };
+        return (0..CONFIGURATIONS).filter_map(|_| any()).collect();
+    }
     let mut moved = || {
         let mut configuration = system.configuration();
         for joint in pose.assembly().drivers() {
@@ -89,7 +96,7 @@ fn configurations(rng: &mut StdRng, system: &System, pose: &Pose) -> Vec<Vec<f64
         }
         let later = system.pose_from(pose, &configuration).ok()?;
         let regular = later.rank().clear && !later.rank().singular;
-        regular.then(|| later.positions().to_vec())
+        regular.then_some(later)
     };
     (0..CONFIGURATIONS).filter_map(|_| moved()).collect()
 }
@@ -106,6 +113,13 @@ pub fn read(path: &str) -> Result<Arc<Mechanism>, String> {
     read.map(Arc::new).map_err(|error| error.to_string().lines().next().unwrap_or_default().to_owned())
 }
 
+/// True if the pose answers with the same effective mass, within the stated errors of both.
+fn agrees(pose: &Pose, contact: &Contact, mass: f64, error: f64) -> bool {
+    let Ok(response) = pose.respond(contact) else { return false };
+    let EffectiveMass::Finite(expected) = response.effective_mass else { return false };
+    response.effective_mass_error().is_some_and(|of_pose| (mass - expected).abs() <= error + of_pose)
+}
+
 /// Coverage of a mechanism on a base, with random contacts against the ground.
 pub fn coverage(mechanism: &Arc<Mechanism>, base: Base) -> Coverage {
     let mut rng = StdRng::seed_from_u64(1);
@@ -119,14 +133,16 @@ pub fn coverage(mechanism: &Arc<Mechanism>, base: Base) -> Coverage {
         let link = links[rng.random_range(0..links.len())];
         let mut vector = || Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
         let contact = Contact::new(link, vector() * (0.2 * size), vector());
-        let rows = configurations(&mut rng, &system, &pose);
+        let rows = poses(&mut rng, &system, &pose);
         let Ok(mut batch) = pose.assembly().batch(&contact) else { continue };
-        for row in rows {
-            let Ok(answer) = batch.effective_mass(&row) else { continue };
-            if let Some(EffectiveMass::Finite(_)) = answer.mass {
+        for pose in rows {
+            let Ok(answer) = batch.effective_mass(pose.positions()) else { continue };
+            if let Some(EffectiveMass::Finite(mass)) = answer.mass {
                 counts.regular += 1;
                 // Only the kernels state an error of a finite mass.
-                counts.by_kernel += usize::from(answer.error.is_some());
+                let Some(error) = answer.error else { continue };
+                counts.by_kernel += 1;
+                counts.wrong += usize::from(!agrees(&pose, &contact, mass, error));
             }
         }
     }

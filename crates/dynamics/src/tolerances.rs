@@ -431,7 +431,7 @@ pub(crate) const EXACT_AS_DRAWN: f64 = 64.0 * f64::EPSILON;
 pub(crate) const REDUNDANT_ROW: f64 = 0.25;
 /// Largest ratio of the largest pivot to another one at the pose for which a linkage is compiled. The margin keeps
 /// the elimination in the same order regular at other poses.
-pub(crate) const LINKAGE_PIVOT: f64 = 64.0;
+pub(crate) const LINKAGE_PIVOT: f64 = 1024.0;
 /// Residual, relative to the smallest size of a group, at which lanes need no further Newton iteration: rounding.
 pub(crate) const CLOSED_IN_LANES: f64 = 4e-15;
 /// Largest number of Newton iterations in lanes; from a prediction two or three are sufficient.

@@ -30,10 +30,7 @@ impl LaneKernel {
     pub fn set_contact(&mut self, model: &Model, contact: &Contact) -> bool {
         match self {
             Self::Tree(tree) => tree.set_contact(model, contact),
-            Self::Loop(linkage) => {
-                linkage.set_contact(model, contact);
-                true
-            }
+            Self::Loop(linkage) => linkage.set_contact(model, contact),
         }
     }
 

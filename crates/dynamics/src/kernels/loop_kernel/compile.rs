@@ -8,6 +8,7 @@ use super::plan::{
 use super::rows::matrix_at;
 use crate::analysis::assembly::Assembly;
 use crate::kernels::estimate::is_positive;
+use crate::kernels::massless_root::massless_root;
 use crate::model::{Body, CompiledClosure, Constraint, ConstraintRows, LinkFrame, Model};
 use crate::tolerances::{
     EXACT_AS_DRAWN, LANE_ROW_ROUNDINGS, LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_PIVOT, REDUNDANT_ROW,
@@ -44,13 +45,13 @@ impl LoopPlan {
     fn at(assembly: &Assembly, positions: &[f64], may: &dyn Fn(usize) -> bool) -> Option<Self> {
         let model = assembly.model();
         let rank: usize = (0..model.groups.len()).map(|g| assembly.expected_rank(g)).sum();
-        let (columns, bodies) = (model.coordinates.len(), model.bodies.len());
+        let massless = massless_root(model);
+        let numbers = column_numbers(model, &massless);
+        let (columns, bodies) = (numbers.iter().flatten().count(), model.bodies.len());
         if model.groups.is_empty()
             || columns > LINKAGE_COORDINATES
             || bodies > LINKAGE_COORDINATES
             || !(1..=LINKAGE_FREEDOMS).contains(&columns.checked_sub(rank)?)
-            // No body outside the linkage takes part in the motion.
-            || model.clusters.iter().filter(|cluster| cluster.parent.is_none()).count() != 1
             // The rows of a rounded file that are left out would not be satisfied.
             || (model.groups.iter().map(|group| group.rows).sum::<usize>() != rank
                 && assembly.misfits().iter().any(|misfit| *misfit > EXACT_AS_DRAWN * model.mechanism.characteristic_length()))
@@ -78,12 +79,13 @@ impl LoopPlan {
             roundings: 0.0,
             columns,
             freedoms: columns - rank,
+            massless,
             centre: model.bodies[0].origin.translation,
             layout: Layout::default(),
         };
         for body in &model.bodies {
             let carrier = body.parent.map_or_else(Transform::identity, |p| plan.bodies[p].frame);
-            let mut moving = moving(model, body, &carrier, &lengths)?;
+            let mut moving = moving(model, body, &carrier, &lengths, &numbers)?;
             if body.parent.is_none() {
                 moving.translation = (Vector3::from(moving.translation) - plan.centre).into();
             }
@@ -106,7 +108,8 @@ impl LoopPlan {
                 plan.blocks.push(plan.block(model, constraint, group.size, &mut rows)?);
             }
         }
-        plan.order(rows, rank, positions, may)?;
+        let coordinates: Vec<usize> = (0..numbers.len()).filter(|&c| numbers[c].is_some()).collect();
+        plan.order(rows, rank, positions, &|column| may(coordinates[column]))?;
         let floor = (0..model.groups.len()).map(|g| assembly.floor(g)).fold(f64::INFINITY, f64::min);
         plan.redundant = REDUNDANT_ROW * floor * plan.scale;
         plan.fill_root_weights();
@@ -318,6 +321,18 @@ impl LoopPlan {
     }
 }
 
+/// Column of each coordinate; `None` for those of the joints beyond a massless root.
+fn column_numbers(model: &Model, massless: &[usize]) -> Vec<Option<usize>> {
+    let mut numbers = vec![None; model.coordinates.len()];
+    let bodies =
+        model.bodies.iter().filter(|body| body.parent.is_none_or(|parent| !massless.contains(&parent)));
+    for follows in bodies.flat_map(|body| &model.velocity_coordinates[body.v.clone()]).flatten() {
+        numbers[follows.index] = Some(0);
+    }
+    numbers.iter_mut().flatten().enumerate().for_each(|(column, number)| *number = column);
+    numbers
+}
+
 /// Length of each coordinate, m: from its group, otherwise from the mechanism.
 fn lengths(model: &Model) -> Vec<f64> {
     let size = model.mechanism.characteristic_length();
@@ -346,8 +361,15 @@ fn weight(body: &LoopBody, length: f64) -> f64 {
 }
 
 /// Compiled body: constant transform to the parent, motion, velocities over scaled coordinates, inertia. `carrier`: frame
-/// of the parent's compiled body in the parent's body. `None` if the kernel does not support the joint.
-fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64]) -> Option<LoopBody> {
+/// of the parent's compiled body in the parent's body; `numbers`: column of each coordinate. `None` if the kernel does not support the
+/// joint.
+fn moving(
+    model: &Model,
+    body: &Body,
+    carrier: &Transform<f64>,
+    lengths: &[f64],
+    numbers: &[Option<usize>],
+) -> Option<LoopBody> {
     let q = body.q.start;
     let position = match body.mimic {
         Some(mimic) => JointPosition { q: mimic.master, multiplier: mimic.multiplier, offset: mimic.offset },
@@ -376,15 +398,20 @@ fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64])
     let velocity = |(v, armature): (usize, &f64)| {
         let follows = model.velocity_coordinates[v]?;
         let factor = follows.multiplier / lengths[follows.index];
-        Some(Velocity { column: follows.index, factor, armature: *armature })
+        Some(Velocity { column: numbers[follows.index]?, factor, armature: *armature })
     };
+    let moves =
+        |v: &usize| model.velocity_coordinates[*v].is_none_or(|follows| numbers[follows.index].is_some());
     let inertia = frame.inverse().inertia(&body.inertia);
     Some(LoopBody {
         parent: body.parent,
         rotation: std::array::from_fn(|r| std::array::from_fn(|c| origin.rotation[(r, c)])),
         translation: origin.translation.into(),
         motion,
-        velocities: body.v.clone().zip(&body.armature).map(velocity).collect::<Option<_>>()?,
+        velocities: (body.v.clone().zip(&body.armature))
+            .filter(|(v, _)| moves(v))
+            .map(velocity)
+            .collect::<Option<_>>()?,
         inertia: components(&inertia),
         moved_by: Vec::new(),
         frame,

@@ -50,8 +50,19 @@ impl LoopKernel {
         Self { plan: Arc::new(plan), contact: None, scratch, instructions: Instructions::best() }
     }
 
-    /// Sets a checked contact, also between two links or along a line. Allocates nothing.
-    pub fn set_contact(&mut self, model: &Model, contact: &Contact) {
+    /// Sets a checked contact, also between two links or along a line; returns false for contacts on a massless root. Allocates
+    /// nothing.
+    pub fn set_contact(&mut self, model: &Model, contact: &Contact) -> bool {
+        let target = match contact.normal {
+            Direction::Along(..) => None,
+            Direction::Toward(link, _)
+            | Direction::TurningToward(link, _)
+            | Direction::TurningAwayFrom(link, _) => Some(link),
+        };
+        let mut links = [Some(contact.link), contact.against, target].into_iter().flatten();
+        if links.any(|link| model.body_of(link).is_some_and(|body| self.plan.massless.contains(&body))) {
+            return false;
+        }
         let on = self.point(model, contact.link, &contact.point);
         let against = contact.against.and_then(|link| model.body_of(link));
         let on_link = &model.link_frames[contact.link.index()];
@@ -87,6 +98,7 @@ impl LoopKernel {
             }
         };
         self.contact = Some(LoopContact { on, against, normal, columns: None, conversion });
+        true
     }
 
     /// Conversion of points and normals to the frames of the kernel, for the current contact. `None` before a contact is set,

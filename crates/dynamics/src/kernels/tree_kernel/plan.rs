@@ -5,6 +5,7 @@
 use super::cluster_joint::ClusterJoint;
 use super::sizes::Sizes;
 use crate::kernels::estimate::is_positive;
+use crate::kernels::massless_root::massless_root;
 use crate::model::joint_motion::JointMotion;
 use crate::model::{Body, Model};
 use crate::tolerances::{LEAST_MOMENT, LIGHT_BODY, NO_ACROSS, NO_BOUND, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
@@ -136,8 +137,9 @@ pub(super) struct Own {
 impl TreeStep {
     /// Shape of the transform if the joint is a hinge.
     fn hinge_shape(&self) -> Option<Shape> {
-        (self.free[2] && matches!(self.motion, TreeMotion::Turn { .. }))
-            .then_some(self.parent_transform.shape)
+        (self.free == [false, false, true, false, false, false]
+            && matches!(self.motion, TreeMotion::Turn { .. }))
+        .then_some(self.parent_transform.shape)
     }
 
     /// True for six freedoms without armature: the remaining inertia is exactly zero.
@@ -304,6 +306,7 @@ impl TreePlan {
         let travel = SLIDE_REACH * if length > 0.0 { length } else { 1.0 };
         let mut frames: Vec<Option<Transform<f64>>> = vec![None; model.bodies.len()];
         let mut steps: Vec<TreeStep> = Vec::with_capacity(model.bodies.len());
+        let massless = massless_root(model);
         // Parents before children: the first child may fix the free parts of its parent's frame.
         for (i, body) in model.bodies.iter().enumerate() {
             let frame = *frames[i].get_or_insert_with(|| joint_aligned_frame(model, i));
@@ -315,6 +318,9 @@ impl TreePlan {
             let (mut free, mut armature) = ([false; 6], [0.0; 6]);
             for ((&component, own), _) in motion.components().iter().zip(&body.armature).zip(body.v.clone()) {
                 (free[component], armature[component]) = (true, *own);
+            }
+            if body.parent.is_some_and(|parent| massless.contains(&parent)) {
+                (free, armature) = ([true; 6], [0.0; 6]);
             }
             steps.push(TreeStep {
                 parent: body.parent,
@@ -415,7 +421,8 @@ impl TreePlan {
                 self.steps[parent].has_child_inertia = true;
             }
         }
-        for step in self.steps.iter_mut().filter(|step| !step.has_child_inertia && step.free != [false; 6]) {
+        let is_leaf = |step: &&mut TreeStep| !step.has_child_inertia && step.free != [false; 6];
+        for step in self.steps.iter_mut().filter(is_leaf).filter(|step| !step.transmits_nothing()) {
             step.leaf = LeafElimination::of(step).map(Box::new);
         }
     }
