@@ -1,5 +1,9 @@
 //! All thresholds and work limits of this crate, with units and reasons.
 
+pub(crate) use percuss_kernel::tolerances::{
+    CLOSED, DRIFT_ITERATIONS, LONGEST_BRANCH_STEP, ROUTE_ROUNDINGS, STRAIGHT,
+};
+
 /// Largest magnitude of an input number. Sums of products of three such numbers are still finite. Any unit.
 pub const LARGEST_NUMBER: f64 = 1e100;
 /// Deviation of a quaternion's norm from 1 by rounding of its four components, dimensionless.
@@ -30,18 +34,12 @@ pub(crate) const SMALL_CHANGE: f64 = 1e-11;
 pub(crate) const PIVOT: f64 = 256.0 * f64::EPSILON;
 /// Largest relative error of a result of the recursion alone; beyond this limit the dense route also runs.
 pub(crate) const TRUSTED_ERROR: f64 = 1e-11;
-/// Largest relative error of a result in SIMD lanes; beyond this limit the row is computed again by the recursion. The bound of the
-/// lanes is quick and some hundred to thousand times the true error, so that rows of common robots exceed 1e-11.
-pub(crate) const LANES_TRUSTED_ERROR: f64 = 1e-9;
 /// Largest relative difference of m̄ between the kernel of derivatives and the batch. Both round each sum of the recursion once; a
-/// larger difference means that one of them has lost digits: as large as [`LANES_TRUSTED_ERROR`].
+/// larger difference means that one of them has lost digits: as large as [`LANES_TRUSTED_ERROR`](percuss_kernel::tolerances::LANES_TRUSTED_ERROR).
 pub(crate) const DERIVATIVE_AGREEMENT: f64 = 1e-9;
 /// Largest ratio of the summed terms of a pivot to the pivot in the kernel of derivatives: of 16 digits, 5 are lost. Arms of robots
 /// reach some hundreds, with links in line some thousands.
 pub(crate) const LARGEST_DERIVATIVE_LOSS: f64 = 1e5;
-/// Largest relative error by the quick bound of linkages in SIMD lanes; beyond this limit the refined bound is computed, which takes
-/// longer and is smaller.
-pub(crate) const QUICK_ERROR: f64 = 1e-11;
 /// Smallest mass of a free body on the other side, kg. Its inverse, and sums of such inverses, do not overflow.
 pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
 /// Largest number of coordinates for the dense route: O(n³) time, and 8n² bytes per matrix.
@@ -74,8 +72,6 @@ pub(crate) const SURE_PIVOT: f64 = 1e-4;
 /// Largest number of coordinates of a group for a rank decision by singular values; larger groups use sparse pivots.
 pub(crate) const SINGULAR_VALUES_LIMIT: usize = 160;
 
-/// Residual of a closed loop relative to the group's size: some thousand roundings.
-pub(crate) const CLOSED: f64 = 1e-12;
 /// Largest residual, relative to the group's size, that is accepted as rounding of a file: three decimals.
 pub(crate) const ROUNDING: f64 = 1e-3;
 /// Largest residual, relative to the group's size, of a pose in which the file draws the group closed: a file that is
@@ -139,17 +135,6 @@ pub(crate) const WEAK_DRIVER: f64 = 1e-2;
 
 // Bodies and compiled models.
 
-/// Sine of the angle below which two axes are parallel within rounding.
-pub(crate) const NO_TURN: f64 = 2.0 * f64::EPSILON;
-/// Sine of the angle between two axes below which their common normal is too far away to be used.
-pub(crate) const PARALLEL_AXES: f64 = 0.05;
-/// Distance between parallel axes that counts as rounding, relative to the distance of their defining points.
-pub(crate) const NO_ACROSS: f64 = 16.0 * f64::EPSILON;
-/// Range of prismatic positions, relative to the length of the mechanism, for which size bounds are computed once;
-/// larger positions scale the bounds.
-pub(crate) const SLIDE_REACH: f64 = 0.5;
-/// Largest deviation of a quaternion's squared norm from 1 by rounding; a larger deviation gives no rotation.
-pub(crate) const UNIT_QUATERNION: f64 = 32.0 * f64::EPSILON;
 /// Cosine between two axes with all joints at 0, below which the axes are opposite: within 8°.
 pub(crate) const REVERSED_AXES: f64 = -0.99;
 /// Number of independent coordinates of a cluster above which its blocks are formed from its mass matrix: O(n²),
@@ -171,29 +156,6 @@ pub(crate) const ACCELERATION_PIVOT: f64 = 1e-10;
 pub(crate) const RATE_ROUNDINGS: f64 = 16.0;
 /// Relative error of 1/m̄ above which its pivots are only rounding, and may be zero.
 pub(crate) const NOTHING_LEFT: f64 = 1.0;
-/// Roundings of a pivot and of a test force, relative to their terms, in the a-priori bound of the recursion's
-/// rounding: three times those of a sum of a few products. The factor is larger for pivots much smaller than their
-/// terms.
-pub(crate) const ROUTE_ROUNDINGS: f64 = 16.0;
-/// Roundings of a pivot and its remainder in SIMD lanes, relative to the pivot's largest term: the products and sums
-/// of an elimination, and two rotations and translations.
-pub(crate) const LOSS_ROUNDINGS: f64 = 4.0;
-/// Ratio of a pivot's terms to the pivot above which the elimination amplifies the errors of the subtree, in SIMD
-/// lanes. Pivots of common arms and long chains are below this ratio, or have no errors to amplify.
-pub(crate) const COMMON_LOSS: f64 = 64.0;
-/// Roundings of the normal for each joint between the root link and the contact link, in SIMD lanes: two rotations.
-pub(crate) const NORMAL_ROUNDINGS: f64 = 4.0;
-/// Amplification of rounding errors above which a body is light compared with its subtree: bodies below this value contribute less
-/// than half of the accepted error in SIMD lanes.
-pub(crate) const LIGHT_BODY: f64 = 2.5e4;
-/// Amplification above which the mass matrix in SIMD lanes may be in error by more than 1e-3, relative: twists computed with it are
-/// then not used in bounds.
-pub(crate) const LARGEST_AMPLIFICATION: f64 = 5e11;
-/// Value of a bound that does not exist, in any unit. Unlike infinity, its product with 0 is a number.
-pub(crate) const NO_BOUND: f64 = 1e150;
-/// Smallest principal moment about the centre of mass, relative to the trace about the origin of the joint, that is certainly
-/// not rounding.
-pub(crate) const LEAST_MOMENT: f64 = 1e-12;
 /// Relative error of the response of a cluster with constraints above which the stationary value is used: a tenth of
 /// the accepted error.
 pub(crate) const VAGUE_RESPONSE: f64 = 1e-12;
@@ -268,16 +230,12 @@ pub(crate) const CLOSING_MOTION_FACTOR: f64 = 100.0;
 /// Predicted residual, relative to the size, below which a correction's Jacobian is reused. The prediction assumes
 /// the same reduction as in the last step; the result is below rounding, as with a new Jacobian.
 pub(crate) const KEPT_JACOBIAN: f64 = 1e-17;
-/// Longest step along a branch, for the coordinate that moves most, relative to the characteristic length.
-pub(crate) const LONGEST_BRANCH_STEP: f64 = 0.15;
 /// Shortest step along a branch, relative to the characteristic length; shorter steps end the path.
 pub(crate) const SHORTEST_BRANCH_STEP: f64 = 1e-9;
 /// Largest number of steps: some thousand turns of a small group. Large groups take fewer steps in the same time.
 pub(crate) const BRANCH_STEPS: usize = 100_000;
 /// Smallest step limit, even for large groups.
 pub(crate) const FEWEST_BRANCH_STEPS: usize = 500;
-/// Cosine of the largest rotation of the tangent in a step: about 25°.
-pub(crate) const STRAIGHT: f64 = 0.9;
 /// Largest change ‖X₀⁺(X − X₀)‖ of the linearised curve between consecutive points of a branch. At 1 another branch
 /// may cross.
 pub(crate) const CHART_DRIFT: f64 = 0.5;
@@ -286,8 +244,6 @@ pub(crate) const CHART_DRIFT: f64 = 0.5;
 pub(crate) const BESIDE_DRIFT: f64 = 0.25;
 /// Limit of second-order terms: squared step relative to the size, divided by the smallest singular value of X.
 pub(crate) const TURNING_DRIFT: f64 = 0.5;
-/// Number of power iterations for norms of these changes; a tenth of the norm is accurate enough.
-pub(crate) const DRIFT_ITERATIONS: usize = 4;
 /// Smallest slope of the drivers in the middle of a step, relative to the slope at its ends: 1 along a straight
 /// branch.
 pub(crate) const LEAST_MIDDLE_SLOPE: f64 = 0.25;
@@ -420,40 +376,8 @@ pub(crate) const DOUBTFUL_LIMIT: f64 = 1e-3;
 pub(crate) const KEPT_BODIES: usize = 256;
 /// Largest number of workspaces in the pool: the number of concurrent threads.
 pub(crate) const POOLED_WORKSPACES: usize = 64;
-/// Largest number of coordinates and bodies of a linkage with a compiled kernel.
-pub(crate) const LINKAGE_COORDINATES: usize = 64;
-/// Largest number of degrees of freedom of such a linkage, whose energy is a full matrix over these.
-pub(crate) const LINKAGE_FREEDOMS: usize = 16;
 /// Largest gap of the loops as drawn, relative to the mechanism's size, that counts as rounding of the file: 64 roundings.
 pub(crate) const EXACT_AS_DRAWN: f64 = 64.0 * f64::EPSILON;
-/// Largest remainder of a redundant row, as a fraction of the remainder below which a row counts as redundant: a factor of four
-/// leaves no doubt.
-pub(crate) const REDUNDANT_ROW: f64 = 0.25;
-/// Largest ratio of the largest pivot to another one at the pose for which a linkage is compiled. The margin keeps
-/// the elimination in the same order regular at other poses.
-pub(crate) const LINKAGE_PIVOT: f64 = 1024.0;
-/// Residual, relative to the smallest size of a group, at which lanes need no further Newton iteration: rounding.
-pub(crate) const CLOSED_IN_LANES: f64 = 4e-15;
-/// Largest number of Newton iterations in lanes; from a prediction two or three are sufficient.
-pub(crate) const CLOSING_PASSES: usize = 5;
-/// Largest correction of dependent coordinates relative to the step.
-pub(crate) const SMALL_CORRECTION: f64 = 0.25;
-/// Largest change ‖A₀⁻¹(A − A₀)‖ of the dependent coordinates' Jacobian, over rows followed from one pose without
-/// another check. At 1 a second branch may come near. The rates of the dependent coordinates change by at most a
-/// half.
-pub(crate) const FOLLOWERS_DRIFT: f64 = 1.0 / 3.0;
-/// Largest ratio of the length of a branch to its tangent over such rows: rates g increase to at most (g + 1/3)·3/2.
-pub(crate) const LONGEST_FOLLOWED: f64 = 2.0;
-/// Step of the finite differences for ‖A′‖, relative to the size; leaves five digits.
-pub(crate) const CURVATURE_STEP: f64 = 1e-5;
-/// Error of a linkage's rows as a multiple of the motion that would close its loops, divided by its smallest length. The factor is
-/// empirical: with it the true errors of the tested linkages are at most a twentieth of the statement.
-pub(crate) const OPEN_ROUNDINGS: f64 = 1.0;
-/// Roundings of a linkage's rows in lanes, for the frame of the ground and for the root of the depth of the tree. With these
-/// constants the true errors of the tested linkages are at most a twentieth of the statement.
-pub(crate) const LANE_ROW_ROUNDINGS: f64 = 1.0;
-/// Roundings of an arm between two positions, relative to the relevant length.
-pub(crate) const FAR_ROUNDINGS: f64 = 2.0;
 /// Largest distance of positions from those of a pose (rad, or lengths of the mechanism) for reuse of its pivots: far
 /// too small to move a nonzero singular value to zero.
 pub(crate) const SAME_PIVOTS_DISTANCE: f64 = 1e-9;

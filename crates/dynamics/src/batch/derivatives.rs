@@ -9,13 +9,13 @@ use crate::batch::error::BatchError;
 use crate::batch::pool::WorkerPool;
 use crate::batch::row_contacts::{BatchContacts, RowContacts, in_root_axes};
 use crate::batch::rows::{BLOCK, Batch, BatchAnswer, BatchPositions};
-use crate::kernels::aligned::Aligned;
-use crate::kernels::derivative_kernel::{Derivative, DerivativeColumns, DerivativeKernel, INERTIA_NUMBERS};
-use crate::kernels::estimate::{LaneContacts, PositionColumns};
+use crate::kernels::{kernel_contact, mechanism};
 use crate::kinematics::contact::Contact;
 use crate::kinematics::frames::Kinematics;
 use crate::model::input::{is_number, normalise_quaternion, quaternion_of};
 use crate::tolerances::{DERIVATIVE_AGREEMENT, LARGEST_DERIVATIVE_LOSS};
+use percuss_kernel::derivatives::{Derivative, DerivativeColumns, DerivativeKernel, INERTIA_NUMBERS};
+use percuss_kernel::{Aligned, LaneContacts, PositionColumns};
 use percuss_spatial::Transform;
 use std::sync::Arc;
 
@@ -47,7 +47,11 @@ impl Batch {
     pub fn derivatives(self) -> BatchDerivatives {
         let (assembly, contact) = (self.assembly(), self.contact());
         let model = assembly.model();
-        let kernel = DerivativeKernel::compile(model, contact);
+        // Loops, couplings and mimics are left to the pose.
+        let is_tree = model.groups.is_empty() && !model.has_active_mimics;
+        let kernel = is_tree
+            .then(|| mechanism(model))
+            .and_then(|bodies| DerivativeKernel::compile(&bodies, &kernel_contact(model, contact)));
         let (columns, values) = match &kernel {
             Some(_) => (model.positions + LaneContacts::COUNT, velocity_count(assembly).max(INERTIA_NUMBERS)),
             None => (0, 0),

@@ -2,13 +2,14 @@
 //! freedom.
 
 use crate::analysis::pose::Pose;
-use crate::kernels::loop_kernel::LoopContinuation;
+use crate::kernels::{kernel_contact, linkage};
 use crate::kinematics::contact::Contact;
 use crate::kinematics::frames::Kinematics;
 use crate::kinematics::outcome::{Remark, ResponseError};
 use crate::kinematics::remarks::RemarkFlags;
 use crate::loops::assembling::LoopState;
 use crate::model::velocities::{StateSizeError, check_positions};
+use percuss_kernel::loops::LoopContinuation;
 use percuss_mechanism::{JointId, Limits};
 
 /// Result of one row of a path.
@@ -64,7 +65,13 @@ impl Pose {
         let Some(given) = given.map(|q| q.map(|q| q.start)).collect::<Option<Vec<usize>>>() else {
             return Ok(None);
         };
-        let driven = LoopContinuation::of(&self.assembly, contact, self.positions(), &dependent, &given);
+        let linkage = match model.groups.is_empty() {
+            true => None,
+            false => linkage(&self.assembly),
+        };
+        let on = kernel_contact(model, contact);
+        let driven = linkage
+            .and_then(|linkage| LoopContinuation::of(&linkage, &on, self.positions(), &dependent, &given));
         let residual = self.loops.as_ref().map_or(0.0, |loops| loops.residual);
         let mechanism = self.mechanism();
         let limit = |joint: JointId| {

@@ -10,14 +10,13 @@ use crate::batch::error::BatchError;
 use crate::batch::pool::WorkerPool;
 use crate::batch::row_contacts::{BatchContacts, RowContacts, in_root_axes};
 use crate::batch::workspace::Workspace;
-use crate::kernels::aligned::Aligned;
-use crate::kernels::estimate::{CertifiedMass, LaneContacts, MassColumns, PositionColumns};
-use crate::kernels::lane_kernel::LaneKernel;
+use crate::kernels::kernel_contact;
 use crate::kinematics::contact::Contact;
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
 use crate::kinematics::remarks::RemarkFlags;
 use crate::model::interruption;
 use crate::model::velocities::{StateSizeError, check_positions};
+use percuss_kernel::{Aligned, CertifiedMass, Kernel, LaneContacts, MassColumns, PositionColumns};
 use percuss_spatial::Transform;
 use percuss_spatial::lanes::Instructions;
 use rayon::prelude::*;
@@ -86,7 +85,7 @@ pub struct Batch {
 /// Workspace of one thread.
 #[derive(Clone, Debug)]
 struct Worker {
-    kernel: Option<LaneKernel>,
+    kernel: Option<Kernel>,
     /// Indices of the positions that the SIMD kernel reads.
     read: Vec<usize>,
     /// Positions of a block by columns, [`BLOCK`] apart.
@@ -124,10 +123,11 @@ impl Workspace {
         let (contact, remarks) = self.contact_in_root(contact);
         let contact = &contact;
         let mut workspace = self.clone();
-        let in_lanes =
-            workspace.take_kernel().and_then(|mut lanes| lanes.set_contact(model, contact).then_some(lanes));
+        let in_lanes = workspace
+            .take_kernel()
+            .and_then(|mut lanes| lanes.set_contact(&kernel_contact(model, contact)).then_some(lanes));
         let worker = Worker {
-            read: in_lanes.iter().flat_map(LaneKernel::read_positions).collect(),
+            read: in_lanes.iter().flat_map(Kernel::read_positions).collect(),
             columns: Aligned::zeros(match in_lanes {
                 Some(_) => (model.positions + LaneContacts::COUNT) * BLOCK,
                 None => 0,

@@ -4,7 +4,8 @@
 use crate::analysis::assembly::Assembly;
 use crate::analysis::routes::{RecursionWorkspace, RouteInput};
 use crate::analysis::system::System;
-use crate::kernels::lane_kernel::LaneKernel;
+
+use crate::kernels::kernel_contact;
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::kinematics::frames::Kinematics;
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
@@ -15,6 +16,7 @@ use crate::model::input::{InputError, is_number, normalise_quaternion, quaternio
 use crate::model::interruption;
 use crate::model::velocities::{StateSizeError, check_positions};
 use nalgebra::Vector3;
+use percuss_kernel::Kernel;
 use percuss_mechanism::JointId;
 use percuss_spatial::{Transform, Twist};
 use std::ops::Range;
@@ -30,7 +32,7 @@ pub struct Workspace {
     mobility_workspace: MobilityWorkspace,
     recursion: RecursionWorkspace,
     /// SIMD kernel for trees and for linkages of few degrees of freedom.
-    kernel: Option<LaneKernel>,
+    kernel: Option<Kernel>,
     /// Contact for which the SIMD kernel is prepared.
     kernel_contact: Option<Contact>,
     /// True if `kinematics` is out of date.
@@ -86,7 +88,7 @@ impl Assembly {
             groups: vec![GroupMobility::default(); model.groups.len()],
             mobility_workspace: MobilityWorkspace::default(),
             recursion: RecursionWorkspace::new(model),
-            kernel: LaneKernel::compile(self),
+            kernel: crate::kernels::compile(self),
             kernel_contact: None,
             stale: false,
             is_allocated: false,
@@ -153,7 +155,7 @@ impl Workspace {
     }
 
     /// Removes and returns the SIMD kernel; afterwards the workspace uses the recursion.
-    pub(crate) fn take_kernel(&mut self) -> Option<LaneKernel> {
+    pub(crate) fn take_kernel(&mut self) -> Option<Kernel> {
         self.kernel_contact = None;
         self.kernel.take()
     }
@@ -195,7 +197,7 @@ impl Workspace {
             self.kernel_contact = None;
             let model = self.assembly.model();
             model.check_contact(contact)?;
-            if self.kernel.as_mut().is_none_or(|lanes| !lanes.set_contact(model, contact)) {
+            if self.kernel.as_mut().is_none_or(|lanes| !lanes.set_contact(&kernel_contact(model, contact))) {
                 return self.recursion_mass(contact);
             }
             self.kernel_contact = Some(*contact);

@@ -1,9 +1,24 @@
-//! Compiled kernels, evaluated for one configuration or for SIMD lanes.
+//! Mechanisms, linkages and contacts in the terms of the compiled kernels.
 
-pub(crate) mod aligned;
-pub(crate) mod derivative_kernel;
-pub(crate) mod estimate;
-pub(crate) mod lane_kernel;
-pub(crate) mod loop_kernel;
-pub(crate) mod massless_root;
-pub(crate) mod tree_kernel;
+mod contact;
+mod linkage;
+mod massless_root;
+mod mechanism;
+
+use crate::analysis::assembly::Assembly;
+pub(crate) use contact::kernel_contact;
+pub(crate) use linkage::linkage;
+pub(crate) use mechanism::mechanism;
+use percuss_kernel::Kernel;
+
+/// Compiled kernel of a mechanism; `None` if no kernel supports the mechanism.
+pub(crate) fn compile(assembly: &Assembly) -> Option<Kernel> {
+    let model = assembly.model();
+    if model.groups.is_empty() {
+        return Kernel::of_tree(&mechanism(model));
+    }
+    let linkage = linkage(assembly)?;
+    // The rows may be singular as drawn.
+    let kernel = Kernel::of_linkage(&linkage, &assembly.facts().reference);
+    kernel.or_else(|| Kernel::of_linkage(&linkage, assembly.generic_positions()))
+}

@@ -15,7 +15,7 @@ pub(crate) mod velocities;
 
 pub(crate) use body::{Body, Coordinate, LinkFrame, VelocityCoordinate};
 pub(crate) use constraint::{CompiledClosure, CompiledCoupling, CouplingTerm};
-pub(crate) use structure::cluster::{Cluster, ClusterGroup};
+pub(crate) use structure::cluster::{Cluster, ClusterGroup, ClusterVelocity};
 pub(crate) use structure::group::{Constraint, ConstraintRows, ConstraintTerm, Group};
 
 use crate::model::conditions::{Base, CompiledHold};

@@ -1,10 +1,10 @@
 //! SIMD evaluation of the contacts of a map.
 
 use super::scale::InertiaFactor;
-use crate::kernels::estimate::WIDEST;
 use crate::model::input::is_number;
 use crate::tolerances::{MAP_TRUSTED_ERROR, SHORTEST_DIRECTION};
 use nalgebra::{SMatrix, Vector3};
+use percuss_kernel::WIDEST;
 use percuss_spatial::lanes::{Lanes, Work};
 
 /// Contacts by columns, in the frame of the contact link.

@@ -1,36 +1,39 @@
 //! SIMD kernels for many configurations at once. Trees use body-fixed axes, for contacts with the ground. Linkages of
 //! few degrees of freedom use their velocities, for all contacts.
 
-use crate::analysis::assembly::Assembly;
-use crate::kernels::estimate::{
-    CertifiedMass, ContactConversion, LaneContacts, MassColumns, PositionColumns,
-};
-use crate::kernels::loop_kernel::LoopKernel;
-use crate::kernels::tree_kernel::TreeKernel;
-use crate::kinematics::contact::Contact;
-use crate::model::Model;
+use crate::columns::{CertifiedMass, LaneContacts, MassColumns, PositionColumns};
+use crate::contact::{Contact, ContactConversion};
+use crate::loops::LoopKernel;
+use crate::mechanism::{Linkage, Mechanism};
+use crate::tree::TreeKernel;
 use percuss_spatial::lanes::Instructions;
 
-/// SIMD kernel of a mechanism, with its buffers.
+/// Compiled kernel of a mechanism, with its buffers.
 #[derive(Clone, Debug)]
-pub(crate) enum LaneKernel {
+pub enum Kernel {
+    /// Tree of joints.
     Tree(TreeKernel),
+    /// Mechanism with closed loops or other constraints.
     Loop(LoopKernel),
 }
 
-impl LaneKernel {
-    /// Kernel of a mechanism; `None` if the mechanism is neither kind.
-    pub fn compile(assembly: &Assembly) -> Option<Self> {
-        let tree = TreeKernel::compile(assembly.model()).map(Self::Tree);
-        tree.or_else(|| LoopKernel::compile(assembly).map(Self::Loop))
+impl Kernel {
+    /// Kernel of a tree; `None` if the tree is not supported.
+    pub fn of_tree(mechanism: &Mechanism) -> Option<Self> {
+        TreeKernel::compile(mechanism).map(Self::Tree)
+    }
+
+    /// Kernel of a linkage whose rows are regular at the given positions; `None` if the linkage is not supported.
+    pub fn of_linkage(linkage: &Linkage, positions: &[f64]) -> Option<Self> {
+        LoopKernel::compile(linkage, positions).map(Self::Loop)
     }
 
     /// Prepares the kernel for a checked contact; false if the kernel does not support the contact. Allocates nothing
     /// after the first call.
-    pub fn set_contact(&mut self, model: &Model, contact: &Contact) -> bool {
+    pub fn set_contact(&mut self, contact: &Contact) -> bool {
         match self {
-            Self::Tree(tree) => tree.set_contact(model, contact),
-            Self::Loop(linkage) => linkage.set_contact(model, contact),
+            Self::Tree(tree) => tree.set_contact(contact),
+            Self::Loop(linkage) => linkage.set_contact(contact),
         }
     }
 

@@ -1,8 +1,9 @@
 //! Poses of the bodies of a linkage, root axes, relative to a centre near the bodies.
 
 use super::layout::{FRAME, add_scaled, dot, get, get_vector, plus, put_vector, size, times};
-use super::plan::{BodyDirection, BodyPoint, JointPosition, LoopMotion, LoopPlan};
-use crate::kernels::estimate::PositionColumns;
+use super::plan::{LoopMotion, LoopPlan};
+use crate::columns::PositionColumns;
+use crate::mechanism::{BodyDirection, BodyPoint, JointPosition};
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{rotation_rows, splat};
 

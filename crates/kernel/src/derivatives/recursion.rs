@@ -12,7 +12,7 @@
 //! every mechanism), Φ the propagation of the inverse operational inertia (Featherstone 2008, §8; Wensing, Featherstone and Orin 2012).
 
 use super::plan::{Plan, Step, StepMotion};
-use crate::kernels::estimate::PositionColumns;
+use crate::columns::PositionColumns;
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{
     PackedInertia, PackedTwist, PackedWrench, rotate_symmetric, rotated, rotation_rows, splat,
@@ -37,7 +37,7 @@ const PRODUCT: usize = 6;
 const OVER_PIVOT: usize = 12;
 
 /// Numbers of Φ per configuration: 6×6.
-pub(crate) const INERTIA_NUMBERS: usize = 36;
+pub const INERTIA_NUMBERS: usize = 36;
 
 /// Contact of the lanes.
 #[derive(Clone, Copy, Debug)]

@@ -2,16 +2,9 @@
 //! the rows that close the loops, and the order in which dependent coordinates are eliminated.
 
 use super::layout::Layout;
+use crate::mechanism::{BodyDirection, BodyPoint, JointPosition, RowForm};
 use nalgebra::Vector3;
 use percuss_spatial::Transform;
-
-/// A position that moves a joint: `multiplier · positions[q] + offset`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct JointPosition {
-    pub q: usize,
-    pub multiplier: f64,
-    pub offset: f64,
-}
 
 /// Motion of a body relative to its parent.
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +36,7 @@ impl LoopMotion {
 
 /// One velocity of a body's joint.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Velocity {
+pub(super) struct LoopVelocity {
     /// Column of A: pivot columns in order, then the independent ones.
     pub column: usize,
     /// Joint velocity per unit rate of that coordinate. Coordinates are measured in metres.
@@ -59,7 +52,7 @@ pub(super) struct LoopBody {
     pub rotation: [[f64; 3]; 3],
     pub translation: [f64; 3],
     pub motion: LoopMotion,
-    pub velocities: Vec<Velocity>,
+    pub velocities: Vec<LoopVelocity>,
     /// Mass, first moment, moments and products of inertia (xx, xy, xz, yy, yz, zz); `None` if all are zero.
     pub inertia: Option<[f64; 10]>,
     /// For each independent coordinate: true if the coordinate can move the body.
@@ -68,39 +61,6 @@ pub(super) struct LoopBody {
     pub frame: Transform<f64>,
     /// Upper bound of the distance from the body's origin to the joint of any ancestor, without travels of slides, m.
     pub reach: f64,
-}
-
-/// Point fixed in a body, or in the root link.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct BodyPoint {
-    pub body: Option<usize>,
-    pub at: [f64; 3],
-}
-
-/// Direction fixed in a body, or in the root link.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct BodyDirection {
-    pub body: Option<usize>,
-    pub e: [f64; 3],
-}
-
-/// Form of one row or of three rows of A, from the relative motion of successor and predecessor.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum RowForm {
-    /// Velocity of the successor's point, root axes: three rows.
-    Point,
-    /// Velocity of the successor's point along a direction.
-    Along(BodyDirection),
-    /// Rate of the cosine between a direction of the predecessor and a direction of the successor, times a length
-    /// (m).
-    Cosine(BodyDirection, BodyDirection, f64),
-    /// Relative angular velocity along the three axes of the predecessor's loop frame, times a length (m): three rows. The axes
-    /// of both loop frames.
-    Orientation([BodyDirection; 3], [BodyDirection; 3], f64),
-    /// Rate of the distance between the two points; the value is the required distance (m).
-    Distance(f64),
-    /// Constant row: the factors of the terms.
-    Constant,
 }
 
 /// Joint velocity that occurs in the rows of a block.

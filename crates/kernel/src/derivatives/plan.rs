@@ -1,9 +1,7 @@
 //! Plan of the derivative kernel: one step per body, with the joint axis along z.
 
-use crate::kernels::estimate::is_positive;
-use crate::model::Model;
+use crate::mechanism::{JointMotion, Mechanism};
 use nalgebra::{Matrix3, Unit, Vector3};
-use percuss_mechanism::JointKind;
 use percuss_spatial::{PackedInertia, SpatialInertia, Transform, plane_basis};
 
 /// Largest number of velocities of one joint.
@@ -63,47 +61,35 @@ pub(super) struct Plan {
 
 impl Plan {
     /// Plan of a tree; `None` for loops, held contacts, mimics, planar joints and negative masses.
-    pub fn of(model: &Model) -> Option<Self> {
-        if !model.groups.is_empty() || model.has_active_mimics {
+    pub fn of(mechanism: &Mechanism) -> Option<Self> {
+        if !mechanism.is_positive() || mechanism.bodies.iter().any(|body| body.mimic.is_some()) {
             return None;
         }
-        let joints = model.mechanism.joints();
-        let mut outputs = 0;
-        let firsts: Vec<usize> = joints
-            .iter()
-            .map(|joint| {
-                outputs += joint.kind().dofs();
-                outputs - joint.kind().dofs()
-            })
-            .collect();
         let mut plan = Self { steps: Vec::new(), frames: Vec::new(), columns: 0 };
-        for (number, body) in model.bodies.iter().enumerate() {
-            if body.mimic.is_some() || !is_positive(&body.inertia) {
-                return None;
-            }
-            let q = body.q.start;
-            let motion = match (body.joint, body.motion.kind) {
-                (None, _) => StepMotion::Base,
-                (_, JointKind::Revolute | JointKind::Continuous) => StepMotion::Turn { q },
-                (_, JointKind::Prismatic) => StepMotion::Slide { q },
-                (_, JointKind::Spherical) => StepMotion::Ball { q },
-                (_, JointKind::Floating) => StepMotion::Floating { q },
-                (_, JointKind::Planar | JointKind::Fixed) => return None,
+        for (number, body) in mechanism.bodies.iter().enumerate() {
+            let q = body.q;
+            let motion = match body.motion {
+                JointMotion::Base => StepMotion::Base,
+                JointMotion::Turn => StepMotion::Turn { q },
+                JointMotion::Slide => StepMotion::Slide { q },
+                JointMotion::Ball => StepMotion::Ball { q },
+                JointMotion::Floating => StepMotion::Floating { q },
+                JointMotion::Planar | JointMotion::Fixed => return None,
             };
             let own = match motion {
-                StepMotion::Turn { .. } | StepMotion::Slide { .. } => axis_frame(&body.motion.axis()),
+                StepMotion::Turn { .. } | StepMotion::Slide { .. } => axis_frame(&body.axis),
                 StepMotion::Ball { .. } | StepMotion::Floating { .. } | StepMotion::Base => {
                     Transform::identity()
                 }
             };
-            let drawn = if body.joint.is_some() { body.origin } else { Transform::identity() };
+            let drawn = if motion == StepMotion::Base { Transform::identity() } else { body.origin };
             let parent = body.parent.map_or_else(Transform::identity, |p| plan.frames[p]);
             let step = parent.inverse() * drawn * own;
             let inertia = own.inverse().inertia(&body.inertia);
             let mut armature = [0.0; MOST_VELOCITIES];
-            armature.iter_mut().zip(&body.armature).for_each(|(to, a)| *to = *a);
+            armature.iter_mut().zip(&body.velocities).for_each(|(to, own)| *to = own.armature);
             let column = plan.columns;
-            plan.columns += body.v.len();
+            plan.columns += body.velocities.len();
             plan.frames.push(own);
             plan.steps.push(Step {
                 parent: body.parent,
@@ -114,8 +100,8 @@ impl Plan {
                 first_moment: inertia.first_moment.into(),
                 mass: inertia.mass,
                 armature,
-                velocities: body.v.len(),
-                output: body.joint.map(|joint| firsts[joint.index()]),
+                velocities: body.velocities.len(),
+                output: body.output,
                 column,
                 subtree_root: body.parent.map_or(number, |p| plan.steps[p].subtree_root),
             });

@@ -9,7 +9,7 @@ const NUMBERS: usize = LINE / size_of::<f64>();
 
 /// Buffer of numbers that begins at the start of a cache line.
 #[derive(Debug)]
-pub(crate) struct Aligned {
+pub struct Aligned {
     /// The numbers, with padding before and after.
     values: Vec<f64>,
     first: usize,

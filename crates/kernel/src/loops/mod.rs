@@ -3,7 +3,7 @@
 //!
 //! The kernel accepts connected mechanisms, and returns only results without doubt. All other cases (planar joints, redundant rows
 //! that contradict each other, positions that do not close the loops, poses near singular ones, massless or immovable contacts and
-//! contacts near either) are left to [`crate::analysis::routes`].
+//! contacts near either) are left to the caller.
 
 mod compile;
 mod continuation;
@@ -13,36 +13,32 @@ mod layout;
 mod plan;
 mod rows;
 
-pub(crate) use continuation::LoopContinuation;
+pub use continuation::{FollowedRow, LoopContinuation, Positions};
 
-use crate::analysis::assembly::Assembly;
-use crate::kernels::aligned::Aligned;
-use crate::kernels::estimate::{
-    CertifiedMass, ContactConversion, LaneContacts, MassColumns, PositionColumns, WIDEST, relative_frame,
-};
-use crate::kinematics::contact::{Contact, Direction, Frame};
-use crate::model::Model;
-use crate::tolerances::SHORTEST_LINE;
+use crate::aligned::Aligned;
+use crate::columns::{CertifiedMass, LaneContacts, MassColumns, PositionColumns, WIDEST};
+use crate::contact::{Contact, ContactConversion, LinkFrame, Normal, NormalFrame, relative_frame};
+use crate::mechanism::{BodyDirection, Linkage};
 use energy::{LoopContact, LoopNormal, LoopResponse, evaluate};
 use nalgebra::{Matrix3, Vector3};
-use percuss_mechanism::LinkId;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
-use plan::{BodyDirection, BodyPoint, LoopMotion, LoopPlan};
+use plan::{LoopMotion, LoopPlan};
 use std::sync::Arc;
 
 /// Compiled linkage, its contact, and a workspace.
 #[derive(Clone, Debug)]
-pub(crate) struct LoopKernel {
+pub struct LoopKernel {
     plan: Arc<LoopPlan>,
     contact: Option<LoopContact>,
     scratch: Aligned,
+    /// Instruction set.
     pub instructions: Instructions,
 }
 
 impl LoopKernel {
-    /// `None` if the assembly is not a supported linkage.
-    pub fn compile(assembly: &Assembly) -> Option<Self> {
-        Some(Self::from_plan(LoopPlan::of(assembly)?))
+    /// Kernel of a linkage whose rows are regular at the given positions; `None` if the linkage is not supported.
+    pub fn compile(linkage: &Linkage, positions: &[f64]) -> Option<Self> {
+        Some(Self::from_plan(LoopPlan::compile(linkage, positions, &|_| true)?))
     }
 
     fn from_plan(plan: LoopPlan) -> Self {
@@ -52,50 +48,45 @@ impl LoopKernel {
 
     /// Sets a checked contact, also between two links or along a line; returns false for contacts on a massless root. Allocates
     /// nothing.
-    pub fn set_contact(&mut self, model: &Model, contact: &Contact) -> bool {
-        let target = match contact.normal {
-            Direction::Along(..) => None,
-            Direction::Toward(link, _)
-            | Direction::TurningToward(link, _)
-            | Direction::TurningAwayFrom(link, _) => Some(link),
+    pub fn set_contact(&mut self, contact: &Contact) -> bool {
+        let plan = &self.plan;
+        let target = match &contact.normal {
+            Normal::Along(..) => None,
+            Normal::Toward { end, .. } => Some(end),
         };
-        let mut links = [Some(contact.link), contact.against, target].into_iter().flatten();
-        if links.any(|link| model.body_of(link).is_some_and(|body| self.plan.massless.contains(&body))) {
+        let mut links = [Some(&contact.on), contact.against.as_ref(), target].into_iter().flatten();
+        if links.any(|link| link.body.is_some_and(|body| plan.massless.contains(&body))) {
             return false;
         }
-        let on = self.point(model, contact.link, &contact.point);
-        let against = contact.against.and_then(|link| model.body_of(link));
-        let on_link = &model.link_frames[contact.link.index()];
-        let to_body = relative_frame(&self.plan.frame(on_link.body), &on_link.frame);
+        let point = |link: &LinkFrame, at: &Vector3<f64>| plan.point(link.body, &link.frame.point(at));
+        // Body of a link, and the rotation from the link's axes to those of the body in the plan.
+        let axes =
+            |link: &LinkFrame| (link.body, relative_frame(&plan.frame(link.body), &link.frame).rotation);
+        let on = point(&contact.on, &contact.point);
+        let against = contact.against.and_then(|link| link.body);
+        let to_body = relative_frame(&plan.frame(contact.on.body), &contact.on.frame);
         let mut conversion = ContactConversion { point: to_body, normal: Matrix3::identity() };
-        let normal = match contact.normal {
-            Direction::Along(n, frame) => {
-                let (body, axes) = match (frame, contact.against) {
-                    (Frame::Link, _) => self.axes(model, contact.link),
-                    (Frame::Against, Some(other)) => self.axes(model, other),
-                    (Frame::World, _) | (Frame::Against, None) => (None, Matrix3::identity()),
+        let normal = match &contact.normal {
+            Normal::Along(n, frame) => {
+                let (body, axes) = match (frame, &contact.against) {
+                    (NormalFrame::Link, _) => axes(&contact.on),
+                    (NormalFrame::Against, Some(other)) => axes(other),
+                    (NormalFrame::Root, _) | (NormalFrame::Against, None) => (None, Matrix3::identity()),
                 };
                 conversion.normal = axes;
-                let [_, e] = conversion.convert(&contact.point, &n);
+                let [_, e] = conversion.convert(&contact.point, n);
                 LoopNormal::Along(BodyDirection { body, e: e.into() })
             }
             // m̄ is the same for both senses of the normal.
-            Direction::Toward(link, to)
-            | Direction::TurningToward(link, to)
-            | Direction::TurningAwayFrom(link, to) => {
-                let drawn = model.drawn_line(contact);
-                let length = drawn.map_or(f64::INFINITY, |drawn| drawn.length);
-                let unit = drawn.map_or_else(Vector3::x, |drawn| drawn.unit);
-                LoopNormal::Toward {
-                    end: self.point(model, link, &to),
-                    drawn: match contact.against {
-                        Some(other) => self.direction(model, other, &unit),
-                        None => BodyDirection { body: None, e: unit.into() },
-                    },
-                    shortest: SHORTEST_LINE * length,
-                    least_cosine: contact.normal.least_cosine(),
-                }
-            }
+            Normal::Toward { end, point: at, drawn, shortest, least_cosine } => LoopNormal::Toward {
+                end: point(end, at),
+                drawn: match &contact.against {
+                    Some(other) => plan.direction(other.body, &other.frame.vector(drawn)),
+                    None => BodyDirection { body: None, e: (*drawn).into() },
+                },
+                shortest: *shortest,
+                least_cosine: *least_cosine,
+            },
         };
         self.contact = Some(LoopContact { on, against, normal, columns: None, conversion });
         true
@@ -113,22 +104,6 @@ impl LoopKernel {
         if let Some(contact) = &mut self.contact {
             contact.columns = columns;
         }
-    }
-
-    /// Body of a link, and the rotation from the link's axes to those of the body in the plan.
-    fn axes(&self, model: &Model, link: LinkId) -> (Option<usize>, Matrix3<f64>) {
-        let on = &model.link_frames[link.index()];
-        (on.body, relative_frame(&self.plan.frame(on.body), &on.frame).rotation)
-    }
-
-    fn point(&self, model: &Model, link: LinkId, at: &nalgebra::Vector3<f64>) -> BodyPoint {
-        let on = &model.link_frames[link.index()];
-        self.plan.point(on.body, &on.frame.point(at))
-    }
-
-    fn direction(&self, model: &Model, link: LinkId, e: &nalgebra::Vector3<f64>) -> BodyDirection {
-        let on = &model.link_frames[link.index()];
-        self.plan.direction(on.body, &on.frame.vector(e))
     }
 
     /// m̄ at one configuration for the current contact, with its rounding error. `None` if m̄ is not finite, or if its

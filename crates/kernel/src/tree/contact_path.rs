@@ -2,7 +2,8 @@
 
 use super::parent_transform::LanePositions;
 use super::plan::ScheduledStep;
-use crate::kernels::estimate::{ContactConversion, LaneContacts};
+use crate::columns::LaneContacts;
+use crate::contact::ContactConversion;
 use crate::tolerances::{LARGEST_AMPLIFICATION, NO_BOUND};
 use nalgebra::Matrix3;
 use percuss_spatial::lanes::Lanes;

@@ -1,7 +1,7 @@
 //! Recursion of a tree in the bodies' own axes, with a fixed or a floating base, in SIMD lanes.
 //!
 //! The kernel returns only results without doubt. All other cases (massless or immovable contacts and contacts near
-//! either, results lost to rounding) are left to [`crate::analysis::routes`], as are loops and contacts between two links.
+//! either, results lost to rounding) are left to the caller, as are loops and contacts between two links.
 
 mod cluster;
 mod cluster_joint;
@@ -15,15 +15,12 @@ mod propagation;
 mod recursion;
 mod sizes;
 
-use crate::kernels::aligned::Aligned;
-use crate::kernels::estimate::{
-    CertifiedMass, ContactConversion, LaneContacts, MassColumns, PositionColumns, WIDEST, relative_frame,
-};
-use crate::kinematics::contact::{Contact, Direction, Frame};
-use crate::model::Model;
+use crate::aligned::Aligned;
+use crate::columns::{CertifiedMass, LaneContacts, MassColumns, PositionColumns, WIDEST};
+use crate::contact::{Contact, ContactConversion};
+use crate::mechanism::Mechanism;
 use cluster::MimicCluster;
 use contact_path::{ContactPath, TreeContact, TreeNormalFrame};
-use nalgebra::Matrix3;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
 use plan::{ScheduledStep, TreePlan};
 use propagation::SCRATCH_NUMBERS;
@@ -32,20 +29,21 @@ use std::sync::Arc;
 
 /// Compiled tree, its contact, and a workspace.
 #[derive(Clone, Debug)]
-pub(crate) struct TreeKernel {
+pub struct TreeKernel {
     steps: Arc<[ScheduledStep]>,
     clusters: Arc<[MimicCluster]>,
     selection: ContactPath,
     scratch: Aligned,
+    /// Instruction set.
     pub instructions: Instructions,
 }
 
 impl TreeKernel {
-    /// Compiles the kernel for a model. `None` if the model has loops or negative masses, or mimics of a kind that
-    /// [`MimicCluster::compile`] refuses.
-    pub fn compile(model: &Model) -> Option<Self> {
-        let mut plan = TreePlan::of(model)?;
-        let clusters = MimicCluster::compile(model, &mut plan)?;
+    /// Compiles the kernel of a tree. `None` if a mass is negative, or if more than four coordinates mimic one another, joints of
+    /// several degrees of freedom, or several joints on the ground.
+    pub fn compile(mechanism: &Mechanism) -> Option<Self> {
+        let mut plan = TreePlan::of(mechanism)?;
+        let clusters = MimicCluster::compile(mechanism, &mut plan)?;
         plan.fill_leaves();
         let selection = ContactPath::none(plan.steps.len(), plan.travel);
         let mut steps = plan.into_schedule();
@@ -63,24 +61,12 @@ impl TreeKernel {
     }
 
     /// Sets a checked contact; returns false for an unsupported kind. Allocates nothing after the first call.
-    pub fn set_contact(&mut self, model: &Model, contact: &Contact) -> bool {
-        let Some(body) = model.body_of(contact.link) else { return false };
-        let Direction::Along(n, frame) = contact.normal else { return false };
-        let other = contact.against.map(|link| &model.link_frames[link.index()]);
-        if other.is_some_and(|other| other.body.is_some()) {
-            return false;
-        }
+    pub fn set_contact(&mut self, contact: &Contact) -> bool {
+        let Some((body, normal, frame)) = contact.with_ground() else { return false };
         let last = self.steps.len() - 1;
-        let own = &self.steps[last - body].step.own.frame;
-        let link = &model.link_frames[contact.link.index()].frame;
-        let point = relative_frame(own, link);
-        let (normal_frame, normal) = match (frame, other) {
-            (Frame::Link, _) => (TreeNormalFrame::Body, point.rotation),
-            (Frame::Against, Some(other)) => (TreeNormalFrame::Root, other.frame.rotation),
-            (Frame::World, _) | (Frame::Against, None) => (TreeNormalFrame::Root, Matrix3::identity()),
-        };
-        let conversion = ContactConversion { point, normal };
-        let [point, normal] = conversion.convert(&contact.point, &n);
+        let (conversion, turns) = contact.conversion(&self.steps[last - body].step.own.frame, frame);
+        let normal_frame = if turns { TreeNormalFrame::Body } else { TreeNormalFrame::Root };
+        let [point, normal] = conversion.convert(&contact.point, &normal);
         let ContactPath { path, on_path, .. } = &mut self.selection;
         path.iter().for_each(|&at| on_path[at] = false);
         path.clear();

@@ -1,25 +1,25 @@
 //! Derivatives of trees in SIMD lanes: the gradient of m̄, and the inverse operational inertia Φ of the contact link.
 //!
-//! In root axes about the contact point, unlike [`crate::kernels::tree_kernel`]: both results need the twists of the bodies. A lane
+//! In root axes about the contact point, unlike [`crate::tree`]: both results need the twists of the bodies. A lane
 //! of which a pivot is small compared with its terms is left to the pose.
 
 mod plan;
 mod recursion;
 
-use crate::kernels::aligned::Aligned;
-use crate::kernels::estimate::{ContactConversion, LaneContacts, PositionColumns, WIDEST, relative_frame};
-use crate::kinematics::contact::{Contact, Direction, Frame};
-use crate::model::Model;
-use nalgebra::{Matrix3, Vector3};
+use crate::aligned::Aligned;
+use crate::columns::{LaneContacts, PositionColumns, WIDEST};
+use crate::contact::{Contact, ContactConversion};
+use crate::mechanism::Mechanism;
+use nalgebra::Vector3;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
 use plan::Plan;
-pub(crate) use recursion::INERTIA_NUMBERS;
+pub use recursion::INERTIA_NUMBERS;
 use recursion::{BODY_NUMBERS, LaneContact, LaneState, Selection, VELOCITY_NUMBERS};
 use std::sync::Arc;
 
 /// Quantity that the kernel computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Derivative {
+pub enum Derivative {
     /// Gradient of m̄ by the velocities of all joints, kg/rad or kg/m.
     Gradient,
     /// Φ of the contact link at the contact point, 6×6, in root axes.
@@ -27,19 +27,20 @@ pub(crate) enum Derivative {
 }
 
 /// Results of lanes.
-pub(crate) struct DerivativeColumns<'a> {
+pub struct DerivativeColumns<'a> {
     /// 1/m̄, 1/kg: one number per configuration.
     pub responses: &'a mut [f64],
     /// Largest ratio of the summed terms of a pivot to the pivot: one number per configuration.
     pub losses: &'a mut [f64],
     /// Number v of configuration c at v · stride + c.
     pub values: &'a mut [f64],
+    /// Number of configurations between two values of one configuration.
     pub stride: usize,
 }
 
 /// Compiled tree, its contact, and a workspace.
 #[derive(Clone, Debug)]
-pub(crate) struct DerivativeKernel {
+pub struct DerivativeKernel {
     plan: Arc<Plan>,
     selection: Selection,
     conversion: ContactConversion,
@@ -50,22 +51,10 @@ pub(crate) struct DerivativeKernel {
 
 impl DerivativeKernel {
     /// Kernel of a tree for a checked contact with a link of the ground; `None` for other mechanisms and contacts.
-    pub fn compile(model: &Model, contact: &Contact) -> Option<Self> {
-        let plan = Plan::of(model)?;
-        let body = model.body_of(contact.link)?;
-        let Direction::Along(n, frame) = contact.normal else { return None };
-        let other = contact.against.map(|link| &model.link_frames[link.index()]);
-        if other.is_some_and(|other| other.body.is_some()) {
-            return None;
-        }
-        let link = &model.link_frames[contact.link.index()].frame;
-        let point = relative_frame(&plan.frames[body], link);
-        let (turns, normal) = match (frame, other) {
-            (Frame::Link, _) => (true, point.rotation),
-            (Frame::Against, Some(other)) => (false, other.frame.rotation),
-            (Frame::World, _) | (Frame::Against, None) => (false, Matrix3::identity()),
-        };
-        let conversion = ContactConversion { point, normal };
+    pub fn compile(mechanism: &Mechanism, contact: &Contact) -> Option<Self> {
+        let plan = Plan::of(mechanism)?;
+        let (body, normal, frame) = contact.with_ground()?;
+        let (conversion, turns) = contact.conversion(&plan.frames[body], frame);
         let root = plan.steps[body].subtree_root;
         let active = (0..plan.steps.len()).filter(|&b| plan.steps[b].subtree_root == root).collect();
         let mut path = vec![body];
@@ -75,7 +64,7 @@ impl DerivativeKernel {
         path.reverse();
         let on_path = (0..plan.steps.len()).map(|b| path.contains(&b)).collect();
         let numbers = plan.steps.len() * BODY_NUMBERS + plan.columns * VELOCITY_NUMBERS;
-        let [point, normal] = conversion.convert(&contact.point, &n);
+        let [point, normal] = conversion.convert(&contact.point, &normal);
         Some(Self {
             plan: Arc::new(plan),
             selection: Selection { body, turns, active, path, on_path },

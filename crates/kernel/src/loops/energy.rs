@@ -6,16 +6,15 @@
 //! ```
 //!
 //! with d the dependent and i the independent coordinates: GᵀMG from the kinetic energy, without articulated
-//! inertias. [`crate::recursion`] computes the same m̄ cluster by cluster; for few degrees of freedom the energy is
-//! cheaper. A test compares the two.
+//! inertias. For few degrees of freedom this is cheaper than a recursion over clusters. A test compares the two.
 
 use super::frames::{direction, direction_of, fill_frames, frame, point, point_of};
 use super::layout::{FRAME, add_scaled, cross, dot, get, get_vector, minus, plus, put_vector, size, times};
-use super::plan::{BodyDirection, BodyPoint, LoopBody, LoopMotion, LoopPlan};
+use super::plan::{LoopBody, LoopMotion, LoopPlan};
 use super::rows::{RowRoundings, eliminate, fill_rate_errors, fill_rates, fill_rows, fill_steps};
-use crate::kernels::estimate::{
-    ContactConversion, LaneContacts, PositionColumns, WIDEST, quaternion_norm_excess,
-};
+use crate::columns::{LaneContacts, PositionColumns, WIDEST, quaternion_norm_excess};
+use crate::contact::ContactConversion;
+use crate::mechanism::{BodyDirection, BodyPoint};
 use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, OPEN_ROUNDINGS, QUICK_ERROR, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
 

@@ -21,7 +21,7 @@ use super::propagation::{
     COSINE, PropagatedWrench, SCRATCH_NUMBERS, SINE, add_to_parent, number, store_rate, update_wrench,
 };
 use super::sizes::Sizes;
-use crate::kernels::estimate::{PositionColumns, excess_beyond, quaternion_norm_excess};
+use crate::columns::{PositionColumns, excess_beyond, quaternion_norm_excess};
 use crate::tolerances::{LOSS_ROUNDINGS, NO_BOUND, NORMAL_ROUNDINGS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, turn_vector};

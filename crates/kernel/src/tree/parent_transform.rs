@@ -2,7 +2,7 @@
 
 use super::plan::{Shape, TreeMotion, TreeStep};
 use super::propagation::{COSINE, PropagatedWrench, SINE, number};
-use crate::kernels::estimate::PositionColumns;
+use crate::columns::PositionColumns;
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{PackedInertia, PackedTwist, PackedWrench, rotation_rows};
 

@@ -15,7 +15,7 @@ use super::parent_transform::{LanePositions, propagate_to_parent, transform_to_p
 use super::plan::{ScheduledStep, TreeMotion, TreePlan};
 use super::propagation::{PropagatedWrench, SCRATCH_NUMBERS, add_to_parent};
 use super::sizes::{SIZES, Sizes};
-use crate::model::{Cluster, Model};
+use crate::mechanism::{Cluster, Mechanism};
 use crate::tolerances::COMMON_LOSS;
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{PackedInertia, PackedWrench};
@@ -38,24 +38,20 @@ pub(super) struct MimicCluster {
 }
 
 impl MimicCluster {
-    /// Compiles the clusters of a plan. Their workspace follows that of the steps. `None` if a cluster has closed loops, too many coordinates, joints of several degrees of freedom, or several bodies
+    /// Compiles the clusters of a plan. Their workspace follows that of the steps. `None` if a cluster has too many coordinates, joints of several degrees of freedom, or several bodies
     /// on the ground.
-    pub fn compile(model: &Model, plan: &mut TreePlan) -> Option<Vec<Self>> {
+    pub fn compile(mechanism: &Mechanism, plan: &mut TreePlan) -> Option<Vec<Self>> {
         let (mut clusters, mut offset) = (Vec::new(), plan.steps.len() * SCRATCH_NUMBERS);
-        for own in model.clusters.iter().filter(|cluster| cluster.is_bound) {
+        for own in &mechanism.clusters {
             let on_ground = own.parent.is_none() && own.parents.iter().filter(|p| p.is_none()).count() > 1;
             let simple = |&body: &usize| {
                 matches!(plan.steps[body].motion, TreeMotion::Turn { .. } | TreeMotion::Slide { .. })
             };
-            if !own.groups.is_empty()
-                || on_ground
-                || own.coordinates.len() > MOST
-                || !own.bodies.iter().all(simple)
-            {
+            if on_ground || own.coordinates > MOST || !own.bodies.iter().all(simple) {
                 return None;
             }
             let cluster = Self {
-                freedoms: own.coordinates.len(),
+                freedoms: own.coordinates,
                 offset,
                 bodies: own.bodies.len(),
                 parent: own.parent,

@@ -4,13 +4,9 @@
 
 use super::cluster_joint::ClusterJoint;
 use super::sizes::Sizes;
-use crate::kernels::estimate::is_positive;
-use crate::kernels::massless_root::massless_root;
-use crate::model::joint_motion::JointMotion;
-use crate::model::{Body, Model};
+use crate::mechanism::{Body, JointMotion, Mechanism};
 use crate::tolerances::{LEAST_MOMENT, LIGHT_BODY, NO_ACROSS, NO_BOUND, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
 use nalgebra::{Matrix3, Vector3};
-use percuss_mechanism::JointKind;
 use percuss_spatial::lanes::{Lanes, Single};
 use percuss_spatial::{PackedInertia, PackedWrench, Scalar, Transform};
 use std::ops::Range;
@@ -298,28 +294,29 @@ pub(super) struct TreePlan {
 impl TreePlan {
     /// Compiles a tree of joints: frames, transforms, inertias and bounds of sizes of all bodies. `None` if the mechanism has
     /// loops or held contacts, or a negative mass.
-    pub fn of(model: &Model) -> Option<Self> {
-        if !model.groups.is_empty() || model.bodies.is_empty() || !model.bodies.iter().all(is_plain) {
+    pub fn of(mechanism: &Mechanism) -> Option<Self> {
+        let bodies = &mechanism.bodies;
+        let moves = |body: &Body| body.motion != JointMotion::Fixed;
+        if bodies.is_empty() || !bodies.iter().all(moves) || !mechanism.is_positive() {
             return None;
         }
-        let length = model.mechanism.characteristic_length();
+        let length = mechanism.length;
         let travel = SLIDE_REACH * if length > 0.0 { length } else { 1.0 };
-        let mut frames: Vec<Option<Transform<f64>>> = vec![None; model.bodies.len()];
-        let mut steps: Vec<TreeStep> = Vec::with_capacity(model.bodies.len());
-        let massless = massless_root(model);
+        let mut frames: Vec<Option<Transform<f64>>> = vec![None; bodies.len()];
+        let mut steps: Vec<TreeStep> = Vec::with_capacity(bodies.len());
         // Parents before children: the first child may fix the free parts of its parent's frame.
-        for (i, body) in model.bodies.iter().enumerate() {
-            let frame = *frames[i].get_or_insert_with(|| joint_aligned_frame(model, i));
+        for (i, body) in bodies.iter().enumerate() {
+            let frame = *frames[i].get_or_insert_with(|| joint_aligned_frame(bodies, i));
             let carrier = body.parent.map_or(Transform::identity(), |p| steps[p].own.frame);
             let k = carrier.inverse() * body.origin * frame;
             let transform = ParentTransform::of(&k);
             let motion = motion_of(body);
             let reach = transform.length + motion.travel(travel);
             let (mut free, mut armature) = ([false; 6], [0.0; 6]);
-            for ((&component, own), _) in motion.components().iter().zip(&body.armature).zip(body.v.clone()) {
-                (free[component], armature[component]) = (true, *own);
+            for (&component, own) in motion.components().iter().zip(&body.velocities) {
+                (free[component], armature[component]) = (true, own.armature);
             }
-            if body.parent.is_some_and(|parent| massless.contains(&parent)) {
+            if body.floats {
                 (free, armature) = ([true; 6], [0.0; 6]);
             }
             steps.push(TreeStep {
@@ -471,37 +468,32 @@ impl LeafElimination {
     }
 }
 
-/// True if a body has a joint and its inertia is physical.
-fn is_plain(body: &Body) -> bool {
-    body.motion.kind != JointKind::Fixed && is_positive(&body.inertia)
-}
-
 /// Motion of the joint of a body, with the index of its first position.
 fn motion_of(body: &Body) -> TreeMotion {
-    let q = body.mimic.map_or(body.q.start, |mimic| mimic.master);
-    match body.motion.kind {
-        JointKind::Floating if body.joint.is_none() => TreeMotion::Base,
+    let q = body.mimic.map_or(body.q, |mimic| mimic.q);
+    match body.motion {
+        JointMotion::Base => TreeMotion::Base,
         // Fixed joints are merged into their parent and have no entry here.
-        JointKind::Revolute | JointKind::Continuous | JointKind::Fixed => TreeMotion::Turn { q },
-        JointKind::Prismatic => TreeMotion::Slide { q },
-        JointKind::Planar => TreeMotion::Planar { q },
-        JointKind::Spherical => TreeMotion::Ball { q },
-        JointKind::Floating => TreeMotion::Floating { q },
+        JointMotion::Turn | JointMotion::Fixed => TreeMotion::Turn { q },
+        JointMotion::Slide => TreeMotion::Slide { q },
+        JointMotion::Planar => TreeMotion::Planar { q },
+        JointMotion::Ball => TreeMotion::Ball { q },
+        JointMotion::Floating => TreeMotion::Floating { q },
     }
 }
 
 /// Frame of a body: z along its joint axis; x and the origin follow from the axis of its first child, as far as the
 /// joint leaves them free.
-fn joint_aligned_frame(model: &Model, i: usize) -> Transform<f64> {
-    let body = &model.bodies[i];
-    let Some(z) = axis_of(&body.motion) else { return Transform::identity() };
-    if body.motion.kind == JointKind::Planar {
+fn joint_aligned_frame(bodies: &[Body], i: usize) -> Transform<f64> {
+    let body = &bodies[i];
+    let Some(z) = axis_of(body) else { return Transform::identity() };
+    if body.motion == JointMotion::Planar {
         let (x, y) = percuss_spatial::plane_basis(&z);
         return Transform::new(Matrix3::from_columns(&[x, y, z]), Vector3::zeros());
     }
-    let child = model.bodies[i + 1..].iter().find(|child| child.parent == Some(i));
-    let line = child
-        .and_then(|child| Some((child.origin.vector(&axis_of(&child.motion)?), child.origin.translation)));
+    let child = bodies[i + 1..].iter().find(|child| child.parent == Some(i));
+    let line =
+        child.and_then(|child| Some((child.origin.vector(&axis_of(child)?), child.origin.translation)));
     let (x, origin) = match line {
         Some((direction, point)) => common_normal(&z, &direction, &point),
         None => (None, Vector3::zeros()),
@@ -510,8 +502,9 @@ fn joint_aligned_frame(model: &Model, i: usize) -> Transform<f64> {
     Transform::new(Matrix3::from_columns(&[x, z.cross(&x), z]), origin)
 }
 
-fn axis_of(motion: &JointMotion) -> Option<Vector3<f64>> {
-    (!matches!(motion.kind, JointKind::Floating | JointKind::Spherical)).then(|| motion.axis())
+fn axis_of(body: &Body) -> Option<Vector3<f64>> {
+    (!matches!(body.motion, JointMotion::Floating | JointMotion::Base | JointMotion::Ball))
+        .then_some(body.axis)
 }
 
 /// Direction of the common normal of the z axis and another line, and its foot on the z axis.

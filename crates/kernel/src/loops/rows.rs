@@ -2,8 +2,9 @@
 
 use super::frames::{axis, direction, fill_frames, point};
 use super::layout::{FRAME, cross, dot, get, get_vector, minus, plus, size, store, times};
-use super::plan::{Block, BlockTerm, LoopBody, LoopMotion, LoopPlan, RowForm};
-use crate::kernels::estimate::PositionColumns;
+use super::plan::{Block, BlockTerm, LoopBody, LoopMotion, LoopPlan};
+use crate::columns::PositionColumns;
+use crate::mechanism::RowForm;
 use crate::tolerances::{FAR_ROUNDINGS, OPEN_ROUNDINGS};
 use percuss_spatial::lanes::{Lanes, Single};
 

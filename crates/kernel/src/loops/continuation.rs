@@ -17,10 +17,10 @@ use super::frames::fill_frames;
 use super::layout::{get, store};
 use super::plan::{LoopMotion, LoopPlan};
 use super::rows::{eliminate, fill_rows, fill_steps, matrix_at};
-use crate::analysis::assembly::Assembly;
-use crate::kernels::aligned::Aligned;
-use crate::kernels::estimate::{CertifiedMass, MassColumns, PositionColumns, WIDEST};
-use crate::kinematics::contact::Contact;
+use crate::aligned::Aligned;
+use crate::columns::{CertifiedMass, MassColumns, PositionColumns, WIDEST};
+use crate::contact::Contact;
+use crate::mechanism::{JointPosition, Linkage};
 use crate::tolerances::{
     CLOSED, CLOSED_IN_LANES, CLOSING_PASSES, CURVATURE_STEP, DRIFT_ITERATIONS, FOLLOWERS_DRIFT,
     LONGEST_BRANCH_STEP, LONGEST_FOLLOWED, SMALL_CORRECTION, STRAIGHT,
@@ -46,13 +46,11 @@ struct DrivenPosition {
     length: f64,
 }
 
-/// Position of a mimic joint: `multiplier · positions[master] + offset`.
+/// Position of a mimic joint.
 #[derive(Clone, Copy, Debug)]
 struct Mimicked {
     q: usize,
-    master: usize,
-    multiplier: f64,
-    offset: f64,
+    follows: JointPosition,
 }
 
 /// Neighbourhood of a pose of the branch without any other branch. Distances are over all coordinates in metres.
@@ -79,7 +77,7 @@ struct ClosedPose {
 
 /// Result of a sweep row on the branch.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct FollowedRow {
+pub struct FollowedRow {
     /// `None` if rounding leaves a doubt.
     pub mass: Option<CertifiedMass>,
     /// Largest residual of a loop, m.
@@ -88,7 +86,7 @@ pub(crate) struct FollowedRow {
 
 /// Linkage with its contact and its current pose.
 #[derive(Clone, Debug)]
-pub(crate) struct LoopContinuation {
+pub struct LoopContinuation {
     linkage: LoopKernel,
     dependent_positions: Vec<DependentPosition>,
     driven_positions: Vec<DrivenPosition>,
@@ -107,19 +105,19 @@ pub(crate) struct LoopContinuation {
 
 impl LoopContinuation {
     /// Starts at a closed pose. `dependent`: true for each coordinate that can be dependent; `given`: indices of the positions that the
-    /// rows give. `None` if the assembly is not a supported linkage, or the given positions do not drive it.
+    /// rows give. `None` if the linkage is not supported, or the given positions do not drive it.
     pub fn of(
-        assembly: &Assembly,
+        linkage: &Linkage,
         contact: &Contact,
         positions: &[f64],
         dependent: &[bool],
         given: &[usize],
     ) -> Option<Self> {
-        let model = assembly.model();
-        let plan = LoopPlan::compile_driven(assembly, positions, &|column| dependent[column])?;
+        let plan = LoopPlan::compile_driven(linkage, positions, &|column| dependent[column])?;
+        let bodies = &linkage.mechanism.bodies;
         let rank = plan.layout.count;
         let (mut following, mut free) = (Vec::new(), Vec::new());
-        for (body, own) in plan.bodies.iter().zip(&model.bodies).filter(|(_, own)| own.mimic.is_none()) {
+        for (body, own) in plan.bodies.iter().zip(bodies).filter(|(_, own)| own.mimic.is_none()) {
             match body.motion {
                 LoopMotion::Fixed | LoopMotion::Base | LoopMotion::Floating(_) => {}
                 LoopMotion::Turn(position) | LoopMotion::Slide(position) => {
@@ -136,28 +134,26 @@ impl LoopContinuation {
                         let velocity = body.velocities.get(k).filter(|velocity| velocity.column < rank)?;
                         Some((velocity.column, velocity.factor))
                     };
-                    debug_assert_eq!(own.q.start, q);
+                    debug_assert_eq!(own.q, q);
                     following.push(DependentPosition::Spherical { q, turns: [turn(0), turn(1), turn(2)] });
                 }
             }
         }
         let given = given.iter().map(|&q| free.iter().find(|free| free.q == q).copied());
         let given: Vec<DrivenPosition> = given.collect::<Option<_>>()?;
-        let mimicked = model.bodies.iter().filter_map(|body| {
-            let mimic = body.mimic?;
-            let (master, multiplier, offset) = (mimic.master, mimic.multiplier, mimic.offset);
-            Some(Mimicked { q: body.q.start, master, multiplier, offset })
-        });
-        let mut linkage = LoopKernel::from_plan(plan);
-        linkage.set_contact(model, contact);
+        let mimicked = bodies.iter().filter_map(|body| Some(Mimicked { q: body.q, follows: body.mimic? }));
+        let mut kernel = LoopKernel::from_plan(plan);
+        if !kernel.set_contact(contact) {
+            return None;
+        }
         let mut driven = Self {
-            size: model.groups.iter().map(|group| group.size).fold(f64::INFINITY, f64::min),
+            size: linkage.size,
             current: ClosedPose::default(),
             previous: ClosedPose::default(),
             positions: Aligned::zeros(positions.len() * WIDEST),
             steps: Aligned::zeros(rank * WIDEST),
             displacements: vec![0.0; given.len() * WIDEST],
-            linkage,
+            linkage: kernel,
             dependent_positions: following,
             driven_positions: given,
             mimics: mimicked.collect(),
@@ -377,8 +373,8 @@ impl LoopContinuation {
         }
         for mimic in mimics {
             for lane in 0..lanes {
-                let master = positions[mimic.master * lanes + lane];
-                positions[mimic.q * lanes + lane] = mimic.multiplier * master + mimic.offset;
+                let JointPosition { q, multiplier, offset } = mimic.follows;
+                positions[mimic.q * lanes + lane] = multiplier * positions[q * lanes + lane] + offset;
             }
         }
         seen
@@ -469,7 +465,7 @@ struct Outcome {
 
 /// All positions of one row, in the columns of some lanes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Positions<'a> {
+pub struct Positions<'a> {
     values: &'a [f64],
     stride: usize,
     lane: usize,

@@ -1,16 +1,14 @@
 //! Positions by columns and certified results, shared by the SIMD kernels.
 
 use crate::tolerances::{LANES_TRUSTED_ERROR, UNIT_QUATERNION};
-use nalgebra::{Matrix3, Vector3};
 use percuss_spatial::lanes::Lanes;
-use percuss_spatial::{SpatialInertia, Transform};
 
 /// Largest number of lanes.
-pub(crate) const WIDEST: usize = 8;
+pub const WIDEST: usize = 8;
 
 /// m̄ with its rounding error.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct CertifiedMass {
+pub struct CertifiedMass {
     /// m̄, kg.
     pub mass: f64,
     /// Rounding error, kg.
@@ -34,7 +32,7 @@ impl CertifiedMass {
 }
 
 /// Results of lanes, certified or not.
-pub(crate) struct MassColumns<'a> {
+pub struct MassColumns<'a> {
     /// m̄, kg.
     pub masses: &'a mut [f64],
     /// Rounding errors, kg.
@@ -53,8 +51,10 @@ impl MassColumns<'_> {
 
 /// Positions by columns: position `q` of configuration `c` has index `q · stride + c`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct PositionColumns<'a> {
+pub struct PositionColumns<'a> {
+    /// Positions, column by column.
     pub values: &'a [f64],
+    /// Number of configurations in a column.
     pub stride: usize,
 }
 
@@ -69,7 +69,7 @@ impl PositionColumns<'_> {
 /// Contact points and unit normals of the configurations, in the frames of a kernel: six further columns after those of the
 /// positions.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct LaneContacts {
+pub struct LaneContacts {
     /// Index of the first of the six columns.
     pub first_column: usize,
 }
@@ -93,30 +93,6 @@ impl LaneContacts {
     }
 }
 
-/// Conversion of a contact point and its normal, as given, to the frames of a kernel.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ContactConversion {
-    /// From the frame of the contact link to that of its body in the kernel.
-    pub point: Transform<f64>,
-    /// From the axes of the normal as given to those of the kernel.
-    pub normal: Matrix3<f64>,
-}
-
-impl ContactConversion {
-    /// Point (m) and unit normal in the frames of the kernel, from the point in the frame of the link (m) and a normal of any
-    /// length.
-    #[inline]
-    pub fn convert(&self, point: &Vector3<f64>, normal: &Vector3<f64>) -> [Vector3<f64>; 2] {
-        [self.point.point(point), self.normal * normal.normalize()]
-    }
-}
-
-/// Frame `b` in frame `a`, both given in a third one. The difference of the origins is rounded before it is rotated: distant
-/// origins lose no more digits than their difference has lost.
-pub(crate) fn relative_frame(a: &Transform<f64>, b: &Transform<f64>) -> Transform<f64> {
-    Transform::new(a.rotation.transpose() * b.rotation, a.inverse_point(&b.translation))
-}
-
 /// Deviation of a quaternion from unit norm, beyond rounding.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn quaternion_norm_excess<T: Lanes>(columns: PositionColumns<'_>, q: usize, first: usize) -> T {
@@ -133,17 +109,4 @@ pub(crate) fn quaternion_norm_excess<T: Lanes>(columns: PositionColumns<'_>, q: 
 pub(crate) fn excess_beyond<T: Lanes>(x: T, most: f64) -> T {
     let above = x.abs() - T::from_f64(most);
     above + above.abs()
-}
-
-/// True if no motion has a negative kinetic energy, within rounding.
-pub(crate) fn is_positive(inertia: &SpatialInertia<f64>) -> bool {
-    let h = inertia.first_moment;
-    if inertia.mass < 0.0 || (inertia.mass == 0.0 && h.norm() != 0.0) {
-        return false;
-    }
-    // A body without mass may have moments of inertia: a rotor.
-    let mass = if inertia.mass > 0.0 { inertia.mass } else { 1.0 };
-    let steiner = (Matrix3::identity() * h.norm_squared() - h * h.transpose()) / mass;
-    let least = (inertia.rotational - steiner).symmetric_eigenvalues().min();
-    least >= -f64::EPSILON * 16.0 * inertia.rotational.norm()
 }

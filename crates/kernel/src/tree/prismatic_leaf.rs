@@ -4,7 +4,7 @@
 use super::parent_transform::{LanePositions, propagate_to_parent};
 use super::plan::{PrismaticLeaf, ScheduledStep, StepForm, TreeMotion};
 use super::propagation::{PropagatedWrench, SCRATCH_NUMBERS};
-use crate::kernels::estimate::PositionColumns;
+use crate::columns::PositionColumns;
 use percuss_spatial::PackedInertia;
 use percuss_spatial::lanes::{Lanes, Single};
 

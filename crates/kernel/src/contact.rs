@@ -1,0 +1,103 @@
+//! Contact of a kernel, and its conversion to the frames of a plan.
+
+use nalgebra::{Matrix3, Vector3};
+use percuss_spatial::Transform;
+
+/// Frame of a link: its body and the frame in that of the body; the body is `None` for the root link.
+#[derive(Clone, Copy, Debug)]
+pub struct LinkFrame {
+    /// Body of the link.
+    pub body: Option<usize>,
+    /// X_bl.
+    pub frame: Transform<f64>,
+}
+
+/// Frame in which a normal is constant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NormalFrame {
+    /// The contact link.
+    Link,
+    /// The link on the other side.
+    Against,
+    /// The root link.
+    Root,
+}
+
+/// Normal of a contact.
+#[derive(Clone, Copy, Debug)]
+pub enum Normal {
+    /// A direction of any length.
+    Along(Vector3<f64>, NormalFrame),
+    /// Direction from the contact point to a point.
+    Toward {
+        /// Link of the point.
+        end: LinkFrame,
+        /// The point in the frame of this link, m.
+        point: Vector3<f64>,
+        /// Unit vector of the line as drawn, in the frame of the link on the other side, or of the root link.
+        drawn: Vector3<f64>,
+        /// Smallest accepted length of the line, m.
+        shortest: f64,
+        /// Smallest accepted cosine of the angle between the line and the line as drawn.
+        least_cosine: f64,
+    },
+}
+
+/// Contact of a link with another or with the ground.
+#[derive(Clone, Copy, Debug)]
+pub struct Contact {
+    /// The contact link.
+    pub on: LinkFrame,
+    /// The link on the other side; `None` for the ground.
+    pub against: Option<LinkFrame>,
+    /// Contact point in the frame of the contact link, m.
+    pub point: Vector3<f64>,
+    /// The normal.
+    pub normal: Normal,
+}
+
+impl Contact {
+    /// Body of the contact link, and the normal with its frame; `None` for a contact that a tree does not support: between two
+    /// bodies, along a line, or on the root link.
+    pub(crate) fn with_ground(&self) -> Option<(usize, Vector3<f64>, NormalFrame)> {
+        let Normal::Along(normal, frame) = self.normal else { return None };
+        let other = self.against.is_some_and(|other| other.body.is_some());
+        self.on.body.filter(|_| !other).map(|body| (body, normal, frame))
+    }
+
+    /// Conversion for a contact with the ground. `own`: frame of the plan in the body of the contact link. True if the normal
+    /// is constant in the contact link.
+    pub(crate) fn conversion(&self, own: &Transform<f64>, frame: NormalFrame) -> (ContactConversion, bool) {
+        let point = relative_frame(own, &self.on.frame);
+        let normal = match (frame, &self.against) {
+            (NormalFrame::Link, _) => point.rotation,
+            (NormalFrame::Against, Some(other)) => other.frame.rotation,
+            (NormalFrame::Root, _) | (NormalFrame::Against, None) => Matrix3::identity(),
+        };
+        (ContactConversion { point, normal }, frame == NormalFrame::Link)
+    }
+}
+
+/// Conversion of a contact point and its normal, as given, to the frames of a kernel.
+#[derive(Clone, Copy, Debug)]
+pub struct ContactConversion {
+    /// From the frame of the contact link to that of its body in the kernel.
+    pub point: Transform<f64>,
+    /// From the axes of the normal as given to those of the kernel.
+    pub normal: Matrix3<f64>,
+}
+
+impl ContactConversion {
+    /// Point (m) and unit normal in the frames of the kernel, from the point in the frame of the link (m) and a normal of any
+    /// length.
+    #[inline]
+    pub fn convert(&self, point: &Vector3<f64>, normal: &Vector3<f64>) -> [Vector3<f64>; 2] {
+        [self.point.point(point), self.normal * normal.normalize()]
+    }
+}
+
+/// Frame `b` in frame `a`, both given in a third one. The difference of the origins is rounded before it is rotated: distant
+/// origins lose no more digits than their difference has lost.
+pub(crate) fn relative_frame(a: &Transform<f64>, b: &Transform<f64>) -> Transform<f64> {
+    Transform::new(a.rotation.transpose() * b.rotation, a.inverse_point(&b.translation))
+}

@@ -1,0 +1,24 @@
+//! Compiled evaluation of the effective mass, for one configuration or for SIMD lanes.
+//!
+//! A [`Mechanism`] is compiled once: its bodies into a list of steps in their own axes ([`tree`]), a linkage with closed loops into
+//! rows and their elimination ([`loops`]). The same plan answers one configuration and several at once. A result is returned only with
+//! a bound of its rounding error; all other cases are left to the caller.
+
+mod aligned;
+mod columns;
+mod contact;
+pub mod derivatives;
+mod kernel;
+pub mod loops;
+mod mechanism;
+pub mod tolerances;
+pub mod tree;
+
+pub use aligned::Aligned;
+pub use columns::{CertifiedMass, LaneContacts, MassColumns, PositionColumns, WIDEST};
+pub use contact::{Contact, ContactConversion, LinkFrame, Normal, NormalFrame};
+pub use kernel::Kernel;
+pub use mechanism::{
+    Body, BodyDirection, BodyPoint, Cluster, ClusterVelocity, JointMotion, JointPosition, Linkage, Mechanism,
+    RowBlock, RowForm, RowTerm, Velocity,
+};
