@@ -21,6 +21,15 @@ pub(crate) struct ClosingPath<'a> {
     pub gaps: Vec<f64>,
 }
 
+/// End of the path.
+pub(crate) struct PathEnd {
+    /// Closed part of the gaps.
+    pub closed: f64,
+    pub pose: Pose,
+    /// True if the rate of the gap changes its sign behind the pose: no further part can be closed.
+    pub is_minimum: bool,
+}
+
 /// Point of the path.
 struct PathPoint {
     pose: Pose,
@@ -35,22 +44,24 @@ struct PathPoint {
 }
 
 impl ClosingPath<'_> {
-    /// Pose with the largest closed part of the gaps on the path from `near`, and this part. The result is accurate to
+    /// Pose with the largest closed part of the gaps on the path from `near`. The gap of a minimum is accurate to
     /// [`NEAREST_ACCURACY`]; `None` if the path cannot be followed from `near`.
     ///
     /// The path is followed in the direction of closing, until dG/ds changes its sign; the zero of dG/ds is found by linear
     /// interpolation. A touch (G = 1) ends the search.
-    pub fn nearest(&self, near: &Pose) -> Option<(f64, Pose)> {
+    pub fn nearest(&self, near: &Pose) -> Option<PathEnd> {
         let mut drivers = self.travels.select_drivers(near)?;
         let mut here = self.point(&drivers, near, &positions(near, &drivers), None)?;
         let gap = self.gaps.iter().fold(0.0f64, |most, gap| most.max(gap.abs()));
         let (mut step, mut changes) = (FIRST_APPROACH_STEP, 0);
         // Distance to a point behind the smallest gap, and dG/ds there.
         let mut behind: Option<(f64, f64)> = None;
+        let mut is_minimum = false;
         for _ in 0..APPROACH_STEPS {
             // dG/ds decreases to zero within the step: the gain is at most rate times step.
             let is_bounded = behind.is_some() || here.rate == 0.0;
             let is_near = is_bounded && here.rate * step * gap <= NEAREST_ACCURACY;
+            is_minimum = is_near && here.closed < 1.0;
             if is_near || here.closed >= 1.0 {
                 break;
             }
@@ -81,7 +92,7 @@ impl ClosingPath<'_> {
                 step = distance * here.rate / (here.rate - rate);
             }
         }
-        Some((here.closed, here.pose))
+        Some(PathEnd { closed: here.closed, pose: here.pose, is_minimum })
     }
 
     /// Point of the path after a step along the tangent; `None` if the path turns too far or is not reached: a shorter step

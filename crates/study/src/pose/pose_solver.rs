@@ -2,7 +2,7 @@
 
 use crate::pose::driver::Driver;
 use crate::pose::joined_travels::JoinedTravels;
-use crate::pose::nearest_approach::ClosingPath;
+use crate::pose::nearest_approach::{ClosingPath, PathEnd};
 use crate::pose::point_travel::PointTravel;
 use crate::pose::touch::touching_stops;
 use crate::pose::unreachable_range::UnreachedRow;
@@ -120,39 +120,44 @@ fn touch_pose(
             nearest: None,
         })
     };
-    match with_part(1.0, &start, LEAST_PART) {
-        Err(StudyError::TravelNotReached { why, .. }) => {
-            let (mut low, mut high) = (0.0, 1.0);
-            let mut from = start.clone();
-            for _ in 0..NEAREST_HALVINGS {
-                let middle = 0.5 * (low + high);
-                let found = with_part(middle, &from, LEAST_PART_OF_HALVING);
-                // The first halvings are long ways, which coarse steps of several travels may fail to follow.
-                let is_long = travels.len() > 1 && high - low > LONG_HALVING;
-                let found = found.or_else(|error| {
-                    if is_long { with_part(middle, &from, LEAST_PART_OF_LONG_HALVING) } else { Err(error) }
-                });
-                match found {
-                    Ok(pose) => (low, from) = (middle, pose),
-                    Err(_) => high = middle,
-                }
-            }
-            // With the part of the gap as the parameter, the last halvings fail where the rate of the gap is small.
-            match closing_path_end(&travels, &from) {
-                Some((part, pose)) if part >= 1.0 => match with_part(1.0, &pose, LEAST_PART) {
-                    Err(StudyError::TravelNotReached { .. }) => Err(not_reached(Some(low * gap), why)),
-                    reached => reached,
-                },
-                Some((part, _)) => Err(not_reached(Some(low.max(part) * gap), why)),
-                None => Err(not_reached(Some(low * gap), why)),
-            }
+    let why = match with_part(1.0, &start, LEAST_PART) {
+        Err(StudyError::TravelNotReached { why, .. }) => why,
+        reached => return reached,
+    };
+    // The path from the start usually shows the smallest gap; the halvings cost a hundred times as much.
+    if let Some(end) = closing_path_end(&travels, &start)
+        && end.is_minimum
+    {
+        return Err(not_reached(Some(end.closed * gap), why));
+    }
+    let (mut low, mut high) = (0.0, 1.0);
+    let mut from = start.clone();
+    for _ in 0..NEAREST_HALVINGS {
+        let middle = 0.5 * (low + high);
+        let found = with_part(middle, &from, LEAST_PART_OF_HALVING);
+        // The first halvings are long ways, which coarse steps of several travels may fail to follow.
+        let is_long = travels.len() > 1 && high - low > LONG_HALVING;
+        let found = found.or_else(|error| {
+            if is_long { with_part(middle, &from, LEAST_PART_OF_LONG_HALVING) } else { Err(error) }
+        });
+        match found {
+            Ok(pose) => (low, from) = (middle, pose),
+            Err(_) => high = middle,
         }
-        reached => reached,
+    }
+    // With the part of the gap as the parameter, the last halvings fail where the rate of the gap is small.
+    match closing_path_end(&travels, &from) {
+        Some(end) if end.closed >= 1.0 => match with_part(1.0, &end.pose, LEAST_PART) {
+            Err(StudyError::TravelNotReached { .. }) => Err(not_reached(Some(low * gap), why)),
+            reached => reached,
+        },
+        Some(end) => Err(not_reached(Some(low.max(end.closed) * gap), why)),
+        None => Err(not_reached(Some(low * gap), why)),
     }
 }
 
-/// Largest part of the gaps that the travels to stops close, from a pose near this part, and its pose.
-fn closing_path_end(travels: &[DrivenTravel], near: &Pose) -> Option<(f64, Pose)> {
+/// End of the path on which the travels close the gaps of their stops, followed from `near`.
+fn closing_path_end(travels: &[DrivenTravel], near: &Pose) -> Option<PathEnd> {
     let first = travels.first()?;
     let joined = joined_travels(travels, LEAST_PART, true);
     let gaps = travels.iter().map(|travel| travel.distance).collect();

@@ -33,7 +33,7 @@ pub(crate) fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassRep
     report.diagnostics.extend(found.map(Into::into));
     let prepared = &evaluated.prepared;
     if let Some(stops) =
-        PassedStops::new(prepared, prepared.question.travel.iter().map(|travel| &travel.moved))
+        PassedStops::of_travels(prepared, prepared.question.travel.iter().map(|travel| &travel.moved))
     {
         report.diagnostics.extend(stops.findings(&evaluated.pose).into_iter().map(Into::into));
     }
