@@ -72,27 +72,31 @@ impl ClosingPath<'_> {
                     step = f64::min(2.0 * step, LONGEST_APPROACH_STEP);
                 }
                 Some(next) => behind = Some((step, next.rate)),
-                None if step > LEAST_APPROACH_STEP => (step, behind) = (0.5 * step, None),
-                // A driver is at its dead centre: others continue.
-                None if changes < OTHER_DRIVERS => {
-                    changes += 1;
-                    let others = self.travels.select_drivers(&here.pose)?;
-                    if others == drivers {
+                None => {
+                    // A driver may be near its dead centre: others continue.
+                    let others = if changes < OTHER_DRIVERS { self.selected(&drivers, &here.pose) } else { None };
+                    if let Some((others, next)) = others {
+                        changes += 1;
+                        (here, drivers, step, behind) = (next, others, FIRST_APPROACH_STEP, None);
+                    } else if step > LEAST_APPROACH_STEP {
+                        (step, behind) = (0.5 * step, None);
+                    } else {
                         break;
                     }
-                    let Some(next) = self.point(&others, &here.pose, &positions(&here.pose, &others), None)
-                    else {
-                        break;
-                    };
-                    (here, drivers, step, behind) = (next, others, FIRST_APPROACH_STEP, None);
                 }
-                None => break,
             }
             if let Some((distance, rate)) = behind {
                 step = distance * here.rate / (here.rate - rate);
             }
         }
         Some(PathEnd { closed: here.closed, pose: here.pose, is_minimum })
+    }
+
+    /// Drivers other than `drivers` that are selected at a pose, and the point of the path there; `None` without others.
+    fn selected(&self, drivers: &[JointId], pose: &Pose) -> Option<(Vec<JointId>, PathPoint)> {
+        let others = self.travels.select_drivers(pose).filter(|others| others != drivers)?;
+        let point = self.point(&others, pose, &positions(pose, &others), None)?;
+        Some((others, point))
     }
 
     /// Point of the path after a step along the tangent; `None` if the path turns too far or is not reached: a shorter step
