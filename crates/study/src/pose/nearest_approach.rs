@@ -74,7 +74,8 @@ impl ClosingPath<'_> {
                 Some(next) => behind = Some((step, next.rate)),
                 None => {
                     // A driver may be near its dead centre: others continue.
-                    let others = if changes < OTHER_DRIVERS { self.selected(&drivers, &here.pose) } else { None };
+                    let others =
+                        if changes < OTHER_DRIVERS { self.selected(&drivers, &here.pose) } else { None };
                     if let Some((others, next)) = others {
                         changes += 1;
                         (here, drivers, step, behind) = (next, others, FIRST_APPROACH_STEP, None);

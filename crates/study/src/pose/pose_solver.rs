@@ -162,9 +162,8 @@ fn touch_pose(
         let found = search(LEAST_PART_OF_HALVING);
         // The first halvings are long ways, which coarse steps of several travels may fail to follow.
         let is_long = travels.len() > 1 && high - low > LONG_HALVING;
-        let found = found.or_else(|error| {
-            if is_long { search(LEAST_PART_OF_LONG_HALVING) } else { Err(error) }
-        });
+        let found =
+            found.or_else(|error| if is_long { search(LEAST_PART_OF_LONG_HALVING) } else { Err(error) });
         match found {
             Ok(pose) => (low, from) = (middle, pose),
             Err(_) => high = middle,

@@ -37,6 +37,8 @@ pub struct ListedContact {
     pub report: Option<MassReport>,
     /// Reason for a missing result.
     pub problem: Option<String>,
+    /// Smallest gap of a stop that cannot be reached, m, if known.
+    pub remaining_gap: Option<f64>,
 }
 
 /// All named contacts of a model: stops, seats of springs, mounts of dampers, contact patches, others; contacts of one kind in the
@@ -83,6 +85,10 @@ pub fn contact_list_of(
             Some(damping) => mass_with_damper(model, question, damping),
             None => mass(model, question),
         };
+        let remaining_gap = match &answer {
+            Err(StudyError::StopNotReached { gap, nearest: Some(closed), .. }) => Some(gap - closed),
+            _ => None,
+        };
         let (report, problem) = match answer {
             Ok(mut report) => {
                 let of_contact = std::mem::take(&mut report.diagnostics).into_iter();
@@ -96,7 +102,7 @@ pub fn contact_list_of(
         };
         let kind =
             question.named_contact(&model.mechanism)?.map_or(ContactKind::Other, |contact| contact.kind());
-        listed.push(ListedContact { name: name.clone(), kind: kind.name(), report, problem });
+        listed.push(ListedContact { name: name.clone(), kind: kind.name(), report, problem, remaining_gap });
     }
     let answered = listed.iter().filter(|contact| contact.report.is_some()).count();
     Ok(ContactListReport {
