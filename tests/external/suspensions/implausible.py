@@ -149,6 +149,8 @@ class Family:
         code, warnings, messages = self.outcome(text)
         self.cars += 1
         self.warned += bool(warnings)
+        if warnings and self.keep:
+            print(f"{where}: {warnings}")
         self.verdict(code == 0, f"{where}: the plausible car: {messages}", text)
         for mistake in MISTAKES:
             changed = mistake(rng, car, spelling, text)

@@ -86,6 +86,9 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
         left.add_contact((section, kind), [seat, chassis_seat], normal, gap);
     }
     add_damper_stops(design, &mut left, findings);
+    left.drawing.set_hardpoints(
+        design.points.iter().map(|(name, (at, spot))| (*name, *at, spot, !is_central(design.axle, name))),
+    );
     let (section, seat) = THIRD_SPRING;
     if let (Some(at), Some((link, _))) = (design.point(seat), design.on.get(section)) {
         left.add_frame(seat, link, at, "the third spring, to the same point of the other side");
