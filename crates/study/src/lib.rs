@@ -65,6 +65,7 @@ pub use question::travel::varied_values::{VariedColumn, VariedValues};
 pub use question::travel::vary::{Varied, Vary, VaryError};
 pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing};
 pub use reports::assumptions::Assumptions;
+pub use reports::compare::design_changes::{ChangeKind, DesignChange};
 pub use reports::compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
 pub use reports::contact_list::{ContactListReport, ListedContact, contact_list, contact_list_of};
 pub use reports::drawing::drawn_mechanism::{

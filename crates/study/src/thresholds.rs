@@ -219,3 +219,7 @@ pub(crate) const DIRECTIONS: std::ops::RangeInclusive<usize> = 1..=1_000_000;
 /// Relative difference between a given closing speed and that of given rates, up to which both agree: numbers typed
 /// with six digits.
 pub(crate) const SAME_SPEED: f64 = 1e-5;
+/// Relative difference up to which values of two designs are equal: the rounding of conversions between units.
+pub(crate) const EQUAL_VALUES: f64 = 1e-12;
+/// Largest ratio of the smallest to the largest principal moment of a slender rod: the rounding of its rotation.
+pub(crate) const SLENDER_ROD: f64 = 1e-9;

@@ -61,6 +61,10 @@ pub(crate) const MAX_AXLE_MASS: f64 = 1500.0;
 /// Largest plausible mass of a part over the cube of its size, kg/m³; size: diagonal of the box around its joints and seats. Of arms and
 /// rods it is below 100, of a short rocker 1000. A mass in grams is a thousand times as large.
 pub(crate) const MAX_PART_DENSITY: f64 = 5000.0;
+/// The same for a rod, which has two joints and nothing else: 21 for a tie rod of a car, 60 for one of a truck.
+pub(crate) const MAX_ROD_DENSITY: f64 = 600.0;
+/// Mass of a rod, kg, that is plausible for every length.
+pub(crate) const LIGHT_ROD: f64 = 10.0;
 /// Smallest size of a part, m, for this comparison: the joints of a spindle are at one point.
 pub(crate) const MIN_PART_SIZE: f64 = 0.05;
 /// Trace of the distance term of an inertia about the origin of the vehicle, over the trace of what remains without this term, from which

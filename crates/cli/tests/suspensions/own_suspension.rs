@@ -145,6 +145,11 @@ fn from_an_empty_folder_to_a_report() {
         let compared =
             done(&folder, &with(&["compare", "mine.toml", "lighter one.toml", "--format", "csv"], &contact));
         let lighter = answer("lighter one.toml");
+        let words = done(&folder, &with(&["compare", "mine.toml", "lighter one.toml"], &contact));
+        let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
+        let expected =
+            format!("lighter one, compared with mine: mass of wheel{side} 13.25 kg instead of 16.25 kg");
+        assert!(words.contains(&expected), "{template}: {words}");
         let percent: f64 =
             compared.lines().nth(2).unwrap().rsplit(',').next().unwrap().parse().expect("a number");
         assert!((percent - 100.0 * (lighter / mass - 1.0)).abs() < 1e-9 && percent < -1.0, "{compared}");

@@ -285,8 +285,9 @@ impl Corner {
             let (Some(least), Some(most)) = (corners(f64::min), corners(f64::max)) else { continue };
             let is_axle = AXLES.contains(&link);
             let size = track.filter(|_| is_axle).unwrap_or_else(|| (most - least).norm());
+            let is_rod = joints.len() == 2 && seats.is_empty();
             let spot = self.spots.get(link).cloned().unwrap_or_default();
-            check_part(&CheckedPart { name: link, inertial, com, size, is_axle }, &spot, findings);
+            check_part(&CheckedPart { name: link, inertial, com, size, is_rod, is_axle }, &spot, findings);
         }
     }
 

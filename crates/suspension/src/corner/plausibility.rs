@@ -3,8 +3,8 @@
 use super::drawing::rounded;
 use crate::findings::{Findings, Spot};
 use crate::limits::{
-    GYRATION_RADII, LEAST_CARRIER_SIZE, LEAST_DISTANCE_TERM, MAX_AXLE_MASS, MAX_PART_DENSITY, MAX_PART_MASS,
-    MIN_PART_SIZE, WHEEL_DENSITIES, WHEEL_GYRATION_RADII,
+    GYRATION_RADII, LEAST_CARRIER_SIZE, LEAST_DISTANCE_TERM, LIGHT_ROD, MAX_AXLE_MASS, MAX_PART_DENSITY,
+    MAX_PART_MASS, MAX_ROD_DENSITY, MIN_PART_SIZE, WHEEL_DENSITIES, WHEEL_GYRATION_RADII,
 };
 use percuss_mechanism::Inertial;
 use percuss_spatial::{Matrix3, Vector3};
@@ -17,6 +17,8 @@ pub(super) struct CheckedPart<'a> {
     pub com: Vector3<f64>,
     /// Diagonal of the box around the joints, the seats and the centre of mass, m.
     pub size: f64,
+    /// True for a link with two joints and nothing else.
+    pub is_rod: bool,
     /// True for an axle or a beam between both wheels.
     pub is_axle: bool,
 }
@@ -26,6 +28,7 @@ pub(super) fn check_part(part: &CheckedPart, spot: &Spot, findings: &mut Finding
     let mass = part.inertial.mass;
     let most = match part.is_axle {
         true => MAX_AXLE_MASS,
+        false if part.is_rod => LIGHT_ROD.max(MAX_ROD_DENSITY * part.size.powi(3)).min(MAX_PART_MASS),
         false if part.size < MIN_PART_SIZE => MAX_PART_MASS,
         false => MAX_PART_MASS.min(MAX_PART_DENSITY * part.size.powi(3)),
     };
@@ -108,8 +111,14 @@ mod tests {
 
     fn codes(mass: f64, com: [f64; 3], moments: [f64; 3], size: f64) -> Vec<&'static str> {
         let inertial = Inertial::diagonal(mass, [0.0; 3], moments);
-        let part =
-            CheckedPart { name: "arm", inertial: &inertial, com: Vector3::from(com), size, is_axle: false };
+        let part = CheckedPart {
+            name: "arm",
+            inertial: &inertial,
+            com: Vector3::from(com),
+            size,
+            is_rod: false,
+            is_axle: false,
+        };
         let mut findings = Findings::default();
         check_part(&part, &Spot::default(), &mut findings);
         findings.finish(&[("car.toml", "")]).into_iter().map(|found| found.code).collect()

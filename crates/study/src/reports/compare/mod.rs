@@ -1,6 +1,8 @@
 //! Comparison of one question over several designs: the result of each design and the difference from the
 //! first.
 
+pub(crate) mod design_changes;
+
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::status::Status;
@@ -12,6 +14,7 @@ use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::travel::varied_values::VariedColumn;
 use crate::reports::answer_mass::mass;
+use crate::reports::compare::design_changes::{DesignChange, design_changes};
 use crate::sweep::sweep_rows::sweep_report;
 use serde::Serialize;
 
@@ -71,6 +74,8 @@ pub struct DesignRecord {
     pub difference_percent: Option<f64>,
     /// Smallest and largest difference over the rows, per cent.
     pub difference_range_percent: Option<[f64; 2]>,
+    /// Differences from the reference; empty without a reference.
+    pub changes: Vec<DesignChange>,
     /// Links with the largest shares of m̄, and the shares.
     pub most: Vec<(String, f64)>,
     /// Reason for a missing result.
@@ -154,6 +159,10 @@ pub fn compare(designs: &[Design]) -> Result<ComparisonReport, CompareError> {
     for (number, design) in designs.iter().enumerate() {
         let mut record = record(design, &mut diagnostics)?;
         record.reference = reference(designs, number);
+        if let Some(first) = record.reference.map(|at| &designs[at]) {
+            record.changes =
+                design_changes([&first.model, &design.model], [&first.question, &design.question]);
+        }
         let compared = record.reference.map(|at: usize| &records[at] as &DesignRecord);
         record.difference_percent =
             compared.and_then(|compared| difference(compared.effective_mass, record.effective_mass));
@@ -202,6 +211,7 @@ fn record(design: &Design, diagnostics: &mut Vec<DiagnosticRecord>) -> Result<De
         motion_ratio: None,
         difference_percent: None,
         difference_range_percent: None,
+        changes: Vec::new(),
         most: Vec::new(),
         error: None,
     };
