@@ -1,7 +1,5 @@
 //! Effective masses at all named contacts of a model.
 
-use crate::checks::finding::Finding;
-use crate::checks::finding_kind::FindingKind;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::damping_question::DampingQuestion;
@@ -86,15 +84,6 @@ pub fn contact_list_of(
         let answer = match damping {
             Some(damping) => mass_with_damper(model, question, damping),
             None => mass(model, question),
-        };
-        // Parameters of a simulator that one contact does not permit leave the results of all contacts.
-        let answer = match answer {
-            Err(error @ StudyError::Export(_)) => mass(model, question).map(|mut report| {
-                let finding = Finding::about_result(FindingKind::NoDamper, error.message(question.names));
-                report.diagnostics.push(finding.into());
-                report
-            }),
-            answer => answer,
         };
         let remaining_gap = match &answer {
             Err(StudyError::StopNotReached { gap, nearest: Some(closed), .. }) => Some(gap - closed),
