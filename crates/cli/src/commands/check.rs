@@ -67,7 +67,10 @@ pub fn tables(report: &CheckReport) -> Tables {
             notes.join("; "),
         ]);
     }
-    let mut loops = Table::new(["loop", "kind", "predecessor → successor, or joints", "rows"]);
+    let has_relations = report.closures.iter().any(|closure| !closure.joints.is_empty());
+    let between =
+        if has_relations { "predecessor → successor, or joints" } else { "predecessor → successor" };
+    let mut loops = Table::new(["loop", "kind", between, "rows"]);
     for closure in &report.closures {
         let kind =
             closure.ratio.map_or(closure.kind.to_owned(), |r| format!("{} {}", closure.kind, number(r)));

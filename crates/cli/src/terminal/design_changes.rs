@@ -4,8 +4,17 @@ use crate::terminal::limits;
 use crate::terminal::text::{number, triple};
 use percuss_study::{ChangeKind, ComparisonReport, DesignChange, DesignRecord};
 
-/// One sentence per design that is compared with another: what differs, and from which design.
+/// One sentence per design that is compared with another: what differs, and from which design. The same change at several contacts is one
+/// sentence.
 pub fn sentences(report: &ComparisonReport) -> Vec<String> {
+    let mut listed: Vec<&DesignRecord> = Vec::new();
+    for design in report.designs.iter().filter(|design| design.reference.is_some()) {
+        let is_known =
+            |other: &&DesignRecord| other.changes == design.changes && other.reference != design.reference;
+        if !listed.iter().any(is_known) {
+            listed.push(design);
+        }
+    }
     let sentence = |design: &DesignRecord| {
         let reference = &report.designs[design.reference?];
         let names = format!("{}, compared with {}", design.name, reference.name);
@@ -17,7 +26,7 @@ pub fn sentences(report: &ComparisonReport) -> Vec<String> {
         let rest = if rest > 0 { format!("; and {rest} more, in --format json") } else { String::new() };
         Some(format!("{names}: {}{rest}", shown.join("; ")))
     };
-    report.designs.iter().filter_map(sentence).collect()
+    listed.into_iter().filter_map(sentence).collect()
 }
 
 /// A difference in words.

@@ -152,6 +152,7 @@ impl<'a> Sweep<'a> {
             continuation: continuation(&prepared, &rows),
             seed,
             link: prepared.question.link.clone(),
+            contact: prepared.question.at.clone(),
             motion_ratio_of: motion_ratio_of(&prepared, &setting),
             joints: PoseLayout::new(&model.mechanism),
             has_gap: gap.is_some(),

@@ -4,10 +4,9 @@ use crate::commands::mass::{held_points, loop_facts, method, other_side, point_i
 use crate::terminal::text::number;
 use percuss_study::{JointDisplacement, MassReport, SheetPoint};
 
-/// Endings of the joints of a part, with the words for them.
-const JOINTS: [(&str, &str); 6] = [
+/// Endings of the joints of a part, with the words for them. Ball joints have the names of their hardpoints.
+const JOINTS: [(&str, &str); 5] = [
     ("_hinge", "hinge"),
-    ("_ball", "ball joint"),
     ("_slide", "slide"),
     ("_free", "position"),
     ("_first_pin", "universal joint"),
