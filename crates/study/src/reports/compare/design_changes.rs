@@ -137,7 +137,8 @@ fn link_changes(reference: &Model, design: &Model, has_moved: bool) -> Vec<Desig
         });
         // The length of a slender rod follows from its hardpoints.
         let is_rod = moments.iter().all(|[least, _, most]| *least <= SLENDER_ROD * most);
-        if !(has_moved && is_rod) && !is_equal(&moments[0], &moments[1]) {
+        let follows_points = has_moved && is_rod;
+        if !follows_points && !is_equal(&moments[0], &moments[1]) {
             let scaled = |moments: [f64; 3], mass: f64| moments.map(|moment| moment * mass);
             let [before, after] = [scaled(moments[0], own.mass), scaled(moments[1], there.mass)];
             changes.extend(change(ChangeKind::Inertia, link.name(), &before, &after));
