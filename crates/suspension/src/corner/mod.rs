@@ -8,7 +8,7 @@ mod plausibility;
 pub(crate) mod spindle;
 
 use crate::findings::{Findings, Spot};
-use crate::limits::MAX_DISTANCE_FROM_JOINTS;
+use crate::limits::{MAX_DISTANCE_FROM_JOINTS, MIN_PART_SIZE};
 use crate::units::check_proportions;
 use drawing::{Drawing, rounded};
 use percuss_formats::Comments;
@@ -286,8 +286,15 @@ impl Corner {
             let is_axle = AXLES.contains(&link);
             let size = track.filter(|_| is_axle).unwrap_or_else(|| (most - least).norm());
             let is_rod = joints.len() == 2 && seats.is_empty();
+            let mut places = joints.iter().chain(&seats).map(|(_, at)| at);
+            let first = places.next();
+            let is_hub = first.is_none_or(|first| places.all(|at| (at - first).norm() < MIN_PART_SIZE));
             let spot = self.spots.get(link).cloned().unwrap_or_default();
-            check_part(&CheckedPart { name: link, inertial, com, size, is_rod, is_axle }, &spot, findings);
+            check_part(
+                &CheckedPart { name: link, inertial, com, size, is_hub, is_rod, is_axle },
+                &spot,
+                findings,
+            );
         }
     }
 

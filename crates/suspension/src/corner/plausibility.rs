@@ -17,6 +17,8 @@ pub(super) struct CheckedPart<'a> {
     pub com: Vector3<f64>,
     /// Diagonal of the box around the joints, the seats and the centre of mass, m.
     pub size: f64,
+    /// True if all joints and seats are at one point, as those of a hub.
+    pub is_hub: bool,
     /// True for a link with two joints and nothing else.
     pub is_rod: bool,
     /// True for an axle or a beam between both wheels.
@@ -41,7 +43,10 @@ pub(super) fn check_part(part: &CheckedPart, spot: &Spot, findings: &mut Finding
         findings.warning("implausible-mass", spot, message);
     }
     let gyration = gyration_radius(part.inertial);
-    if gyration > 0.0 && !GYRATION_RADII.contains(&(gyration / part.size.max(LEAST_CARRIER_SIZE))) {
+    // The joints of a hub are no measure of its size, and the inertia of its drive shaft is part of its own.
+    let is_small = part.size >= MIN_PART_SIZE && gyration < *GYRATION_RADII.start() * part.size;
+    let is_large = gyration > *GYRATION_RADII.end() * part.size.max(LEAST_CARRIER_SIZE);
+    if gyration > 0.0 && !part.is_hub && (is_small || is_large) {
         let message = format!(
             "the radius of gyration of {} is {} m, and its joints and seats are within {} m: check the unit of its inertia",
             part.name,
