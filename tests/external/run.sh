@@ -73,6 +73,7 @@ check() {
 }
 # The longest first.
 check suspensions "$venv/bin/python" "$here/suspensions/check.py" --percuss "$percuss" --count 2
+check implausible "$venv/bin/python" "$here/suspensions/implausible.py" --percuss "$percuss" --count 2
 check kinematics "$venv/bin/python" "$here/suspensions/kinematics.py" --percuss "$percuss" --count 4
 check impacts "$venv/bin/python" "$here/impacts.py" --percuss "$percuss" --count 20
 check robots "$venv/bin/python" "$here/compare.py" --probe "$programs/percuss-probe" "$@"

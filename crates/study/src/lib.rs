@@ -26,7 +26,9 @@ pub use percuss_contact as contact;
 pub use percuss_generate as generated;
 
 pub use checks::design_variant::DesignError;
-pub use checks::model_check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
+pub use checks::model_check::{
+    CheckReport, ClosureRecord, JointRecord, LinkRecord, RelationTermRecord, check,
+};
 pub use checks::response_findings::{matrix_findings, pose_findings, response_findings, row_findings};
 pub use damper::damped_contact::{damp_contact, damp_stop};
 pub use damper::damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
@@ -47,7 +49,7 @@ pub use model::record::DiagnosticRecord;
 pub use model::sheet::Sheet;
 pub use percuss_tables::FormatFault;
 pub use percuss_units::{Dimension, Quantity, QuantityError, Unit, parse_list, parse_triple};
-pub use pose::positions::{PoseLayout, Positions};
+pub use pose::positions::{JointDisplacement, PoseLayout, Positions};
 pub use question::damping_question::{DampingQuestion, check_units};
 pub use question::errors::question_error::{Fault, StudyError};
 pub use question::errors::refusal::InvalidKey;
@@ -63,6 +65,7 @@ pub use question::travel::varied_values::{VariedColumn, VariedValues};
 pub use question::travel::vary::{Varied, Vary, VaryError};
 pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing};
 pub use reports::assumptions::Assumptions;
+pub use reports::compare::design_changes::{ChangeKind, DesignChange};
 pub use reports::compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
 pub use reports::contact_list::{ContactListReport, ListedContact, contact_list, contact_list_of};
 pub use reports::drawing::drawn_mechanism::{

@@ -291,6 +291,11 @@ fn build_mechanism(
     options: &ImportOptions,
 ) -> Option<(Mechanism, Comments, Understood)> {
     corner.check(findings, facts.frame.unit);
+    if let Some(middle) = &middle {
+        let track = corner.drawing.wheels.first().map(|wheel| 2.0 * wheel.centre[1].abs());
+        middle.check_parts(track, findings);
+        middle.drawing.check_short_links(findings);
+    }
     if findings.has_errors() {
         return None;
     }

@@ -9,7 +9,7 @@ axes; and a program that shares neither code nor method with percuss (velocities
 The last two interpret a sheet by docs/reference/SUSPENSIONS.md. Mobilities are compared too, and hardpoints moved by --move,
 masses and centres of mass given by --link-mass and --link-com. With both sides built, each left contact has the same
 mass as the right contact if the car is symmetric. Named contacts (`--at`) are compared in named_contacts.py, with stops at
-the pose of the touch (touch.py).
+the pose of the touch (touch.py), with their wheel travels and motion ratios; extremes at the contact patch in extremes.py.
 """
 
 import argparse
@@ -24,6 +24,7 @@ import numpy as np
 
 from cars import AXLES, CARRIERS, CHASSIS, MIDDLE, build
 from mechanics import Independent, Twin
+from extremes import compare_extremes
 from named_contacts import Tally, compare_named_contacts
 from sheets import example, random_build, random_car, random_spelling, to_sheet, written
 
@@ -49,6 +50,8 @@ class Checker:
         self.percuss, self.folder = percuss, folder
         self.passed, self.failed, self.worst, self.worst_mirrored = 0, 0, 0.0, 0.0
         self.stops = Tally()
+        # Number of searches for extremes, and the largest deviation of their masses.
+        self.searches, self.extremes = 0, 0.0
 
     def run(self, *words):
         done = subprocess.run([self.percuss, *words], capture_output=True, text=True, encoding="utf-8")
@@ -209,10 +212,15 @@ def main():
                 for against in (compare, compare_named_contacts):
                     against(checker, car, spelling, which, rng, f"{template}-{case}")
                 changed(checker, car, random_spelling(rng), which, rng, f"{template}-{case}-changed")
+                if template not in AXLES:
+                    sheet = checker.folder / f"{template}-{case}-extremes.toml"
+                    sheet.write_text(written(car, spelling, "left"))
+                    checker.searches += compare_extremes(checker, sheet, build(car, "left"), f"{sheet.name} {spelling}")
                 if template not in AXLES | MIDDLE and case < 3:
                     mirrored(checker, car, random_spelling(rng), rng, f"{template}-{case}-mirrored")
     print(f"suspensions: off by at most {checker.worst:.1e}; left from right by {checker.worst_mirrored:.1e}")
     print(f"suspensions: {checker.stops.text()}")
+    print(f"suspensions: {checker.searches} searches for extremes at the contact patch, off by at most {checker.extremes:.1e}")
     # Each example has two stops; most random cars have two, but few of those of a single template may reach them.
     touched, least = checker.stops.touched(), 2 if args.template else templates * (2 + args.count)
     checker.verdict(touched >= least, f"{touched} stops at the touch, at least {least} are expected")

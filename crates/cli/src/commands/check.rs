@@ -7,7 +7,7 @@ use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::wrap_hanging;
 use percuss_mechanism::Severity;
-use percuss_study::{CheckReport, check};
+use percuss_study::{CheckReport, RelationTermRecord, check};
 use std::fmt::Write;
 
 /// Runs the command.
@@ -67,14 +67,37 @@ pub fn tables(report: &CheckReport) -> Tables {
             notes.join("; "),
         ]);
     }
-    let mut loops = Table::new(["loop", "kind", "predecessor → successor", "rows"]);
+    let has_relations = report.closures.iter().any(|closure| !closure.joints.is_empty());
+    let between =
+        if has_relations { "predecessor → successor, or joints" } else { "predecessor → successor" };
+    let mut loops = Table::new(["loop", "kind", between, "rows"]);
     for closure in &report.closures {
         let kind =
             closure.ratio.map_or(closure.kind.to_owned(), |r| format!("{} {}", closure.kind, number(r)));
-        let ends = format!("{} → {}", closure.predecessor, closure.successor);
-        loops.row([closure.name.clone(), kind, ends, closure.rows.to_string()]);
+        let between = match (&closure.predecessor, &closure.successor) {
+            (Some(predecessor), Some(successor)) => format!("{predecessor} → {successor}"),
+            _ => relation_text(&closure.joints),
+        };
+        loops.row([closure.name.clone(), kind, between, closure.rows.to_string()]);
     }
     Tables { links, joints, loops }
+}
+
+/// Sum of the joints of a relation, each with its coefficient.
+fn relation_text(joints: &[RelationTermRecord]) -> String {
+    let mut text = String::new();
+    for RelationTermRecord { joint, coefficient } in joints {
+        let sign = match (text.is_empty(), *coefficient < 0.0) {
+            (true, false) => "",
+            (true, true) => "−",
+            (false, false) => " + ",
+            (false, true) => " − ",
+        };
+        let factor =
+            if coefficient.abs() == 1.0 { String::new() } else { format!("{}·", number(coefficient.abs())) };
+        let _ = write!(text, "{sign}{factor}{joint}");
+    }
+    text
 }
 
 /// Report as text.

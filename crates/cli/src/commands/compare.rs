@@ -7,6 +7,7 @@ use crate::files::table_style::{ColumnUnit, TableStyle};
 use crate::files::xlsx_rows;
 use crate::pictures::clipping::note_clipping;
 use crate::pictures::sweep_figure::motion_ratio_name;
+use crate::terminal::design_changes;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number, short_number};
@@ -226,6 +227,12 @@ fn of_designs(report: &ComparisonReport, count: impl Display) -> String {
 fn text(report: &ComparisonReport) -> String {
     let title = of_designs(report, report.designs.len());
     let mut out = format!("effective mass of {title}\n\n{}", design_table(report));
+    for sentence in design_changes::sentences(report) {
+        let _ = write!(out, "\n{}", wrap_message(&sentence));
+    }
+    if report.designs.iter().any(|design| design.reference.is_some()) {
+        out.push('\n');
+    }
     for design in &report.designs {
         if let Some(error) = &design.error {
             let _ = writeln!(out, "\n{}", wrap_message(&format!("{}: {error}", design.name)));

@@ -11,8 +11,8 @@ use crate::terminal::report::{note, with_findings, write_diagnostics, write_json
 use crate::terminal::text::{bar, number, triple, upper_bound};
 use crate::terminal::wrap::{self, fact_line};
 use percuss_study::{
-    DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, Status, StudyMass, Tolerance,
-    explain, mass, mass_with_damper, tolerance_report,
+    DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, SheetPoint, Status,
+    StudyMass, Tolerance, explain, mass, mass_with_damper, tolerance_report,
 };
 use std::fmt::Write;
 
@@ -250,11 +250,6 @@ pub fn method(report: &MassReport) -> (&'static str, String) {
 /// Contact and conditions of the result.
 pub fn conditions(report: &MassReport) -> Vec<(&'static str, String)> {
     let contact = &report.contact;
-    let against = match (report.conditions.against_mass, contact.against.as_deref()) {
-        (Some(mass), _) => format!("a free body of {} kg", number(mass)),
-        (None, Some(link)) => link.to_owned(),
-        (None, None) => "the ground".to_owned(),
-    };
     let list = |names: &[String]| {
         let position = |name: &String| match report.pose.get(name) {
             Some([value]) => format!("{name} = {}", number(*value)),
@@ -278,16 +273,9 @@ pub fn conditions(report: &MassReport) -> Vec<(&'static str, String)> {
             format!("point {} m, normal {}", triple(&contact.point_world), triple(&contact.normal_world)),
         ),
     ];
-    facts.extend(report.point_in_sheet.map(|at| {
-        let rounded = at.point.map(|x| (x * 1e6).round() / 1e6 + 0.0);
-        let normal = at.normal.map_or_else(String::new, |normal| {
-            format!(", normal {}", triple(&normal.map(|x| (x * 1e6).round() / 1e6 + 0.0)))
-        });
-        let text = format!("point {} {}{normal}", triple(&rounded), at.unit.name());
-        ("in the sheet", format!("{text}, axes {} ({})", at.axes.name(), at.axes.words()))
-    }));
+    facts.extend(report.point_in_sheet.map(|at| ("in the sheet", point_in_sheet_text(&at))));
     facts.extend([
-        ("against", against),
+        ("against", other_side(report)),
         ("base", assumed.base.clone()),
         ("free joints", list(&assumed.free)),
     ]);
@@ -300,13 +288,44 @@ pub fn conditions(report: &MassReport) -> Vec<(&'static str, String)> {
     if !assumed.locked.is_empty() {
         facts.push(("locked joints", list(&assumed.locked)));
     }
-    for hold in &report.conditions.hold {
-        let along =
-            hold.normal.map_or_else(|| "in all directions".to_owned(), |n| format!("along {}", triple(&n)));
-        facts.push(("held", format!("{} at {} m, {along}", hold.link, triple(&hold.point))));
-    }
+    facts.extend(held_points(report));
     if !assumed.drivers.is_empty() {
         facts.push(("loops driven by", list(&assumed.drivers)));
+    }
+    facts.extend(loop_facts(report));
+    facts
+}
+
+/// The other side of the contact.
+pub fn other_side(report: &MassReport) -> String {
+    match (report.conditions.against_mass, report.contact.against.as_deref()) {
+        (Some(mass), _) => format!("a free body of {} kg", number(mass)),
+        (None, Some(link)) => link.to_owned(),
+        (None, None) => "the ground".to_owned(),
+    }
+}
+
+/// Contact point and normal in the unit and the axes of the sheet.
+pub fn point_in_sheet_text(at: &SheetPoint) -> String {
+    let rounded = |values: [f64; 3]| triple(&values.map(|x| (x * 1e6).round() / 1e6 + 0.0));
+    let normal = at.normal.map_or_else(String::new, |normal| format!(", normal {}", rounded(normal)));
+    let text = format!("point {} {}{normal}", rounded(at.point), at.unit.name());
+    format!("{text}, axes {} ({})", at.axes.name(), at.axes.words())
+}
+
+/// Points that are held.
+pub fn held_points(report: &MassReport) -> impl Iterator<Item = (&'static str, String)> {
+    report.conditions.hold.iter().map(|hold| {
+        let along =
+            hold.normal.map_or_else(|| "in all directions".to_owned(), |n| format!("along {}", triple(&n)));
+        ("held", format!("{} at {} m, {along}", hold.link, triple(&hold.point)))
+    })
+}
+
+/// Assembly mode, degrees of freedom, residual and branches of the loops.
+pub fn loop_facts(report: &MassReport) -> Vec<(&'static str, String)> {
+    let mut facts = Vec::new();
+    if !report.assumptions.drivers.is_empty() {
         let modes: Vec<&str> =
             report.assembly_modes.iter().map(|m| ["−", "singular", "+"][(m + 1) as usize]).collect();
         facts.push(("assembly mode", modes.join(" ")));

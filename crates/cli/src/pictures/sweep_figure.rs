@@ -128,7 +128,9 @@ pub fn sweep_figure(
         });
     }
     let figure = Figure {
-        title: requested.title.clone().unwrap_or_else(|| format!("Effective mass at {}", heading.link)),
+        title: requested.title.clone().unwrap_or_else(|| {
+            format!("Effective mass at {}", heading.contact.as_ref().unwrap_or(&heading.link))
+        }),
         x_limits: requested.x_limits.map(AxisLimits::ends),
         subtitle: heading.inputs.first().map_or_else(String::new, |input| input.path.clone()),
         x_label: if unit.is_empty() { varied.name.clone() } else { format!("{} ({unit})", varied.name) },

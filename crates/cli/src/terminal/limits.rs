@@ -5,6 +5,8 @@
 pub const DEFAULT_TOLERANCE: f64 = 1e-9;
 /// Number of warnings or notes of one kind shown in full: enough to recognise their common cause.
 pub const DIAGNOSTICS_SHOWN: usize = 3;
+/// Differences of a design shown in a comparison: more are another design, not a change of it.
+pub const CHANGES_SHOWN: usize = 6;
 /// Joints listed on one line of text; more do not fit in a terminal.
 pub const JOINTS_SHOWN: usize = 8;
 /// Share of the effective mass below which a contribution is only counted, because it would be shown as 0.0 %.

@@ -123,6 +123,7 @@ fn the_remaining_gap_of_two_wheels_is_that_of_the_closed_form() {
         let text = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(outcome.code, 1, "{text}");
         assert!(text.contains(&format!("and {remaining:.2} mm remain")), "{stop}: {remaining} mm: {text}");
+        assert_remaining_gap(&file, &format!("{stop}_left"), gap - closed);
     }
     // Two bars of different lengths, each in front of its own plane: the shorter one reaches its largest distance first.
     let bar = |side: &str, length: f64, y: f64| {
@@ -141,7 +142,54 @@ fn the_remaining_gap_of_two_wheels_is_that_of_the_closed_form() {
         let outcome = percuss(&format!("mass {bars} --at stop_{side}"));
         let text = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(text.contains("closes by 500.00 mm only, and 100.00 mm remain"), "{side}: {text}");
+        assert_remaining_gap(&bars, &format!("stop_{side}"), 0.1);
     }
+}
+
+/// The smallest gap in the list of the contacts, m. The search for the smallest gap ends at 1 nm.
+fn assert_remaining_gap(file: &str, stop: &str, expected: f64) {
+    let list = json(&format!("mass {file} --at all --format json"));
+    let contacts = list["contacts"].as_array().expect("a list");
+    let contact = contacts.iter().find(|contact| contact["name"] == stop).expect("the stop");
+    let found = number(contact, "remaining_gap");
+    assert!((found - expected).abs() < 1e-9, "{stop}: {found}, {expected}");
+}
+
+/// A sweep that passes a stop has the warning, for a travel of the wheel and for a joint, with the row of its first penetration. The
+/// rows of a joint have no poses, the others have one each.
+#[test]
+fn stops_that_a_sweep_passes_are_warned_of() {
+    let folder = Scratch::new("contacts-passed");
+    let bar = folder.write("bar.urdf", BAR);
+    let warned = |line: &str| {
+        let outcome = percuss(&format!("sweep {line} -o {} --force", folder.path("rows.csv")));
+        assert_eq!(outcome.code, 0, "{line}: {}", outcome.stderr);
+        outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    // The pad is at L sin q in front of the hinge, and the plane at 0.2 m: the row at q = −1 is the last.
+    let beyond = 1e3 * (LENGTH * 1f64.sin() - 0.2);
+    let text = warned(&format!("{bar} --at seat --vary hinge=0:-1:11"));
+    assert!(text.contains("beyond the touch of plane"), "{text}");
+    let single = warned(&format!("{bar} --at seat --vary hinge=-1:-1:1"));
+    assert!(
+        single.contains(&format!("the travel goes {beyond:.1} mm beyond the touch of plane")),
+        "{single}"
+    );
+    assert!(!warned(&format!("{bar} --at seat --vary hinge=0:-0.3:11")).contains("beyond the touch"));
+    let sheet = "models/suspensions/double-wishbone.toml --at spring";
+    for range in
+        ["--wheel-travel 0:90mm:10", "--vary lower_arm_hinge=0:-0.6:7", "--vary lower_arm_hinge=0:0.6:7"]
+    {
+        let text = warned(&format!("{sheet} {range}"));
+        assert!(
+            text.contains("beyond the touch of bump_stop")
+                || text.contains("beyond the touch of rebound_stop"),
+            "{range}: {text}"
+        );
+    }
+    assert!(!warned(&format!("{sheet} --vary lower_arm_hinge=-0.05:0.05:5")).contains("beyond the touch"));
+    let own = warned(&format!("{bar} --at plane --vary hinge=0:-1:11"));
+    assert!(!own.contains("beyond the touch of plane"), "the column of the gap shows it: {own}");
 }
 
 #[test]

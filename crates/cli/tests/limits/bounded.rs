@@ -19,7 +19,12 @@ const PATIENCE: usize = 15;
 
 /// Runs the command within the limits. A signal, for example by an abort or the time limit, is a failure.
 fn bounded(arguments: &[&str]) -> Outcome {
-    let script = format!("ulimit -v {MEMORY}; ulimit -t {PATIENCE}; exec $PERCUSS_UNDER \"$0\" \"$@\"");
+    bounded_by(PATIENCE, arguments)
+}
+
+/// Runs the command within a limit of processor time, s, and the limit of memory.
+fn bounded_by(seconds: usize, arguments: &[&str]) -> Outcome {
+    let script = format!("ulimit -v {MEMORY}; ulimit -t {seconds}; exec $PERCUSS_UNDER \"$0\" \"$@\"");
     let run = Command::new("/bin/sh")
         .args(["-c", &script, env!("CARGO_BIN_EXE_percuss")])
         .args(arguments)
@@ -396,5 +401,37 @@ fn tables_and_meshes() {
         assert_eq!(outcome.code, code, "{name}: {}", outcome.stderr);
         assert!(outcome.stderr.contains(words), "{name}: {}", outcome.stderr);
         let _ = std::fs::remove_file(folder.path(name));
+    }
+}
+
+/// Stops beyond the reach of the mechanism: the search for the smallest gap takes at most 0.4 s in this profile. The gap that is
+/// closed does not depend on the gap as drawn.
+#[test]
+fn stops_out_of_reach() {
+    const SECONDS: usize = 3;
+    let folder = Scratch::new("bounded-stops");
+    let templates = [
+        "double-wishbone",
+        "macpherson-strut",
+        "five-link",
+        "multi-link",
+        "twist-beam",
+        "solid-axle-panhard",
+    ];
+    for template in templates {
+        let text = bounded(&["template", template, "--unit", "mm"]).stdout;
+        let stop = if template.starts_with("solid") { "bump_stop_left" } else { "bump_stop" };
+        let closed = [300, 400].map(|gap| {
+            let (head, section) = text.split_once("[bump_stop]\n").expect("a stop");
+            let old = section.lines().find(|line| line.starts_with("gap = ")).expect("a gap");
+            let section = section.replacen(old, &format!("gap = {gap}"), 1);
+            let sheet = folder.write("far.toml", &format!("{head}[bump_stop]\n{section}"));
+            let outcome = bounded_by(SECONDS, &["mass", &sheet, "--at", stop]);
+            let message = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert!(outcome.code == 1 && message.contains("cannot be reached"), "{template}: {message}");
+            let (_, rest) = message.split_once("it closes by ").expect("the closed part");
+            rest.split(' ').next().expect("a length").to_owned()
+        });
+        assert_eq!(closed[0], closed[1], "{template}");
     }
 }

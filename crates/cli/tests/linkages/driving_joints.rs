@@ -69,6 +69,36 @@ fn json_says_how_the_loops_stand() {
     assert_eq!(check["closures"].as_array().map(Vec::len), Some(2));
 }
 
+/// A relation names all of its joints with their coefficients, and no links.
+#[test]
+fn a_relation_names_all_its_joints() {
+    let folder = Scratch::new("joints-relation");
+    let link = |name: &str| {
+        format!(
+            "<link name=\"{name}\"><inertial><mass value=\"1\"/><inertia ixx=\"0.1\" iyy=\"0.1\" izz=\"0.1\" ixy=\"0\" ixz=\"0\" \
+             iyz=\"0\"/></inertial></link><joint name=\"{name}_hinge\" type=\"continuous\"><parent link=\"ground\"/>\
+             <child link=\"{name}\"/><axis xyz=\"0 0 1\"/></joint>"
+        )
+    };
+    let links = ["left", "cage", "right"].map(link).concat();
+    let relation = "<relation name=\"differential\"><joint name=\"left_hinge\" factor=\"0.5\"/>\
+                    <joint name=\"cage_hinge\" factor=\"-1\"/><joint name=\"right_hinge\" factor=\"0.5\"/></relation>";
+    let text = format!("<robot name=\"r\"><link name=\"ground\"/>{links}{relation}</robot>");
+    let file = folder.write("differential.urdf", &text);
+    let check = json(&format!("check {file} --format json"));
+    let closure = &check["closures"][0];
+    assert!(closure["predecessor"].is_null() && closure["successor"].is_null(), "{closure}");
+    let terms: Vec<(&str, f64)> = closure["joints"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(|term| (term["joint"].as_str().unwrap(), term["coefficient"].as_f64().unwrap()))
+        .collect();
+    assert_eq!(terms, [("left_hinge", 0.5), ("cage_hinge", -1.0), ("right_hinge", 0.5)]);
+    let text = percuss(&format!("check {file}")).stdout;
+    assert!(text.contains("0.5·left_hinge − cage_hinge + 0.5·right_hinge"), "{text}");
+}
+
 #[test]
 fn followers_are_not_set() {
     for joint in ["rocker_hinge=0.1", "crank_pin=1deg"] {

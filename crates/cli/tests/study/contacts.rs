@@ -36,6 +36,14 @@ fn all_contacts_of_a_model_are_those_of_the_command() {
             .collect()
     };
     assert!(masses(&of_study).len() >= 5);
+    // Stops are first: details and figures are about the first contact.
+    let kinds: Vec<&str> = of_study["contacts"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .filter_map(|contact| contact["kind"].as_str())
+        .collect();
+    assert_eq!(kinds, ["stop", "stop", "spring", "damper", "patch"]);
     assert_eq!(masses(&of_study), masses(&of_command));
     let text = percuss(&format!("run {study}"));
     assert_eq!(text.code, 0, "{}", text.stderr);

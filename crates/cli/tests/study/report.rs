@@ -378,9 +378,12 @@ fn a_stop_has_its_symbols_charts_and_tables() {
     let sweep = drawn.iter().find(|svg| svg.contains("± tolerances")).expect("the sweep");
     assert_eq!(sweep.matches("Z\" fill=\"#").count(), 1, "{sweep}");
     assert!(page.contains("The band is the first-order effect of the tolerances."), "no caption");
+    assert!(page.contains("<td class=\"name\">contact</td>") && page.contains("mm, normal ("), "no axes");
+    // Parts have the names of the sheet, angles are in degrees.
+    assert!(page.contains("lower_arm (hinge) ") && page.contains("°"), "no positions of the parts");
     assert!(
-        page.contains("<td class=\"name\">in the sheet</td>") && page.contains("mm, normal ("),
-        "no axes"
+        !page.contains("lower_arm_hinge = ") && !page.contains("<td class=\"name\">free joints</td>"),
+        "names of joints"
     );
     // Bars of the histogram: rectangles, and marks.
     let histogram = drawn.iter().find(|svg| svg.contains("97.5 %")).expect("the histogram");

@@ -120,14 +120,20 @@ fn both_wheels_of_an_axle_travel_together() {
     assert_eq!(asked, 30);
 }
 
-/// Workflow of a new user: sheet, own values, model, m̄ over travel, two designs, study, report.
+/// Workflow of a new user: sheet, own values, model, m̄ over travel, two designs, study, report; in both conventions of axes.
 #[test]
 fn from_an_empty_folder_to_a_report() {
-    for template in ["double-wishbone", "pushrod-rocker", "solid-axle-panhard"] {
+    let cars = [
+        ("double-wishbone", "iso"),
+        ("pushrod-rocker", "adams"),
+        ("macpherson-strut", "adams"),
+        ("solid-axle-panhard", "iso"),
+    ];
+    for (template, axes) in cars {
         // A name that needs quoting in a shell, in a URL and in a page.
         let folder = Scratch::new(&format!("own räder & {template} (1)"));
         let side = side_of(template);
-        done(&folder, &["template", template, "--unit", "mm", "-o", "mine.toml"]);
+        done(&folder, &["template", template, "--unit", "mm", "--axes", axes, "-o", "mine.toml"]);
         let sheet = fs::read_to_string(folder.path("mine.toml")).expect("written");
         folder.write("mine.toml", &sheet.replace("mass = 18.5", "mass = 16.25"));
         folder.write("lighter one.toml", &sheet.replace("mass = 18.5", "mass = 13.25"));
@@ -145,6 +151,11 @@ fn from_an_empty_folder_to_a_report() {
         let compared =
             done(&folder, &with(&["compare", "mine.toml", "lighter one.toml", "--format", "csv"], &contact));
         let lighter = answer("lighter one.toml");
+        let words = done(&folder, &with(&["compare", "mine.toml", "lighter one.toml"], &contact));
+        let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
+        let expected =
+            format!("lighter one, compared with mine: mass of wheel{side} 13.25 kg instead of 16.25 kg");
+        assert!(words.contains(&expected), "{template}: {words}");
         let percent: f64 =
             compared.lines().nth(2).unwrap().rsplit(',').next().unwrap().parse().expect("a number");
         assert!((percent - 100.0 * (lighter / mass - 1.0)).abs() < 1e-9 && percent < -1.0, "{compared}");
@@ -173,6 +184,14 @@ fn from_an_empty_folder_to_a_report() {
         ] {
             assert!(page.contains(words), "{template}: {words}");
         }
+        // The page of all contacts: the stops first, each finding of the designs once.
+        let all = taken.join("\n").replace(&format!("at = \"bump_stop{side}\""), "at = \"all\"");
+        folder.write("all contacts.toml", &all);
+        done(&folder, &["run", "all contacts.toml", "--report", "all.html"]);
+        let listed = fs::read_to_string(folder.path("all.html")).expect("written");
+        assert!(listed.contains(&format!("those of the first contact, bump_stop{side}")), "{template}");
+        let warnings: Vec<&str> = listed.split("<p class=\"warning\">").skip(1).collect();
+        assert!(warnings.len() < 25, "{template}: {}", warnings.len());
         // The study is about the stop at the touch, not at the pose of the drawing.
         let words = ["mass", "mine.toml", "--at", &format!("bump_stop{side}"), "--format", "json"];
         let touch: Value = serde_json::from_str(&done(&folder, &words)).expect("JSON");

@@ -115,6 +115,80 @@ fn several_planted_coordinates_are_found_together() {
     }
 }
 
+/// Twenty cars with other hardpoints, and two or three planted coordinates in each: all are found, and a second search gives the same
+/// bytes.
+#[test]
+fn planted_coordinates_of_twenty_cars_are_found_twice() {
+    let folder = Scratch::new("search-family");
+    let kinds: [(&str, &[&str], &[&str]); 4] = [
+        ("double-wishbone", &["upper_ball.x", "lower_ball.y"], &["caster", "scrub_radius"]),
+        (
+            "pushrod-rocker",
+            &["rocker_back.z", "lower_ball.z"],
+            &["motion_ratio_spring", "roll_centre_height"],
+        ),
+        ("macpherson-strut", &["strut_top.x", "strut_top.y"], &["caster", "kingpin_inclination"]),
+        (
+            "double-wishbone",
+            &["upper_ball.y", "tie_rod_inner.z", "upper_front.z"],
+            &["roll_centre_height", "toe_gradient", "side_view_angle"],
+        ),
+    ];
+    // Displacements of the sheet and of the planted coordinates: fractions of the golden ratio, in ±8 mm and ±4 mm.
+    let fraction = |number: usize| (0.618_033_988_75 * number as f64).fract() - 0.5;
+    let mut cars = 0;
+    for (kind, (template, unknowns, names)) in kinds.into_iter().enumerate() {
+        let text = done(&folder, &["template", template]);
+        for car in 0..5 {
+            let mut number = 100 * kind + 17 * car;
+            let mut displaced = text.clone();
+            for point in
+                ["upper_front", "lower_front", "lower_ball", "tie_rod_outer", "strut_bottom", "rocker_pivot"]
+            {
+                let line = text.lines().find(|line| line.starts_with(&format!("{point} = ")));
+                let Some(line) = line else { continue };
+                let list = line.split(['[', ']']).nth(1).expect("a list");
+                let moved: Vec<String> = list
+                    .split(", ")
+                    .map(|x| {
+                        number += 1;
+                        format!("{}", x.parse::<f64>().expect("a number") + 16.0 * fraction(number))
+                    })
+                    .collect();
+                displaced = displaced.replace(line, &format!("{point} = [{}]", moved.join(", ")));
+            }
+            assert_ne!(displaced, text);
+            folder.write("car.toml", &displaced);
+            let planted: Vec<f64> =
+                (0..unknowns.len()).map(|k| 8e-3 * fraction(number + 7 * k + 3)).collect();
+            let moves: Vec<String> = unknowns
+                .iter()
+                .zip(&planted)
+                .map(|(unknown, by)| {
+                    let (point, axis) = unknown.split_once('.').expect("a coordinate");
+                    let shift = ["x", "y", "z"].map(|known| if known == axis { *by } else { 0.0 });
+                    format!("{point}={},{},{}", shift[0], shift[1], shift[2])
+                })
+                .collect();
+            let mut words = vec!["--within".to_owned(), "15mm".to_owned()];
+            for (unknown, name) in unknowns.iter().zip(names) {
+                let value = written(name, quantity(&folder, name, &moves));
+                words.extend(["--solve".to_owned(), (*unknown).to_owned(), "--for".to_owned(), value]);
+            }
+            let words: Vec<&str> = words.iter().map(String::as_str).collect();
+            let report = search(&folder, &words);
+            assert_eq!(report["is_reached"], true, "{template} {car}: {report}");
+            assert_eq!(report, search(&folder, &words), "{template} {car}");
+            for (found, by) in report["coordinates"].as_array().expect("a list").iter().zip(&planted) {
+                let [old, new] = ["old", "new"].map(|key| found[key].as_f64().expect("a number"));
+                assert!((1e-3 * (new - old) - by).abs() < 1e-7, "{template} {car}: {by}: {report}");
+            }
+            cars += 1;
+        }
+    }
+    assert_eq!(cars, 20);
+}
+
 /// A value out of reach: exit code 1, the nearest value and its coordinate; the extreme is at the end of the range.
 #[test]
 fn the_nearest_value_is_stated() {

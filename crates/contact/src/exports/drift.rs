@@ -9,8 +9,12 @@ use super::{Export, Request};
 /// of the deepest m̄ during the whole impact. Second term: change δ/2 of the speed between the end of the force and the
 /// closed gap. Integration with m̄ linear in the penetration gives at most 0.55 of the first term for e = 0.05 to 0.9.
 /// The penetration of rigid contacts is the travel of one time step.
-pub(super) fn add_drift_error(request: &Request, mut export: Export) -> Export {
-    let (Some(drift), Some(bound)) = (request.options.drift, export.error_bound) else { return export };
+///
+/// Returns the export and the effect of the drift.
+pub(super) fn add_drift_error(request: &Request, mut export: Export) -> (Export, f64) {
+    let (Some(drift), Some(bound)) = (request.options.drift, export.error_bound) else {
+        return (export, 0.0);
+    };
     let travel = request.speed.zip(export.time_step).map(|(speed, step)| speed * step);
     let own = export.penetrations.iter().map(|p| p.value).reduce(f64::max).or(travel);
     let ratio = own.map_or(1.0, |own| own / drift.penetration);
@@ -25,5 +29,5 @@ pub(super) fn add_drift_error(request: &Request, mut export: Export) -> Export {
             change
         ));
     }
-    export
+    (export, effect)
 }

@@ -148,19 +148,23 @@ impl Export {
         Ok(self)
     }
 
-    /// Returns the export if its error bound is at most the restitution. Error: a larger bound, because the restitution
-    /// would be unknown.
-    pub(super) fn check_error_bound(self, request: &Request) -> Result<Self, ExportError> {
+    /// Returns the export if its error bound is at most the restitution. `drift_error`: part of the bound for the change of m̄. Error: a
+    /// larger bound, because the restitution would be unknown.
+    pub(super) fn check_error_bound(self, request: &Request, drift_error: f64) -> Result<Self, ExportError> {
         let e = request.restitution;
-        if e > 0.0 && self.error_bound.is_some_and(|bound| bound > e) {
-            return Err(ExportError::Unreachable {
-                tool: self.tool,
-                restitution: e,
-                why: "the error bound at these conditions is larger than the restitution",
-                remedy: "require a smaller error (accuracy) or a shorter time step, a faster impact, or choose a tool of double precision",
-            });
-        }
-        Ok(self)
+        let Some(bound) = self.error_bound.filter(|bound| e > 0.0 && *bound > e) else { return Ok(self) };
+        let (why, remedy) = if bound - drift_error <= e {
+            (
+                "the effective mass changes too much over the penetration: the error bound for this is larger than the restitution",
+                "use a stiffer contact or a slower impact, or move the contact to a pose at which the mass changes less",
+            )
+        } else {
+            (
+                "the error bound at these conditions is larger than the restitution",
+                "require a smaller error (accuracy) or a shorter time step, a faster impact, or choose a tool of double precision",
+            )
+        };
+        Err(ExportError::Unreachable { tool: self.tool, restitution: e, why, remedy })
     }
 }
 

@@ -97,12 +97,14 @@ impl Tool {
         if let Some(motion) = request.options.stop {
             let mut export = loops::add_loop_finding(self, request, stops::export(self, request, motion)?)?;
             export.penetrations.iter_mut().for_each(|p| p.unit = motion.units().coordinate);
-            return drift::add_drift_error(request, export).check_finite()?.check_error_bound(request);
+            let (export, drift_error) = drift::add_drift_error(request, export);
+            return export.check_finite()?.check_error_bound(request, drift_error);
         }
         let (_, export) =
             Self::ALL.into_iter().zip(EXPORTS).find(|(tool, _)| *tool == self).expect("a tool is one of all");
         let mut export = loops::add_loop_finding(self, request, export(request)?)?;
         gravity::add_assumption(request, &mut export);
-        drift::add_drift_error(request, export).check_finite()?.check_error_bound(request)
+        let (export, drift_error) = drift::add_drift_error(request, export);
+        export.check_finite()?.check_error_bound(request, drift_error)
     }
 }

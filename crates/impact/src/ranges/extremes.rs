@@ -367,6 +367,8 @@ impl Search<'_> {
         let Some((mut at, mut pose)) = self.point(unit, None)? else { return Ok(None) };
         let scale = at.inverse_mass;
         let mut inverse_hessian = identity(n);
+        // Without a measured curvature the length of the gradient has no meaning: it depends on the size of 1/m̄.
+        let mut has_curvature = false;
         for _ in 0..MOST_STEPS {
             let residual = at.residual();
             if residual <= OPTIMAL * at.inverse_mass || at.inverse_mass <= IMMOVABLE * scale {
@@ -389,10 +391,11 @@ impl Search<'_> {
             let slope = |step: &[f64]| step.iter().zip(&at.gradient).map(|(s, g)| s * g).sum::<f64>();
             if slope(&step) >= 0.0 {
                 inverse_hessian = identity(n);
+                has_curvature = false;
                 step = direction(&inverse_hessian);
             }
             let largest = step.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
-            let mut length = (0.25 / largest).min(1.0);
+            let mut length = if has_curvature { (0.25 / largest).min(1.0) } else { 0.25 / largest };
             let mut next = None;
             for _ in 0..50 {
                 let moved: Vec<f64> =
@@ -408,7 +411,7 @@ impl Search<'_> {
                 length *= 0.5;
             }
             let Some((point, new_pose)) = next else { break };
-            update(&mut inverse_hessian, &at, &point);
+            has_curvature |= update(&mut inverse_hessian, &at, &point, !has_curvature);
             let stays = point.unit == at.unit;
             (at, pose) = (point, new_pose);
             if stays {
@@ -423,15 +426,20 @@ fn identity(n: usize) -> Vec<Vec<f64>> {
     (0..n).map(|r| (0..n).map(|c| f64::from(u8::from(r == c))).collect()).collect()
 }
 
-/// BFGS update of the inverse Hessian; left out without positive curvature.
-fn update(inverse: &mut [Vec<f64>], from: &Point, to: &Point) {
+/// BFGS update of the inverse Hessian; left out without positive curvature. `is_first`: the matrix is the identity, and is scaled to the
+/// curvature of this step before the update (Nocedal and Wright 2006, equation 6.20). Returns true if the matrix is updated.
+fn update(inverse: &mut [Vec<f64>], from: &Point, to: &Point, is_first: bool) -> bool {
     let n = from.unit.len();
     let s: Vec<f64> = (0..n).map(|k| to.unit[k] - from.unit[k]).collect();
     let y: Vec<f64> = (0..n).map(|k| to.gradient[k] - from.gradient[k]).collect();
     let sy: f64 = s.iter().zip(&y).map(|(a, b)| a * b).sum();
     let size = s.iter().map(|x| x * x).sum::<f64>().sqrt() * y.iter().map(|x| x * x).sum::<f64>().sqrt();
     if sy <= 1e-10 * size {
-        return;
+        return false;
+    }
+    if is_first {
+        let scale = sy / y.iter().map(|x| x * x).sum::<f64>();
+        inverse.iter_mut().flatten().for_each(|entry| *entry *= scale);
     }
     let hy: Vec<f64> = (0..n).map(|r| (0..n).map(|c| inverse[r][c] * y[c]).sum()).collect();
     let yhy: f64 = y.iter().zip(&hy).map(|(a, b)| a * b).sum();
@@ -440,4 +448,5 @@ fn update(inverse: &mut [Vec<f64>], from: &Point, to: &Point) {
             inverse[r][c] += (1.0 + yhy / sy) * s[r] * s[c] / sy - (hy[r] * s[c] + s[r] * hy[c]) / sy;
         }
     }
+    true
 }

@@ -3,8 +3,8 @@
 use crate::LinkId;
 use percuss_spatial::Vector3;
 
-/// Kind of a named contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// Kind of a named contact, in the order of lists of contacts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ContactKind {
     /// Stop that limits the travel: bump stop, rebound stop, door stop.
     Stop,

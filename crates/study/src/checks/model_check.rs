@@ -94,14 +94,25 @@ pub struct ClosureRecord {
     pub name: String,
     /// Kind of the closure; `coupling` for a ratio.
     pub kind: &'static str,
-    /// Predecessor link.
-    pub predecessor: String,
-    /// Successor link.
-    pub successor: String,
+    /// Predecessor link; null for a relation of joints.
+    pub predecessor: Option<String>,
+    /// Successor link; null for a relation of joints.
+    pub successor: Option<String>,
     /// Number of constraint rows.
     pub rows: usize,
-    /// Ratio of the successor's rate to the predecessor's rate; null unless a coupling.
+    /// Ratio of the successor's rate to the predecessor's rate; null unless a coupling of two links.
     pub ratio: Option<f64>,
+    /// Joints of a relation with their coefficients fᵢ: Σ fᵢ qᵢ = c, or c and a curve. Empty unless a relation.
+    pub joints: Vec<RelationTermRecord>,
+}
+
+/// Joint of a relation in a [`ClosureRecord`].
+#[derive(Clone, Debug, Serialize)]
+pub struct RelationTermRecord {
+    /// Joint.
+    pub joint: String,
+    /// Coefficient of its position.
+    pub coefficient: f64,
 }
 
 /// Lists the contents of a model with the root fixed.
@@ -150,27 +161,33 @@ fn closure_records(mechanism: &Mechanism) -> Vec<ClosureRecord> {
     let closure = |c: &percuss_mechanism::Closure| ClosureRecord {
         name: c.name().to_owned(),
         kind: c.kind().name(),
-        predecessor: end(c.predecessor().link),
-        successor: end(c.successor().link),
+        predecessor: Some(end(c.predecessor().link)),
+        successor: Some(end(c.successor().link)),
         rows: c.kind().rows(),
         ratio: None,
+        joints: Vec::new(),
     };
     let coupling = |c: &percuss_mechanism::Coupling| {
-        // A relation of joints names its first and its last joint.
-        let joint = |term: Option<&(percuss_mechanism::JointId, f64)>| {
-            term.map_or_else(String::new, |(id, _)| mechanism.joint(*id).name().to_owned())
-        };
-        let (predecessor, successor) = match c.ratio() {
-            Some(links) => (end(Some(links.predecessor)), end(Some(links.successor))),
-            None => (joint(c.terms().last()), joint(c.terms().first())),
+        let ratio = c.ratio();
+        let joints = match ratio {
+            Some(_) => Vec::new(),
+            None => c
+                .terms()
+                .iter()
+                .map(|&(joint, coefficient)| RelationTermRecord {
+                    joint: mechanism.joint(joint).name().to_owned(),
+                    coefficient,
+                })
+                .collect(),
         };
         ClosureRecord {
             name: c.name().to_owned(),
-            kind: if c.ratio().is_some() { "coupling" } else { "relation" },
-            predecessor,
-            successor,
+            kind: if ratio.is_some() { "coupling" } else { "relation" },
+            predecessor: ratio.map(|links| end(Some(links.predecessor))),
+            successor: ratio.map(|links| end(Some(links.successor))),
             rows: 1,
-            ratio: c.ratio().map(|links| links.ratio),
+            ratio: ratio.map(|links| links.ratio),
+            joints,
         }
     };
     mechanism.closures().iter().map(closure).chain(mechanism.couplings().iter().map(coupling)).collect()

@@ -9,53 +9,91 @@ use crate::question::mass_question::MassQuestion;
 use crate::question::travel::moved::{Moved, WheelMotion};
 use crate::thresholds::PASSED_STOP;
 use percuss_dynamics::{Gap, Pose};
-use percuss_mechanism::ContactKind;
+use percuss_mechanism::{ContactKind, NamedContact};
 use std::sync::OnceLock;
 
-/// Stops of a model, for questions whose pose is given by a travel.
+/// Stops of a model, for questions whose pose is given by a travel or by the rows of a sweep.
 #[derive(Debug)]
 pub(crate) struct PassedStops<'a> {
     model: &'a Model,
     /// Question without its travels.
     question: MassQuestion,
-    /// True if both wheels move alike: the travel at the touch is then that of `--at STOP`.
-    is_alike: bool,
-    /// Wheel travel at the touch, m, for each contact of the model.
-    touches: Vec<OnceLock<Option<f64>>>,
+    /// True if the wheels have one motion only: the travel at the touch is then that of `--at STOP`.
+    has_one_motion: bool,
+    /// Pose as drawn.
+    drawn: Pose,
+    stops: Vec<LimitedStop<'a>>,
+}
+
+/// Stop with its gap as a function of the pose.
+#[derive(Debug)]
+struct LimitedStop<'a> {
+    /// Number of the contact.
+    number: usize,
+    contact: &'a NamedContact,
+    gap: Gap,
+    /// Wheel travel at the touch, m; computed for the first finding.
+    touch: OnceLock<Option<f64>>,
 }
 
 impl<'a> PassedStops<'a> {
     /// Stops for a question with the travels `moved`; `None` without a travel, and without stops.
-    pub fn new<'m>(
+    pub fn of_travels<'m>(
         prepared: &PreparedQuestion<'a>,
         moved: impl IntoIterator<Item = &'m Moved>,
     ) -> Option<Self> {
         let moved: Vec<&Moved> = moved.into_iter().collect();
+        let is_alike = matches!(&moved[..], [Moved::Wheels(WheelMotion::WheelTravel | WheelMotion::Heave)]);
+        if moved.is_empty() { None } else { Self::new(prepared, is_alike) }
+    }
+
+    /// Stops for the rows of a sweep over positions of joints; `None` without stops.
+    pub fn of_joints(prepared: &PreparedQuestion<'a>) -> Option<Self> {
+        Self::new(prepared, false)
+    }
+
+    fn new(prepared: &PreparedQuestion<'a>, has_one_motion: bool) -> Option<Self> {
         let contacts = prepared.model.mechanism.contacts();
-        let has_stops = contacts.iter().any(|contact| contact.kind() == ContactKind::Stop);
-        (has_stops && !moved.is_empty()).then(|| Self {
+        if contacts.iter().all(|contact| contact.kind() != ContactKind::Stop) {
+            return None;
+        }
+        // The gap depends on the drawing only; a model that does not close as drawn has no other poses either.
+        let drawn = prepared.system.pose(&prepared.system.configuration()).ok()?;
+        let stops = contacts.iter().enumerate().filter_map(|(number, contact)| {
+            let gap = Gap::new(&drawn, contact).filter(|_| contact.kind() == ContactKind::Stop)?;
+            Some(LimitedStop { number, contact, gap, touch: OnceLock::new() })
+        });
+        Some(Self {
             model: prepared.model,
             question: MassQuestion { travel: Vec::new(), ..prepared.question.clone().into_owned() },
-            is_alike: matches!(&moved[..], [Moved::Wheels(WheelMotion::WheelTravel | WheelMotion::Heave)]),
-            touches: contacts.iter().map(|_| OnceLock::new()).collect(),
+            has_one_motion: has_one_motion || drawn.degrees_of_freedom() == 1,
+            stops: stops.collect(),
+            drawn,
         })
     }
 
     /// Findings about the stops that are penetrated at a pose.
     pub fn findings(&self, pose: &Pose) -> Vec<Finding> {
-        let contacts = self.model.mechanism.contacts().iter().zip(&self.touches).enumerate();
-        let stops = contacts.filter(|(_, (contact, _))| contact.kind() == ContactKind::Stop);
-        let passed = stops.filter_map(|(number, (contact, touch))| {
-            let gap = Gap::new(pose, contact)?.at(pose);
-            (gap < -PASSED_STOP).then_some((number, contact.name(), touch, gap))
-        });
-        let finding = |(number, name, touch, gap): (usize, &str, &OnceLock<Option<f64>>, f64)| {
-            let touch = *touch.get_or_init(|| self.touch(name));
+        self.findings_of(|gap| gap.at(pose))
+    }
+
+    /// Findings about the stops that are penetrated at the positions of all joints, in joint order.
+    pub fn findings_at(&self, positions: &[f64]) -> Vec<Finding> {
+        self.findings_of(|gap| gap.at_positions(&self.drawn, positions))
+    }
+
+    fn findings_of(&self, gap_of: impl Fn(&Gap) -> f64) -> Vec<Finding> {
+        let passed = self.stops.iter().map(|stop| (stop, gap_of(&stop.gap)));
+        let passed = passed.filter(|(_, gap)| *gap < -PASSED_STOP);
+        let finding = |(stop, gap): (&LimitedStop, f64)| {
+            let name = stop.contact.name();
+            let touch = *stop.touch.get_or_init(|| self.touch(name));
             let touch = touch.map_or_else(String::new, |travel| {
                 format!(", which touches at {:.1} mm of wheel travel", 1e3 * travel)
             });
             let message = format!("the travel goes {:.1} mm beyond the touch of {name}{touch}", -1e3 * gap);
-            let finding = Finding::new(FindingKind::StopPassed, FindingSubject::Contact(number), message);
+            let subject = FindingSubject::Contact(stop.number);
+            let finding = Finding::new(FindingKind::StopPassed, subject, message);
             // A question about this stop states the penetration as its result.
             if self.question.at.as_deref() == Some(name) { finding.into_note() } else { finding }
         };
@@ -64,7 +102,7 @@ impl<'a> PassedStops<'a> {
 
     /// Wheel travel at the touch of a stop, m.
     fn touch(&self, name: &str) -> Option<f64> {
-        if !self.is_alike {
+        if !self.has_one_motion {
             return None;
         }
         let question = MassQuestion { pose: None, ..self.question.at_contact(name) };

@@ -21,6 +21,15 @@ pub(crate) struct ClosingPath<'a> {
     pub gaps: Vec<f64>,
 }
 
+/// End of the path.
+pub(crate) struct PathEnd {
+    /// Closed part of the gaps.
+    pub closed: f64,
+    pub pose: Pose,
+    /// True if the rate of the gap changes its sign behind the pose: no further part can be closed.
+    pub is_minimum: bool,
+}
+
 /// Point of the path.
 struct PathPoint {
     pose: Pose,
@@ -35,22 +44,24 @@ struct PathPoint {
 }
 
 impl ClosingPath<'_> {
-    /// Pose with the largest closed part of the gaps on the path from `near`, and this part. The result is accurate to
+    /// Pose with the largest closed part of the gaps on the path from `near`. The gap of a minimum is accurate to
     /// [`NEAREST_ACCURACY`]; `None` if the path cannot be followed from `near`.
     ///
     /// The path is followed in the direction of closing, until dG/ds changes its sign; the zero of dG/ds is found by linear
     /// interpolation. A touch (G = 1) ends the search.
-    pub fn nearest(&self, near: &Pose) -> Option<(f64, Pose)> {
+    pub fn nearest(&self, near: &Pose) -> Option<PathEnd> {
         let mut drivers = self.travels.select_drivers(near)?;
         let mut here = self.point(&drivers, near, &positions(near, &drivers), None)?;
         let gap = self.gaps.iter().fold(0.0f64, |most, gap| most.max(gap.abs()));
         let (mut step, mut changes) = (FIRST_APPROACH_STEP, 0);
         // Distance to a point behind the smallest gap, and dG/ds there.
         let mut behind: Option<(f64, f64)> = None;
+        let mut is_minimum = false;
         for _ in 0..APPROACH_STEPS {
             // dG/ds decreases to zero within the step: the gain is at most rate times step.
             let is_bounded = behind.is_some() || here.rate == 0.0;
             let is_near = is_bounded && here.rate * step * gap <= NEAREST_ACCURACY;
+            is_minimum = is_near && here.closed < 1.0;
             if is_near || here.closed >= 1.0 {
                 break;
             }
@@ -61,27 +72,32 @@ impl ClosingPath<'_> {
                     step = f64::min(2.0 * step, LONGEST_APPROACH_STEP);
                 }
                 Some(next) => behind = Some((step, next.rate)),
-                None if step > LEAST_APPROACH_STEP => (step, behind) = (0.5 * step, None),
-                // A driver is at its dead centre: others continue.
-                None if changes < OTHER_DRIVERS => {
-                    changes += 1;
-                    let others = self.travels.select_drivers(&here.pose)?;
-                    if others == drivers {
+                None => {
+                    // A driver may be near its dead centre: others continue.
+                    let others =
+                        if changes < OTHER_DRIVERS { self.selected(&drivers, &here.pose) } else { None };
+                    if let Some((others, next)) = others {
+                        changes += 1;
+                        (here, drivers, step, behind) = (next, others, FIRST_APPROACH_STEP, None);
+                    } else if step > LEAST_APPROACH_STEP {
+                        (step, behind) = (0.5 * step, None);
+                    } else {
                         break;
                     }
-                    let Some(next) = self.point(&others, &here.pose, &positions(&here.pose, &others), None)
-                    else {
-                        break;
-                    };
-                    (here, drivers, step, behind) = (next, others, FIRST_APPROACH_STEP, None);
                 }
-                None => break,
             }
             if let Some((distance, rate)) = behind {
                 step = distance * here.rate / (here.rate - rate);
             }
         }
-        Some((here.closed, here.pose))
+        Some(PathEnd { closed: here.closed, pose: here.pose, is_minimum })
+    }
+
+    /// Drivers other than `drivers` that are selected at a pose, and the point of the path there; `None` without others.
+    fn selected(&self, drivers: &[JointId], pose: &Pose) -> Option<(Vec<JointId>, PathPoint)> {
+        let others = self.travels.select_drivers(pose).filter(|others| others != drivers)?;
+        let point = self.point(&others, pose, &positions(pose, &others), None)?;
+        Some((others, point))
     }
 
     /// Point of the path after a step along the tangent; `None` if the path turns too far or is not reached: a shorter step

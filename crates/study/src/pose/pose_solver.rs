@@ -2,7 +2,7 @@
 
 use crate::pose::driver::Driver;
 use crate::pose::joined_travels::JoinedTravels;
-use crate::pose::nearest_approach::ClosingPath;
+use crate::pose::nearest_approach::{ClosingPath, PathEnd};
 use crate::pose::point_travel::PointTravel;
 use crate::pose::touch::touching_stops;
 use crate::pose::unreachable_range::UnreachedRow;
@@ -44,26 +44,47 @@ pub(crate) fn pose(
     if let [(stop, _), ..] = &stops[..] {
         return touch_pose(system, configuration, question, &driven, (stop.name(), &stops), start);
     }
-    solve_all(&travels, &start, LEAST_PART, question.names)
+    solve_all(&travels, &start, Search::Full { least_part: LEAST_PART }, question.names)
 }
 
-/// Pose at which every travel has its displacement. `least_part`: smallest step, as a fraction of the path, if several
-/// travels are solved together.
+/// Effort of a search for the pose of travels.
+#[derive(Clone, Copy)]
+enum Search {
+    /// One driver for each travel, in long steps: cheap if the pose does not exist.
+    Direct,
+    /// All drivers. `least_part`: smallest step, as a fraction of the path, if several travels are solved together.
+    Full { least_part: f64 },
+}
+
+impl Search {
+    /// Smallest step, as a fraction of the path, if several travels are solved together.
+    fn least_part(self) -> f64 {
+        match self {
+            Search::Direct => LEAST_PART_OF_HALVING,
+            Search::Full { least_part } => least_part,
+        }
+    }
+}
+
+/// Pose at which every travel has its displacement.
 fn solve_all(
     travels: &[DrivenTravel],
     start: &Pose,
-    least_part: f64,
+    search: Search,
     names: Names,
 ) -> Result<Pose, StudyError> {
     match travels {
         [] => Ok(start.clone()),
-        [alone] => alone.solve_pose(start.clone(), names),
+        [alone] => match search {
+            Search::Direct => alone.solve_with_driver(start),
+            Search::Full { .. } => alone.solve_pose(start.clone(), names),
+        },
         [first, ..] => {
             let distances: Vec<f64> = travels.iter().map(|travel| travel.distance).collect();
             let is_elsewhere = |travel: &DrivenTravel| travel.travel.displacement(start).abs() > SAME_START;
             let selects_drivers = travels.iter().any(is_elsewhere);
             // The configuration of the first travel holds the rack.
-            joined_travels(travels, least_part, selects_drivers).pose(
+            joined_travels(travels, search.least_part(), selects_drivers).pose(
                 &first.driver.configuration,
                 start,
                 &distances,
@@ -108,51 +129,59 @@ fn touch_pose(
             }
         }
     }
+    let full = Search::Full { least_part: LEAST_PART };
     // Pose with a part of the gaps closed, on the branch of the start: the way back leads to the start.
-    let with_part = |part: f64, from: &Pose, least_part: f64| -> Result<Pose, StudyError> {
+    let with_part = |part: f64, from: &Pose, search: Search| -> Result<Pose, StudyError> {
         let scaled: Vec<DrivenTravel> = travels.iter().map(|travel| travel.part(part)).collect();
-        let pose = solve_all(&scaled, from, least_part, question.names)?;
+        let pose = solve_all(&scaled, from, search, question.names)?;
         let back: Vec<DrivenTravel> = travels.iter().map(|travel| travel.part(0.0)).collect();
-        let returned = solve_all(&back, &pose, LEAST_PART, question.names)?;
+        let returned = solve_all(&back, &pose, full, question.names)?;
         let is_same = is_same_pose(&returned, &start);
         is_same.then_some(pose).ok_or_else(|| StudyError::TravelNotReached {
             why: "the gap has a minimum on the way".to_owned(),
             nearest: None,
         })
     };
-    match with_part(1.0, &start, LEAST_PART) {
-        Err(StudyError::TravelNotReached { why, .. }) => {
-            let (mut low, mut high) = (0.0, 1.0);
-            let mut from = start.clone();
-            for _ in 0..NEAREST_HALVINGS {
-                let middle = 0.5 * (low + high);
-                let found = with_part(middle, &from, LEAST_PART_OF_HALVING);
-                // The first halvings are long ways, which coarse steps of several travels may fail to follow.
-                let is_long = travels.len() > 1 && high - low > LONG_HALVING;
-                let found = found.or_else(|error| {
-                    if is_long { with_part(middle, &from, LEAST_PART_OF_LONG_HALVING) } else { Err(error) }
-                });
-                match found {
-                    Ok(pose) => (low, from) = (middle, pose),
-                    Err(_) => high = middle,
-                }
-            }
-            // With the part of the gap as the parameter, the last halvings fail where the rate of the gap is small.
-            match closing_path_end(&travels, &from) {
-                Some((part, pose)) if part >= 1.0 => match with_part(1.0, &pose, LEAST_PART) {
-                    Err(StudyError::TravelNotReached { .. }) => Err(not_reached(Some(low * gap), why)),
-                    reached => reached,
-                },
-                Some((part, _)) => Err(not_reached(Some(low.max(part) * gap), why)),
-                None => Err(not_reached(Some(low * gap), why)),
-            }
+    let why = match with_part(1.0, &start, Search::Direct) {
+        Err(StudyError::TravelNotReached { why, .. }) => why,
+        reached => return reached,
+    };
+    // The full search and the halvings cost a hundred times as much as the path from the start, which usually has the smallest gap.
+    if let Some(end) = closing_path_end(&travels, &start).filter(|end| end.is_minimum) {
+        return Err(not_reached(Some(end.closed * gap), why));
+    }
+    let why = match with_part(1.0, &start, full) {
+        Err(StudyError::TravelNotReached { why, .. }) => why,
+        reached => return reached,
+    };
+    let (mut low, mut high) = (0.0, 1.0);
+    let mut from = start.clone();
+    for _ in 0..NEAREST_HALVINGS {
+        let middle = 0.5 * (low + high);
+        let search = |least_part| with_part(middle, &from, Search::Full { least_part });
+        let found = search(LEAST_PART_OF_HALVING);
+        // The first halvings are long ways, which coarse steps of several travels may fail to follow.
+        let is_long = travels.len() > 1 && high - low > LONG_HALVING;
+        let found =
+            found.or_else(|error| if is_long { search(LEAST_PART_OF_LONG_HALVING) } else { Err(error) });
+        match found {
+            Ok(pose) => (low, from) = (middle, pose),
+            Err(_) => high = middle,
         }
-        reached => reached,
+    }
+    // With the part of the gap as the parameter, the last halvings fail where the rate of the gap is small.
+    match closing_path_end(&travels, &from) {
+        Some(end) if end.closed >= 1.0 => match with_part(1.0, &end.pose, full) {
+            Err(StudyError::TravelNotReached { .. }) => Err(not_reached(Some(low * gap), why)),
+            reached => reached,
+        },
+        Some(end) => Err(not_reached(Some(low.max(end.closed) * gap), why)),
+        None => Err(not_reached(Some(low * gap), why)),
     }
 }
 
-/// Largest part of the gaps that the travels to stops close, from a pose near this part, and its pose.
-fn closing_path_end(travels: &[DrivenTravel], near: &Pose) -> Option<(f64, Pose)> {
+/// End of the path on which the travels close the gaps of their stops, followed from `near`.
+fn closing_path_end(travels: &[DrivenTravel], near: &Pose) -> Option<PathEnd> {
     let first = travels.first()?;
     let joined = joined_travels(travels, LEAST_PART, true);
     let gaps = travels.iter().map(|travel| travel.distance).collect();
@@ -232,6 +261,13 @@ impl DrivenTravel {
     /// Travel by a part of the distance.
     fn part(&self, part: f64) -> Self {
         Self { distance: part * self.distance, ..self.clone() }
+    }
+
+    /// Pose with the requested displacement of the point by the selected driver alone.
+    fn solve_with_driver(&self, from: &Pose) -> Result<Pose, StudyError> {
+        let Driver { joint, configuration } = &self.driver;
+        let pose = self.travel.travel().pose(from, configuration, *joint, self.distance);
+        pose.map_err(|error| StudyError::TravelNotReached { why: error.to_string(), nearest: None })
     }
 
     /// Pose with the requested displacement of the point, through intermediate poses if the displacement

@@ -1,7 +1,8 @@
 //! Joint positions of poses by name. The names are stored once and shared by all poses.
 
+use nalgebra::Vector3;
 use percuss_dynamics::Pose;
-use percuss_mechanism::{JointId, Mechanism};
+use percuss_mechanism::{JointId, JointKind, Mechanism};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::ops::Range;
 use std::sync::Arc;
@@ -16,6 +17,7 @@ pub struct PoseLayout {
 struct JointSlot {
     name: String,
     joint: JointId,
+    kind: JointKind,
     range: Range<usize>,
     /// Index of the first number of the joint in the list of all joints, in joint order.
     column: usize,
@@ -40,6 +42,7 @@ impl PoseLayout {
             JointSlot {
                 name: mechanism.joint(joint).name().to_owned(),
                 joint,
+                kind: mechanism.joint(joint).kind(),
                 range: numbers,
                 column: places[joint.index()],
             }
@@ -51,6 +54,22 @@ impl PoseLayout {
     pub fn joints(&self) -> impl Iterator<Item = (&str, usize)> {
         self.joints.iter().map(|joint| (joint.name.as_str(), joint.range.len()))
     }
+}
+
+/// Displacement of a joint from its position 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum JointDisplacement {
+    /// Angle of the rotation, rad.
+    Turn(f64),
+    /// Translation along the axis, m.
+    Shift(f64),
+    /// Rotation, rad, and translation in the axes of the joint, m.
+    TurnAndShift {
+        /// Angle of the rotation.
+        angle: f64,
+        /// Translation.
+        shift: [f64; 3],
+    },
 }
 
 /// Position of every movable joint, in the layout of `--set`; empty for an unreachable pose. In JSON: an object
@@ -96,6 +115,24 @@ impl Positions {
     pub fn get(&self, name: &str) -> Option<&[f64]> {
         let at = self.layout.joints.binary_search_by(|joint| joint.name.as_str().cmp(name)).ok()?;
         self.values.get(self.layout.joints[at].range.clone())
+    }
+
+    /// Displacement of a joint from its position 0; `None` for an unknown joint or without a pose.
+    pub fn displacement(&self, name: &str) -> Option<JointDisplacement> {
+        let at = self.layout.joints.binary_search_by(|joint| joint.name.as_str().cmp(name)).ok()?;
+        let rotation = |q: &[f64]| Vector3::new(q[1], q[2], q[3]).norm().atan2(q[0].abs()) * 2.0;
+        match (self.layout.joints[at].kind, self.get(name)?) {
+            (JointKind::Revolute | JointKind::Continuous, [angle]) => Some(JointDisplacement::Turn(*angle)),
+            (JointKind::Prismatic, [shift]) => Some(JointDisplacement::Shift(*shift)),
+            (JointKind::Planar, [x, y, angle]) => {
+                Some(JointDisplacement::TurnAndShift { angle: *angle, shift: [*x, *y, 0.0] })
+            }
+            (JointKind::Spherical, q @ [_, _, _, _]) => Some(JointDisplacement::Turn(rotation(q))),
+            (JointKind::Floating, [x, y, z, q @ ..]) if q.len() == 4 => {
+                Some(JointDisplacement::TurnAndShift { angle: rotation(q), shift: [*x, *y, *z] })
+            }
+            _ => None,
+        }
     }
 
     /// Positions of all joints in joint order, 0 for the joints without a degree of freedom; empty without a pose.

@@ -3,6 +3,7 @@
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::damping_report;
+use crate::damper::simulators::ExportRecord;
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
@@ -33,7 +34,7 @@ pub(crate) fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassRep
     report.diagnostics.extend(found.map(Into::into));
     let prepared = &evaluated.prepared;
     if let Some(stops) =
-        PassedStops::new(prepared, prepared.question.travel.iter().map(|travel| &travel.moved))
+        PassedStops::of_travels(prepared, prepared.question.travel.iter().map(|travel| &travel.moved))
     {
         report.diagnostics.extend(stops.findings(&evaluated.pose).into_iter().map(Into::into));
     }
@@ -74,7 +75,19 @@ pub fn mass_with_drawing(
 /// Report with a damper, or with the reason for a missing one.
 fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Result<MassReport, StudyError> {
     let mut report = build_mass_report(evaluated)?;
-    match damping_report(evaluated, damping) {
+    let mut answer = damping_report(evaluated, damping);
+    // The only simulator does not support this contact: the mass and the damper remain.
+    if let (Err(StudyError::Export(error)), [tool]) = (&answer, &damping.tools[..]) {
+        let (name, record) = (tool.name(), ExportRecord::from_error(*tool, error));
+        let finding = Finding::about_result(FindingKind::NoDamper, error.to_string());
+        report.diagnostics.push(finding.into());
+        let without_tools = DampingQuestion { tools: Vec::new(), ..damping.clone() };
+        answer = damping_report(evaluated, &without_tools).map(|mut damper| {
+            damper.exports.insert(name, record);
+            damper
+        });
+    }
+    match answer {
         Ok(mut damper) => {
             let found = std::mem::take(&mut damper.diagnostics);
             report.diagnostics.retain(|own| !found.contains(own));

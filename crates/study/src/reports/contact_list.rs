@@ -8,7 +8,7 @@ use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::answer_mass::{mass, mass_with_damper};
 use crate::reports::mass_report::MassReport;
-use percuss_mechanism::ContactKind;
+use percuss_mechanism::{ContactKind, Mechanism, NamedContact};
 use serde::Serialize;
 
 /// Effective masses at all named contacts, as JSON.
@@ -20,7 +20,7 @@ pub struct ContactListReport {
     pub percuss: &'static str,
     /// Input files.
     pub inputs: Vec<Input>,
-    /// The contacts, in the order of the model or of the study.
+    /// The contacts: stops, springs, dampers, contact patches, others; those of a study in its order.
     pub contacts: Vec<ListedContact>,
     /// Findings about the file and the results; a finding about one contact begins with its name.
     pub diagnostics: Vec<DiagnosticRecord>,
@@ -37,6 +37,16 @@ pub struct ListedContact {
     pub report: Option<MassReport>,
     /// Reason for a missing result.
     pub problem: Option<String>,
+    /// Smallest gap of a stop that cannot be reached, m, if known.
+    pub remaining_gap: Option<f64>,
+}
+
+/// All named contacts of a model: stops, seats of springs, mounts of dampers, contact patches, others; contacts of one kind in the
+/// order of the model.
+pub(crate) fn contacts_by_kind(mechanism: &Mechanism) -> Vec<&NamedContact> {
+    let mut contacts: Vec<&NamedContact> = mechanism.contacts().iter().collect();
+    contacts.sort_by_key(|contact| contact.kind());
+    contacts
 }
 
 /// Evaluates all named contacts of a model under the conditions of a question.
@@ -54,7 +64,8 @@ pub fn contact_list(
         return Err(StudyError::input(Field::At, Fault::NoNamedContacts));
     }
     let question = |name: &str| (name.to_owned(), conditions.at_contact(name));
-    let contacts: Vec<_> = contacts.iter().map(|contact| question(contact.name())).collect();
+    let contacts: Vec<_> =
+        contacts_by_kind(&model.mechanism).into_iter().map(|contact| question(contact.name())).collect();
     contact_list_of(model, &contacts, damping)
 }
 
@@ -74,6 +85,10 @@ pub fn contact_list_of(
             Some(damping) => mass_with_damper(model, question, damping),
             None => mass(model, question),
         };
+        let remaining_gap = match &answer {
+            Err(StudyError::StopNotReached { gap, nearest: Some(closed), .. }) => Some(gap - closed),
+            _ => None,
+        };
         let (report, problem) = match answer {
             Ok(mut report) => {
                 let of_contact = std::mem::take(&mut report.diagnostics).into_iter();
@@ -87,7 +102,7 @@ pub fn contact_list_of(
         };
         let kind =
             question.named_contact(&model.mechanism)?.map_or(ContactKind::Other, |contact| contact.kind());
-        listed.push(ListedContact { name: name.clone(), kind: kind.name(), report, problem });
+        listed.push(ListedContact { name: name.clone(), kind: kind.name(), report, problem, remaining_gap });
     }
     let answered = listed.iter().filter(|contact| contact.report.is_some()).count();
     Ok(ContactListReport {

@@ -2,6 +2,7 @@
 
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::mass_question::MassQuestion;
+use crate::reports::contact_list::contacts_by_kind;
 use crate::study_file::tables::contact::ContactTable;
 use crate::thresholds::MOST_VARIANTS;
 use crate::values::message_text::truncate_for_message;
@@ -68,7 +69,7 @@ pub fn contact_names(at: &str, mechanism: &Mechanism) -> Result<Vec<String>, Str
     let all = mechanism.contacts();
     let names: Vec<String> = match at {
         name if all.iter().any(|contact| contact.name() == name) => vec![name.to_owned()],
-        ALL => all.iter().map(|contact| contact.name().to_owned()).collect(),
+        ALL => contacts_by_kind(mechanism).iter().map(|contact| contact.name().to_owned()).collect(),
         list => list.split(',').map(|name| name.trim().to_owned()).collect(),
     };
     if names.is_empty() {

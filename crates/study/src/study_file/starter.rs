@@ -207,7 +207,7 @@ impl StarterWriter<'_> {
                 let others = self.model.mechanism.contacts().iter().map(NamedContact::name);
                 let others: Vec<String> = others.filter(|other| other != name).map(toml_string).collect();
                 if !others.is_empty() {
-                    writeln!(out, "#   others: {}", others.join(", "))?;
+                    writeln!(out, "#   others: {}; or \"all\" of them", others.join(", "))?;
                 }
             }
             None => self.contact(out)?,
@@ -233,7 +233,12 @@ impl StarterWriter<'_> {
             )?;
             writeln!(out, "# [safe_speed]\n# region = \"chest\"\n# force = 280")?;
         }
-        Ok(())
+        let title = toml_string(&format!("Effective mass of {}", self.model.mechanism.name()));
+        writeln!(
+            out,
+            "\n# The head of the report. The date is not filled in, so that a repeated run writes the same page."
+        )?;
+        writeln!(out, "# [report]\n# title = {title}\n# author = \"A. Author\"\n# date = \"DATE\"")
     }
 
     /// Writes the link, point and normal of a contact without a name.

@@ -33,7 +33,7 @@ pub(crate) struct SweepContext<'a> {
     pub distance_measure: DistanceMeasure,
     /// Gap of the named contact, with the pose as drawn.
     pub gap: Option<(Gap, Pose)>,
-    /// Stops that the travel of a row may pass.
+    /// Stops that a row may pass.
     pub passed_stops: Option<PassedStops<'a>>,
     /// SIMD evaluation, if rows need no poses.
     pub batch_evaluator: Option<BatchEvaluator>,
@@ -221,6 +221,7 @@ impl SweepContext<'_> {
             RowPose::Followed(followed) => {
                 portion.tally.add(row, followed.own);
                 portion.add_shared_findings(row, &followed.shared_findings);
+                self.add_passed_stops(portion, row, &followed.positions);
                 let (mass, error) = followed.mass;
                 let sweep_row =
                     self.without_pose(row, varied, mass, error, Some(followed.residual), followed.positions);
@@ -269,10 +270,18 @@ impl SweepContext<'_> {
             lanes.add_findings(&self.prepared, &batch_results, at, row, &mut portion.tally);
             let varied = VariedValues::new(&self.row_layout.columns, block.values(i));
             let positions = batch_results.positions(&self.heading.joints, at);
+            self.add_passed_stops(&mut portion, row, &positions);
             let sweep_row = self.without_pose(row, varied, mass, error, None, positions);
             portion.rows.push(RowOutcome::Row { converted: convert(sweep_row), reached: true, error: None });
         }
         portion
+    }
+
+    /// Adds the findings about the stops that a row without a pose passes.
+    fn add_passed_stops<T>(&self, portion: &mut RowResults<T>, row: usize, positions: &Positions) {
+        if let Some(stops) = &self.passed_stops {
+            portion.tally.add(row, stops.findings_at(&positions.in_joint_order()));
+        }
     }
 
     /// Row with a finite m̄, evaluated without a pose.

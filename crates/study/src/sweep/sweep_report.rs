@@ -37,6 +37,9 @@ pub struct SweepHeading {
     pub seed: Option<u64>,
     /// Contact link.
     pub link: String,
+    /// Named contact, for the title of a figure.
+    #[serde(skip)]
+    pub contact: Option<String>,
     /// Motion of the motion ratio: `estimate` for the point of the estimate in the impact, or the name of the travel. The
     /// ratio of one point holds for the impact; that of `heave` or `roll`, for this motion of the wheels. The key is absent
     /// without a motion ratio.

@@ -152,12 +152,16 @@ impl<'a> Sweep<'a> {
             continuation: continuation(&prepared, &rows),
             seed,
             link: prepared.question.link.clone(),
+            contact: prepared.question.at.clone(),
             motion_ratio_of: motion_ratio_of(&prepared, &setting),
             joints: PoseLayout::new(&model.mechanism),
             has_gap: gap.is_some(),
         };
         let (along, lanes) = (rows.distance_measure(), BatchEvaluator::new(&prepared, &setting, &contact));
-        let passed_stops = PassedStops::new(&prepared, setting.moved());
+        let passed_stops = match setting.moved() {
+            Some(moved) => PassedStops::of_travels(&prepared, [moved]),
+            None => PassedStops::of_joints(&prepared),
+        };
         let context = SweepContext {
             prepared,
             row_layout: setting,

@@ -86,6 +86,18 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
         left.add_contact((section, kind), [seat, chassis_seat], normal, gap);
     }
     add_damper_stops(design, &mut left, findings);
+    left.drawing.set_hardpoints(
+        design.points.iter().map(|(name, (at, spot))| (*name, *at, spot, !is_central(design.axle, name))),
+    );
+    let ends = ["watt_left_chassis", "watt_right_chassis"].map(|end| Some((end, design.point(end)?)));
+    if let [Some((name, one)), Some((_, other))] = ends
+        && one.y * other.y > 0.0
+    {
+        let message = format!(
+            "{name}: both rods of Watt's linkage go to the same side of the vehicle: change the sign of the y of one end"
+        );
+        findings.warning("mirrored-point", &design.spot(name), message);
+    }
     let (section, seat) = THIRD_SPRING;
     if let (Some(at), Some((link, _))) = (design.point(seat), design.on.get(section)) {
         left.add_frame(seat, link, at, "the third spring, to the same point of the other side");

@@ -1,8 +1,13 @@
 //! Drawing of a corner: lengths for comparison with the design, lines of the picture, and implausible points.
 
 use crate::findings::{Findings, Spot};
-use crate::limits::{MAX_ACROSS_MIDDLE_PLANE, MAX_ARM_LENGTH, MAX_LENGTH_RATIO, MIN_REPORTED_LENGTH};
+use crate::limits::{
+    MAX_ACROSS_MIDDLE_PLANE, MAX_ARM_LENGTH, MAX_LENGTH_RATIO, MIN_CENTRAL_LENGTH, MIN_REPORTED_LENGTH,
+};
 use percuss_spatial::Vector3;
+
+/// Hardpoint of the centre of the wheel.
+const WHEEL_CENTRE: &str = "wheel_centre";
 
 /// Length of a link: from the hinge axis to the outer point for a hinged arm, from end to end for a rod.
 #[derive(Clone, Debug)]
@@ -38,7 +43,17 @@ pub(crate) struct Drawing {
     pub arms: Vec<ArmLength>,
     pub lines: Vec<Line>,
     pub wheels: Vec<WheelCircle>,
-    points: Vec<(String, Vector3<f64>, Spot)>,
+    points: Vec<CheckedPoint>,
+}
+
+/// Point that is compared with the wheel.
+#[derive(Clone, Debug)]
+struct CheckedPoint {
+    name: String,
+    at: Vector3<f64>,
+    spot: Spot,
+    /// False for a point of the axle as a whole, which may be on either side.
+    has_side: bool,
 }
 
 impl Drawing {
@@ -74,7 +89,23 @@ impl Drawing {
 
     /// Adds a point, for the check of its side.
     pub fn add_point(&mut self, name: &str, at: Vector3<f64>, spot: &Spot) {
-        self.points.push((name.to_owned(), at, spot.clone()));
+        let name = name.to_owned();
+        self.points.push(CheckedPoint { name, at, spot: spot.clone(), has_side: true });
+    }
+
+    /// Replaces the ends of arms and rods by all hardpoints of a sheet for the comparison with the wheel: name, position (m), place in the
+    /// file, and false for a point of the axle as a whole.
+    pub fn set_hardpoints<'n>(
+        &mut self,
+        points: impl Iterator<Item = (&'n str, Vector3<f64>, &'n Spot, bool)>,
+    ) {
+        let point = |(name, at, spot, has_side): (&str, Vector3<f64>, &Spot, bool)| CheckedPoint {
+            name: name.to_owned(),
+            at,
+            spot: spot.clone(),
+            has_side,
+        };
+        self.points = points.map(point).collect();
     }
 
     /// Warns about points on the other side of the vehicle and about disproportionate lengths. Returns true after a
@@ -85,12 +116,15 @@ impl Drawing {
         let side = wheel.centre[1].signum();
         // A wheel in the middle plane has no side.
         let is_in_middle = wheel.centre[1] == 0.0;
-        let is_across = |at: &Vector3<f64>| !is_in_middle && at.y * side < -MAX_ACROSS_MIDDLE_PLANE;
+        let is_across = |point: &CheckedPoint| {
+            !is_in_middle && point.has_side && point.at.y * side < -MAX_ACROSS_MIDDLE_PLANE
+        };
         // If most points are on the other side, the wheel is on the wrong side, which the spindle's check reports.
         let most_are_across =
-            2 * self.points.iter().filter(|(_, at, _)| is_across(at)).count() > self.points.len();
-        for (name, at, spot) in self.points.iter().filter(|_| !most_are_across) {
-            if is_across(at) {
+            2 * self.points.iter().filter(|point| is_across(point)).count() > self.points.len();
+        for point in self.points.iter().filter(|_| !most_are_across) {
+            if is_across(point) {
+                let CheckedPoint { name, at, spot, .. } = point;
                 let message = format!(
                     "{}: a point {} m from the middle plane is on the other side of the vehicle than the wheel ({} m from \
                      it): change the sign of its y, or correct the point. {}",
@@ -103,6 +137,7 @@ impl Drawing {
                 has_warned = true;
             }
         }
+        has_warned |= self.check_heights(wheel, findings);
         let Some(median) = self.median_length() else { return has_warned };
         for arm in &self.arms {
             let is_disproportionate = arm.length > MAX_LENGTH_RATIO * median
@@ -118,6 +153,50 @@ impl Drawing {
                 findings.warning("astray-point", &arm.spot, message);
                 has_warned = true;
             }
+        }
+        has_warned
+    }
+
+    /// Warns about very short links, which have an end at the wrong place.
+    pub fn check_short_links(&self, findings: &mut Findings) {
+        for arm in self.arms.iter().filter(|arm| arm.length < MIN_CENTRAL_LENGTH) {
+            let message = format!(
+                "{} is only {} m long: has one of its ends a wrong sign?",
+                arm.name,
+                rounded(arm.length)
+            );
+            findings.warning("astray-point", &arm.spot, message);
+        }
+    }
+
+    /// Warns about points below the ground, and about a wheel below all points. Returns true after a warning.
+    fn check_heights(&self, wheel: &WheelCircle, findings: &mut Findings) -> bool {
+        let Some(radius) = wheel.radius else { return false };
+        let (ground, top) = (wheel.centre[2] - radius, wheel.centre[2] + radius);
+        let others = || self.points.iter().filter(|point| point.name != WHEEL_CENTRE);
+        if others().count() > 0 && others().all(|point| point.at.z > top) {
+            let spot = self.points.iter().find(|point| point.name == WHEEL_CENTRE);
+            let message = format!(
+                "all other points are above the top of the wheel, at {} m: change the sign of the wheel's z, or correct its centre or \
+                 radius",
+                rounded(top)
+            );
+            findings.warning(
+                "low-wheel",
+                &spot.map_or_else(Spot::default, |point| point.spot.clone()),
+                message,
+            );
+            return true;
+        }
+        let mut has_warned = false;
+        for CheckedPoint { name, at, spot, .. } in others().filter(|point| point.at.z < ground) {
+            let message = format!(
+                "{name}: a point {} m below the lowest point of the wheel, under the road: change the sign of its z, or correct the \
+                 point or the radius of the wheel",
+                rounded(ground - at.z)
+            );
+            findings.warning("below-ground", spot, message);
+            has_warned = true;
         }
         has_warned
     }
@@ -147,7 +226,7 @@ impl Drawing {
             wheel.centre = flip(wheel.centre);
             wheel.axis = flip(wheel.axis);
         }
-        drawing.points.iter_mut().for_each(|(_, at, _)| at.y = 0.0 - at.y);
+        drawing.points.iter_mut().for_each(|point| point.at.y = 0.0 - point.at.y);
         drawing
     }
 }

@@ -4,10 +4,11 @@ pub(crate) mod build;
 pub(crate) mod design;
 pub(crate) mod drawing;
 pub(crate) mod frames;
+mod plausibility;
 pub(crate) mod spindle;
 
 use crate::findings::{Findings, Spot};
-use crate::limits::MAX_DISTANCE_FROM_JOINTS;
+use crate::limits::{MAX_DISTANCE_FROM_JOINTS, MIN_PART_SIZE};
 use crate::units::check_proportions;
 use drawing::{Drawing, rounded};
 use percuss_formats::Comments;
@@ -17,12 +18,16 @@ use percuss_mechanism::{
 };
 use percuss_spatial::{Matrix3, Vector3};
 use percuss_units::LengthUnit;
+use plausibility::{CheckedPart, check_part, check_wheel};
 use std::collections::HashMap;
 
 /// Root link.
 pub(crate) const CHASSIS: &str = "chassis";
 /// Link with the inner ends of the tie rods.
 pub(crate) const RACK: &str = "rack";
+
+/// Links between both wheels.
+const AXLES: [&str; 3] = ["axle", "axle_tube", "beam"];
 
 /// Name of the ground as the other side of a contact.
 pub(crate) const GROUND: &str = "world";
@@ -258,18 +263,56 @@ impl Corner {
             return;
         }
         let has_warned = self.drawing.check(findings);
-        let moving = self.origins.keys().filter(|name| ![CHASSIS, RACK].contains(&name.as_str()));
-        let mut moving: Vec<&String> = moving.collect();
-        moving.sort();
-        for link in moving {
+        for link in self.moving_links() {
             self.check_link(link, has_warned, findings);
+        }
+        self.check_parts(None, findings);
+        let radius = self.drawing.wheels.first().and_then(|wheel| wheel.radius);
+        if let (Some(radius), Some(wheel)) = (radius, self.inertial("wheel")) {
+            check_wheel(wheel, radius, &self.spots.get("spin").cloned().unwrap_or_default(), findings);
         }
     }
 
-    /// Warns about points far away from all joints of the link: seats, the centre of mass, and, if the link has more
-    /// than two joints, a joint far from the others. Warnings about joints are omitted if `has_warned`, because the
-    /// drawing check has reported their points.
-    fn check_link(&self, link: &str, has_warned: bool, findings: &mut Findings) {
+    /// Warns about implausible masses and inertias of the parts. `track`: distance of both wheels, m, for the links of an axle, whose
+    /// joints belong to other corners.
+    pub fn check_parts(&self, track: Option<f64>, findings: &mut Findings) {
+        for link in self.moving_links().into_iter().filter(|link| *link != "wheel") {
+            let Some(inertial) = self.inertial(link).filter(|inertial| inertial.mass > 0.0) else { continue };
+            let com = self.origin(link) + inertial.com;
+            let [joints, seats] = self.joints_and_seats(link);
+            let points = joints.iter().chain(&seats).map(|(_, at)| *at).chain([com]);
+            let corners = |choose: fn(f64, f64) -> f64| points.clone().reduce(|a, b| a.zip_map(&b, choose));
+            let (Some(least), Some(most)) = (corners(f64::min), corners(f64::max)) else { continue };
+            let is_axle = AXLES.contains(&link);
+            let size = track.filter(|_| is_axle).unwrap_or_else(|| (most - least).norm());
+            let is_rod = joints.len() == 2 && seats.is_empty();
+            let mut places = joints.iter().chain(&seats).map(|(_, at)| at);
+            let first = places.next();
+            let is_hub = first.is_none_or(|first| places.all(|at| (at - first).norm() < MIN_PART_SIZE));
+            let spot = self.spots.get(link).cloned().unwrap_or_default();
+            check_part(
+                &CheckedPart { name: link, inertial, com, size, is_hub, is_rod, is_axle },
+                &spot,
+                findings,
+            );
+        }
+    }
+
+    /// Links of the corner that move, in the order of their names.
+    fn moving_links(&self) -> Vec<&str> {
+        let names = self.origins.keys().map(String::as_str);
+        let mut moving: Vec<&str> = names.filter(|name| ![CHASSIS, RACK].contains(name)).collect();
+        moving.sort_unstable();
+        moving
+    }
+
+    /// Inertial data of a link of this corner.
+    fn inertial(&self, link: &str) -> Option<&Inertial> {
+        self.links.iter().find(|known| known.name == link)?.inertial.as_ref()
+    }
+
+    /// Names and positions of the joints and of the fixed frames of a link, m.
+    fn joints_and_seats<'c>(&'c self, link: &'c str) -> [Vec<(&'c str, Vector3<f64>)>; 2] {
         let origin = self.origin(link);
         let (mut joints, mut seats) = (Vec::new(), Vec::new());
         // A floating joint does not locate the link.
@@ -291,6 +334,14 @@ impl Corner {
                 }
             }
         }
+        [joints, seats]
+    }
+
+    /// Warns about points far away from all joints of the link: seats, the centre of mass, and, if the link has more
+    /// than two joints, a joint far from the others. Warnings about joints are omitted if `has_warned`, because the
+    /// drawing check has reported their points.
+    fn check_link(&self, link: &str, has_warned: bool, findings: &mut Findings) {
+        let (origin, [joints, seats]) = (self.origin(link), self.joints_and_seats(link));
         let distance_from_others = |i: usize| {
             let others = joints.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, (_, at))| at);
             distance_from_box(&joints[i].1, others)
@@ -323,9 +374,7 @@ impl Corner {
                 warn("astray-point", name, name.to_owned(), &at, distance);
             }
         }
-        let inertial_of_link =
-            self.links.iter().find(|known| known.name == link).and_then(|known| known.inertial.as_ref());
-        if let Some(inertial) = inertial_of_link.filter(|inertial| inertial.mass > 0.0) {
+        if let Some(inertial) = self.inertial(link).filter(|inertial| inertial.mass > 0.0) {
             let at = origin + inertial.com;
             let distance = distance_from_box(&at, &near);
             if distance > MAX_DISTANCE_FROM_JOINTS {

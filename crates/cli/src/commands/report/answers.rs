@@ -7,6 +7,7 @@ use crate::files::html::Page;
 use crate::pictures::clipping::{clip_outliers, remove_flat_panels};
 use crate::pictures::map_files;
 use crate::pictures::sweep_figure::MAX_CURVES;
+use crate::terminal::design_changes;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use percuss_render::Figure;
@@ -24,6 +25,9 @@ pub(super) fn add_variants(compared: &ComparisonReport, study: &StudyFile, page:
     };
     page.section(title);
     page.table(compare::design_table(compared).rows());
+    for sentence in design_changes::sentences(compared) {
+        page.paragraph("soft", &sentence);
+    }
     for design in &compared.designs {
         if let Some(error) = &design.error {
             page.warning(&format!("{}: {error}", design.name));

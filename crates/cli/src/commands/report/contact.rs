@@ -81,7 +81,10 @@ fn uncertainty(report: &MassReport) -> Vec<(&'static str, String)> {
 /// Section with the contact and the conditions.
 pub(super) fn add_conditions(report: &MassReport, page: &mut Page) {
     page.section("Contact and conditions");
-    page.facts(conditions(report).into_iter().chain([method(report)]));
+    match &report.point_in_sheet {
+        Some(contact) => page.facts(super::conditions::facts(report, contact)),
+        None => page.facts(conditions(report).into_iter().chain([method(report)])),
+    }
 }
 
 /// Section with the contribution of each link and rotor.

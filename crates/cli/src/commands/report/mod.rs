@@ -3,6 +3,7 @@
 
 mod answers;
 mod bands;
+mod conditions;
 mod contact;
 mod findings;
 mod mechanism;

@@ -38,7 +38,7 @@ pub(super) fn add_sensitivities(report: &MassReport, page: &mut Page) {
         })
         .collect();
     add_tornado("Effect of 1 mm of each hardpoint", "1 mm", points, page);
-    add_rates(explained, page);
+    add_rates(explained, report.point_in_sheet.is_some(), page);
 }
 
 /// Bar of a tornado chart; `effect` is the change of m̄, kg.
@@ -88,8 +88,8 @@ fn add_most_effective(explained: &Explanation, page: &mut Page) {
     }
 }
 
-/// Tables of all rates.
-fn add_rates(explained: &Explanation, page: &mut Page) {
+/// Tables of all rates. The joints of a suspension (`has_sheet`) have no rotors.
+fn add_rates(explained: &Explanation, has_sheet: bool, page: &mut Page) {
     page.heading("Rates of each link");
     let header = ["link", "mass (kg)", "share (%)", "kg per kg", "kg per mm: x", "y", "z"];
     let mut rows = vec![header.map(str::to_owned)];
@@ -105,7 +105,7 @@ fn add_rates(explained: &Explanation, page: &mut Page) {
         "soft",
         "The last columns are for a displacement of the centre of mass in the axes of the link.",
     );
-    if !explained.rotors.is_empty() {
+    if !explained.rotors.is_empty() && !has_sheet {
         page.heading("Rates of the armatures");
         let mut rows = vec![["joint", "kg per kg·m² (or kg) of armature"].map(str::to_owned)];
         rows.extend(explained.rotors.iter().map(|rotor| {

@@ -1,6 +1,8 @@
 //! Comparison of one question over several designs: the result of each design and the difference from the
 //! first.
 
+pub(crate) mod design_changes;
+
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::status::Status;
@@ -12,6 +14,7 @@ use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::travel::varied_values::VariedColumn;
 use crate::reports::answer_mass::mass;
+use crate::reports::compare::design_changes::{DesignChange, design_changes};
 use crate::sweep::sweep_rows::sweep_report;
 use serde::Serialize;
 
@@ -71,6 +74,8 @@ pub struct DesignRecord {
     pub difference_percent: Option<f64>,
     /// Smallest and largest difference over the rows, per cent.
     pub difference_range_percent: Option<[f64; 2]>,
+    /// Differences from the reference; empty without a reference.
+    pub changes: Vec<DesignChange>,
     /// Links with the largest shares of m̄, and the shares.
     pub most: Vec<(String, f64)>,
     /// Reason for a missing result.
@@ -149,11 +154,15 @@ pub fn compare(designs: &[Design]) -> Result<ComparisonReport, CompareError> {
     if designs.len() < 2 {
         return Err(CompareError::TooFew { count: designs.len() });
     }
-    let mut diagnostics = Vec::new();
+    let mut diagnostics = DesignFindings::default();
     let mut records = Vec::new();
     for (number, design) in designs.iter().enumerate() {
         let mut record = record(design, &mut diagnostics)?;
         record.reference = reference(designs, number);
+        if let Some(first) = record.reference.map(|at| &designs[at]) {
+            record.changes =
+                design_changes([&first.model, &design.model], [&first.question, &design.question]);
+        }
         let compared = record.reference.map(|at: usize| &records[at] as &DesignRecord);
         record.difference_percent =
             compared.and_then(|compared| difference(compared.effective_mass, record.effective_mass));
@@ -173,7 +182,7 @@ pub fn compare(designs: &[Design]) -> Result<ComparisonReport, CompareError> {
         designs: records,
         varied,
         rows,
-        diagnostics,
+        diagnostics: diagnostics.into_records(designs.len()),
     })
 }
 
@@ -190,7 +199,7 @@ fn difference(first: Option<f64>, other: Option<f64>) -> Option<f64> {
 }
 
 /// Result of a design at its pose; its findings are added to `diagnostics`. Error: an invalid question.
-fn record(design: &Design, diagnostics: &mut Vec<DiagnosticRecord>) -> Result<DesignRecord, CompareError> {
+fn record(design: &Design, diagnostics: &mut DesignFindings) -> Result<DesignRecord, CompareError> {
     let mut record = DesignRecord {
         name: design.name.clone(),
         contact: design.question.at.clone(),
@@ -202,6 +211,7 @@ fn record(design: &Design, diagnostics: &mut Vec<DiagnosticRecord>) -> Result<De
         motion_ratio: None,
         difference_percent: None,
         difference_range_percent: None,
+        changes: Vec::new(),
         most: Vec::new(),
         error: None,
     };
@@ -216,7 +226,7 @@ fn record(design: &Design, diagnostics: &mut Vec<DiagnosticRecord>) -> Result<De
             record.most = shares.filter(|(_, share)| *share > 0.0).collect();
             record.most.sort_by(|a, b| b.1.total_cmp(&a.1));
             record.most.truncate(MAX_LISTED_LINKS);
-            merge_diagnostics(diagnostics, report.diagnostics, &design.name);
+            diagnostics.add(report.diagnostics, &design.name);
         }
         Err(error) if error.has_no_result() => {
             record.error = Some(error.message(design.question.names));
@@ -226,23 +236,47 @@ fn record(design: &Design, diagnostics: &mut Vec<DiagnosticRecord>) -> Result<De
     Ok(record)
 }
 
-/// Adds the findings of a design without duplicates. The message of a finding without a file gets the design's
-/// name as a prefix.
-fn merge_diagnostics(all: &mut Vec<DiagnosticRecord>, found: Vec<DiagnosticRecord>, design: &str) {
-    for mut finding in found {
-        if finding.path.is_none() {
-            finding.message = format!("\"{design}\": {}", finding.message);
+/// Findings with the names of their designs; equal findings of several designs are one.
+#[derive(Default)]
+struct DesignFindings(Vec<(DiagnosticRecord, Vec<String>)>);
+
+impl DesignFindings {
+    /// Adds the findings of a design.
+    fn add(&mut self, found: Vec<DiagnosticRecord>, design: &str) {
+        for finding in found {
+            match self.0.iter_mut().find(|(known, _)| *known == finding) {
+                Some((_, designs)) if designs.iter().any(|known| known == design) => {}
+                Some((_, designs)) => designs.push(design.to_owned()),
+                None => self.0.push((finding, vec![design.to_owned()])),
+            }
         }
-        if !all.contains(&finding) {
-            all.push(finding);
-        }
+    }
+
+    /// Findings of `count` designs. The message of a finding without a file begins with its designs.
+    fn into_records(self, count: usize) -> Vec<DiagnosticRecord> {
+        let record = |(finding, designs): (DiagnosticRecord, Vec<String>)| {
+            let of = match &designs[..] {
+                _ if finding.path.is_some() => return finding,
+                all if all.len() == count => "all designs".to_owned(),
+                [first, others @ ..] if !others.is_empty() => {
+                    format!(
+                        "\"{first}\" and {} other{}",
+                        others.len(),
+                        if others.len() == 1 { "" } else { "s" }
+                    )
+                }
+                names => format!("\"{}\"", names.join("")),
+            };
+            DiagnosticRecord { message: format!("{of}: {}", finding.message), ..finding }
+        };
+        self.0.into_iter().map(record).collect()
     }
 }
 
 /// Results of all designs over their ranges, row by row.
 fn rows(
     designs: &[Design],
-    diagnostics: &mut Vec<DiagnosticRecord>,
+    diagnostics: &mut DesignFindings,
 ) -> Result<(Vec<VariedColumn>, Vec<ComparisonRow>), CompareError> {
     let other = |design: &Design, why: &str| CompareError::OtherRows {
         first: designs[0].name.clone(),
@@ -264,7 +298,7 @@ fn rows(
         let report = sweep_report(&design.model, &source.question_of_rows(&design.question), source)
             .map_err(|source| CompareError::Question { design: design.name.clone(), source })?;
         let of_rows = report.diagnostics.into_iter().filter(|d| d.path.is_none()).collect();
-        merge_diagnostics(diagnostics, of_rows, &design.name);
+        diagnostics.add(of_rows, &design.name);
         let missing = || report.rows.iter().filter_map(|row| Some((row.row, row.error.as_ref()?)));
         if let Some((row, why)) = missing().next() {
             let message = format!(
@@ -273,7 +307,7 @@ fn rows(
                 report.rows.len()
             );
             let warning = Finding::about_result(FindingKind::RowsUnanswered, message).into();
-            merge_diagnostics(diagnostics, vec![warning], &design.name);
+            diagnostics.add(vec![warning], &design.name);
         }
         if number == 0 {
             varied.clone_from(&report.heading.varied);

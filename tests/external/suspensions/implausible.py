@@ -1,0 +1,203 @@
+"""Plausible cars have results; cars with one mistake of the user have an error or a warning.
+
+    implausible.py --percuss PATH [--count N] [--seed S] [--template NAME]     prints `N passed, N failed`
+
+For each template N random cars of sheets.py: hardpoints, masses and inertias varied, sections omitted, any unit, both axes
+conventions, either side described. Each car is written as it is, and once for every mistake of `MISTAKES`. A car with a mistake
+must end with exit code 2 or with a warning that the plausible car does not have. Mistakes that leave the car plausible (a sign of a
+coordinate near zero, an inertia that hardly changes) are counted, not compared.
+"""
+
+import argparse
+import copy
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from cars import CARRIERS, MIDDLE
+from sheets import INERTIAS, LENGTHS, random_build, random_car, random_spelling, written
+
+ROOT = Path(__file__).resolve().parents[3]
+# A wrong sign of a coordinate below this size, m, moves the point by less than twice this length: a small change of design.
+LEAST_SIGN = 0.15
+# The distance term of an inertia about the wrong point, relative to the inertia, below which the inertia remains that of a body of
+# the same size.
+LEAST_STEINER = 3.0
+
+
+def other_unit(rng, car, spelling, text):
+    """The unit of the lengths is that of another table."""
+    unit = spelling[0]
+    other = str(rng.choice([name for name in LENGTHS if name != unit]))
+    return text.replace(f'unit = "{unit}"', f'unit = "{other}"', 1)
+
+
+def other_inertia_unit(rng, car, spelling, text):
+    """The unit of the inertias is another one, at least a hundred times larger or smaller."""
+    unit = spelling[1]
+    others = [name for name, value in INERTIAS.items() if max(value / INERTIAS[unit], INERTIAS[unit] / value) > 99]
+    return text.replace(f'inertia_unit = "{unit}"', f'inertia_unit = "{rng.choice(others)}"', 1)
+
+
+def other_sign(rng, car, spelling, text):
+    """The lateral coordinate of one hardpoint has the wrong sign."""
+    names = [name for name, at in car.points.items() if abs(at[1]) >= LEAST_SIGN]
+    if not names:
+        return None
+    changed = copy.deepcopy(car)
+    changed.points[str(rng.choice(names))][1] *= -1
+    return changed
+
+
+def other_height(rng, car, spelling, text):
+    """The vertical coordinate of one hardpoint has the wrong sign."""
+    names = [name for name, at in car.points.items() if abs(at[2]) >= LEAST_SIGN]
+    if not names:
+        return None
+    changed = copy.deepcopy(car)
+    changed.points[str(rng.choice(names))][2] *= -1
+    return changed
+
+
+def other_side(rng, car, spelling, text):
+    """The points are those of the other side than stated."""
+    if car.template in MIDDLE:
+        return None
+    one, other = ("right", "left") if spelling[3] else ("left", "right")
+    return text.replace(f'side = "{one}"', f'side = "{other}"', 1)
+
+
+def other_axes(rng, car, spelling, text):
+    """The axes are those of the other convention."""
+    if car.template in MIDDLE:
+        return None
+    one, other = ("adams", "iso") if spelling[2] else ("iso", "adams")
+    return text.replace(f'axes = "{one}"', f'axes = "{other}"', 1)
+
+
+def grams(rng, car, spelling, text):
+    """One mass is in grams."""
+    changed = copy.deepcopy(car)
+    name = str(rng.choice([*changed.bodies, "wheel"]))
+    body = changed.wheel if name == "wheel" else changed.bodies[name]
+    body.mass *= 1000
+    return changed
+
+
+def all_grams(rng, car, spelling, text):
+    """All masses are in grams, with the inertias as before."""
+    changed = copy.deepcopy(car)
+    for body in [*changed.bodies.values(), changed.wheel]:
+        body.mass *= 1000
+    return changed
+
+
+def tonnes(rng, car, spelling, text):
+    """All masses are in tonnes, as in a table in t and mm."""
+    changed = copy.deepcopy(car)
+    for body in [*changed.bodies.values(), changed.wheel]:
+        body.mass /= 1000
+    return changed
+
+
+def about_the_origin(rng, car, spelling, text):
+    """One inertia is about the origin of the vehicle."""
+    changed = copy.deepcopy(car)
+    far = []
+    for name, body in changed.bodies.items():
+        if body.inertia is None or body.com is None or name == "spindle":
+            continue
+        added = body.mass * (body.com @ body.com * np.eye(3) - np.outer(body.com, body.com))
+        if np.trace(added) >= LEAST_STEINER * np.trace(body.inertia):
+            far.append((body, added))
+    if not far:
+        return None
+    body, added = far[int(rng.integers(len(far)))]
+    body.inertia = body.inertia + added
+    return changed
+
+
+MISTAKES = [
+    other_unit, other_inertia_unit, other_sign, other_height, other_side, other_axes, grams, all_grams, tonnes, about_the_origin,
+]  # fmt: skip
+
+
+class Family:
+    def __init__(self, percuss, folder, keep):
+        self.percuss, self.folder, self.keep = percuss, folder, keep
+        self.passed, self.failed, self.skipped = 0, 0, 0
+        self.cars, self.warned, self.ends = 0, 0, {mistake.__name__: [0, 0, 0] for mistake in MISTAKES}
+
+    def outcome(self, text):
+        """Exit code, and the codes of the warnings about the file and about the results at all contacts."""
+        sheet = self.folder / "car.toml"
+        sheet.write_text(text)
+        words = [self.percuss, "mass", str(sheet), "--at", "all", "--format", "json"]
+        done = subprocess.run(words, capture_output=True, text=True, encoding="utf-8")
+        if done.returncode == 2:
+            return 2, [], done.stderr
+        found = json.loads(done.stdout)["diagnostics"] if done.stdout else []
+        warnings = [each["message"] for each in found if each["severity"] == "warning"]
+        return done.returncode, warnings, done.stderr
+
+    def compare(self, rng, car, spelling, which, where):
+        text = written(car, spelling, which)
+        code, warnings, messages = self.outcome(text)
+        self.cars += 1
+        self.warned += bool(warnings)
+        if warnings and self.keep:
+            print(f"{where}: {warnings}")
+        self.verdict(code == 0, f"{where}: the plausible car: {messages}", text)
+        for mistake in MISTAKES:
+            changed = mistake(rng, car, spelling, text)
+            if changed is None:
+                self.skipped += 1
+                continue
+            changed = changed if isinstance(changed, str) else written(changed, spelling, which)
+            assert changed != text, mistake.__name__
+            code, found, messages = self.outcome(changed)
+            found = [warning for warning in found if warning not in warnings]
+            ends = self.ends[mistake.__name__]
+            ends[0 if code == 2 else 1 if found else 2] += 1
+            self.verdict(code == 2 or found, f"{where}: {mistake.__name__}: no error and no warning", changed)
+
+    def verdict(self, good, what, text):
+        self.passed, self.failed = self.passed + bool(good), self.failed + (not good)
+        if not good:
+            print(f"FAILED {what}", flush=True)
+            if self.keep:
+                name = what.split(": ")
+                (self.keep / f"{name[0].replace(' ', '-')}-{name[1]}.toml").write_text(text)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--percuss", required=True)
+    parser.add_argument("--count", type=int, default=28)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--template", choices=sorted(CARRIERS))
+    parser.add_argument("--keep", type=Path, help="a folder for the sheets that fail")
+    args = parser.parse_args()
+    with tempfile.TemporaryDirectory() as temporary:
+        family = Family(args.percuss, Path(temporary), args.keep)
+        for number, template in enumerate(sorted(CARRIERS)):
+            if args.template not in (None, template):
+                continue
+            rng = np.random.default_rng([args.seed, number, 9])
+            for case in range(args.count):
+                car = random_car(rng, ROOT / "models/suspensions" / f"{template}.toml")
+                which, spelling = random_build(rng, template), random_spelling(rng)
+                family.compare(rng, car, spelling, which, f"{template} {case} {spelling}")
+    print(f"{family.cars} plausible cars, {family.warned} with a warning; {family.skipped} mistakes leave a car plausible")
+    for name, (errors, warnings, silent) in family.ends.items():
+        print(f"  {name}: {errors} errors, {warnings} warnings, {silent} silent")
+    print(f"implausible cars: {family.passed} passed, {family.failed} failed")
+    return 1 if family.failed or not family.passed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
