@@ -55,7 +55,7 @@ for peer in venv drake; do
   python=$root/target/external/$peer/bin/python
   [ -x "$python" ] || { echo "Python: no matrices of peers, run.sh makes target/external/$peer"; continue; }
   step "matrices of peers ($peer)" "$python" "$package/tests/peers/matrices.py" --package "$work/site"
-  [ "$peer" = drake ] || step "converters ($peer)" "$python" "$package/tests/peers/converters.py" --package "$work/site"
+  step "converters ($peer)" "$python" "$package/tests/peers/converters.py" --package "$work/site"
 done
 # PyTorch (3 GB) and JAX, where an environment has them: PERCUSS_ARRAYS names its interpreter.
 if [ -n "${PERCUSS_ARRAYS-}" ]; then
