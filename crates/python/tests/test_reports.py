@@ -99,7 +99,8 @@ def test_named_contacts() -> None:
         expected = printed("mass", "models/suspensions/double-wishbone.toml", "--at", name, "--format", "json")
         assert without_paths(percuss.mass(model, name)) == without_paths(expected)
     damping = percuss.Damping(restitution=0.3, stiffness=1e6, speed=0.1)
-    assert percuss.damp_contact(model, "bump_stop", damping).named_contact["brought_to_touch"]
+    named = percuss.damp_contact(model, "bump_stop", damping).named_contact
+    assert named is not None and named.brought_to_touch
     with pytest.raises(percuss.InputError, match="did you mean"):
         percuss.mass(model, "bumpstop")
 
@@ -250,14 +251,14 @@ def test_impacts() -> None:
     # The rates of 52163/110250 kg·m² at the crank (models/four_bar.urdf).
     assert report.reflected_inertia[0]["free"] == pytest.approx(52163 / 110250, rel=1e-12)
     peaks = percuss.impact(model, contact, 0.3, speed=1.0, stiffness=1e5)
-    assert peaks.contact_law["peak_force"] > 0 and peaks.reactions[0]["peak_force"][0] is not None
+    assert peaks.contact_law is not None and peaks.contact_law.peak_force > 0 and peaks.reactions[0]["peak_force"][0] is not None
     friction = percuss.impact(model, contact, 0.3, speed=1.0, friction=0.2, restitution_law="poisson").friction
-    assert friction["law"] == "poisson" and len(friction["laws"]) == 4
+    assert friction is not None and friction["law"] == "poisson" and len(friction["laws"]) == 4
     with pytest.raises(percuss.InputError, match="restitution_law"):
         percuss.impact(model, contact, 0.3, speed=1.0, friction=0.2, restitution_law="kane")
     also = ["coupler:0.1,0.1,0:0,1,0"]
     several = percuss.impact(model, contact, 0.3, speed=1.0, also=also, sticking=True).simultaneous
-    assert [law["law"] for law in several["laws"]] == ["newton", "poisson", "energetic"]
+    assert several is not None and [law["law"] for law in several["laws"]] == ["newton", "poisson", "energetic"]
     assert len(several["delassus"]) == 6 and len(several["sticking"]["sticks"]) == 2
     with pytest.raises(percuss.InputError, match="closing speed"):
         percuss.impact(model, contact, 0.3)
