@@ -195,6 +195,14 @@ def _asked(conditions: Conditions | None) -> Conditions:
     )
 
 
+def _with_rows(parts: tuple[str, list[str]]) -> Any:
+    """Report of its JSON and the lists of its rows."""
+    report = json.loads(parts[0])
+    if parts[1]:
+        report["rows"] = [row for rows in parts[1] for row in json.loads(rows)]
+    return report
+
+
 def check(model: Model) -> records.CheckReport:
     """Summary of a model: links, joints, loops, mobility, redundancy, mass, diagnostics. As ``percuss check``."""
     return records.CheckReport.of(json.loads(_percuss.check(model)))
@@ -228,7 +236,7 @@ def sweep_report(
     Exactly one of vary, input and random.
     """
     rows = _rows(vary, input, ignore, random, seed)
-    return records.SweepReport.of(json.loads(_percuss.sweep_report(model, contact, _asked(conditions), *rows)))
+    return records.SweepReport.of(_with_rows(_percuss.sweep_report(model, contact, _asked(conditions), *rows)))
 
 
 def map(
@@ -329,12 +337,12 @@ def compare(
     """Compares at least two designs by one question: each result, with its difference from the first. vary, input,
     random: row source, as for ``sweep_report``; without rows, only the pose is compared. As ``percuss compare``."""
     asked = [Design(d.name, d.model, d.contact, _asked(d.conditions)) for d in designs]
-    return records.ComparisonReport.of(json.loads(_percuss.compare(asked, *_rows(vary, input, ignore, random, seed))))
+    return records.ComparisonReport.of(_with_rows(_percuss.compare(asked, *_rows(vary, input, ignore, random, seed))))
 
 
 def compare_study(path: str | os.PathLike[str], name: str = "as given") -> records.ComparisonReport:
     """Compares the variants of a study (TOML) with its model, under the given name. As ``percuss compare STUDY``."""
-    return records.ComparisonReport.of(json.loads(_percuss.compare_study(path, name)))
+    return records.ComparisonReport.of(_with_rows(_percuss.compare_study(path, name)))
 
 
 def impact(
@@ -469,7 +477,7 @@ _BY_SCHEMA: Mapping[str, type[Report]] = {
 def run_study(path: str | os.PathLike[str]) -> records.AnyRecord:
     """Runs a study (TOML) and returns the report of its sweep, or of its contact if the study has no sweep. Safe speeds
     in several directions are a list under the key "reports". Writes no file. As ``percuss run``."""
-    found = json.loads(_percuss.run_study(path))
+    found = _with_rows(_percuss.run_study(path))
     if isinstance(found, list):
         speeds = [records.SafeSpeedReport.of(one) for one in found]
         return cast("records.AnyRecord", speeds[0] if len(speeds) == 1 else Report(reports=speeds))

@@ -4,7 +4,7 @@ use crate::analysis::response::{remark, status, value};
 use crate::conversion::arrays::{Numbers, shape};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::input;
-use crate::conversion::threads::{Threads, detached};
+use crate::conversion::threads::{interruptible, interruptible_if_large};
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use percuss::study::matrix_findings as findings_of_batch;
 use percuss::{
@@ -287,9 +287,11 @@ pub fn effective_mass(
     let (mass, rows) = (Block::of(&mass), rows.as_ref().map(Block::of));
     let row = Block::of(&row);
     let row = if row.shape.len() == 2 { row.matrix(0)? } else { row.row(0)? };
+    let coordinates = mass.shape[0];
     let (mass, rows) = (mass.matrix(0)?, rows.as_ref().map(|rows| rows.matrix(0)).transpose()?);
     let options = reading.options();
-    let found = py.detach(|| of_matrices(mass, row, rows, &options)).map_err(input)?;
+    let found =
+        interruptible_if_large(py, coordinates, || of_matrices(mass, row, rows, &options))?.map_err(input)?;
     Ok(MatrixResponse(found))
 }
 
@@ -345,7 +347,7 @@ pub fn effective_masses<'py>(
     let (mut masses, mut errors, mut codes) = (Vec::new(), Vec::new(), Vec::new());
     let (mut remarks, mut small_rows) = (Vec::new(), Vec::new());
     for first in (0..count).step_by(256) {
-        let part = detached(py, Threads::of(None)?, || {
+        let part = interruptible(py, || {
             (first..count.min(first + 256)).into_par_iter().map(one).collect::<PyResult<Vec<_>>>()
         })??;
         for solved in part {
