@@ -54,6 +54,7 @@ PLAIN = {
     "KinematicUnit": "str",
     "Positions": "dict[str, list[float]]",
     "VariedValues": "dict[str, float]",
+    "RowGradient": "dict[str, list[float]]",
     "KinematicsRow": "dict[str, float | str | None]",
 }
 DOC = r"((?:[ \t]*///[^\n]*\n)*)"

@@ -533,6 +533,7 @@ def sweep_report(
     vary: Sequence[str | tuple[str, float, float, int]] | None,
     input: tuple[str, Sequence[str]] | None,
     random: tuple[int, int] | None,
+    gradient: bool,
 ) -> tuple[str, list[str]]: ...
 def map_report(
     model: Model,

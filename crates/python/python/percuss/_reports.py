@@ -226,6 +226,7 @@ def sweep_report(
     ignore: Sequence[str] = (),
     random: int | None = None,
     seed: int = 0,
+    gradient: bool = False,
 ) -> records.SweepReport:
     """Report on a contact at many rows of positions, with loops closed along one branch; each row has its pose,
     estimate and motion ratio. As ``percuss sweep``; ``sweep`` takes arrays and is far quicker.
@@ -233,10 +234,10 @@ def sweep_report(
     vary: one range or several, the first the slowest: "JOINT=FROM:TO:COUNT",
     "travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT", or (joint, from, to, count). input: a file of positions, .csv or
     .parquet, without the columns of ignore. random: number of random rows within the limits of the joints, with seed.
-    Exactly one of vary, input and random.
+    Exactly one of vary, input and random. gradient: adds the gradient of m̄ by the velocities of every movable joint.
     """
     rows = _rows(vary, input, ignore, random, seed)
-    return records.SweepReport.of(_with_rows(_percuss.sweep_report(model, contact, _asked(conditions), *rows)))
+    return records.SweepReport.of(_with_rows(_percuss.sweep_report(model, contact, _asked(conditions), *rows, gradient)))
 
 
 def map(

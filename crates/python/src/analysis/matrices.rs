@@ -9,8 +9,9 @@ use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethod
 use percuss::study::matrix_findings as findings_of_batch;
 use percuss::{
     EffectiveMass, MatrixName, MatrixOptions, MatrixResponse as Found, MatrixView, RemarkFlags,
-    effective_mass as of_matrices,
+    effective_mass as of_matrices, interruption,
 };
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use rayon::prelude::*;
@@ -335,6 +336,9 @@ pub fn effective_masses<'py>(
     rows.as_ref().map_or(Ok(()), |rows| batches(rows, "A", 3))?;
     let options = reading.options();
     let one = |c: usize| -> Result<Solved, PyErr> {
+        if interruption::is_requested() {
+            return Err(PyKeyboardInterrupt::new_err(()));
+        }
         let rows = rows.as_ref().map(|rows| rows.matrix(c)).transpose()?;
         let found = of_matrices(mass.matrix(c)?, row.row(c)?, rows, &options)
             .map_err(|error| input(format_args!("number {c} of the batch: {error}")))?;

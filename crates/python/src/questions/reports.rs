@@ -122,6 +122,7 @@ impl<T: Send + 'static> Drop for Deferred<T> {
 
 /// Report on a contact at many rows of positions.
 #[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "the question of a sweep")]
 pub fn sweep_report<'py>(
     py: Python<'py>,
     model: &Model,
@@ -130,20 +131,22 @@ pub fn sweep_report<'py>(
     vary: Option<Vec<Bound<'py, PyAny>>>,
     input: Option<(String, Vec<String>)>,
     random: Option<(usize, u64)>,
+    gradient: bool,
 ) -> PyResult<RowParts> {
     let question = conditions.question_at(&model.read.mechanism, &contact)?;
     let source = rows(vary, input, random)?;
-    run_sweep(py, &model.read, || Sweep::new(&model.read, &question, source))
+    run_sweep(py, &model.read, gradient, || Sweep::new(&model.read, &question, source))
 }
 
 /// Runs a sweep; stops on Ctrl-C.
 fn run_sweep<'a>(
     py: Python<'_>,
     model: &study::Model,
+    has_gradient: bool,
     sweep: impl FnOnce() -> Result<Sweep<'a>, StudyError> + Send,
 ) -> PyResult<RowParts> {
     let run = || {
-        let sweep = sweep()?;
+        let sweep = if has_gradient { sweep()?.with_gradient() } else { sweep()? };
         let heading = sweep.heading().clone();
         let mut rows = Deferred(Vec::new());
         let end = sweep.run(&mut |row| {
@@ -354,7 +357,7 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<RowParts> {
     match (&study.question, &study.sweep) {
         (Some(question), Some(sweep)) => {
             let rows = sweep.rows.clone();
-            run_sweep(py, &study.model, || Sweep::new(&study.model, question, rows))
+            run_sweep(py, &study.model, sweep.gradient, || Sweep::new(&study.model, question, rows))
         }
         (Some(question), None) => {
             let report = interruptible(py, || match &study.damping {

@@ -45,6 +45,9 @@ class SweepRow(Record):
     gap: float | None
     """Gap of the named contact at the pose of the row, m, negative for a penetration; None without a pose. The key is absent
     for a contact without a gap."""
+    gradient: dict[str, list[float]] | None
+    """Gradient of m̄ by the velocities of every movable joint, kg/rad or kg/m; empty unless m̄ is finite. The key is absent
+    unless gradients are requested."""
     pose: dict[str, list[float]]
     """Position of every movable joint; empty if the pose was not reached."""
     error: str | None
