@@ -23,15 +23,30 @@ RUNS = 5
 LINK = "panda_link7"
 
 
-def headers() -> list[str]:
-    """Options of the compiler: headers and libraries of the packages."""
+def options() -> list[str]:
+    """Options of the compiler: folders of headers, and Pinocchio's limits of Boost's lists."""
     import pinocchio
 
     prefix = next(p for p in Path(pinocchio.__file__).parents if p.name == "cmeel.prefix")
-    eigen = next((str(p) for p in (prefix / "include/eigen3", Path("/usr/include/eigen3")) if p.exists()), "")
-    libraries = [str(p) for p in (prefix / "lib").glob("libpinocchio_*.so") if "default" in p.name or "parsers" in p.name]
-    includes = [f"-I{prefix / 'include'}", f"-I{eigen}"]
-    return [*includes, *libraries, f"-L{prefix / 'lib'}", f"-Wl,-rpath,{prefix / 'lib'}", "-lurdfdom_model", "-lboost_filesystem", "-lboost_serialization"]
+    eigen = [p for p in (prefix / "include/eigen3", Path("/usr/include/eigen3")) if p.exists()]
+    limits = ["-DBOOST_MPL_LIMIT_LIST_SIZE=30", "-DBOOST_MPL_LIMIT_VECTOR_SIZE=30", "-DBOOST_FUSION_INVOKE_MAX_ARITY=12"]
+    return [*limits, "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", *(f"-I{folder}" for folder in (prefix / "include", *eigen))]
+
+
+def description(model: object, frame: object) -> str:
+    """Joints and inertias of a pinocchio.Model, for pinocchio.cc."""
+
+    def numbers(*arrays: object) -> str:
+        return " ".join(repr(float(x)) for array in arrays for x in np.asarray(array).ravel())
+
+    lines = [f"{frame.parentJoint} {numbers(frame.placement.rotation, frame.placement.translation)}"]
+    for k in range(1, model.njoints):
+        joint = model.joints[k].extract() if hasattr(model.joints[k], "extract") else model.joints[k]
+        axis = getattr(joint, "axis", [0.0, 0.0, 0.0])
+        at, inertia = model.jointPlacements[k], model.inertias[k]
+        parts = numbers(at.rotation, at.translation, inertia.mass, inertia.lever, inertia.inertia)
+        lines.append(f"{model.joints[k].shortname()} {model.parents[k]} {numbers(axis)} {parts}")
+    return "\n".join(lines)
 
 
 def main() -> None:
@@ -84,16 +99,18 @@ def main() -> None:
             return found
 
         program = Path(folder) / "pinocchio"
+        source = str(Path(__file__).with_name("pinocchio.cc"))
         compiled = subprocess.run(
-            ["g++", "-std=c++17", "-O3", "-march=native", "-DNDEBUG", "-w", str(Path(__file__).with_name("pinocchio.cc")), "-o", str(program), *headers()],
+            ["g++", "-std=c++17", "-O3", "-march=native", "-DNDEBUG", "-w", source, "-o", str(program), *options()],
             capture_output=True, text=True,
         )
         if compiled.returncode:
             print(compiled.stderr[-2000:], "Pinocchio's C++ could not be compiled", sep="\n")
+        (Path(folder) / "model").write_text(description(peer, peer.frames[frame]))
         np.hstack([rows, points, normals]).tofile(Path(folder) / "rows")
 
         def by_cpp() -> tuple[np.ndarray, float]:
-            words = [str(program), str(path), LINK, str(Path(folder) / "rows"), str(Path(folder) / "masses"), "1"]
+            words = [str(program), str(Path(folder) / "model"), str(Path(folder) / "rows"), str(Path(folder) / "masses"), "1"]
             seconds = float(subprocess.run(words, capture_output=True, text=True, check=True).stdout)
             return np.fromfile(Path(folder) / "masses"), seconds
 

@@ -1,17 +1,19 @@
 // m̄ of one contact with its own point and normal at each of many configurations, by Pinocchio: M by CRBA, the Jacobian of the link,
-// and a Cholesky solution. Reads model.urdf, then N rows of nq positions, 3 numbers of the point and 3 of the normal (raw doubles);
-// writes N effective masses. Prints the least CPU time of the runs, s.
+// and a Cholesky solution. Uses the headers alone, so that all of Pinocchio is compiled for this processor. Reads a model (panda.py
+// writes it) and N rows of nq positions, 3 numbers of the point and 3 of the normal (raw doubles); writes N effective masses. Prints
+// the least CPU time of the runs, s.
 //
-//   pinocchio MODEL.urdf LINK ROWS OUTPUT RUNS
+//   pinocchio MODEL ROWS OUTPUT RUNS
+#include <pinocchio/multibody.hpp>
+
 #include <pinocchio/algorithm/crba.hpp>
-#include <pinocchio/algorithm/frames.hpp>
 #include <pinocchio/algorithm/jacobian.hpp>
-#include <pinocchio/parsers/urdf.hpp>
 
 #include <Eigen/Cholesky>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <string>
 #include <vector>
 
 static double cpu_seconds()
@@ -21,29 +23,65 @@ static double cpu_seconds()
   return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
+static pinocchio::SE3 placement(std::istream &in)
+{
+  Eigen::Matrix3d rotation;
+  Eigen::Vector3d translation;
+  for (int k = 0; k < 9; k++) in >> rotation(k / 3, k % 3);
+  for (int k = 0; k < 3; k++) in >> translation[k];
+  return pinocchio::SE3(rotation, translation);
+}
+
+// Number of the contact link's joint and its placement there; then each joint: kind, parent, axis, placement, mass, centre, inertia about it.
+static pinocchio::Model read_model(std::istream &in, pinocchio::JointIndex &joint, pinocchio::SE3 &link)
+{
+  pinocchio::Model model;
+  std::size_t parent;
+  std::string kind;
+  in >> joint;
+  link = placement(in);
+  while (in >> kind >> parent) {
+    Eigen::Vector3d axis;
+    for (int k = 0; k < 3; k++) in >> axis[k];
+    pinocchio::JointModel made;
+    if (kind == "JointModelRX") made = pinocchio::JointModelRX();
+    else if (kind == "JointModelRY") made = pinocchio::JointModelRY();
+    else if (kind == "JointModelRZ") made = pinocchio::JointModelRZ();
+    else if (kind == "JointModelPY") made = pinocchio::JointModelPY();
+    else if (kind == "JointModelPrismaticUnaligned") made = pinocchio::JointModelPrismaticUnaligned(axis);
+    else std::exit(3);
+    const pinocchio::SE3 origin = placement(in);
+    double mass;
+    Eigen::Vector3d com;
+    Eigen::Matrix3d inertia;
+    in >> mass;
+    for (int k = 0; k < 3; k++) in >> com[k];
+    for (int k = 0; k < 9; k++) in >> inertia(k / 3, k % 3);
+    const auto index = model.addJoint(parent, made, origin, "joint " + std::to_string(model.njoints));
+    model.appendBodyToJoint(index, pinocchio::Inertia(mass, com, inertia), pinocchio::SE3::Identity());
+  }
+  return model;
+}
+
 int main(int argc, char **argv)
 {
-  if (argc != 6) return 2;
-  pinocchio::Model model;
-  pinocchio::urdf::buildModel(argv[1], model);
+  if (argc != 5) return 2;
+  std::ifstream text(argv[1]);
+  pinocchio::JointIndex joint;
+  pinocchio::SE3 placed;
+  pinocchio::Model model = read_model(text, joint, placed);
   pinocchio::Data data(model);
-  const auto frame = model.getFrameId(argv[2], pinocchio::BODY);
-  const auto joint = model.frames[frame].parentJoint;
-  const auto placement = model.frames[frame].placement;
-  std::ifstream file(argv[3], std::ios::binary);
-  std::vector<double> values((std::istreambuf_iterator<char>(file)), {}), masses;
-  file.clear();
+  std::ifstream file(argv[2], std::ios::binary);
   file.seekg(0, std::ios::end);
-  const std::size_t bytes = std::size_t(file.tellg()), width = std::size_t(model.nq) + 6, count = bytes / (8 * width);
-  values.resize(count * width);
+  const std::size_t width = std::size_t(model.nq) + 6, count = std::size_t(file.tellg()) / (8 * width);
+  std::vector<double> values(count * width), masses(count);
   file.seekg(0);
-  file.read(reinterpret_cast<char *>(values.data()), std::streamsize(bytes));
-  masses.resize(count);
+  file.read(reinterpret_cast<char *>(values.data()), std::streamsize(8 * values.size()));
   Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(6, model.nv);
   Eigen::LLT<Eigen::MatrixXd> cholesky(model.nv);
   Eigen::VectorXd row(model.nv), q(model.nq);
   double least = 1e300;
-  for (int run = 0; run < std::atoi(argv[5]); run++) {
+  for (int run = 0; run < std::atoi(argv[4]); run++) {
     const double start = cpu_seconds();
     for (std::size_t k = 0; k < count; k++) {
       const double *at = &values[k * width];
@@ -53,7 +91,7 @@ int main(int argc, char **argv)
       pinocchio::crba(model, data, q, pinocchio::Convention::WORLD);
       jacobian.setZero();
       pinocchio::getJointJacobian(model, data, joint, pinocchio::LOCAL_WORLD_ALIGNED, jacobian);
-      const pinocchio::SE3 link = data.oMi[joint] * placement;
+      const pinocchio::SE3 link = data.oMi[joint] * placed;
       const Eigen::Vector3d direction = (link.rotation() * normal).normalized();
       const Eigen::Vector3d arm = link.act(Eigen::Vector3d(point)) - data.oMi[joint].translation();
       row.noalias() = jacobian.topRows<3>().transpose() * direction + jacobian.bottomRows<3>().transpose() * arm.cross(direction);
@@ -63,6 +101,6 @@ int main(int argc, char **argv)
     }
     least = std::min(least, cpu_seconds() - start);
   }
-  std::ofstream(argv[4], std::ios::binary).write(reinterpret_cast<const char *>(masses.data()), std::streamsize(8 * count));
+  std::ofstream(argv[3], std::ios::binary).write(reinterpret_cast<const char *>(masses.data()), std::streamsize(8 * count));
   std::printf("%.9f\n", least);
 }

@@ -132,6 +132,15 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -
     interruptible_on(py, Threads::of(None)?, work)
 }
 
+/// Runs `work` without the interpreter on this thread; in a fork on a pool of its own, because rayon's global pool has no threads there.
+fn detached_here<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    let process = process::id();
+    if *LOADING_PROCESS.get_or_init(|| process) == process {
+        return Ok(py.detach(work));
+    }
+    detached(py, Threads::of(None)?, work)
+}
+
 /// Like [`interruptible`] if the work may take long, else without the interpreter on this thread. `size`: number of coordinates,
 /// contacts or configurations.
 ///
@@ -142,7 +151,7 @@ pub fn interruptible_if_large<T: Send>(
     size: usize,
     work: impl FnOnce() -> T + Send,
 ) -> PyResult<T> {
-    if size < LARGE { Ok(py.detach(work)) } else { interruptible(py, work) }
+    if size >= LARGE { interruptible(py, work) } else { detached_here(py, work) }
 }
 
 /// Runs `work` on a thread of its own if it is large. Ctrl-C returns at once: the thread then completes the work and drops its result.
@@ -156,8 +165,13 @@ pub fn abandonable<T: Send + 'static>(
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
     if !is_large || !is_main_thread(py)? {
-        return Ok(py.detach(work));
+        return detached_here(py, work);
     }
+    let pool = Threads::of(None)?.pool(false)?;
+    let work = move || match pool {
+        None => work(),
+        Some(pool) => pool.install(work),
+    };
     let (sender, receiver) = channel();
     let run = move || {
         // After an interruption nobody receives the result.

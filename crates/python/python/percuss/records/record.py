@@ -5,7 +5,6 @@ from __future__ import annotations
 import html
 import json
 from collections.abc import Callable, Iterable, Mapping
-from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, get_args, get_origin, get_type_hints
 
 _R = TypeVar("_R", bound="Record")
@@ -98,18 +97,22 @@ def _plain(value: Any) -> Any:
     return [_plain(inner) for inner in value] if isinstance(value, list) else value
 
 
-@cache
+#: Conversions of each type; computed when the first record of a type is made.
+_CONVERSIONS: dict[type[Record], Mapping[str, _Convert]] = {}
+
+
 def _keys(record: type[Record]) -> frozenset[str]:
     """Keys that the type of a record states."""
-    return frozenset(key for one in record.__mro__ for key in one.__dict__.get("__annotations__", {}) if not key.startswith("_"))
+    return frozenset(key for key in get_type_hints(record) if not key.startswith("_"))
 
 
-@cache
 def _conversions(record: type[Record]) -> Mapping[str, _Convert]:
     """Conversion of each key that contains records."""
-    hints = get_type_hints(record)
-    found = ((key, _conversion(hints[key])) for key in _keys(record))
-    return {key: convert for key, convert in found if convert is not None}
+    if record not in _CONVERSIONS:
+        hints = get_type_hints(record)
+        found = ((key, _conversion(hints[key])) for key in _keys(record))
+        _CONVERSIONS[record] = {key: convert for key, convert in found if convert is not None}
+    return _CONVERSIONS[record]
 
 
 def _conversion(hint: Any) -> _Convert | None:
