@@ -119,13 +119,15 @@ def _conversion(hint: Any) -> _Convert | None:
     """Conversion of a type; None if it contains no record."""
     if get_origin(hint) is None and isinstance(hint, type) and issubclass(hint, Record):
         return hint.of
-    inner = [(part, convert) for part in get_args(hint) if (convert := _conversion(part)) is not None]
-    if not inner:
-        return None
-    convert = inner[0][1]
-    if get_origin(hint) is list:
+    inner = [convert for convert in map(_conversion, get_args(hint)) if convert is not None]
+    return _of_parts(get_origin(hint), inner[0]) if inner else None
+
+
+def _of_parts(origin: Any, convert: _Convert) -> _Convert:
+    """Conversion of a list, a dict, or an optional value with records in it."""
+    if origin is list:
         return lambda values: [convert(value) for value in values]
-    if get_origin(hint) is dict:
+    if origin is dict:
         return lambda values: {key: convert(value) for key, value in values.items()}
     # Optional.
     return lambda value: None if value is None else convert(value)
