@@ -381,3 +381,21 @@ def test_kinematics_are_those_of_the_command_and_of_the_motion_ratio() -> None:
         found["cambre"]
     with pytest.raises(percuss.PercussError):
         percuss.kinematics(percuss.load(ROOT / "models/four_bar.urdf"))
+
+
+def test_gradients_of_sweeps() -> None:
+    """By joint, as the arrays of a sweep; over a linkage, the difference of neighbouring rows."""
+    arm, tool = percuss.load(ROOT / "models/six_r_arm.urdf"), percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
+    rows = percuss.sweep_report(arm, tool, random=50, gradient=True).rows
+    q = np.array([[row.pose[name][0] for name in arm.position_names] for row in rows])
+    expected = percuss.sweep(arm, tool, q, gradient=True).gradient
+    found = np.array([[(row.gradient or {})[name][0] for name in arm.velocity_names] for row in rows])
+    assert expected is not None and np.allclose(found, expected, rtol=1e-12, atol=0)
+    assert "gradient" not in percuss.sweep_report(arm, tool, random=1).rows[0]
+    bar, contact, step = percuss.load(ROOT / "models/four_bar.urdf"), percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0]), 1e-3
+    low, at, high = percuss.sweep_report(bar, contact, vary=("crank_hinge", 0.2 - step, 0.2 + step, 3), gradient=True).rows
+    assert low.effective_mass is not None and high.effective_mass is not None
+    slope = (high.effective_mass - low.effective_mass) / (2 * step)
+    rates = {name: (high.pose[name][0] - low.pose[name][0]) / (2 * step) for name in high.pose}
+    # Central differences: step² of the third derivative.
+    assert sum((at.gradient or {})[name][0] * rate for name, rate in rates.items()) == pytest.approx(slope, rel=1e-4)
