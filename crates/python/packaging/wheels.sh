@@ -45,7 +45,8 @@ if [ ! -x "$tools/bin/maturin" ]; then
   "$tools/bin/pip" install --quiet --disable-pip-version-check "maturin>=1.7,<2" ziglang
 fi
 export PATH=$tools/bin:$PATH
-wheel() { maturin build --locked --profile dist --manifest-path crates/python/Cargo.toml --out "$output" "$@"; }
+# PERCUSS_WHEEL_PROFILE: another profile of the workspace, to test this script faster than with link-time optimisation.
+wheel() { maturin build --locked --profile "${PERCUSS_WHEEL_PROFILE:-dist}" --manifest-path crates/python/Cargo.toml --out "$output" "$@"; }
 
 # The newest wheel of a platform is installed in a new environment, away from the sources, and tested there.
 test_wheel() {
