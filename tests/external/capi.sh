@@ -68,8 +68,8 @@ echo "pkg-config: static, archive, shared"
 ran=0
 jobs=()
 for source in crates/capi/tests/c/*.c crates/capi/tests/c/wrapper.cc crates/capi/examples/*.c; do
-  # Needs MuJoCo's header and library: below.
-  [ "$(basename "$source")" != mujoco_coupling.c ] || continue
+  # With MuJoCo's header and library, or with arguments: below.
+  case $(basename "$source") in mujoco_coupling.c | real_time.c) continue ;; esac
   (check "$source") &
   jobs+=($!)
 done
@@ -90,6 +90,25 @@ if [ -n "$mujoco" ] && [ -f "$mujoco/include/mujoco/mujoco.h" ]; then
   "$work/mujoco_coupling" || { echo "the coupling to MuJoCo fails"; exit 1; }
 else
   echo "C interface: MuJoCo is not installed, the coupling is not run"
+fi
+# The real-time loop, with every allocation of the program and of the static library counted: its exit code is 1 after one in the loop.
+# shellcheck disable=SC2086
+gcc -std=c11 "${flags[@]}" -DCOUNT_ALLOCATIONS -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=posix_memalign \
+  -I "$work/prefix/include" crates/capi/examples/real_time.c "$work/prefix/lib/libpercuss.a" $system -o "$work/real_time"
+"$work/real_time" models/four_bar.urdf 1000 || { echo "the real-time loop fails"; exit 1; }
+# Octave (packages octave and octave-dev), and Julia.
+if command -v mkoctfile > /dev/null && command -v octave > /dev/null; then
+  (cd "$work" && mkoctfile --mex -I"$work/prefix/include" -L"$work/prefix/lib" "-Wl,-rpath,$work/prefix/lib" \
+    "$root/crates/capi/examples/matlab/percuss_mass.c" -lpercuss -o percuss_mass.mex)
+  (cd "$work" && octave --quiet --no-gui "$root/crates/capi/examples/matlab/two_links.m" "$root/models/planar_2r.urdf" 2> octave.log) ||
+    { cat "$work/octave.log"; echo "the example for Octave fails"; exit 1; }
+else
+  echo "C interface: Octave (octave, octave-dev) is not installed, its example is not run"
+fi
+if command -v julia > /dev/null; then
+  julia --startup-file=no crates/capi/examples/two_links.jl models/planar_2r.urdf || { echo "the example for Julia fails"; exit 1; }
+else
+  echo "C interface: Julia is not installed, its example is not run"
 fi
 # CMake, both libraries.
 mkdir -p "$work/cmake"

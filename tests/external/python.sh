@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The Python package: built and installed as by a user, its tests, its types (mypy, pyright; the stubs compared with the
-# module by stubtest), its examples, a notebook among them; then the peers' matrices, if run.sh has created their
+# module by stubtest; those of all pages and notebooks), its examples, executed notebooks among them; then the peers' matrices, if run.sh has created their
 # environments: Pinocchio and MuJoCo, Drake, and the converters of positions; arrays of PyTorch and JAX. Needs python3 (3.10 or later), cargo, node for pyright, and, the first
 # time, the network.
 #   python.sh [--tested] [PYTEST OPTION...]     --tested: in the profile of `cargo test --workspace`, with its build
@@ -41,6 +41,13 @@ types() {
   local mypy=("$bin/python" -m mypy --config-file "$package/pyproject.toml" --cache-dir "$work/mypy")
   "${mypy[@]}" -p percuss && "${mypy[@]}" "$package"/tests/*.py "$package"/examples/*.py && "${mypy[@]}" "$package"/examples/cluster/*.py
 }
+# Pages and notebooks, with the types of the installed package.
+documentation() {
+  "$bin/python" "$package/tests/blocks.py" "$work/blocks" &&
+    "$bin/python" -m mypy --config-file "$package/pyproject.toml" --cache-dir "$work/mypy" "$work"/blocks/*.py || return 1
+  echo '{"include": ["blocks"], "reportMissingModuleSource": false, "reportMissingImports": false, "reportUnusedExpression": false}' > "$work/blocks.json"
+  "$bin/pyright" --project "$work/blocks.json" --pythonpath "$bin/python"
+}
 stubs() {
   "$bin/python" -m mypy.stubtest percuss --mypy-config-file "$package/pyproject.toml" --allowlist "$package/tests/not_installed.txt" --ignore-unused-allowlist
 }
@@ -48,6 +55,7 @@ step wheel wheel
 [ $failed = 0 ] || exit 1
 step tests check "$@"
 step mypy types
+step "types of pages and notebooks" documentation
 step stubtest stubs
 step pyright "$bin/pyright" --project "$package/pyproject.toml" --pythonpath "$bin/python"
 # The peers have separate environments; the same extension works with every Python from 3.10 on.
@@ -55,7 +63,7 @@ for peer in venv drake; do
   python=$root/target/external/$peer/bin/python
   [ -x "$python" ] || { echo "Python: no matrices of peers, run.sh makes target/external/$peer"; continue; }
   step "matrices of peers ($peer)" "$python" "$package/tests/peers/matrices.py" --package "$work/site"
-  [ "$peer" = drake ] || step "converters ($peer)" "$python" "$package/tests/peers/converters.py" --package "$work/site"
+  step "converters ($peer)" "$python" "$package/tests/peers/converters.py" --package "$work/site"
 done
 # PyTorch (3 GB) and JAX, where an environment has them: PERCUSS_ARRAYS names its interpreter.
 if [ -n "${PERCUSS_ARRAYS-}" ]; then

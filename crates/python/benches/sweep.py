@@ -1,9 +1,9 @@
-"""percuss.sweep on (1,000,000, p) compared with the same batch in Rust: CPU time of all threads, in turns on the same
+"""percuss.sweep on (1,000,000, p), or as many rows as given, compared with the same batch in Rust: CPU time of all threads, in turns on the same
 machine. Rust writes its results into a new vector, as Python does into new arrays, and into a reused vector, which
 shows the cost of allocation.
 
     cargo bench -p percuss-python --no-run      prints the program's path
-    sweep.py PROGRAM                            prints the median over turns of the best of five runs each, and the ratios
+    sweep.py PROGRAM [ROWS]                     prints the median over turns of the best of five runs each, and the ratios
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ import numpy as np
 import percuss
 
 ROOT = Path(__file__).resolve().parents[3]
-COUNT = 1_000_000
+COUNT = int(sys.argv[2]) if len(sys.argv) > 2 else 1_000_000
 TURNS = 9
 REPETITIONS = 5
 

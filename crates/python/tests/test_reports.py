@@ -99,7 +99,8 @@ def test_named_contacts() -> None:
         expected = printed("mass", "models/suspensions/double-wishbone.toml", "--at", name, "--format", "json")
         assert without_paths(percuss.mass(model, name)) == without_paths(expected)
     damping = percuss.Damping(restitution=0.3, stiffness=1e6, speed=0.1)
-    assert percuss.damp_contact(model, "bump_stop", damping).named_contact["brought_to_touch"]
+    named = percuss.damp_contact(model, "bump_stop", damping).named_contact
+    assert named is not None and named.brought_to_touch
     with pytest.raises(percuss.InputError, match="did you mean"):
         percuss.mass(model, "bumpstop")
 
@@ -250,14 +251,14 @@ def test_impacts() -> None:
     # The rates of 52163/110250 kg·m² at the crank (models/four_bar.urdf).
     assert report.reflected_inertia[0]["free"] == pytest.approx(52163 / 110250, rel=1e-12)
     peaks = percuss.impact(model, contact, 0.3, speed=1.0, stiffness=1e5)
-    assert peaks.contact_law["peak_force"] > 0 and peaks.reactions[0]["peak_force"][0] is not None
+    assert peaks.contact_law is not None and peaks.contact_law.peak_force > 0 and peaks.reactions[0]["peak_force"][0] is not None
     friction = percuss.impact(model, contact, 0.3, speed=1.0, friction=0.2, restitution_law="poisson").friction
-    assert friction["law"] == "poisson" and len(friction["laws"]) == 4
+    assert friction is not None and friction["law"] == "poisson" and len(friction["laws"]) == 4
     with pytest.raises(percuss.InputError, match="restitution_law"):
         percuss.impact(model, contact, 0.3, speed=1.0, friction=0.2, restitution_law="kane")
     also = ["coupler:0.1,0.1,0:0,1,0"]
     several = percuss.impact(model, contact, 0.3, speed=1.0, also=also, sticking=True).simultaneous
-    assert [law["law"] for law in several["laws"]] == ["newton", "poisson", "energetic"]
+    assert several is not None and [law["law"] for law in several["laws"]] == ["newton", "poisson", "energetic"]
     assert len(several["delassus"]) == 6 and len(several["sticking"]["sticks"]) == 2
     with pytest.raises(percuss.InputError, match="closing speed"):
         percuss.impact(model, contact, 0.3)
@@ -380,3 +381,21 @@ def test_kinematics_are_those_of_the_command_and_of_the_motion_ratio() -> None:
         found["cambre"]
     with pytest.raises(percuss.PercussError):
         percuss.kinematics(percuss.load(ROOT / "models/four_bar.urdf"))
+
+
+def test_gradients_of_sweeps() -> None:
+    """By joint, as the arrays of a sweep; over a linkage, the difference of neighbouring rows."""
+    arm, tool = percuss.load(ROOT / "models/six_r_arm.urdf"), percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
+    rows = percuss.sweep_report(arm, tool, random=50, gradient=True).rows
+    q = np.array([[row.pose[name][0] for name in arm.position_names] for row in rows])
+    expected = percuss.sweep(arm, tool, q, gradient=True).gradient
+    found = np.array([[(row.gradient or {})[name][0] for name in arm.velocity_names] for row in rows])
+    assert expected is not None and np.allclose(found, expected, rtol=1e-12, atol=0)
+    assert "gradient" not in percuss.sweep_report(arm, tool, random=1).rows[0]
+    bar, contact, step = percuss.load(ROOT / "models/four_bar.urdf"), percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0]), 1e-3
+    low, at, high = percuss.sweep_report(bar, contact, vary=("crank_hinge", 0.2 - step, 0.2 + step, 3), gradient=True).rows
+    assert low.effective_mass is not None and high.effective_mass is not None
+    slope = (high.effective_mass - low.effective_mass) / (2 * step)
+    rates = {name: (high.pose[name][0] - low.pose[name][0]) / (2 * step) for name in high.pose}
+    # Central differences: step² of the third derivative.
+    assert sum((at.gradient or {})[name][0] * rate for name, rate in rates.items()) == pytest.approx(slope, rel=1e-4)

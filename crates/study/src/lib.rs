@@ -139,6 +139,7 @@ pub use study_file::tables::sweep::{
 };
 pub use study_file::tables_of_page::{StudyTables, VariantTables};
 pub use study_file::variant::Variant;
+pub use sweep::row_gradient::{GradientLayout, RowGradient};
 pub use sweep::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
 pub use sweep::sweep_rows::{Sweep, sweep, sweep_report};
 #[cfg(feature = "flags")]

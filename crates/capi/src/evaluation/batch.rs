@@ -173,11 +173,7 @@ pub unsafe extern "C" fn percuss_batch_run(
         let mut remarks = optional_output_slice(remarks, count, "remarks")?;
         threaded.check_layout(length, layout, stride, count)?;
         let pool = threaded.thread_pool()?;
-        outcomes.fill(PERCUSS_NO_ANSWER);
-        masses.fill(f64::NAN);
-        if let Some(errors) = &mut errors {
-            errors.fill(f64::NAN);
-        }
+        fill_without_answer(outcomes, [Some(&mut *masses), errors.as_deref_mut()]);
         if let Some(remarks) = &mut remarks {
             remarks.fill(0);
         }
@@ -186,22 +182,14 @@ pub unsafe extern "C" fn percuss_batch_run(
         while done < count {
             let portion = (count - done).min(PORTION);
             let answers = &mut answers[..portion];
-            let part = match layout {
-                PERCUSS_ROW_MAJOR => BatchPositions::Rows { values: &values[done * stride..], stride },
-                _ => BatchPositions::Columns { values: &values[done..], stride },
-            };
+            let part = positions_from(values, layout, stride, done);
             let run = match pool {
                 None => threaded.batch.batch().run_here(part, answers),
                 Some(pool) => pool.install(|| threaded.batch.batch().run(part, answers)),
             };
             run.map_err(|error: BatchError| Failure::new(PERCUSS_ERROR_LENGTH, error))?;
             for (at, answer) in (done..).zip(&*answers) {
-                if let Some(mass) = answer.mass {
-                    (outcomes[at], masses[at]) = outcome_and_value(mass);
-                }
-                if answer.is_massless_to_rounding() {
-                    outcomes[at] = PERCUSS_MASSLESS_TO_ROUNDING;
-                }
+                (outcomes[at], masses[at]) = outcome_of(answer);
                 if let Some(errors) = &mut errors {
                     errors[at] = nan_if_unknown(answer.error);
                 }
@@ -219,6 +207,34 @@ pub unsafe extern "C" fn percuss_batch_run(
         }
         Ok(())
     })
+}
+
+/// Fills results with those of configurations without an answer.
+pub(crate) fn fill_without_answer<const N: usize>(
+    outcomes: &mut [percuss_outcome],
+    numbers: [Option<&mut [f64]>; N],
+) {
+    outcomes.fill(PERCUSS_NO_ANSWER);
+    numbers.into_iter().flatten().for_each(|numbers| numbers.fill(f64::NAN));
+}
+
+/// Configurations from `first` on, in a layout that [`ThreadedBatch::check_layout`] accepts.
+pub(crate) fn positions_from(
+    values: &[f64],
+    layout: percuss_layout,
+    stride: usize,
+    first: usize,
+) -> BatchPositions<'_> {
+    match layout {
+        PERCUSS_ROW_MAJOR => BatchPositions::Rows { values: &values[first * stride..], stride },
+        _ => BatchPositions::Columns { values: &values[first..], stride },
+    }
+}
+
+/// Outcome of a configuration and its m̄, kg; NaN unless finite.
+pub(crate) fn outcome_of(answer: &BatchAnswer) -> (percuss_outcome, f64) {
+    let (outcome, mass) = answer.mass.map_or((PERCUSS_NO_ANSWER, f64::NAN), outcome_and_value);
+    (if answer.is_massless_to_rounding() { PERCUSS_MASSLESS_TO_ROUNDING } else { outcome }, mass)
 }
 
 impl ThreadedBatch {

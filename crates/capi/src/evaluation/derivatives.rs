@@ -8,11 +8,11 @@ use crate::boundary::handle::{object_of, read_argument};
 use crate::boundary::status::{
     Failure, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_NAME, guard_call, percuss_status,
 };
-use crate::evaluation::batch::{ThreadedBatch, percuss_batch};
-use crate::evaluation::contact::{
-    PERCUSS_MASSLESS_TO_ROUNDING, PERCUSS_NO_ANSWER, outcome_and_value, percuss_contact, percuss_outcome,
+use crate::evaluation::batch::{
+    ThreadedBatch, fill_without_answer, outcome_of, percuss_batch, positions_from,
 };
-use crate::evaluation::pose::{PERCUSS_ROW_MAJOR, percuss_layout, percuss_pose};
+use crate::evaluation::contact::{outcome_and_value, percuss_contact, percuss_outcome};
+use crate::evaluation::pose::{percuss_layout, percuss_pose};
 use percuss::{BatchAnswer, BatchContacts, BatchError, BatchPositions, EffectiveMass};
 use rayon::prelude::*;
 
@@ -205,12 +205,9 @@ pub unsafe extern "C" fn percuss_batch_derivatives(
         let mut inverses = optional_output_slice(inverse_inertias, inertia_numbers, "inverse_inertias")?;
         threaded.check_layout(length, layout, stride, count)?;
         let pool = threaded.thread_pool()?;
-        outcomes.fill(PERCUSS_NO_ANSWER);
-        masses.fill(f64::NAN);
-        errors.fill(f64::NAN);
-        for values in [&mut gradients, &mut inverses].into_iter().flatten() {
-            values.fill(f64::NAN);
-        }
+        let numbers =
+            [Some(&mut *masses), Some(&mut *errors), gradients.as_deref_mut(), inverses.as_deref_mut()];
+        fill_without_answer(outcomes, numbers);
         let tasks = count.div_ceil(TASK);
         let work: Vec<Task<'_>> = outcomes
             .chunks_mut(TASK)
@@ -223,10 +220,7 @@ pub unsafe extern "C" fn percuss_batch_derivatives(
             .collect();
         let one = |(number, task): (usize, Task<'_>)| {
             let first = number * TASK;
-            let positions = match layout {
-                PERCUSS_ROW_MAJOR => BatchPositions::Rows { values: &values[first * stride..], stride },
-                _ => BatchPositions::Columns { values: &values[first..], stride },
-            };
+            let positions = positions_from(values, layout, stride, first);
             let contacts = contacts.map(|all| {
                 let [points, normals] = all.map(|numbers| match numbers.len() {
                     3 => numbers,
@@ -259,13 +253,7 @@ fn run_task(
 ) -> Result<(), BatchError> {
     let (finite, _) = outcome_and_value(EffectiveMass::Finite(1.0));
     outcomes.fill(finite);
-    let mut other = |at: usize, answer: BatchAnswer| {
-        outcomes[at] = match answer.mass {
-            _ if answer.is_massless_to_rounding() => PERCUSS_MASSLESS_TO_ROUNDING,
-            Some(mass) => outcome_and_value(mass).0,
-            None => PERCUSS_NO_ANSWER,
-        };
-    };
+    let mut other = |at: usize, answer: BatchAnswer| outcomes[at] = outcome_of(&answer).0;
     let mut done = Ok(());
     if let Some(to) = gradients {
         done = threaded.batch.gradients(positions, contacts, (masses, errors), to, &mut other);

@@ -149,7 +149,7 @@ fn run_contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Re
     }
     match &study.sweep {
         Some(sweep) => {
-            let written = SweepOutput { output, table, figure: &figure, strict };
+            let written = SweepOutput { gradient: sweep.gradient, output, table, figure: &figure, strict };
             let of_rows = study.question_of_rows(question);
             if of_rows.travel.len() < question.travel.len() {
                 note("[pose] travel applies to the contact at its pose; the rows vary the travel themselves");

@@ -28,6 +28,7 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
         &args.contact.question_of_rows()?,
         &args.source()?,
         &SweepOutput {
+            gradient: args.sweep.gradient,
             output: args.sweep.output.as_deref(),
             table: TableStyle::from_study(&args.table),
             figure: &args.figure,
@@ -66,6 +67,8 @@ pub fn use_threads(count: Option<u16>) {
 
 /// Output options of a sweep.
 pub struct SweepOutput<'a> {
+    /// True if each row has the gradient of m̄.
+    pub gradient: bool,
     pub output: Option<&'a str>,
     pub table: TableStyle,
     pub figure: &'a StudyFigure,
@@ -88,6 +91,7 @@ pub fn run_sweep(
     // The check precedes the computation.
     output.map_or(Ok(()), check_writable)?;
     let sweep = with_findings(Sweep::new(model, question, source), model)?;
+    let sweep = if destination.gradient { sweep.with_gradient() } else { sweep };
     write_diagnostics(&model.diagnostics, strict)?;
     // The bar is hidden if stderr is not a terminal.
     let bar = match sweep.count() {

@@ -22,6 +22,18 @@ pub const FIXED_COLUMNS: [&str; 7] = [
 /// Column of a contact with a gap, after the fixed columns.
 const GAP_COLUMN: &str = "gap";
 
+/// First word of the columns of a gradient, after the gap.
+const GRADIENT_COLUMN: &str = "gradient";
+
+/// Unit of the gradient by a joint with one velocity.
+fn gradient_unit(mechanism: &Mechanism, joint: &str) -> Option<&'static str> {
+    match mechanism.joint(mechanism.find_joint(joint).ok()?).kind() {
+        JointKind::Revolute | JointKind::Continuous => Some("kg/rad"),
+        JointKind::Prismatic => Some("kg/m"),
+        _ => None,
+    }
+}
+
 /// Formats a single result as the row of a sweep over the drivers.
 pub fn mass_row(report: &MassReport, drivers: &[String]) -> String {
     let estimate = report.estimate.as_ref();
@@ -104,6 +116,13 @@ impl SweepTable {
                 GAP_COLUMN.to_owned()
             });
         }
+        for (joint, velocities) in heading.gradient.iter().flat_map(|layout| layout.joints()) {
+            let before = header.len();
+            add_joint_columns(&mut header, &format!("{GRADIENT_COLUMN}_{joint}"), velocities);
+            if let (true, Some(unit)) = (style.names_units, gradient_unit(mechanism, joint)) {
+                header[before..].iter_mut().for_each(|name| *name = format!("{name} [{unit}]"));
+            }
+        }
         let mut other_units = Vec::new();
         let mut others: Vec<Range<usize>> = Vec::new();
         let mut first = 0;
@@ -134,7 +153,7 @@ impl SweepTable {
     }
 
     /// Column names: the row, the varied numbers, `status`, six more columns of the result, the gap of a
-    /// contact with a gap, and the other joints.
+    /// contact with a gap, the gradient if requested, and the other joints.
     #[cfg_attr(not(feature = "tables"), allow(dead_code))]
     pub fn names(&self) -> &[String] {
         &self.names
@@ -172,6 +191,8 @@ impl SweepTable {
         if let Some(gap) = row.gap {
             push_number(&mut text, gap);
         }
+        let gradient = row.gradient.iter().flat_map(|gradient| gradient.numbers());
+        gradient.for_each(|value| push_number(&mut text, value));
         let numbers = row.pose.numbers();
         for run in &self.others {
             match numbers.get(run.clone()) {
@@ -204,6 +225,8 @@ impl SweepTable {
             Cell::from_value(row.estimate_error_percent.map(|e| few(e, 6))),
         ]);
         cells.extend(row.gap.map(|gap| Cell::from_value(gap.map(|gap| scaled(gap, &length)))));
+        let gradient = row.gradient.iter().flat_map(|gradient| gradient.numbers());
+        cells.extend(gradient.map(|value| Cell::from_value(value.map(|value| style.number(value, None)))));
         let others = self.other_numbers(row).zip(&self.other_units);
         cells.extend(others.map(|(value, unit)| Cell::from_value(value.map(|value| scaled(value, unit)))));
         cells

@@ -135,7 +135,7 @@ struct RowBuffer {
     varied: Vec<Vec<f64>>,
     status: Vec<&'static str>,
     singular: Nullable<bool>,
-    /// Other columns in order: five of the result, the gap if the contact has one, then the joints.
+    /// Other columns in order: five of the result, the gap if the contact has one, the gradient if requested, then the joints.
     others: Vec<Nullable<f64>>,
 }
 
@@ -167,7 +167,8 @@ impl RowBuffer {
             row.estimate,
             row.estimate_error_percent,
         ];
-        let numbers = answer.into_iter().chain(row.gap).chain(table.other_numbers(row));
+        let gradient = row.gradient.iter().flat_map(|gradient| gradient.numbers());
+        let numbers = answer.into_iter().chain(row.gap).chain(gradient).chain(table.other_numbers(row));
         for (column, value) in self.others.iter_mut().zip(numbers) {
             column.push(value);
         }

@@ -223,3 +223,37 @@ fn random_positions_close_the_loops_and_set_joints_stay() {
         assert!((norm - 1.0).abs() < 1e-14, "row {row}: {norm}");
     }
 }
+
+/// Gradients of a tree (in lanes) and of a linkage (at poses) against central differences of rows 2h apart.
+#[test]
+fn gradients_are_differences_of_rows() {
+    // The third derivative of m̄ times h² and rounding over h are both below 1e-6 of m̄.
+    const H: f64 = 1e-3;
+    for (contact, driver, velocities) in [
+        (ARM, "elbow", vec!["elbow"]),
+        (COUPLER, "crank_hinge", vec!["crank_hinge", "crank_pin", "rocker_hinge"]),
+    ] {
+        let (low, high) = (0.2 - H, 0.2 + H);
+        let sweep = swept(&format!("sweep {contact} --vary {driver}={low}:{high}:3 --gradient"));
+        let value = |row: usize, name: &str| sweep.number(row, name).expect("a number");
+        let slope = (value(2, "effective_mass") - value(0, "effective_mass")) / (2.0 * H);
+        // Velocities of the joints per velocity of the driver.
+        let rates = velocities.iter().map(|joint| (value(2, joint) - value(0, joint)) / (2.0 * H));
+        let found: f64 = velocities
+            .iter()
+            .zip(rates)
+            .map(|(joint, rate)| rate * value(1, &format!("gradient_{joint}")))
+            .sum();
+        let size = value(1, "effective_mass");
+        assert!((found - slope).abs() < 1e-4 * size.max(slope.abs()), "{driver}: {found} {slope}");
+    }
+    let plain = swept(&format!("sweep {ARM} --vary elbow=0:1:2"));
+    assert!(!plain.header.iter().any(|name| name.starts_with("gradient")), "{:?}", plain.header);
+    let scratch = Scratch::new("gradients");
+    let path = scratch.path("rows.json");
+    let written = percuss(&format!("sweep {ARM} --vary elbow=0:1:2 --gradient -o {path}"));
+    assert_eq!(written.code, 0, "{}", written.stderr);
+    let report: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(&path).expect("a report")).expect("JSON");
+    assert_eq!(report["rows"][0]["gradient"].as_object().expect("a gradient by joint").len(), 6);
+}

@@ -157,7 +157,6 @@ impl ContactMap<'_> {
         contacts: ContactColumns<'_>,
         answers: &mut MapAnswers<'_>,
     ) -> Result<(), MapError> {
-        interruption::check();
         let expected = contacts.points[0].len();
         let lengths = contacts.points.iter().chain(&contacts.normals).map(|column| column.len());
         let outputs = [answers.masses.len(), answers.errors.len(), answers.statuses.len()];
@@ -166,6 +165,7 @@ impl ContactMap<'_> {
         }
         let mut first = 0;
         while first < expected {
+            interruption::check();
             let end = (first + MAP_PORTION).min(expected);
             let portion = contacts.slice(first, end);
             let masses = &mut answers.masses[first..end];

@@ -13,7 +13,9 @@ use crate::tolerances::{
     WORK_INTERVALS,
 };
 use nalgebra::Vector3;
-use percuss_dynamics::{ConstraintAction, ConstraintSource, Contact, EffectiveMass, LocatedContact, Pose};
+use percuss_dynamics::{
+    ConstraintAction, ConstraintSource, Contact, EffectiveMass, LocatedContact, Pose, interruption,
+};
 use percuss_spatial::{Transform, quaternion_product, rotation_from_quaternion};
 
 /// Numbers that describe the motion of a base: position and quaternion w, x, y, z.
@@ -194,6 +196,7 @@ impl<'a> Motion<'a> {
     }
 
     fn instant(&self, y: &[f64]) -> Option<Instant> {
+        interruption::check();
         let (positions, rest) = y.split_at(self.start.positions().len());
         let (base, rest) = rest.split_at(BASE);
         let (rates, rest) = rest.split_at(self.lengths.len());

@@ -16,7 +16,7 @@ from __future__ import annotations
 from importlib.metadata import version as _version
 from typing import Any as _Any
 
-from . import converters
+from . import converters, records
 from ._errors import (
     AssemblyError,
     InputError,
@@ -151,6 +151,7 @@ __all__ = [
     "map_point",
     "mass",
     "position_gradient",
+    "records",
     "regions",
     "run_study",
     "safe_speed",

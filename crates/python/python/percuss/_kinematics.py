@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _percuss
 from ._percuss import Model
-from ._reports import Report
+from .records import KinematicsReport
 
 _Variable = Union[float, Sequence[float], None]
 
@@ -54,7 +54,7 @@ class Kinematics:
     units: dict[str, str]
     missing: dict[str, str]
     problems: list[str | None]
-    report: Report
+    report: KinematicsReport
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """Column of a quantity."""
@@ -122,7 +122,7 @@ def kinematics(
         sprung_mass=sprung_mass,
         tyre_rate=tyre_rate,
     )
-    report = Report(json.loads(_percuss.kinematics(model, question)))
+    report = KinematicsReport.of(json.loads(_percuss.kinematics(model, question)))
     rows = report["rows"]
     names = [f"{c['quantity']}_{c['side']}" if c["side"] else c["quantity"] for c in report["columns"]]
 

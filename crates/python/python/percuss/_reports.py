@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import json
 import os
 from collections.abc import Mapping, Sequence
@@ -12,7 +11,7 @@ from typing import Any, Union, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _percuss
+from . import _percuss, records
 from ._errors import InputError
 from ._percuss import Contact, Model
 
@@ -156,45 +155,16 @@ def _rows(
     return ranges, file, None if random is None else (random, seed)
 
 
-class Report(dict[str, Any]):
-    """Report: the dict that the command prints with ``--format json``. Keys are attributes too."""
-
-    def __getattr__(self, key: str) -> Any:
-        try:
-            return self[key]
-        except KeyError:
-            raise AttributeError(f"the report has no {key!r}; it has {', '.join(self)}") from None
-
-    def _facts(self) -> list[tuple[str, str]]:
-        facts: list[tuple[str, str]] = []
-        for key, value in self.items():
-            if isinstance(value, bool) or value is None:
-                continue
-            if isinstance(value, float):
-                facts.append((key, f"{value:.10g}"))
-            elif isinstance(value, (int, str)):
-                facts.append((key, str(value)))
-            elif isinstance(value, list) and key in ("rows", "links", "diagnostics"):
-                facts.append((key, f"{len(value)}"))
-        return facts
-
-    def __repr__(self) -> str:
-        return "<Report " + ", ".join(f"{key}: {value}" for key, value in self._facts()) + ">"
-
-    def _repr_html_(self) -> str:
-        rows = "".join(
-            f"<tr><th style='text-align:left'>{html.escape(key)}</th><td>{html.escape(value)}</td></tr>"
-            for key, value in self._facts()
-        )
-        return f"<table>{rows}</table>"
+#: Base of all reports.
+Report = records.Record
 
 
-class MapReport(Report):
+class MapReport(records.MapRecord):
     """Maps of links. facets: for each link a dict of arrays: points, normals, points_world (k, 3) m, area (k,) m²,
     effective_mass and error (k,) kg (NaN unless finite), status (k,) uint8."""
 
     def __init__(self, report: dict[str, Any], facets: dict[str, dict[str, NDArray[Any]]], svg: str) -> None:
-        super().__init__(report)
+        super().__init__(records.MapRecord.of(report))
         object.__setattr__(self, "facets", facets)
         object.__setattr__(self, "_svg", svg)
 
@@ -225,17 +195,25 @@ def _asked(conditions: Conditions | None) -> Conditions:
     )
 
 
-def check(model: Model) -> Report:
+def _with_rows(parts: tuple[str, list[str]]) -> Any:
+    """Report of its JSON and the lists of its rows."""
+    report = json.loads(parts[0])
+    if parts[1]:
+        report["rows"] = [row for rows in parts[1] for row in json.loads(rows)]
+    return report
+
+
+def check(model: Model) -> records.CheckReport:
     """Summary of a model: links, joints, loops, mobility, redundancy, mass, diagnostics. As ``percuss check``."""
-    return Report(json.loads(_percuss.check(model)))
+    return records.CheckReport.of(json.loads(_percuss.check(model)))
 
 
 def mass(
     model: Model, contact: Contact | str, conditions: Conditions | None = None, *, damping: Damping | None = None
-) -> Report:
+) -> records.MassReport:
     """Report on one contact of a model, with the damper if damping is given. contact: a Contact, or the name of a
     contact of the model (Model.contacts), such as "bump_stop"; a stop is brought to the touch. As ``percuss mass``."""
-    return Report(json.loads(_percuss.mass_report(model, contact, _asked(conditions), damping)))
+    return records.MassReport.of(json.loads(_percuss.mass_report(model, contact, _asked(conditions), damping)))
 
 
 def sweep_report(
@@ -248,17 +226,18 @@ def sweep_report(
     ignore: Sequence[str] = (),
     random: int | None = None,
     seed: int = 0,
-) -> Report:
+    gradient: bool = False,
+) -> records.SweepReport:
     """Report on a contact at many rows of positions, with loops closed along one branch; each row has its pose,
     estimate and motion ratio. As ``percuss sweep``; ``sweep`` takes arrays and is far quicker.
 
     vary: one range or several, the first the slowest: "JOINT=FROM:TO:COUNT",
     "travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT", or (joint, from, to, count). input: a file of positions, .csv or
     .parquet, without the columns of ignore. random: number of random rows within the limits of the joints, with seed.
-    Exactly one of vary, input and random.
+    Exactly one of vary, input and random. gradient: adds the gradient of m̄ by the velocities of every movable joint.
     """
     rows = _rows(vary, input, ignore, random, seed)
-    return Report(json.loads(_percuss.sweep_report(model, contact, _asked(conditions), *rows)))
+    return records.SweepReport.of(_with_rows(_percuss.sweep_report(model, contact, _asked(conditions), *rows, gradient)))
 
 
 def map(
@@ -285,22 +264,22 @@ def map(
 
 def map_point(
     model: Model, contact: Contact | str, directions: int = 500, conditions: Conditions | None = None
-) -> Report:
+) -> records.PointMapReport:
     """m̄ in many directions at the point of a contact, and the principal effective masses. The contact's normal is
     not used."""
-    return Report(json.loads(_percuss.map_point_report(model, contact, _asked(conditions), directions)))
+    return records.PointMapReport.of(json.loads(_percuss.map_point_report(model, contact, _asked(conditions), directions)))
 
 
-def damp(mass: float, damping: Damping) -> Report:
+def damp(mass: float, damping: Damping) -> records.DampingReport:
     """Damper for an effective mass (kg), and parameters for simulators. As ``percuss damp --mass``."""
-    return Report(json.loads(_percuss.damp_mass(mass, damping)))
+    return records.DampingReport.of(json.loads(_percuss.damp_mass(mass, damping)))
 
 
 def damp_contact(
     model: Model, contact: Contact | str, damping: Damping, conditions: Conditions | None = None
-) -> Report:
+) -> records.DampingReport:
     """Damper for a contact of a model, and its changes over the penetration. As ``percuss damp --mass-from``."""
-    return Report(json.loads(_percuss.damp(model, contact, None, _asked(conditions), damping)))
+    return records.DampingReport.of(json.loads(_percuss.damp(model, contact, None, _asked(conditions), damping)))
 
 
 def damp_stop(
@@ -310,10 +289,10 @@ def damp_stop(
     conditions: Conditions | None = None,
     *,
     end: str | None = None,
-) -> Report:
+) -> records.DampingReport:
     """Damper for a joint's stop, at the joint's position or at an end of its range ("lower", "upper"). As ``percuss
     damp --limit``."""
-    return Report(json.loads(_percuss.damp(model, None, (joint, end), _asked(conditions), damping)))
+    return records.DampingReport.of(json.loads(_percuss.damp(model, None, (joint, end), _asked(conditions), damping)))
 
 
 def impact_history(mass: float, damping: Damping, samples: int = 200) -> NDArray[np.float64]:
@@ -322,12 +301,12 @@ def impact_history(mass: float, damping: Damping, samples: int = 200) -> NDArray
     return _percuss.impact_history(mass, damping, samples)
 
 
-def explain(model: Model, contact: Contact | str, conditions: Conditions | None = None) -> Report | None:
+def explain(model: Model, contact: Contact | str, conditions: Conditions | None = None) -> records.Explanation | None:
     """Sensitivity of m̄: its derivative with respect to the mass and the centre of mass of each link, each armature,
     and each hardpoint of a sheet. None if the contact has no finite mass, or different masses on its branches. As
     ``percuss mass --explain``."""
     found = json.loads(_percuss.explain(model, contact, _asked(conditions)))
-    return None if found is None else Report(found)
+    return None if found is None else records.Explanation.of(found)
 
 
 def tolerate(
@@ -338,13 +317,13 @@ def tolerate(
     *,
     samples: int | None = None,
     seed: int = 0,
-) -> Report | None:
+) -> records.ToleranceReport | None:
     """Variation of m̄ within tolerances, to first order and by random samples. tolerance:
     "mass=2%,com=1mm,armature=10%,point=0.5mm", or some of these. None as for ``explain``. As ``percuss mass
     --tolerance``."""
     drawn = None if samples is None else (samples, seed)
     found = json.loads(_percuss.tolerate(model, contact, _asked(conditions), tolerance, drawn))
-    return None if found is None else Report(found)
+    return None if found is None else records.ToleranceReport.of(found)
 
 
 def compare(
@@ -355,16 +334,16 @@ def compare(
     ignore: Sequence[str] = (),
     random: int | None = None,
     seed: int = 0,
-) -> Report:
+) -> records.ComparisonReport:
     """Compares at least two designs by one question: each result, with its difference from the first. vary, input,
     random: row source, as for ``sweep_report``; without rows, only the pose is compared. As ``percuss compare``."""
     asked = [Design(d.name, d.model, d.contact, _asked(d.conditions)) for d in designs]
-    return Report(json.loads(_percuss.compare(asked, *_rows(vary, input, ignore, random, seed))))
+    return records.ComparisonReport.of(_with_rows(_percuss.compare(asked, *_rows(vary, input, ignore, random, seed))))
 
 
-def compare_study(path: str | os.PathLike[str], name: str = "as given") -> Report:
+def compare_study(path: str | os.PathLike[str], name: str = "as given") -> records.ComparisonReport:
     """Compares the variants of a study (TOML) with its model, under the given name. As ``percuss compare STUDY``."""
-    return Report(json.loads(_percuss.compare_study(path, name)))
+    return records.ComparisonReport.of(_with_rows(_percuss.compare_study(path, name)))
 
 
 def impact(
@@ -391,7 +370,7 @@ def impact(
     in_time: bool = False,
     gravity: Sequence[float] | None = None,
     also_restitution: Sequence[float] = (),
-) -> Report:
+) -> records.ImpactReport:
     """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
     joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
     speed is assumed. friction: coefficient (Coulomb), with restitution_law "energetic" (Stronge), "poisson", "newton" or
@@ -413,7 +392,7 @@ def impact(
         restitution, speed, friction, restitution_law, also, also_restitution, sticking, stiffness_ratio, contact_exponent,
         rates or {}, base_twist, damping, in_time, gravity, rate_limit or {}, reflected, percussion,
     )
-    return Report(json.loads(_percuss.impact(model, contact, _asked(conditions), asked)))
+    return records.ImpactReport.of(json.loads(_percuss.impact(model, contact, _asked(conditions), asked)))
 
 
 def extremes(
@@ -424,13 +403,13 @@ def extremes(
     ranges: Mapping[str, tuple[float, float]] | None = None,
     normals: str = "given",
     starts: int = 32,
-) -> Report:
+) -> records.ExtremesReport:
     """Smallest and largest effective mass of a contact over ranges of its driving joints (rad or m); without ranges, over the
     limits of all driving joints with limits. normals: "given", "any", or "across:X,Y,Z" for all normals across an axis (world axes):
     the extremes are those over positions and normals. Local searches from a number of starts; the report has the positions, the active
     limits, the optimality residual and the number of agreeing starts. As ``percuss extremes``."""
     given = [f"{joint}={lower!r}:{upper!r}" for joint, (lower, upper) in (ranges or {}).items()]
-    return Report(json.loads(_percuss.extremes(model, contact, _asked(conditions), given, normals, starts)))
+    return records.ExtremesReport.of(json.loads(_percuss.extremes(model, contact, _asked(conditions), given, normals, starts)))
 
 
 def safe_speed(
@@ -450,14 +429,14 @@ def safe_speed(
     ignore: Sequence[str] = (),
     random: int | None = None,
     seed: int = 0,
-) -> Report:
+) -> records.SafeSpeedReport:
     """Safe speed of a robot in a possible impact with a person. region: a name of regions(); None: a rigid obstacle,
     with a limit of energy or momentum. Exactly one limit, from the applicable edition of the standard: force (N),
     pressure (Pa) with area (m²), energy (J), momentum (N·s). load: kg. vary, input, random: row source, as for
     ``sweep_report``; the slowest row is under "along". As ``percuss safe-speed``."""
     speed = _SafeSpeed(region, force, pressure, area, energy, momentum, load)
     rows = _rows(vary, input, ignore, random, seed)
-    return Report(json.loads(_percuss.safe_speed(model, contact, _asked(conditions), speed, *rows))[0])
+    return records.SafeSpeedReport.of(json.loads(_percuss.safe_speed(model, contact, _asked(conditions), speed, *rows))[0])
 
 
 def safe_speed_directions(
@@ -474,7 +453,7 @@ def safe_speed_directions(
     energy: float | None = None,
     momentum: float | None = None,
     load: float = 0.0,
-) -> list[Report]:
+) -> list[records.SafeSpeedReport]:
     """``safe_speed`` in several directions, (3,) each, world axes. With worst, the last report is for the worst
     direction: the direction of the greatest effective mass at the point. The contact's normal is not used."""
     along = [[float(x) for x in direction] for direction in directions]
@@ -482,13 +461,28 @@ def safe_speed_directions(
         raise InputError("directions: none is given; give at least one, or worst=True")
     speed = _SafeSpeed(region, force, pressure, area, energy, momentum, load, along, worst)
     found = _percuss.safe_speed(model, contact, _asked(conditions), speed, None, None, None)
-    return [Report(report) for report in json.loads(found)]
+    return [records.SafeSpeedReport.of(report) for report in json.loads(found)]
 
 
-def run_study(path: str | os.PathLike[str]) -> Report:
-    """Runs a study (TOML) and returns the report of its sweep, or of its contact if the study has no sweep. Writes
-    no file. As ``percuss run``."""
-    return Report(json.loads(_percuss.run_study(path)))
+#: Reports of studies by their schema.
+_BY_SCHEMA: Mapping[str, type[Report]] = {
+    "percuss.sweep": records.SweepReport,
+    "percuss.mass": records.MassReport,
+    "percuss.damp": records.DampingReport,
+    "percuss.map": records.MapRecord,
+    "percuss.map-point": records.PointMapReport,
+    "percuss.safe-speed": records.SafeSpeedReport,
+}
+
+
+def run_study(path: str | os.PathLike[str]) -> records.AnyRecord:
+    """Runs a study (TOML) and returns the report of its sweep, or of its contact if the study has no sweep. Safe speeds
+    in several directions are a list under the key "reports". Writes no file. As ``percuss run``."""
+    found = _with_rows(_percuss.run_study(path))
+    if isinstance(found, list):
+        speeds = [records.SafeSpeedReport.of(one) for one in found]
+        return cast("records.AnyRecord", speeds[0] if len(speeds) == 1 else Report(reports=speeds))
+    return cast("records.AnyRecord", _BY_SCHEMA[found["schema"].split("/")[0]].of(found))
 
 
 def starting_study(model: Model, path: str | os.PathLike[str]) -> str:

@@ -9,9 +9,10 @@ Conventions (quaternions: w, x, y, z in percuss, MuJoCo and Drake; x, y, z, w in
     joint       percuss              Pinocchio            MuJoCo               Drake
     hinge       angle                angle; cos, sin      angle                angle
                                      without limits
-    ball        w x y z              x y z w              w x y z              w x y z
+    ball        w x y z              x y z w              w x y z              roll pitch yaw
     free        x y z, w x y z       x y z, x y z w       x y z, w x y z       w x y z, x y z
     planar      x y angle            x y cos sin          slide slide hinge    x y angle
+    ball, ω     of the child         of the child         of the child         of the parent
     free, ω v   ω v of the child     v ω of the child     v of the parent,     ω v of the parent
                                                           ω of the child
 
@@ -46,8 +47,9 @@ class _Block:
     """Joint in both programs.
 
     layout: "plain" (the same numbers), "circle" (cosine and sine), "ball_last", "free_last" (quaternions with w last),
-    "free_drake" (quaternion before translation), "planar_circle".
-    twist: axes and order of the six velocities of a free joint: "same", "linear_first", "linear_parent", "parent".
+    "free_drake" (quaternion before translation), "ball_angles" (roll, pitch, yaw), "planar_circle".
+    twist: axes and order of the six velocities of a free joint: "same", "linear_first", "linear_parent", "parent"; of the
+    three of a ball: "same", "ball_parent".
     drawn: position of the other program as drawn, which is zero in percuss: an angle, or x, y, z, w, x, y, z.
     """
 
@@ -100,6 +102,8 @@ def _to_percuss(layout: str, x: _Array) -> _Array:
         return x[..., [0, 1, 2, 6, 3, 4, 5]]
     if layout == "free_drake":
         return x[..., [4, 5, 6, 0, 1, 2, 3]]
+    if layout == "ball_angles":
+        return _quaternion(x)
     return x
 
 
@@ -114,7 +118,30 @@ def _from_percuss(layout: str, x: _Array) -> _Array:
         return x[..., [0, 1, 2, 4, 5, 6, 3]]
     if layout == "free_drake":
         return x[..., [3, 4, 5, 6, 0, 1, 2]]
+    if layout == "ball_angles":
+        return _angles(x)
     return x
+
+
+def _quaternion(angles: _Array) -> _Array:
+    """Quaternions w, x, y, z of roll, pitch, yaw: R = Rz(yaw) Ry(pitch) Rx(roll)."""
+    c, s = np.cos(0.5 * angles), np.sin(0.5 * angles)
+    (cr, cp, cy), (sr, sp, sy) = np.moveaxis(c, -1, 0), np.moveaxis(s, -1, 0)
+    parts = [
+        cr * cp * cy + sr * sp * sy,
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+    ]
+    return np.stack(parts, axis=-1)
+
+
+def _angles(x: _Array) -> _Array:
+    """Roll, pitch, yaw of quaternions w, x, y, z; pitch within a right angle."""
+    r = rotation_of(x)
+    pitch = np.arctan2(-r[..., 2, 0], np.hypot(r[..., 0, 0], r[..., 1, 0]))
+    roll, yaw = np.arctan2(r[..., 2, 1], r[..., 2, 2]), np.arctan2(r[..., 1, 0], r[..., 0, 0])
+    return np.stack([roll, pitch, yaw], axis=-1)
 
 
 def _turn(rotation: _Array, v: _Array) -> _Array:
@@ -129,6 +156,8 @@ def _twist_to_percuss(twist: str, v: _Array, rotation: _Array | None) -> _Array:
     if twist in ("same", "planar_child") or rotation is None:
         return v
     back = np.swapaxes(rotation, -1, -2)
+    if twist == "ball_parent":
+        return _turn(back, v)
     if twist == "linear_parent":
         return np.concatenate([v[..., 3:], _turn(back, v[..., :3])], axis=-1)
     return np.concatenate([_turn(back, v[..., :3]), _turn(back, v[..., 3:])], axis=-1)
@@ -139,6 +168,8 @@ def _twist_from_percuss(twist: str, v: _Array, rotation: _Array | None) -> _Arra
         return v[..., [3, 4, 5, 0, 1, 2]]
     if twist in ("same", "planar_child") or rotation is None:
         return v
+    if twist == "ball_parent":
+        return _turn(rotation, v)
     if twist == "linear_parent":
         return np.concatenate([_turn(rotation, v[..., 3:]), v[..., :3]], axis=-1)
     return np.concatenate([_turn(rotation, v[..., :3]), _turn(rotation, v[..., 3:])], axis=-1)
@@ -217,6 +248,8 @@ class Converter:
                 joints[str(joint.name())] = (slice(q, q + nq), slice(v, v + nv), free)
 
         def layout(kind: str, _: int) -> tuple[str, str]:
+            if kind == "spherical":
+                return "ball_angles", "ball_parent"
             return ("free_drake", "parent") if kind == "floating" else ("plain", "same")
 
         count, velocities = int(plant.num_positions()), int(plant.num_velocities())
@@ -359,6 +392,8 @@ class Converter:
             )
         if block.twist == "planar_child":
             return None
+        if block.twist == "ball_parent":
+            return rotation_of(own[..., block.own])
         # From the axes of the child to those of the parent of the other program, the world of MuJoCo.
         return rotation_of(_to_percuss(block.layout, block.from_percuss(own[..., block.own]))[..., 3:])
 

@@ -5,7 +5,7 @@ use crate::analysis::response::{status, value};
 use crate::conversion::arrays::{float64_matrix, shape, triple};
 use crate::conversion::errors::input;
 use crate::conversion::labels::AXES;
-use crate::conversion::threads::{Threads, detached};
+use crate::conversion::threads::interruptible_if_large;
 use numpy::ndarray::{ArrayView2, s};
 use numpy::{PyArray1, PyUntypedArrayMethods};
 use percuss::nalgebra::Vector3;
@@ -103,7 +103,9 @@ pub fn contact_map<'py>(
     let bounds = bounds(py, points)?;
     let centre = Vector3::from_fn(|axis, _| 0.5 * (bounds[axis][0] + bounds[axis][1]));
     let reach = Vector3::from_fn(|axis, _| 0.5 * (bounds[axis][1] - bounds[axis][0])).norm();
-    let map = py.detach(|| contact_map_about(pose, link, against, centre, reach))?;
+    let coordinates = pose.pose.positions().len();
+    let map =
+        interruptible_if_large(py, coordinates, || contact_map_about(pose, link, against, centre, reach))??;
     let (mut masses, mut errors) = (vec![0.0; count], vec![0.0; count]);
     let mut statuses = vec![ContactStatus::Finite; count];
     for first in (0..count).step_by(PORTION) {
@@ -119,7 +121,8 @@ pub fn contact_map<'py>(
             points: [&points[0], &points[1], &points[2]],
             normals: [&normals[0], &normals[1], &normals[2]],
         };
-        detached(py, Threads::of(None)?, || map.fill_answers(contacts, &mut answers))?.map_err(input)?;
+        interruptible_if_large(py, rows.len(), || map.fill_answers(contacts, &mut answers))?
+            .map_err(input)?;
         py.check_signals()?;
     }
     for ((mass, error), status) in masses.iter_mut().zip(&mut errors).zip(&statuses) {

@@ -4,13 +4,14 @@ use crate::analysis::response::{remark, status, value};
 use crate::conversion::arrays::{Numbers, shape};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::input;
-use crate::conversion::threads::{Threads, detached};
+use crate::conversion::threads::{interruptible, interruptible_if_large};
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use percuss::study::matrix_findings as findings_of_batch;
 use percuss::{
     EffectiveMass, MatrixName, MatrixOptions, MatrixResponse as Found, MatrixView, RemarkFlags,
-    effective_mass as of_matrices,
+    effective_mass as of_matrices, interruption,
 };
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use rayon::prelude::*;
@@ -287,9 +288,11 @@ pub fn effective_mass(
     let (mass, rows) = (Block::of(&mass), rows.as_ref().map(Block::of));
     let row = Block::of(&row);
     let row = if row.shape.len() == 2 { row.matrix(0)? } else { row.row(0)? };
+    let coordinates = mass.shape[0];
     let (mass, rows) = (mass.matrix(0)?, rows.as_ref().map(|rows| rows.matrix(0)).transpose()?);
     let options = reading.options();
-    let found = py.detach(|| of_matrices(mass, row, rows, &options)).map_err(input)?;
+    let found =
+        interruptible_if_large(py, coordinates, || of_matrices(mass, row, rows, &options))?.map_err(input)?;
     Ok(MatrixResponse(found))
 }
 
@@ -333,6 +336,9 @@ pub fn effective_masses<'py>(
     rows.as_ref().map_or(Ok(()), |rows| batches(rows, "A", 3))?;
     let options = reading.options();
     let one = |c: usize| -> Result<Solved, PyErr> {
+        if interruption::is_requested() {
+            return Err(PyKeyboardInterrupt::new_err(()));
+        }
         let rows = rows.as_ref().map(|rows| rows.matrix(c)).transpose()?;
         let found = of_matrices(mass.matrix(c)?, row.row(c)?, rows, &options)
             .map_err(|error| input(format_args!("number {c} of the batch: {error}")))?;
@@ -345,7 +351,7 @@ pub fn effective_masses<'py>(
     let (mut masses, mut errors, mut codes) = (Vec::new(), Vec::new(), Vec::new());
     let (mut remarks, mut small_rows) = (Vec::new(), Vec::new());
     for first in (0..count).step_by(256) {
-        let part = detached(py, Threads::of(None)?, || {
+        let part = interruptible(py, || {
             (first..count.min(first + 256)).into_par_iter().map(one).collect::<PyResult<Vec<_>>>()
         })??;
         for solved in part {

@@ -1,6 +1,7 @@
 //! Models: mechanisms from URDF, and their loading functions.
 
 use crate::conversion::errors;
+use crate::conversion::threads::abandonable;
 use percuss::study::Model as Read;
 use percuss::{Accept, DEFAULT_MAX_SIZE, JointKind, LoadOptions, Source};
 use pyo3::prelude::*;
@@ -89,10 +90,17 @@ impl Model {
     /// Loads a model from a source and issues its warnings.
     fn of(py: Python<'_>, source: Source, accept: Vec<String>) -> PyResult<Self> {
         let options = options(&accept)?;
-        let read = py.detach(|| Read::from_source(&source, &options)).map_err(errors::load)?;
-        Ok(Self { source: Some(Arc::new((source, accept))), ..Self::new(py, read)? })
+        let source = Arc::new((source, accept));
+        let given = Arc::clone(&source);
+        let read = abandonable(py, source.0.bytes.len() >= LONG_SOURCE, move || {
+            Read::from_source(&given.0, &options)
+        })?;
+        Ok(Self { source: Some(source), ..Self::new(py, read.map_err(errors::load)?)? })
     }
 }
+
+/// Size of a file, bytes, that takes some milliseconds to read.
+const LONG_SOURCE: usize = 1 << 18;
 
 /// Load options for the names of accepted findings.
 fn options(accept: &[String]) -> PyResult<LoadOptions> {

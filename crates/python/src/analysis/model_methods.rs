@@ -5,14 +5,19 @@ use crate::analysis::pose::Pose;
 use crate::analysis::system::{Assembly, System, position_names, velocity_names};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors;
+use crate::conversion::threads::abandonable;
 use percuss::study::Changes;
 use percuss::{JointKind, write_mjcf, write_sdf, write_urdf};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Function that rebuilds a model, and its arguments.
 type RebuiltModel<'py> = (Bound<'py, PyAny>, (Vec<u8>, String, Vec<String>));
+
+/// Number of links from which changes of a model take some milliseconds.
+const LARGE_MODEL: usize = 64;
 
 #[pymethods]
 impl Model {
@@ -131,8 +136,9 @@ impl Model {
             link_com: link_com.into_iter().collect(),
             moves: r#move.into_iter().collect(),
         };
-        let read = py.detach(|| self.read.with_changes(&changes)).map_err(errors::design)?;
-        Model::new(py, read)
+        let (read, is_large) = (Arc::clone(&self.read), self.read.mechanism.links().len() >= LARGE_MODEL);
+        let read = abandonable(py, is_large, move || read.with_changes(&changes))?;
+        Model::new(py, read.map_err(errors::design)?)
     }
 
     /// The mechanism under conditions.

@@ -6,6 +6,7 @@ use crate::analysis::pose::Pose;
 use crate::analysis::system::{configuration, numbers};
 use crate::conversion::arrays::{list, triple};
 use crate::conversion::errors::{self, input};
+use crate::conversion::threads::interruptible_if_large;
 use numpy::PyArray1;
 use percuss::nalgebra::{Matrix3, Vector3};
 use percuss::spatial::Twist;
@@ -140,7 +141,10 @@ impl Travel {
         if !displacement.is_finite() {
             return Err(input(format_args!("displacement is {displacement}; expected a finite number, m")));
         }
-        let pose = py.detach(|| self.travel.pose(&start.pose, &others, driver, displacement));
+        let coordinates = start.pose.positions().len();
+        let pose = interruptible_if_large(py, coordinates, || {
+            self.travel.pose(&start.pose, &others, driver, displacement)
+        })?;
         Ok(Pose { pose: pose.map_err(errors::travel)?, ..start.clone() })
     }
 
@@ -225,7 +229,9 @@ pub fn effective_mass_gradient(
     contact: &Contact,
 ) -> PyResult<Option<MassGradient>> {
     let contact = contact.resolve(&pose.model.read.mechanism)?;
-    py.detach(|| pose.pose.effective_mass_gradient(&contact)).map_err(errors::response)
+    let coordinates = pose.pose.positions().len();
+    interruptible_if_large(py, coordinates, || pose.pose.effective_mass_gradient(&contact))?
+        .map_err(errors::response)
 }
 
 /// Refuses velocities of locked joints, and velocities that open the loops: A v ≠ 0.
@@ -338,6 +344,9 @@ pub fn accelerations(
         })
     };
     let forces: Vec<PointForce> = forces.iter().map(force).collect::<PyResult<_>>()?;
-    let found = py.detach(|| pose.pose.accelerations(&velocities, &base, &gravity, &forces));
+    let coordinates = pose.pose.positions().len();
+    let found = interruptible_if_large(py, coordinates, || {
+        pose.pose.accelerations(&velocities, &base, &gravity, &forces)
+    })?;
     Ok(Accelerations { pose: pose.clone(), found: found.map_err(errors::route)? })
 }

@@ -13,6 +13,7 @@ use crate::conversion::arrays::{matrix, triple};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::{self, input};
 use crate::conversion::pickle::{Rebuilt, result_of};
+use crate::conversion::threads::interruptible_if_large;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::LocatedContact;
 use percuss::nalgebra::{DMatrix, Matrix3, Vector3};
@@ -78,9 +79,12 @@ impl Pose {
     /// Findings about the pose, as in reports of the command line: joints outside their limits, loops open as drawn,
     /// another assembly mode, an unclear rank.
     #[getter]
-    fn findings(&self, py: Python<'_>) -> Vec<Diagnostic> {
-        let found = py.detach(|| percuss::study::pose_findings(&self.system.system, &self.pose));
-        found.into_iter().map(Diagnostic).collect()
+    fn findings(&self, py: Python<'_>) -> PyResult<Vec<Diagnostic>> {
+        let coordinates = self.pose.positions().len();
+        let found = interruptible_if_large(py, coordinates, || {
+            percuss::study::pose_findings(&self.system.system, &self.pose)
+        })?;
+        Ok(found.into_iter().map(Diagnostic).collect())
     }
 
     /// The frame of a link in the root link's frame (frame="root") or in the world (frame="world"), homogeneous; (4,
@@ -241,7 +245,10 @@ impl Pose {
         if !distance.is_finite() {
             return Err(input(format_args!("distance is {distance}; expected a finite number")));
         }
-        let pose = py.detach(|| self.pose.advanced_along(&response.response, distance));
+        let coordinates = self.pose.positions().len();
+        let pose = interruptible_if_large(py, coordinates, || {
+            self.pose.advanced_along(&response.response, distance)
+        })?;
         Ok(pose.map(|pose| Self { pose, ..self.clone() }))
     }
 
@@ -267,7 +274,10 @@ impl Pose {
     #[pyo3(signature = (contact, *, route="auto"))]
     fn respond(&self, py: Python<'_>, contact: &Contact, route: &str) -> PyResult<Response> {
         let (contact, route) = (contact.resolve(&self.model.read.mechanism)?, route_choice(route)?);
-        let response = py.detach(|| self.pose.respond_by_route(&contact, route)).map_err(errors::response)?;
+        let coordinates = self.pose.positions().len();
+        let response =
+            interruptible_if_large(py, coordinates, || self.pose.respond_by_route(&contact, route))?
+                .map_err(errors::response)?;
         let own = self.clone();
         Ok(Response { pose: own, contact, route, masses: Vec::new(), response })
     }

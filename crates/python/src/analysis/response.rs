@@ -6,6 +6,7 @@ use crate::conversion::arrays::triple;
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::input;
 use crate::conversion::pickle::{Rebuilt, result_of};
+use crate::conversion::threads::interruptible_if_large;
 use numpy::PyArray1;
 use percuss::nalgebra::Vector3;
 use percuss::study::response_findings;
@@ -136,11 +137,12 @@ impl Response {
     /// Findings about the pose and the result, as in reports of the command line. At a singular pose, its branches are
     /// followed.
     #[getter]
-    fn findings(&self, py: Python<'_>) -> Vec<Diagnostic> {
-        let found = py.detach(|| {
+    fn findings(&self, py: Python<'_>) -> PyResult<Vec<Diagnostic>> {
+        let coordinates = self.pose.pose.positions().len();
+        let found = interruptible_if_large(py, coordinates, || {
             response_findings(&self.pose.system.system, &self.pose.pose, &self.contact, &self.response)
-        });
-        found.into_iter().map(Diagnostic).collect()
+        })?;
+        Ok(found.into_iter().map(Diagnostic).collect())
     }
 
     /// v*: velocities of each joint at unit closing speed, by joint name; (d,) rad or m, per m.
@@ -198,14 +200,16 @@ impl Response {
 
     /// Limits of m̄ along the branches that cross at a singular pose, kg; None for a branch along which the gap does
     /// not close.
-    fn branch_limits(&self, py: Python<'_>) -> Vec<Option<f64>> {
-        let limits = py.detach(|| self.pose.pose.branch_limits(&self.contact).limits);
+    fn branch_limits(&self, py: Python<'_>) -> PyResult<Vec<Option<f64>>> {
+        let coordinates = self.pose.pose.positions().len();
+        let limits =
+            interruptible_if_large(py, coordinates, || self.pose.pose.branch_limits(&self.contact).limits)?;
         let limit = |mass: EffectiveMass| match mass {
             EffectiveMass::Finite(m) => Some(m),
             EffectiveMass::Immovable => None,
             EffectiveMass::Massless => Some(0.0),
         };
-        limits.into_iter().map(limit).collect()
+        Ok(limits.into_iter().map(limit).collect())
     }
 
     /// Velocity of a point of a link at unit closing speed, relative to the contact's other side; (3,). Its length is

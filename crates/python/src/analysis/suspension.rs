@@ -2,6 +2,7 @@
 
 use crate::analysis::model::Model;
 use crate::conversion::errors::{self, input};
+use crate::conversion::threads::abandonable;
 use percuss::mechanism::near_names;
 use percuss::study::Model as Read;
 use percuss::suspension::{
@@ -73,8 +74,9 @@ pub fn load_suspension(
         ..ImportOptions::default()
     };
     let source = Source::read(&path.to_string_lossy(), DEFAULT_MAX_SIZE).map_err(errors::load)?;
-    let read = py.detach(|| Read::from_suspension(&source, &options)).map_err(errors::load)?;
-    Model::new(py, read)
+    // Tables of the sheet may be large.
+    let read = abandonable(py, true, move || Read::from_suspension(&source, &options))?;
+    Model::new(py, read.map_err(errors::load)?)
 }
 
 /// Templates of sheets: name, title.

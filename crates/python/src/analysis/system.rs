@@ -4,6 +4,7 @@
 use crate::analysis::model::Model;
 use crate::conversion::arrays::{Numbers, list, triple};
 use crate::conversion::errors::{self, input};
+use crate::conversion::threads::interruptible_if_large;
 use percuss::nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use percuss::spatial::{Transform, rotation_from_quaternion};
 use percuss::{Assembly as Assembled, Base, Conditions, Configuration, Mechanism, System as Compiled};
@@ -232,6 +233,7 @@ impl System {
 
     /// Assembly of the loops from all joints at 0.
     pub fn assemble_at_zero(&self, py: Python<'_>) -> PyResult<Arc<Assembled>> {
-        py.detach(|| self.system.reference().map(Arc::clone)).map_err(errors::assembly)
+        interruptible_if_large(py, self.system.coordinates(), || self.system.reference().map(Arc::clone))?
+            .map_err(errors::assembly)
     }
 }

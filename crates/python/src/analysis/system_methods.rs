@@ -13,6 +13,7 @@ use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors::{self, input};
 use crate::conversion::labels::Labels;
 use crate::conversion::pickle::{Rebuilt, result_of};
+use crate::conversion::threads::interruptible_if_large;
 use numpy::PyArray1;
 use percuss::spatial::Transform;
 use percuss::study::response_findings;
@@ -53,7 +54,8 @@ impl System {
             None => self.assemble_at_zero(py)?,
             Some(_) => {
                 let given = configuration(&self.model.read.mechanism, None, guess)?;
-                py.detach(|| self.system.assemble(&given)).map_err(errors::assembly)?
+                interruptible_if_large(py, self.system.coordinates(), || self.system.assemble(&given))?
+                    .map_err(errors::assembly)?
             }
         };
         let guess = Arc::new(numbers(guess, "guess")?);
@@ -78,7 +80,8 @@ impl System {
         other_assembly: bool,
     ) -> PyResult<Pose> {
         let given = pose_configuration(&self.model.read.mechanism, q, guess, base_pose, other_assembly)?;
-        let pose = py.detach(|| self.system.pose(&given)).map_err(errors::assembly)?;
+        let pose = interruptible_if_large(py, self.system.coordinates(), || self.system.pose(&given))?
+            .map_err(errors::assembly)?;
         Ok(Pose { model: self.model.clone(), system: self.clone(), guess: Arc::default(), pose })
     }
 
@@ -194,7 +197,9 @@ impl Assembly {
         other_assembly: bool,
     ) -> PyResult<Pose> {
         let given = pose_configuration(&self.model.read.mechanism, q, guess, base_pose, other_assembly)?;
-        let pose = py.detach(|| self.assembly.pose(&given)).map_err(errors::assembly)?;
+        let pose =
+            interruptible_if_large(py, self.system.system.coordinates(), || self.assembly.pose(&given))?
+                .map_err(errors::assembly)?;
         let (system, guess) = (self.system.clone(), Arc::clone(&self.guess));
         Ok(Pose { model: self.model.clone(), system, guess, pose })
     }
@@ -290,12 +295,12 @@ impl Workspace {
         if let Some(base) = self.base {
             configuration.set_base(base);
         }
-        py.detach(|| {
+        interruptible_if_large(py, self.positions.len(), || {
             let pose = assembly.pose(&configuration).map_err(errors::assembly)?;
             let response = pose.respond(&self.contact).map_err(errors::response)?;
             let found = response_findings(&system.system, &pose, &self.contact, &response);
             Ok(Some(found.into_iter().map(Diagnostic).collect()))
-        })
+        })?
     }
 
     /// Pickles a workspace as its assembly, contact and base pose.

@@ -26,8 +26,12 @@ static LIMIT: AtomicUsize = AtomicUsize::new(0);
 static STOP: AtomicBool = AtomicBool::new(false);
 /// Largest number of threads.
 const MOST_THREADS: usize = 1024;
-/// Time between two checks for Ctrl-C: a quarter of the 0.2 s in which a call stops, for the reaction of the threads.
-const CHECK_INTERVAL: Duration = Duration::from_millis(50);
+/// Time between two checks for Ctrl-C: a tenth of the 0.2 s in which a call stops; the rest is for the reaction of the threads.
+const CHECK_INTERVAL: Duration = Duration::from_millis(20);
+
+/// Number of coordinates, contacts or configurations from which a call may take 0.1 s: a dense solution of 100 coordinates takes some
+/// milliseconds, and a contact or configuration with the dense route no longer. Below, a call has no second thread.
+const LARGE: usize = 64;
 
 /// Process and threads of a pool.
 #[derive(Clone, Copy, PartialEq)]
@@ -120,12 +124,84 @@ pub fn detached<T: Send>(py: Python<'_>, threads: Threads, work: impl FnOnce() -
     }))
 }
 
-/// Like [`detached`], on the threads of [`set_threads`]. Ctrl-C stops the work at its next configuration.
+/// Like [`interruptible_on`], on the threads of [`set_threads`].
+///
+/// # Errors
+/// As [`interruptible_on`].
+pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    interruptible_on(py, Threads::of(None)?, work)
+}
+
+/// Runs `work` without the interpreter on this thread; in a fork on a pool of its own, because rayon's global pool has no threads there.
+fn detached_here<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    let process = process::id();
+    if *LOADING_PROCESS.get_or_init(|| process) == process {
+        return Ok(py.detach(work));
+    }
+    detached(py, Threads::of(None)?, work)
+}
+
+/// Like [`interruptible`] if the work may take long, else without the interpreter on this thread. `size`: number of coordinates,
+/// contacts or configurations.
+///
+/// # Errors
+/// As [`interruptible_on`].
+pub fn interruptible_if_large<T: Send>(
+    py: Python<'_>,
+    size: usize,
+    work: impl FnOnce() -> T + Send,
+) -> PyResult<T> {
+    if size >= LARGE { interruptible(py, work) } else { detached_here(py, work) }
+}
+
+/// Runs `work` on a thread of its own if it is large. Ctrl-C returns at once: the thread then completes the work and drops its result.
+/// For work that cannot be stopped, such as the reading of a file.
+///
+/// # Errors
+/// RuntimeError: a thread cannot be started. KeyboardInterrupt, or the exception of another signal handler.
+pub fn abandonable<T: Send + 'static>(
+    py: Python<'_>,
+    is_large: bool,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
+    if !is_large || !is_main_thread(py)? {
+        return detached_here(py, work);
+    }
+    let pool = Threads::of(None)?.pool(false)?;
+    let work = move || match pool {
+        None => work(),
+        Some(pool) => pool.install(work),
+    };
+    let (sender, receiver) = channel();
+    let run = move || {
+        // After an interruption nobody receives the result.
+        let _ = sender.send(catch_unwind(AssertUnwindSafe(work)));
+    };
+    let started = std::thread::Builder::new().spawn(run);
+    started.map_err(|error| PyRuntimeError::new_err(format!("a thread cannot be started: {error}")))?;
+    let found = py.detach(move || {
+        loop {
+            match receiver.recv_timeout(CHECK_INTERVAL) {
+                Ok(found) => return Ok(found),
+                Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
+                Err(RecvTimeoutError::Disconnected) => {
+                    return Err(PyRuntimeError::new_err("the computation ended without a result"));
+                }
+            }
+        }
+    })?;
+    found.map_or_else(|payload| resume_unwind(payload), Ok)
+}
+
+/// Like [`detached`]. Ctrl-C stops the work at its next configuration.
 ///
 /// # Errors
 /// As [`detached`]; KeyboardInterrupt, or the exception of another signal handler.
-pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
-    let threads = Threads::of(None)?;
+pub fn interruptible_on<T: Send>(
+    py: Python<'_>,
+    threads: Threads,
+    work: impl FnOnce() -> T + Send,
+) -> PyResult<T> {
     if !is_main_thread(py)? {
         return detached(py, threads, work);
     }

@@ -2,7 +2,7 @@
 
 use crate::analysis::model::Model;
 use crate::conversion::errors::{self, input};
-use crate::conversion::threads::interruptible;
+use crate::conversion::threads::{abandonable, interruptible};
 use crate::questions::question::{Conditions, Damping, GivenContact};
 use crate::questions::reports::json;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -10,6 +10,9 @@ use percuss::contact::exports::Tool;
 use percuss::contact::{BodyRegion, Law};
 use percuss::study::{self, JointStop, StopEnd};
 use pyo3::prelude::*;
+
+/// Number of samples of an impact that takes some milliseconds.
+const MANY_SAMPLES: usize = 10_000;
 
 /// Damper for an effective mass, kg.
 #[pyfunction]
@@ -58,7 +61,10 @@ pub fn impact_history<'py>(
     damping: Damping,
     samples: usize,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let found = study::impact_history(&damping.question()?, mass, samples).map_err(input)?;
+    let question = damping.question()?;
+    let found =
+        abandonable(py, samples >= MANY_SAMPLES, move || study::impact_history(&question, mass, samples))?
+            .map_err(input)?;
     let flat: Vec<f64> = found
         .iter()
         .flat_map(|sample| [sample.time, sample.penetration, sample.rate, sample.force])

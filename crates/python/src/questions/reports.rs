@@ -3,19 +3,21 @@
 use crate::analysis::maps::code;
 use crate::analysis::model::Model;
 use crate::conversion::errors::{self, input};
-use crate::conversion::threads::{Threads, detached, interruptible};
+use crate::conversion::threads::{abandonable, interruptible};
 use crate::questions::question::{Conditions, Damping, GivenContact, optional_rows, rows};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
-use percuss::DEFAULT_MAX_SIZE;
 use percuss::study::{
     self, MapLinks, MapQuestion, MapShapes, MassQuestion, Names, SafeSpeedQuestion, Sampling, SkinFacets,
     StatedLimits, StudyError, StudyFile, StudySafeSpeed, Sweep, Tolerance,
 };
+use percuss::{DEFAULT_MAX_SIZE, interruption};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
+use rayon::prelude::*;
 use serde::Serialize;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// A report as JSON.
 pub fn json(report: &impl Serialize) -> PyResult<String> {
@@ -85,8 +87,42 @@ pub fn tolerate(
     })
 }
 
+/// Report as JSON with an empty list of rows, and its rows as JSON lists of some thousand. Python converts one list after the other,
+/// and checks for Ctrl-C in between.
+type RowParts = (String, Vec<String>);
+
+/// Rows of a JSON list.
+const ROWS_PER_LIST: usize = 1 << 12;
+
+/// JSON of a report in parts; `take_rows` moves the rows out of it.
+fn row_parts<R: Serialize, Row: Serialize + Sync + Send + 'static>(
+    py: Python<'_>,
+    mut report: R,
+    take_rows: impl FnOnce(&mut R) -> Vec<Row>,
+) -> PyResult<RowParts> {
+    let rows = Deferred(take_rows(&mut report));
+    let list = |rows: &[Row]| {
+        interruption::check();
+        serde_json::to_string(rows)
+    };
+    let lists = interruptible(py, || rows.0.par_chunks(ROWS_PER_LIST).map(list).collect::<Result<_, _>>())?;
+    Ok((json(&report)?, lists.map_err(errors::no_answer)?))
+}
+
+/// Rows that a thread of their own frees: millions take some tenths of a second.
+struct Deferred<T: Send + 'static>(Vec<T>);
+
+impl<T: Send + 'static> Drop for Deferred<T> {
+    fn drop(&mut self) {
+        let rows = std::mem::take(&mut self.0);
+        // Without a thread the rows are freed here.
+        drop(std::thread::Builder::new().spawn(move || drop(rows)));
+    }
+}
+
 /// Report on a contact at many rows of positions.
 #[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "the question of a sweep")]
 pub fn sweep_report<'py>(
     py: Python<'py>,
     model: &Model,
@@ -95,39 +131,36 @@ pub fn sweep_report<'py>(
     vary: Option<Vec<Bound<'py, PyAny>>>,
     input: Option<(String, Vec<String>)>,
     random: Option<(usize, u64)>,
-) -> PyResult<String> {
+    gradient: bool,
+) -> PyResult<RowParts> {
     let question = conditions.question_at(&model.read.mechanism, &contact)?;
     let source = rows(vary, input, random)?;
-    let sweep = || Sweep::new(&model.read, &question, source);
-    let report = run_watched(py, &model.read, sweep)?;
-    json(&report)
+    run_sweep(py, &model.read, gradient, || Sweep::new(&model.read, &question, source))
 }
 
 /// Runs a sweep; stops on Ctrl-C.
-fn run_watched<'a>(
+fn run_sweep<'a>(
     py: Python<'_>,
     model: &study::Model,
+    has_gradient: bool,
     sweep: impl FnOnce() -> Result<Sweep<'a>, StudyError> + Send,
-) -> PyResult<study::SweepReport> {
-    let mut interrupted = None;
-    let report = detached(py, Threads::of(None)?, || {
-        let sweep = sweep()?;
+) -> PyResult<RowParts> {
+    let run = || {
+        let sweep = if has_gradient { sweep()?.with_gradient() } else { sweep()? };
         let heading = sweep.heading().clone();
-        let mut rows = Vec::new();
+        let mut rows = Deferred(Vec::new());
         let end = sweep.run(&mut |row| {
-            rows.push(row);
-            if rows.len() % 64 == 0 {
-                interrupted = Python::attach(|py| py.check_signals()).err();
+            rows.0.push(row);
+            match interruption::is_requested() {
+                true => ControlFlow::Break(()),
+                false => ControlFlow::Continue(()),
             }
-            if interrupted.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         })?;
         let diagnostics = model.diagnostics.iter().cloned().chain(end.diagnostics).collect();
-        Ok(study::SweepReport { heading, rows, diagnostics })
-    })?;
-    match interrupted {
-        Some(interrupt) => Err(interrupt),
-        None => report.map_err(errors::study),
-    }
+        Ok(study::SweepReport { heading, rows: std::mem::take(&mut rows.0), diagnostics })
+    };
+    let report = interruptible(py, run)?.map_err(errors::study)?;
+    row_parts(py, report, |report| std::mem::take(&mut report.rows))
 }
 
 /// Facets of a link as arrays.
@@ -182,12 +215,18 @@ pub fn map_report<'py>(
         }
     };
     (question.edge, question.packages) = (edge, packages);
-    let answer = interruptible(py, || study::map(&model.read, &question))?.map_err(errors::study)?;
+    let read = Arc::clone(&model.read);
+    let work = move || {
+        let answer = study::map(&read, &question)?;
+        let picture = percuss_cli::map_skin(&answer).to_svg();
+        Ok((answer, picture))
+    };
+    let (answer, picture) = abandonable(py, true, work)?.map_err(errors::study)?;
     let by_link = PyDict::new(py);
     for skin in &answer.skins {
         by_link.set_item(&skin.link, facets(py, skin)?)?;
+        py.check_signals()?;
     }
-    let picture = interruptible(py, || percuss_cli::map_skin(&answer).to_svg())?;
     Ok((json(&answer.report)?, by_link, picture))
 }
 
@@ -262,7 +301,7 @@ pub fn compare(
     vary: Option<Vec<Bound<'_, PyAny>>>,
     input: Option<(String, Vec<String>)>,
     random: Option<(usize, u64)>,
-) -> PyResult<String> {
+) -> PyResult<RowParts> {
     let source = optional_rows(vary, input, random)?;
     let design = |design: &Design<'_>| {
         let model = &design.model.get().read;
@@ -280,7 +319,7 @@ pub fn compare(
 
 /// Compares the designs of a study file: its model under a name, then its variants.
 #[pyfunction]
-pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<String> {
+pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<RowParts> {
     let path = path.to_string_lossy().into_owned();
     let study =
         interruptible(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
@@ -289,9 +328,10 @@ pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<Stri
 }
 
 /// Compares designs and returns the report as JSON.
-fn comparison_json(py: Python<'_>, designs: &[study::Design]) -> PyResult<String> {
+fn comparison_json(py: Python<'_>, designs: &[study::Design]) -> PyResult<RowParts> {
     let report = interruptible(py, || study::compare(designs))?;
-    json(&report.map_err(|error| input(error.message(Names::Fields)))?)
+    let report = report.map_err(|error| input(error.message(Names::Fields)))?;
+    row_parts(py, report, |report| std::mem::take(&mut report.rows))
 }
 
 /// JSON schema of study files.
@@ -309,7 +349,7 @@ pub fn starting_study(py: Python<'_>, model: &Model, path: PathBuf) -> PyResult<
 
 /// Runs a study and returns the report of its sweep, or of its contact if the study has no sweep.
 #[pyfunction]
-pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
+pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<RowParts> {
     let path = path.to_string_lossy().into_owned();
     let study =
         interruptible(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE))?.map_err(errors::study_file)?;
@@ -317,16 +357,16 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
     match (&study.question, &study.sweep) {
         (Some(question), Some(sweep)) => {
             let rows = sweep.rows.clone();
-            json(&run_watched(py, &study.model, || Sweep::new(&study.model, question, rows))?)
+            run_sweep(py, &study.model, sweep.gradient, || Sweep::new(&study.model, question, rows))
         }
         (Some(question), None) => {
             let report = interruptible(py, || match &study.damping {
                 Some(damping) => study::mass_with_damper(&study.model, question, &damping.question),
                 None => study::mass(&study.model, question),
             })?;
-            json(&report.map_err(errors::study)?)
+            Ok((json(&report.map_err(errors::study)?)?, Vec::new()))
         }
-        (None, _) => run_without_contact(py, &study),
+        (None, _) => Ok((run_without_contact(py, &study)?, Vec::new())),
     }
 }
 

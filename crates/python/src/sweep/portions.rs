@@ -1,6 +1,6 @@
 //! Portions of rows, with a check for Ctrl-C after each.
 
-use crate::conversion::threads::{Threads, detached};
+use crate::conversion::threads::{Threads, detached, interruptible_on};
 use pyo3::prelude::*;
 use std::ops::Range;
 use std::time::{Duration, Instant};
@@ -9,10 +9,12 @@ use std::time::{Duration, Instant};
 /// followed path. A single row takes up to some milliseconds.
 const PATH_PORTION: usize = 512;
 /// Portion sizes in configurations: limit of the first portion, limit of all portions, and growth factor. Ctrl-C is
-/// checked between portions. Rows that are solved independently do not depend on the portions.
+/// checked between portions and within them. Rows that are solved independently do not depend on the portions.
 const FIRST_PORTION: usize = 1024;
 const LARGEST_PORTION: usize = 1 << 22;
 const GROWTH: f64 = 8.0;
+/// Number of rows that take at most some milliseconds each by the slowest route, together less than 0.1 s.
+const FEW: usize = 16;
 /// Target duration of a portion.
 const PORTION_DURATION: Duration = Duration::from_millis(50);
 
@@ -37,7 +39,12 @@ pub fn run_timed_portions(
     while first < count {
         let count_of_portion = size.min(count - first);
         let start = Instant::now();
-        detached(py, threads, || portion(first..first + count_of_portion))??;
+        let rows = first..first + count_of_portion;
+        // Few rows have no second thread: a sweep of one row would take twice as long.
+        match count <= FEW {
+            true => detached(py, threads, || portion(rows))??,
+            false => interruptible_on(py, threads, || portion(rows))??,
+        }
         py.check_signals()?;
         first += count_of_portion;
         progress.report(first, count)?;
@@ -57,7 +64,7 @@ pub fn run_fixed_portions(
 ) -> PyResult<()> {
     for first in (0..count).step_by(PATH_PORTION) {
         let end = count.min(first + PATH_PORTION);
-        detached(py, threads, || portion(first..end))??;
+        interruptible_on(py, threads, || portion(first..end))??;
         py.check_signals()?;
         progress.report(end, count)?;
     }

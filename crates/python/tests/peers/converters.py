@@ -1,4 +1,4 @@
-"""Converters of positions and velocities, and models from memory, against Pinocchio and MuJoCo: frames of links, effective masses,
+"""Converters of positions and velocities, and models from memory, against Pinocchio, MuJoCo and Drake: frames of links, effective masses,
 and the closing speed by velocities agree.
 
     converters.py --package FOLDER     runs what can be imported; prints `N passed, N failed`
@@ -54,12 +54,12 @@ def urdf():
     return ROBOT.format(links="".join(links), joints="".join(joints))
 
 
-def closing_speeds(model, converter, q, v, point):
+def closing_speeds(model, converter, q, v, point, link="third"):
     """Speed of a point of a link by the velocities of percuss."""
     pose = model.pose(converter.positions(q))
     velocities = converter.velocities(v, q)
     names = model.velocity_names
-    jacobian = pose.point_jacobian("third", point)
+    jacobian = pose.point_jacobian(link, point)
     system = model.system().coordinate_joints
     order = [names.index(joint if f"{joint}[0]" not in names else f"{joint}[{k}]") for joint, k in system]
     return (jacobian @ velocities[order])[-3:]
@@ -181,6 +181,103 @@ def mujoco():
         check(f"MuJoCo, rate {number}", round(abs(found - expected) / (1 + abs(expected)), 6), 0.0)
 
 
+DRAKE = """<robot name="d">
+<link name="trunk"><inertial><mass value="3"/><inertia ixx=".1" iyy=".2" izz=".15" ixy="0" ixz="0" iyz="0"/></inertial></link>
+{links}
+{joints}
+<drake:joint name="ball" type="ball" xmlns:drake="http://drake.mit.edu"><parent link="trunk"/><child link="first"/>
+<origin xyz="0.2 0.1 0.05" rpy="0.3 -0.4 0.7"/></drake:joint></robot>"""
+
+
+def drake_models(kind):
+    """Text for Drake and for percuss: a tree with a ball, a hinge, a slide and a planar or free joint."""
+    limit = '<limit lower="-2" upper="2" effort="0" velocity="0"/>'
+    joints = [
+        JOINT.format("z_hinge", "revolute", "first", "second", "0 0.6 0.8", limit),
+        JOINT.format("a_slide", "prismatic", "second", "third", "1 0 0", limit),
+        JOINT.format("b_" + kind, kind, "trunk", "fourth", "0 0 1", limit),
+    ]
+    links = [LINK.format(name) for name in ("first", "second", "third", "fourth")]
+    text = DRAKE.format(links="".join(links), joints="".join(joints))
+    own = text.replace("drake:joint", "joint").replace('"ball" type="ball"', '"ball" type="spherical"')
+    if kind == "planar":
+        head, _, tail = text.partition('<joint name="b_planar"')
+        text = f'{head}<drake:joint name="b_planar"{tail.replace("</joint>", "</drake:joint>", 1)}'
+    else:
+        # Drake has no floating joint in URDF: the plant receives it.
+        head, _, tail = text.partition('<joint name="b_floating"')
+        text = head + tail.partition("</joint>")[2]
+    return text, own.replace(' xmlns:drake="http://drake.mit.edu"', "")
+
+
+def fixed_frame(body, pose):
+    from pydrake.multibody.tree import FixedOffsetFrame
+
+    return FixedOffsetFrame("origin of the joint", body.body_frame(), pose)
+
+
+def drake():
+    from pydrake.math import RigidTransform, RollPitchYaw
+    from pydrake.multibody.parsing import Parser
+    from pydrake.multibody.plant import MultibodyPlant
+    from pydrake.multibody.tree import JacobianWrtVariable, QuaternionFloatingJoint
+
+    random = np.random.default_rng(11)
+    point = np.array([0.05, -0.1, 0.2])
+    contact = percuss.Contact("third", point, [0.2, -0.3, 0.9], normal_frame="world")
+    for kind in ("planar", "floating"):
+        for floating in (False, True):
+            text, own_text = drake_models(kind)
+            plant = MultibodyPlant(0.0)
+            Parser(plant).AddModelsFromString(text, "urdf")
+            trunk = plant.GetBodyByName("trunk")
+            if kind == "floating":
+                # The origin in JOINT.
+                origin = RigidTransform(RollPitchYaw(0.3, -0.4, 0.7), [0.2, 0.1, 0.05])
+                fourth = plant.GetBodyByName("fourth").body_frame()
+                plant.AddJoint(QuaternionFloatingJoint("b_floating", plant.AddFrame(fixed_frame(trunk, origin)), fourth))
+            if not floating:
+                plant.WeldFrames(plant.world_frame(), trunk.body_frame(), RigidTransform())
+            plant.Finalize()
+            context, model = plant.CreateDefaultContext(), percuss.loads(own_text)
+            converter = percuss.converters.Converter.of_drake(model, plant)
+            system = model.system(base="floating" if floating else "fixed")
+            rows = []
+            for number in range(20):
+                case = f"Drake, {kind}, floating {floating}, {number}"
+                q = random.uniform(-1.0, 1.0, plant.num_positions())
+                for index in plant.GetJointIndices():
+                    joint = plant.get_joint(index)
+                    if joint.num_positions() == 7:
+                        q[joint.position_start() : joint.position_start() + 4] = unit(random)
+                plant.SetPositions(context, q)
+                own, base = converter.positions(q), converter.base_pose(q)
+                pose = system.pose(own, base_pose=base)
+                for link in ("trunk", "first", "third", "fourth"):
+                    frame = plant.EvalBodyPoseInWorld(context, plant.GetBodyByName(link)).GetAsMatrix4()
+                    check(f"{case}, {link}", pose.link_frame(link, frame="world"), frame)
+                check(f"{case}, back", converter.from_positions(own, base), q)
+                rows.append(q)
+                # m̄ by M and the Jacobian of Drake.
+                body = plant.GetBodyByName("third").body_frame()
+                jacobian = plant.CalcJacobianTranslationalVelocity(
+                    context, JacobianWrtVariable.kV, body, point, plant.world_frame(), plant.world_frame()
+                )
+                row = np.asarray(contact.normal) / np.linalg.norm(contact.normal) @ jacobian
+                mass = 1 / (row @ np.linalg.solve(plant.CalcMassMatrix(context), row))
+                check(f"{case}, mass", pose.respond(contact).effective_mass, mass)
+                if not floating:
+                    v = random.normal(size=plant.num_velocities())
+                    check(f"{case}, velocities", closing_speeds(model, converter, q, v, point), jacobian @ v)
+                    of_fourth = plant.CalcJacobianTranslationalVelocity(
+                        context, JacobianWrtVariable.kV, plant.GetBodyByName("fourth").body_frame(), point,
+                        plant.world_frame(), plant.world_frame(),
+                    )
+                    check(f"{case}, {kind} joint", closing_speeds(model, converter, q, v, point, "fourth"), of_fourth @ v)
+                    check(f"{case}, velocities back", converter.from_velocities(converter.velocities(v, q), own), v)
+            check(f"Drake, {kind}, rows", converter.positions(np.stack(rows))[7], converter.positions(rows[7]))
+
+
 def run(name, work):
     if importlib.util.find_spec(name):
         work()
@@ -195,5 +292,6 @@ import percuss  # noqa: E402
 
 run("pinocchio", pinocchio)
 run("mujoco", mujoco)
+run("pydrake", drake)
 print(f"{passed} passed, {failed} failed")
 sys.exit(failed > 0 or passed == 0)

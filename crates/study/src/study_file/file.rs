@@ -91,6 +91,8 @@ pub struct StudyDamping {
 pub struct StudySweep {
     /// Source of the rows.
     pub rows: RowSource,
+    /// True if each row has the gradient of m̄.
+    pub gradient: bool,
     /// Output file; `None`: stdout.
     pub output: Option<String>,
     /// Format of the table.
@@ -316,6 +318,7 @@ impl StudyReader<'_> {
             None => None,
             Some(text) => Some(StudySweep {
                 rows: text.source(Vec::new(), folder, max_size).map_err(refused)?,
+                gradient: text.gradient,
                 output: text.output.as_ref().map(place),
                 table: text.table(),
                 figure: text.figure(),

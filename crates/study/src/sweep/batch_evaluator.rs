@@ -9,14 +9,16 @@ use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::sweep::row_blocks::RowBlock;
 use crate::sweep::row_layout::RowLayout;
-use percuss_dynamics::{Batch, BatchAnswer, BatchPositions, Contact, EffectiveMass};
+use percuss_dynamics::{BatchDerivatives, BatchPositions, Contact};
 use std::ops::Range;
 use std::sync::Arc;
 
 /// Contact prepared for the SIMD evaluation of many rows.
 #[derive(Debug)]
 pub(crate) struct BatchEvaluator {
-    batch: Batch,
+    batch: BatchDerivatives,
+    /// True if the gradient of each row is computed.
+    has_gradient: bool,
     /// Positions of all joints of the question, in joint order.
     base: Vec<f64>,
     /// Index in `base` of each number of a row.
@@ -42,7 +44,11 @@ fn shared_findings(
 pub(crate) struct BatchResults {
     rows: usize,
     columns: Vec<f64>,
-    results: Vec<BatchAnswer>,
+    /// m̄ and its rounding error, kg; NaN if uncertain.
+    masses: Vec<f64>,
+    errors: Vec<f64>,
+    /// By the velocities of all joints, row by row; empty unless requested.
+    gradients: Vec<f64>,
 }
 
 impl BatchEvaluator {
@@ -74,7 +80,13 @@ impl BatchEvaluator {
         }
         let limits = LimitedJoints::of(mechanism);
         let shared_findings = shared_findings(prepared, setting, contact)?;
-        Some(Self { batch, base, base_indices: places, limits, shared_findings })
+        let batch = batch.derivatives();
+        Some(Self { batch, has_gradient: false, base, base_indices: places, limits, shared_findings })
+    }
+
+    /// The same with the gradient of each row.
+    pub fn with_gradient(self) -> Self {
+        Self { has_gradient: true, ..self }
     }
 
     /// Evaluates some rows of a block.
@@ -90,13 +102,21 @@ impl BatchEvaluator {
                 *to = block.values(row)[number];
             }
         }
-        let mut answers = vec![BatchAnswer::NONE; count];
+        let [mut masses, mut errors] = [(); 2].map(|()| vec![f64::NAN; count]);
         let positions = BatchPositions::Columns { values: &columns, stride: count };
+        let velocities = if self.has_gradient { self.batch.velocities() } else { 0 };
+        let mut gradients = vec![f64::NAN; count * velocities];
+        let results = (&mut masses[..], &mut errors[..]);
+        let done = if self.has_gradient {
+            self.batch.gradients(positions, None, results, &mut gradients, |_, _| {})
+        } else {
+            self.batch.batch().run_columns(positions, results.0, results.1, |_, _| {})
+        };
         // The layout always fits: one column per position of the mechanism, one entry per result.
-        if self.batch.run_here(positions, &mut answers).is_err() {
-            answers.fill(BatchAnswer::NONE);
+        if done.is_err() {
+            masses.fill(f64::NAN);
         }
-        BatchResults { rows: count, columns, results: answers }
+        BatchResults { rows: count, columns, masses, errors, gradients }
     }
 
     /// Adds the findings of a row with a result.
@@ -117,12 +137,14 @@ impl BatchEvaluator {
 impl BatchResults {
     /// m̄ of a row and the rounding error bound, kg; `None` if uncertain.
     pub fn mass(&self, i: usize) -> Option<(f64, f64)> {
-        match self.results[i] {
-            BatchAnswer { mass: Some(EffectiveMass::Finite(mass)), error: Some(error), .. } => {
-                Some((mass, error))
-            }
-            _ => None,
-        }
+        let (mass, error) = (self.masses[i], self.errors[i]);
+        (mass.is_finite() && error.is_finite()).then_some((mass, error))
+    }
+
+    /// Gradient of m̄ at a row by the velocities of all joints; empty unless requested.
+    pub fn gradient(&self, i: usize) -> Vec<f64> {
+        let velocities = self.gradients.len() / self.rows.max(1);
+        self.gradients[i * velocities..][..velocities].to_vec()
     }
 
     /// Joint positions of a row.

@@ -5,6 +5,7 @@ pub(crate) mod continuation;
 pub(crate) mod followed_rows;
 pub(crate) mod pipeline;
 pub(crate) mod row_blocks;
+pub(crate) mod row_gradient;
 pub(crate) mod row_layout;
 pub(crate) mod sweep_context;
 pub(crate) mod sweep_report;

@@ -14,6 +14,7 @@ use crate::sweep::batch_evaluator::BatchEvaluator;
 use crate::sweep::continuation::{DistanceMeasure, LineContinuation, StepLimit};
 use crate::sweep::followed_rows::{FollowedRow, PathFindings};
 use crate::sweep::row_blocks::RowBlock;
+use crate::sweep::row_gradient::RowGradient;
 use crate::sweep::row_layout::RowLayout;
 use crate::sweep::sweep_report::{SweepHeading, SweepRow};
 use percuss_dynamics::{Contact, DrivenPath, Gap, Pose, RowAnswer, RowHandler, RowPath};
@@ -125,7 +126,11 @@ impl RowHandler for LineHandler<'_, '_> {
     }
 
     fn driven_path(&mut self, pose: &Pose) -> Option<(DrivenPath, PathFindings)> {
-        let SweepContext { prepared, row_layout, contact, .. } = self.context;
+        let SweepContext { prepared, row_layout, contact, heading, .. } = self.context;
+        if heading.gradient.is_some() {
+            // A gradient needs the pose of its row.
+            return None;
+        }
         PathFindings::of_path(prepared, row_layout, contact, pose)
     }
 
@@ -223,8 +228,9 @@ impl SweepContext<'_> {
                 portion.add_shared_findings(row, &followed.shared_findings);
                 self.add_passed_stops(portion, row, &followed.positions);
                 let (mass, error) = followed.mass;
+                let positions = followed.positions;
                 let sweep_row =
-                    self.without_pose(row, varied, mass, error, Some(followed.residual), followed.positions);
+                    self.without_pose(row, varied, (mass, error), Some(followed.residual), positions, None);
                 RowOutcome::Row { converted: convert(sweep_row), reached: true, error: None }
             }
             RowPose::Posed { pose, first } => {
@@ -271,7 +277,8 @@ impl SweepContext<'_> {
             let varied = VariedValues::new(&self.row_layout.columns, block.values(i));
             let positions = batch_results.positions(&self.heading.joints, at);
             self.add_passed_stops(&mut portion, row, &positions);
-            let sweep_row = self.without_pose(row, varied, mass, error, None, positions);
+            let gradient = self.gradient_of(|| batch_results.gradient(at));
+            let sweep_row = self.without_pose(row, varied, (mass, error), None, positions, gradient);
             portion.rows.push(RowOutcome::Row { converted: convert(sweep_row), reached: true, error: None });
         }
         portion
@@ -284,15 +291,20 @@ impl SweepContext<'_> {
         }
     }
 
+    /// Gradient of a row if gradients are requested; `values`: by the velocities of all joints.
+    fn gradient_of(&self, values: impl FnOnce() -> Vec<f64>) -> Option<RowGradient> {
+        self.heading.gradient.as_ref().map(|layout| RowGradient::new(layout, values()))
+    }
+
     /// Row with a finite m̄, evaluated without a pose.
     fn without_pose(
         &self,
         row: usize,
         varied: VariedValues,
-        mass: f64,
-        error: f64,
+        (mass, error): (f64, f64),
         closure_residual: Option<f64>,
         pose: Positions,
+        gradient: Option<RowGradient>,
     ) -> SweepRow {
         SweepRow {
             row,
@@ -306,6 +318,7 @@ impl SweepContext<'_> {
             estimate: None,
             estimate_error_percent: None,
             gap: self.gap.as_ref().map(|(gap, drawn)| Some(gap.at_positions(drawn, &pose.in_joint_order()))),
+            gradient,
             pose,
             error: None,
         }
@@ -341,6 +354,11 @@ impl SweepContext<'_> {
             estimate: estimate.and_then(|e| e.estimate),
             estimate_error_percent: estimate.and_then(|e| e.error_percent),
             gap: self.gap.as_ref().map(|(gap, _)| Some(gap.at(pose))),
+            gradient: self.gradient_of(|| {
+                let contact = self.prepared.contact_of_row(&self.contact, pose);
+                let found = pose.effective_mass_gradient(&contact).ok().flatten();
+                found.map(|gradient| gradient.joints.concat()).unwrap_or_default()
+            }),
             pose: Positions::from_pose(&self.heading.joints, pose),
             error: None,
         }
@@ -366,6 +384,7 @@ impl SweepContext<'_> {
             estimate: None,
             estimate_error_percent: None,
             gap: self.gap.as_ref().map(|_| None),
+            gradient: self.gradient_of(Vec::new),
             pose: Positions::none(&self.heading.joints),
             error: Some(error),
         }

@@ -4,6 +4,7 @@ use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::travel::varied_values::{VariedColumn, VariedValues};
+use crate::sweep::row_gradient::{GradientLayout, RowGradient};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -51,6 +52,9 @@ pub struct SweepHeading {
     /// True if the contact is a named contact with a gap; the rows then contain it.
     #[serde(skip)]
     pub has_gap: bool,
+    /// Joints of the gradient of each row; `None` without gradients.
+    #[serde(skip)]
+    pub gradient: Option<Arc<GradientLayout>>,
 }
 
 /// A row of a sweep.
@@ -80,6 +84,10 @@ pub struct SweepRow {
     /// for a contact without a gap.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gap: Option<Option<f64>>,
+    /// Gradient of m̄ by the velocities of every movable joint, kg/rad or kg/m; empty unless m̄ is finite. The key is absent unless
+    /// gradients are requested.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gradient: Option<RowGradient>,
     /// Position of every movable joint; empty if the pose was not reached.
     pub pose: Positions,
     /// Reason for a missing result.

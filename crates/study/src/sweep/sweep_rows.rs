@@ -21,6 +21,7 @@ use crate::sweep::batch_evaluator::BatchEvaluator;
 use crate::sweep::continuation;
 use crate::sweep::pipeline;
 use crate::sweep::row_blocks::RowReader;
+use crate::sweep::row_gradient::GradientLayout;
 use crate::sweep::row_layout::RowLayout;
 use crate::sweep::sweep_context::SweepContext;
 use crate::sweep::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
@@ -156,6 +157,7 @@ impl<'a> Sweep<'a> {
             motion_ratio_of: motion_ratio_of(&prepared, &setting),
             joints: PoseLayout::new(&model.mechanism),
             has_gap: gap.is_some(),
+            gradient: None,
         };
         let (along, lanes) = (rows.distance_measure(), BatchEvaluator::new(&prepared, &setting, &contact));
         let passed_stops = match setting.moved() {
@@ -174,6 +176,18 @@ impl<'a> Sweep<'a> {
             batch_evaluator: lanes,
         };
         Ok(Self { context, rows, findings })
+    }
+
+    /// The same sweep with the gradient of m̄ at each row.
+    ///
+    /// The gradient is that by the velocities of all joints at the fixed contact: dm̄/dt = Σ g q̇ for every admissible motion. In a
+    /// mechanism with loops, where the velocities depend on each other, only this sum is defined.
+    #[must_use]
+    pub fn with_gradient(mut self) -> Self {
+        let mechanism = self.context.prepared.system.mechanism();
+        self.context.heading.gradient = Some(GradientLayout::new(mechanism));
+        self.context.batch_evaluator = self.context.batch_evaluator.map(BatchEvaluator::with_gradient);
+        self
     }
 
     /// Heading: data common to all rows.

@@ -1,5 +1,6 @@
 //! Solver of the dense route: the least kinetic energy at unit closing speed, for any positive semi-definite M.
 
+use crate::model::interruption;
 use crate::tolerances::{IMMOVABLE, INDEFINITE_PIVOT, ROOT_ENERGY, ROUTE_ROUNDINGS};
 use faer::{Mat, MatRef, Side};
 use nalgebra::DMatrix;
@@ -66,6 +67,7 @@ impl LeastEnergy<'_> {
         let mass = Mat::from_fn(n, n, |r, c| {
             if self.has_mass(r) && self.has_mass(c) { self.mass[(r, c)] * scales[r] * scales[c] } else { 0.0 }
         });
+        interruption::check();
         let factor = self.factor(&mass);
         let rank = factor.transpose.nrows();
         let mut solution = LeastEnergySolution {
@@ -160,6 +162,7 @@ impl LeastEnergy<'_> {
         if self.constraints.nrows() == 0 {
             return (0..n).map(|k| (self.row[k] / self.lengths[k]).powi(2)).sum::<f64>().sqrt() / size;
         }
+        interruption::check();
         // The same space scaled by lengths: the columns of the kernel are made orthonormal in this scaling.
         let stretched = Mat::from_fn(n, kernel.ncols(), |r, c| kernel[(r, c)] * scales[r] * self.lengths[r]);
         let q = stretched.qr().compute_thin_Q();
@@ -181,6 +184,7 @@ impl LeastEnergy<'_> {
         loop {
             let open = (0..n).filter(|&k| !done[k] && remaining[k] > tolerance(k));
             let Some(pivot) = open.max_by(|&a, &b| remaining[a].total_cmp(&remaining[b])) else { break };
+            interruption::check();
             let root = remaining[pivot].sqrt();
             let mut row = vec![0.0; n];
             for k in (0..n).filter(|&k| !done[k]) {
@@ -242,6 +246,7 @@ fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> LeastS
     let norm = along.norm_l2();
     let particular = kernel * &along * faer::Scale(1.0 / (norm * norm));
     let motions = kernel * along.qr().compute_Q().get(.., 1..);
+    interruption::check();
     let rows = factor.nrows();
     let target = factor * &particular;
     let energies = factor * &motions;
@@ -259,6 +264,7 @@ fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> LeastS
     let r = qr.R();
     let size = rows.min(motions.ncols());
     let rank = (0..size).take_while(|&i| r[(i, i)].abs() > ROOT_ENERGY).count();
+    interruption::check();
     let rotated = qr.compute_Q().transpose() * &target;
     let energy: f64 = (rank..rows).map(|i| rotated[(i, 0)].powi(2)).sum();
     let order = qr.P().arrays().0;
@@ -271,6 +277,7 @@ fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> LeastS
     // Each remaining motion, combined with the motions of nonzero pivot such that its energy is zero.
     let mut follow: Mat<f64> = Mat::zeros(motions.ncols(), motions.ncols() - rank);
     for (k, column) in (rank..motions.ncols()).enumerate() {
+        interruption::check();
         follow[(order[column], k)] = 1.0;
         for i in (0..rank).rev() {
             let known: f64 = (i + 1..rank).map(|c| r[(i, c)] * follow[(order[c], k)]).sum();

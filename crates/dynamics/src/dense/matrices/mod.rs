@@ -12,6 +12,7 @@ use self::checks::Mass;
 use self::rank::RankLimits;
 use crate::dense::direct::{LeastEnergy, LeastEnergySolution, Minimum};
 use crate::kinematics::outcome::{EffectiveMass, Remark};
+use crate::model::interruption;
 use crate::tolerances::{
     FEW_DIGITS, FEW_DIGITS_TRIALS, FLOOR_ACCURACY, IMMOVABLE, MOVED_SAFETY, NEARLY_IMMOVABLE,
     NEGLIGIBLE_MASS, NOTHING_LEFT, RANK_FLOOR, RANK_ROUNDING, SUM_ROUNDINGS,
@@ -197,7 +198,9 @@ pub fn effective_mass<'a>(
         rounding: rank_floor.unwrap_or(RANK_ROUNDING).max(rounding),
         row_noise,
     };
+    interruption::check();
     let decided = rank::decide_rows(constraints, &lengths, &limits);
+    interruption::check();
     let problem = MatrixProblem {
         mass: &mass,
         row: row.as_slice(),
@@ -344,6 +347,7 @@ impl MatrixProblem<'_> {
 
     /// Solves the least-energy problem.
     fn solve(&self) -> LeastEnergySolution {
+        interruption::check();
         // The error of a diagonal entry, expressed in roundings.
         let scale = self.mass.accuracy / f64::EPSILON;
         let mass_size: Vec<f64> = self.mass.matrix.diagonal().iter().map(|m| m.abs() * scale).collect();
@@ -390,6 +394,7 @@ impl MatrixProblem<'_> {
 
     /// Shortest change (coordinates scaled by lengths) after which a motion satisfies Av = 0 and jv = 1.
     fn shortest_correction(&self, v: &[f64]) -> Vec<f64> {
+        interruption::check();
         let (rows, n) = self.rows.shape();
         let entry = |r: usize, k: usize| if r < rows { self.rows[(r, k)] } else { self.row[k] };
         let left = |r: usize| {
@@ -416,6 +421,7 @@ impl MatrixProblem<'_> {
 
     /// First-order error of m̄, kg.
     fn error(&self, m: f64, v: &[f64]) -> f64 {
+        interruption::check();
         let scales = self.scales();
         let speed: f64 = v.iter().zip(&scales).map(|(v, s)| (v / s) * (v / s)).sum::<f64>().sqrt();
         // Error of a row: errors of its entries, plus the roundings of an orthogonal elimination in terms of norms.
@@ -451,6 +457,7 @@ impl MatrixProblem<'_> {
         if rows == 0 {
             return Vec::new();
         }
+        interruption::check();
         let momentum = &self.mass.matrix * DVector::from_column_slice(v);
         let columns = Mat::from_fn(n, rows, |k, r| self.rows[(r, k)] * scales[k]);
         let target = Mat::from_fn(n, 1, |k, _| (m * self.row[k] - momentum[k]) * scales[k]);

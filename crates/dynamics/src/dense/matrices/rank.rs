@@ -1,6 +1,7 @@
 //! Rank decision for the rows of the caller's A.
 
 use crate::mobility::{Rank, Redundancy, decide_rank, singular_values};
+use crate::model::interruption;
 use crate::model::structure::partition::Partition;
 use crate::tolerances::{REDUNDANCY_LIMIT, ROW_NOISE};
 use nalgebra::DMatrix;
@@ -82,6 +83,7 @@ pub(super) fn decide_rows(mut a: DMatrix<f64>, lengths: &[f64], limits: &RankLim
             report.dependent_sets.push(vec![first]);
             continue;
         }
+        interruption::check();
         let own: Vec<f64> = columns.iter().map(|&c| lengths[c]).collect();
         let part = DMatrix::from_fn(rows.len(), columns.len(), |r, c| a[(rows[r], columns[c])]);
         let rank: Rank =
@@ -122,6 +124,7 @@ fn independent_first(matrix: &DMatrix<f64>, lengths: &[f64], rank: usize) -> Vec
     let mut left = DMatrix::from_fn(n, m, |c, r| matrix[(r, c)] / lengths[c]);
     let mut order: Vec<usize> = (0..m).collect();
     for k in 0..rank.min(m) {
+        interruption::check();
         let norm = |r: usize| left.column(r).norm();
         let next = (k..m).max_by(|&a, &b| norm(order[a]).total_cmp(&norm(order[b]))).unwrap_or(k);
         order.swap(k, next);

@@ -1,0 +1,495 @@
+"""Records of reports: ImpactReport, ExtremesReport. Written by tests/records.py."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from .damping import DiagnosticRecord, VaryingMassImpact
+from .mass import MassReport
+from .record import Record
+
+
+class PhaseRecord(Record):
+    """Phase of an impact with friction."""
+
+    kind: str
+    """"slip", "jam", "stick" or "reverse slip"."""
+    stage: str
+    """"compression" or "expansion"."""
+    normal_impulse: float
+    """Normal impulse of the phase, N·s."""
+
+
+class LawRecord(Record):
+    """Result of one law of restitution; None if the law has no solution."""
+
+    law: str
+    """Law."""
+    normal_impulse: float | None
+    """Normal impulse, N·s."""
+    tangential_impulse: float | None
+    """Magnitude of the friction, N·s."""
+    separation_speed: float | None
+    """Separation speed, m/s."""
+    energy_loss: float | None
+    """Lost kinetic energy, J."""
+    creates_energy: bool
+    """True if the law creates energy: its result is not valid."""
+
+
+class FrictionRecord(Record):
+    """Coulomb friction at the contact."""
+
+    coefficient: float
+    """Coefficient of friction µ."""
+    law: str
+    """Meaning of the coefficient of restitution: "energetic", "poisson", "newton" or "algebraic"."""
+    slope: float | None
+    """Sliding speed per closing speed, t, of a contact of one relative motion; None for others."""
+    wedged: bool
+    """True if the contact sticks and does not rebound: µt ≥ 1 for one relative motion."""
+    kinematic_restitution: float
+    """Separation speed divided by closing speed."""
+    tangential_impulse_world: list[float]
+    """Impulse of the friction on the contact link, N·s, world axes."""
+    sliding_before_world: list[float]
+    """Sliding velocity of the contact link against the other side before the impact, m/s, world axes."""
+    sliding_after_world: list[float]
+    """Sliding velocity after the impact."""
+    phases: list[PhaseRecord]
+    """Phases of the impact in order; empty for the algebraic form."""
+    sticking_threshold: float | None
+    """Coefficient of friction above which the contact can stick; None for one relative motion."""
+    jamming_threshold: float | None
+    """Coefficient of friction above which sliding can jam; for one relative motion above which the contact wedges; None without
+    one."""
+    laws: list[LawRecord]
+    """Results of all laws of restitution with the same coefficients."""
+
+
+class TouchingRecord(Record):
+    """One of several contacts."""
+
+    name: str
+    """Name of the contact, or its link and number."""
+    link: str
+    """Contact link."""
+    point_world: list[float]
+    """Point, world frame, m."""
+    normal_world: list[float]
+    """Normal out of the contact link, world axes."""
+    gap: float | None
+    """Gap of a named contact at the pose, m: it is taken as closed; None for others."""
+    closing_speed: float
+    """Closing speed before the impact, m/s; negative if the gap opens."""
+    effective_mass: float | None
+    """Effective mass of the contact alone, kg; None if immovable."""
+    principal_masses: list[float | None]
+    """Principal masses of the point, kg, ascending; None for a direction in which it cannot move."""
+    principal_directions_world: list[list[float]]
+    """Directions of the principal masses, world axes."""
+
+
+class RatesAfterRecord(Record):
+    """Rates of a joint after an impact."""
+
+    joint: str
+    """The joint."""
+    after: list[float]
+    """Velocities after the impact, rad/s or m/s."""
+
+
+class SimultaneousLawRecord(Record):
+    """Result of one law for several contacts without friction."""
+
+    law: str
+    """"newton", "poisson" or "energetic"."""
+    impulses: list[float | None]
+    """Normal impulse of each contact, N·s; None if redundant contacts leave it open."""
+    opening_speeds: list[float]
+    """Opening speed of each contact after the impact, m/s; empty if the law has no solution."""
+    energy_loss: float | None
+    """Lost kinetic energy, J; None if the law has no solution."""
+    creates_energy: bool
+    """True if the law creates energy: its result is not valid."""
+    rates: list[RatesAfterRecord]
+    """Rates of all movable joints after the impact."""
+    refusal: str | None
+    """Reason why the law has no solution; None otherwise."""
+
+
+class StickingRecord(Record):
+    """Plastic impact with sticking points."""
+
+    sticks: list[bool]
+    """For each contact: true if it sticks, false if it lets go."""
+    normal_impulses: list[float | None]
+    """Normal impulse of each contact, N·s; None if open."""
+    tangential_impulses: list[float | None]
+    """Magnitude of the tangential impulse, N·s; None if open."""
+    required_friction: list[float | None]
+    """Coefficient of friction that the sticking needs; None if open, and for contacts that let go."""
+    friction_suffices: bool | None
+    """True if the given friction suffices at all contacts that stick, false if it does not at one of them; None without a given
+    friction, and if open requirements leave the answer open."""
+    opening_speeds: list[float]
+    """Opening speed of each contact after the impact, m/s."""
+    energy_loss: float
+    """Lost kinetic energy, J."""
+    consistent_subsets: int
+    """Number of subsets of sticking contacts without pulling and closing contacts; that with the most contacts is given."""
+    coordinates: list[str]
+    """Names of the rates of the impact map: joints, with the number of the velocity, and "base"."""
+    impact_map: list[list[float]]
+    """Impact map Δ: q̇⁺ = Δ q̇⁻ over these rates."""
+    rates: list[RatesAfterRecord]
+    """Rates of all movable joints after the impact."""
+
+
+class SimultaneousRecord(Record):
+    """Impact of several contacts at once."""
+
+    contacts: list[TouchingRecord]
+    """The contacts; the first is that of all other results."""
+    delassus: list[list[float]]
+    """Delassus matrix W, 1/kg: three rows for each contact, the opening direction and two tangents."""
+    delassus_axes_world: list[list[list[float]]]
+    """Axes of the rows: for each contact the opening direction and the two tangents, world axes."""
+    stiffness_ratios: list[float]
+    """Stiffness of each contact relative to the first, in the energetic law."""
+    contact_exponent: float
+    """Exponent of the contact forces in the energetic law."""
+    laws: list[SimultaneousLawRecord]
+    """Results of the laws without friction; empty for one contact."""
+    spread: float | None
+    """Largest difference of an opening speed between two laws, divided by the largest closing speed; None for one contact."""
+    sticking: StickingRecord | None
+    """Plastic impact with sticking points, if requested."""
+
+
+class JointRateRecord(Record):
+    """Rates of a joint before and after the impact."""
+
+    joint: str
+    """The joint."""
+    before: list[float]
+    """Velocities before the impact, rad/s or m/s, in the layout of the joint's kind."""
+    after: list[float]
+    """Velocities after the impact."""
+    undetermined: bool
+    """True if a motion without mass moves the joint: its rates after the impact are not determined."""
+
+
+class BaseRateRecord(Record):
+    """Velocity of a floating base, world axes."""
+
+    angular_before: list[float]
+    """Angular velocity before the impact, rad/s."""
+    linear_before: list[float]
+    """Velocity of the root's origin before the impact, m/s."""
+    angular_after: list[float]
+    """Angular velocity after the impact, rad/s."""
+    linear_after: list[float]
+    """Velocity of the root's origin after the impact, m/s."""
+
+
+class OtherBodyRecord(Record):
+    """Free body on the other side."""
+
+    mass: float
+    """Mass, kg."""
+    speed_change: float
+    """Change of its velocity along the normal, m/s."""
+
+
+class ReactionRecord(Record):
+    """Impulsive reaction at one place, component by component. Null marks components that redundant loops leave open."""
+
+    place: Literal["ground", "joint", "closure", "hold"]
+    """Place."""
+    name: str
+    """Name of the joint or closure; of the held link; of the root link."""
+    on: str | None
+    """Link on which the reaction acts; None for the ground."""
+    point_world: list[float]
+    """Point to which the moment refers, world frame, m."""
+    axes_world: list[list[float]]
+    """Unit vectors of the components, world axes: two transverse directions, then the axis of the joint."""
+    force: list[float | None]
+    """Impulse along the axes, N·s."""
+    moment: list[float | None]
+    """Moment impulse about the point, N·m·s."""
+    open_by: list[str]
+    """Loops whose redundancy leaves components open."""
+    gear: list[float]
+    """Impulse in the gear of each velocity of the joint, armature · Δq̇, N·m·s or N·s; empty without a joint."""
+    constraint: list[float | None]
+    """Impulse of a lock, mimic or coupling on each velocity of the joint, N·m·s or N·s; empty without a joint."""
+    peak_force: list[float | None] | None
+    """Largest force along the axes in a compliant contact, N; None without a contact law."""
+    peak_moment: list[float | None] | None
+    """Largest moment in a compliant contact, N·m; None without a contact law."""
+
+
+class ImpactLawRecord(Record):
+    """Compliant contact with the peak force of the impact."""
+
+    law: str
+    """Contact law."""
+    stiffness: float
+    """Stiffness, N/m^p."""
+    exponent: float
+    """Exponent p."""
+    duration: float | None
+    """Duration of the contact, s; None if infinite."""
+    max_penetration: float | None
+    """Largest penetration, m."""
+    peak_force: float
+    """Largest force at the contact, N."""
+    mass_change_over_penetration: float | None
+    """Relative change of m̄ over the penetration: the order of the error of all peak forces; None if the penetration is not
+    reachable."""
+
+
+class JointMotionRecord(Record):
+    """Motion of a joint over the time of an impact."""
+
+    joint: str
+    """The joint."""
+    rates: list[list[float]]
+    """Velocities of the joint at each time, rad/s or m/s."""
+
+
+class BearingForceRecord(Record):
+    """Force in one bearing over the time of an impact."""
+
+    place: Literal["ground", "joint", "closure", "hold"]
+    """Place."""
+    name: str
+    """Name of the joint or closure; of the held link; of the root link."""
+    force: list[float]
+    """Magnitude of the force at each time, N: of the components that redundant loops leave determinate."""
+    peak_force: float
+    """Largest magnitude, N."""
+    peak_time: float
+    """Time of the largest magnitude, s."""
+    estimate: float
+    """The estimate for comparison: reaction to a unit impulse at the touch, times the peak force of the contact, N."""
+    open_components: list[bool]
+    """True for each component (two transverse directions, the axis of the joint) that redundant loops leave open."""
+
+
+class ImpactTimeRecord(Record):
+    """Impact in time with a compliant contact."""
+
+    restitution: float
+    """Restitution that is reached: separation speed divided by closing speed."""
+    duration: float
+    """Duration of the contact, s."""
+    max_penetration: float
+    """Largest penetration, m."""
+    peak_force: float
+    """Largest force of the contact, N."""
+    mass_change: float | None
+    """Relative change of m̄ from the touch to the largest penetration; None if m̄ is not finite there."""
+    one_freedom: VaryingMassImpact | None
+    """The impact of a mechanism of one degree of freedom by m̄ over the penetration alone; None for others, with gravity, or if
+    the motion ends before."""
+    gravity_world: list[float]
+    """Gravity, world axes, m/s²."""
+    loop_gap: float
+    """Largest gap of the loops during the motion, m: error of the integration."""
+    times: list[float]
+    """Times since the touch, s."""
+    penetration: list[float]
+    """Penetration at each time, m."""
+    closing_speed: list[float]
+    """Closing speed at each time, m/s."""
+    force: list[float]
+    """Force of the contact at each time, N."""
+    effective_mass: list[float | None]
+    """m̄ at each time, kg; None if not finite."""
+    joints: list[JointMotionRecord]
+    """Velocities of the movable joints."""
+    bearings: list[BearingForceRecord]
+    """Forces in the bearings."""
+
+
+class GreatestSpeedRecord(Record):
+    """Greatest closing speed by the limits of joint rates."""
+
+    speed: float
+    """Speed, m/s."""
+    joint: str
+    """Joint that limits it."""
+
+
+class ReflectedRecord(Record):
+    """Inertia reflected to a joint."""
+
+    joint: str
+    """The joint."""
+    component: int
+    """Index of the velocity within the joint."""
+    unit: str
+    """Unit: "kg·m²" or "kg"."""
+    free: float | None
+    """Inertia with all other joints free; None if not finite."""
+    free_status: Literal["finite", "immovable", "massless"]
+    """Kind of "free"."""
+    held: float | None
+    """Inertia with the other drivers at rest; None if not finite, and for a joint that is no driver."""
+    held_status: Literal["finite", "immovable", "massless"] | None
+    """Kind of "held"; None for a joint that is no driver."""
+
+
+class ReflectedRangeRecord(Record):
+    """Inertia reflected to a joint over a range of its positions."""
+
+    joint: str
+    """The joint."""
+    unit: str
+    """Unit: "kg·m²" or "kg"."""
+    positions: list[float]
+    """Positions of the joint, rad or m."""
+    free: list[float | None]
+    """Inertia with all other joints free at each position; None if not finite."""
+    held: list[float | None]
+    """Inertia with the other drivers at rest; None if not finite, and for a joint that is no driver."""
+    least: float | None
+    """Smallest held inertia (free for a joint that is no driver); None without a finite one."""
+    most: float | None
+    """Largest held inertia."""
+    best_constant: float | None
+    """Constant with the smallest largest relative error: the harmonic mean of both."""
+    largest_error: float | None
+    """Largest relative error of this constant."""
+
+
+class PercussionRecord(Record):
+    """Centre of percussion of a joint."""
+
+    joint: str
+    """Joint with the least impulse."""
+    direction: list[float] | None
+    """Direction of the line, axes of the contact link; None for the tangent plane."""
+    point_link: list[float]
+    """Best contact point, frame of the contact link, m."""
+    distance: float
+    """Displacement from the given contact point, m."""
+    given_ratio: float
+    """Impulse at the joint for the given point, per impulse at the contact."""
+    remaining_ratio: float
+    """Remaining impulse at the joint for the best point, per impulse at the contact. Both ratios are those of the determinate
+    components."""
+    open_components: list[bool]
+    """True for each component of the impulse (two transverse directions, the axis of the joint) that redundant loops leave
+    open."""
+    open_by: list[str]
+    """Loops that leave these components open."""
+
+
+class ImpactReport(Record):
+    """Report of "percuss impact", as JSON. All keys are always present; a value is None if not applicable."""
+
+    _answer = {"impulse": "N s", "energy_loss": "J", "closing_speed": "m/s"}
+
+    schema: str
+    """"percuss.impact/1"."""
+    percuss: str
+    """Version of percuss."""
+    mass: MassReport
+    """Effective mass, contact, pose and conditions: the report of "percuss mass". Its findings are in "diagnostics"."""
+    restitution: float
+    """Coefficient of restitution e; with friction the energetic one."""
+    closing_speed: float
+    """Closing speed before the impact, m/s."""
+    impulse: float
+    """Normal impulse between the two sides, N·s; −impulse · normal acts on the contact link."""
+    energy_loss: float
+    """Lost kinetic energy, J."""
+    friction: FrictionRecord | None
+    """Friction, if requested."""
+    simultaneous: SimultaneousRecord | None
+    """Several contacts at once, if further contacts or sticking points are requested. All other results are those of the first
+    contact alone."""
+    sticking_mass: float | None
+    """Mass of the contact point if it cannot slide in the tangent plane (nᵀΛn), kg; None if not finite. The effective mass is
+    that of a sliding contact, 1/(nᵀΛ⁻¹n)."""
+    sticking_status: Literal["finite", "immovable", "massless"]
+    """Kind of the sticking mass."""
+    motion_before: str
+    """Motion before the impact: "given", or "least-energy", the motion v* times the closing speed."""
+    rates: list[JointRateRecord]
+    """Rates of every movable joint."""
+    base: BaseRateRecord | None
+    """Velocity of a floating base; None for a fixed base."""
+    other_body: OtherBodyRecord | None
+    """Free body on the other side; None without one."""
+    reactions: list[ReactionRecord]
+    """Reactions in all joints, closures and held points, and that of the ground."""
+    reaction_residual: float
+    """Largest unbalanced impulse of the reactions, relative to the impulse."""
+    contact_law: ImpactLawRecord | None
+    """Compliant contact, if a contact law was requested."""
+    in_time: ImpactTimeRecord | None
+    """Impact in time with the contact law, if requested."""
+    greatest_closing_speed: GreatestSpeedRecord | None
+    """Greatest closing speed by limits of joint rates, if requested."""
+    reflected_inertia: list[ReflectedRecord]
+    """Reflected inertias, if requested."""
+    reflected_over: list[ReflectedRangeRecord]
+    """Reflected inertias over ranges of positions, if requested."""
+    percussion: list[PercussionRecord]
+    """Centres of percussion, if requested."""
+    diagnostics: list[DiagnosticRecord]
+    """Findings about the file and the result."""
+
+
+class ExtremePosition(Record):
+    """Position of a joint at an extreme."""
+
+    joint: str
+    """The joint."""
+    position: float
+    """Position, rad or m."""
+    limit: str | None
+    """"lower" or "upper" if the extreme is at an end of the range; None otherwise."""
+
+
+class ExtremeRecord(Record):
+    """Extreme effective mass."""
+
+    _answer = {"effective_mass": "kg", "status": ""}
+
+    effective_mass: float | None
+    """Effective mass, kg; None if not finite."""
+    status: Literal["finite", "immovable", "massless"]
+    """Kind of the effective mass; "immovable" is a valid largest value."""
+    positions: list[ExtremePosition]
+    """Positions of the varied joints."""
+    normal_world: list[float] | None
+    """Normal at the extreme, world axes, up to its sign; None for the normal of the contact."""
+    residual: float
+    """Largest component of the projected gradient times its range, relative to the mass: zero at an exact optimum."""
+    agreeing: int
+    """Number of starts that reached this value to six digits."""
+
+
+class ExtremesReport(Record):
+    """Report of "percuss extremes", as JSON."""
+
+    _answer = {"least.effective_mass": "kg", "most.effective_mass": "kg"}
+
+    schema: str
+    """"percuss.extremes/1"."""
+    percuss: str
+    """Version of percuss."""
+    ranges: list[list[float | str]]
+    """Ranges of the varied joints: joint, lower and upper end, rad or m."""
+    starts: int
+    """Number of starts."""
+    least: ExtremeRecord
+    """Smallest effective mass."""
+    most: ExtremeRecord
+    """Largest effective mass."""

@@ -1,0 +1,360 @@
+"""Records of reports: MassReport. Written by tests/records.py."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from .damping import DampingReport, DiagnosticRecord, Input, NamedContactRecord
+from .record import Record
+
+
+class ErrorBudgetRecord(Record):
+    """Parts of the error bound of m̄, kg; None if a part is unknown or m̄ is not finite."""
+
+    rounding: float | None
+    """Rounding of positions, frames and constraint rows, and of the computation."""
+    closing: float | None
+    """Part due to the closure residual of the loops."""
+    file: float | None
+    """Part due to inexact loops in the file."""
+
+
+class BodyShare(Record):
+    """Share of a link in m̄."""
+
+    link: str
+    """The link."""
+    share: float | None
+    """Share of the kinetic energy at unit closing speed; None unless m̄ is finite."""
+
+
+class RotorShare(Record):
+    """Share of a rotor in m̄."""
+
+    joint: str
+    """Joint driven by the rotor."""
+    share: float | None
+    """Share of the kinetic energy at unit closing speed; None unless m̄ is finite."""
+
+
+class ContactRecord(Record):
+    """Contact, in the world frame and in the frame of the contact link."""
+
+    link: str
+    """Contact link."""
+    against: str | None
+    """Other link; None for the ground."""
+    point_world: list[float]
+    """Contact point, world frame, m."""
+    normal_world: list[float]
+    """Unit normal out of the contact link, world axes."""
+    point_link: list[float]
+    """Contact point, link's frame, m."""
+    normal_link: list[float]
+    """Unit normal out of the contact link, link's axes."""
+
+
+class HoldRecord(Record):
+    """A held point."""
+
+    link: str
+    """The link."""
+    point: list[float]
+    """The point in the link's frame, m."""
+    normal: list[float] | None
+    """The normal in world axes; None if all three directions are held."""
+
+
+class TravelRecord(Record):
+    """A travel that drove the pose."""
+
+    motion: str
+    """"point", or the motion of the wheels: "wheel-travel", "heave", "roll"."""
+    link: str | None
+    """The link; None for a motion of the wheels, as are the next two."""
+    point: list[float] | None
+    """The point, m, link's frame."""
+    direction: list[float] | None
+    """Direction, world axes."""
+    distance: float
+    """Displacement, m."""
+
+
+class ConditionsRecord(Record):
+    """Conditions of a result, sufficient to repeat the question."""
+
+    base: str
+    """"fixed" or "floating"."""
+    lock: list[str]
+    """Joints locked by the question."""
+    hold: list[HoldRecord]
+    """Points held by the question."""
+    armature: dict[str, list[float]]
+    """Armatures that replace those of the model."""
+    against_mass: float | None
+    """Mass of a free body on the other side, kg."""
+    guess: dict[str, str]
+    """Initial guesses of joint positions, as typed."""
+    travel: list[TravelRecord]
+    """Travels that drove the pose."""
+
+
+class EstimateRecord(Record):
+    """Classical estimate m_K |v_A|²: mass of some links, all moving with the velocity of point A. l̄ = 1/|v_A| is r_B/r_A of
+    Euler's note (Fayzullin 2018)."""
+
+    links: list[str]
+    """Links with a mass counted in m_K."""
+    mass: float
+    """m_K, kg."""
+    point_link: list[float]
+    """Point A, in the first link's frame, m."""
+    motion_ratio: float | None
+    """Speed of A (or the component along the direction, if given) per unit closing speed: the motion ratio "A over contact",
+    negative for a motion against the direction. Null if a massless motion leaves the speed undetermined."""
+    lever: float | None
+    """Inverse ratio l̄, the motion ratio "contact over A"."""
+    estimate: float | None
+    """m_K / l̄², kg."""
+    error_percent: float | None
+    """Difference from the exact value, per cent."""
+    share_left_out: float | None
+    """Share of the other links and of the rotors in the exact value; the estimate omits this share."""
+
+
+class MotionRatioRecord(Record):
+    """Motion ratio of a point relative to the contact, in the motion v*."""
+
+    link: str
+    """Link of the point: "wheel_centre" or "contact_patch" if the model has these links, or the requested link."""
+    point: list[float]
+    """The point in the link's frame, m."""
+    direction: list[float]
+    """Direction of the speed, a unit vector in world axes."""
+    wheel_per_contact: float
+    """Speed of the point along the direction per unit closing speed of the contact; negative for motion against the direction."""
+    contact_per_wheel: float | None
+    """Inverse ratio; None if the point does not move."""
+    one_travel: bool
+    """True if every motion of the mechanism has this ratio; otherwise the ratio holds for the motion v* only."""
+    held: str | None
+    """Joint that is held for this ratio, although it moves in the impact: the rack of a steered axle; None if none is."""
+
+
+class LinkSensitivity(Record):
+    """Sensitivity of m̄ to a link."""
+
+    link: str
+    """The link."""
+    mass: float
+    """Mass of the link, kg."""
+    share: float
+    """Share of the link in m̄."""
+    per_kilogram: float
+    """dm̄/dm = share · m̄ / m, kg/kg, with moments about the centre of mass in proportion to the mass."""
+    per_metre_of_com: list[float] | None
+    """dm̄/dc, kg/m, in the link's axes, with constant moments about the centre of mass. Null if a velocity is undetermined."""
+
+
+class RotorSensitivity(Record):
+    """Sensitivity of m̄ to the armature of a joint."""
+
+    joint: str
+    """The joint."""
+    per_armature: list[float]
+    """dm̄/dI = q̇² for each velocity, kg/(kg·m²) for a rotation, kg/kg for a translation."""
+
+
+class PointSensitivity(Record):
+    """Sensitivity of m̄ to a hardpoint."""
+
+    point: str
+    """The hardpoint."""
+    per_metre: list[float] | None
+    """dm̄/dx, dm̄/dy, dm̄/dz, kg/m, in the sheet's axes; None if the question has no result at a neighbouring design."""
+    per_metre_error: float | None
+    """Error estimate of the differences, kg/m."""
+
+
+class MassChange(Record):
+    """Change of mass that lowers m̄; the opposite change raises m̄."""
+
+    link: str
+    """The link."""
+    lowers_by: float
+    """Decrease of m̄ per kilogram of removed mass, kg, to first order."""
+
+
+class PointChange(Record):
+    """Displacement that lowers m̄; the opposite displacement raises m̄."""
+
+    point: str
+    """The hardpoint."""
+    direction: list[float]
+    """Direction of the displacement, a unit vector in the sheet's axes."""
+    lowers_by: float
+    """Decrease of m̄ per millimetre, kg, to first order."""
+
+
+class Explanation(Record):
+    """Sensitivities of an effective mass."""
+
+    _answer = {"effective_mass": "kg", "links": ""}
+
+    effective_mass: float
+    """m̄, kg."""
+    links: list[LinkSensitivity]
+    """Links with mass, in file order."""
+    rotors: list[RotorSensitivity]
+    """Joints that move in the motion v*, including joints without armature."""
+    points: list[PointSensitivity]
+    """Hardpoints of a sheet; empty for a URDF."""
+    most_per_kilogram: list[MassChange]
+    """Links with the largest rate per kilogram, largest first."""
+    most_per_millimetre: list[PointChange]
+    """Hardpoints with the largest rate per millimetre, largest first."""
+
+
+class Tolerance(Record):
+    """Tolerances of the parts of a model. Each number varies independently by at most the tolerance to either side."""
+
+    mass: float
+    """Mass of each link, relative; the moments of inertia change in proportion."""
+    com: float
+    """Each coordinate of the centre of mass of each link, m."""
+    armature: float
+    """Armature of each joint, relative."""
+    point: float
+    """Each coordinate of each hardpoint of a sheet, m."""
+
+
+class ToleranceParts(Record):
+    """First-order variation of m̄ due to each kind of number, kg, as root sum square."""
+
+    mass: float
+    """Masses of links."""
+    com: float
+    """Centres of mass."""
+    armature: float
+    """Armatures."""
+    point: float
+    """Hardpoints."""
+
+
+class SampleRecord(Record):
+    """m̄ of designs with random deviations, uniform between the limits."""
+
+    count: int
+    """Number of samples with a finite m̄."""
+    unanswered: int
+    """Number of samples without a finite m̄."""
+    seed: int
+    """The seed."""
+    mean: float
+    """Mean, kg."""
+    standard_deviation: float
+    """Standard deviation, kg."""
+    least: float
+    """Smallest m̄, kg."""
+    greatest: float
+    """Largest m̄, kg."""
+    percentile_2_5: float
+    """2.5th percentile, kg."""
+    percentile_97_5: float
+    """97.5th percentile, kg."""
+
+
+class ToleranceReport(Record):
+    """Variation of m̄ within tolerances."""
+
+    _answer = {"effective_mass": "kg", "root_sum_square": "kg", "worst_case": "kg"}
+
+    effective_mass: float
+    """m̄, kg."""
+    tolerance: Tolerance
+    """Tolerances."""
+    root_sum_square: float
+    """First-order variation of m̄, kg: root sum square of the effects of all numbers at their limits, for independent numbers."""
+    worst_case: float
+    """First-order variation of m̄, kg: sum of the absolute effects of all numbers at their limits."""
+    parts: ToleranceParts
+    """Root sum square of each kind of number, kg."""
+    samples: SampleRecord | None
+    """Random samples, if requested."""
+
+
+class MassReport(Record):
+    """Report of "percuss mass", as JSON. All keys are always present; a value is None if not applicable."""
+
+    _answer = {"effective_mass": "kg", "effective_mass_error": "kg", "status": ""}
+
+    schema: str
+    """"percuss.mass/1"."""
+    percuss: str
+    """Version of percuss."""
+    inputs: list[Input]
+    """Input files."""
+    effective_mass: float | None
+    """m̄, kg; None unless finite."""
+    status: Literal["finite", "immovable", "massless"]
+    """Kind of result."""
+    singular_pose: bool
+    """True if the pose is singular: A has a lower rank than at a generic pose."""
+    degrees_of_freedom: int
+    """dim ker A at the pose, including the 6 of a floating base."""
+    generic_degrees_of_freedom: int
+    """dim ker A at a generic pose, including the 6 of a floating base."""
+    redundant_constraints: int
+    """Number of linearly dependent constraint rows."""
+    rank_gap: float | None
+    """Gap between the singular values of A above and below the rank; None without loops."""
+    route: str
+    """Method: "dense" or "articulated"."""
+    condition: float | None
+    """Condition number of the mass matrix scaled to unit diagonal; None if the matrix is singular or has more than 300
+    coordinates."""
+    effective_mass_error: float | None
+    """Error bound of m̄, kg: sum of the known parts of the budget; None if the part of rounding or of loop closure is unknown."""
+    error_budget: ErrorBudgetRecord
+    """Parts of the error bound."""
+    bodies: list[BodyShare]
+    """Shares of the links, in file order."""
+    rotors: list[RotorShare]
+    """Shares of the rotors."""
+    other_mass_share: float | None
+    """Share of the other body, if given by its mass."""
+    pose: dict[str, list[float]]
+    """Position of every movable joint, in the layout of "--set"."""
+    closure_residual: float | None
+    """Closure residual of the loops, m; None without loops."""
+    closure_inexactness: float | None
+    """Closure error of the loops as given in the file, m; None without loops."""
+    characteristic_length: float
+    """Length that scales the rank decisions, m."""
+    contact: ContactRecord
+    """The contact."""
+    named_contact: NamedContactRecord | None
+    """Named contact; None for a contact given by link, point and normal."""
+    conditions: ConditionsRecord
+    """Conditions of the question."""
+    drivers: list[str]
+    """Joints that drive the loops."""
+    assembly_modes: list[int]
+    """Assembly mode of each group of loops: 1 or -1; 0 at a dead centre or a change point."""
+    redundant_loops: list[list[str]]
+    """Loops and couplings with redundant rows; entries that cannot be separated form one group."""
+    branch_limits: list[float | None]
+    """Limits of m̄ along the branches that cross at a singular pose, kg; None for a branch along which the gap does not close."""
+    estimate: EstimateRecord | None
+    """Classical estimate, if requested."""
+    motion_ratios: list[MotionRatioRecord]
+    """Motion ratios relative to the contact: of the wheel, if the mechanism has named wheel points and the ratio holds for
+    every motion, and of requested points."""
+    explanation: Explanation | None
+    """Sensitivities of m̄, if requested."""
+    tolerance: ToleranceReport | None
+    """Variation of m̄ within tolerances, if given."""
+    damper: DampingReport | None
+    """Damper for a restitution, if requested."""
+    diagnostics: list[DiagnosticRecord]
+    """Findings about the file and the result."""

@@ -1,0 +1,133 @@
+"""Base of the records: dicts whose keys are attributes."""
+
+from __future__ import annotations
+
+import html
+import json
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, get_args, get_origin, get_type_hints
+
+_R = TypeVar("_R", bound="Record")
+_Convert = Callable[[Any], Any]
+#: Keys that describe a report and are no result.
+_HEADING = ("schema", "percuss", "inputs")
+
+
+class Record(dict[str, Any]):
+    """Part of a report: the dict that the command prints with ``--format json``. Keys are attributes too."""
+
+    #: Keys of the answer, shown by repr, with their units.
+    _answer: ClassVar[Mapping[str, str]] = {}
+
+    @classmethod
+    def of(cls: type[_R], values: Mapping[str, Any]) -> _R:
+        """Record of a plain dict; dicts in it become records of their types."""
+        convert = _conversions(cls)
+        return cls({key: convert[key](value) if key in convert and value is not None else value for key, value in values.items()})
+
+    if not TYPE_CHECKING:
+        # Hidden from type checkers, which know the keys.
+        def __getattr__(self, key: str) -> Any:
+            try:
+                return self[key]
+            except KeyError:
+                if key in _keys(type(self)):
+                    return None
+                raise AttributeError(f"the {type(self).__name__} has no {key!r}; it has {', '.join(self)}") from None
+
+    def __dir__(self) -> Iterable[str]:
+        return sorted({*super().__dir__(), *(key for key in self if key.isidentifier())})
+
+    def to_dict(self) -> dict[str, Any]:
+        """The record as plain dicts and lists."""
+        return {key: _plain(value) for key, value in self.items()}
+
+    def to_json(self, *, indent: int | None = None) -> str:
+        """The record as JSON."""
+        return json.dumps(self, indent=indent)
+
+    def _facts(self) -> list[tuple[str, str]]:
+        facts: list[tuple[str, str]] = []
+        for key, value in self.items():
+            if isinstance(value, bool) or value is None:
+                continue
+            if isinstance(value, float):
+                facts.append((key, f"{value:.10g}"))
+            elif isinstance(value, (int, str)):
+                facts.append((key, str(value)))
+            elif isinstance(value, list) and key in ("rows", "links", "diagnostics"):
+                facts.append((key, f"{len(value)}"))
+        return facts
+
+    def __repr__(self) -> str:
+        answer = [f"{key}: {_shown(self, key)}{unit and ' ' + unit}" for key, unit in self._answer.items()]
+        if not answer:
+            answer = [f"{key}: {value}" for key, value in self._facts() if key not in _HEADING]
+        return f"<{type(self).__name__} {', '.join(answer)}>"
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><th style='text-align:left'>{html.escape(key)}</th><td>{html.escape(value)}</td></tr>"
+            for key, value in self._facts()
+        )
+        return f"<table>{rows}</table>"
+
+
+class AnyRecord(Record):
+    """Report whose type depends on the question of a study: type checkers accept every key."""
+
+    if TYPE_CHECKING:
+
+        def __getattr__(self, key: str) -> Any: ...
+
+
+def _shown(record: Record, path: str) -> str:
+    """Value at a path of keys, in words: a number, the count of a list, or text."""
+    value: Any = record
+    for key in path.split("."):
+        value = value.get(key) if isinstance(value, dict) else None
+    if isinstance(value, float):
+        return f"{value:.7g}"
+    return str(len(value)) if isinstance(value, list) else str(value)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _plain(inner) for key, inner in value.items()}
+    return [_plain(inner) for inner in value] if isinstance(value, list) else value
+
+
+#: Conversions of each type; computed when the first record of a type is made.
+_CONVERSIONS: dict[type[Record], Mapping[str, _Convert]] = {}
+
+
+def _keys(record: type[Record]) -> frozenset[str]:
+    """Keys that the type of a record states."""
+    return frozenset(key for key in get_type_hints(record) if not key.startswith("_"))
+
+
+def _conversions(record: type[Record]) -> Mapping[str, _Convert]:
+    """Conversion of each key that contains records."""
+    if record not in _CONVERSIONS:
+        hints = get_type_hints(record)
+        found = ((key, _conversion(hints[key])) for key in _keys(record))
+        _CONVERSIONS[record] = {key: convert for key, convert in found if convert is not None}
+    return _CONVERSIONS[record]
+
+
+def _conversion(hint: Any) -> _Convert | None:
+    """Conversion of a type; None if it contains no record."""
+    if get_origin(hint) is None and isinstance(hint, type) and issubclass(hint, Record):
+        return hint.of
+    inner = [convert for convert in map(_conversion, get_args(hint)) if convert is not None]
+    return _of_parts(get_origin(hint), inner[0]) if inner else None
+
+
+def _of_parts(origin: Any, convert: _Convert) -> _Convert:
+    """Conversion of a list, a dict, or an optional value with records in it."""
+    if origin is list:
+        return lambda values: [convert(value) for value in values]
+    if origin is dict:
+        return lambda values: {key: convert(value) for key, value in values.items()}
+    # Optional.
+    return lambda value: None if value is None else convert(value)

@@ -1,0 +1,290 @@
+"""Every public call in a forked and in a spawned process, in threads, and without a leak.
+
+The calls are those of the stubs and of `percuss.__all__`: a new function, method or property without a case fails.
+"""
+
+from __future__ import annotations
+
+import ast
+import concurrent.futures
+import gc
+import multiprocessing
+import os
+import resource
+import subprocess
+import sys
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from cases import ROOT
+
+import percuss
+
+warnings.simplefilter("ignore", percuss.ModelWarning)
+STUBS = Path(percuss.__file__).with_name("_percuss.pyi")
+#: Names of the extension that the functions of percuss call, with those functions as cases.
+WITHIN = {
+    "check": "check", "compare": "compare", "compare_study": "compare_study", "damp": "damp_contact", "damp_mass": "damp",
+    "explain": "explain", "extremes": "extremes", "impact": "impact", "impact_history": "impact_history",
+    "kinematics": "kinematics", "map_point_report": "map_point", "map_report": "map", "mass_report": "mass",
+    "matrix_findings": "MatrixBatch", "run_study": "run_study", "safe_speed": "safe_speed",
+    "starting_study": "starting_study", "study_schema": "study_schema", "sweep_report": "sweep_report",
+    "tolerate": "tolerate",
+}  # fmt: skip
+#: Parts of pickles, which test_pickle.py has, and the command, which ends its process.
+APART = {"diagnostic_of_parts", "joint_of_parts", "model_of_bytes", "sweep_of_arrays", "run_command"}
+#: Exceptions, constants and modules.
+NO_CALLS = {
+    "AssemblyError", "InputError", "LoadError", "ModelWarning", "NoAnswerError", "PercussError", "FINITE", "IMMOVABLE",
+    "MASSLESS", "MASSLESS_TO_ROUNDING", "NO_ANSWER", "converters", "records", "Report", "MapReport", "Kinematics",
+    # Of other programs: tests/peers/converters.py.
+    "from_mujoco", "from_pinocchio",
+}  # fmt: skip
+
+ARM = percuss.load(ROOT / "models/six_r_arm.urdf")
+BAR = percuss.load(ROOT / "models/four_bar.urdf")
+CORNER = percuss.load(ROOT / "models/suspensions/double-wishbone.toml")
+SHAPED = percuss.load(ROOT / "models/shaped_arm.urdf")
+TOOL = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
+COUPLER = percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
+SYSTEM, ASSEMBLY = ARM.system(), BAR.assemble()
+POSE, CLOSED = ARM.pose({"elbow": 0.3}), BAR.pose({"crank_hinge": 0.2})
+RESPONSE = CLOSED.respond(COUPLER)
+TRAVEL = percuss.Travel(BAR.pose(), "coupler", [0.35, 0.1, 0], [0, 1, 0])
+DAMPING = percuss.Damping(0.5, 2e5, speed=1.0)
+DESIGNS = [percuss.Design("a", CORNER, "bump_stop"), percuss.Design("b", CORNER, "spring")]
+MASS, ROW = np.array([[2.0, 0.3], [0.3, 1.0]]), np.array([1.0, -0.5])
+Q = np.linspace(-0.5, 0.5, 600).reshape(100, 6)
+POINTS = np.tile([0.08, 0.01, 0.0], (100, 1))
+SWEEP, MATRIX = percuss.sweep(ARM, TOOL, Q), percuss.effective_mass(MASS, ROW)
+MOVING = POSE.accelerations({"yaw": 1.0}, gravity=[0, 0, -9.81])
+STUDY = ROOT / "models/four_bar.toml"
+
+
+def workspace() -> percuss.Workspace:
+    made = ASSEMBLY.workspace(COUPLER)
+    made.effective_mass(CLOSED.positions)
+    return made
+
+
+def diagnostic() -> percuss.Diagnostic:
+    try:
+        percuss.loads("<robot/>")
+    except percuss.LoadError as error:
+        return error.diagnostics[0]
+    raise AssertionError("an empty robot was read")
+
+
+#: A case for every public call.
+CASES: dict[str, Callable[[], Any]] = {
+    "load": lambda: percuss.load(ROOT / "models/planar_2r.urdf").name,
+    "loads": lambda: percuss.loads((ROOT / "models/planar_2r.urdf").read_text()).name,
+    "load_suspension": lambda: percuss.load_suspension(ROOT / "models/suspensions/double-wishbone.toml").name,
+    "suspension_template": lambda: percuss.suspension_template("double-wishbone"),
+    "suspension_templates": percuss.suspension_templates,
+    "laws": percuss.laws,
+    "tools": percuss.tools,
+    "regions": percuss.regions,
+    "set_threads": lambda: percuss.set_threads(None),
+    "check": lambda: percuss.check(ARM).total_mass,
+    "mass": lambda: percuss.mass(CORNER, "bump_stop").effective_mass,
+    "sweep_report": lambda: percuss.sweep_report(BAR, COUPLER, vary="crank_hinge=0:0.2:5", gradient=True).rows,
+    "map": lambda: percuss.map(SHAPED, links=["finger"]).links,
+    "map_point": lambda: percuss.map_point(ARM, TOOL, 20).principal,
+    "damp": lambda: percuss.damp(2.0, DAMPING).damping,
+    "damp_contact": lambda: percuss.damp_contact(CORNER, "bump_stop", DAMPING).damping,
+    "damp_stop": lambda: percuss.damp_stop(ARM, "elbow", percuss.Damping(0.5, 1e3, speed=1.0), end="upper").damping,
+    "impact_history": lambda: percuss.impact_history(2.0, DAMPING, 20).tolist(),
+    "explain": lambda: percuss.explain(ARM, TOOL),
+    "tolerate": lambda: percuss.tolerate(ARM, TOOL, "mass=2%", samples=20),
+    "compare": lambda: percuss.compare(DESIGNS).designs,
+    "compare_study": lambda: percuss.compare_study(ROOT / "models/studies/variants.toml").designs,
+    "impact": lambda: percuss.impact(ARM, TOOL, 0.5, speed=1.0).impulse,
+    "extremes": lambda: percuss.extremes(ARM, TOOL, ranges={"elbow": (-1.0, 1.0)}, starts=2).least,
+    "safe_speed": lambda: percuss.safe_speed(ARM, TOOL, "chest", force=140.0).reflected,
+    "safe_speed_directions": lambda: percuss.safe_speed_directions(ARM, TOOL, "chest", [[0, 1, 0]], force=140.0),
+    "kinematics": lambda: percuss.kinematics(CORNER, wheel_travel=[0.0, 0.01]).values["camber"].tolist(),
+    "run_study": lambda: percuss.run_study(STUDY).schema,
+    "starting_study": lambda: percuss.starting_study(BAR, "four_bar.urdf"),
+    "study_schema": percuss.study_schema,
+    "sweep": lambda: percuss.sweep(ARM, TOOL, Q, points=POINTS, gradient=True, inverse_operational_inertia=True).effective_mass.sum(),
+    "position_gradient": lambda: percuss.position_gradient(ARM, Q[:1], np.ones((1, 6))).tolist(),
+    "effective_mass": lambda: percuss.effective_mass(MASS, ROW).effective_mass,
+    "effective_masses": lambda: percuss.effective_masses(np.stack([MASS, MASS]), ROW).effective_mass.tolist(),
+    "MatrixBatch": lambda: [str(f) for f in percuss.effective_masses(np.stack([MASS, MASS]), ROW).findings],
+    "RemarkFlags": lambda: int(percuss.RemarkFlags.OUTSIDE_LIMITS),
+    "Conditions": lambda: percuss.Conditions(base="floating").base,
+    "Damping": lambda: percuss.Damping(0.5, 1e5).law,
+    "Design": lambda: percuss.Design("a", ARM, TOOL).name,
+    "Contact": lambda: percuss.Contact("tool", [0, 0, 0], [0, 0, 1]).point,
+    "Contact.link": lambda: TOOL.link,
+    "Contact.against": lambda: TOOL.against,
+    "Contact.point": lambda: TOOL.point,
+    "Contact.normal": lambda: TOOL.normal,
+    "Contact.toward": lambda: TOOL.toward,
+    "Contact.normal_frame": lambda: TOOL.normal_frame,
+    "Contact.turning": lambda: TOOL.turning,
+    "Model.changed": lambda: ARM.changed(link_mass={"tool": 1.0}).total_mass,
+    "Model.to_urdf": ARM.to_urdf,
+    "Model.to_mjcf": ARM.to_mjcf,
+    "Model.to_sdf": ARM.to_sdf,
+    "Model.system": lambda: ARM.system(lock=["yaw"]).coordinates,
+    "Model.assemble": lambda: BAR.assemble().drivers,
+    "Model.pose": lambda: BAR.pose({"crank_hinge": 0.1}).positions.tolist(),
+    "System": lambda: SYSTEM.coordinates,
+    "System.assemble": lambda: SYSTEM.assemble().drivers,
+    "System.pose": lambda: SYSTEM.pose({"elbow": 0.1}).positions.tolist(),
+    "Assembly": lambda: ASSEMBLY.degrees_of_freedom,
+    "Assembly.rigid_loops": ASSEMBLY.rigid_loops,
+    "Assembly.drawn_gaps": ASSEMBLY.drawn_gaps,
+    "Assembly.pose": lambda: ASSEMBLY.pose({"crank_hinge": 0.1}).positions.tolist(),
+    "Assembly.workspace": lambda: ASSEMBLY.workspace(COUPLER).effective_mass(CLOSED.positions),
+    "Workspace.effective_mass": lambda: workspace().effective_mass(CLOSED.positions),
+    "Workspace.status": lambda: workspace().status,
+    "Workspace.findings": lambda: [str(f) for f in workspace().findings or []],
+    "Pose.link_frame": lambda: POSE.link_frame("tool").tolist(),
+    "Pose.mass_matrix": lambda: POSE.mass_matrix().tolist(),
+    "Pose.constraint_matrix": lambda: CLOSED.constraint_matrix().tolist(),
+    "Pose.contact_row": lambda: POSE.contact_row(TOOL).tolist(),
+    "Pose.point_jacobian": lambda: POSE.point_jacobian("tool", [0, 0, 0]).tolist(),
+    "Pose.inverse_operational_inertia": lambda: POSE.inverse_operational_inertia(TOOL).tolist(),
+    "Pose.contact_map": lambda: POSE.contact_map("tool", POINTS, POINTS)[0].tolist(),
+    "Pose.principal_masses": lambda: [p["effective_mass"] for p in POSE.principal_masses("tool", [0, 0, 0]) or []],
+    "Pose.effective_mass_gradient": lambda: sorted(POSE.effective_mass_gradient(TOOL) or {}),
+    "Pose.effective_mass_rate": lambda: POSE.effective_mass_rate(TOOL, {"elbow": 1.0}),
+    "Pose.accelerations": lambda: POSE.accelerations(gravity=[0, 0, -9.81]).joints["elbow"].tolist(),
+    "Pose.advanced_along": lambda: CLOSED.advanced_along(RESPONSE, 1e-4) is None,
+    "Pose.outside_limits": POSE.outside_limits,
+    "Pose.rank": CLOSED.rank,
+    "Pose.respond": lambda: POSE.respond(TOOL).effective_mass,
+    "Travel": lambda: percuss.Travel(CLOSED, "coupler", [0, 0, 0], [0, 1, 0]).link,
+    "Travel.displacement": lambda: TRAVEL.displacement(CLOSED),
+    "Travel.rate": lambda: TRAVEL.rate(CLOSED, "crank_hinge"),
+    "Travel.driver": lambda: TRAVEL.driver(CLOSED),
+    "Travel.pose": lambda: TRAVEL.pose(BAR.pose(), 0.001).positions.tolist(),
+    "Accelerations.joints": lambda: MOVING.joints["elbow"].tolist(),
+    "Accelerations.point": lambda: MOVING.point("tool", [0, 0, 0]).tolist(),
+    "Response.branch_limits": RESPONSE.branch_limits,
+    "Response.point_velocity": lambda: np.asarray(RESPONSE.point_velocity("coupler", [0, 0, 0])).tolist(),
+    "Response.against_mass": lambda: RESPONSE.against_mass(2.0).effective_mass,
+    "Sweep.to_svg": SWEEP.to_svg,
+    "Sweep._repr_html_": lambda: SWEEP._repr_html_(),
+}
+#: Objects whose properties are all read.
+OBJECTS: dict[str, Any] = {
+    "Model": ARM, "System": SYSTEM, "Assembly": ASSEMBLY, "Pose": CLOSED, "Response": RESPONSE, "Travel": TRAVEL,
+    "MatrixResponse": MATRIX, "Sweep": SWEEP, "Joint": ARM.joints[0], "Diagnostic": diagnostic(),
+}  # fmt: skip
+
+
+def stub_calls() -> tuple[set[str], set[str]]:
+    """Functions and methods, and properties, of the stubs."""
+    calls: set[str] = set()
+    properties: set[str] = set()
+    for node in ast.parse(STUBS.read_text()).body:
+        if isinstance(node, ast.FunctionDef):
+            calls.add(node.name)
+        elif isinstance(node, ast.ClassDef) and not any(getattr(base, "id", "") == "TypedDict" for base in node.bases):
+            for method in node.body:
+                if isinstance(method, ast.FunctionDef) and not method.name.startswith("__"):
+                    is_property = any(getattr(d, "id", "") == "property" for d in method.decorator_list)
+                    (properties if is_property else calls).add(f"{node.name}.{method.name}")
+    return calls, properties
+
+
+CALLS, PROPERTIES = stub_calls()
+for owner, name in (item.split(".") for item in sorted(PROPERTIES)):
+    if owner in OBJECTS:
+        CASES.setdefault(f"{owner}.{name}", lambda owner=owner, name=name: str(getattr(OBJECTS[owner], name)))  # type: ignore[misc]
+
+
+def test_every_public_call_has_a_case() -> None:
+    assert len(CALLS) > 60 and len(PROPERTIES) > 60
+    expected = {WITHIN.get(name, name) for name in CALLS - APART} | PROPERTIES
+    assert expected - set(CASES) == set(), "without a case"
+    public = {name for name in percuss.__all__ if name not in NO_CALLS} - {name.split(".")[0] for name in CASES}
+    assert public - set(OBJECTS) == set(), "without a case"
+    assert {name for name in CASES if "." not in name} <= set(percuss.__all__), "no longer public"
+
+
+def outcome(name: str) -> str:
+    """Result of a case as text."""
+    return repr(CASES[name]())
+
+
+def outcomes(names: list[str]) -> list[str]:
+    return [outcome(name) for name in names]
+
+
+@pytest.fixture(scope="module")
+def expected() -> dict[str, str]:
+    return {name: outcome(name) for name in CASES}
+
+
+def test_the_same_call_has_the_same_result(expected: dict[str, str]) -> None:
+    assert {name: outcome(name) for name in CASES} == expected
+
+
+def test_forked(expected: dict[str, str]) -> None:
+    """All calls in a fork of a process that has used its threads."""
+    with warnings.catch_warnings():
+        # Python warns of forks with threads.
+        warnings.simplefilter("ignore")
+        with multiprocessing.get_context("fork").Pool(1) as pool:
+            found = pool.apply_async(outcomes, (list(CASES),)).get(timeout=60)
+    assert dict(zip(CASES, found)) == expected
+
+
+def test_spawned(expected: dict[str, str]) -> None:
+    with concurrent.futures.ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as pool:
+        found = pool.submit(outcomes, list(CASES)).result(timeout=120)
+    assert dict(zip(CASES, found)) == expected
+
+
+def test_threads(expected: dict[str, str]) -> None:
+    """All calls in four threads at once, in different orders."""
+    names = list(CASES)
+    orders = [names[k * 31 % len(names) :] + names[: k * 31 % len(names)] for k in range(4)]
+    with concurrent.futures.ThreadPoolExecutor(4) as pool:
+        for order, found in zip(orders, pool.map(outcomes, orders)):
+            assert dict(zip(order, found)) == expected
+
+
+#: Calls of each case before the memory is measured, and while it is measured.
+WARM_UP, REPETITIONS = 30, 60
+#: Growth of a case, bytes: pages of allocators; a leak of 1 kB per call is 60 kB for each of hundred cases.
+GROWTH_OF_ALL = 4 << 20
+
+LEAKS = """
+import gc, sys
+sys.path.insert(0, {tests!r})
+from test_every_call import CASES, REPETITIONS, WARM_UP
+def resident():
+    gc.collect()
+    return int(open("/proc/self/statm").read().split()[1]) * {page}
+slow = {{"map", "compare", "compare_study", "kinematics", "Sweep._repr_html_", "load_suspension", "tolerate"}}
+def run(times):
+    for name, case in CASES.items():
+        for _ in range(times // 10 if name in slow else times):
+            case()
+run(WARM_UP)
+before = resident()
+run(REPETITIONS)
+middle = resident()
+run(REPETITIONS)
+print(middle - before, resident() - middle)
+"""
+
+
+def test_no_call_leaks() -> None:
+    """Resident memory after the same number of calls again: a leak grows in both halves."""
+    program = LEAKS.format(tests=str(Path(__file__).parent), page=resource.getpagesize())
+    ran = subprocess.run([sys.executable, "-W", "ignore", "-c", program], capture_output=True, text=True, env=os.environ, timeout=300)
+    assert ran.returncode == 0, ran.stderr[-2000:]
+    growths = [int(word) for word in ran.stdout.split()]
+    assert min(growths) <= GROWTH_OF_ALL, growths
+    gc.collect()
