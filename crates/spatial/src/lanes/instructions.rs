@@ -1,18 +1,26 @@
 //! SIMD instruction sets, selected at run time.
 
 use super::lane::Work;
-#[cfg(not(any(target_arch = "x86_64", target_arch = "wasm32")))]
+#[cfg(target_arch = "aarch64")]
+use super::neon::run_pair;
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")))]
 use super::portable::run_pair;
 use super::portable::run_single;
+#[cfg(target_feature = "simd128")]
+use super::wasm::run_pair;
 #[cfg(target_arch = "x86_64")]
 use super::x86;
+
+/// True where a second instance of every kernel costs more than it saves: modules of WebAssembly without 128-bit SIMD, which are
+/// transferred.
+const ONE_LANE: bool = cfg!(all(target_arch = "wasm32", not(target_feature = "simd128")));
 
 /// SIMD instruction set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Instructions {
-    /// Minimum of the architecture: two lanes; one on 32-bit WebAssembly, where a second instance of every kernel costs more in
-    /// transfer than it saves in time.
+    /// Minimum of the architecture, two lanes: SSE2 of x86-64, NEON of 64-bit ARM, 128-bit SIMD of WebAssembly. One lane in modules
+    /// of WebAssembly without SIMD.
     Baseline,
     /// x86-64 with AVX2 and FMA: four lanes.
     Avx2,
@@ -24,7 +32,7 @@ impl Instructions {
     /// Number of `f64` lanes.
     pub fn width(self) -> usize {
         match self {
-            Instructions::Baseline if cfg!(target_arch = "wasm32") => 1,
+            Instructions::Baseline if ONE_LANE => 1,
             Instructions::Baseline => 2,
             Instructions::Avx2 => 4,
             Instructions::Avx512 => 8,
@@ -68,9 +76,12 @@ impl Instructions {
             Instructions::Avx2 => x86::run_four(work),
             Instructions::Baseline => x86::run_two(work),
         }
-        #[cfg(target_arch = "wasm32")]
+        #[cfg(all(target_arch = "wasm32", not(target_feature = "simd128")))]
         run_single(work);
-        #[cfg(not(any(target_arch = "x86_64", target_arch = "wasm32")))]
+        #[cfg(not(any(
+            target_arch = "x86_64",
+            all(target_arch = "wasm32", not(target_feature = "simd128"))
+        )))]
         run_pair(work);
     }
 

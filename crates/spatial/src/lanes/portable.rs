@@ -119,7 +119,7 @@ macro_rules! operator {
 }
 
 portable!(Single, 1, 0);
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")))]
 portable!(Pair, 2, 0 1);
 
 impl Single {
@@ -136,7 +136,7 @@ pub(super) fn run_single<W: Work>(work: W) {
 }
 
 /// Runs a kernel with two lanes.
-#[cfg(not(any(target_arch = "x86_64", target_arch = "wasm32")))]
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")))]
 #[inline(never)]
 pub(super) fn run_pair<W: Work>(work: W) {
     work.run::<Pair>();

@@ -1,0 +1,93 @@
+//! m̄ of many configurations, one after another and in SIMD lanes: differences, and times by the clock.
+//!
+//! `cargo run --release -p percuss --example lanes`; on another processor, or in WebAssembly, as docs/howto/RUST.md describes.
+
+use percuss::spatial::lanes::Instructions;
+use percuss::{
+    BatchAnswer, BatchPositions, Conditions, Contact, EffectiveMass, LoadOptions, Source, System, load,
+};
+use std::error::Error;
+use std::hint::black_box;
+use std::time::Instant;
+
+/// Number of configurations, and of repetitions of which the fastest counts.
+const COUNT: usize = 1024;
+const RUNS: usize = 20;
+/// Largest difference between two ways of computation, relative: twice the error up to which a result in lanes is accepted.
+const LARGEST_DIFFERENCE: f64 = 2e-9;
+
+/// Time of one repetition per configuration, ns.
+fn fastest(mut work: impl FnMut()) -> f64 {
+    let mut least = f64::INFINITY;
+    for _ in 0..RUNS {
+        let start = Instant::now();
+        work();
+        least = least.min(start.elapsed().as_secs_f64());
+    }
+    least * 1e9 / COUNT as f64
+}
+
+/// Compares both ways for a model, of which one joint drives the others through the loops, or all joints are free.
+fn compare(name: &str, text: &str, link: &str, driver: Option<&str>) -> Result<(), Box<dyn Error>> {
+    let mechanism = load(&Source::from_text(name, text), &LoadOptions::default())?.mechanism;
+    let contact = Contact::new(mechanism.find_link(link)?, [0.1, 0.05, 0.02], [0.3, 0.4, 0.5]);
+    let system = System::new(mechanism, &Conditions::new())?;
+    let mut pose = system.pose(&system.configuration())?;
+    let (mut rows, mut expected) = (Vec::new(), Vec::new());
+    for k in 0..COUNT {
+        let share = 2.0 * k as f64 / (COUNT - 1) as f64 - 1.0;
+        let mut configuration = system.configuration();
+        match driver {
+            Some(joint) => _ = configuration.set(joint, &[0.15 * share])?,
+            None => {
+                for (number, joint) in pose.mechanism().joints().iter().enumerate() {
+                    let angle = (1.0 + number as f64) * share;
+                    let positions = vec![angle.sin(); joint.kind().positions()];
+                    configuration.set(joint.name(), &positions)?;
+                }
+            }
+        }
+        pose = system.pose_from(&pose, &configuration)?;
+        rows.extend_from_slice(pose.positions());
+        expected.push(pose.respond(&contact)?.effective_mass);
+    }
+    let width = rows.len() / COUNT;
+    let mut batch = pose.assembly().batch(&contact)?;
+    let mut answers = vec![BatchAnswer::NONE; COUNT];
+    let positions = BatchPositions::Rows { values: &rows, stride: width };
+    batch.run_here(positions, &mut answers)?;
+    let mut largest = 0.0_f64;
+    for ((row, answer), expected) in rows.chunks(width).zip(&answers).zip(&expected) {
+        for mass in [answer.mass, batch.effective_mass(row)?.mass] {
+            let (Some(EffectiveMass::Finite(m)), EffectiveMass::Finite(expected)) = (mass, expected) else {
+                return Err(format!("{name}: {mass:?} instead of {expected:?}").into());
+            };
+            largest = largest.max((m / expected - 1.0).abs());
+        }
+    }
+    if largest > LARGEST_DIFFERENCE {
+        return Err(format!("{name}: results differ by {largest:.1e}").into());
+    }
+    let one =
+        fastest(|| rows.chunks(width).for_each(|row| _ = black_box(batch.effective_mass(black_box(row)))));
+    let lanes = fastest(|| _ = black_box(batch.run_here(black_box(positions), &mut answers)));
+    println!(
+        "{name}: one by one {one:.0} ns, in lanes {lanes:.0} ns, {:.2} times as fast; largest difference {largest:.1e}",
+        one / lanes
+    );
+    Ok(())
+}
+
+/// Compares an arm, a rover and a suspension.
+pub fn main() -> Result<(), Box<dyn Error>> {
+    let set = Instructions::best();
+    println!("{}: {} lanes ({})", std::env::consts::ARCH, set.width(), set.name());
+    compare("six_r_arm.urdf", include_str!("../../../models/six_r_arm.urdf"), "tool", None)?;
+    compare(
+        "double_wishbone.urdf",
+        include_str!("../../../models/double_wishbone.urdf"),
+        "upright",
+        Some("lower_arm_hinge"),
+    )?;
+    compare("four_bar.urdf", include_str!("../../../models/four_bar.urdf"), "coupler", Some("crank_hinge"))
+}
