@@ -121,6 +121,7 @@ mod tests {
             inertial: &inertial,
             com: Vector3::from(com),
             size,
+            is_hub: false,
             is_rod: false,
             is_axle: false,
         };
