@@ -26,8 +26,8 @@ fn sum(base: Base) -> Coverage {
     all
 }
 
-/// The configurations that no kernel answers are those whose bound of the rounding error is too large: contacts nearly immovable, and
-/// axles on a floating base. On a processor that does not fuse products and sums a few bounds are different.
+/// Configurations without a result of a kernel have too large a bound of the rounding error: nearly immovable contacts, and
+/// axles on a floating base. On a processor without fused multiply-add, a few bounds differ.
 #[test]
 fn shipped_models() {
     let fixed = sum(Base::Fixed);

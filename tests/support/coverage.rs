@@ -76,7 +76,7 @@ fn random_positions(rng: &mut StdRng, mechanism: &Mechanism) -> Vec<f64> {
     positions
 }
 
-/// Poses of a tree: any positions. Poses of a mechanism with loops: closed for random positions of its drivers.
+/// Poses at random positions of all joints of a tree, or at random positions of the drivers of a mechanism with loops.
 fn poses(rng: &mut StdRng, system: &System, pose: &Pose) -> Vec<Pose> {
     let mechanism = pose.mechanism();
     if pose.loops().is_none() {
@@ -113,7 +113,7 @@ pub fn read(path: &str) -> Result<Arc<Mechanism>, String> {
     read.map(Arc::new).map_err(|error| error.to_string().lines().next().unwrap_or_default().to_owned())
 }
 
-/// True if the pose answers with the same effective mass, within the stated errors of both.
+/// True if the effective mass at the pose is the same within the stated errors of both.
 fn agrees(pose: &Pose, contact: &Contact, mass: f64, error: f64) -> bool {
     let Ok(response) = pose.respond(contact) else { return false };
     let EffectiveMass::Finite(expected) = response.effective_mass else { return false };

@@ -1,5 +1,5 @@
-/* A controller of fixed period. In each period a four-bar linkage moves on, its loop is closed, and the program gets the effective
- * mass of a contact on the coupler, its error and the response of all joints. Nothing is allocated in the loop. At the end the
+/* A controller of fixed period. In each period the crank of a four-bar linkage moves, the loop is closed, and the program computes the effective
+ * mass of a contact on the coupler, its error and the response of all joints. The control loop allocates no memory. At the end the
  * program states the computing times and the periods in which the answer came too late.
  *
  * Compile: cc -std=c11 real_time.c $(pkg-config --cflags --libs percuss) -lm
@@ -48,7 +48,7 @@ static int by_size(const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
-/* Everything that the loop needs, made before it. */
+/* Objects and buffers of the control loop, created before its first period. */
 typedef struct {
   percuss_path *path;
   percuss_workspace *workspace;
@@ -108,7 +108,7 @@ int main(int argc, char **argv)
   c.contact.normal_given = PERCUSS_NORMAL_LINK;
   check(percuss_path_new(pose, &c.contact, &crank, 1, &c.path));
 
-  /* Pages stay in memory; without the right to lock them, the loop runs all the same. */
+  /* Locks all pages in memory. Without the permission the loop runs too, but page faults may delay it. */
   if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0) fprintf(stderr, "memory is not locked: page faults may delay a period\n");
   double *times = calloc((size_t)periods, sizeof *times);
   if (times == NULL) return 1;
@@ -125,7 +125,7 @@ int main(int argc, char **argv)
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, NULL) != 0) {
     }
     clock_gettime(CLOCK_MONOTONIC, &start);
-    /* The crank swings by 0.2 rad, once in 1000 periods. */
+    /* The crank oscillates with an amplitude of 0.2 rad and a cycle of 1000 periods. */
     const double mass = step(&c, 0.2 * sin(6.283185307179586 * (double)k / 1000.0), &error);
     clock_gettime(CLOCK_MONOTONIC, &end);
     times[k] = microseconds(&end) - microseconds(&start);

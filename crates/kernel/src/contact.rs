@@ -3,10 +3,10 @@
 use nalgebra::{Matrix3, Vector3};
 use percuss_spatial::Transform;
 
-/// Frame of a link: its body and the frame in that of the body; the body is `None` for the root link.
+/// Frame of a link, given by its body and the transform from link to body coordinates.
 #[derive(Clone, Copy, Debug)]
 pub struct LinkFrame {
-    /// Body of the link.
+    /// Body of the link; `None` for the root link.
     pub body: Option<usize>,
     /// X_bl.
     pub frame: Transform<f64>,
@@ -59,14 +59,14 @@ pub struct Contact {
 impl Contact {
     /// Body of the contact link, and the normal with its frame; `None` for a contact that a tree does not support: between two
     /// bodies, along a line, or on the root link.
-    pub(crate) fn with_ground(&self) -> Option<(usize, Vector3<f64>, NormalFrame)> {
+    pub(crate) fn ground_contact(&self) -> Option<(usize, Vector3<f64>, NormalFrame)> {
         let Normal::Along(normal, frame) = self.normal else { return None };
         let other = self.against.is_some_and(|other| other.body.is_some());
         self.on.body.filter(|_| !other).map(|body| (body, normal, frame))
     }
 
-    /// Conversion for a contact with the ground. `own`: frame of the plan in the body of the contact link. True if the normal
-    /// is constant in the contact link.
+    /// Conversion of a contact with the ground, and true if the normal is constant in the contact link. `own`: transform from plan
+    /// to body coordinates of the contact link.
     pub(crate) fn conversion(&self, own: &Transform<f64>, frame: NormalFrame) -> (ContactConversion, bool) {
         let point = relative_frame(own, &self.on.frame);
         let normal = match (frame, &self.against) {
@@ -96,8 +96,8 @@ impl ContactConversion {
     }
 }
 
-/// Frame `b` in frame `a`, both given in a third one. The difference of the origins is rounded before it is rotated: distant
-/// origins lose no more digits than their difference has lost.
+/// X_ab from `a` = X_ca and `b` = X_cb. The origins are subtracted before the rotation: distant
+/// origins lose only the digits that cancel in this subtraction.
 pub(crate) fn relative_frame(a: &Transform<f64>, b: &Transform<f64>) -> Transform<f64> {
     Transform::new(a.rotation.transpose() * b.rotation, a.inverse_point(&b.translation))
 }

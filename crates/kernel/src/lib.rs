@@ -1,8 +1,8 @@
 //! Compiled evaluation of the effective mass, for one configuration or for SIMD lanes.
 //!
-//! A [`Mechanism`] is compiled once: its bodies into a list of steps in their own axes ([`tree`]), a linkage with closed loops into
-//! rows and their elimination ([`loops`]). The same plan answers one configuration and several at once. A result is returned only with
-//! a bound of its rounding error; all other cases are left to the caller.
+//! A [`Mechanism`] is compiled once: a tree into a list of joint steps ([`tree`]), a linkage with closed loops into
+//! rows and their elimination ([`loops`]). The same plan evaluates one configuration or several SIMD lanes. A result is returned only with
+//! a bound of its rounding error; the caller computes all other cases by another method.
 
 mod aligned;
 mod columns;

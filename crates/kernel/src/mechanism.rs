@@ -9,13 +9,13 @@ pub enum JointMotion {
     /// None.
     Fixed,
     /// Rotation about the axis.
-    Turn,
+    Revolute,
     /// Translation along the axis.
-    Slide,
+    Prismatic,
     /// Translations in the plane across the axis, and rotation about the axis.
     Planar,
     /// Rotation by a unit quaternion.
-    Ball,
+    Spherical,
     /// Translation by three positions, then rotation by a unit quaternion.
     Floating,
     /// Floating base: its pose is the reference frame.
@@ -26,10 +26,10 @@ impl JointMotion {
     /// True if component `k` of the joint's velocity is a translation.
     pub fn translates(self, k: usize) -> bool {
         match self {
-            Self::Slide => true,
+            Self::Prismatic => true,
             Self::Planar => k < 2,
             Self::Floating | Self::Base => k >= 3,
-            Self::Fixed | Self::Turn | Self::Ball => false,
+            Self::Fixed | Self::Revolute | Self::Spherical => false,
         }
     }
 }
@@ -71,7 +71,7 @@ pub struct Body {
     pub inertia: SpatialInertia<f64>,
     /// Index of the joint's first position.
     pub q: usize,
-    /// Position from which the position of the joint follows, for a mimic.
+    /// Position of the master and the coefficients, for a mimic joint.
     pub mimic: Option<JointPosition>,
     /// Velocities of the joint; none if the joint is locked.
     pub velocities: Vec<Velocity>,
@@ -118,8 +118,8 @@ pub struct Mechanism {
     pub coordinates: usize,
     /// Clusters of joints that mimic one another.
     pub clusters: Vec<Cluster>,
-    /// Size of the mechanism, m.
-    pub length: f64,
+    /// Characteristic length of the mechanism, m.
+    pub characteristic_length: f64,
 }
 
 impl Mechanism {
@@ -152,7 +152,7 @@ pub struct BodyDirection {
     pub e: [f64; 3],
 }
 
-/// Form of one row or of three rows of A, from the relative motion of successor and predecessor.
+/// Kind of one row or of three rows of A: the component of the relative motion of successor and predecessor that is zero.
 #[derive(Clone, Copy, Debug)]
 pub enum RowForm {
     /// Velocity of the successor's point, root axes: three rows.
@@ -185,7 +185,7 @@ pub struct RowTerm {
 /// Rows of one constraint, in the frames of the bodies.
 #[derive(Clone, Debug)]
 pub struct RowBlock {
-    /// Target of the successor's point; `None` without a closure.
+    /// Point of the predecessor; `None` for couplings and held points.
     pub predecessor: Option<BodyPoint>,
     /// Point of the successor.
     pub successor: BodyPoint,
@@ -204,16 +204,16 @@ pub struct Linkage {
     pub blocks: Vec<RowBlock>,
     /// Rank of the rows at a generic configuration.
     pub rank: usize,
-    /// Length of each coordinate: a rate of 1 rad/s counts as this speed, m; 1 for translations.
+    /// Length that scales each coordinate, m: a rate of 1 rad/s counts as this length per second; 1 for translations.
     pub lengths: Vec<f64>,
     /// Smallest length of a rotational coordinate, m.
-    pub shortest: f64,
+    pub shortest_length: f64,
     /// Largest number of joints between the ground and a body.
     pub depth: usize,
-    /// Remainder of a redundant row after the elimination, relative to the largest pivot.
-    pub floor: f64,
+    /// Threshold of redundancy: a row with a smaller remainder after the elimination, relative to the largest pivot, is redundant.
+    pub redundancy_threshold: f64,
     /// Smallest size of a loop, m.
-    pub size: f64,
+    pub smallest_loop_size: f64,
 }
 
 /// True if no motion has a negative kinetic energy, within rounding.

@@ -73,10 +73,10 @@ pub const LONGEST_FOLLOWED: f64 = 2.0;
 /// Step of the finite differences for ‖A′‖, relative to the size; leaves five digits.
 pub const CURVATURE_STEP: f64 = 1e-5;
 /// Error of a linkage's rows as a multiple of the motion that would close its loops, divided by its smallest length. The factor is
-/// empirical: with it the true errors of the tested linkages are at most a twentieth of the statement.
+/// empirical: with this factor the true errors of the tested linkages are at most a twentieth of the stated bound.
 pub const OPEN_ROUNDINGS: f64 = 1.0;
 /// Roundings of a linkage's rows in lanes, for the frame of the ground and for the root of the depth of the tree. With these
-/// constants the true errors of the tested linkages are at most a twentieth of the statement.
+/// constants the true errors of the tested linkages are at most a twentieth of the stated bound.
 pub const LANE_ROW_ROUNDINGS: f64 = 1.0;
 /// Roundings of an arm between two positions, relative to the relevant length.
 pub const FAR_ROUNDINGS: f64 = 2.0;

@@ -1,7 +1,7 @@
 """Writes percuss/records: the types of all reports, with the fields, types and comments of the structures in crates/study and crates/contact.
 
     records.py             writes the modules
-    records.py --check     fails if a module is not as this program writes it
+    records.py --check     fails if a module is out of date
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ MODULES = {
     "impact": ["ImpactReport", "ExtremesReport"],
     "surfaces": ["MapReport", "PointMapReport", "SafeSpeedReport", "CheckReport"],
 }
-#: Reports that have a name in the package already, with arrays beside the record.
+#: Reports whose name is that of a class with arrays in the package, and the name of their record.
 RENAMED = {"MapReport": "MapRecord"}
-#: Keys with the answer, shown by repr, with their unit.
+#: Keys that repr shows, with their units.
 ANSWERS = {
     "DampingReport": {"damping": "", "dissipation": "", "achieved_restitution": "", "peak_force": "N"},
     "MassReport": {"effective_mass": "kg", "effective_mass_error": "kg", "status": ""},
@@ -62,10 +62,10 @@ ATTRIBUTES = r"((?:[ \t]*#\[[^\n]*\]\n)*)"
 
 
 def words(doc: str) -> str:
-    """Text of a comment, in the words of Python."""
+    """Text of a comment of Rust for Python: None instead of null, no links."""
     text = " ".join(line.strip().removeprefix("///").strip() for line in doc.strip().splitlines())
     text = re.sub(r"\[`?([^\]`]*)`?\]\([^)]*\)", r"\1", text)
-    return text.replace("`", '"').replace("null", "None").strip()
+    return re.sub(r'"?\b[Nn]ull\b"?', "None", re.sub(r"\[`([^\]`]*)`\]", r"\1", text).replace("`", '"')).strip()
 
 
 class Sources:
@@ -84,10 +84,10 @@ class Sources:
                     self.structures[name] = (words(doc), body)
             for _, attributes, name, body in re.findall(head + r"pub enum (\w+) \{\n(.*?)^\}", text, re.M | re.S):
                 if "Serialize" in attributes and "rename_all" in attributes:
-                    self.choices[name] = [v.lower() for v in re.findall(r"^\s*(\w+),", body, re.M)]
+                    self.choices[name] = [re.sub(r"(?<!^)(?=[A-Z])", "_", v).lower() for v in re.findall(r"^\s*(\w+),", body, re.M)]
 
     def fields(self, name: str) -> list[tuple[str, str, str]]:
-        """Key, type in Rust and comment of every field that is written."""
+        """Key, type in Rust and comment of every serialized field."""
         found = []
         pattern = DOC + ATTRIBUTES + r"[ \t]*pub(?:\(\w+\))? (?:r#)?(\w+): ([^\n]+),\n"
         for doc, attributes, key, kind in re.findall(pattern, self.structures[name][1], re.M):
@@ -138,7 +138,7 @@ def wrapped(text: str, indent: str) -> list[str]:
 
 def docstring(text: str, indent: str) -> list[str]:
     lines = wrapped(text or "Record.", indent)
-    # A quotation mark before the end would end the text early.
+    # A quotation mark at the end of the text needs a space before the closing quotation marks.
     return [*lines[:-1], lines[-1] + (' """' if lines[-1].endswith('"') else '"""')]
 
 
@@ -149,7 +149,7 @@ def record(sources: Sources, name: str) -> list[str]:
         lines += [f"    _answer = {str(ANSWERS[name]).replace(chr(39), chr(34))}", ""]
     for key, kind, comment in sources.fields(name):
         if key == "from":
-            # No name in Python: record["from"].
+            # `from` is a keyword of Python: the key has no attribute.
             continue
         lines += [f"    {key}: {sources.python(kind)}", *docstring(comment, "    ")]
     return lines
@@ -203,7 +203,7 @@ def main() -> None:
             if "--check" not in sys.argv:
                 path.write_text(text)
     if "--check" in sys.argv and stale:
-        raise SystemExit(f"percuss/records: {', '.join(stale)} are not those of crates/study and crates/contact; run crates/python/tests/records.py")
+        raise SystemExit(f"percuss/records: {', '.join(stale)} differ from the structures in crates/study and crates/contact; run crates/python/tests/records.py")
 
 
 if __name__ == "__main__":

@@ -26,7 +26,7 @@ import percuss
 
 warnings.simplefilter("ignore", percuss.ModelWarning)
 STUBS = Path(percuss.__file__).with_name("_percuss.pyi")
-#: Names of the extension that the functions of percuss call, with those functions as cases.
+#: Functions of the extension module without a case of their own, and the public function that calls each.
 WITHIN = {
     "check": "check", "compare": "compare", "compare_study": "compare_study", "damp": "damp_contact", "damp_mass": "damp",
     "explain": "explain", "extremes": "extremes", "impact": "impact", "impact_history": "impact_history",
@@ -35,13 +35,13 @@ WITHIN = {
     "starting_study": "starting_study", "study_schema": "study_schema", "sweep_report": "sweep_report",
     "tolerate": "tolerate",
 }  # fmt: skip
-#: Parts of pickles, which test_pickle.py has, and the command, which ends its process.
+#: Functions without a case: test_pickle.py tests those for pickles; run_command ends its process.
 APART = {"diagnostic_of_parts", "joint_of_parts", "model_of_bytes", "sweep_of_arrays", "run_command"}
 #: Exceptions, constants and modules.
 NO_CALLS = {
     "AssemblyError", "InputError", "LoadError", "ModelWarning", "NoAnswerError", "PercussError", "FINITE", "IMMOVABLE",
     "MASSLESS", "MASSLESS_TO_ROUNDING", "NO_ANSWER", "converters", "records", "Report", "MapReport", "Kinematics",
-    # Of other programs: tests/peers/converters.py.
+    # These need other programs; tests/peers/converters.py tests them.
     "from_mujoco", "from_pinocchio",
 }  # fmt: skip
 
@@ -256,7 +256,7 @@ def test_threads(expected: dict[str, str]) -> None:
 
 #: Calls of each case before the memory is measured, and while it is measured.
 WARM_UP, REPETITIONS = 30, 60
-#: Growth of a case, bytes: pages of allocators; a leak of 1 kB per call is 60 kB for each of hundred cases.
+#: Largest growth of all cases together, bytes: allocators keep pages; a leak of 1 kB per call in each of 100 cases is 6 MB.
 GROWTH_OF_ALL = 4 << 20
 
 LEAKS = """
@@ -281,7 +281,7 @@ print(middle - before, resident() - middle)
 
 
 def test_no_call_leaks() -> None:
-    """Resident memory after the same number of calls again: a leak grows in both halves."""
+    """Resident memory grows in both halves of the repetitions only if a call leaks memory."""
     program = LEAKS.format(tests=str(Path(__file__).parent), page=resource.getpagesize())
     ran = subprocess.run([sys.executable, "-W", "ignore", "-c", program], capture_output=True, text=True, env=os.environ, timeout=300)
     assert ran.returncode == 0, ran.stderr[-2000:]

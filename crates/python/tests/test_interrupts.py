@@ -91,7 +91,7 @@ def test_ctrl_c(name: str) -> None:
     run = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert run.stdout is not None
     assert run.stdout.readline() == "ready\n", run.communicate()[1][-2000:]
-    # Different moments of the inner pieces of the work.
+    # The delay differs between calls, so that the signal arrives in different parts of the work.
     time.sleep(0.7 + 0.5 * (sum(map(ord, name)) % 97) / 97)
     sent, spent = time.time(), cpu_seconds(run.pid)
     run.send_signal(signal.SIGINT)
@@ -100,5 +100,5 @@ def test_ctrl_c(name: str) -> None:
     assert words[:1] == ["stopped"], (printed, errors[-2000:])
     elapsed, spent = float(words[1]) - sent, float(words[2]) - spent
     print(f"{name}: {elapsed:.2f} s, {spent:.2f} s of CPU time")
-    # With other load, the time in which the process did not run does not count: CPU time of all threads since the signal.
+    # Other processes may delay this one: the smaller of the elapsed time and the CPU time of all threads since the signal is checked.
     assert min(elapsed, spent) <= LIMIT, f"{elapsed:.2f} s, {spent:.2f} s of CPU time"

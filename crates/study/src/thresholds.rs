@@ -101,12 +101,12 @@ pub(crate) const LONG_HALVING: f64 = 0.125;
 pub(crate) const LEAST_PART_OF_LONG_HALVING: f64 = 0.01;
 /// Accuracy of the smallest gap of a stop that is not reached, m.
 pub(crate) const NEAREST_ACCURACY: f64 = 1e-9;
-/// First and longest step along the path to the smallest gap, and the shortest step; rad or characteristic lengths. After halvings
-/// some 1e-3 of the path is left.
+/// First, longest and shortest step along the path to the smallest gap, rad or characteristic lengths. The first step is short because
+/// only some 1e-3 of the path remains after the halvings of the gap.
 pub(crate) const FIRST_APPROACH_STEP: f64 = 1e-4;
 pub(crate) const LONGEST_APPROACH_STEP: f64 = 0.05;
 pub(crate) const LEAST_APPROACH_STEP: f64 = 1e-8;
-/// Largest number of these steps: some ten from the first to the longest step for each of five drivers, a turn in the longest steps, and
+/// Largest number of these steps: some ten steps of growing length for each of five drivers, one revolution in the longest steps, and
 /// the interpolations.
 pub(crate) const APPROACH_STEPS: usize = 200;
 /// Largest number of Newton steps back to this path.
@@ -221,5 +221,5 @@ pub(crate) const DIRECTIONS: std::ops::RangeInclusive<usize> = 1..=1_000_000;
 pub(crate) const SAME_SPEED: f64 = 1e-5;
 /// Relative difference up to which values of two designs are equal: the rounding of conversions between units.
 pub(crate) const EQUAL_VALUES: f64 = 1e-12;
-/// Largest ratio of the smallest to the largest principal moment of a slender rod: the rounding of its rotation.
+/// Largest ratio of the smallest to the largest principal moment of a slender rod: zero, plus the rounding of rotated moments.
 pub(crate) const SLENDER_ROD: f64 = 1e-9;

@@ -58,7 +58,7 @@ pub(crate) const WHEEL_DENSITIES: RangeInclusive<f64> = 165.0..=3000.0;
 pub(crate) const MAX_PART_MASS: f64 = 150.0;
 /// Largest plausible mass of an axle or a beam, kg: that of a driven axle of a truck.
 pub(crate) const MAX_AXLE_MASS: f64 = 1500.0;
-/// Largest plausible mass of a part over the cube of its size, kg/m³; size: diagonal of the box around its joints and seats. Of arms and
+/// Largest plausible mass of a part over the cube of its size, kg/m³; size: `CheckedPart::size`. Of arms and
 /// rods it is below 100, of a short rocker 1000. A mass in grams is a thousand times as large.
 pub(crate) const MAX_PART_DENSITY: f64 = 5000.0;
 /// The same for a rod, which has two joints and nothing else: 21 for a tie rod of a car, 60 for one of a truck.
@@ -67,8 +67,8 @@ pub(crate) const MAX_ROD_DENSITY: f64 = 600.0;
 pub(crate) const LIGHT_ROD: f64 = 10.0;
 /// Smallest size of a part, m, for this comparison: the joints of a spindle are at one point.
 pub(crate) const MIN_PART_SIZE: f64 = 0.05;
-/// Trace of the distance term of an inertia about the origin of the vehicle, over the trace of what remains without this term, from which
-/// the inertia is probably about this origin: a body whose remainder is a valid inertia is seldom at such a distance otherwise.
+/// Smallest ratio of tr D to tr(I − D), D = m (r² 1 − r rᵀ), at which an inertia I is probably about the origin of the vehicle.
+/// An inertia about the centre of mass seldom has so large a ratio together with a valid difference I − D.
 pub(crate) const LEAST_DISTANCE_TERM: f64 = 2.0;
 /// Plausible radius of gyration of a part over its size: 0.29 for a rod, 0.2 to 0.6 for arms and carriers. A unit of inertia that is a
 /// hundred times too small or too large changes it by a factor of ten.
@@ -77,7 +77,7 @@ pub(crate) const GYRATION_RADII: RangeInclusive<f64> = 0.04..=2.0;
 pub(crate) const LEAST_CARRIER_SIZE: f64 = 0.15;
 /// Plausible radius of gyration of a wheel over its radius: 0.6 to 0.85 for a wheel with its tyre.
 pub(crate) const WHEEL_GYRATION_RADII: RangeInclusive<f64> = 0.15..=2.0;
-/// Shortest plausible rod between an axle and the chassis, m: a Panhard rod whose ends are on one side by a wrong sign is shorter.
+/// Shortest plausible rod between an axle and the chassis, m: a wrong sign of y at one end makes a Panhard rod shorter.
 pub(crate) const MIN_CENTRAL_LENGTH: f64 = 0.1;
 /// Gap of a stop, m, below which a positive number is in another unit: stops are not adjusted to a fifth of a millimetre.
 pub(crate) const MIN_STOP_GAP: f64 = 2e-4;

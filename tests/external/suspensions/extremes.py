@@ -1,8 +1,8 @@
-"""Smallest and largest effective mass at the contact patch compared with the own programs: `percuss extremes`.
+"""Compares `percuss extremes` at the contact patch with an independent program (poses: touch.py, m̄: mechanics.py).
 
-The driving joint is a hinge between the chassis and a part. The own program closes all joints at an angle of this part (touch.py),
-takes the lowest point of the wheel there, and has its own m̄ (mechanics.py). m̄ at both positions of percuss is compared; no own m̄
-over the range is outside of both.
+The driving joint is a hinge between the chassis and a part. At several angles of this part, the independent program closes all joints
+and computes m̄ at the lowest point of the wheel. Its m̄ must agree with percuss at both extremes, and at no other angle may it be
+smaller than the minimum or larger than the maximum.
 """
 
 import json
@@ -27,7 +27,7 @@ class Driver:
     def __init__(self, linkage, part, axis):
         hinges = [j for j in linkage.built.joints if j.kind == "hinge" and {j.first, j.second} == {CHASSIS, part}]
         (joint,) = hinges
-        # Of the axis only the sense is taken from percuss: that of the positive angle.
+        # Only the sense of positive rotation is taken from percuss.
         self.axis = joint.along * np.sign(joint.along @ axis) / np.linalg.norm(joint.along)
         self.across = unit(np.cross(self.axis, [0.6, 0.0, 0.8]))
         self.linkage, self.group = linkage, linkage.group[part]
@@ -49,7 +49,7 @@ class Driver:
 
 
 def mass_at(linkage, pose):
-    """Own m̄ at the lowest point of the wheel, upwards."""
+    """m̄ of the independent program at the lowest point of the wheel, upwards."""
     there = moved_car(linkage, pose)
     drawn = linkage.built
     link, centre = there.frames["wheel_centre"]
@@ -60,7 +60,7 @@ def mass_at(linkage, pose):
 
 
 def compare_extremes(checker, sheet, built, where):
-    """One side built, with a driving hinge on the chassis. True if compared."""
+    """Compares the extremes of a one-sided suspension. False if no driving joint is a hinge on the chassis."""
     code, out, _ = checker.run("check", str(sheet), "--format", "json")
     if code != 0:
         return False

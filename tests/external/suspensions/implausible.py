@@ -30,14 +30,14 @@ LEAST_STEINER = 3.0
 
 
 def other_unit(rng, car, spelling, text):
-    """The unit of the lengths is that of another table."""
+    """The sheet states a wrong unit of length."""
     unit = spelling[0]
     other = str(rng.choice([name for name in LENGTHS if name != unit]))
     return text.replace(f'unit = "{unit}"', f'unit = "{other}"', 1)
 
 
 def other_inertia_unit(rng, car, spelling, text):
-    """The unit of the inertias is another one, at least a hundred times larger or smaller."""
+    """The sheet states a wrong unit of inertia, larger or smaller by a factor of at least a hundred."""
     unit = spelling[1]
     others = [name for name, value in INERTIAS.items() if max(value / INERTIAS[unit], INERTIAS[unit] / value) > 99]
     return text.replace(f'inertia_unit = "{unit}"', f'inertia_unit = "{rng.choice(others)}"', 1)
@@ -64,7 +64,7 @@ def other_height(rng, car, spelling, text):
 
 
 def other_side(rng, car, spelling, text):
-    """The points are those of the other side than stated."""
+    """The sheet states the wrong side of the vehicle."""
     if car.template in MIDDLE:
         return None
     one, other = ("right", "left") if spelling[3] else ("left", "right")
@@ -72,7 +72,7 @@ def other_side(rng, car, spelling, text):
 
 
 def other_axes(rng, car, spelling, text):
-    """The axes are those of the other convention."""
+    """The sheet states the wrong convention of axes."""
     if car.template in MIDDLE:
         return None
     one, other = ("adams", "iso") if spelling[2] else ("iso", "adams")
@@ -133,7 +133,7 @@ class Family:
         self.cars, self.warned, self.ends = 0, 0, {mistake.__name__: [0, 0, 0] for mistake in MISTAKES}
 
     def outcome(self, text):
-        """Exit code, and the codes of the warnings about the file and about the results at all contacts."""
+        """Exit code, messages of the warnings about the file and about the results at all contacts, and standard error."""
         sheet = self.folder / "car.toml"
         sheet.write_text(text)
         words = [self.percuss, "mass", str(sheet), "--at", "all", "--format", "json"]

@@ -209,7 +209,7 @@ pub unsafe extern "C" fn percuss_batch_run(
     })
 }
 
-/// Fills results with those of configurations without an answer.
+/// Sets every outcome to `PERCUSS_NO_ANSWER` and every number to NaN.
 pub(crate) fn fill_without_answer<const N: usize>(
     outcomes: &mut [percuss_outcome],
     numbers: [Option<&mut [f64]>; N],

@@ -22,7 +22,7 @@ pub const FIXED_COLUMNS: [&str; 7] = [
 /// Column of a contact with a gap, after the fixed columns.
 const GAP_COLUMN: &str = "gap";
 
-/// First word of the columns of a gradient, after the gap.
+/// Prefix of the names of the gradient columns, which follow the column of the gap.
 const GRADIENT_COLUMN: &str = "gradient";
 
 /// Unit of the gradient by a joint with one velocity.

@@ -4,7 +4,7 @@ use crate::terminal::limits;
 use crate::terminal::text::{number, triple};
 use percuss_study::{ChangeKind, ComparisonReport, DesignChange, DesignRecord};
 
-/// One sentence per design that is compared with another: what differs, and from which design. The same change at several contacts is one
+/// One sentence per design with a reference: both names and the differences. Equal changes at several contacts give one
 /// sentence.
 pub fn sentences(report: &ComparisonReport) -> Vec<String> {
     let mut listed: Vec<&DesignRecord> = Vec::new();
@@ -19,11 +19,13 @@ pub fn sentences(report: &ComparisonReport) -> Vec<String> {
         let reference = &report.designs[design.reference?];
         let names = format!("{}, compared with {}", design.name, reference.name);
         if design.changes.is_empty() {
-            return Some(format!("{names}: no difference in masses, hardpoints, gaps or conditions"));
+            return Some(format!(
+                "{names}: no difference in links, hardpoints, masses, inertias, gaps or conditions"
+            ));
         }
         let shown: Vec<String> = design.changes.iter().take(limits::CHANGES_SHOWN).map(text).collect();
         let rest = design.changes.len() - shown.len();
-        let rest = if rest > 0 { format!("; and {rest} more, in --format json") } else { String::new() };
+        let rest = if rest > 0 { format!("; and {rest} more (all: --format json)") } else { String::new() };
         Some(format!("{names}: {}{rest}", shown.join("; ")))
     };
     listed.into_iter().filter_map(sentence).collect()
@@ -51,7 +53,7 @@ fn text(change: &DesignChange) -> String {
         ChangeKind::CentreOfMass => format!("centre of mass of {name}{}", moved()),
         ChangeKind::Mass => format!("mass of {name}{}", values("kg", 1.0)),
         ChangeKind::Gap => format!("gap of {name}{}", values("mm", 1e3)),
-        ChangeKind::Inertia => format!("inertia of {name}"),
+        ChangeKind::Inertia => format!("inertia of {name} changed"),
         ChangeKind::Link if value.is_none() => format!("without {name}"),
         ChangeKind::Link => format!("with {name}"),
         ChangeKind::Contact => "another contact".to_owned(),

@@ -5,7 +5,7 @@
 pub const DEFAULT_TOLERANCE: f64 = 1e-9;
 /// Number of warnings or notes of one kind shown in full: enough to recognise their common cause.
 pub const DIAGNOSTICS_SHOWN: usize = 3;
-/// Differences of a design shown in a comparison: more are another design, not a change of it.
+/// Largest number of differences per design in the text of a comparison; JSON has all differences.
 pub const CHANGES_SHOWN: usize = 6;
 /// Joints listed on one line of text; more do not fit in a terminal.
 pub const JOINTS_SHOWN: usize = 8;

@@ -155,8 +155,8 @@ fn assert_remaining_gap(file: &str, stop: &str, expected: f64) {
     assert!((found - expected).abs() < 1e-9, "{stop}: {found}, {expected}");
 }
 
-/// A sweep that passes a stop has the warning, for a travel of the wheel and for a joint, with the row of its first penetration. The
-/// rows of a joint have no poses, the others have one each.
+/// A sweep over a wheel travel or over a joint warns if a row penetrates a stop, with the row of the first penetration. The
+/// rows of a joint are evaluated without poses, the rows of a wheel travel with poses.
 #[test]
 fn stops_that_a_sweep_passes_are_warned_of() {
     let folder = Scratch::new("contacts-passed");
@@ -166,7 +166,7 @@ fn stops_that_a_sweep_passes_are_warned_of() {
         assert_eq!(outcome.code, 0, "{line}: {}", outcome.stderr);
         outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    // The pad is at L sin q in front of the hinge, and the plane at 0.2 m: the row at q = −1 is the last.
+    // The pad moves by L sin q, and the plane is at 0.2 m: the penetration is largest in the last row, q = −1.
     let beyond = 1e3 * (LENGTH * 1f64.sin() - 0.2);
     let text = warned(&format!("{bar} --at seat --vary hinge=0:-1:11"));
     assert!(text.contains("beyond the touch of plane"), "{text}");

@@ -115,8 +115,8 @@ fn several_planted_coordinates_are_found_together() {
     }
 }
 
-/// Twenty cars with other hardpoints, and two or three planted coordinates in each: all are found, and a second search gives the same
-/// bytes.
+/// Twenty cars with displaced hardpoints, and targets from a further displacement of two or three coordinates: the search finds this
+/// displacement, and a second search gives the same report.
 #[test]
 fn planted_coordinates_of_twenty_cars_are_found_twice() {
     let folder = Scratch::new("search-family");

@@ -1,4 +1,4 @@
-//! Contact in the terms of a kernel.
+//! Converts a contact to the input of the crate `kernel`.
 
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use crate::model::Model;
@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use percuss_kernel::{LinkFrame, Normal, NormalFrame};
 use percuss_mechanism::LinkId;
 
-/// A checked contact for the kernel of a model.
+/// Converts a checked contact of a model to a contact of the crate `kernel`.
 pub(crate) fn kernel_contact(model: &Model, contact: &Contact) -> percuss_kernel::Contact {
     let link = |link: LinkId| {
         let own = &model.link_frames[link.index()];

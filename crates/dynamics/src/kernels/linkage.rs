@@ -1,4 +1,4 @@
-//! Constraints of a model in the terms of a kernel.
+//! Converts the constraints of a model to the input of the crate `kernel`.
 
 use super::mechanism::mechanism;
 use crate::analysis::assembly::Assembly;
@@ -14,7 +14,7 @@ pub(crate) fn linkage(assembly: &Assembly) -> Option<Linkage> {
     let groups = 0..model.groups.len();
     let rank: usize = groups.clone().map(|g| assembly.expected_rank(g)).sum();
     let length = model.mechanism.characteristic_length();
-    // The rows of a rounded file that are left out would not be satisfied.
+    // The kernel omits redundant rows. With rounded numbers in the file, closed loops would violate the omitted rows.
     let is_redundant = model.groups.iter().map(|group| group.rows).sum::<usize>() != rank;
     if is_redundant && assembly.misfits().iter().any(|misfit| *misfit > EXACT_AS_DRAWN * length) {
         return None;
@@ -29,11 +29,11 @@ pub(crate) fn linkage(assembly: &Assembly) -> Option<Linkage> {
             .map(|(constraint, size)| block(model, constraint, size))
             .collect::<Option<_>>()?,
         rank,
-        shortest: shortest(model, &lengths),
+        shortest_length: shortest(model, &lengths),
         lengths,
         depth,
-        floor: groups.map(|g| assembly.floor(g)).fold(f64::INFINITY, f64::min),
-        size: model.groups.iter().map(|group| group.size).fold(f64::INFINITY, f64::min),
+        redundancy_threshold: groups.map(|g| assembly.floor(g)).fold(f64::INFINITY, f64::min),
+        smallest_loop_size: model.groups.iter().map(|group| group.size).fold(f64::INFINITY, f64::min),
     })
 }
 

@@ -1,7 +1,7 @@
 //! Joints between a floating base without mass and the first body with mass.
 //!
-//! Such a base has no inertia and follows its only child freely: the child moves as if it floated itself. For all contacts beyond the
-//! base, the rate of the joint between them is arbitrary, and is zero here.
+//! The only child of such a base moves as a floating body. For a contact on the child or on its subtree, the rate of the joint between the
+//! base and the child is arbitrary; the kernels use zero.
 
 use crate::model::Model;
 use percuss_mechanism::JointKind;

@@ -1,4 +1,4 @@
-//! Bodies of a model in the terms of a kernel.
+//! Converts the bodies of a model to the input of the crate `kernel`.
 
 use super::massless_root::massless_root;
 use crate::model::{Body, Model};
@@ -43,17 +43,17 @@ pub(crate) fn mechanism(model: &Model) -> Mechanism {
         bodies: model.bodies.iter().map(body).collect(),
         coordinates: model.coordinates.len(),
         clusters: clusters.collect(),
-        length: model.mechanism.characteristic_length(),
+        characteristic_length: model.mechanism.characteristic_length(),
     }
 }
 
 fn motion(body: &Body) -> JointMotion {
     match body.motion.kind {
         JointKind::Fixed => JointMotion::Fixed,
-        JointKind::Revolute | JointKind::Continuous => JointMotion::Turn,
-        JointKind::Prismatic => JointMotion::Slide,
+        JointKind::Revolute | JointKind::Continuous => JointMotion::Revolute,
+        JointKind::Prismatic => JointMotion::Prismatic,
         JointKind::Planar => JointMotion::Planar,
-        JointKind::Spherical => JointMotion::Ball,
+        JointKind::Spherical => JointMotion::Spherical,
         JointKind::Floating if body.joint.is_none() => JointMotion::Base,
         JointKind::Floating => JointMotion::Floating,
     }

@@ -1,4 +1,4 @@
-//! Mechanisms, linkages and contacts in the terms of the compiled kernels.
+//! Converts mechanisms, linkages and contacts to the input of the crate `kernel`.
 
 mod contact;
 mod linkage;

@@ -53,7 +53,7 @@ impl DerivativeKernel {
     /// Kernel of a tree for a checked contact with a link of the ground; `None` for other mechanisms and contacts.
     pub fn compile(mechanism: &Mechanism, contact: &Contact) -> Option<Self> {
         let plan = Plan::of(mechanism)?;
-        let (body, normal, frame) = contact.with_ground()?;
+        let (body, normal, frame) = contact.ground_contact()?;
         let (conversion, turns) = contact.conversion(&plan.frames[body], frame);
         let root = plan.steps[body].subtree_root;
         let active = (0..plan.steps.len()).filter(|&b| plan.steps[b].subtree_root == root).collect();

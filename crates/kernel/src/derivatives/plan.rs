@@ -70,9 +70,9 @@ impl Plan {
             let q = body.q;
             let motion = match body.motion {
                 JointMotion::Base => StepMotion::Base,
-                JointMotion::Turn => StepMotion::Turn { q },
-                JointMotion::Slide => StepMotion::Slide { q },
-                JointMotion::Ball => StepMotion::Ball { q },
+                JointMotion::Revolute => StepMotion::Turn { q },
+                JointMotion::Prismatic => StepMotion::Slide { q },
+                JointMotion::Spherical => StepMotion::Ball { q },
                 JointMotion::Floating => StepMotion::Floating { q },
                 JointMotion::Planar | JointMotion::Fixed => return None,
             };

@@ -13,10 +13,12 @@ use nalgebra::{Matrix3, Vector3};
 use percuss_spatial::{SpatialInertia, Transform, plane_basis};
 
 impl LoopPlan {
-    /// Plan with rows and columns ordered by the pivots at `positions`; only coordinates with `may(coordinate)` can be dependent.
+    /// Plan with rows and columns ordered by the pivots at `positions`; `may_depend(coordinate)`: true if the coordinate may be dependent.
     /// `None` for planar joints, many degrees of freedom, negative inertias, and rows that are not regular at the positions.
-    pub fn compile(linkage: &Linkage, positions: &[f64], may: &dyn Fn(usize) -> bool) -> Option<Self> {
-        let Linkage { mechanism, blocks, rank, lengths, shortest, depth, floor, .. } = linkage;
+    pub fn compile(linkage: &Linkage, positions: &[f64], may_depend: &dyn Fn(usize) -> bool) -> Option<Self> {
+        let Linkage {
+            mechanism, blocks, rank, lengths, shortest_length, depth, redundancy_threshold, ..
+        } = linkage;
         let numbers = column_numbers(mechanism);
         let (columns, bodies) = (numbers.iter().flatten().count(), mechanism.bodies.len());
         if blocks.is_empty()
@@ -24,7 +26,7 @@ impl LoopPlan {
             || bodies > LINKAGE_COORDINATES
             || !(1..=LINKAGE_FREEDOMS).contains(&columns.checked_sub(*rank)?)
             || !mechanism.is_positive()
-            || !shortest.is_finite()
+            || !shortest_length.is_finite()
         {
             return None;
         }
@@ -37,7 +39,7 @@ impl LoopPlan {
             depends_on: Vec::new(),
             scale: 0.0,
             redundant: 0.0,
-            length: *shortest,
+            length: *shortest_length,
             weight: 0.0,
             root_weights: vec![0.0; columns],
             roundings: 0.0,
@@ -56,14 +58,14 @@ impl LoopPlan {
             let carried = body.parent.map_or(0.0, |p| plan.bodies[p].reach);
             let own = if body.parent.is_some() { Vector3::from(moving.translation).norm() } else { 0.0 };
             let travel = match moving.motion {
-                LoopMotion::Floating(_) => mechanism.length,
+                LoopMotion::Floating(_) => mechanism.characteristic_length,
                 _ => 0.0,
             };
             moving.reach = carried + own + travel;
             plan.bodies.push(moving);
         }
-        plan.weight = plan.bodies.iter().map(|body| weight(body, *shortest)).sum();
-        // The roundings of the frames on the way add up like a random walk.
+        plan.weight = plan.bodies.iter().map(|body| weight(body, *shortest_length)).sum();
+        // The rounding errors of the frames along a chain are independent: their sum grows with the square root of the depth.
         plan.roundings = LANE_ROW_ROUNDINGS * (1.0 + (*depth as f64).sqrt());
         let mut rows = 0;
         for block in blocks {
@@ -71,16 +73,20 @@ impl LoopPlan {
             plan.blocks.push(block);
         }
         let coordinates: Vec<usize> = (0..numbers.len()).filter(|&c| numbers[c].is_some()).collect();
-        plan.order(rows, *rank, positions, &|column| may(coordinates[column]))?;
-        plan.redundant = REDUNDANT_ROW * floor * plan.scale;
+        plan.order(rows, *rank, positions, &|column| may_depend(coordinates[column]))?;
+        plan.redundant = REDUNDANT_ROW * redundancy_threshold * plan.scale;
         plan.fill_root_weights();
         Some(plan)
     }
 
-    /// Same plan for a path of the driving joints. Also `None` if the linkage has couplings, held contacts, floating joints, or
+    /// Plan of [`Self::compile`] for a path of the driving joints. Also `None` if the linkage has couplings, held contacts, floating joints, or
     /// closures that bind the full orientation.
-    pub fn compile_driven(linkage: &Linkage, positions: &[f64], may: &dyn Fn(usize) -> bool) -> Option<Self> {
-        let plan = Self::compile(linkage, positions, may)?;
+    pub fn compile_driven(
+        linkage: &Linkage,
+        positions: &[f64],
+        may_depend: &dyn Fn(usize) -> bool,
+    ) -> Option<Self> {
+        let plan = Self::compile(linkage, positions, may_depend)?;
         let binds = |(form, _): &(RowForm, _)| matches!(form, RowForm::Orientation(..));
         let fits = |block: &Block| block.predecessor.is_some() && !block.forms.iter().any(binds);
         let floats = plan.bodies.iter().any(|body| matches!(body.motion, LoopMotion::Floating(_)));
@@ -158,7 +164,7 @@ impl LoopPlan {
         rows: usize,
         rank: usize,
         positions: &[f64],
-        may: &dyn Fn(usize) -> bool,
+        may_depend: &dyn Fn(usize) -> bool,
     ) -> Option<()> {
         let columns = self.columns;
         self.layout = Layout::of(self.bodies.len(), rows, columns, self.freedoms);
@@ -167,7 +173,7 @@ impl LoopPlan {
         for k in 0..rank {
             let open = (0..rows * columns)
                 .filter(|at| row_at[at / columns].is_none() && column_at[at % columns].is_none())
-                .filter(|at| may(at % columns));
+                .filter(|at| may_depend(at % columns));
             let best = open.max_by(|&a, &b| matrix[a].abs().total_cmp(&matrix[b].abs()))?;
             let (r, c, pivot) = (best / columns, best % columns, matrix[best].abs());
             if k == 0 {
@@ -240,7 +246,7 @@ impl LoopPlan {
     }
 }
 
-/// Column of each coordinate; `None` for those of the joints beyond a massless root.
+/// Column of each coordinate; `None` for coordinates of joints between a massless base and the first body with mass.
 fn column_numbers(mechanism: &Mechanism) -> Vec<Option<usize>> {
     let mut numbers = vec![None; mechanism.coordinates];
     let bodies = mechanism.bodies.iter().filter(|body| !body.floats);
@@ -274,9 +280,9 @@ fn moving(
     let position = body.mimic.unwrap_or(JointPosition { q, multiplier: 1.0, offset: 0.0 });
     let motion = match body.motion {
         JointMotion::Fixed => LoopMotion::Fixed,
-        JointMotion::Turn => LoopMotion::Turn(position),
-        JointMotion::Slide => LoopMotion::Slide(position),
-        JointMotion::Ball => LoopMotion::Ball(q),
+        JointMotion::Revolute => LoopMotion::Turn(position),
+        JointMotion::Prismatic => LoopMotion::Slide(position),
+        JointMotion::Spherical => LoopMotion::Ball(q),
         JointMotion::Base => LoopMotion::Base,
         JointMotion::Floating => LoopMotion::Floating(q),
         JointMotion::Planar => return None,

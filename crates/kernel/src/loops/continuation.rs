@@ -147,7 +147,7 @@ impl LoopContinuation {
             return None;
         }
         let mut driven = Self {
-            size: linkage.size,
+            size: linkage.smallest_loop_size,
             current: ClosedPose::default(),
             previous: ClosedPose::default(),
             positions: Aligned::zeros(positions.len() * WIDEST),

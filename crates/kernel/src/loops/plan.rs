@@ -122,7 +122,7 @@ pub(super) struct LoopPlan {
     pub columns: usize,
     pub freedoms: usize,
     pub layout: Layout,
-    /// Massless bodies at the root, without contacts: the first joint beyond them has no rate of its own.
+    /// Massless bodies from the floating base on. Contacts on them are not supported; the joints to their children have no columns.
     pub massless: Vec<usize>,
     /// Origin of positions, in the root frame (m): near the linkage, because distant positions have a larger rounding.
     pub centre: Vector3<f64>,

@@ -38,8 +38,8 @@ pub(super) struct MimicCluster {
 }
 
 impl MimicCluster {
-    /// Compiles the clusters of a plan. Their workspace follows that of the steps. `None` if a cluster has too many coordinates, joints of several degrees of freedom, or several bodies
-    /// on the ground.
+    /// Compiles the clusters of a plan; their workspace follows the workspace of the steps. `None` if a cluster has more than `MOST` coordinates,
+    /// joints of several degrees of freedom, or several bodies on the ground.
     pub fn compile(mechanism: &Mechanism, plan: &mut TreePlan) -> Option<Vec<Self>> {
         let (mut clusters, mut offset) = (Vec::new(), plan.steps.len() * SCRATCH_NUMBERS);
         for own in &mechanism.clusters {

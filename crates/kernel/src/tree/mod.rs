@@ -39,8 +39,8 @@ pub struct TreeKernel {
 }
 
 impl TreeKernel {
-    /// Compiles the kernel of a tree. `None` if a mass is negative, or if more than four coordinates mimic one another, joints of
-    /// several degrees of freedom, or several joints on the ground.
+    /// Compiles the kernel of a tree. `None` for fixed joints, negative inertias, and clusters of mimic joints with more than four coordinates,
+    /// with joints of several degrees of freedom, or with several joints on the ground.
     pub fn compile(mechanism: &Mechanism) -> Option<Self> {
         let mut plan = TreePlan::of(mechanism)?;
         let clusters = MimicCluster::compile(mechanism, &mut plan)?;
@@ -62,7 +62,7 @@ impl TreeKernel {
 
     /// Sets a checked contact; returns false for an unsupported kind. Allocates nothing after the first call.
     pub fn set_contact(&mut self, contact: &Contact) -> bool {
-        let Some((body, normal, frame)) = contact.with_ground() else { return false };
+        let Some((body, normal, frame)) = contact.ground_contact() else { return false };
         let last = self.steps.len() - 1;
         let (conversion, turns) = contact.conversion(&self.steps[last - body].step.own.frame, frame);
         let normal_frame = if turns { TreeNormalFrame::Body } else { TreeNormalFrame::Root };

@@ -300,7 +300,7 @@ impl TreePlan {
         if bodies.is_empty() || !bodies.iter().all(moves) || !mechanism.is_positive() {
             return None;
         }
-        let length = mechanism.length;
+        let length = mechanism.characteristic_length;
         let travel = SLIDE_REACH * if length > 0.0 { length } else { 1.0 };
         let mut frames: Vec<Option<Transform<f64>>> = vec![None; bodies.len()];
         let mut steps: Vec<TreeStep> = Vec::with_capacity(bodies.len());
@@ -474,10 +474,10 @@ fn motion_of(body: &Body) -> TreeMotion {
     match body.motion {
         JointMotion::Base => TreeMotion::Base,
         // Fixed joints are merged into their parent and have no entry here.
-        JointMotion::Turn | JointMotion::Fixed => TreeMotion::Turn { q },
-        JointMotion::Slide => TreeMotion::Slide { q },
+        JointMotion::Revolute | JointMotion::Fixed => TreeMotion::Turn { q },
+        JointMotion::Prismatic => TreeMotion::Slide { q },
         JointMotion::Planar => TreeMotion::Planar { q },
-        JointMotion::Ball => TreeMotion::Ball { q },
+        JointMotion::Spherical => TreeMotion::Ball { q },
         JointMotion::Floating => TreeMotion::Floating { q },
     }
 }
@@ -503,7 +503,7 @@ fn joint_aligned_frame(bodies: &[Body], i: usize) -> Transform<f64> {
 }
 
 fn axis_of(body: &Body) -> Option<Vector3<f64>> {
-    (!matches!(body.motion, JointMotion::Floating | JointMotion::Base | JointMotion::Ball))
+    (!matches!(body.motion, JointMotion::Floating | JointMotion::Base | JointMotion::Spherical))
         .then_some(body.axis)
 }
 

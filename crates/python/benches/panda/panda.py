@@ -1,6 +1,6 @@
-"""The Panda with a contact point and a normal in each of 100,000 random rows: percuss.sweep, Pinocchio's Python and Pinocchio's C++.
-Every m̄ is compared; then CPU time per row, the least of several runs of each program in turns, in one process (C++: a program that
-this one compiles, with the headers of the packages pin and cmeel-eigen).
+"""m̄ of the Panda in 100,000 random rows with a contact point and a normal each: percuss.sweep compared with Pinocchio in Python and C++.
+The program compares every m̄, and prints the CPU time per row: the least of several runs, with the libraries in turn. It compiles the
+C++ program with the headers of the packages pin and cmeel-eigen.
 
     panda.py [--rows N] [--package FOLDER]      needs pin, example-robot-data, numpy and, for C++, g++
 """
@@ -24,7 +24,7 @@ LINK = "panda_link7"
 
 
 def options() -> list[str]:
-    """Options of the compiler: folders of headers, and Pinocchio's limits of Boost's lists."""
+    """Options of the compiler: folders of headers, and the lengths of Boost's type lists that Pinocchio requires."""
     import pinocchio
 
     prefix = next(p for p in Path(pinocchio.__file__).parents if p.name == "cmeel.prefix")

@@ -196,7 +196,7 @@ def _asked(conditions: Conditions | None) -> Conditions:
 
 
 def _with_rows(parts: tuple[str, list[str]]) -> Any:
-    """Report of its JSON and the lists of its rows."""
+    """Report from its JSON, with the rows from lists in JSON."""
     report = json.loads(parts[0])
     if parts[1]:
         report["rows"] = [row for rows in parts[1] for row in json.loads(rows)]
@@ -234,7 +234,7 @@ def sweep_report(
     vary: one range or several, the first the slowest: "JOINT=FROM:TO:COUNT",
     "travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT", or (joint, from, to, count). input: a file of positions, .csv or
     .parquet, without the columns of ignore. random: number of random rows within the limits of the joints, with seed.
-    Exactly one of vary, input and random. gradient: adds the gradient of m̄ by the velocities of every movable joint.
+    Exactly one of vary, input and random. gradient: adds the gradient of m̄, one number per velocity of every movable joint.
     """
     rows = _rows(vary, input, ignore, random, seed)
     return records.SweepReport.of(_with_rows(_percuss.sweep_report(model, contact, _asked(conditions), *rows, gradient)))

@@ -29,8 +29,8 @@ const MOST_THREADS: usize = 1024;
 /// Time between two checks for Ctrl-C: a tenth of the 0.2 s in which a call stops; the rest is for the reaction of the threads.
 const CHECK_INTERVAL: Duration = Duration::from_millis(20);
 
-/// Number of coordinates, contacts or configurations from which a call may take 0.1 s: a dense solution of 100 coordinates takes some
-/// milliseconds, and a contact or configuration with the dense route no longer. Below, a call has no second thread.
+/// Number of coordinates, contacts or configurations from which a call may take 0.1 s and runs on a pool, so that Ctrl-C can stop it. One
+/// dense solution of 100 coordinates, or one contact or configuration by the dense route, takes at most some milliseconds.
 const LARGE: usize = 64;
 
 /// Process and threads of a pool.
@@ -132,7 +132,7 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -
     interruptible_on(py, Threads::of(None)?, work)
 }
 
-/// Runs `work` without the interpreter on this thread; in a fork on a pool of its own, because rayon's global pool has no threads there.
+/// Runs `work` on this thread with the interpreter released; in a forked process on its own pool, because rayon's global pool has no threads there.
 fn detached_here<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
     let process = process::id();
     if *LOADING_PROCESS.get_or_init(|| process) == process {
@@ -141,7 +141,7 @@ fn detached_here<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> Py
     detached(py, Threads::of(None)?, work)
 }
 
-/// Like [`interruptible`] if the work may take long, else without the interpreter on this thread. `size`: number of coordinates,
+/// Like [`interruptible`] from `LARGE` on; smaller work runs on this thread with the interpreter released. `size`: number of coordinates,
 /// contacts or configurations.
 ///
 /// # Errors

@@ -109,7 +109,7 @@ fn row_parts<R: Serialize, Row: Serialize + Sync + Send + 'static>(
     Ok((json(&report)?, lists.map_err(errors::no_answer)?))
 }
 
-/// Rows that a thread of their own frees: millions take some tenths of a second.
+/// Rows that are freed on a separate thread: freeing millions of rows takes some tenths of a second.
 struct Deferred<T: Send + 'static>(Vec<T>);
 
 impl<T: Send + 'static> Drop for Deferred<T> {

@@ -11,8 +11,8 @@ use super::wasm::run_pair;
 #[cfg(target_arch = "x86_64")]
 use super::x86;
 
-/// True where a second instance of every kernel costs more than it saves: modules of WebAssembly without 128-bit SIMD, which are
-/// transferred.
+/// True for WebAssembly without 128-bit SIMD: a second instance of every kernel would not be faster, and would enlarge the module that is
+/// downloaded.
 const ONE_LANE: bool = cfg!(all(target_arch = "wasm32", not(target_feature = "simd128")));
 
 /// SIMD instruction set.

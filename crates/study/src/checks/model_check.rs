@@ -92,7 +92,7 @@ pub struct JointRecord {
 pub struct ClosureRecord {
     /// Name of the closure or coupling.
     pub name: String,
-    /// Kind of the closure; `coupling` for a ratio.
+    /// Kind of the closure; `coupling` for a ratio of two links, `relation` for a relation of joints.
     pub kind: &'static str,
     /// Predecessor link; null for a relation of joints.
     pub predecessor: Option<String>,
@@ -102,7 +102,7 @@ pub struct ClosureRecord {
     pub rows: usize,
     /// Ratio of the successor's rate to the predecessor's rate; null unless a coupling of two links.
     pub ratio: Option<f64>,
-    /// Joints of a relation with their coefficients fᵢ: Σ fᵢ qᵢ = c, or c and a curve. Empty unless a relation.
+    /// Joints of a relation Σ fᵢ qᵢ = c (or c plus a polynomial) with their coefficients fᵢ; empty for other closures.
     pub joints: Vec<RelationTermRecord>,
 }
 

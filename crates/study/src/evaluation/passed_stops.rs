@@ -18,7 +18,7 @@ pub(crate) struct PassedStops<'a> {
     model: &'a Model,
     /// Question without its travels.
     question: MassQuestion,
-    /// True if the wheels have one motion only: the travel at the touch is then that of `--at STOP`.
+    /// True if the wheels have a single motion: the wheel travel at the touch is then unique, and equal to the result of `--at STOP`.
     has_one_motion: bool,
     /// Pose as drawn.
     drawn: Pose,
@@ -57,7 +57,7 @@ impl<'a> PassedStops<'a> {
         if contacts.iter().all(|contact| contact.kind() != ContactKind::Stop) {
             return None;
         }
-        // The gap depends on the drawing only; a model that does not close as drawn has no other poses either.
+        // The drawn pose gives the constants of every gap; a model that does not close as drawn has no other poses.
         let drawn = prepared.system.pose(&prepared.system.configuration()).ok()?;
         let stops = contacts.iter().enumerate().filter_map(|(number, contact)| {
             let gap = Gap::new(&drawn, contact).filter(|_| contact.kind() == ContactKind::Stop)?;

@@ -23,10 +23,10 @@ pub(crate) struct ClosingPath<'a> {
 
 /// End of the path.
 pub(crate) struct PathEnd {
-    /// Closed part of the gaps.
+    /// Closed fraction of the gaps; 1 at the touch.
     pub closed: f64,
     pub pose: Pose,
-    /// True if the rate of the gap changes its sign behind the pose: no further part can be closed.
+    /// True if the gap increases again after this pose: no further part can be closed.
     pub is_minimum: bool,
 }
 
@@ -73,7 +73,7 @@ impl ClosingPath<'_> {
                 }
                 Some(next) => behind = Some((step, next.rate)),
                 None => {
-                    // A driver may be near its dead centre: others continue.
+                    // A driver may be near its dead centre: the path continues with other drivers.
                     let others =
                         if changes < OTHER_DRIVERS { self.selected(&drivers, &here.pose) } else { None };
                     if let Some((others, next)) = others {
@@ -93,7 +93,7 @@ impl ClosingPath<'_> {
         Some(PathEnd { closed: here.closed, pose: here.pose, is_minimum })
     }
 
-    /// Drivers other than `drivers` that are selected at a pose, and the point of the path there; `None` without others.
+    /// Drivers selected at a pose, and the point of the path there; `None` if the same drivers are selected again.
     fn selected(&self, drivers: &[JointId], pose: &Pose) -> Option<(Vec<JointId>, PathPoint)> {
         let others = self.travels.select_drivers(pose).filter(|others| others != drivers)?;
         let point = self.point(&others, pose, &positions(pose, &others), None)?;

@@ -146,7 +146,7 @@ fn touch_pose(
         Err(StudyError::TravelNotReached { why, .. }) => why,
         reached => return reached,
     };
-    // The full search and the halvings cost a hundred times as much as the path from the start, which usually has the smallest gap.
+    // The path from the start usually ends at the smallest gap; the full search and the halvings take a hundred times as long.
     if let Some(end) = closing_path_end(&travels, &start).filter(|end| end.is_minimum) {
         return Err(not_reached(Some(end.closed * gap), why));
     }
@@ -160,7 +160,7 @@ fn touch_pose(
         let middle = 0.5 * (low + high);
         let search = |least_part| with_part(middle, &from, Search::Full { least_part });
         let found = search(LEAST_PART_OF_HALVING);
-        // The first halvings are long ways, which coarse steps of several travels may fail to follow.
+        // The first halvings are large displacements; with several travels, coarse steps may fail on them.
         let is_long = travels.len() > 1 && high - low > LONG_HALVING;
         let found =
             found.or_else(|error| if is_long { search(LEAST_PART_OF_LONG_HALVING) } else { Err(error) });
@@ -169,7 +169,7 @@ fn touch_pose(
             Err(_) => high = middle,
         }
     }
-    // With the part of the gap as the parameter, the last halvings fail where the rate of the gap is small.
+    // The parameter of the halvings is the closed part of the gap, so they fail near the smallest gap. The path has the arc length as parameter.
     match closing_path_end(&travels, &from) {
         Some(end) if end.closed >= 1.0 => match with_part(1.0, &end.pose, full) {
             Err(StudyError::TravelNotReached { .. }) => Err(not_reached(Some(low * gap), why)),

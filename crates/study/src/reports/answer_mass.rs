@@ -76,7 +76,7 @@ pub fn mass_with_drawing(
 fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Result<MassReport, StudyError> {
     let mut report = build_mass_report(evaluated)?;
     let mut answer = damping_report(evaluated, damping);
-    // The only simulator does not support this contact: the mass and the damper remain.
+    // The only requested simulator does not support this contact: the report keeps the mass and the damper.
     if let (Err(StudyError::Export(error)), [tool]) = (&answer, &damping.tools[..]) {
         let (name, record) = (tool.name(), ExportRecord::from_error(*tool, error));
         let finding = Finding::about_result(FindingKind::NoDamper, error.to_string());

@@ -20,7 +20,7 @@ pub struct ContactListReport {
     pub percuss: &'static str,
     /// Input files.
     pub inputs: Vec<Input>,
-    /// The contacts: stops, springs, dampers, contact patches, others; those of a study in its order.
+    /// The contacts: stops, springs, dampers, contact patches, others; for a study, in the order of its contacts.
     pub contacts: Vec<ListedContact>,
     /// Findings about the file and the results; a finding about one contact begins with its name.
     pub diagnostics: Vec<DiagnosticRecord>,

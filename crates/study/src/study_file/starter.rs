@@ -207,7 +207,7 @@ impl StarterWriter<'_> {
                 let others = self.model.mechanism.contacts().iter().map(NamedContact::name);
                 let others: Vec<String> = others.filter(|other| other != name).map(toml_string).collect();
                 if !others.is_empty() {
-                    writeln!(out, "#   others: {}; or \"all\" of them", others.join(", "))?;
+                    writeln!(out, "#   other contacts: {}; \"all\" for every contact", others.join(", "))?;
                 }
             }
             None => self.contact(out)?,
@@ -236,7 +236,7 @@ impl StarterWriter<'_> {
         let title = toml_string(&format!("Effective mass of {}", self.model.mechanism.name()));
         writeln!(
             out,
-            "\n# The head of the report. The date is not filled in, so that a repeated run writes the same page."
+            "\n# Title, author and date of the report. percuss does not insert the current date, so that a repeated run writes the same page."
         )?;
         writeln!(out, "# [report]\n# title = {title}\n# author = \"A. Author\"\n# date = \"DATE\"")
     }

@@ -47,7 +47,7 @@ pub(crate) struct BatchResults {
     /// m̄ and its rounding error, kg; NaN if uncertain.
     masses: Vec<f64>,
     errors: Vec<f64>,
-    /// By the velocities of all joints, row by row; empty unless requested.
+    /// Gradients, row by row: one number per velocity of all joints; empty unless requested.
     gradients: Vec<f64>,
 }
 
@@ -141,7 +141,7 @@ impl BatchResults {
         (mass.is_finite() && error.is_finite()).then_some((mass, error))
     }
 
-    /// Gradient of m̄ at a row by the velocities of all joints; empty unless requested.
+    /// Gradient of m̄ at a row, one number per velocity of all joints; empty unless requested.
     pub fn gradient(&self, i: usize) -> Vec<f64> {
         let velocities = self.gradients.len() / self.rows.max(1);
         self.gradients[i * velocities..][..velocities].to_vec()

@@ -5,7 +5,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Names of the movable joints in the order of their names, and their velocities among those of all joints.
+/// Movable joints, sorted by name, with the index range of each joint's velocities among those of all joints.
 #[derive(Debug, PartialEq)]
 pub struct GradientLayout {
     joints: Vec<(String, Range<usize>)>,
@@ -31,17 +31,17 @@ impl GradientLayout {
     }
 }
 
-/// Gradient of m̄ by the velocities of every movable joint, kg/rad or kg/m: dm̄/dt = Σ g q̇ for admissible motions. Empty unless m̄ is
+/// Gradient g of m̄, one number per velocity of every movable joint, kg/rad or kg/m: dm̄/dt = Σ g q̇ for admissible motions. Empty unless m̄ is
 /// finite. In JSON: an object with a list per joint name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowGradient {
     layout: Arc<GradientLayout>,
-    /// By the velocities of all joints, in joint order.
+    /// One number per velocity of all joints, in joint order.
     values: Vec<f64>,
 }
 
 impl RowGradient {
-    /// Gradient by the velocities of all joints, in joint order; empty without a value.
+    /// Gradient from one number per velocity of all joints, in joint order; empty if a number is not finite.
     pub(crate) fn new(layout: &Arc<GradientLayout>, values: Vec<f64>) -> Self {
         let values = if values.iter().all(|value| value.is_finite()) { values } else { Vec::new() };
         Self { layout: Arc::clone(layout), values }
@@ -53,7 +53,7 @@ impl RowGradient {
         known.filter_map(|(name, velocities)| Some((name.as_str(), self.values.get(velocities.clone())?)))
     }
 
-    /// Numbers of all joints in the order of the layout; `None` for each of them without a value.
+    /// One number per velocity of every movable joint, in the order of the layout; `None` for each if m̄ is not finite.
     pub fn numbers(&self) -> impl Iterator<Item = Option<f64>> {
         let all = self.layout.joints.iter().flat_map(|(_, velocities)| velocities.clone());
         all.map(|velocity| self.values.get(velocity).copied())

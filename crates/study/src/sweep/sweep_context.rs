@@ -291,7 +291,7 @@ impl SweepContext<'_> {
         }
     }
 
-    /// Gradient of a row if gradients are requested; `values`: by the velocities of all joints.
+    /// Gradient of a row if gradients are requested; `values`: one number per velocity of all joints.
     fn gradient_of(&self, values: impl FnOnce() -> Vec<f64>) -> Option<RowGradient> {
         self.heading.gradient.as_ref().map(|layout| RowGradient::new(layout, values()))
     }

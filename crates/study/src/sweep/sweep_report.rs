@@ -84,7 +84,7 @@ pub struct SweepRow {
     /// for a contact without a gap.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gap: Option<Option<f64>>,
-    /// Gradient of m̄ by the velocities of every movable joint, kg/rad or kg/m; empty unless m̄ is finite. The key is absent unless
+    /// Gradient of m̄, one number per velocity of every movable joint, kg/rad or kg/m; empty unless m̄ is finite. The key is absent unless
     /// gradients are requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gradient: Option<RowGradient>,

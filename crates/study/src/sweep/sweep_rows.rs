@@ -180,7 +180,7 @@ impl<'a> Sweep<'a> {
 
     /// The same sweep with the gradient of m̄ at each row.
     ///
-    /// The gradient is that by the velocities of all joints at the fixed contact: dm̄/dt = Σ g q̇ for every admissible motion. In a
+    /// The gradient g has one number per velocity of all joints, at a fixed contact: dm̄/dt = Σ g q̇ for every admissible motion. In a
     /// mechanism with loops, where the velocities depend on each other, only this sum is defined.
     #[must_use]
     pub fn with_gradient(mut self) -> Self {

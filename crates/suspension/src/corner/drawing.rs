@@ -46,7 +46,7 @@ pub(crate) struct Drawing {
     points: Vec<CheckedPoint>,
 }
 
-/// Point that is compared with the wheel.
+/// Point whose side and height are compared with those of the wheel.
 #[derive(Clone, Debug)]
 struct CheckedPoint {
     name: String,
@@ -93,8 +93,8 @@ impl Drawing {
         self.points.push(CheckedPoint { name, at, spot: spot.clone(), has_side: true });
     }
 
-    /// Replaces the ends of arms and rods by all hardpoints of a sheet for the comparison with the wheel: name, position (m), place in the
-    /// file, and false for a point of the axle as a whole.
+    /// Sets the points that are compared with the wheel to all hardpoints of a sheet: name, position (m), place in the
+    /// file, and true for a point of one side, false for a point of the axle as a whole.
     pub fn set_hardpoints<'n>(
         &mut self,
         points: impl Iterator<Item = (&'n str, Vector3<f64>, &'n Spot, bool)>,
@@ -157,11 +157,11 @@ impl Drawing {
         has_warned
     }
 
-    /// Warns about very short links, which have an end at the wrong place.
+    /// Warns about very short links: a coordinate of one end probably has the wrong sign.
     pub fn check_short_links(&self, findings: &mut Findings) {
         for arm in self.arms.iter().filter(|arm| arm.length < MIN_CENTRAL_LENGTH) {
             let message = format!(
-                "{} is only {} m long: has one of its ends a wrong sign?",
+                "{} is only {} m long: check the signs of the coordinates of its ends",
                 arm.name,
                 rounded(arm.length)
             );

@@ -273,7 +273,7 @@ impl Corner {
         }
     }
 
-    /// Warns about implausible masses and inertias of the parts. `track`: distance of both wheels, m, for the links of an axle, whose
+    /// Warns about implausible masses and inertias of the parts. `track`: distance between both wheels, m: size of an axle, whose
     /// joints belong to other corners.
     pub fn check_parts(&self, track: Option<f64>, findings: &mut Findings) {
         for link in self.moving_links().into_iter().filter(|link| *link != "wheel") {

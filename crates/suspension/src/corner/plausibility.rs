@@ -15,9 +15,9 @@ pub(super) struct CheckedPart<'a> {
     pub inertial: &'a Inertial,
     /// Centre of mass in the vehicle frame, m.
     pub com: Vector3<f64>,
-    /// Diagonal of the box around the joints, the seats and the centre of mass, m.
+    /// Diagonal of the box around the joints, the seats and the centre of mass, m; the track for an axle.
     pub size: f64,
-    /// True if all joints and seats are at one point, as those of a hub.
+    /// True if all joints and seats coincide: a wheel hub.
     pub is_hub: bool,
     /// True for a link with two joints and nothing else.
     pub is_rod: bool,
@@ -36,14 +36,14 @@ pub(super) fn check_part(part: &CheckedPart, spot: &Spot, findings: &mut Finding
     };
     if mass > most {
         let message = format!(
-            "the mass of {} is {mass} kg; no part of this size ({} m) is so heavy: check its unit, \"850 g\" is one of its own",
+            "the mass of {} is {mass} kg; it is too large for a part of {} m: check its unit. A mass can state its unit, as in \"850 g\"",
             part.name,
             rounded(part.size)
         );
         findings.warning("implausible-mass", spot, message);
     }
     let gyration = gyration_radius(part.inertial);
-    // The joints of a hub are no measure of its size, and the inertia of its drive shaft is part of its own.
+    // The coinciding joints of a hub do not give its size, and its inertia includes the inertia of the drive shaft.
     let is_small = part.size >= MIN_PART_SIZE && gyration < *GYRATION_RADII.start() * part.size;
     let is_large = gyration > *GYRATION_RADII.end() * part.size.max(LEAST_CARRIER_SIZE);
     if gyration > 0.0 && !part.is_hub && (is_small || is_large) {
@@ -58,21 +58,21 @@ pub(super) fn check_part(part: &CheckedPart, spot: &Spot, findings: &mut Finding
     if is_about_origin(part) {
         let [x, y, z] = [part.com.x, part.com.y, part.com.z].map(rounded);
         let message = format!(
-            "the inertia of {} is probably about the origin of the vehicle: without the mass at ({x}, {y}, {z}) m it is still that of a \
-             body. Give the inertia about the centre of mass: I − m (r² 1 − r rᵀ)",
+            "the inertia of {} is probably about the origin of the vehicle: I − m (r² 1 − r rᵀ), with r = ({x}, {y}, {z}) m, is still a valid \
+             inertia. Give the inertia about the centre of mass, which is probably this difference",
             part.name
         );
         findings.warning("inertia-about-origin", spot, message);
     }
 }
 
-/// Root of the mean square distance of the mass from the centre of mass, m: √(tr I / 2 m).
+/// Root of the mean square distance of the mass from the centre of mass, m: √(tr I / (2 m)).
 fn gyration_radius(inertial: &Inertial) -> f64 {
     (0.5 * inertial.about_com.trace() / inertial.mass).sqrt()
 }
 
 /// True if the inertia without the term of the distance r to the origin of the vehicle, I − m (r² 1 − r rᵀ), is a valid inertia, and much
-/// smaller than this term. A compact body has r² m far above its own inertia; the difference is then indefinite.
+/// smaller than this term. If the inertia of a compact part is about its centre of mass, m r² is much larger: the difference is indefinite.
 fn is_about_origin(part: &CheckedPart) -> bool {
     let (mass, r) = (part.inertial.mass, part.com);
     let distance_term = mass * (Matrix3::identity() * r.norm_squared() - r * r.transpose());
@@ -137,7 +137,7 @@ mod tests {
         assert_eq!(codes(4000.0, com, moments, 0.4), ["implausible-mass", "implausible-gyration"]);
         assert_eq!(codes(4.0, com, moments.map(|moment| 1e-3 * moment), 0.4), ["implausible-gyration"]);
         assert_eq!(codes(4.0, com, moments.map(|moment| 1e3 * moment), 0.4), ["implausible-gyration"]);
-        // I + m (r² 1 − r rᵀ) without the products of inertia is no such sum; a body on an axis has none.
+        // The centre of mass is on an axis, so that m (r² 1 − r rᵀ) is diagonal, as the inertia of this test.
         let about_origin = [0.04 + 4.0 * 0.36, 0.02, 0.05 + 4.0 * 0.36];
         assert_eq!(codes(4.0, [0.0, 0.6, 0.0], about_origin, 0.4), ["inertia-about-origin"]);
     }

@@ -4,7 +4,7 @@ use crate::commands::mass::{held_points, loop_facts, method, other_side, point_i
 use crate::terminal::text::number;
 use percuss_study::{JointDisplacement, MassReport, SheetPoint};
 
-/// Endings of the joints of a part, with the words for them. Ball joints have the names of their hardpoints.
+/// Suffixes of joint names, and the kind of joint for each. Ball joints have the names of their hardpoints.
 const JOINTS: [(&str, &str); 5] = [
     ("_hinge", "hinge"),
     ("_slide", "slide"),
@@ -18,10 +18,11 @@ pub(super) fn facts(report: &MassReport, contact: &SheetPoint) -> Vec<(&'static 
     let assumed = &report.assumptions;
     let mut facts = vec![
         ("contact", point_in_sheet_text(contact)),
-        ("of", format!("{}, against {}", report.contact.link, other_side(report))),
+        ("contact link", format!("{}, against {}", report.contact.link, other_side(report))),
         ("base", assumed.base.clone()),
     ];
-    let lists = [("parts", &assumed.free), ("following parts", &assumed.mimics), ("locked", &assumed.locked)];
+    let lists =
+        [("displacements", &assumed.free), ("mimic joints", &assumed.mimics), ("locked", &assumed.locked)];
     for (label, names) in lists {
         let text = displacements(report, names);
         if !text.is_empty() {

@@ -40,6 +40,7 @@ from .mass import (
 from .sweep import (
     ComparisonReport,
     ComparisonRow,
+    DesignChange,
     DesignRecord,
     KinematicColumn,
     KinematicsReport,
@@ -86,6 +87,7 @@ from .surfaces import (
     OmittedLink,
     OrientationRecord,
     PointMapReport,
+    RelationTermRecord,
     SafeSpeedReport,
     SpeedRecord,
 )
@@ -105,6 +107,7 @@ __all__ = [
     "ConditionsRecord",
     "ContactRecord",
     "DampingReport",
+    "DesignChange",
     "DesignRecord",
     "DiagnosticRecord",
     "DirectionMass",
@@ -153,6 +156,7 @@ __all__ = [
     "Record",
     "ReflectedRangeRecord",
     "ReflectedRecord",
+    "RelationTermRecord",
     "RotorSensitivity",
     "RotorShare",
     "SafeSpeedReport",

@@ -206,7 +206,7 @@ class DampingReport(Record):
     named_contact: NamedContactRecord | None
     """Named contact; None for a contact given by link, point and normal, and for a joint stop."""
     stop: StopRecord | None
-    """Joint stop; its "motion" determines the units of the report. Null for a contact between bodies."""
+    """Joint stop; its "motion" determines the units of the report. None for a contact between bodies."""
     restitution: float
     """Requested coefficient of restitution."""
     stiffness: float
@@ -250,7 +250,7 @@ class DampingReport(Record):
     """Change of m̄ over the penetration; None if the mass is given directly."""
     over_stroke: VaryingMassImpact | None
     """The same damper in an impact with m̄ as it changes over the penetration: exact for a mechanism with one degree of
-    freedom, otherwise along the motion of the impact. Null without a speed, if the mass is given directly, and if the motion
+    freedom, otherwise along the motion of the impact. None without a speed, if the mass is given directly, and if the motion
     ends before the largest penetration."""
     body_alone: BodyAlone | None
     """Mass of the contact body alone and the resulting restitution; None if neither the model nor the options give this mass."""

@@ -203,7 +203,7 @@ class OtherBodyRecord(Record):
 
 
 class ReactionRecord(Record):
-    """Impulsive reaction at one place, component by component. Null marks components that redundant loops leave open."""
+    """Impulsive reaction at one place, component by component. None marks components that redundant loops leave open."""
 
     place: Literal["ground", "joint", "closure", "hold"]
     """Place."""

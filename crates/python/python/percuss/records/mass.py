@@ -111,7 +111,7 @@ class EstimateRecord(Record):
     """Point A, in the first link's frame, m."""
     motion_ratio: float | None
     """Speed of A (or the component along the direction, if given) per unit closing speed: the motion ratio "A over contact",
-    negative for a motion against the direction. Null if a massless motion leaves the speed undetermined."""
+    negative for a motion against the direction. None if a massless motion leaves the speed undetermined."""
     lever: float | None
     """Inverse ratio l̄, the motion ratio "contact over A"."""
     estimate: float | None
@@ -153,7 +153,7 @@ class LinkSensitivity(Record):
     per_kilogram: float
     """dm̄/dm = share · m̄ / m, kg/kg, with moments about the centre of mass in proportion to the mass."""
     per_metre_of_com: list[float] | None
-    """dm̄/dc, kg/m, in the link's axes, with constant moments about the centre of mass. Null if a velocity is undetermined."""
+    """dm̄/dc, kg/m, in the link's axes, with constant moments about the centre of mass. None if a velocity is undetermined."""
 
 
 class RotorSensitivity(Record):

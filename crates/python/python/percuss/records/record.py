@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, get_args, get_origin, 
 
 _R = TypeVar("_R", bound="Record")
 _Convert = Callable[[Any], Any]
-#: Keys that describe a report and are no result.
+#: Keys that describe the report, not the result.
 _HEADING = ("schema", "percuss", "inputs")
 
 
 class Record(dict[str, Any]):
     """Part of a report: the dict that the command prints with ``--format json``. Keys are attributes too."""
 
-    #: Keys of the answer, shown by repr, with their units.
+    #: Keys that repr shows, with their units.
     _answer: ClassVar[Mapping[str, str]] = {}
 
     @classmethod
@@ -26,7 +26,7 @@ class Record(dict[str, Any]):
         return cls({key: convert[key](value) if key in convert and value is not None else value for key, value in values.items()})
 
     if not TYPE_CHECKING:
-        # Hidden from type checkers, which know the keys.
+        # Hidden from type checkers, which use the annotations of the class.
         def __getattr__(self, key: str) -> Any:
             try:
                 return self[key]
@@ -82,7 +82,7 @@ class AnyRecord(Record):
 
 
 def _shown(record: Record, path: str) -> str:
-    """Value at a path of keys, in words: a number, the count of a list, or text."""
+    """Text of the value at a path of keys: a number, the length of a list, or text."""
     value: Any = record
     for key in path.split("."):
         value = value.get(key) if isinstance(value, dict) else None

@@ -61,7 +61,7 @@ class LinkMap(Record):
     largest: Extreme | None
     """Contact with the largest finite m̄."""
     area_mean: float | None
-    """Harmonic mean of m̄ over the area, kg: 1 over the mean of 1/m̄; 1/m̄ is 0 at immovable contacts. Null if no contact is
+    """Harmonic mean of m̄ over the area, kg: 1 over the mean of 1/m̄; 1/m̄ is 0 at immovable contacts. None if no contact is
     finite or any contact is massless."""
     worst_relative_error: float | None
     """Largest stated relative error; None if unknown."""
@@ -162,7 +162,7 @@ class SpeedRecord(Record):
 
     robot_mass: float | None
     """Robot mass m_R, kg: the effective mass plus its error bound, or the largest limit along the branches at a singular pose.
-    Null if the robot is immovable."""
+    None if the robot is immovable."""
     reduced_mass: float | None
     """μ = 1/(1/m_H + 1/m_R), kg; None if neither side can move."""
     speed: float
@@ -228,7 +228,7 @@ class SafeSpeedReport(Record):
 
 
 class LinkRecord(Record):
-    """A link in a ["CheckReport"]."""
+    """A link in a CheckReport."""
 
     name: str
     """Name of the link."""
@@ -243,7 +243,7 @@ class LinkRecord(Record):
 
 
 class JointRecord(Record):
-    """A joint in a ["CheckReport"]."""
+    """A joint in a CheckReport."""
 
     name: str
     """Name of the joint."""
@@ -263,21 +263,32 @@ class JointRecord(Record):
     """Master joint of a mimic."""
 
 
+class RelationTermRecord(Record):
+    """Joint of a relation in a ClosureRecord."""
+
+    joint: str
+    """Joint."""
+    coefficient: float
+    """Coefficient of its position."""
+
+
 class ClosureRecord(Record):
-    """A loop closure or coupling in a ["CheckReport"]."""
+    """A loop closure or coupling in a CheckReport."""
 
     name: str
     """Name of the closure or coupling."""
     kind: str
-    """Kind of the closure; "coupling" for a ratio."""
-    predecessor: str
-    """Predecessor link."""
-    successor: str
-    """Successor link."""
+    """Kind of the closure; "coupling" for a ratio of two links, "relation" for a relation of joints."""
+    predecessor: str | None
+    """Predecessor link; None for a relation of joints."""
+    successor: str | None
+    """Successor link; None for a relation of joints."""
     rows: int
     """Number of constraint rows."""
     ratio: float | None
-    """Ratio of the successor's rate to the predecessor's rate; None unless a coupling."""
+    """Ratio of the successor's rate to the predecessor's rate; None unless a coupling of two links."""
+    joints: list[RelationTermRecord]
+    """Joints of a relation Σ fᵢ qᵢ = c (or c plus a polynomial) with their coefficients fᵢ; empty for other closures."""
 
 
 class CheckReport(Record):

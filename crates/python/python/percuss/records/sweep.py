@@ -46,8 +46,8 @@ class SweepRow(Record):
     """Gap of the named contact at the pose of the row, m, negative for a penetration; None without a pose. The key is absent
     for a contact without a gap."""
     gradient: dict[str, list[float]] | None
-    """Gradient of m̄ by the velocities of every movable joint, kg/rad or kg/m; empty unless m̄ is finite. The key is absent
-    unless gradients are requested."""
+    """Gradient of m̄, one number per velocity of every movable joint, kg/rad or kg/m; empty unless m̄ is finite. The key is
+    absent unless gradients are requested."""
     pose: dict[str, list[float]]
     """Position of every movable joint; empty if the pose was not reached."""
     error: str | None
@@ -83,6 +83,21 @@ class SweepReport(Record):
     """Findings about the file and the rows."""
 
 
+class DesignChange(Record):
+    """Difference of a design from its reference."""
+
+    kind: Literal["point", "mass", "centre_of_mass", "inertia", "gap", "link", "contact", "pose", "conditions"]
+    """Kind of the difference."""
+    name: str
+    """Name of the link, the hardpoint, or the contact of a gap; empty for the contact, the pose and the conditions of the
+    question."""
+    reference: list[float] | None
+    """Value of the reference, kg, kg·m² or m (hardpoints in the axes of the sheet, centres of mass in the link frame); None
+    without a value."""
+    value: list[float] | None
+    """Value of the design, in the same unit."""
+
+
 class DesignRecord(Record):
     """Result of a design at the pose of the question."""
 
@@ -108,6 +123,8 @@ class DesignRecord(Record):
     """Difference from m̄ of the reference, per cent of the reference."""
     difference_range_percent: list[float] | None
     """Smallest and largest difference over the rows, per cent."""
+    changes: list[DesignChange]
+    """Differences from the reference; empty without a reference."""
     most: list[list[float | str]]
     """Links with the largest shares of m̄, and the shares."""
     error: str | None

@@ -9,11 +9,11 @@ use serde::Serialize;
 /// Difference of a design from its reference.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DesignChange {
-    /// What differs.
+    /// Kind of the difference.
     pub kind: ChangeKind,
-    /// Name of the link, the hardpoint or the contact; empty for the pose and the conditions.
+    /// Name of the link, the hardpoint, or the contact of a gap; empty for the contact, the pose and the conditions of the question.
     pub name: String,
-    /// Value of the reference: kg, kg·m², m in the axes of the sheet; null without a value.
+    /// Value of the reference, kg, kg·m² or m (hardpoints in the axes of the sheet, centres of mass in the link frame); null without a value.
     pub reference: Option<Vec<f64>>,
     /// Value of the design, in the same unit.
     pub value: Option<Vec<f64>>,
@@ -39,7 +39,7 @@ pub enum ChangeKind {
     Contact,
     /// Pose of the question.
     Pose,
-    /// Conditions of the question: base, locks, armatures.
+    /// Conditions of the question: base, locks, armatures, held points, mass of the other side.
     Conditions,
 }
 
@@ -51,7 +51,7 @@ pub(crate) fn design_changes(
     let mut changes = point_changes(reference, design);
     let has_moved = !changes.is_empty();
     changes.extend(link_changes(reference, design, has_moved));
-    // Another mechanism explains all other differences.
+    // Links of one design only come first: they explain most of the other differences.
     changes.sort_by_key(|change| change.kind != ChangeKind::Link);
     changes.extend(gap_changes(reference, design));
     let mut differs = |kind, is_different: bool| {
@@ -86,7 +86,7 @@ fn change(kind: ChangeKind, name: &str, reference: &[f64], value: &[f64]) -> Opt
     })
 }
 
-/// Hardpoints of two sheets with the same axes.
+/// Displaced hardpoints of two sheets; empty if their axes differ.
 fn point_changes(reference: &Model, design: &Model) -> Vec<DesignChange> {
     let sheets = (reference.origin.sheet.as_deref(), design.origin.sheet.as_deref());
     let (Some(one), Some(other)) = sheets else { return Vec::new() };
@@ -126,7 +126,7 @@ fn link_changes(reference: &Model, design: &Model, has_moved: bool) -> Vec<Desig
         if !has_moved {
             changes.extend(change(ChangeKind::CentreOfMass, link.name(), &coms[0], &coms[1]));
         }
-        // A change of the mass alone scales the inertia.
+        // Moments per unit mass are compared: a change of the mass alone scales the inertia.
         let moments = [own, there].map(|inertia| {
             let com: Vector3<f64> = inertia.first_moment / inertia.mass;
             let about_com = inertia.rotational

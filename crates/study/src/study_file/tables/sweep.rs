@@ -178,10 +178,10 @@ pub struct SweepTable {
     /// Random seed; default 0. The numbers are the same on every machine.
     #[cfg_attr(feature = "flags", arg(long, value_name = "NUMBER", help_heading = ROWS))]
     pub seed: Option<u64>,
-    /// Adds the gradient of m̄ by the velocity of every movable joint, kg/rad or kg/m.
+    /// Adds the gradient g of m̄, one number per velocity of every movable joint, kg/rad or kg/m.
     ///
-    /// Columns `gradient_JOINT`: dm̄/dt is the sum of the products of gradients and joint velocities, for every admissible motion. With
-    /// closed loops, where the velocities depend on each other, only this sum is defined.
+    /// Columns `gradient_JOINT`: dm̄/dt = Σ g q̇ over all joint velocities q̇ of an admissible motion. With
+    /// closed loops the joint velocities depend on each other: only this sum is defined, not the single numbers.
     #[cfg_attr(feature = "flags", arg(long, help_heading = OUTPUT))]
     pub gradient: bool,
     /// .csv .xlsx .parquet .json .jsonl .svg .png .pdf
