@@ -4,7 +4,7 @@ use super::error::MjcfError;
 use crate::xml_text::drawn_poses;
 use crate::xml_text::{append, escape_attribute, format_number, format_vector};
 use nalgebra::{Rotation3, UnitQuaternion};
-use percuss_mechanism::{Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
+use percuss_mechanism::{Closure, Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3, plane_basis};
 
 /// Largest depth of nested bodies: readers bound the nesting of elements.
@@ -36,8 +36,25 @@ pub(super) struct BodyTree {
     /// Further lines within the world.
     pub world_contents: String,
     pub notes: Vec<String>,
+    /// Closures whose second halves are within the body of a link, or within the world, in the order of the file.
+    halves: Vec<(Option<LinkId>, usize)>,
     /// True if the root link is the world.
     root_is_world: bool,
+}
+
+/// Joints of MuJoCo that belong together.
+pub(super) enum Coordinates {
+    /// Joints for a joint of the mechanism; axes of its child as drawn in those of the body.
+    Joint {
+        /// Joint of the mechanism.
+        joint: JointId,
+        /// Rotation from the axes of the joint's child to those of the body, all joints at 0.
+        in_body: Matrix3<f64>,
+    },
+    /// Free joint of a link.
+    Free(LinkId),
+    /// Joints of the second half of a link for a closure, by its number.
+    Half(usize),
 }
 
 impl BodyTree {
@@ -85,6 +102,7 @@ impl BodyTree {
             contents: vec![String::new(); count],
             world_contents: String::new(),
             notes: Vec::new(),
+            halves: Vec::new(),
             root_is_world: mechanism.link(root).name() == "world",
         };
         for link in mechanism.link_ids() {
@@ -112,17 +130,49 @@ impl BodyTree {
 
     /// Appends a line within the body of a link; within the world for `None`.
     pub fn append_content(&mut self, mechanism: &Mechanism, link: Option<LinkId>, line: &str) {
-        match link.filter(|link| !(self.root_is_world && *link == mechanism.root())) {
+        match link.filter(|link| !self.is_world(mechanism, *link)) {
             Some(link) => self.contents[link.index()].push_str(line),
             None => self.world_contents.push_str(line),
         }
     }
 
-    /// Writes all bodies.
+    /// Appends the second half of a link for a closure within the body of a link; within the world for `None`.
+    pub fn append_half(
+        &mut self,
+        mechanism: &Mechanism,
+        link: Option<LinkId>,
+        closure: &Closure,
+        lines: &str,
+    ) {
+        self.append_content(mechanism, link, lines);
+        let number = mechanism.closures().iter().position(|other| other.name() == closure.name());
+        let holder = link.filter(|link| !self.is_world(mechanism, *link));
+        self.halves.extend(number.map(|number| (holder, number)));
+    }
+
+    /// True if the link is the world of MuJoCo.
+    pub fn is_world(&self, mechanism: &Mechanism, link: LinkId) -> bool {
+        self.root_is_world && link == mechanism.root()
+    }
+
+    /// Joints of the second halves within a body, or within the world.
+    fn half_coordinates(&self, link: Option<LinkId>) -> impl Iterator<Item = Coordinates> + '_ {
+        self.halves
+            .iter()
+            .filter(move |(holder, _)| *holder == link)
+            .map(|(_, number)| Coordinates::Half(*number))
+    }
+
+    /// Writes all bodies. Returns their joints in the order of `qpos`.
     ///
     /// # Errors
     /// [`MjcfError`] for joints without a form in MJCF, and for bodies nested too deep.
-    pub fn append_bodies(&self, mechanism: &Mechanism, out: &mut String) -> Result<(), MjcfError> {
+    pub fn append_bodies(
+        &self,
+        mechanism: &Mechanism,
+        out: &mut String,
+    ) -> Result<Vec<Coordinates>, MjcfError> {
+        let mut coordinates = Vec::new();
         let root = mechanism.root();
         // Links to open, and the depth of bodies to close.
         enum Step {
@@ -157,13 +207,31 @@ impl BodyTree {
                 ));
             }
             self.open_body(mechanism, link, depth, out)?;
+            coordinates.extend(self.body_coordinates(mechanism, link));
             steps.push(Step::Close(depth));
             let moves_with_root = |child: &LinkId| link != root || !self.is_free(mechanism, *child);
             let below = children(link).into_iter().filter(moves_with_root);
             steps.extend(below.rev().map(|child| Step::Open(child, depth + 1)).collect::<Vec<_>>());
         }
         out.push_str(&self.world_contents);
-        Ok(())
+        coordinates.extend(self.half_coordinates(None));
+        Ok(coordinates)
+    }
+
+    /// Joints of the body of a link and of the halves within it.
+    fn body_coordinates(&self, mechanism: &Mechanism, link: LinkId) -> Vec<Coordinates> {
+        let own = self.world_poses[link.index()];
+        let is_free = self.is_free(mechanism, link);
+        let of_joint = |&joint: &JointId| match is_free {
+            true => Coordinates::Free(link),
+            false => Coordinates::Joint {
+                joint,
+                in_body: own.rotation.transpose()
+                    * self.world_poses[mechanism.joint(joint).child().index()].rotation,
+            },
+        };
+        let chain = self.chains[link.index()].as_deref().unwrap_or_default();
+        chain.iter().map(of_joint).chain(self.half_coordinates(Some(link))).collect()
     }
 
     /// Bodies directly below the body of a link, through merged links.
