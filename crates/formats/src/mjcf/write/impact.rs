@@ -67,7 +67,11 @@ impl MjcfImpact {
         tree.append_content(mechanism, Some(self.link), &sphere);
         let centre = self.state.link_poses[self.link.index()].point(&self.point);
         let Some(rotation) = rotation_to_z(-self.normal) else {
-            return Err(MjcfError::new("link", mechanism.link(self.link).name(), "the normal has no direction"));
+            return Err(MjcfError::new(
+                "link",
+                mechanism.link(self.link).name(),
+                "the normal has no direction",
+            ));
         };
         let (kind, depth) = match other {
             None => ("plane", 0.0),

@@ -62,7 +62,9 @@ impl Keyframe {
                 }
                 Coordinates::Free(link) => {
                     let (pose, twist) = (&state.link_poses[link.index()], &state.link_twists[link.index()]);
-                    let r = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(pose.rotation));
+                    let r = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(
+                        pose.rotation,
+                    ));
                     key.qpos.extend(pose.translation.iter().chain(&[r.w, r.i, r.j, r.k]));
                     key.qvel.extend(twist.linear.iter().chain(&pose.inverse_vector(&twist.angular)));
                 }
@@ -92,7 +94,8 @@ impl Keyframe {
                 self.qvel.extend(&turned(v));
             }
             JointKind::Floating => {
-                let rotation = UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(q[3], q[4], q[5], q[6]));
+                let rotation =
+                    UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(q[3], q[4], q[5], q[6]));
                 self.qpos.extend(&q[..4]);
                 self.qpos.extend(&turned(&q[4..]));
                 self.qvel.extend(&(rotation * Vector3::new(v[3], v[4], v[5])));
