@@ -173,7 +173,7 @@ pub enum Command {
     /// script prints the restitution.
     #[command(
         after_help = examples::EXPORT,
-        override_usage = "percuss export MODEL (--at NAME | --link L --point X,Y,Z --normal X,Y,Z) …\n                      --restitution E --stiffness K [--speed V] -o FILE.xml"
+        override_usage = "percuss export MODEL (--at NAME | --link L --point X,Y,Z\n                      (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                      --restitution E --stiffness K [--speed V] -o FILE.xml"
     )]
     Export(Box<ExportArgs>),
     /// Run a study: the flags of mass, sweep and damp, kept in a TOML file.

@@ -1,6 +1,7 @@
 """Runs the impact of the keyframe `impact` of a model in MuJoCo and prints the restitution.
 
 Exit code 1 if it differs from the required one by more than 0.001. Requires the package mujoco."""
+# made by percuss
 
 import pathlib
 import sys

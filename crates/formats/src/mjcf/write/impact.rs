@@ -5,7 +5,7 @@ use super::error::MjcfError;
 use super::keyframe::MechanismState;
 use crate::mjcf::values::orientation::rotation_to_z;
 use crate::xml_text::{append, format_number, format_vector};
-use percuss_mechanism::{LinkId, Mechanism};
+use percuss_mechanism::{JointKind, LinkId, Mechanism};
 use percuss_spatial::{Transform, Vector3};
 
 /// Name of the keyframe and of the contact pair.
@@ -50,8 +50,10 @@ impl MjcfImpact {
     /// # Errors
     /// [`MjcfError`]: a link without a body in the file.
     pub(super) fn add_geoms(&self, mechanism: &Mechanism, tree: &mut BodyTree) -> Result<(), MjcfError> {
-        let other = self.against.filter(|link| *link != mechanism.root());
-        for link in [Some(self.link), other].into_iter().flatten().filter(|link| !tree.has_body(*link)) {
+        let moving = |link| moving_link(mechanism, link);
+        let other = self.against.map(moving).filter(|link| *link != mechanism.root());
+        let own = moving(self.link);
+        for link in [Some(own), other].into_iter().flatten().filter(|link| !tree.has_body(*link)) {
             return Err(MjcfError::new(
                 "link",
                 mechanism.link(link).name(),
@@ -59,13 +61,14 @@ impl MjcfImpact {
             ));
         }
         let attributes = "contype=\"0\" conaffinity=\"0\"";
+        let poses = &self.state.link_poses;
+        let centre = poses[self.link.index()].point(&self.point);
         let sphere = format!(
             "<geom name=\"{NAME}/point\" type=\"sphere\" size=\"{}\" pos=\"{}\" {attributes}/>\n",
             format_number(self.radius),
-            format_vector(&self.point)
+            format_vector(&poses[own.index()].inverse_point(&centre))
         );
-        tree.append_content(mechanism, Some(self.link), &sphere);
-        let centre = self.state.link_poses[self.link.index()].point(&self.point);
+        tree.append_content(mechanism, Some(own), &sphere);
         let Some(rotation) = rotation_to_z(-self.normal) else {
             return Err(MjcfError::new(
                 "link",
@@ -79,7 +82,7 @@ impl MjcfImpact {
         };
         // The face is the side of the box towards the contact link.
         let face = Transform::new(rotation, centre + self.normal * (self.radius + depth));
-        let holder = other.map_or_else(Transform::identity, |link| self.state.link_poses[link.index()]);
+        let holder = other.map_or_else(Transform::identity, |link| poses[link.index()]);
         let extent = format_number(self.extent);
         let size = [&extent, &extent, &format_number(self.radius)].map(String::as_str).join(" ");
         let line = format!(
@@ -126,6 +129,17 @@ impl MjcfImpact {
             key.element(NAME)
         )
     }
+}
+
+/// Link to which a link is attached by fixed joints: MuJoCo's estimate of the inverse mass at a contact is that of the body of the
+/// geom, which differs between welded bodies.
+fn moving_link(mechanism: &Mechanism, mut link: LinkId) -> LinkId {
+    while let Some(joint) = mechanism.parent_joint(link).map(|id| mechanism.joint(id))
+        && joint.kind() == JointKind::Fixed
+    {
+        link = joint.parent();
+    }
+    link
 }
 
 /// Numbers with spaces between.
