@@ -1,6 +1,7 @@
 //! Links and joints as nested bodies.
 
 use super::error::MjcfError;
+use super::rotors::{Rotor, rotor_inertial};
 use crate::xml_text::drawn_poses;
 use crate::xml_text::{append, escape_attribute, format_number, format_vector};
 use nalgebra::{Rotation3, UnitQuaternion};
@@ -35,6 +36,8 @@ pub(super) struct BodyTree {
     pub contents: Vec<String>,
     /// Further lines within the world.
     pub world_contents: String,
+    /// Form of each link that is a rotor.
+    pub rotors: Vec<Option<Rotor>>,
     pub notes: Vec<String>,
     /// Closures whose second halves are within the body of a link, or within the world, in the order of the file.
     halves: Vec<(Option<LinkId>, usize)>,
@@ -67,6 +70,7 @@ impl BodyTree {
         let root = mechanism.root();
         let world_poses = drawn_poses(mechanism);
         let merged = merged_links(mechanism);
+        let rotors: Vec<_> = mechanism.link_ids().map(|link| Rotor::of_link(mechanism, link)).collect();
         let is_merged = |link: LinkId| merged[link.index()];
         let mut chains = Vec::with_capacity(count);
         for link in mechanism.link_ids() {
@@ -78,7 +82,7 @@ impl BodyTree {
                     "MuJoCo reserves this name for the ground; rename the link",
                 ));
             }
-            if is_merged(link) {
+            if is_merged(link) || matches!(rotors[link.index()], Some(Rotor::Tendon(_))) {
                 chains.push(None);
                 continue;
             }
@@ -101,6 +105,7 @@ impl BodyTree {
             chains,
             contents: vec![String::new(); count],
             world_contents: String::new(),
+            rotors,
             notes: Vec::new(),
             halves: Vec::new(),
             root_is_world: mechanism.link(root).name() == "world",
@@ -108,6 +113,15 @@ impl BodyTree {
         for link in mechanism.link_ids() {
             let Some(chain) = &tree.chains[link.index()] else { continue };
             if !chain.iter().any(|id| mechanism.joint(*id).kind().dofs() > 0) {
+                continue;
+            }
+            if let (Some(Rotor::Body), [joint]) = (tree.rotors[link.index()], &chain[..]) {
+                tree.inertials[link.index()] = Some(rotor_inertial(mechanism.joint(*joint)));
+                let name = mechanism.link(link).name();
+                tree.notes.push(format!(
+                    "link \"{name}\": the armature of its joint is written as the mass of a body, since MuJoCo leaves the armature of a \
+                     tendon over several branches out of the mass matrix"
+                ));
                 continue;
             }
             check_body(mechanism, link, chain)?;
@@ -244,7 +258,8 @@ impl BodyTree {
             }
             child
         };
-        mechanism.child_joints(link).iter().map(through).collect()
+        let has_body = |child: &LinkId| self.chains[child.index()].is_some();
+        mechanism.child_joints(link).iter().map(through).filter(has_body).collect()
     }
 
     /// True for a body with a free joint of MuJoCo: a floating joint to the root.
@@ -270,20 +285,26 @@ impl BodyTree {
         };
         let lead = indent(depth);
         let description = mechanism.link(link);
+        let is_rotor = self.rotors[link.index()] == Some(Rotor::Body);
         append(
             out,
             format_args!(
-                "{lead}<body name=\"{}\"{}>\n",
+                "{lead}<body name=\"{}\"{}{}>\n",
                 escape_attribute(description.name()),
-                pose_attributes(&pose)
+                pose_attributes(&pose),
+                // The mass of a rotor has no weight.
+                if is_rotor { " gravcomp=\"1\"" } else { "" }
             ),
         );
         for &id in chain {
             let joint = mechanism.joint(id);
             // Frame of the joint in the body, with all joints at 0.
             let frame = own.inverse() * self.world_poses[joint.child().index()];
-            let lines =
-                if self.is_free(mechanism, link) { free_joint(joint) } else { joint_lines(joint, &frame) };
+            let lines = if self.is_free(mechanism, link) {
+                free_joint(joint)
+            } else {
+                joint_lines(joint, &frame, !is_rotor)
+            };
             for line in lines? {
                 append(out, format_args!("{lead}  {line}\n"));
             }
@@ -439,8 +460,8 @@ fn free_joint(joint: &Joint) -> Result<Vec<String>, MjcfError> {
     Ok(vec![format!("<joint name=\"{name}\" type=\"free\"{armature}/>")])
 }
 
-/// Joints of MuJoCo for a joint whose frame in the body is given.
-fn joint_lines(joint: &Joint, frame: &Transform<f64>) -> Result<Vec<String>, MjcfError> {
+/// Joints of MuJoCo for a joint whose frame in the body is given; without the armature of a rotor that is a body.
+fn joint_lines(joint: &Joint, frame: &Transform<f64>, has_armature: bool) -> Result<Vec<String>, MjcfError> {
     let name = escape_attribute(joint.name());
     let anchor = match frame.translation {
         at if at == Vector3::zeros() => String::new(),
@@ -450,7 +471,10 @@ fn joint_lines(joint: &Joint, frame: &Transform<f64>) -> Result<Vec<String>, Mjc
         let axis = format_vector(&frame.vector(axis));
         format!("<joint name=\"{name}\" type=\"{kind}\"{anchor} axis=\"{axis}\"{rest}/>")
     };
-    let single = |index: usize| common_armature(joint, index..index + 1);
+    let single = |index: usize| match has_armature {
+        true => common_armature(joint, index..index + 1),
+        false => Ok(String::new()),
+    };
     let limits =
         joint.limits().filter(|limits| limits.lower < limits.upper).map_or(String::new(), |limits| {
             format!(" range=\"{} {}\"", format_number(limits.lower), format_number(limits.upper))

@@ -50,7 +50,7 @@ impl MjcfImpact {
     /// # Errors
     /// [`MjcfError`]: a link without a body in the file.
     pub(super) fn add_geoms(&self, mechanism: &Mechanism, tree: &mut BodyTree) -> Result<(), MjcfError> {
-        let moving = |link| moving_link(mechanism, link);
+        let moving = |link| moving_link(mechanism, tree, link);
         let other = self.against.map(moving).filter(|link| *link != mechanism.root());
         let own = moving(self.link);
         for link in [Some(own), other].into_iter().flatten().filter(|link| !tree.has_body(*link)) {
@@ -133,9 +133,10 @@ impl MjcfImpact {
 
 /// Link to which a link is attached by fixed joints: MuJoCo's estimate of the inverse mass at a contact is that of the body of the
 /// geom, which differs between welded bodies.
-fn moving_link(mechanism: &Mechanism, mut link: LinkId) -> LinkId {
+fn moving_link(mechanism: &Mechanism, tree: &BodyTree, mut link: LinkId) -> LinkId {
     while let Some(joint) = mechanism.parent_joint(link).map(|id| mechanism.joint(id))
         && joint.kind() == JointKind::Fixed
+        && tree.has_body(joint.parent())
     {
         link = joint.parent();
     }

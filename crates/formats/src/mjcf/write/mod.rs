@@ -7,6 +7,7 @@ mod error;
 mod impact;
 mod keyframe;
 mod relations;
+mod rotors;
 
 use crate::xml_text::{ModelText, append, escape_attribute, xml_head};
 use body_tree::BodyTree;
@@ -28,6 +29,7 @@ use percuss_mechanism::Mechanism;
 /// | fixed, spherical, distance closure | weld, connect, equality of a straight tendon |
 /// | revolute closure | two connects on the axis |
 /// | prismatic, cylindrical, planar, universal closure | joints to a second half of a link, which is welded to the first half |
+/// | massless link on the root, prismatic joint with an armature (a rotor) | armature of a fixed tendon; over several branches a body with this mass |
 ///
 /// The halves have half the mass and inertia each, so that the mechanism is the same. Moments of 0, of thin rods and point masses, become
 /// 1e-13 of m·(size of the mechanism)², with a note: MuJoCo refuses 0.
@@ -61,7 +63,7 @@ fn write_file(
 ) -> Result<ModelText, MjcfError> {
     let mut tree = BodyTree::new(mechanism)?;
     let closures = closures::write_closures(mechanism, &mut tree)?;
-    let relations = relations::write_relations(mechanism);
+    let relations = relations::write_relations(mechanism, &tree);
     contacts::add_contacts(mechanism, &mut tree);
     impact.map_or(Ok(()), |impact| impact.add_geoms(mechanism, &mut tree))?;
     let mut out = xml_head(heading, mechanism, "MJCF");
