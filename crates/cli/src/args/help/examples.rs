@@ -214,7 +214,8 @@ Loops, mimics and armatures are kept; shapes and meshes are not written.";
 pub const EXPORT: &str = "\
 Examples:
   percuss export models/four_bar.urdf --link coupler --point 0.2,0,0 \\
-      --normal 0,0,-1 --restitution 0.3 --stiffness 1e6 -o impact.xml
+      --normal 1,0,0 --set crank_hinge=60deg --restitution 0.3 \\
+      --stiffness 1e6 -o impact.xml
   python impact.py
   percuss export front.toml --at bump_stop_left --restitution 0.2 \\
       --stiffness 400N/mm --speed 0.1 -o front.xml
