@@ -142,7 +142,7 @@ pub enum Command {
         override_usage = "percuss impact MODEL (--at NAME | --link L --point X,Y,Z\n                      (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                      --restitution E (--speed V | --rates JOINT=RATE…) …"
     )]
     Impact(Box<ImpactArgs>),
-    /// Smallest and largest effective mass over ranges of the driving joints.
+    /// Smallest and largest effective mass over ranges of joints.
     #[command(
         after_help = examples::EXTREMES,
         override_usage = "percuss extremes MODEL (--at NAME | --link L --point X,Y,Z\n                        (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                        [--range JOINT=FROM:TO]… [--starts N] …"
@@ -167,7 +167,7 @@ pub enum Command {
     /// Convert a model to MJCF, SDFormat or URDF, with its loops.
     #[command(after_help = examples::CONVERT)]
     Convert(Box<ConvertArgs>),
-    /// Write an impact at a contact as a model of a simulator, and a script that runs it.
+    /// Write an impact as a MuJoCo model, with a script that runs it.
     ///
     /// The file has the mechanism with its loops, the contact with its parameters, and the pose and velocity at the touch. The
     /// script prints the restitution.
