@@ -10,7 +10,7 @@ install aarch64-linux-gnu-gcc gcc-aarch64-linux-gnu libc6-dev-arm64-cross
 install node nodejs
 rustup target add aarch64-unknown-linux-gnu wasm32-wasip1
 
-build() { cargo build --release --package percuss --example lanes --target "$1"; }
+build() { cargo build --locked --release --package percuss --example lanes --target "$1"; }
 target=${CARGO_TARGET_DIR:-target}
 
 CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER=aarch64-linux-gnu-gcc build aarch64-unknown-linux-gnu

@@ -53,6 +53,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Extremes(args) => commands::impacts::extremes::run(args),
         Command::Explore(args) => commands::exports::explore::run(args),
         Command::Generate(args) => commands::exports::generate::run(args),
+        Command::Export(args) => commands::exports::export::run(args),
         Command::Convert(args) => commands::exports::convert::run(args),
         Command::Run(args) => commands::run::run(args),
         Command::Init(args) => commands::init::run(args),

@@ -57,6 +57,7 @@ mod suspensions {
 mod files {
     mod convert;
     mod explorer;
+    mod export;
     mod generated_code;
     mod outputs;
     mod special_files;

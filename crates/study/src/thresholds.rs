@@ -223,3 +223,11 @@ pub(crate) const SAME_SPEED: f64 = 1e-5;
 pub(crate) const EQUAL_VALUES: f64 = 1e-12;
 /// Largest ratio of the smallest to the largest principal moment of a slender rod: zero, plus the rounding of rotated moments.
 pub(crate) const SLENDER_ROD: f64 = 1e-9;
+
+/// Approach speed of an exported impact without a given speed, m/s: at usual stiffnesses the mass changes little over the
+/// penetration.
+pub const SLOW_IMPACT: f64 = 0.01;
+/// Radius of the sphere of an exported contact over the size of the mechanism: visible, and small against the links.
+pub const IMPACT_RADIUS: f64 = 0.01;
+/// Least radius of that sphere over the greatest penetration: the centre remains outside the other geom.
+pub const LEAST_RADIUS_OVER_PENETRATION: f64 = 4.0;

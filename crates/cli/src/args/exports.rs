@@ -1,8 +1,9 @@
-//! Flags of the commands that write models, code and pages: `convert`, `generate`, `explore`.
+//! Flags of the commands that write models, code and pages: `convert`, `export`, `generate`, `explore`.
 
 use super::{ContactArgs, ModelArgs, WritingArgs};
 use crate::terminal::failure::Failure;
 use clap::{Args, ValueEnum};
+use percuss_study::DampingTable;
 use percuss_study::generated::{Additions, Language};
 use percuss_study::headings::OUTPUT;
 
@@ -146,6 +147,32 @@ impl ConvertArgs {
             ))),
         }
     }
+}
+
+/// Format of an exported impact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ImpactFormat {
+    /// MuJoCo's format.
+    Mjcf,
+}
+
+/// Flags of `percuss export`.
+#[derive(Debug, Args)]
+pub struct ExportArgs {
+    #[command(flatten)]
+    pub model: ModelArgs,
+    #[command(flatten)]
+    pub contact: ContactArgs,
+    #[command(flatten)]
+    pub damping: DampingTable,
+    /// Model file to write; the script has the same name with .py.
+    #[arg(long, short, value_name = "FILE.xml", help_heading = OUTPUT)]
+    pub output: String,
+    /// Format.
+    #[arg(long, value_enum, value_name = "FORMAT", default_value_t = ImpactFormat::Mjcf, help_heading = OUTPUT)]
+    pub to: ImpactFormat,
+    #[command(flatten)]
+    pub writing: WritingArgs,
 }
 
 /// Flags of `percuss explore`.

@@ -18,7 +18,9 @@ mod value_parsers;
 pub use compare::CompareArgs;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, SafeSpeedArgs};
-pub use exports::{ConvertArgs, ExploreArgs, GenerateArgs, LanguageName, ModelFormat};
+pub use exports::{
+    ConvertArgs, ExploreArgs, ExportArgs, GenerateArgs, ImpactFormat, LanguageName, ModelFormat,
+};
 pub use help::short_help::{requested_command, short_help};
 pub use impact::{ExtremesArgs, ImpactArgs};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
@@ -50,7 +52,7 @@ pub struct Cli {
 }
 
 impl Cli {
-    /// Command line, without the flags of a contact that do not apply to a map or to generated code.
+    /// Command line, without the flags of a contact that do not apply to a map, to generated code or to an exported impact.
     pub fn definition() -> clap::Command {
         let hidden = |argument: clap::Arg| match argument.get_id().as_str() {
             "normal" | "along_line" | "turning_normal" | "normal_frame" | "estimate" => argument.hide(true),
@@ -61,10 +63,17 @@ impl Cli {
             "estimate" | "ratio_at" => argument.hide(true),
             _ => argument,
         };
+        let of_impact = |argument: clap::Arg| match argument.get_id().as_str() {
+            "estimate" | "ratio_at" | "tools" | "lock" | "hold" | "armature" | "base" | "against_mass" => {
+                argument.hide(true)
+            }
+            _ => argument,
+        };
         Self::command()
             .bin_name("percuss")
             .mut_subcommand("map", |c| c.mut_args(hidden))
             .mut_subcommand("generate", |c| c.mut_args(without_reports))
+            .mut_subcommand("export", |c| c.mut_args(of_impact))
     }
 }
 
@@ -133,7 +142,7 @@ pub enum Command {
         override_usage = "percuss impact MODEL (--at NAME | --link L --point X,Y,Z\n                      (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                      --restitution E (--speed V | --rates JOINT=RATE…) …"
     )]
     Impact(Box<ImpactArgs>),
-    /// Smallest and largest effective mass over ranges of the driving joints.
+    /// Smallest and largest effective mass over ranges of joints.
     #[command(
         after_help = examples::EXTREMES,
         override_usage = "percuss extremes MODEL (--at NAME | --link L --point X,Y,Z\n                        (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                        [--range JOINT=FROM:TO]… [--starts N] …"
@@ -158,6 +167,15 @@ pub enum Command {
     /// Convert a model to MJCF, SDFormat or URDF, with its loops.
     #[command(after_help = examples::CONVERT)]
     Convert(Box<ConvertArgs>),
+    /// Write an impact as a MuJoCo model, with a script that runs it.
+    ///
+    /// The file has the mechanism with its loops, the contact with its parameters, and the pose and velocity at the touch. The
+    /// script prints the restitution.
+    #[command(
+        after_help = examples::EXPORT,
+        override_usage = "percuss export MODEL (--at NAME | --link L --point X,Y,Z\n                      (--normal X,Y,Z | --along-line LINK:X,Y,Z))\n                      --restitution E --stiffness K [--speed V] -o FILE.xml"
+    )]
+    Export(Box<ExportArgs>),
     /// Run a study: the flags of mass, sweep and damp, kept in a TOML file.
     #[command(after_help = examples::RUN)]
     Run(RunArgs),

@@ -125,3 +125,29 @@ fn bad_input_is_refused() {
     assert_eq!(outcome.code, 2);
     assert!(outcome.stderr.contains("<stdin>:2: error: mujoco/worldbody/body/jiont:"), "{}", outcome.stderr);
 }
+
+const ROTOR: &str = r#"<mujoco><worldbody>
+    <body name="a"><joint name="x" axis="0 1 0"/><inertial pos="0 0 -.3" mass="2" diaginertia=".1 .1 .1"/>
+    <body name="b" pos="1 0 0"><joint name="y" axis="0 1 0"/><inertial pos="0 0 -.3" mass="2" diaginertia=".1 .1 .1"/></body></body>
+    <body name="c" pos="2 0 0"><joint name="z" axis="0 1 0"/><inertial pos="0 0 -.3" mass="2" diaginertia=".1 .1 .1"/></body></worldbody>
+    <tendon><fixed name="t" armature=".5"><joint joint="x" coef="1"/><joint joint="SECOND" coef="2"/></fixed></tendon></mujoco>"#;
+
+#[test]
+fn rotors_of_tendons_are_written_back() {
+    let folder = Scratch::new("rotors");
+    for (second, expected) in
+        [("y", "<fixed name=\"t\" armature=\"0.5\">"), ("z", "<body name=\"t/rotor\" gravcomp=\"1\">")]
+    {
+        let [file, back] = ["model.xml", "back.xml"].map(|name| folder.path(&format!("{second}-{name}")));
+        std::fs::write(&file, ROTOR.replace("SECOND", second)).expect("a file");
+        assert_eq!(percuss(&format!("convert {file} -o {back}")).code, 0);
+        let text = std::fs::read_to_string(&back).expect("the file");
+        assert!(text.contains(expected), "{text}");
+        let contact = format!(
+            "--link {} --point 0.1,0.1,-0.4 --normal 1,0,0.3 --format json",
+            if second == "y" { "b" } else { "c" }
+        );
+        let [before, after] = [&file, &back].map(|model| mass(&percuss(&format!("mass {model} {contact}"))));
+        assert!((after / before - 1.0).abs() < 1e-12, "{before} {after}");
+    }
+}

@@ -211,6 +211,18 @@ Examples:
 
 Loops, mimics and armatures are kept; shapes and meshes are not written.";
 
+pub const EXPORT: &str = "\
+Examples:
+  percuss export models/four_bar.urdf --link coupler --point 0.2,0,0 \\
+      --normal 1,0,0 --set crank_hinge=60deg --restitution 0.3 \\
+      --stiffness 1e6 -o impact.xml
+  python impact.py
+  percuss export front.toml --at bump_stop_left --restitution 0.2 \\
+      --stiffness 400N/mm --speed 0.1 -o front.xml
+
+The script needs the package mujoco. It exits with 1 if the restitution differs
+by more than 0.001.";
+
 pub const EXPLORE: &str = "\
 Examples:
   A page of a suspension at its bump stop, opened in the browser:
@@ -298,6 +310,7 @@ mod tests {
             super::EXPLORE,
             super::GENERATE,
             super::CONVERT,
+            super::EXPORT,
             super::INIT,
             super::RUN,
         ] {

@@ -8,7 +8,7 @@ use clap::{Arg, Command};
 const COLUMN: usize = 30;
 
 /// Explained flags of each command. Other flags are only listed.
-const EXPLAINED: [(&str, &[&str]); 20] = [
+const EXPLAINED: [(&str, &[&str]); 21] = [
     ("percuss", &[]),
     ("check", &["format", "strict"]),
     (
@@ -155,6 +155,23 @@ const EXPLAINED: [(&str, &[&str]); 20] = [
         ],
     ),
     ("convert", &["output", "to"]),
+    (
+        "export",
+        &[
+            "at",
+            "link",
+            "point",
+            "normal",
+            "along_line",
+            "against",
+            "set",
+            "restitution",
+            "stiffness",
+            "speed",
+            "output",
+            "to",
+        ],
+    ),
     (
         "extremes",
         &["at", "link", "point", "normal", "along_line", "against", "set", "range", "starts", "format"],

@@ -66,7 +66,7 @@ fn write_model(
 }
 
 /// Note on a conversion, without a position in a file.
-fn note(message: String) -> DiagnosticRecord {
+pub(super) fn note(message: String) -> DiagnosticRecord {
     DiagnosticRecord {
         severity: Severity::Note,
         code: "converted",

@@ -2,4 +2,5 @@
 
 pub(crate) mod convert;
 pub(crate) mod explore;
+pub(crate) mod export;
 pub(crate) mod generate;

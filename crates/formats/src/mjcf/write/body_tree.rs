@@ -1,10 +1,11 @@
 //! Links and joints as nested bodies.
 
 use super::error::MjcfError;
+use super::rotors::{Rotor, rotor_inertial};
 use crate::xml_text::drawn_poses;
 use crate::xml_text::{append, escape_attribute, format_number, format_vector};
 use nalgebra::{Rotation3, UnitQuaternion};
-use percuss_mechanism::{Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
+use percuss_mechanism::{Closure, Inertial, Joint, JointId, JointKind, LinkId, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3, plane_basis};
 
 /// Largest depth of nested bodies: readers bound the nesting of elements.
@@ -35,9 +36,28 @@ pub(super) struct BodyTree {
     pub contents: Vec<String>,
     /// Further lines within the world.
     pub world_contents: String,
+    /// Form of each link that is a rotor.
+    pub rotors: Vec<Option<Rotor>>,
     pub notes: Vec<String>,
+    /// Closures whose second halves are within the body of a link, or within the world, in the order of the file.
+    halves: Vec<(Option<LinkId>, usize)>,
     /// True if the root link is the world.
     root_is_world: bool,
+}
+
+/// Joints of MuJoCo that belong together.
+pub(super) enum Coordinates {
+    /// Joints for a joint of the mechanism; axes of its child as drawn in those of the body.
+    Joint {
+        /// Joint of the mechanism.
+        joint: JointId,
+        /// Rotation from the axes of the joint's child to those of the body, all joints at 0.
+        in_body: Matrix3<f64>,
+    },
+    /// Free joint of a link.
+    Free(LinkId),
+    /// Joints of the second half of a link for a closure, by its number.
+    Half(usize),
 }
 
 impl BodyTree {
@@ -50,6 +70,7 @@ impl BodyTree {
         let root = mechanism.root();
         let world_poses = drawn_poses(mechanism);
         let merged = merged_links(mechanism);
+        let rotors: Vec<_> = mechanism.link_ids().map(|link| Rotor::of_link(mechanism, link)).collect();
         let is_merged = |link: LinkId| merged[link.index()];
         let mut chains = Vec::with_capacity(count);
         for link in mechanism.link_ids() {
@@ -61,7 +82,7 @@ impl BodyTree {
                     "MuJoCo reserves this name for the ground; rename the link",
                 ));
             }
-            if is_merged(link) {
+            if is_merged(link) || matches!(rotors[link.index()], Some(Rotor::Tendon(_))) {
                 chains.push(None);
                 continue;
             }
@@ -84,12 +105,23 @@ impl BodyTree {
             chains,
             contents: vec![String::new(); count],
             world_contents: String::new(),
+            rotors,
             notes: Vec::new(),
+            halves: Vec::new(),
             root_is_world: mechanism.link(root).name() == "world",
         };
         for link in mechanism.link_ids() {
             let Some(chain) = &tree.chains[link.index()] else { continue };
             if !chain.iter().any(|id| mechanism.joint(*id).kind().dofs() > 0) {
+                continue;
+            }
+            if let (Some(Rotor::Body), [joint]) = (tree.rotors[link.index()], &chain[..]) {
+                tree.inertials[link.index()] = Some(rotor_inertial(mechanism.joint(*joint)));
+                let name = mechanism.link(link).name();
+                tree.notes.push(format!(
+                    "link \"{name}\": the armature of its joint is written as the mass of a body, since MuJoCo leaves the armature of a \
+                     tendon over several branches out of the mass matrix"
+                ));
                 continue;
             }
             check_body(mechanism, link, chain)?;
@@ -112,17 +144,49 @@ impl BodyTree {
 
     /// Appends a line within the body of a link; within the world for `None`.
     pub fn append_content(&mut self, mechanism: &Mechanism, link: Option<LinkId>, line: &str) {
-        match link.filter(|link| !(self.root_is_world && *link == mechanism.root())) {
+        match link.filter(|link| !self.is_world(mechanism, *link)) {
             Some(link) => self.contents[link.index()].push_str(line),
             None => self.world_contents.push_str(line),
         }
     }
 
-    /// Writes all bodies.
+    /// Appends the second half of a link for a closure within the body of a link; within the world for `None`.
+    pub fn append_half(
+        &mut self,
+        mechanism: &Mechanism,
+        link: Option<LinkId>,
+        closure: &Closure,
+        lines: &str,
+    ) {
+        self.append_content(mechanism, link, lines);
+        let number = mechanism.closures().iter().position(|other| other.name() == closure.name());
+        let holder = link.filter(|link| !self.is_world(mechanism, *link));
+        self.halves.extend(number.map(|number| (holder, number)));
+    }
+
+    /// True if the link is the world of MuJoCo.
+    pub fn is_world(&self, mechanism: &Mechanism, link: LinkId) -> bool {
+        self.root_is_world && link == mechanism.root()
+    }
+
+    /// Joints of the second halves within a body, or within the world.
+    fn half_coordinates(&self, link: Option<LinkId>) -> impl Iterator<Item = Coordinates> + '_ {
+        self.halves
+            .iter()
+            .filter(move |(holder, _)| *holder == link)
+            .map(|(_, number)| Coordinates::Half(*number))
+    }
+
+    /// Writes all bodies. Returns their joints in the order of `qpos`.
     ///
     /// # Errors
     /// [`MjcfError`] for joints without a form in MJCF, and for bodies nested too deep.
-    pub fn append_bodies(&self, mechanism: &Mechanism, out: &mut String) -> Result<(), MjcfError> {
+    pub fn append_bodies(
+        &self,
+        mechanism: &Mechanism,
+        out: &mut String,
+    ) -> Result<Vec<Coordinates>, MjcfError> {
+        let mut coordinates = Vec::new();
         let root = mechanism.root();
         // Links to open, and the depth of bodies to close.
         enum Step {
@@ -157,13 +221,31 @@ impl BodyTree {
                 ));
             }
             self.open_body(mechanism, link, depth, out)?;
+            coordinates.extend(self.body_coordinates(mechanism, link));
             steps.push(Step::Close(depth));
             let moves_with_root = |child: &LinkId| link != root || !self.is_free(mechanism, *child);
             let below = children(link).into_iter().filter(moves_with_root);
             steps.extend(below.rev().map(|child| Step::Open(child, depth + 1)).collect::<Vec<_>>());
         }
         out.push_str(&self.world_contents);
-        Ok(())
+        coordinates.extend(self.half_coordinates(None));
+        Ok(coordinates)
+    }
+
+    /// Joints of the body of a link and of the halves within it.
+    fn body_coordinates(&self, mechanism: &Mechanism, link: LinkId) -> Vec<Coordinates> {
+        let own = self.world_poses[link.index()];
+        let is_free = self.is_free(mechanism, link);
+        let of_joint = |&joint: &JointId| match is_free {
+            true => Coordinates::Free(link),
+            false => Coordinates::Joint {
+                joint,
+                in_body: own.rotation.transpose()
+                    * self.world_poses[mechanism.joint(joint).child().index()].rotation,
+            },
+        };
+        let chain = self.chains[link.index()].as_deref().unwrap_or_default();
+        chain.iter().map(of_joint).chain(self.half_coordinates(Some(link))).collect()
     }
 
     /// Bodies directly below the body of a link, through merged links.
@@ -176,7 +258,8 @@ impl BodyTree {
             }
             child
         };
-        mechanism.child_joints(link).iter().map(through).collect()
+        let has_body = |child: &LinkId| self.chains[child.index()].is_some();
+        mechanism.child_joints(link).iter().map(through).filter(has_body).collect()
     }
 
     /// True for a body with a free joint of MuJoCo: a floating joint to the root.
@@ -202,20 +285,26 @@ impl BodyTree {
         };
         let lead = indent(depth);
         let description = mechanism.link(link);
+        let is_rotor = self.rotors[link.index()] == Some(Rotor::Body);
         append(
             out,
             format_args!(
-                "{lead}<body name=\"{}\"{}>\n",
+                "{lead}<body name=\"{}\"{}{}>\n",
                 escape_attribute(description.name()),
-                pose_attributes(&pose)
+                pose_attributes(&pose),
+                // The mass of a rotor has no weight.
+                if is_rotor { " gravcomp=\"1\"" } else { "" }
             ),
         );
         for &id in chain {
             let joint = mechanism.joint(id);
             // Frame of the joint in the body, with all joints at 0.
             let frame = own.inverse() * self.world_poses[joint.child().index()];
-            let lines =
-                if self.is_free(mechanism, link) { free_joint(joint) } else { joint_lines(joint, &frame) };
+            let lines = if self.is_free(mechanism, link) {
+                free_joint(joint)
+            } else {
+                joint_lines(joint, &frame, !is_rotor)
+            };
             for line in lines? {
                 append(out, format_args!("{lead}  {line}\n"));
             }
@@ -371,8 +460,8 @@ fn free_joint(joint: &Joint) -> Result<Vec<String>, MjcfError> {
     Ok(vec![format!("<joint name=\"{name}\" type=\"free\"{armature}/>")])
 }
 
-/// Joints of MuJoCo for a joint whose frame in the body is given.
-fn joint_lines(joint: &Joint, frame: &Transform<f64>) -> Result<Vec<String>, MjcfError> {
+/// Joints of MuJoCo for a joint whose frame in the body is given; without the armature of a rotor that is a body.
+fn joint_lines(joint: &Joint, frame: &Transform<f64>, has_armature: bool) -> Result<Vec<String>, MjcfError> {
     let name = escape_attribute(joint.name());
     let anchor = match frame.translation {
         at if at == Vector3::zeros() => String::new(),
@@ -382,7 +471,10 @@ fn joint_lines(joint: &Joint, frame: &Transform<f64>) -> Result<Vec<String>, Mjc
         let axis = format_vector(&frame.vector(axis));
         format!("<joint name=\"{name}\" type=\"{kind}\"{anchor} axis=\"{axis}\"{rest}/>")
     };
-    let single = |index: usize| common_armature(joint, index..index + 1);
+    let single = |index: usize| match has_armature {
+        true => common_armature(joint, index..index + 1),
+        false => Ok(String::new()),
+    };
     let limits =
         joint.limits().filter(|limits| limits.lower < limits.upper).map_or(String::new(), |limits| {
             format!(" range=\"{} {}\"", format_number(limits.lower), format_number(limits.upper))

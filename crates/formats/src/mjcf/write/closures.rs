@@ -162,6 +162,54 @@ fn split_end<'c>(
     }
 }
 
+/// Joint between the other link of a closure and the second half of the split link.
+pub(super) struct HalfJoint {
+    suffix: &'static str,
+    /// True for a slide, false for a hinge.
+    pub slides: bool,
+    /// Axis in the loop frame of the half, as drawn.
+    pub axis: Vector3<f64>,
+}
+
+/// Joints of a second half, in the order of the file. `drawn`: loop frame of the half in that of the other link, as drawn.
+fn half_joints(closure: &Closure, drawn: &Transform<f64>, is_successor: bool) -> Vec<HalfJoint> {
+    let slide = |suffix, axis| HalfJoint { suffix, slides: true, axis };
+    let hinge = |suffix, axis| HalfJoint { suffix, slides: false, axis };
+    let axis = *closure.axis();
+    let (e1, e2) = plane_basis(&axis);
+    let in_half = |axis: &Vector3<f64>| drawn.inverse_vector(axis);
+    match closure.kind() {
+        ClosureKind::Prismatic => vec![slide("slide", axis)],
+        ClosureKind::Cylindrical => vec![slide("slide", axis), hinge("angle", axis)],
+        ClosureKind::Planar => vec![slide("x", e1), slide("y", e2), hinge("angle", axis)],
+        // The pin of the other link comes first.
+        _ if is_successor => vec![hinge("1", in_half(&axis)), hinge("2", *closure.axis2())],
+        _ => vec![hinge("1", in_half(closure.axis2())), hinge("2", axis)],
+    }
+}
+
+/// Second half of a link with its joints, as needed for their positions.
+pub(super) struct Half<'c> {
+    /// Loop frame of the split link.
+    pub own: &'c LoopFrame,
+    /// Loop frame of the other link.
+    pub base: &'c LoopFrame,
+    /// Loop frame of the half in that of the other link, as drawn.
+    pub drawn: Transform<f64>,
+    pub joints: Vec<HalfJoint>,
+}
+
+/// Second half that the writer adds for a closure.
+pub(super) fn half_of<'c>(
+    mechanism: &Mechanism,
+    tree: &BodyTree,
+    closure: &'c Closure,
+) -> Result<Half<'c>, MjcfError> {
+    let (_, own, base, is_successor) = split_end(mechanism, closure)?;
+    let drawn = world_frame(tree, base).inverse() * world_frame(tree, own);
+    Ok(Half { own, base, drawn, joints: half_joints(closure, &drawn, is_successor) })
+}
+
 /// Second half of a link, jointed to the other link of the closure and welded to the first half.
 fn add_half(
     mechanism: &Mechanism,
@@ -175,23 +223,13 @@ fn add_half(
     // The split link's loop frame in the loop frame of the other link, as drawn.
     let drawn = x_wb.inverse() * x_wo;
     check_drawing(mechanism, closure, &drawn, is_successor)?;
-    let axis = closure.axis();
-    let (e1, e2) = plane_basis(axis);
-    // Joints from the other link to the half; axes in the loop frame of the half as drawn.
-    let in_half = |axis: &Vector3<f64>| drawn.inverse_vector(axis);
-    let joints: Vec<(&str, &str, Vector3<f64>)> = match closure.kind() {
-        ClosureKind::Prismatic => vec![("slide", "slide", *axis)],
-        ClosureKind::Cylindrical => vec![("slide", "slide", *axis), ("angle", "hinge", *axis)],
-        ClosureKind::Planar => vec![("x", "slide", e1), ("y", "slide", e2), ("angle", "hinge", *axis)],
-        // The pin of the other link comes first.
-        _ if is_successor => vec![("1", "hinge", in_half(axis)), ("2", "hinge", *closure.axis2())],
-        _ => vec![("1", "hinge", in_half(closure.axis2())), ("2", "hinge", *axis)],
-    };
+    let joints = half_joints(closure, &drawn, is_successor);
     let mut lines = String::new();
     // The frame of the half is the loop frame of the split link.
     let pose = base.frame * drawn;
     append(&mut lines, format_args!("<body name=\"{name}/half\"{}>\n", pose_attributes(&pose)));
-    for (suffix, kind, axis) in joints {
+    for HalfJoint { suffix, slides, axis } in joints {
+        let kind = if slides { "slide" } else { "hinge" };
         append(
             &mut lines,
             format_args!(
@@ -208,7 +246,7 @@ fn add_half(
         append(&mut lines, format_args!("  {}\n", inertial_element(&inertial, tree.share[link.index()])));
     }
     append(&mut lines, format_args!("  <site name=\"{name}/1\"/>\n</body>\n"));
-    tree.append_content(mechanism, base.link, &lines);
+    tree.append_half(mechanism, base.link, closure, &lines);
     let site = format!("<site name=\"{name}/2\"{}/>\n", pose_attributes(&own.frame));
     tree.append_content(mechanism, Some(link), &site);
     append(

@@ -4,11 +4,17 @@ mod body_tree;
 pub(crate) mod closures;
 mod contacts;
 mod error;
+mod impact;
+mod keyframe;
 mod relations;
+mod rotors;
 
 use crate::xml_text::{ModelText, append, escape_attribute, xml_head};
 use body_tree::BodyTree;
 pub use error::MjcfError;
+pub use impact::MjcfImpact;
+use keyframe::Keyframe;
+pub use keyframe::MechanismState;
 use percuss_mechanism::Mechanism;
 
 /// Writes MJCF for MuJoCo 3.2.3 and later: bodies with inertias, joints with limits and armatures, and all loops as equality
@@ -23,6 +29,7 @@ use percuss_mechanism::Mechanism;
 /// | fixed, spherical, distance closure | weld, connect, equality of a straight tendon |
 /// | revolute closure | two connects on the axis |
 /// | prismatic, cylindrical, planar, universal closure | joints to a second half of a link, which is welded to the first half |
+/// | massless link on the root, prismatic joint with an armature (a rotor) | armature of a fixed tendon; over several branches a body with this mass |
 ///
 /// The halves have half the mass and inertia each, so that the mechanism is the same. Moments of 0, of thin rods and point masses, become
 /// 1e-13 of m·(size of the mechanism)², with a note: MuJoCo refuses 0.
@@ -31,17 +38,42 @@ use percuss_mechanism::Mechanism;
 /// [`MjcfError`] for a massless link that moves and is no part of such a chain, for a moving body with moments A + B < C (MuJoCo
 /// refuses both), for armatures that differ within a ball or free joint, and for names that MuJoCo reserves.
 pub fn write_mjcf(mechanism: &Mechanism, heading: &str) -> Result<ModelText, MjcfError> {
+    write_file(mechanism, None, heading)
+}
+
+/// Writes MJCF of a mechanism and of an impact at one contact: the file of [`write_mjcf`], two geoms with a contact pair, and the
+/// keyframe `impact` with the pose and the velocity at the touch. Gravity is 0 and limits of joints are disabled, as in an effective
+/// mass; the number `restitution` has the expected result.
+///
+/// # Errors
+/// As for [`write_mjcf`]; a contact at a link without a body in the file.
+pub fn write_mjcf_impact(
+    mechanism: &Mechanism,
+    impact: &MjcfImpact,
+    heading: &str,
+) -> Result<ModelText, MjcfError> {
+    write_file(mechanism, Some(impact), heading)
+}
+
+/// Writes a file, with an impact or without.
+fn write_file(
+    mechanism: &Mechanism,
+    impact: Option<&MjcfImpact>,
+    heading: &str,
+) -> Result<ModelText, MjcfError> {
     let mut tree = BodyTree::new(mechanism)?;
     let closures = closures::write_closures(mechanism, &mut tree)?;
-    let relations = relations::write_relations(mechanism);
+    let relations = relations::write_relations(mechanism, &tree);
     contacts::add_contacts(mechanism, &mut tree);
+    impact.map_or(Ok(()), |impact| impact.add_geoms(mechanism, &mut tree))?;
     let mut out = xml_head(heading, mechanism, "MJCF");
     append(&mut out, format_args!("<mujoco model=\"{}\">\n", escape_attribute(mechanism.name())));
     out.push_str(
         "  <compiler angle=\"radian\" inertiafromgeom=\"false\" boundmass=\"0\" boundinertia=\"0\"/>\n",
     );
+    out.push_str(&impact.map_or_else(String::new, MjcfImpact::head));
     out.push_str("  <worldbody>\n");
-    tree.append_bodies(mechanism, &mut out)?;
+    let coordinates = tree.append_bodies(mechanism, &mut out)?;
     out.push_str("  </worldbody>\n");
     for (section, lines) in [
         ("tendon", [closures.tendons, relations.tendons].concat()),
@@ -50,6 +82,10 @@ pub fn write_mjcf(mechanism: &Mechanism, heading: &str) -> Result<ModelText, Mjc
         if !lines.is_empty() {
             append(&mut out, format_args!("  <{section}>\n{lines}  </{section}>\n"));
         }
+    }
+    if let Some(impact) = impact {
+        let key = Keyframe::new(mechanism, &tree, &coordinates, &impact.state)?;
+        out.push_str(&impact.tail(&key));
     }
     out.push_str("</mujoco>\n");
     let notes = tree.notes;

@@ -1,11 +1,13 @@
 //! Mimics and couplings as equality constraints of joints.
 
+use super::body_tree::BodyTree;
 use super::closures::Sections;
+use super::rotors::{Rotor, armature, tendon_name, tendon_terms};
 use crate::xml_text::{append, escape_attribute, format_number};
 use percuss_mechanism::{JointId, Mechanism};
 
 /// Writes all mimics and couplings.
-pub(super) fn write_relations(mechanism: &Mechanism) -> Sections {
+pub(super) fn write_relations(mechanism: &Mechanism, tree: &BodyTree) -> Sections {
     let mut sections = Sections::default();
     let name = |id| escape_attribute(mechanism.joint(id).name());
     for joint in mechanism.joints() {
@@ -21,7 +23,9 @@ pub(super) fn write_relations(mechanism: &Mechanism) -> Sections {
             ),
         );
     }
-    for coupling in mechanism.couplings() {
+    let is_tendon = |number| tree.rotors.contains(&Some(Rotor::Tendon(number)));
+    write_rotors(&mut sections, mechanism, tree);
+    for (_, coupling) in mechanism.couplings().iter().enumerate().filter(|(number, _)| !is_tendon(*number)) {
         let own = escape_attribute(coupling.name());
         let constant = coupling.constant();
         if let ([(first, a), (second, b)], None) = (coupling.terms(), coupling.curve()) {
@@ -37,7 +41,7 @@ pub(super) fn write_relations(mechanism: &Mechanism) -> Sections {
             );
             continue;
         }
-        write_tendon(&mut sections, mechanism, &own, coupling.terms());
+        write_tendon(&mut sections, mechanism, &own, "", coupling.terms());
         let Some(curve) = coupling.curve() else {
             append(
                 &mut sections.equalities,
@@ -49,7 +53,7 @@ pub(super) fn write_relations(mechanism: &Mechanism) -> Sections {
             continue;
         };
         let argument = format!("{own}/argument");
-        write_tendon(&mut sections, mechanism, &argument, curve.terms());
+        write_tendon(&mut sections, mechanism, &argument, "", curve.terms());
         let shifted = shifted_coefficients(curve.offset(), curve.coefficients());
         let coefficients = [constant + shifted[0], shifted[1], shifted[2], shifted[3], shifted[4]];
         append(
@@ -63,9 +67,30 @@ pub(super) fn write_relations(mechanism: &Mechanism) -> Sections {
     sections
 }
 
+/// Writes the tendons whose armatures are rotors.
+fn write_rotors(sections: &mut Sections, mechanism: &Mechanism, tree: &BodyTree) {
+    for link in mechanism.link_ids() {
+        let (Some(Rotor::Tendon(number)), Some(joint)) =
+            (tree.rotors[link.index()], mechanism.parent_joint(link))
+        else {
+            continue;
+        };
+        let coupling = &mechanism.couplings()[number];
+        let armature = format!(" armature=\"{}\"", format_number(armature(mechanism.joint(joint))));
+        let terms: Vec<(JointId, f64)> = tendon_terms(coupling, joint).collect();
+        write_tendon(sections, mechanism, &escape_attribute(tendon_name(coupling)), &armature, &terms);
+    }
+}
+
 /// Writes a fixed tendon with the length Σ factor · q.
-fn write_tendon(sections: &mut Sections, mechanism: &Mechanism, name: &str, terms: &[(JointId, f64)]) {
-    append(&mut sections.tendons, format_args!("    <fixed name=\"{name}\">\n"));
+fn write_tendon(
+    sections: &mut Sections,
+    mechanism: &Mechanism,
+    name: &str,
+    attributes: &str,
+    terms: &[(JointId, f64)],
+) {
+    append(&mut sections.tendons, format_args!("    <fixed name=\"{name}\"{attributes}>\n"));
     for (joint, factor) in terms.iter().filter(|(_, factor)| *factor != 0.0) {
         let (joint, factor) = (escape_attribute(mechanism.joint(*joint).name()), format_number(*factor));
         append(&mut sections.tendons, format_args!("      <joint joint=\"{joint}\" coef=\"{factor}\"/>\n"));

@@ -1,0 +1,82 @@
+//! Command `percuss export`.
+
+use super::convert::note;
+use crate::args::{ExportArgs, ImpactFormat};
+use crate::files::output::{check_writable, record_input, write_file};
+use crate::files::own_files::append_hash;
+use crate::terminal::escape::line;
+use crate::terminal::failure::Failure;
+use crate::terminal::report::{write_diagnostics, write_out};
+use crate::terminal::text::{number, shell_quoted};
+use crate::terminal::wrap::fact_line;
+use percuss_study::{DiagnosticRecord, ExportedImpact, ImpactExportError, export_impact};
+use std::path::Path;
+
+/// Script that runs an exported impact. It finds the model by its own name.
+const SCRIPT: &str = include_str!("impact_script.py");
+/// Ending of the names of exported models.
+const ENDING: &str = "xml";
+
+/// Runs the command.
+pub fn run(args: &ExportArgs) -> Result<(), Failure> {
+    args.writing.apply();
+    let script = script_path(&args.output)?;
+    let contact = args.contact.question()?;
+    if !args.damping.tools.is_empty() {
+        return Err(Failure::bad_input("--for: the format of the file selects the simulator (--to)"));
+    }
+    let Some(damping) = args.damping.question()? else {
+        return Err(Failure::bad_input(
+            "--restitution E (the required restitution) and --stiffness N/m (the contact spring) are required",
+        ));
+    };
+    args.damping.check_units(&damping, false)?;
+    for path in [&args.output, &script] {
+        check_writable(path)?;
+    }
+    let model = args.model.load()?;
+    model.inputs.iter().for_each(|input| record_input(&input.path));
+    // The mark by which percuss recognises its own files.
+    let heading = format!("imported by percuss from {}", args.model.model);
+    let exported = match args.to {
+        ImpactFormat::Mjcf => export_impact(&model, &contact, &damping, &heading)?,
+    };
+    write_diagnostics(&exported.damping.diagnostics, args.model.reading.strict)?;
+    let notes: Vec<DiagnosticRecord> = exported.model.notes.iter().cloned().map(note).collect();
+    write_diagnostics(&notes, false)?;
+    write_file(&args.output, append_hash(exported.model.text.clone()).as_bytes())?;
+    write_file(&script, SCRIPT.as_bytes())?;
+    write_out(&summary(args, &script, &exported))
+}
+
+/// Name of the script of a model file.
+fn script_path(output: &str) -> Result<String, Failure> {
+    let path = Path::new(output);
+    if path.extension().is_none_or(|ending| ending != ENDING) {
+        return Err(Failure::bad_input(format!(
+            "--output {output}: a file name with .{ENDING} is expected; the script has the same name with .py"
+        )));
+    }
+    Ok(path.with_extension("py").to_string_lossy().into_owned())
+}
+
+/// Files, the impact, and the command that runs it.
+fn summary(args: &ExportArgs, script: &str, exported: &ExportedImpact) -> String {
+    let bound = exported.error_bound.map_or_else(String::new, |bound| format!(" ± {}", number(bound)));
+    let mut out = fact_line("written", &line(&format!("{}, {script}", args.output)));
+    out += &fact_line("effective mass", &format!("{} kg", number(exported.damping.effective_mass)));
+    out += &fact_line("approach speed", &format!("{} m/s", number(exported.speed)));
+    out += &fact_line("restitution", &format!("{}{bound}", number(exported.damping.damper.restitution)));
+    out += &fact_line("time step", &format!("{} s", number(exported.time_step)));
+    out += &fact_line("run", &line(&format!("python {}", shell_quoted(script))));
+    out
+}
+
+impl From<ImpactExportError> for Failure {
+    fn from(error: ImpactExportError) -> Self {
+        match error {
+            ImpactExportError::Question(error) => error.into(),
+            error => Failure::bad_input(error.to_string()),
+        }
+    }
+}

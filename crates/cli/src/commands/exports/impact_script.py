@@ -1,0 +1,53 @@
+"""Runs the impact of the keyframe `impact` of a model in MuJoCo and prints the restitution.
+
+Exit code 1 if it differs from the required one by more than 0.001. Requires the package mujoco."""
+# made by percuss
+
+import pathlib
+import sys
+
+import mujoco
+import numpy as np
+
+MODEL = pathlib.Path(__file__).with_suffix(".xml")
+TOLERANCE = 1e-3
+# Limit of the number of time steps.
+STEPS = 2_000_000
+
+model = mujoco.MjModel.from_xml_path(str(MODEL))
+data = mujoco.MjData(model)
+point, face = model.geom("impact/point").id, model.geom("impact/face").id
+
+
+def closing_speed():
+    """Speed at which the sphere approaches the face, m/s; the normal of the face is its z-axis."""
+    mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
+    centre = data.geom_xpos[point]
+    ours, theirs = np.zeros((3, model.nv)), np.zeros((3, model.nv))
+    mujoco.mj_jac(model, data, ours, None, centre, model.geom_bodyid[point])
+    mujoco.mj_jac(model, data, theirs, None, centre, model.geom_bodyid[face])
+    normal = data.geom_xmat[face].reshape(3, 3)[:, 2]
+    return float(normal @ (theirs - ours) @ data.qvel)
+
+
+mujoco.mj_resetDataKeyframe(model, data, model.key("impact").id)
+speed = closing_speed()
+touched, depth = False, 0.0
+for _ in range(STEPS):
+    mujoco.mj_step(model, data)
+    if data.ncon:
+        touched, depth = True, max(depth, -data.contact[0].dist)
+    elif touched:
+        break
+else:
+    sys.exit("the impact did not end")
+restitution = -closing_speed() / speed
+required = float(model.numeric("restitution").data[0])
+difference = restitution - required
+print(f"approach speed   {speed:.6g} m/s")
+print(f"penetration      {1e3 * depth:.6g} mm")
+print(f"duration         {1e3 * data.time:.6g} ms")
+print(f"restitution      {restitution:.5f} (required {required:g}, difference {difference:+.1e})")
+if not abs(difference) <= TOLERANCE:
+    sys.exit(f"the restitution differs by more than {TOLERANCE:g}")

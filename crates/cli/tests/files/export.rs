@@ -1,0 +1,83 @@
+//! `percuss export`. The files run in MuJoCo in tests/external/impact_models.py.
+
+use crate::support::{Scratch, percuss};
+use std::f64::consts::PI;
+
+const IMPACT: &str = "--link coupler --point 0.2,0,0 --normal 1,0.3,0 --set crank_hinge=60deg --restitution 0.3 --stiffness 1e6";
+
+/// Half of the difference of two angles of the crank, rad, and the error of rates from their difference: a few times its square.
+const STEP: f64 = 1e-4;
+const DIFFERENCE_ERROR: f64 = 1e-6;
+/// Roundings of angles.
+const ROUNDING: f64 = 1e-14;
+
+/// Report of the contact of the coupler at an angle of the crank, rad.
+fn report(angle: f64) -> serde_json::Value {
+    let contact = "--link coupler --point 0.2,0,0 --normal 1,0.3,0";
+    let outcome =
+        percuss(&format!("mass models/four_bar.urdf {contact} --set crank_hinge={angle:?} --format json"));
+    serde_json::from_str(&outcome.stdout).expect("a report")
+}
+
+/// Number of a report.
+fn number(report: &serde_json::Value, key: &str) -> f64 {
+    report.pointer(key).and_then(serde_json::Value::as_f64).expect("a number")
+}
+
+/// Numbers of an attribute of the only element that has it.
+fn numbers(text: &str, attribute: &str) -> Vec<f64> {
+    let (_, rest) = text.split_once(&format!(" {attribute}=\"")).expect("the attribute");
+    rest.split('"').next().unwrap_or_default().split(' ').map(|x| x.parse().expect("a number")).collect()
+}
+
+#[test]
+fn the_keyframe_has_the_pose_and_the_velocity_of_the_contact() {
+    let folder = Scratch::new("export");
+    let file = folder.path("impact.xml");
+    let outcome = percuss(&format!("export models/four_bar.urdf {IMPACT} --speed 0.02 -o {file}"));
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let text = std::fs::read_to_string(&file).expect("the file");
+    // Differences of two poses on both sides of the pose of the contact.
+    let [before, middle, after] = [PI / 3.0 - STEP, PI / 3.0, PI / 3.0 + STEP].map(report);
+    let (qpos, qvel) = (numbers(&text, "qpos"), numbers(&text, "qvel"));
+    let turned = number(&after, "/pose/crank_hinge/0") - number(&before, "/pose/crank_hinge/0");
+    for (index, joint) in ["crank_hinge", "crank_pin", "rocker_hinge"].into_iter().enumerate() {
+        let key = format!("/pose/{joint}/0");
+        assert!((qpos[index] - number(&middle, &key)).abs() < ROUNDING, "{joint}");
+        let rate = (number(&after, &key) - number(&before, &key)) / turned;
+        assert!((qvel[index] / qvel[0] - rate).abs() < DIFFERENCE_ERROR, "{joint}: {} {rate}", qvel[index]);
+    }
+    let along = |axis: usize| {
+        let key = format!("/contact/point_world/{axis}");
+        let normal = number(&middle, &format!("/contact/normal_world/{axis}"));
+        (number(&after, &key) - number(&before, &key)) / turned * normal
+    };
+    let closing_speed = (0..3).map(along).sum::<f64>() * qvel[0];
+    assert!((closing_speed / 0.02 - 1.0).abs() < DIFFERENCE_ERROR, "{closing_speed}");
+    // The model is read again, and both files are replaced without --force.
+    assert_eq!(percuss(&format!("check {file}")).code, 0);
+    assert_eq!(percuss(&format!("export models/four_bar.urdf {IMPACT} -o {file}")).code, 0);
+    std::fs::write(folder.path("impact.py"), "print()\n").expect("a file");
+    let outcome = percuss(&format!("export models/four_bar.urdf {IMPACT} -o {file}"));
+    assert_eq!(outcome.code, 2);
+    assert!(outcome.stderr.contains("impact.py"), "{}", outcome.stderr);
+}
+
+#[test]
+fn conditions_without_a_form_are_refused() {
+    let folder = Scratch::new("export-refusals");
+    let file = folder.path("impact.xml");
+    for (flags, message) in [
+        ("--lock crank_pin", "--lock"),
+        ("--against-mass 2", "--against-mass"),
+        ("--base floating", "--base floating"),
+        ("--for mujoco", "--for"),
+        ("--exponent 1.5", "mujoco"),
+    ] {
+        let outcome = percuss(&format!("export models/four_bar.urdf {IMPACT} {flags} -o {file}"));
+        assert_eq!(outcome.code, 2, "{flags}");
+        assert!(outcome.stderr.to_lowercase().contains(message), "{flags}: {}", outcome.stderr);
+    }
+    let outcome = percuss(&format!("export models/four_bar.urdf {IMPACT} -o {}", folder.path("impact.txt")));
+    assert!(outcome.code == 2 && outcome.stderr.contains(".xml"), "{}", outcome.stderr);
+}

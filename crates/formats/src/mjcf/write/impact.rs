@@ -1,0 +1,149 @@
+//! An impact at one contact: two geoms, their contact parameters, and a keyframe at the touch.
+
+use super::body_tree::{BodyTree, pose_attributes};
+use super::error::MjcfError;
+use super::keyframe::MechanismState;
+use crate::mjcf::values::orientation::rotation_to_z;
+use crate::xml_text::{append, format_number, format_vector};
+use percuss_mechanism::{JointKind, LinkId, Mechanism};
+use percuss_spatial::{Transform, Vector3};
+
+/// Name of the keyframe and of the contact pair.
+const NAME: &str = "impact";
+
+/// Impact at a contact, in MuJoCo's parameters.
+///
+/// The contact link has a sphere about the contact point. The other side has a face at the distance of the radius along the
+/// normal: a plane on the ground, a box on a link. The gap of the two is n·(p_face − p) − radius, so its closing speed is that of
+/// the contact point along the normal, and the normal moves with the other side.
+#[derive(Clone, Debug)]
+pub struct MjcfImpact {
+    /// Pose and velocity at the touch.
+    pub state: MechanismState,
+    /// The contact link.
+    pub link: LinkId,
+    /// Link on the other side; `None` for the ground.
+    pub against: Option<LinkId>,
+    /// Contact point, m, link frame.
+    pub point: Vector3<f64>,
+    /// Unit normal out of the contact link, world axes.
+    pub normal: Vector3<f64>,
+    /// Radius of the sphere, m: more than the greatest penetration.
+    pub radius: f64,
+    /// Half of the side of the face, m.
+    pub extent: f64,
+    /// `solref` of the contact.
+    pub solref: Vec<f64>,
+    /// `solimp` of the contact.
+    pub solimp: Vec<f64>,
+    /// `solref` and `solimp` of all equality constraints; `None` without constraints.
+    pub equality: Option<[Vec<f64>; 2]>,
+    /// Time step, s.
+    pub time_step: f64,
+    /// Restitution, written as the number `restitution`.
+    pub restitution: f64,
+}
+
+impl MjcfImpact {
+    /// Adds the two geoms to the bodies.
+    ///
+    /// # Errors
+    /// [`MjcfError`]: a link without a body in the file.
+    pub(super) fn add_geoms(&self, mechanism: &Mechanism, tree: &mut BodyTree) -> Result<(), MjcfError> {
+        let moving = |link| moving_link(mechanism, tree, link);
+        let other = self.against.map(moving).filter(|link| *link != mechanism.root());
+        let own = moving(self.link);
+        for link in [Some(own), other].into_iter().flatten().filter(|link| !tree.has_body(*link)) {
+            return Err(MjcfError::new(
+                "link",
+                mechanism.link(link).name(),
+                "the contact is at a massless link, which has no body of its own in MJCF; give the contact at a link with mass",
+            ));
+        }
+        let attributes = "contype=\"0\" conaffinity=\"0\"";
+        let poses = &self.state.link_poses;
+        let centre = poses[self.link.index()].point(&self.point);
+        let sphere = format!(
+            "<geom name=\"{NAME}/point\" type=\"sphere\" size=\"{}\" pos=\"{}\" {attributes}/>\n",
+            format_number(self.radius),
+            format_vector(&poses[own.index()].inverse_point(&centre))
+        );
+        tree.append_content(mechanism, Some(own), &sphere);
+        let Some(rotation) = rotation_to_z(-self.normal) else {
+            return Err(MjcfError::new(
+                "link",
+                mechanism.link(self.link).name(),
+                "the normal has no direction",
+            ));
+        };
+        let (kind, depth) = match other {
+            None => ("plane", 0.0),
+            Some(_) => ("box", self.radius),
+        };
+        // The face is the side of the box towards the contact link.
+        let face = Transform::new(rotation, centre + self.normal * (self.radius + depth));
+        let holder = other.map_or_else(Transform::identity, |link| poses[link.index()]);
+        let extent = format_number(self.extent);
+        let size = [&extent, &extent, &format_number(self.radius)].map(String::as_str).join(" ");
+        let line = format!(
+            "<geom name=\"{NAME}/face\" type=\"{kind}\" size=\"{size}\"{} {attributes}/>\n",
+            pose_attributes(&(holder.inverse() * face))
+        );
+        tree.append_content(mechanism, other, &line);
+        Ok(())
+    }
+
+    /// Elements before the bodies: options, defaults and numbers.
+    pub(super) fn head(&self) -> String {
+        let mut out = format!(
+            "  <option timestep=\"{}\" gravity=\"0 0 0\">\n    <flag limit=\"disable\"/>\n  </option>\n",
+            format_number(self.time_step)
+        );
+        if let Some([solref, solimp]) = &self.equality {
+            append(
+                &mut out,
+                format_args!(
+                    "  <default>\n    <equality solref=\"{}\" solimp=\"{}\"/>\n  </default>\n",
+                    list(solref),
+                    list(solimp)
+                ),
+            );
+        }
+        append(
+            &mut out,
+            format_args!(
+                "  <custom>\n    <numeric name=\"restitution\" data=\"{}\"/>\n  </custom>\n",
+                format_number(self.restitution)
+            ),
+        );
+        out
+    }
+
+    /// Elements after the bodies: contact pair and keyframe.
+    pub(super) fn tail(&self, key: &super::keyframe::Keyframe) -> String {
+        format!(
+            "  <contact>\n    <pair name=\"{NAME}\" geom1=\"{NAME}/point\" geom2=\"{NAME}/face\" condim=\"1\" solref=\"{}\" \
+             solimp=\"{}\"/>\n  </contact>\n  <keyframe>\n    {}\n  </keyframe>\n",
+            list(&self.solref),
+            list(&self.solimp),
+            key.element(NAME)
+        )
+    }
+}
+
+/// Link to which a link is attached by fixed joints: MuJoCo's estimate of the inverse mass at a contact is that of the body of the
+/// geom, which differs between welded bodies.
+fn moving_link(mechanism: &Mechanism, tree: &BodyTree, mut link: LinkId) -> LinkId {
+    while let Some(joint) = mechanism.parent_joint(link).map(|id| mechanism.joint(id))
+        && joint.kind() == JointKind::Fixed
+        && tree.has_body(joint.parent())
+    {
+        link = joint.parent();
+    }
+    link
+}
+
+/// Numbers with spaces between.
+fn list(values: &[f64]) -> String {
+    values.iter().map(|x| format_number(*x)).collect::<Vec<_>>().join(" ")
+}

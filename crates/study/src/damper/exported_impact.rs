@@ -1,0 +1,169 @@
+//! Impact at a contact of a model as an MJCF file: the mechanism, the contact with its parameters, and the state at the touch.
+
+use crate::damper::damped_contact::damping_report;
+use crate::damper::damping::DampingReport;
+use crate::damper::simulators::ExportRecord;
+use crate::evaluation::prepared_question::EvaluatedQuestion;
+use crate::model::loading::Model;
+use crate::question::damping_question::DampingQuestion;
+use crate::question::errors::question_error::StudyError;
+use crate::question::mass_question::MassQuestion;
+use crate::thresholds::{IMPACT_RADIUS, LEAST_RADIUS_OVER_PENETRATION, SLOW_IMPACT};
+use percuss_contact::exports::{Tool, Value};
+use percuss_dynamics::{Base, PointVelocity};
+use percuss_formats::{MechanismState, MjcfError, MjcfImpact, ModelText, write_mjcf_impact};
+use percuss_mechanism::LinkId;
+use percuss_spatial::{Twist, Vector3};
+
+/// Error of an exported impact.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ImpactExportError {
+    /// Invalid question, no pose, or no damper.
+    #[error(transparent)]
+    Question(#[from] StudyError),
+    /// The mechanism or the contact has no form in MJCF.
+    #[error("the model cannot be written as MJCF: {0}")]
+    Mjcf(#[from] MjcfError),
+    /// A condition of the question has no form in the file.
+    #[error("{condition}: not written to a model of a simulator; {remedy}")]
+    Condition {
+        /// Flag of the condition.
+        condition: &'static str,
+        /// Remedy.
+        remedy: &'static str,
+    },
+    /// The motion of the impact is not determined, because of a motion without mass.
+    #[error(
+        "link \"{link}\": its velocity is not determined, because of a motion without mass; give the link a mass"
+    )]
+    Undetermined {
+        /// Name of the link.
+        link: String,
+    },
+    /// A parameter of the simulator is missing.
+    #[error("MuJoCo's parameter {name} is missing")]
+    Parameter {
+        /// Name of the parameter.
+        name: &'static str,
+    },
+}
+
+/// An impact as a file of MuJoCo.
+#[derive(Clone, Debug)]
+pub struct ExportedImpact {
+    /// The file, and notes about parts that have another form.
+    pub model: ModelText,
+    /// Damper and parameters.
+    pub damping: DampingReport,
+    /// Approach speed, m/s.
+    pub speed: f64,
+    /// Time step, s.
+    pub time_step: f64,
+    /// Error bound of the restitution at this time step; `None` if unknown.
+    pub error_bound: Option<f64>,
+}
+
+/// Writes the impact of a question as MJCF. Without a speed in `damping`, the impact has 10 mm/s. `heading`: comment at the head
+/// of the file.
+///
+/// # Errors
+/// [`ImpactExportError`]: an invalid question, a contact without a finite mass, a condition or a mechanism without a form in MJCF.
+pub fn export_impact(
+    model: &Model,
+    question: &MassQuestion,
+    damping: &DampingQuestion,
+    heading: &str,
+) -> Result<ExportedImpact, ImpactExportError> {
+    refuse_conditions(question)?;
+    let speed = damping.speed.unwrap_or(SLOW_IMPACT);
+    let damping = DampingQuestion { speed: Some(speed), tools: vec![Tool::MUJOCO], ..damping.clone() };
+    let evaluated = EvaluatedQuestion::new(model, question)?;
+    let report = damping_report(&evaluated, &damping)?;
+    let record = &report.exports[Tool::MUJOCO.name()];
+    let time_step = record.time_step.ok_or(ImpactExportError::Parameter { name: "timestep" })?;
+    let error_bound = record.error_bound;
+    let contact = &evaluated.result.response.contact;
+    let size = model.mechanism.characteristic_length();
+    let penetration = report.damper.max_penetration.unwrap_or_default();
+    let equality = match record.parameters.contains_key("equality_solref") {
+        true => Some([numbers(record, "equality_solref")?, numbers(record, "equality_solimp")?]),
+        false => None,
+    };
+    let impact = MjcfImpact {
+        state: state(&evaluated, speed)?,
+        link: contact.link,
+        against: contact.against,
+        point: contact.point_link,
+        normal: contact.normal_world,
+        radius: (IMPACT_RADIUS * size).max(LEAST_RADIUS_OVER_PENETRATION * penetration),
+        extent: size,
+        solref: numbers(record, "solref")?,
+        solimp: numbers(record, "solimp")?,
+        equality,
+        time_step,
+        restitution: damping.restitution,
+    };
+    let model = write_mjcf_impact(&model.mechanism, &impact, heading)?;
+    Ok(ExportedImpact { model, speed, time_step, error_bound, damping: report })
+}
+
+/// Refuses conditions that hold for an answer and are no part of the model.
+fn refuse_conditions(question: &MassQuestion) -> Result<(), ImpactExportError> {
+    let in_model = "write it into the model file";
+    let conditions = [
+        (!question.lock.is_empty(), "--lock", "replace the joint by a fixed joint in the model file"),
+        (!question.hold.is_empty(), "--hold", "add a loop to the model file"),
+        (!question.armature.is_empty(), "--armature", in_model),
+        (question.base == Base::Floating, "--base floating", "add a floating joint to the model file"),
+        (
+            question.against_mass.is_some(),
+            "--against-mass",
+            "add the body to the model file and name it by --against",
+        ),
+        (question.estimate.is_some(), "--estimate", "use percuss mass"),
+    ];
+    match conditions.into_iter().find(|(is_given, ..)| *is_given) {
+        Some((_, condition, remedy)) => Err(ImpactExportError::Condition { condition, remedy }),
+        None => Ok(()),
+    }
+}
+
+/// Numbers of a parameter.
+fn numbers(record: &ExportRecord, name: &'static str) -> Result<Vec<f64>, ImpactExportError> {
+    match record.parameters.get(name) {
+        Some(Value::Numbers(numbers)) => Ok(numbers.clone()),
+        _ => Err(ImpactExportError::Parameter { name }),
+    }
+}
+
+/// Pose at the touch, and the velocities of the impact at a closing speed, m/s.
+fn state(evaluated: &EvaluatedQuestion<'_>, speed: f64) -> Result<MechanismState, ImpactExportError> {
+    let EvaluatedQuestion { pose, result, .. } = evaluated;
+    let (mechanism, response) = (pose.mechanism(), &result.response);
+    let twist = |link: LinkId| {
+        let velocity = |point: Vector3<f64>| match pose.point_velocity_over_ground(response, link, &point) {
+            Some(PointVelocity::Known(velocity)) => Ok(velocity * speed),
+            Some(PointVelocity::Undetermined) | None => {
+                Err(ImpactExportError::Undetermined { link: mechanism.link(link).name().to_owned() })
+            }
+        };
+        let linear = velocity(Vector3::zeros())?;
+        let mut angular = Vector3::zeros();
+        let axes = pose.link(link).rotation;
+        for unit in [Vector3::x(), Vector3::y(), Vector3::z()] {
+            // Σ e × (ω × e) = 2 ω over an orthonormal basis.
+            angular += (axes * unit).cross(&(velocity(unit)? - linear)) * 0.5;
+        }
+        Ok(Twist::new(angular, linear))
+    };
+    Ok(MechanismState {
+        positions: mechanism.joint_ids().map(|joint| pose.joint(joint).to_vec()).collect(),
+        velocities: response
+            .joint_velocities
+            .iter()
+            .map(|rates| rates.iter().map(|rate| rate * speed).collect())
+            .collect(),
+        link_poses: mechanism.link_ids().map(|link| pose.link(link)).collect(),
+        link_twists: mechanism.link_ids().map(twist).collect::<Result<_, ImpactExportError>>()?,
+    })
+}
