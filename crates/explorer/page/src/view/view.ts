@@ -126,7 +126,7 @@ export class View {
     if (!width || !height) return;
     this.renderer?.setSize(width, height);
     this.cameras.resize(width, height);
-    this.overlay.svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
+    this.overlay.resize(width, height);
     if (!this.shown.fitted && this.shown.scene) this.fit();
     this.invalidate();
   }
