@@ -25,7 +25,8 @@ const result = async (page, kind) => {
 
 const openPanel = async (page, kind) => {
   await page.click(`details.${kind} > summary`);
-  await page.waitForSelector(`details.${kind}[open]`);
+  // The panel asks when the browser reports that it is open, which is later than its attribute.
+  await page.waitForFunction((name) => window.percussView.state().results[name], kind);
 };
 
 /** Flags of a contact at a named place. */
