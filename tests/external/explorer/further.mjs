@@ -25,7 +25,8 @@ const result = async (page, kind) => {
 
 const openPanel = async (page, kind) => {
   await page.click(`details.${kind} > summary`);
-  await page.waitForSelector(`details.${kind}[open]`);
+  // The panel asks when the browser reports that it is open, which is later than its attribute.
+  await page.waitForFunction((name) => window.percussView.state().results[name], kind);
 };
 
 /** Flags of a contact at a named place. */
@@ -263,7 +264,8 @@ export const furtherTests = {
     const { study } = await state(page);
     const there = json('map', model, '--link', study.contact.link, '--point', study.contact.point.join(','), '--directions', '1');
     principal.forEach((p, i) => (p.effective_mass === null ? assert.equal(p.status, there.principal[i].status) : same(p.effective_mass, there.principal[i].effective_mass, `axis ${i}`)));
-    assert.equal(await page.locator('.directions line').count(), 3);
+    // The picture follows with the next frame.
+    await page.waitForFunction(() => document.querySelectorAll('.directions line').length === 3);
     await page.click('.shows >> text=Map');
     assert.equal(await page.locator('.legend[data-map]').count(), 0);
     await close(page);

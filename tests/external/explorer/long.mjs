@@ -5,8 +5,8 @@ import { agrees, center, close, explore, launch, open, root, settle, shown } fro
 
 const SHEET = 'models/suspensions/double-wishbone.toml';
 /** Processor time of the page for an answer while a hardpoint is dragged, on a processor four times as slow, ms. The aim is 60;
- * 110 was measured on two processors with a load of 12, where caches are shared with other programs. */
-const LONGEST_FRAME = 160;
+ * 65 was measured on two processors with a load of 12, where caches are shared with other programs. */
+const LONGEST_FRAME = 100;
 const SLOWER = 4;
 /** Largest distance of the ends of a closed loop, m: loops close to 1e-10 of a size of 1 m, frames have 16 digits. */
 const CLOSED = 1e-8;
@@ -17,6 +17,9 @@ const MOVES = 1000;
 const LARGEST_GROWTH = 3_000_000;
 /** Least cosine of the rotation of a link from its design position: on the other branch of a loop, a link is turned by more than a right angle. */
 const LEAST_COSINE = 0;
+
+/** Seeds of the random drags; others by the environment, separated by commas. With 11, the lower end of the travel gets out of reach. */
+const SEEDS = (process.env.EXPLORER_SEEDS ?? '7,11').split(',').map(Number);
 
 /** Browser without WebGL, where software would draw for most of the time: the drags are the same. */
 const withoutPictures = () => launch(['--disable-3d-apis', '--disable-gpu']);
@@ -52,53 +55,55 @@ function checkPose({ scene, frames }, what) {
   });
 }
 
-export const longTests = (drags) => ({
-  async 'random drags leave a page that agrees with the command'() {
-    const browser = await withoutPictures();
-    const page = await openWithoutPictures(browser);
-    const random = generator(7);
-    let refused = 0;
-    const box = await page.locator('.canvas').boundingBox();
-    for (let i = 0; i < drags; i++) {
-      const kind = random();
-      let from;
-      if (kind < 0.7) {
-        const circles = await page.$$eval('.points circle:not(.hidden)', (all) => all.map((c) => [c.getAttribute('cx'), c.getAttribute('cy')].map(Number)));
-        const [x, y] = circles[Math.floor(random() * circles.length)];
-        from = { x: box.x + x, y: box.y + y };
-      } else if (kind < 0.85) {
-        // The curve: the travel follows the pointer.
-        from = await center(page, '.plot');
-        from.x += 200 * (random() - 0.5);
-      } else {
-        // Anywhere: a link, a mark, or the camera.
-        from = { x: box.x + box.width * random(), y: box.y + 60 + (box.height - 120) * random() };
-      }
-      const to = { x: from.x + 60 * (random() - 0.5), y: from.y + 60 * (random() - 0.5) };
-      await page.mouse.move(from.x, from.y);
-      await page.mouse.down();
-      await page.mouse.move(to.x, to.y, { steps: 2 });
-      await page.mouse.up();
-      await settle(page);
-      const state = await page.evaluate(() => {
-        const { scene, frames, problem } = window.percussView.state();
-        return { frames, problem, scene: { root: scene.root, closures: scene.closures, design: scene.design, links: scene.links.map(({ name, mass }) => ({ name, mass })) } };
-      });
-      if (state.problem) refused++;
-      else checkPose(state, `drag ${i + 1}`);
-      if (i % 50 === 49) {
-        if (!state.problem) await agrees(page, root, `after ${i + 1} drags`);
-        // Back to the design, as far as it goes: 50 drags would leave no suspension.
-        for (let k = 0; k < 50; k++) await page.keyboard.press('Control+z');
-        await page.keyboard.press('0');
-        await settle(page);
-      }
+async function randomDrags(drags, seed) {
+  const browser = await withoutPictures();
+  const page = await openWithoutPictures(browser);
+  const random = generator(seed);
+  let refused = 0;
+  const box = await page.locator('.canvas').boundingBox();
+  for (let i = 0; i < drags; i++) {
+    const kind = random();
+    let from;
+    if (kind < 0.7) {
+      const circles = await page.$$eval('.points circle:not(.hidden)', (all) => all.map((c) => [c.getAttribute('cx'), c.getAttribute('cy')].map(Number)));
+      const [x, y] = circles[Math.floor(random() * circles.length)];
+      from = { x: box.x + x, y: box.y + y };
+    } else if (kind < 0.85) {
+      // The curve: the travel follows the pointer.
+      from = await center(page, '.plot');
+      from.x += 200 * (random() - 0.5);
+    } else {
+      // Anywhere: a link, a mark, or the camera.
+      from = { x: box.x + box.width * random(), y: box.y + 60 + (box.height - 120) * random() };
     }
-    console.log(`    ${drags} drags, ${refused} ended without a result`);
-    assert.ok(refused < drags / 10, `${refused} of ${drags} drags ended without a result`);
-    await close(page);
-    await browser.close();
-  },
+    const to = { x: from.x + 60 * (random() - 0.5), y: from.y + 60 * (random() - 0.5) };
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(to.x, to.y, { steps: 2 });
+    await page.mouse.up();
+    await settle(page);
+    const state = await page.evaluate(() => {
+      const { scene, frames, problem } = window.percussView.state();
+      return { frames, problem, scene: { root: scene.root, closures: scene.closures, design: scene.design, links: scene.links.map(({ name, mass }) => ({ name, mass })) } };
+    });
+    if (state.problem) refused++;
+    else checkPose(state, `seed ${seed}, drag ${i + 1}`);
+    if (i % 50 === 49) {
+      if (!state.problem) await agrees(page, root, `after ${i + 1} drags`);
+      // Back to the design, as far as it goes: 50 drags would leave no suspension.
+      for (let k = 0; k < 50; k++) await page.keyboard.press('Control+z');
+      await page.keyboard.press('0');
+      await settle(page);
+    }
+  }
+  console.log(`    ${drags} drags, ${refused} ended without a result`);
+  assert.ok(refused < drags / 10, `${refused} of ${drags} drags ended without a result`);
+  await close(page);
+  await browser.close();
+}
+
+export const longTests = (drags) => ({
+  ...Object.fromEntries(SEEDS.map((seed) => [`random drags with seed ${seed} leave a page that agrees with the command`, () => randomDrags(drags, seed)])),
 
   async 'a drag follows the hand on a slow processor'(browser) {
     const page = await open(browser, explore(SHEET, '--at', 'spring'));

@@ -131,8 +131,9 @@ export function withValue(study: Study, driver: Driver, value: number | undefine
   return { ...study, pose: { ...study.pose, set } };
 }
 
-/** Range of a curve as the engine reads it. */
-export function vary(driver: Driver, count: number): string {
-  const [from, to] = driver.range.map((x) => written(x, driver.unit));
+/** Range of a curve as the engine reads it; downwards from its upper end if asked for. */
+export function vary(driver: Driver, count: number, downwards = false): string {
+  const ends = driver.range.map((x) => written(x, driver.unit));
+  const [from, to] = downwards ? ends.reverse() : ends;
   return `${driver.name}=${from}:${to}:${count}`;
 }

@@ -7,7 +7,7 @@ import { fixed } from './numbers';
 /** Where the branch shown ends: between a row that is reached and one that is not. */
 export interface End { side: 'lower' | 'upper'; inside: number; outside: number }
 
-const isReached = (row: CurveRow) => row.status !== 'unreachable' && row.status !== 'no answer';
+export const isReached = (row: CurveRow) => row.status !== 'unreachable' && row.status !== 'no answer';
 
 /** Rows of the branch shown: those reached without a gap around a value. */
 export function branchRows(rows: CurveRow[], now: number): [number, number] | undefined {

@@ -6,7 +6,7 @@ import type {
 } from '../engine/protocol';
 import { Answers } from './answers';
 import { drivers, firstDriver, valueOf, vary, withValue, type Driver } from './drivers';
-import { endsOf, type End } from './ends';
+import { endsOf, isReached, type End } from './ends';
 import { fromHash, toHash } from './link';
 
 export type ViewName = '3d' | 'front' | 'side' | 'top';
@@ -213,8 +213,11 @@ export class Store {
       const study = this.study;
       const rows = this.gesture ? ROWS_OF_DRAG : ROWS;
       const asked = performance.now();
+      // The engine searches for every row before the first that is reached, a second each; rows beyond the last one cost nothing.
+      const former = this.rows;
+      const downwards = !!former?.length && !isReached(former[0]) && isReached(former.at(-1)!);
       const reply = await this.ask<Shown>({
-        do: 'show', question: study, ...(this.driver ? { vary: vary(this.driver, rows) } : {}),
+        do: 'show', question: study, ...(this.driver ? { vary: vary(this.driver, rows, downwards) } : {}),
       });
       if (!reply) break;
       this.times.push(performance.now() - asked);
@@ -234,6 +237,7 @@ export class Store {
           this.problem = result.refused;
           this.frames = frames ?? this.frames;
         }
+        if (downwards && curve && 'ok' in curve) curve.ok.rows.reverse();
         this.curve = curve ?? undefined;
         this.ends = this.rows ? endsOf(this.rows, this.driver ? this.positionOf(this.driver) : 0) : [];
         this.variation = undefined;
@@ -276,9 +280,12 @@ export class Store {
       for (let step = 0; step < STEPS_OF_END; step++) {
         const low = Math.min(end.inside, end.outside);
         const high = Math.max(end.inside, end.outside);
-        const reply = await this.ask<Shown>({ do: 'show', question: study!, vary: vary({ ...driver!, range: [low, high] }, ROWS_OF_END) });
+        // From the side that is reached.
+        const downwards = end.side === 'lower';
+        const reply = await this.ask<Shown>({ do: 'show', question: study!, vary: vary({ ...driver!, range: [low, high] }, ROWS_OF_END, downwards) });
         if (this.study !== study || this.driver !== driver || !reply || !('ok' in reply) || !reply.ok.curve || !('ok' in reply.ok.curve)) return;
-        const [found] = endsOf(reply.ok.curve.ok.rows, end.inside);
+        const refined = reply.ok.curve.ok.rows;
+        const [found] = endsOf(downwards ? refined.reverse() : refined, end.inside);
         if (!found || now === undefined) break;
         Object.assign(end, { inside: found.inside, outside: found.outside });
       }

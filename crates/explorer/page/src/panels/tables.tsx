@@ -203,7 +203,7 @@ export function Findings() {
       <h2>Findings</h2>
       {shown.map((f, i) => <p key={i} class={`finding ${f.severity}`}>{f.severity === 'note' ? '' : `${f.severity}: `}{f.line ? `line ${f.line}: ` : ''}{f.message}</p>)}
       {findings.length > warnings.length ? (
-        <button class="quiet" aria-expanded={open} onClick={() => setOpen(!open)}>{open ? 'Fewer' : `${findings.length - warnings.length} notes`}</button>
+        <button class="quiet" aria-expanded={open} onClick={() => setOpen(!open)}>{open ? 'Fewer' : `${findings.length - warnings.length} ${findings.length - warnings.length === 1 ? 'note' : 'notes'}`}</button>
       ) : null}
     </section>
   );

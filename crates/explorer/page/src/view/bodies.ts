@@ -44,6 +44,15 @@ function tyre(): BufferGeometry {
   return new LatheGeometry(profile.map(([r, y]) => new Vector2(r, y)), 64);
 }
 
+/** Bodies of unit size, the same for every scene: a drag makes a scene for each answer. */
+const UNIT_BAR = new CylinderGeometry(1, 1, 1, 14);
+const UNIT_BALL = new SphereGeometry(1, 14, 10);
+const GROUND_CONE = new CylinderGeometry(0.25, 1, 1.6, 4);
+const UNIT_SPRING = spring();
+const UNIT_TYRE = tyre();
+const DESIGN_LINE = new LineBasicMaterial({ color: '#9aa5b1' });
+const VARIANT_LINE = new LineBasicMaterial({ color: '#2f6fb0' });
+
 interface Element { contact: Scene['contacts'][number]; meshes: Mesh[] }
 
 export class Bodies {
@@ -57,15 +66,13 @@ export class Bodies {
   private elements: Element[] = [];
   private ghost: LineSegments | undefined;
   private variant: LineSegments | undefined;
-  private unitBar = new CylinderGeometry(1, 1, 1, 14);
-  private unitSpring = spring();
   private grey = new MeshLambertMaterial({ color: GREY });
   private painted = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide });
   private dark = new MeshLambertMaterial({ color: DARK });
-  private own: BufferGeometry[] = [this.unitBar, this.unitSpring];
+  /** Geometries of the shapes of this scene. */
+  private own: BufferGeometry[] = [];
 
   constructor(private readonly scene: Scene, shapes: (Float32Array | null)[], private readonly radius: number) {
-    const ball = this.keep(new SphereGeometry(1, 14, 10));
     scene.links.forEach((link, i) => {
       const group = new Group();
       group.matrixAutoUpdate = false;
@@ -81,7 +88,7 @@ export class Bodies {
         const ends: Vector3[] = [];
         if (!link.lines.length && link.mass > 0 && link.com) {
           // A body without joints, lines and shape: a ball at its centre of mass.
-          const body = new Mesh(ball, material);
+          const body = new Mesh(UNIT_BALL, material);
           body.position.set(...link.com);
           body.scale.setScalar(3 * width);
           this.addLink(group, body, i);
@@ -89,14 +96,14 @@ export class Bodies {
         for (const line of link.lines) {
           if (this.endsAtPatch(i, line)) continue;
           const [from, to] = line.map((end) => new Vector3(...end));
-          const mesh = new Mesh(this.unitBar, material);
+          const mesh = new Mesh(UNIT_BAR, material);
           mesh.matrixAutoUpdate = false;
           mesh.matrix.copy(between(from, to, width));
           this.addLink(group, mesh, i);
           for (const end of [from, to]) {
             if (ends.some((other) => other.distanceTo(end) < 1e-3 * this.radius)) continue;
             ends.push(end);
-            const knob = new Mesh(ball, material);
+            const knob = new Mesh(UNIT_BALL, material);
             knob.position.copy(end);
             knob.scale.setScalar(width);
             this.addLink(group, knob, i);
@@ -107,11 +114,11 @@ export class Bodies {
       this.links.push(group);
       this.group.add(group);
     });
-    this.addJoints(ball);
+    this.addJoints();
     this.addWheels();
     for (const contact of scene.contacts) {
       const count = { spring: 1, damper: 2, stop: 2, patch: 0, other: 0 }[contact.kind];
-      const geometry = contact.kind === 'spring' ? this.unitSpring : this.unitBar;
+      const geometry = contact.kind === 'spring' ? UNIT_SPRING : UNIT_BAR;
       const meshes = Array.from({ length: count }, () => new Mesh(geometry, contact.kind === 'stop' ? this.dark : this.grey));
       for (const mesh of meshes) {
         mesh.matrixAutoUpdate = false;
@@ -138,10 +145,9 @@ export class Bodies {
     this.pickable.push(mesh);
   }
 
-  private addJoints(ball: BufferGeometry) {
-    const cone = this.keep(new CylinderGeometry(0.25, 1, 1.6, 4));
+  private addJoints() {
     const add = (link: number, at: Triple, isGround: boolean) => {
-      const mesh = new Mesh(isGround ? cone : ball, this.dark);
+      const mesh = new Mesh(isGround ? GROUND_CONE : UNIT_BALL, this.dark);
       mesh.position.set(...at);
       mesh.scale.setScalar(this.radius * JOINT * (isGround ? 1.2 : 0.85));
       if (isGround) mesh.rotation.x = Math.PI / 2;
@@ -171,7 +177,7 @@ export class Bodies {
       const material = new MeshLambertMaterial({ color: TYRE, transparent: true, opacity: 0.2, depthWrite: false, side: DoubleSide });
       const name = this.scene.links[wheel.link].name.replace('wheel_centre', 'wheel');
       this.tyres.push({ link: this.scene.links.findIndex((link) => link.name === name), material });
-      const mesh = new Mesh(this.keep(tyre()), material);
+      const mesh = new Mesh(UNIT_TYRE, material);
       mesh.position.set(...wheel.centre);
       mesh.quaternion.setFromUnitVectors(UP, new Vector3(...wheel.axis).normalize());
       mesh.scale.setScalar(wheel.radius);
@@ -250,8 +256,8 @@ export class Bodies {
         old.geometry.dispose();
       }
     }
-    this.ghost = design ? this.outline(this.scene, this.scene.design, new LineBasicMaterial({ color: '#9aa5b1' })) : undefined;
-    this.variant = variant ? this.outline(variant.scene, variant.frames, new LineBasicMaterial({ color: '#2f6fb0' })) : undefined;
+    this.ghost = design ? this.outline(this.scene, this.scene.design, DESIGN_LINE) : undefined;
+    this.variant = variant ? this.outline(variant.scene, variant.frames, VARIANT_LINE) : undefined;
     for (const line of [this.ghost, this.variant]) if (line) this.group.add(line);
   }
 

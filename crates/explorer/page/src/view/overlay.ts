@@ -35,6 +35,9 @@ export class Overlay {
   private label: SVGGElement;
   private axes: SVGGElement;
   private scale: SVGGElement;
+  /** Size of the view, pixels: reading it from the page would compute the layout once more for each drawing. */
+  private width = 1;
+  private height = 1;
 
   constructor(parent: HTMLElement) {
     this.svg = element('svg', { class: 'overlay', 'aria-hidden': 'true' });
@@ -49,6 +52,12 @@ export class Overlay {
     this.label = group('label');
     this.axes = group('axes');
     this.scale = group('scale');
+  }
+
+  resize(width: number, height: number) {
+    this.width = width;
+    this.height = height;
+    this.svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
   }
 
   drawWires(cameras: Cameras, lines: { ends: [Vector3, Vector3]; colour: string }[]) {
@@ -143,7 +152,7 @@ export class Overlay {
     const grip = element('circle', { cx: a.x, cy: a.y, r: 11, class: 'grip', 'data-contact': 'point' });
     const head = element('circle', { cx: b.x, cy: b.y, r: 11, class: 'grip', 'data-contact': 'normal' });
     const width = 8.2 * mark.label.length + 18;
-    const { width: all, height } = this.svg.getBoundingClientRect();
+    const { width: all, height } = this;
     // The label is beyond the tip, inside of the view, and off the buttons.
     const length = Math.hypot(b.x - a.x, b.y - a.y);
     const [ux, uy] = facing || length === 0 ? [1, -0.6] : [(b.x - a.x) / length, (b.y - a.y) / length];
@@ -168,7 +177,7 @@ export class Overlay {
       return;
     }
     const width = 7.1 * text.length + 14;
-    const all = this.svg.getBoundingClientRect().width;
+    const all = this.width;
     const left = Math.min(Math.max(x + 12, 4), Math.max(4, all - width - 4));
     const top = Math.max(y - 30, 4);
     const parts: SVGElement[] = bad ? [element('line', { x1: x, y1: y, x2: bad.x, y2: bad.y, class: 'bad' })] : [];
@@ -179,7 +188,7 @@ export class Overlay {
   }
 
   drawAxes(cameras: Cameras) {
-    const { height } = this.svg.getBoundingClientRect();
+    const { height } = this;
     const [cx, cy] = [44, height - 76];
     const camera = cameras.camera;
     const turn = camera.matrixWorldInverse;
@@ -200,7 +209,7 @@ export class Overlay {
       this.scale.replaceChildren();
       return;
     }
-    const { width, height } = this.svg.getBoundingClientRect();
+    const { width, height } = this;
     const pixel = cameras.pixel(centre);
     const length = BARS.find((l) => l / pixel > 60) ?? BARS.at(-1)!;
     const w = length / pixel;

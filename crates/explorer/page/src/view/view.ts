@@ -69,6 +69,8 @@ export class View {
     element.append(surface);
     try {
       this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
+      // The shaders are those of three.js; a check waits until the compiler of the driver has finished.
+      this.renderer.debug.checkShaderErrors = false;
       this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
       this.renderer.domElement.addEventListener('webglcontextlost', (event) => {
         event.preventDefault();
@@ -124,7 +126,7 @@ export class View {
     if (!width || !height) return;
     this.renderer?.setSize(width, height);
     this.cameras.resize(width, height);
-    this.overlay.svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
+    this.overlay.resize(width, height);
     if (!this.shown.fitted && this.shown.scene) this.fit();
     this.invalidate();
   }
@@ -148,7 +150,6 @@ export class View {
       this.shown.shapes = store.shapes;
       store.answers.facets = facetsOf(scene, this.shapes);
     }
-    this.bodies?.dispose();
     if (this.bodies) this.stage.remove(this.bodies.group);
     if (isNewModel) {
       this.points = outline(scene, this.shapes);
@@ -184,6 +185,7 @@ export class View {
   private draw() {
     const { scene, frames, posed, problem } = store;
     if (!scene || !frames) return;
+    const former = this.shown.scene === scene ? undefined : this.bodies;
     if (this.shown.scene !== scene) this.build(scene);
     if (this.shown.view !== store.view) {
       this.shown.view = store.view;
@@ -201,6 +203,8 @@ export class View {
     const variant = store.variants.at(-1);
     bodies.outlines(store.showsDesign, variant && variant.study !== store.answered ? variant : undefined);
     this.renderer?.render(this.stage, this.cameras.camera);
+    // Only now: the shader programs of the former bodies are those of the new ones, and are compiled again if nothing uses them.
+    former?.dispose();
     if (!this.webgl) {
       this.overlay.drawWires(this.cameras, scene.links.flatMap((link, i) => link.lines.map(([a, b]) => ({
         ends: [pointAt(frames, i, a), pointAt(frames, i, b)] as [Vector3, Vector3],
