@@ -53,7 +53,7 @@ impl MjcfImpact {
         let moving = |link| moving_link(mechanism, tree, link);
         let other = self.against.map(moving).filter(|link| *link != mechanism.root());
         let own = moving(self.link);
-        for link in [Some(own), other].into_iter().flatten().filter(|link| !tree.has_body(*link)) {
+        if let Some(link) = [Some(own), other].into_iter().flatten().find(|link| !tree.has_body(*link)) {
             return Err(MjcfError::new(
                 "link",
                 mechanism.link(link).name(),
