@@ -172,7 +172,9 @@ fn stops_that_a_sweep_passes_are_warned_of() {
     assert!(text.contains("beyond the touch of plane"), "{text}");
     let single = warned(&format!("{bar} --at seat --vary hinge=-1:-1:1"));
     assert!(
-        single.contains(&format!("the pad is {beyond:.1} mm, measured along the stop, beyond the touch of plane")),
+        single.contains(&format!(
+            "the pad is {beyond:.1} mm, measured along the stop, beyond the touch of plane"
+        )),
         "{single}"
     );
     assert!(!warned(&format!("{bar} --at seat --vary hinge=0:-0.3:11")).contains("beyond the touch"));

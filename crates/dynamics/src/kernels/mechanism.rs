@@ -3,13 +3,17 @@
 use super::massless_root::massless_root;
 use crate::model::{Body, Model};
 use percuss_kernel::{Cluster, ClusterVelocity, JointMotion, JointPosition, Mechanism, Velocity};
-use percuss_mechanism::JointKind;
+use percuss_mechanism::{Joint, JointKind};
 
 /// Bodies and clusters of a model.
 pub(crate) fn mechanism(model: &Model) -> Mechanism {
     let massless = massless_root(model);
-    let joints = model.mechanism.joints();
-    let first_velocity = |joint: usize| joints[..joint].iter().map(|joint| joint.kind().dofs()).sum();
+    let count = |before: &mut usize, joint: &Joint| {
+        let first = *before;
+        *before += joint.kind().dofs();
+        Some(first)
+    };
+    let first_velocities: Vec<usize> = model.mechanism.joints().iter().scan(0, count).collect();
     let body = |body: &Body| percuss_kernel::Body {
         parent: body.parent,
         motion: motion(body),
@@ -23,7 +27,7 @@ pub(crate) fn mechanism(model: &Model) -> Mechanism {
             offset: mimic.offset,
         }),
         velocities: velocities(model, body),
-        output: body.joint.map(|joint| first_velocity(joint.index())),
+        output: body.joint.map(|joint| first_velocities[joint.index()]),
         floats: body.parent.is_some_and(|parent| massless.contains(&parent)),
     };
     let velocity = |own: &crate::model::ClusterVelocity| ClusterVelocity {

@@ -91,7 +91,10 @@ impl<'a> PassedStops<'a> {
             let touch = touch.map_or_else(String::new, |travel| {
                 format!(", which touches at {:.1} mm of wheel travel", 1e3 * travel)
             });
-            let message = format!("the pad is {:.1} mm, measured along the stop, beyond the touch of {name}{touch}", -1e3 * gap);
+            let message = format!(
+                "the pad is {:.1} mm, measured along the stop, beyond the touch of {name}{touch}",
+                -1e3 * gap
+            );
             let subject = FindingSubject::Contact(stop.number);
             let finding = Finding::new(FindingKind::StopPassed, subject, message);
             // A question about this stop states the penetration as its result.
