@@ -1,7 +1,7 @@
 //! Prints which share of the regular configurations the compiled kernels answer: `percuss-coverage FILE...`, for URDF files and
 //! suspension sheets. Files that do not load are named.
 
-use percuss_dynamics::Base;
+use percuss_dynamics::{Base, Conditions};
 use percuss_tests::coverage::{Coverage, coverage, read};
 
 fn main() {
@@ -15,7 +15,7 @@ fn main() {
             }
         };
         for (base, sum) in [Base::Fixed, Base::Floating].into_iter().zip(&mut all) {
-            let own = coverage(&mechanism, base);
+            let own = coverage(&mechanism, &Conditions::new().base(base));
             println!("{path} {base:?}: {} of {} ({:.1} %)", own.by_kernel, own.regular, own.per_cent());
             *sum += own;
         }

@@ -1,6 +1,6 @@
 //! Share of the configurations of the shipped models that the compiled kernels answer.
 
-use percuss_dynamics::Base;
+use percuss_dynamics::{Base, Conditions};
 use percuss_tests::coverage::{Coverage, coverage, read};
 use std::path::Path;
 
@@ -20,7 +20,10 @@ fn sum(base: Base) -> Coverage {
     files.sort();
     let mut all = Coverage::default();
     for file in files {
-        all += coverage(&read(&file).unwrap_or_else(|error| panic!("{file}: {error}")), base);
+        all += coverage(
+            &read(&file).unwrap_or_else(|error| panic!("{file}: {error}")),
+            &Conditions::new().base(base),
+        );
     }
     println!("{base:?}: {all:?}");
     all
@@ -38,4 +41,23 @@ fn shipped_models() {
     assert_eq!((floating.mechanisms, floating.regular), (37, 1543));
     assert_eq!(floating.wrong, 0);
     assert!(floating.by_kernel >= 1480, "{floating:?}");
+}
+
+/// A floating root without mass follows its only child freely, unless a contact of the root is held.
+#[test]
+fn held_roots_without_mass() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models");
+    let point = [0.1, -0.2, 0.3];
+    for (name, root) in
+        [("double_pendulum", "ground"), ("physical_pendulum", "ground"), ("six_r_arm", "pedestal")]
+    {
+        let path = folder.join(format!("{name}.urdf"));
+        let mechanism = read(&path.to_string_lossy()).expect("a shipped model");
+        for normal in [None, Some([0.6, 0.0, 0.8].into())] {
+            let held = Conditions::new().base(Base::Floating).hold(root, point, normal);
+            let counts = coverage(&mechanism, &held);
+            assert!(counts.regular >= 16 && counts.wrong == 0, "{name}, {normal:?}: {counts:?}");
+            println!("{name}: {counts:?}");
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Share of the configurations that the compiled kernels answer, without a second computation by the recursion.
 
 use nalgebra::Vector3;
-use percuss_dynamics::{Base, Conditions, Configuration, Contact, EffectiveMass, Pose, System};
+use percuss_dynamics::{Conditions, Configuration, Contact, EffectiveMass, Pose, System};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
 use percuss_mechanism::{JointKind, LinkId, Mechanism};
 use percuss_suspension::{ImportOptions, import};
@@ -120,12 +120,11 @@ fn agrees(pose: &Pose, contact: &Contact, mass: f64, error: f64) -> bool {
     response.effective_mass_error().is_some_and(|of_pose| (mass - expected).abs() <= error + of_pose)
 }
 
-/// Coverage of a mechanism on a base, with random contacts against the ground.
-pub fn coverage(mechanism: &Arc<Mechanism>, base: Base) -> Coverage {
+/// Coverage of a mechanism under conditions, with random contacts against the ground.
+pub fn coverage(mechanism: &Arc<Mechanism>, conditions: &Conditions) -> Coverage {
     let mut rng = StdRng::seed_from_u64(1);
     let mut counts = Coverage::default();
-    let conditions = Conditions::new().base(base);
-    let Ok(system) = System::new(Arc::clone(mechanism), &conditions) else { return counts };
+    let Ok(system) = System::new(Arc::clone(mechanism), conditions) else { return counts };
     let Ok(pose) = system.pose(&system.configuration()) else { return counts };
     let links: Vec<LinkId> = mechanism.link_ids().collect();
     let size = mechanism.characteristic_length().max(0.1);

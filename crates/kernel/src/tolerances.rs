@@ -55,8 +55,8 @@ pub const LINKAGE_FREEDOMS: usize = 16;
 /// Largest remainder of a redundant row, as a fraction of the remainder below which a row counts as redundant: a factor of four
 /// leaves no doubt.
 pub const REDUNDANT_ROW: f64 = 0.25;
-/// Largest ratio of the largest pivot to another one at the pose for which a linkage is compiled. The margin keeps
-/// the elimination in the same order regular at other poses.
+/// Largest ratio of the largest pivot to another one at the pose for which a linkage is compiled. Linkages drawn near a change
+/// point have a ratio of some hundred; at each configuration the pivots are bounded again.
 pub const LINKAGE_PIVOT: f64 = 1024.0;
 /// Residual, relative to the smallest size of a group, at which lanes need no further Newton iteration: rounding.
 pub const CLOSED_IN_LANES: f64 = 4e-15;

@@ -31,7 +31,7 @@ pub struct PathAnswer {
 /// The path stays on the branch of its start pose, and stops before a row for which the branch is in doubt.
 /// [`pose`](Self::pose) then returns the current pose, from which [`Assembly::pose_from`](crate::Assembly::pose_from)
 /// can continue. [`restart`](Self::restart) continues the path after the doubtful row. A row has a result for m̄ if
-/// m̄ is finite and its error below 1e-11.
+/// m̄ is finite and its relative error at most 1e-9.
 #[derive(Clone, Debug)]
 pub struct DrivenPath {
     /// Start pose.

@@ -21,7 +21,11 @@ pub(crate) fn massless_root(model: &Model) -> Vec<usize> {
         let is_massless = own.inertia.mass == 0.0 && own.inertia.rotational.norm() == 0.0;
         let rotors =
             own.armature.iter().chain(&model.bodies[child].armature).any(|armature| *armature != 0.0);
-        if !is_massless || rotors || model.bodies[child].mimic.is_some() || is_constrained(model, child) {
+        if !is_massless
+            || rotors
+            || model.bodies[child].mimic.is_some()
+            || [body, child].iter().any(|&b| is_constrained(model, b))
+        {
             break;
         }
         chain.push(body);

@@ -1,7 +1,7 @@
 //! m̄ of a mechanism with loops and few degrees of freedom from its kinetic energy, in SIMD lanes: hinges, slides, balls and floating
 //! joints on the ground or on a floating base.
 //!
-//! The kernel accepts connected mechanisms, and returns only results without doubt. All other cases (planar joints, redundant rows
+//! The kernel returns only results without doubt. All other cases (planar joints, redundant rows
 //! that contradict each other, positions that do not close the loops, poses near singular ones, massless or immovable contacts and
 //! contacts near either) are left to the caller.
 
