@@ -1,10 +1,10 @@
 //! Share of the configurations of the shipped models that the compiled kernels answer.
 
 use percuss_dynamics::{Base, Conditions};
-use percuss_tests::coverage::{Coverage, coverage, read};
+use percuss_tests::coverage::{Coverage, OtherSide, coverage, read};
 use std::path::Path;
 
-fn sum(base: Base) -> Coverage {
+fn sum(base: Base, other: OtherSide) -> Coverage {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models");
     let mut files: Vec<String> = ["", "suspensions"]
         .iter()
@@ -23,9 +23,10 @@ fn sum(base: Base) -> Coverage {
         all += coverage(
             &read(&file).unwrap_or_else(|error| panic!("{file}: {error}")),
             &Conditions::new().base(base),
+            other,
         );
     }
-    println!("{base:?}: {all:?}");
+    println!("{base:?}, {other:?}: {all:?}");
     all
 }
 
@@ -33,14 +34,23 @@ fn sum(base: Base) -> Coverage {
 /// axles on a floating base. On a processor without fused multiply-add, a few bounds differ.
 #[test]
 fn shipped_models() {
-    let fixed = sum(Base::Fixed);
+    let fixed = sum(Base::Fixed, OtherSide::Ground);
     assert_eq!((fixed.mechanisms, fixed.regular), (37, 1190));
     assert_eq!(fixed.wrong, 0);
     assert!(fixed.by_kernel >= 1170, "{fixed:?}");
-    let floating = sum(Base::Floating);
+    let floating = sum(Base::Floating, OtherSide::Ground);
     assert_eq!((floating.mechanisms, floating.regular), (37, 1543));
     assert_eq!(floating.wrong, 0);
     assert!(floating.by_kernel >= 1480, "{floating:?}");
+}
+
+#[test]
+fn contacts_between_links() {
+    for base in [Base::Fixed, Base::Floating] {
+        let all = sum(base, OtherSide::Link);
+        assert_eq!(all.wrong, 0);
+        assert!(all.per_cent() >= 95.0, "{all:?}");
+    }
 }
 
 /// A floating root without mass follows its only child freely, unless a contact of the root is held.
@@ -55,7 +65,7 @@ fn held_roots_without_mass() {
         let mechanism = read(&path.to_string_lossy()).expect("a shipped model");
         for normal in [None, Some([0.6, 0.0, 0.8].into())] {
             let held = Conditions::new().base(Base::Floating).hold(root, point, normal);
-            let counts = coverage(&mechanism, &held);
+            let counts = coverage(&mechanism, &held, OtherSide::Ground);
             assert!(counts.regular >= 16 && counts.wrong == 0, "{name}, {normal:?}: {counts:?}");
             println!("{name}: {counts:?}");
         }

@@ -1,7 +1,7 @@
 //! Share of the configurations that the compiled kernels answer, without a second computation by the recursion.
 
 use nalgebra::Vector3;
-use percuss_dynamics::{Conditions, Configuration, Contact, EffectiveMass, Pose, System};
+use percuss_dynamics::{Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Pose, System};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
 use percuss_mechanism::{JointKind, LinkId, Mechanism};
 use percuss_suspension::{ImportOptions, import};
@@ -120,8 +120,17 @@ fn agrees(pose: &Pose, contact: &Contact, mass: f64, error: f64) -> bool {
     response.effective_mass_error().is_some_and(|of_pose| (mass - expected).abs() <= error + of_pose)
 }
 
-/// Coverage of a mechanism under conditions, with random contacts against the ground.
-pub fn coverage(mechanism: &Arc<Mechanism>, conditions: &Conditions) -> Coverage {
+/// Other side of the random contacts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OtherSide {
+    /// The ground.
+    Ground,
+    /// Another link; the normal is constant in either link, or in the world.
+    Link,
+}
+
+/// Coverage of a mechanism under conditions, with random contacts.
+pub fn coverage(mechanism: &Arc<Mechanism>, conditions: &Conditions, other: OtherSide) -> Coverage {
     let mut rng = StdRng::seed_from_u64(1);
     let mut counts = Coverage::default();
     let Ok(system) = System::new(Arc::clone(mechanism), conditions) else { return counts };
@@ -131,7 +140,13 @@ pub fn coverage(mechanism: &Arc<Mechanism>, conditions: &Conditions) -> Coverage
     for _ in 0..CONTACTS {
         let link = links[rng.random_range(0..links.len())];
         let mut vector = || Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
-        let contact = Contact::new(link, vector() * (0.2 * size), vector());
+        let (point, normal) = (vector() * (0.2 * size), vector());
+        let mut contact = Contact::new(link, point, normal);
+        if other == OtherSide::Link {
+            let frame = [Frame::Link, Frame::Against, Frame::World][rng.random_range(0..3)];
+            let against = links[rng.random_range(0..links.len())];
+            contact = contact.against(against).normal(Direction::Along(normal, frame));
+        }
         let rows = poses(&mut rng, &system, &pose);
         let Ok(mut batch) = pose.assembly().batch(&contact) else { continue };
         for pose in rows {

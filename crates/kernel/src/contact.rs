@@ -57,25 +57,44 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// Body of the contact link, and the normal with its frame; `None` for a contact that a tree does not support: between two
-    /// bodies, along a line, or on the root link.
-    pub(crate) fn ground_contact(&self) -> Option<(usize, Vector3<f64>, NormalFrame)> {
+    /// The bodies in contact; `None` for a contact that a tree does not support: along a line, or of links of one body.
+    pub(crate) fn of_bodies(&self) -> Option<BodyContact> {
         let Normal::Along(normal, frame) = self.normal else { return None };
-        let other = self.against.is_some_and(|other| other.body.is_some());
-        self.on.body.filter(|_| !other).map(|body| (body, normal, frame))
+        let (body, against) = (self.on.body, self.against.and_then(|other| other.body));
+        (body != against).then_some(BodyContact { body, against, normal, frame })
     }
 
-    /// Conversion of a contact with the ground, and true if the normal is constant in the contact link. `own`: transform from plan
-    /// to body coordinates of the contact link.
-    pub(crate) fn conversion(&self, own: &Transform<f64>, frame: NormalFrame) -> (ContactConversion, bool) {
+    /// Conversion of a contact. `own` and `other`: transforms from plan to body coordinates of the bodies of the contact link and of
+    /// the link on the other side; the identity and `None` for the ground.
+    pub(crate) fn conversion(
+        &self,
+        own: &Transform<f64>,
+        other: Option<&Transform<f64>>,
+        frame: NormalFrame,
+    ) -> ContactConversion {
         let point = relative_frame(own, &self.on.frame);
         let normal = match (frame, &self.against) {
             (NormalFrame::Link, _) => point.rotation,
-            (NormalFrame::Against, Some(other)) => other.frame.rotation,
+            (NormalFrame::Against, Some(against)) => {
+                other.map_or(against.frame, |other| relative_frame(other, &against.frame)).rotation
+            }
             (NormalFrame::Root, _) | (NormalFrame::Against, None) => Matrix3::identity(),
         };
-        (ContactConversion { point, normal }, frame == NormalFrame::Link)
+        ContactConversion { point, normal }
     }
+}
+
+/// Contact of a body with another, or with the ground.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BodyContact {
+    /// Body of the contact link; `None` for the root link.
+    pub body: Option<usize>,
+    /// Body of the link on the other side; `None` for the ground.
+    pub against: Option<usize>,
+    /// Direction of any length.
+    pub normal: Vector3<f64>,
+    /// Frame of the direction.
+    pub frame: NormalFrame,
 }
 
 /// Conversion of a contact point and its normal, as given, to the frames of a kernel.

@@ -1,4 +1,4 @@
-//! SIMD kernels for many configurations at once. Trees use body-fixed axes, for contacts with the ground. Linkages of
+//! SIMD kernels for many configurations at once. Trees use body-fixed axes. Linkages of
 //! few degrees of freedom use their velocities, for all contacts.
 
 use crate::columns::{CertifiedMass, LaneContacts, MassColumns, PositionColumns};

@@ -8,7 +8,7 @@ mod recursion;
 
 use crate::aligned::Aligned;
 use crate::columns::{LaneContacts, PositionColumns, WIDEST};
-use crate::contact::{Contact, ContactConversion};
+use crate::contact::{BodyContact, Contact, ContactConversion, NormalFrame};
 use crate::mechanism::Mechanism;
 use nalgebra::Vector3;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
@@ -53,8 +53,9 @@ impl DerivativeKernel {
     /// Kernel of a tree for a checked contact with a link of the ground; `None` for other mechanisms and contacts.
     pub fn compile(mechanism: &Mechanism, contact: &Contact) -> Option<Self> {
         let plan = Plan::of(mechanism)?;
-        let (body, normal, frame) = contact.ground_contact()?;
-        let (conversion, turns) = contact.conversion(&plan.frames[body], frame);
+        let ground_contact = contact.of_bodies().filter(|contact| contact.against.is_none());
+        let BodyContact { body: Some(body), normal, frame, .. } = ground_contact? else { return None };
+        let conversion = contact.conversion(&plan.frames[body], None, frame);
         let root = plan.steps[body].subtree_root;
         let active = (0..plan.steps.len()).filter(|&b| plan.steps[b].subtree_root == root).collect();
         let mut path = vec![body];
@@ -67,7 +68,7 @@ impl DerivativeKernel {
         let [point, normal] = conversion.convert(&contact.point, &normal);
         Some(Self {
             plan: Arc::new(plan),
-            selection: Selection { body, turns, active, path, on_path },
+            selection: Selection { body, turns: frame == NormalFrame::Link, active, path, on_path },
             conversion,
             point,
             normal,

@@ -11,10 +11,10 @@
 //! (composite rigid bodies, Featherstone 2008, §6.2). At the parent body, I ← I − U D⁻¹ Uᵀ and f ← f − U D⁻¹ t.
 
 use super::cluster_joint::{ClusterJoint, MOST};
-use super::parent_transform::{LanePositions, propagate_to_parent, transform_to_parent};
+use super::parent_transform::{LanePositions, transform_to_parent};
 use super::plan::{ScheduledStep, TreeMotion, TreePlan};
-use super::propagation::{PropagatedWrench, SCRATCH_NUMBERS, add_to_parent};
-use super::sizes::{SIZES, Sizes};
+use super::propagation::{PropagatedWrench, add_to_parent};
+use super::workspace::{Offsets, SIZES, Sizes};
 use crate::mechanism::{Cluster, Mechanism};
 use crate::tolerances::COMMON_LOSS;
 use percuss_spatial::lanes::Lanes;
@@ -27,21 +27,21 @@ const WRENCH: usize = 6;
 #[derive(Clone, Debug)]
 pub(super) struct MimicCluster {
     /// Number of its coordinates.
-    freedoms: usize,
+    pub freedoms: usize,
     /// Offset of its numbers in the workspace, per lane: D and t with its sizes, then U of the parent body and of each body.
     offset: usize,
     /// Number of its bodies.
     bodies: usize,
-    parent: Option<usize>,
+    pub parent: Option<usize>,
     /// Bounds of the sums of the terms of the diagonal of D, kg·m² or kg.
     sizes: [f64; MOST],
 }
 
 impl MimicCluster {
-    /// Compiles the clusters of a plan; their workspace follows the workspace of the steps. `None` if a cluster has more than `MOST` coordinates,
+    /// Compiles the clusters of a plan, without their places in the workspace. `None` if a cluster has more than `MOST` coordinates,
     /// joints of several degrees of freedom, or several bodies on the ground.
     pub fn compile(mechanism: &Mechanism, plan: &mut TreePlan) -> Option<Vec<Self>> {
-        let (mut clusters, mut offset) = (Vec::new(), plan.steps.len() * SCRATCH_NUMBERS);
+        let mut clusters = Vec::new();
         for own in &mechanism.clusters {
             let on_ground = own.parent.is_none() && own.parents.iter().filter(|p| p.is_none()).count() > 1;
             let simple = |&body: &usize| {
@@ -52,20 +52,25 @@ impl MimicCluster {
             }
             let cluster = Self {
                 freedoms: own.coordinates,
-                offset,
+                offset: 0,
                 bodies: own.bodies.len(),
                 parent: own.parent,
                 sizes: sizes(own, plan),
             };
-            offset += cluster.numbers();
             add_joints(own, plan, clusters.len());
             clusters.push(cluster);
         }
         Some(clusters)
     }
 
+    /// Places the numbers of the cluster at the end of the workspace, which they lengthen.
+    pub fn place(&mut self, end: &mut usize) {
+        self.offset = *end;
+        *end += self.numbers();
+    }
+
     /// Number of values of the workspace per lane.
-    pub fn numbers(&self) -> usize {
+    fn numbers(&self) -> usize {
         let f = self.freedoms;
         f * f + 2 * f + WRENCH * f * (self.bodies + 1)
     }
@@ -183,16 +188,19 @@ pub(super) fn eliminate_cluster_joint<T: Lanes>(
     scratch: &mut [f64],
 ) {
     let (step, cluster) = (&placed.step, &clusters[joint.cluster]);
-    let range = placed.number * SCRATCH_NUMBERS * T::WIDTH..(placed.number + 1) * SCRATCH_NUMBERS * T::WIDTH;
+    let (offsets, tracks_sizes) = (&placed.offsets, propagated.tracks_sizes);
     let slides = matches!(step.motion, TreeMotion::Slide { .. });
     let mut inertia: PackedInertia<T> = if step.has_child_inertia {
-        PackedInertia::load(&scratch[range.clone()])
+        PackedInertia::load(offsets.inertia::<T>(scratch))
     } else {
         step.own.inertia.cast()
     };
-    let sizes = Sizes::of(&inertia, step.has_child_inertia, &scratch[range.clone()]);
-    if on_path {
-        propagated.add_share(&step.share, &mut scratch[range.clone()]);
+    if tracks_sizes {
+        if on_path {
+            propagated.sizes.add_share(&step.share, offsets, scratch);
+        }
+        let sizes = Sizes::of(&inertia, step.has_child_inertia, offsets.inertia::<T>(scratch));
+        placed.add_sizes_to_parent(sizes, scratch);
     }
     if let Some((x, multiplier, armature)) = joint.velocity {
         let factor = T::from_f64(multiplier);
@@ -217,38 +225,37 @@ pub(super) fn eliminate_cluster_joint<T: Lanes>(
         }
         put_wrench(scratch, place, &momentum);
         if on_path {
-            let size = if slides { propagated.force_size } else { propagated.moment_size };
             add(scratch, cluster.test(x), factor * along_axis(&propagated.wrench, slides));
-            add(scratch, cluster.test_size(x), factor.abs() * size);
+            if tracks_sizes {
+                let size = propagated.sizes.along_axis(!slides);
+                add(scratch, cluster.test_size(x), factor.abs() * size);
+            }
         }
     }
-    if let Some(parent) = step.parent {
-        let (rest, tail) = scratch.split_at_mut(range.start);
-        let (own, tail) = tail.split_at_mut(range.len());
-        propagate_to_parent::<T>(step, &mut inertia, on_path, at, propagated, own);
+    if step.parent.is_some() {
+        transform_to_parent(step, &mut inertia, at, offsets.joint::<T>(scratch));
         if on_path {
-            propagated.moment_size =
-                T::from_f64(step.reach).mul_add(propagated.force_size, propagated.moment_size);
+            transform_to_parent(step, &mut propagated.wrench, at, offsets.joint::<T>(scratch));
+            if tracks_sizes {
+                propagated.sizes.add_reach(step.reach);
+            }
         }
-        let slot = &mut rest[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+        let slot = offsets.parent_inertia::<T>(scratch);
         add_to_parent(&mut inertia, &placed.parent_inertia, placed.is_first, slot);
-        sizes.add_to_parent(step.reach, placed.is_first, slot);
-        // The workspaces of the clusters follow those of the bodies.
-        let shift = range.end / T::WIDTH;
         let mut y = 0;
         while y < cluster.freedoms {
             if joint.beyond[y] || joint.velocity.is_some_and(|(x, ..)| x == y) {
-                let mut momentum = get_wrench::<T>(tail, cluster.momentum(Some(joint.body), y) - shift);
-                transform_to_parent(step, &mut momentum, at, own);
-                let place = cluster.momentum(joint.parent, y) - shift;
-                momentum.add(&get_wrench(tail, place));
-                put_wrench(tail, place, &momentum);
+                let mut momentum = get_wrench::<T>(scratch, cluster.momentum(Some(joint.body), y));
+                transform_to_parent(step, &mut momentum, at, offsets.joint::<T>(scratch));
+                let place = cluster.momentum(joint.parent, y);
+                momentum.add(&get_wrench(scratch, place));
+                put_wrench(scratch, place, &momentum);
             }
             y += 1;
         }
     }
     if joint.is_last {
-        eliminate_coordinates::<T>(cluster, propagated, scratch);
+        eliminate_coordinates::<T>(cluster, offsets, propagated, scratch);
     }
 }
 
@@ -256,6 +263,7 @@ pub(super) fn eliminate_cluster_joint<T: Lanes>(
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn eliminate_coordinates<T: Lanes>(
     cluster: &MimicCluster,
+    offsets: &Offsets,
     propagated: &mut PropagatedWrench<T>,
     scratch: &mut [f64],
 ) {
@@ -275,13 +283,14 @@ fn eliminate_coordinates<T: Lanes>(
         let momentum = get_wrench::<T>(scratch, cluster.momentum(None, k));
         let (t, test) = (get::<T>(scratch, cluster.test(k)), get::<T>(scratch, cluster.test_size(k)));
         // t is zero off the contact path.
-        let rate = propagated.add_response(sizes[k], t, test, over);
-        let (part, m, w) = (rate.abs(), &momentum.moment, &momentum.force);
-        propagated.moment_size = (m[0].abs() + m[1].abs() + m[2].abs()).mul_add(part, propagated.moment_size);
-        propagated.force_size = (w[0].abs() + w[1].abs() + w[2].abs()).mul_add(part, propagated.force_size);
+        let rate = propagated.add_response(t, over);
         propagated.wrench.subtract(&momentum, rate);
-        if let Some(parent) = cluster.parent {
-            let slot = &mut scratch[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+        if propagated.tracks_sizes {
+            propagated.sizes.add_response(sizes[k], test, rate);
+            propagated.sizes.subtract(&momentum, rate);
+        }
+        if cluster.parent.is_some() {
+            let slot = offsets.parent_inertia::<T>(scratch);
             let mut inertia: PackedInertia<T> = PackedInertia::load(slot);
             inertia.subtract_dyad(&momentum, &momentum.scaled(over));
             inertia.store(slot);
@@ -304,9 +313,12 @@ fn eliminate_coordinates<T: Lanes>(
         }
         k += 1;
     }
-    propagated.loss = propagated.loss.max(largest_loss);
-    if let Some(parent) = cluster.parent {
-        let slot = &mut scratch[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+    if !propagated.tracks_sizes {
+        return;
+    }
+    propagated.sizes.record_loss(largest_loss);
+    if cluster.parent.is_some() {
+        let slot = offsets.parent_inertia::<T>(scratch);
         // The factor applies to all terms of the parent, so that those of its other children are overestimated.
         let factor = T::one().max(largest_loss * T::from_f64(1.0 / COMMON_LOSS));
         for k in [SIZES, SIZES + 1] {

@@ -1,10 +1,12 @@
-//! Contact of a tree: the bodies between the root and the contact, and those whose twists are computed.
+//! Contact of a tree: the bodies between the root and the links in contact, and the bound of the rounding error.
 
+use super::branches::{Branches, TreeNormalFrame};
+use super::cluster::MimicCluster;
+use super::error_bound::ErrorBound;
 use super::parent_transform::LanePositions;
 use super::plan::ScheduledStep;
 use crate::columns::LaneContacts;
 use crate::contact::ContactConversion;
-use crate::tolerances::{LARGEST_AMPLIFICATION, NO_BOUND};
 use nalgebra::Matrix3;
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{Transform, splat};
@@ -43,27 +45,11 @@ impl TreeContact {
     }
 }
 
-/// Frame of the normal.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum TreeNormalFrame {
-    /// The frame of the contact link's body.
-    Body,
-    /// The frame of the root link.
-    Root,
-}
-
 /// Data of a contact for a tree.
 #[derive(Clone, Debug)]
 pub(super) struct ContactPath {
-    /// Indices of the steps from the ground to the contact link's body.
-    pub path: Vec<usize>,
-    /// True for every step on this path.
-    pub on_path: Vec<bool>,
-    /// Body of the path on the ground or with a zero remaining inertia.
-    pub subtree_root: usize,
-    /// Largest [`amplification`](super::plan::EnergyShare::amplification) of the bodies that affect the result, except light ones.
-    pub amplification: f64,
-    pub light_bodies: LightBodies,
+    pub branches: Branches,
+    pub bound: ErrorBound,
     /// Reciprocal of the travels in the bounds of sizes, 1/m.
     pub over_travel: f64,
     pub contact: TreeContact,
@@ -82,59 +68,28 @@ impl ContactPath {
             conversion,
         };
         Self {
-            path: Vec::with_capacity(steps),
-            on_path: vec![false; steps],
-            subtree_root: 0,
-            amplification: NO_BOUND,
-            light_bodies: LightBodies::none(steps),
+            branches: Branches::none(steps),
+            bound: ErrorBound::none(steps),
             over_travel: 1.0 / travel,
             contact,
         }
     }
-}
 
-/// Bodies whose twists are computed for a contact.
-#[derive(Clone, Debug)]
-pub(super) struct LightBodies {
-    /// Indices of the steps of the light bodies and of the bodies between them and the subtree's root, parents first.
-    pub steps: Vec<usize>,
-    is_needed: Vec<bool>,
-}
-
-impl LightBodies {
-    pub fn none(steps: usize) -> Self {
-        Self { steps: Vec::with_capacity(steps), is_needed: vec![false; steps] }
+    /// True for a contact between two bodies, or if the sizes of terms are tracked.
+    pub fn is_general(&self) -> bool {
+        !self.branches.other.is_empty() || self.bound.tracks_sizes
     }
 
-    /// Finds the light bodies of a subtree. Returns the largest [`amplification`](super::plan::EnergyShare::amplification) of the
-    /// others. Without a bound for a light body, its twist is not computed, and the result is [`NO_BOUND`].
-    pub fn find(&mut self, steps: &[ScheduledStep], subtree_root: usize) -> f64 {
-        self.steps.clear();
-        self.is_needed.fill(false);
-        let last = steps.len() - 1;
-        let mut amplification = 0.0_f64;
-        // Children before parents.
-        for (at, placed) in steps.iter().enumerate().filter(|(_, placed)| placed.subtree_root == subtree_root)
-        {
-            let share = &placed.step.share;
-            // The twists of clusters are not computed.
-            let in_cluster = placed.step.cluster_joint.is_some();
-            let is_needed = share.is_light() || self.is_needed[at];
-            if share.amplification > LARGEST_AMPLIFICATION || (in_cluster && is_needed) {
-                self.steps.clear();
-                return NO_BOUND;
-            }
-            if !share.is_light() {
-                amplification = amplification.max(share.amplification);
-            }
-            self.is_needed[at] |= share.is_light();
-            if let (true, Some(parent)) =
-                (self.is_needed[at] && placed.number != subtree_root, placed.step.parent)
-            {
-                self.is_needed[last - parent] = true;
-            }
-        }
-        self.steps.extend((0..steps.len()).rev().filter(|&at| self.is_needed[at]));
-        amplification
+    /// Selects the steps for a contact of two bodies, or of one with the ground. Allocates nothing.
+    pub fn select(
+        &mut self,
+        (steps, clusters): (&[ScheduledStep], &[MimicCluster]),
+        contact: TreeContact,
+        body: Option<usize>,
+        against: Option<usize>,
+    ) {
+        self.contact = contact;
+        self.branches.find(steps, body, against);
+        self.bound.find((steps, clusters), &self.branches, self.contact.normal_frame);
     }
 }

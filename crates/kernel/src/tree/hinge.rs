@@ -2,25 +2,24 @@
 //! form.
 
 use super::plan::{HingeForm, ScheduledStep, Shape};
-use super::propagation::{COSINE, PropagatedWrench, SINE, add_to_parent, number, update_wrench};
-use super::sizes::Sizes;
+use super::propagation::{PropagatedWrench, add_to_parent, update_wrench};
+use super::workspace::{COSINE, SINE, Sizes, number};
 use percuss_spatial::PackedInertia;
 use percuss_spatial::lanes::Lanes;
 
-/// Eliminates a hinge and adds the remaining inertia to the parent, whose numbers are in `slot`.
+/// Eliminates a hinge and adds the remaining inertia to the parent.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn eliminate_hinge<T: Lanes, const ON_PATH: bool>(
     form: HingeForm,
     placed: &ScheduledStep,
     propagated: &mut PropagatedWrench<T>,
-    own: &mut [f64],
-    slot: &mut [f64],
+    scratch: &mut [f64],
 ) {
     let HingeForm { shape, bare, leaf, is_parent_on_ground: next_to_last } = form;
     macro_rules! variant {
         ($bare:literal, $leaf:literal, $next_to_last:literal) => {
             eliminate_hinge_variant::<T, ON_PATH, $bare, $leaf, $next_to_last>(
-                shape, placed, propagated, own, slot,
+                shape, placed, propagated, scratch,
             )
         };
     }
@@ -47,29 +46,37 @@ fn eliminate_hinge_variant<
     shape: Shape,
     placed: &ScheduledStep,
     propagated: &mut PropagatedWrench<T>,
-    own: &mut [f64],
-    slot: &mut [f64],
+    scratch: &mut [f64],
 ) {
     let of = T::from_f64;
-    let ScheduledStep { step, parent_inertia: above, is_first, .. } = placed;
-    let (mut inertia, sizes) = if LEAF {
+    let ScheduledStep { step, offsets, parent_inertia: above, is_first, .. } = placed;
+    let tracks_sizes = propagated.tracks_sizes;
+    let mut inertia = if LEAF {
         let Some(leaf) = &step.leaf else { return };
-        propagated.loss = propagated.loss.max(of(leaf.loss));
+        if tracks_sizes {
+            propagated.sizes.record_loss(of(leaf.loss));
+            placed.add_sizes_to_parent(leaf.sizes.cast::<T>(), scratch);
+        }
         if ON_PATH {
-            update_wrench::<T, 2>(step, &leaf.pivot(), propagated, own);
+            update_wrench::<T, 2>(step, offsets, &leaf.pivot(), propagated, scratch);
         }
         let mut left = leaf.left.cast();
         if BARE {
             left.clear_row::<2>();
         }
-        (left, leaf.sizes.cast())
+        left
     } else {
-        let mut inertia = PackedInertia::load(own);
+        let stored = offsets.inertia::<T>(scratch);
+        let mut inertia = PackedInertia::load(stored);
         let pivot = inertia.turn_pivot::<2>(of(step.armature[2]));
-        let sizes = Sizes::of(&inertia, true, own);
-        let loss = propagated.record_loss(sizes.moment, &pivot);
+        if tracks_sizes {
+            let sizes = Sizes::of(&inertia, true, stored);
+            let loss = sizes.moment * pivot.inverse_d.abs();
+            propagated.sizes.record_loss(loss);
+            placed.add_sizes_to_parent(sizes.amplified(loss), scratch);
+        }
         if ON_PATH {
-            update_wrench::<T, 2>(step, &pivot, propagated, own);
+            update_wrench::<T, 2>(step, offsets, &pivot, propagated, scratch);
         }
         let over_d = pivot.u.scaled(pivot.inverse_d);
         if BARE {
@@ -77,10 +84,11 @@ fn eliminate_hinge_variant<
         } else {
             inertia.eliminate_turn::<2>(&pivot, &over_d);
         }
-        (inertia, sizes.amplified(loss))
+        inertia
     };
     let transform = &step.parent_transform;
-    let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
+    let joint = offsets.joint::<T>(scratch);
+    let (s, c): (T, T) = (number(joint, SINE), number(joint, COSINE));
     let (along_z, along_x) = (of(transform.along_z), of(transform.shift[0]));
     let (tilt_c, tilt_s) = (of(transform.tilt.cos), of(transform.tilt.sin));
     if BARE {
@@ -106,15 +114,17 @@ fn eliminate_hinge_variant<
             Shape::Skew | Shape::General => wrench.turn::<0>(tilt_c, tilt_s),
         }
         wrench.shift::<0>(along_x);
-        propagated.moment_size = of(step.reach).mul_add(propagated.force_size, propagated.moment_size);
-        propagated.add_share(&step.share, own);
+        if tracks_sizes {
+            propagated.sizes.add_reach(step.reach);
+            propagated.sizes.add_share(&step.share, offsets, scratch);
+        }
     }
+    let slot = offsets.parent_inertia::<T>(scratch);
     if NEXT_TO_LAST {
         // The compiler drops the entries that no caller reads.
         let known = if *is_first { of(above.angular[5]) } else { number(slot, 5) };
         (known + inertia.angular[5]).store(&mut slot[5 * T::WIDTH..]);
     } else {
         add_to_parent(&mut inertia, above, *is_first, slot);
-        sizes.add_to_parent(step.reach, *is_first, slot);
     }
 }

@@ -2,61 +2,77 @@
 //! twist after a unit impulse is computed.
 
 use super::contact_path::ContactPath;
+use super::error_bound::EnergyError;
 use super::parent_transform::{LanePositions, transform_twist_to_body};
 use super::plan::{ScheduledStep, StepForm, TreeMotion, TreeStep};
-use super::propagation::{
-    COSINE, SCRATCH_NUMBERS, SINE, load_twist, number, store_twist, stored_rate, stored_wrench_sizes,
-};
+use super::propagation::PropagatedWrench;
+use super::workspace::{COSINE, Offsets, SINE, TWIST, number, stored_sizes};
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{PackedInertia, PackedTwist, PackedWrench};
 
-/// Change of 1/m̄ by errors of the inertias and wrenches at the light bodies, per unit of relative error.
-pub(super) struct LightBodyErrors<T> {
-    /// Sum of (√moment |ω| + √mass |v|)² with the bounds of the articulated inertia, 1/kg.
-    pub of_inertias: T,
-    /// Power of the sizes of the wrenches, 1/kg.
-    pub of_wrenches: T,
-}
-
-/// Computes the twists of the light bodies after a unit impulse from the pivots of the recursion:
-/// v = v_parent + Σ e q̇ with q̇ = t/D − (U/D)·v. `normal_error`: error of the normal relative to that of a wrench.
+/// Adds the change of 1/m̄ by errors of the inertias and wrenches at the light bodies. Their twists after a unit impulse follow from the
+/// pivots of the recursion: v = v_parent + Σ e q̇ with q̇ = t/D − (U/D)·v.
+///
+/// The computed twists belong to the mass matrix M + δM. With |δM| ≤ η M, the effect of δM on 1/m̄ is at most 1 + η times that for
+/// these twists; η = κ ε is small by [`LARGEST_AMPLIFICATION`](crate::tolerances::LARGEST_AMPLIFICATION).
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn light_body_errors<T: Lanes>(
+pub(super) fn add_light_body_errors<T: Lanes>(
     steps: &[ScheduledStep],
     selection: &ContactPath,
     at: LanePositions<'_>,
-    normal_error: f64,
+    propagated: &PropagatedWrench<T>,
     scratch: &mut [f64],
-) -> LightBodyErrors<T> {
-    let mut errors = LightBodyErrors { of_inertias: T::zero(), of_wrenches: T::zero() };
-    for &index in &selection.light_bodies.steps {
-        let (placed, on_path) = (&steps[index], selection.on_path[index]);
-        let step = &placed.step;
-        let (rest, own) = scratch.split_at_mut(placed.number * SCRATCH_NUMBERS * T::WIDTH);
-        let own = &mut own[..SCRATCH_NUMBERS * T::WIDTH];
+    errors: &mut EnergyError<T>,
+) {
+    let (arm, bound) = (selection.contact.arms::<T>(at), &selection.bound);
+    for light in &bound.light_steps {
+        let placed = &steps[light.at];
+        let (step, offsets) = (&placed.step, &placed.offsets);
         let mut twist = PackedTwist::zero();
-        if let Some(parent) = step.parent.filter(|_| placed.number != selection.subtree_root) {
-            twist = load_twist(&rest[parent * SCRATCH_NUMBERS * T::WIDTH..]);
-            transform_twist_to_body(step, &mut twist, at, own);
+        if let Some(parent) = step.parent.filter(|_| !placed.is_root()) {
+            twist = load_twist(&steps[steps.len() - 1 - parent].offsets, scratch);
+            transform_twist_to_body(step, &mut twist, at, offsets.joint::<T>(scratch));
         }
-        add_joint_velocities(placed, on_path, &mut twist, own);
-        store_twist(&twist, own);
+        let on_path = selection.branches.roles[light.at].is_on_path();
+        add_joint_velocities(placed, on_path, &mut twist, scratch);
+        store_twist(&twist, offsets, scratch);
         if step.share.is_light() {
             let (angular, linear) = (norm(&twist.angular), norm(&twist.linear));
             let [root_moment, root_mass] = step.share.roots.map(T::from_f64);
             let root = root_moment.mul_add(angular, root_mass * linear);
             errors.of_inertias = root.mul_add(root, errors.of_inertias);
-            if on_path {
-                let (moment, force) = stored_wrench_sizes::<T>(own);
-                errors.of_wrenches += moment.mul_add(angular, force * linear);
-            }
-            if selection.path.last() == Some(&index) {
-                let arm = selection.contact.arms::<T>(at);
-                errors.of_wrenches += T::from_f64(normal_error) * arm.mul_add(angular, linear);
-            }
+            errors.of_wrenches += if !propagated.tracks_sizes {
+                light.size.power(arm, propagated.response.sqrt(), angular, linear)
+            } else if on_path {
+                let [moment, force] = stored_sizes::<T>(offsets, scratch);
+                moment.mul_add(angular, force * linear)
+            } else {
+                T::zero()
+            };
         }
     }
-    errors
+}
+
+/// Stores the twist of a light body in its workspace.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn store_twist<T: Lanes>(twist: &PackedTwist<T>, offsets: &Offsets, scratch: &mut [f64]) {
+    let Some(light) = offsets.light else { return };
+    for k in 0..3 {
+        twist.angular[k].store(&mut scratch[(light + TWIST + k) * T::WIDTH..]);
+        twist.linear[k].store(&mut scratch[(light + TWIST + 3 + k) * T::WIDTH..]);
+    }
+}
+
+/// Loads a twist written by [`store_twist`].
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn load_twist<T: Lanes>(offsets: &Offsets, scratch: &[f64]) -> PackedTwist<T> {
+    let mut twist = PackedTwist::zero();
+    let Some(light) = offsets.light else { return twist };
+    for k in 0..3 {
+        twist.angular[k] = number(scratch, light + TWIST + k);
+        twist.linear[k] = number(scratch, light + TWIST + 3 + k);
+    }
+    twist
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -70,10 +86,13 @@ fn add_joint_velocities<T: Lanes>(
     placed: &ScheduledStep,
     on_path: bool,
     twist: &mut PackedTwist<T>,
-    own: &[f64],
+    scratch: &[f64],
 ) {
-    let step = &placed.step;
-    let rate = |component: usize| if on_path { stored_rate(own, component) } else { T::zero() };
+    let (step, offsets) = (&placed.step, &placed.offsets);
+    let rate = |component: usize| match offsets.light {
+        Some(light) if on_path => number(scratch, light + component),
+        _ => T::zero(),
+    };
     if placed.form == StepForm::GroundHinge {
         twist.angular[2] += rate(2);
         return;
@@ -88,11 +107,13 @@ fn add_joint_velocities<T: Lanes>(
         return;
     }
     if let StepForm::Hinge(_) = placed.form {
-        let pivot = PackedInertia::load(own).turn_pivot::<2>(T::from_f64(step.armature[2]));
+        let pivot =
+            PackedInertia::load(offsets.inertia::<T>(scratch)).turn_pivot::<2>(T::from_f64(step.armature[2]));
         twist.angular[2] += rate(2) - twist.power(&pivot.u) * pivot.inverse_d;
         return;
     }
-    let over_d = eliminated_columns::<T>(step, own);
+    let joint = offsets.joint::<T>(scratch);
+    let over_d = eliminated_columns::<T>(step, offsets.inertia::<T>(scratch), joint);
     // The velocity eliminated last depends on the parent's twist alone.
     macro_rules! velocity {
         ($component:literal, $part:ident, $axis:literal) => {
@@ -108,17 +129,17 @@ fn add_joint_velocities<T: Lanes>(
     velocity!(4, linear, 1);
     velocity!(3, linear, 0);
     if let TreeMotion::Planar { .. } = step.motion {
-        twist.turn_back::<2>(number(own, COSINE), number(own, SINE));
+        twist.turn_back::<2>(number(joint, COSINE), number(joint, SINE));
     }
 }
 
 /// Columns U/D of the joint's velocities, eliminated again from the stored inertia.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn eliminated_columns<T: Lanes>(step: &TreeStep, own: &[f64]) -> [PackedWrench<T>; 6] {
+fn eliminated_columns<T: Lanes>(step: &TreeStep, inertia: &[f64], joint: &[f64]) -> [PackedWrench<T>; 6] {
     let mut inertia: PackedInertia<T> =
-        if step.has_child_inertia { PackedInertia::load(own) } else { step.own.inertia.cast() };
+        if step.has_child_inertia { PackedInertia::load(inertia) } else { step.own.inertia.cast() };
     if let TreeMotion::Planar { .. } = step.motion {
-        inertia.turn::<2>(number(own, COSINE), number(own, SINE));
+        inertia.turn::<2>(number(joint, COSINE), number(joint, SINE));
     }
     let mut over_d = [PackedWrench::zero(); 6];
     macro_rules! velocity {

@@ -1,11 +1,13 @@
 //! Recursion of a tree in the bodies' own axes, with a fixed or a floating base, in SIMD lanes.
 //!
 //! The kernel returns only results without doubt. All other cases (massless or immovable contacts and contacts near
-//! either, results lost to rounding) are left to the caller, as are loops and contacts between two links.
+//! either, results lost to rounding) are left to the caller, as are loops and contacts along a line.
 
+mod branches;
 mod cluster;
 mod cluster_joint;
 mod contact_path;
+mod error_bound;
 mod hinge;
 mod light_bodies;
 mod parent_transform;
@@ -13,17 +15,18 @@ mod plan;
 mod prismatic_leaf;
 mod propagation;
 mod recursion;
-mod sizes;
+mod workspace;
 
 use crate::aligned::Aligned;
 use crate::columns::{CertifiedMass, LaneContacts, MassColumns, PositionColumns, WIDEST};
-use crate::contact::{Contact, ContactConversion};
+use crate::contact::{BodyContact, Contact, ContactConversion, NormalFrame};
 use crate::mechanism::Mechanism;
+use branches::{StepRole, TreeNormalFrame};
 use cluster::MimicCluster;
-use contact_path::{ContactPath, TreeContact, TreeNormalFrame};
+use contact_path::{ContactPath, TreeContact};
+use percuss_spatial::Transform;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
 use plan::{ScheduledStep, TreePlan};
-use propagation::SCRATCH_NUMBERS;
 use recursion::{TreeResponse, evaluate};
 use std::sync::Arc;
 
@@ -43,14 +46,15 @@ impl TreeKernel {
     /// with joints of several degrees of freedom, or with several joints on the ground.
     pub fn compile(mechanism: &Mechanism) -> Option<Self> {
         let mut plan = TreePlan::of(mechanism)?;
-        let clusters = MimicCluster::compile(mechanism, &mut plan)?;
+        let mut clusters = MimicCluster::compile(mechanism, &mut plan)?;
         plan.fill_leaves();
-        let selection = ContactPath::none(plan.steps.len(), plan.travel);
-        let mut steps = plan.into_schedule();
+        let travel = plan.travel;
+        let (mut steps, mut numbers) = plan.into_schedule();
         prismatic_leaf::find_prismatic_leaves(&mut steps);
         let steps: Arc<[ScheduledStep]> = steps.into();
-        let of_clusters = clusters.iter().map(MimicCluster::numbers).sum::<usize>();
-        let scratch = Aligned::zeros((steps.len() * SCRATCH_NUMBERS + of_clusters) * WIDEST);
+        clusters.iter_mut().for_each(|cluster| cluster.place(&mut numbers));
+        let selection = ContactPath::none(steps.len(), travel);
+        let scratch = Aligned::zeros(numbers * WIDEST);
         Some(Self {
             steps,
             clusters: clusters.into(),
@@ -62,26 +66,20 @@ impl TreeKernel {
 
     /// Sets a checked contact; returns false for an unsupported kind. Allocates nothing after the first call.
     pub fn set_contact(&mut self, contact: &Contact) -> bool {
-        let Some((body, normal, frame)) = contact.ground_contact() else { return false };
+        let Some(BodyContact { body, against, normal, frame }) = contact.of_bodies() else { return false };
         let last = self.steps.len() - 1;
-        let (conversion, turns) = contact.conversion(&self.steps[last - body].step.own.frame, frame);
-        let normal_frame = if turns { TreeNormalFrame::Body } else { TreeNormalFrame::Root };
+        let own = |body: usize| self.steps[last - body].step.own.frame;
+        let conversion =
+            contact.conversion(&body.map_or(Transform::identity(), own), against.map(own).as_ref(), frame);
+        let normal_frame = match (frame, against) {
+            (NormalFrame::Link, _) => TreeNormalFrame::Body,
+            (NormalFrame::Against, Some(_)) => TreeNormalFrame::Against,
+            (NormalFrame::Against, None) | (NormalFrame::Root, _) => TreeNormalFrame::Root,
+        };
         let [point, normal] = conversion.convert(&contact.point, &normal);
-        let ContactPath { path, on_path, .. } = &mut self.selection;
-        path.iter().for_each(|&at| on_path[at] = false);
-        path.clear();
-        let mut next = Some(body);
-        while let Some(number) = next {
-            path.push(last - number);
-            on_path[last - number] = true;
-            next = self.steps[last - number].step.parent;
-        }
-        path.reverse();
-        self.selection.subtree_root = self.steps[last - body].subtree_root;
-        let root = self.selection.subtree_root;
-        self.selection.amplification = self.selection.light_bodies.find(&self.steps, root);
         let (point, normal) = (point.into(), normal.into());
-        self.selection.contact = TreeContact { point, normal, normal_frame, columns: None, conversion };
+        let contact = TreeContact { point, normal, normal_frame, columns: None, conversion };
+        self.selection.select((&self.steps, &self.clusters), contact, body, against);
         true
     }
 
@@ -109,14 +107,19 @@ impl TreeKernel {
     /// lanes.
     pub fn effective_masses(&mut self, columns: PositionColumns<'_>, first: usize, answers: MassColumns<'_>) {
         let instructions = self.instructions;
-        instructions.run(self.groups(columns, first, answers));
+        if !self.selection.is_general() || is_compiled_generally(instructions.width()) {
+            instructions.run(self.groups(columns, first, answers));
+        } else if instructions == Instructions::Avx512 {
+            Instructions::Avx2.run(self.groups(columns, first, answers));
+        } else {
+            instructions.run_one(self.groups(columns, first, answers));
+        }
     }
 
     /// Indices of the positions that the kernel reads.
     pub fn read_positions(&self) -> impl Iterator<Item = usize> + '_ {
-        let ContactPath { on_path, subtree_root: top, .. } = &self.selection;
-        let steps = self.steps.iter().zip(on_path);
-        let read = steps.filter(|(placed, on_path)| placed.subtree_root == *top || **on_path);
+        let steps = self.steps.iter().zip(&self.selection.branches.roles);
+        let read = steps.filter(|(_, role)| **role != StepRole::Unused);
         read.flat_map(|(placed, _)| placed.step.positions())
     }
 
@@ -129,6 +132,12 @@ impl TreeKernel {
         let Self { steps, clusters, selection, scratch, .. } = self;
         TreeLaneWork { steps, clusters, selection, columns, first, scratch, answers }
     }
+}
+
+/// True if contacts between two bodies, and trees whose sizes of terms are tracked, are compiled for this number of lanes. Others are
+/// left out, because they double the compile time.
+const fn is_compiled_generally(width: usize) -> bool {
+    width == 1 || width == if cfg!(target_arch = "x86_64") { 4 } else { 2 }
 }
 
 /// Configurations, one per lane.
@@ -148,8 +157,12 @@ impl Work for TreeLaneWork<'_> {
         let Self { steps, clusters, selection, columns, first, scratch, mut answers } = self;
         let mut done = 0;
         while done < answers.masses.len() {
-            let answer: TreeResponse<T> =
-                evaluate((steps, clusters), selection, columns, first + done, scratch);
+            let plan = (steps, clusters);
+            let answer: TreeResponse<T> = if is_compiled_generally(T::WIDTH) && selection.is_general() {
+                evaluate::<T, true>(plan, selection, columns, first + done, scratch)
+            } else {
+                evaluate::<T, false>(plan, selection, columns, first + done, scratch)
+            };
             answers.store(done, answer.response, answer.error);
             done += T::WIDTH;
         }

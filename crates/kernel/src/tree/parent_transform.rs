@@ -1,7 +1,8 @@
 //! Transform from a body's frame to its parent's, with the joint's motion first.
 
 use super::plan::{Shape, TreeMotion, TreeStep};
-use super::propagation::{COSINE, PropagatedWrench, SINE, number};
+
+use super::workspace::{COSINE, SINE, number};
 use crate::columns::PositionColumns;
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{PackedInertia, PackedTwist, PackedWrench, rotation_rows};
@@ -63,39 +64,23 @@ macro_rules! transformed {
 transformed!(PackedInertia);
 transformed!(PackedWrench);
 
-/// Transforms the inertia, and on the contact path the test wrench, to the parent's frame.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn propagate_to_parent<T: Lanes>(
-    step: &TreeStep,
-    inertia: &mut PackedInertia<T>,
-    on_path: bool,
-    at: LanePositions<'_>,
-    propagated: &mut PropagatedWrench<T>,
-    own: &[f64],
-) {
-    transform_to_parent(step, inertia, at, own);
-    if on_path {
-        transform_to_parent(step, &mut propagated.wrench, at, own);
-    }
-}
-
-/// Transforms an inertia or a wrench to the parent's frame.
+/// Transforms an inertia or a wrench to the parent's frame. `joint`: sine and cosine of the angle, or the travel.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn transform_to_parent<T: Lanes>(
     step: &TreeStep,
     carried: &mut impl Transformed<T>,
     at: LanePositions<'_>,
-    own: &[f64],
+    joint: &[f64],
 ) {
     let of = T::from_f64;
     let transform = &step.parent_transform;
     let along_z = of(transform.along_z);
     match step.motion {
         TreeMotion::Turn { .. } => {
-            let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
+            let (s, c): (T, T) = (number(joint, SINE), number(joint, COSINE));
             carried.screw::<2>(c, s, along_z);
         }
-        TreeMotion::Slide { .. } => carried.shift::<2>(number::<T>(own, SINE) + along_z),
+        TreeMotion::Slide { .. } => carried.shift::<2>(number::<T>(joint, SINE) + along_z),
         TreeMotion::Planar { q } => {
             carried.shift::<0>(at.position(q));
             carried.shift::<1>(at.position(q + 1));
@@ -127,13 +112,45 @@ pub(super) fn transform_to_parent<T: Lanes>(
     }
 }
 
-/// Transforms a twist from the parent's frame: the inverse of [`propagate_to_parent`].
+/// Transforms a wrench on a body that does not move relative to its parent to the parent's frame. The elimination of a planar joint rotates
+/// the wrench itself, so that [`transform_to_parent`] does not.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn carry_to_parent<T: Lanes>(
+    step: &TreeStep,
+    wrench: &mut PackedWrench<T>,
+    at: LanePositions<'_>,
+    joint: &[f64],
+) {
+    if let TreeMotion::Planar { .. } = step.motion {
+        wrench.turn::<2>(number(joint, COSINE), number(joint, SINE));
+    }
+    transform_to_parent(step, wrench, at, joint);
+}
+
+/// The inverse of [`carry_to_parent`].
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn carry_to_body<T: Lanes>(
+    step: &TreeStep,
+    wrench: &mut PackedWrench<T>,
+    at: LanePositions<'_>,
+    joint: &[f64],
+) {
+    // A force and its moment are transformed as an angular velocity and the velocity of a point.
+    let mut twist = PackedTwist { angular: wrench.force, linear: wrench.moment };
+    transform_twist_to_body(step, &mut twist, at, joint);
+    if let TreeMotion::Planar { .. } = step.motion {
+        twist.turn_back::<2>(number(joint, COSINE), number(joint, SINE));
+    }
+    *wrench = PackedWrench { moment: twist.linear, force: twist.angular };
+}
+
+/// Transforms a twist from the parent's frame: the inverse of [`transform_to_parent`].
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn transform_twist_to_body<T: Lanes>(
     step: &TreeStep,
     twist: &mut PackedTwist<T>,
     at: LanePositions<'_>,
-    own: &[f64],
+    joint: &[f64],
 ) {
     let of = T::from_f64;
     let transform = &step.parent_transform;
@@ -154,9 +171,9 @@ pub(super) fn transform_twist_to_body<T: Lanes>(
     match step.motion {
         TreeMotion::Turn { .. } => {
             twist.shift_back::<2>(along_z);
-            twist.turn_back::<2>(number(own, COSINE), number(own, SINE));
+            twist.turn_back::<2>(number(joint, COSINE), number(joint, SINE));
         }
-        TreeMotion::Slide { .. } => twist.shift_back::<2>(number::<T>(own, SINE) + along_z),
+        TreeMotion::Slide { .. } => twist.shift_back::<2>(number::<T>(joint, SINE) + along_z),
         TreeMotion::Planar { q } => {
             twist.shift_back::<2>(along_z);
             twist.shift_back::<1>(at.position(q + 1));

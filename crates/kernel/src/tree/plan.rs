@@ -3,9 +3,9 @@
 //! rotations about and shifts along coordinate axes (Denavit and Hartenberg 1955).
 
 use super::cluster_joint::ClusterJoint;
-use super::sizes::Sizes;
+use super::workspace::{EnergyShare, Offsets, Places, Sizes, layout};
 use crate::mechanism::{Body, JointMotion, Mechanism};
-use crate::tolerances::{LEAST_MOMENT, LIGHT_BODY, NO_ACROSS, NO_BOUND, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
+use crate::tolerances::{NO_ACROSS, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
 use nalgebra::{Matrix3, Vector3};
 use percuss_spatial::lanes::{Lanes, Single};
 use percuss_spatial::{PackedInertia, PackedWrench, Scalar, Transform};
@@ -138,6 +138,11 @@ impl TreeStep {
         .then_some(self.parent_transform.shape)
     }
 
+    /// What the step needs in the workspace.
+    fn places(&self) -> Places {
+        Places { parent: self.parent.filter(|_| !self.transmits_nothing()), is_light: self.share.is_light() }
+    }
+
     /// True for six freedoms without armature: the remaining inertia is exactly zero.
     pub fn transmits_nothing(&self) -> bool {
         self.free == [true; 6] && self.armature == [0.0; 6]
@@ -222,56 +227,13 @@ pub(super) struct HingeForm {
     pub is_parent_on_ground: bool,
 }
 
-/// Bounds of the twist of a body, and of the effect of rounding errors, by its kinetic energy 2 E = vᵀ I v. After a unit
-/// impulse, the sum of 2 E over all bodies is 1/m̄. For a body without inertia the bounds are [`NO_BOUND`].
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct EnergyShare {
-    /// Amplification κ: largest (√moment |ω| + √mass |v|)² for 2 E = 1 J, with the bounds of the articulated inertia.
-    pub amplification: f64,
-    /// √moment, √(kg·m²), and √mass, √kg, of these bounds.
-    pub roots: [f64; 2],
-    /// Largest |ω| (rad/s) and velocity of the origin (m/s) for 2 E = 1 J.
-    pub angular: f64,
-    pub linear: f64,
-}
-
-impl EnergyShare {
-    /// Bounds for a body with its own inertia. `moment` (kg·m²) and `mass` (kg): bounds of its articulated inertia.
-    fn of(own: &PackedInertia<f64>, moment: f64, mass: f64) -> Self {
-        let (a, h, m) = (&own.angular, &own.coupling, own.linear[0]);
-        let rotational = Matrix3::new(a[0], a[1], a[2], a[1], a[3], a[4], a[2], a[4], a[5]);
-        let centre = Vector3::new(h[2][1], h[0][2], h[1][0]) / m;
-        let about_centre =
-            rotational - (Matrix3::identity() * centre.norm_squared() - centre * centre.transpose()) * m;
-        let least = about_centre.symmetric_eigenvalues().min();
-        // A smaller moment may be rounding.
-        let roots = [moment, mass].map(f64::sqrt);
-        if !(m > 0.0 && least > LEAST_MOMENT * rotational.trace()) {
-            return Self { amplification: NO_BOUND, roots, angular: NO_BOUND, linear: NO_BOUND };
-        }
-        // |v| ≤ |v_c| + |c| |ω| with the velocity v_c of the centre of mass; then Cauchy–Schwarz.
-        let about_angular = roots[0] + roots[1] * centre.norm();
-        Self {
-            amplification: about_angular * about_angular / least + mass / m,
-            roots,
-            angular: 1.0 / least.sqrt(),
-            linear: (1.0 / m + centre.norm_squared() / least).sqrt(),
-        }
-    }
-
-    /// True for a body whose kinetic energy bounds rounding errors only weakly.
-    #[inline]
-    pub fn is_light(&self) -> bool {
-        self.amplification > LIGHT_BODY
-    }
-}
-
 /// Step with its position in the sequence.
 #[derive(Clone, Debug)]
 pub(super) struct ScheduledStep {
     /// Number of its body.
     pub number: usize,
     pub step: TreeStep,
+    pub offsets: Offsets,
     /// Own inertia of the parent.
     pub parent_inertia: PackedInertia<f64>,
     /// True for the first child of the parent: it starts the parent's sum.
@@ -281,6 +243,28 @@ pub(super) struct ScheduledStep {
     pub subtree_root: usize,
     pub form: StepForm,
     pub prismatic_leaf: Option<Box<PrismaticLeaf>>,
+}
+
+impl ScheduledStep {
+    /// True for the nearest ancestor on the ground or with a zero remaining inertia.
+    #[inline]
+    pub fn is_root(&self) -> bool {
+        self.number == self.subtree_root
+    }
+
+    /// Adds the sizes of the terms of the remaining inertia to those of the parent, if it has one.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn add_sizes_to_parent<T: Lanes>(&self, sizes: Sizes<T>, scratch: &mut [f64]) {
+        if self.step.parent.is_some() && !self.step.transmits_nothing() {
+            let slot = self.offsets.parent_inertia::<T>(scratch);
+            sizes.add_to_parent(self.step.reach, self.is_first, slot);
+        }
+    }
+
+    /// Index of its cluster.
+    pub fn cluster(&self) -> Option<usize> {
+        self.step.cluster_joint.as_ref().map(|joint| joint.cluster)
+    }
 }
 
 /// Bodies of a tree in the order of the model.
@@ -344,17 +328,19 @@ impl TreePlan {
         Some(plan)
     }
 
-    /// All steps, children before parents.
-    pub fn into_schedule(self) -> Vec<ScheduledStep> {
+    /// All steps, children before parents, and the number of values of their workspace per lane.
+    pub fn into_schedule(self) -> (Vec<ScheduledStep>, usize) {
         let mut tops: Vec<usize> = Vec::with_capacity(self.steps.len());
         for (i, step) in self.steps.iter().enumerate() {
             tops.push(step.parent.filter(|_| !step.transmits_nothing()).map_or(i, |p| tops[p]));
         }
+        let (offsets, numbers) = layout(&self.steps.iter().map(TreeStep::places).collect::<Vec<_>>());
         let mut met = vec![false; self.steps.len()];
         let place = |number: usize| {
             let step = &self.steps[number];
             ScheduledStep {
                 number,
+                offsets: offsets[number],
                 parent_inertia: step.parent.map_or(step.own.inertia, |p| self.steps[p].own.inertia),
                 is_first: step
                     .parent
@@ -366,7 +352,7 @@ impl TreePlan {
                 step: step.clone(),
             }
         };
-        (0..self.steps.len()).rev().map(place).collect()
+        ((0..self.steps.len()).rev().map(place).collect(), numbers)
     }
 
     /// Form of a step: the compiled code that eliminates its joint.

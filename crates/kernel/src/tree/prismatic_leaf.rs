@@ -1,9 +1,8 @@
 //! Prismatic leaves off the contact path. Their remaining inertia is constant in their own axes, so it is a
 //! polynomial of the travel in the parent's frame.
 
-use super::parent_transform::{LanePositions, propagate_to_parent};
+use super::parent_transform::{LanePositions, transform_to_parent};
 use super::plan::{PrismaticLeaf, ScheduledStep, StepForm, TreeMotion};
-use super::propagation::{PropagatedWrench, SCRATCH_NUMBERS};
 use crate::columns::PositionColumns;
 use percuss_spatial::PackedInertia;
 use percuss_spatial::lanes::{Lanes, Single};
@@ -36,14 +35,7 @@ pub(super) fn find_prismatic_leaves(steps: &mut [ScheduledStep]) {
 fn inertia_in_parent_frame(placed: &ScheduledStep, inertia: PackedInertia<f64>) -> PackedInertia<SingleLane> {
     let mut moved = inertia.cast();
     let at = LanePositions { columns: PositionColumns { values: &[], stride: 0 }, first: 0 };
-    propagate_to_parent(
-        &placed.step,
-        &mut moved,
-        false,
-        at,
-        &mut PropagatedWrench::none(),
-        &[0.0; SCRATCH_NUMBERS],
-    );
+    transform_to_parent(&placed.step, &mut moved, at, &[0.0; 2]);
     moved
 }
 

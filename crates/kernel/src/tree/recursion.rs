@@ -6,23 +6,21 @@
 //! ```
 //!
 //! with e the rotation about, or the translation along, the body's z axis: an entry of I instead of a product. This
-//! is the articulated-body recursion (Featherstone 2008, §7.3) that [`crate::recursion`] writes in root axes for
-//! every joint and loop. This form needs no forward kinematics and no rotation of the bodies' inertias. A test
-//! compares the two.
+//! is the articulated-body recursion (Featherstone 2008, §7.3) without forward kinematics and without rotations of the bodies' inertias.
+//! For a contact between two bodies, the forces on both are propagated apart up to the first body that both move; each waits in the
+//! workspace while the other is propagated.
 
+use super::branches::{Branches, StepRole, TreeNormalFrame};
 use super::cluster::{MimicCluster, eliminate_cluster_joint};
-use super::contact_path::{ContactPath, TreeNormalFrame};
+use super::contact_path::ContactPath;
 use super::hinge::eliminate_hinge;
-use super::light_bodies::light_body_errors;
-use super::parent_transform::{LanePositions, propagate_to_parent};
+use super::light_bodies::add_light_body_errors;
+use super::parent_transform::{LanePositions, carry_to_body, carry_to_parent, transform_to_parent};
 use super::plan::{ScheduledStep, Shape, StepForm, TreeMotion, TreeStep, Turn};
 use super::prismatic_leaf;
-use super::propagation::{
-    COSINE, PropagatedWrench, SCRATCH_NUMBERS, SINE, add_to_parent, number, store_rate, update_wrench,
-};
-use super::sizes::Sizes;
+use super::propagation::{PropagatedWrench, add_to_parent, smaller, store_waiting, update_wrench};
+use super::workspace::{COSINE, Offsets, SINE, Sizes, TrackedSizes, number, store_waiting_size};
 use crate::columns::{PositionColumns, excess_beyond, quaternion_norm_excess};
-use crate::tolerances::{LOSS_ROUNDINGS, NO_BOUND, NORMAL_ROUNDINGS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, turn_vector};
 use std::ops::Range;
@@ -36,43 +34,10 @@ pub(super) struct TreeResponse<T> {
     pub error: T,
 }
 
-/// Error of the response in units of ε, 1/kg, by the kinetic energy. A rounding error of an articulated inertia has the effect of
-/// an error δI of the inertia of the body itself, with vᵀ δI v ≤ κ ε vᵀ I v for every twist v. Therefore the relative error of the
-/// mass matrix, and of 1/m̄, is at most ε times the largest κ. An error δf of the wrench on a body changes 1/m̄ by 2 δf·v, where
-/// the twist v satisfies vᵀ I v ≤ 1/m̄.
-///
-/// For light bodies, both effects are computed with their own twists. The computed twists belong to the mass matrix M + δM. With
-/// |δM| ≤ η M, the effect of δM on 1/m̄ is at most 1 + η times that for these twists; η = κ ε is small by
-/// [`LARGEST_AMPLIFICATION`](crate::tolerances::LARGEST_AMPLIFICATION).
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn error_by_energy<T: Lanes>(
-    steps: &[ScheduledStep],
-    selection: &ContactPath,
-    at: LanePositions<'_>,
-    propagated: &PropagatedWrench<T>,
-    scratch: &mut [f64],
-) -> T {
-    let mut of_inertias = T::from_f64(selection.amplification) * propagated.response;
-    let mut of_wrenches = propagated.by_energy * propagated.response.sqrt();
-    if !selection.light_bodies.steps.is_empty() {
-        let light = light_body_errors::<T>(steps, selection, at, normal_error(selection), scratch);
-        of_inertias += light.of_inertias;
-        of_wrenches += light.of_wrenches;
-    }
-    // Twice: the body's own roundings and those of its children.
-    T::from_f64(2.0 * LOSS_ROUNDINGS).mul_add(of_inertias, T::from_f64(2.0 * ROUTE_ROUNDINGS) * of_wrenches)
-}
-
-/// Smaller value; `other`, a number, if `x` is NaN.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn smaller<T: Lanes>(x: T, other: T) -> T {
-    -((-other).max(-x))
-}
-
 /// 1/m̄ of the configurations from `first` on, one per lane, and its rounding error. `scratch`: workspace of
 /// all steps.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn evaluate<T: Lanes>(
+pub(super) fn evaluate<T: Lanes, const GENERAL: bool>(
     (steps, clusters): (&[ScheduledStep], &[MimicCluster]),
     selection: &ContactPath,
     columns: PositionColumns<'_>,
@@ -81,25 +46,51 @@ pub(super) fn evaluate<T: Lanes>(
 ) -> TreeResponse<T> {
     let (beyond, travels): (T, T) = fill_joint_values(steps, selection, columns, first, scratch);
     let at = LanePositions { columns, first };
-    let mut propagated = contact_wrench(steps, selection, at, scratch);
+    let mut propagated = contact_wrench::<T, GENERAL>(steps, selection, at, scratch);
     clusters.iter().for_each(|cluster| cluster.clear::<T>(scratch));
-    for (placed, on_path) in steps.iter().zip(&selection.on_path) {
-        if placed.subtree_root != selection.subtree_root {
+    let Branches { roles, changes, .. } = &selection.branches;
+    let mut changes = changes.as_slice();
+    for (index, (placed, role)) in steps.iter().zip(roles).enumerate() {
+        if !role.is_eliminated() {
             continue;
         }
+        while GENERAL
+            && let Some(((before, change), later)) = changes.split_first()
+            && *before <= index
+        {
+            propagated.change(*change, scratch);
+            changes = later;
+        }
         if let Some(joint) = &placed.step.cluster_joint {
-            eliminate_cluster_joint(clusters, placed, joint, *on_path, at, &mut propagated, scratch);
-        } else if *on_path {
+            let on_path = role.is_on_path();
+            eliminate_cluster_joint(clusters, placed, joint, on_path, at, &mut propagated, scratch);
+        } else if role.is_on_path() {
             eliminate_step::<T, true>(placed, at, &mut propagated, scratch);
         } else {
             eliminate_step::<T, false>(placed, at, &mut propagated, scratch);
         }
     }
+    if GENERAL {
+        changes.iter().for_each(|(_, change)| propagated.change(*change, scratch));
+    }
+    let response = propagated.response;
+    let (bound, arm) = (&selection.bound, selection.contact.arms(at));
+    let mut by_energy = if propagated.tracks_sizes {
+        bound.of_power(response, propagated.sizes.power + bound.contact_power(arm))
+    } else {
+        bound.of_constants(response, arm)
+    };
+    if !bound.light_steps.is_empty() {
+        add_light_body_errors(steps, selection, at, &propagated, scratch, &mut by_energy);
+    }
+    let mut error = by_energy.sum();
+    if propagated.tracks_sizes {
+        let by_pivots = propagated.sizes.error_by_pivots();
+        error = smaller(by_pivots + bound.of_contact(response, arm, propagated.sizes.terms), error);
+    }
     let stretch = (travels * T::from_f64(selection.over_travel)).max(T::one());
-    let by_energy = error_by_energy(steps, selection, at, &propagated, scratch);
-    let error = smaller(propagated.error_of_pivots(), by_energy) * stretch * stretch;
     // Angles beyond the range of the sine are marked as doubtful.
-    TreeResponse { response: propagated.response, error: beyond.mul_add(T::from_f64(f64::MAX), error) }
+    TreeResponse { response, error: beyond.mul_add(T::from_f64(f64::MAX), error * stretch * stretch) }
 }
 
 /// Stores per joint sine and cosine of its angle, with the constant rotation to the parent added, or its travel (m).
@@ -114,17 +105,16 @@ fn fill_joint_values<T: Lanes>(
     scratch: &mut [f64],
 ) -> (T, T) {
     let (mut beyond, mut angles, mut travels) = (T::zero(), T::zero(), T::zero());
-    for (placed, on_path) in steps.iter().zip(&selection.on_path) {
-        // The joints above the top of the path rotate normals given in the root link.
-        if placed.subtree_root != selection.subtree_root && !on_path {
+    for (placed, role) in steps.iter().zip(&selection.branches.roles) {
+        if *role == StepRole::Unused {
             continue;
         }
         let step = &placed.step;
-        if placed.number == selection.subtree_root {
-            // A position above the path does not change m̄, but must be a finite number.
+        if placed.is_root() {
+            // This position may not change m̄, but must be a finite number.
             beyond += nan_unless_finite::<T>(columns, step.positions(), first);
         }
-        let slot = &mut scratch[placed.number * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+        let slot = placed.offsets.joint_mut::<T>(scratch);
         match step.motion {
             TreeMotion::Turn { q } => {
                 let angle: T = step.own_position(columns.at(q, first));
@@ -183,30 +173,35 @@ fn nan_unless_finite<T: Lanes>(columns: PositionColumns<'_>, positions: Range<us
     sum
 }
 
-/// Error of the normal by its rotations from the root link to the contact link, relative to the error of a wrench.
-fn normal_error(selection: &ContactPath) -> f64 {
-    match selection.contact.normal_frame {
-        TreeNormalFrame::Body => 0.0,
-        TreeNormalFrame::Root => NORMAL_ROUNDINGS / ROUTE_ROUNDINGS * selection.path.len() as f64,
-    }
-}
-
-/// Unit force at the contact point.
+/// Unit force on the contact link. Stores the opposite force on the body on the other side in the workspace.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn contact_wrench<T: Lanes>(
+fn contact_wrench<T: Lanes, const GENERAL: bool>(
     steps: &[ScheduledStep],
     selection: &ContactPath,
     at: LanePositions<'_>,
-    scratch: &[f64],
+    scratch: &mut [f64],
 ) -> PropagatedWrench<T> {
-    let contact = &selection.contact;
+    let (contact, bound) = (&selection.contact, &selection.bound);
+    let Branches { path, other, shared, .. } = &selection.branches;
     let mut n: [T; 3] = contact.normals(at);
-    if let TreeNormalFrame::Root = contact.normal_frame {
-        for &place in &selection.path {
-            let placed = &steps[place];
-            let slot = &scratch[placed.number * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
-            rotate_to_body(&placed.step, &mut n, at, slot);
+    let turned_by = match contact.normal_frame {
+        TreeNormalFrame::Body => &[],
+        TreeNormalFrame::Root => path.as_slice(),
+        TreeNormalFrame::Against if !GENERAL => &[],
+        TreeNormalFrame::Against => {
+            let mut along_normal = PackedWrench { moment: [T::zero(); 3], force: n };
+            for &place in other[*shared..].iter().rev() {
+                let placed = &steps[place];
+                let joint = placed.offsets.joint::<T>(scratch);
+                carry_to_parent(&placed.step, &mut along_normal, at, joint);
+            }
+            n = along_normal.force;
+            &path[*shared..]
         }
+    };
+    for &place in turned_by {
+        let placed = &steps[place];
+        rotate_to_body(&placed.step, &mut n, at, placed.offsets.joint::<T>(scratch));
     }
     let arm: T = contact.arms(at);
     let q: [T; 3] = contact.points(at);
@@ -215,23 +210,27 @@ fn contact_wrench<T: Lanes>(
         q[2].mul_add(n[0], -(q[0] * n[2])),
         q[0].mul_add(n[1], -(q[1] * n[0])),
     ];
-    let contact_body = selection.path.last().map(|&place| &steps[place].step.share);
-    let power = contact_body.map_or(T::from_f64(NO_BOUND), |share| match share.is_light() {
-        true => T::zero(),
-        false => arm.mul_add(T::from_f64(share.angular), T::from_f64(share.linear)),
-    });
-    PropagatedWrench {
-        wrench: PackedWrench { moment, force: n },
-        moment_size: arm,
-        force_size: T::one(),
-        by_energy: T::from_f64(normal_error(selection)) * power,
-        ..PropagatedWrench::none()
+    let wrench = PackedWrench { moment, force: n };
+    if GENERAL && !other.is_empty() {
+        let mut opposite = wrench.scaled(-T::one());
+        for &place in path[*shared..].iter().rev() {
+            let placed = &steps[place];
+            carry_to_parent(&placed.step, &mut opposite, at, placed.offsets.joint::<T>(scratch));
+        }
+        for &place in &other[*shared..] {
+            let placed = &steps[place];
+            carry_to_body(&placed.step, &mut opposite, at, placed.offsets.joint::<T>(scratch));
+        }
+        store_waiting(&opposite, scratch);
+        store_waiting_size(arm + T::from_f64(bound.reach), scratch);
     }
+    let tracks_sizes = GENERAL && bound.tracks_sizes;
+    PropagatedWrench { wrench, response: T::zero(), tracks_sizes, sizes: TrackedSizes::new(arm) }
 }
 
 /// Vector from the parent's frame to the body's.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn rotate_to_body<T: Lanes>(step: &TreeStep, n: &mut [T; 3], at: LanePositions<'_>, slot: &[f64]) {
+fn rotate_to_body<T: Lanes>(step: &TreeStep, n: &mut [T; 3], at: LanePositions<'_>, joint: &[f64]) {
     if let Some(turn) = step.parent_transform.last_turn_z {
         let (c, s) = back::<T>(turn);
         turn_vector::<T, 2>(n, c, s);
@@ -254,7 +253,7 @@ fn rotate_to_body<T: Lanes>(step: &TreeStep, n: &mut [T; 3], at: LanePositions<'
     }
     match step.motion {
         TreeMotion::Turn { .. } | TreeMotion::Planar { .. } => {
-            let (s, c): (T, T) = (number(slot, SINE), number(slot, COSINE));
+            let (s, c): (T, T) = (number(joint, SINE), number(joint, COSINE));
             turn_vector::<T, 2>(n, c, -s);
         }
         TreeMotion::Ball { q } => rotate_back(n, &at.rotation(q)),
@@ -278,24 +277,21 @@ fn eliminate_step<T: Lanes, const ON_PATH: bool>(
     scratch: &mut [f64],
 ) {
     let step = &placed.step;
-    let (rest, own) = scratch.split_at_mut(placed.number * SCRATCH_NUMBERS * T::WIDTH);
-    let own = &mut own[..SCRATCH_NUMBERS * T::WIDTH];
     match placed.form {
-        StepForm::GroundHinge => eliminate_ground_hinge(step, propagated, own),
-        StepForm::Hinge(form) => {
-            let Some(parent) = step.parent else { return };
-            let slot = &mut rest[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
-            eliminate_hinge::<T, ON_PATH>(form, placed, propagated, own, slot);
-        }
+        StepForm::GroundHinge => eliminate_ground_hinge(step, &placed.offsets, propagated, scratch),
+        StepForm::Hinge(form) => eliminate_hinge::<T, ON_PATH>(form, placed, propagated, scratch),
         StepForm::PrismaticLeaf if !ON_PATH => {
-            let (Some(parent), Some(leaf)) = (step.parent, &placed.prismatic_leaf) else { return };
-            propagated.loss = propagated.loss.max(T::from_f64(leaf.loss));
-            let slot = &mut rest[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
-            prismatic_leaf::add_polynomial_inertia::<T>(leaf, number(own, SINE), placed.is_first, slot);
-            leaf.sizes.cast::<T>().add_to_parent(step.reach, placed.is_first, slot);
+            let Some(leaf) = &placed.prismatic_leaf else { return };
+            let travel = number(placed.offsets.joint::<T>(scratch), SINE);
+            let slot = placed.offsets.parent_inertia::<T>(scratch);
+            prismatic_leaf::add_polynomial_inertia::<T>(leaf, travel, placed.is_first, slot);
+            if propagated.tracks_sizes {
+                leaf.sizes.cast::<T>().add_to_parent(step.reach, placed.is_first, slot);
+                propagated.sizes.record_loss(T::from_f64(leaf.loss));
+            }
         }
         StepForm::PrismaticLeaf | StepForm::General | StepForm::OfCluster => {
-            eliminate_general_joint::<T>(placed, ON_PATH, at, propagated, rest, own)
+            eliminate_general_joint::<T>(placed, ON_PATH, at, propagated, scratch)
         }
     }
 }
@@ -303,87 +299,106 @@ fn eliminate_step<T: Lanes, const ON_PATH: bool>(
 /// Eliminates a hinge on the ground. Only one entry of its inertia is needed. The other entries are not computed, so the
 /// size of this entry is used for all.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn eliminate_ground_hinge<T: Lanes>(step: &TreeStep, propagated: &mut PropagatedWrench<T>, own: &mut [f64]) {
+fn eliminate_ground_hinge<T: Lanes>(
+    step: &TreeStep,
+    offsets: &Offsets,
+    propagated: &mut PropagatedWrench<T>,
+    scratch: &mut [f64],
+) {
     let of = T::from_f64;
-    let d = number::<T>(own, 5) + of(step.armature[2]);
-    let rate = propagated.add_response(
-        of(step.moment),
-        propagated.wrench.moment[2],
-        propagated.moment_size,
-        T::one() / d,
-    );
-    store_rate(rate, 2, own);
-    propagated.add_share(&step.share, own);
+    let d = number::<T>(offsets.inertia::<T>(scratch), 5) + of(step.armature[2]);
+    let rate = propagated.add_response(propagated.wrench.moment[2], T::one() / d);
+    if propagated.tracks_sizes {
+        propagated.sizes.add_response(of(step.moment), propagated.sizes.along_axis(true), rate);
+        propagated.sizes.add_share(&step.share, offsets, scratch);
+    }
+    offsets.store_rate(rate, 2, scratch);
 }
 
 /// Eliminates any joint with any transform, on the contact path or not, and adds the remaining inertia to the parent's.
-/// `propagated`: propagated test wrench; `own` and `rest`: workspaces of the body and of the bodies before it.
+/// `propagated`: propagated test wrench.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn eliminate_general_joint<T: Lanes>(
     placed: &ScheduledStep,
     on_path: bool,
     at: LanePositions<'_>,
     propagated: &mut PropagatedWrench<T>,
-    rest: &mut [f64],
-    own: &mut [f64],
+    scratch: &mut [f64],
 ) {
-    let step = &placed.step;
-    let (mut inertia, sizes) = eliminate_velocities::<T>(step, on_path, propagated, own);
-    if on_path {
-        propagated.add_share(&step.share, own);
+    let (step, offsets) = (&placed.step, &placed.offsets);
+    let mut inertia = eliminate_velocities::<T>(placed, on_path, propagated, scratch);
+    if on_path && propagated.tracks_sizes {
+        propagated.sizes.add_share(&step.share, offsets, scratch);
     }
-    let Some(parent) = step.parent.filter(|_| !step.transmits_nothing()) else { return };
-    propagate_to_parent::<T>(step, &mut inertia, on_path, at, propagated, own);
-    if on_path {
-        propagated.moment_size =
-            T::from_f64(step.reach).mul_add(propagated.force_size, propagated.moment_size);
+    if step.parent.is_none() || step.transmits_nothing() {
+        return;
     }
-    let slot = &mut rest[parent * SCRATCH_NUMBERS * T::WIDTH..][..SCRATCH_NUMBERS * T::WIDTH];
+    transform_to_parent(step, &mut inertia, at, offsets.joint::<T>(scratch));
+    if on_path {
+        transform_to_parent(step, &mut propagated.wrench, at, offsets.joint::<T>(scratch));
+        if propagated.tracks_sizes {
+            propagated.sizes.add_reach(step.reach);
+        }
+    }
+    let slot = offsets.parent_inertia::<T>(scratch);
     add_to_parent(&mut inertia, &placed.parent_inertia, placed.is_first, slot);
-    sizes.add_to_parent(step.reach, placed.is_first, slot);
 }
 
-/// Remaining inertia of a body after the elimination of its joint, and the sizes of its terms.
+/// Remaining inertia of a body after the elimination of its joint.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn eliminate_velocities<T: Lanes>(
-    step: &TreeStep,
+    placed: &ScheduledStep,
     on_path: bool,
     propagated: &mut PropagatedWrench<T>,
-    own: &mut [f64],
-) -> (PackedInertia<T>, Sizes<T>) {
+    scratch: &mut [f64],
+) -> PackedInertia<T> {
+    let (step, offsets) = (&placed.step, &placed.offsets);
     if let Some(leaf) = &step.leaf {
-        propagated.loss = propagated.loss.max(T::from_f64(leaf.loss));
+        if propagated.tracks_sizes {
+            propagated.sizes.record_loss(T::from_f64(leaf.loss));
+            placed.add_sizes_to_parent(leaf.sizes.cast::<T>(), scratch);
+        }
         match step.motion {
             TreeMotion::Slide { .. } if on_path => {
-                update_wrench::<T, 5>(step, &leaf.pivot(), propagated, own)
+                update_wrench::<T, 5>(step, offsets, &leaf.pivot(), propagated, scratch)
             }
-            _ if on_path => update_wrench::<T, 2>(step, &leaf.pivot(), propagated, own),
+            _ if on_path => update_wrench::<T, 2>(step, offsets, &leaf.pivot(), propagated, scratch),
             _ => {}
         }
-        return (leaf.left.cast(), leaf.sizes.cast());
+        return leaf.left.cast();
     }
-    let mut inertia: PackedInertia<T> =
-        if step.has_child_inertia { PackedInertia::load(own) } else { step.own.inertia.cast() };
+    let mut inertia: PackedInertia<T> = if step.has_child_inertia {
+        PackedInertia::load(offsets.inertia::<T>(scratch))
+    } else {
+        step.own.inertia.cast()
+    };
     if let TreeMotion::Planar { .. } = step.motion {
         // The translations of the joint do not rotate with the body.
-        let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
+        let joint = offsets.joint::<T>(scratch);
+        let (s, c): (T, T) = (number(joint, SINE), number(joint, COSINE));
         inertia.turn::<2>(c, s);
         if on_path {
             propagated.wrench.turn::<2>(c, s);
         }
     }
     // Computed before any velocity of the joint is eliminated: the last pivots are differences of these sizes.
-    let mut sizes = Sizes::of(&inertia, step.has_child_inertia, own);
+    let mut sizes = Sizes::none();
+    if propagated.tracks_sizes {
+        sizes = Sizes::of(&inertia, step.has_child_inertia, offsets.inertia::<T>(scratch));
+    }
     macro_rules! velocity {
         ($component:literal, $size:ident, $pivot:ident, $eliminate:ident, $axis:literal) => {
             if step.free[$component] {
                 let pivot = inertia.$pivot::<$axis>(T::from_f64(step.armature[$component]));
-                let loss = propagated.record_loss(sizes.$size, &pivot);
                 if on_path {
-                    update_wrench::<T, $component>(step, &pivot, propagated, own);
+                    update_wrench::<T, $component>(step, offsets, &pivot, propagated, scratch);
                 }
                 inertia.$eliminate::<$axis>(&pivot, &pivot.u.scaled(pivot.inverse_d));
-                sizes = sizes.amplified(loss);
+                if propagated.tracks_sizes {
+                    let loss = sizes.$size * pivot.inverse_d.abs();
+                    propagated.sizes.record_loss(loss);
+                    sizes = sizes.amplified(loss);
+                }
             }
         };
     }
@@ -393,5 +408,8 @@ fn eliminate_velocities<T: Lanes>(
     velocity!(0, moment, turn_pivot, eliminate_turn, 0);
     velocity!(1, moment, turn_pivot, eliminate_turn, 1);
     velocity!(2, moment, turn_pivot, eliminate_turn, 2);
-    (inertia, sizes)
+    if propagated.tracks_sizes {
+        placed.add_sizes_to_parent(sizes, scratch);
+    }
+    inertia
 }

@@ -1,16 +1,14 @@
 //! Sizes of the terms of articulated inertias.
 
+use super::layout::SIZES;
 use crate::tolerances::COMMON_LOSS;
 use percuss_spatial::PackedInertia;
 use percuss_spatial::lanes::Lanes;
 
-/// Index of the sizes in the workspace of a step.
-pub(super) const SIZES: usize = 23;
-
 /// Largest terms in the entries of an articulated inertia. Terms of the subtree before its eliminations count too: an
 /// elimination cancels a term but not its rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Sizes<T> {
+pub(in super::super) struct Sizes<T> {
     /// Angular entries, kg·m².
     pub moment: T,
     /// Linear entries, kg.
@@ -18,6 +16,12 @@ pub(super) struct Sizes<T> {
 }
 
 impl<T: Lanes> Sizes<T> {
+    /// Sizes that are not computed.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn none() -> Self {
+        Self { moment: T::zero(), mass: T::zero() }
+    }
+
     /// Sizes of a body's inertia, or those of its children stored in `slot` if larger; `carries`: true if the body has
     /// children.
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -1,0 +1,265 @@
+//! Bound of the rounding error by the kinetic energy, for a contact of a tree.
+//!
+//! The contact force on its way to the ground loses U t/D at each velocity, with |U_k| ≤ √(I_kk D) for each component k and
+//! Σ t²/D = 1/m̄. The sizes of its terms are therefore at most `a + b √(1/m̄)`, with constants of the contact and the tree.
+
+use super::branches::{Branches, StepRole, TreeNormalFrame};
+use super::cluster::MimicCluster;
+use super::plan::ScheduledStep;
+use super::propagation::smaller;
+use super::workspace::EnergyShare;
+use crate::tolerances::{
+    LARGEST_AMPLIFICATION, LARGEST_ENERGY_ERROR, LOSS_ROUNDINGS, NO_BOUND, NORMAL_ROUNDINGS, ROUTE_ROUNDINGS,
+};
+use percuss_spatial::lanes::Lanes;
+
+/// Sizes of the terms of a transmitted force and its moment: moment ≤ arms·arm + moment + moment_per_root·√(1/m̄) and
+/// force ≤ force + force_per_root·√(1/m̄), for a contact point at the distance `arm` (m) from the origin of its body.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct WrenchSize {
+    arms: f64,
+    moment: f64,
+    moment_per_root: f64,
+    force: f64,
+    force_per_root: f64,
+}
+
+impl WrenchSize {
+    /// Unit force at the contact point, `reach` (m) farther away than the arm.
+    fn unit(reach: f64) -> Self {
+        Self { arms: 1.0, moment: reach, force: 1.0, ..Self::default() }
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.arms += other.arms;
+        self.moment += other.moment;
+        self.moment_per_root += other.moment_per_root;
+        self.force += other.force;
+        self.force_per_root += other.force_per_root;
+    }
+
+    /// Subtracts the parts of `velocities` velocities of a body with the given bounds of its articulated inertia: three components
+    /// each, whose diagonal entries have a sum of twice the moment (kg·m²), or are at most the mass (kg).
+    fn subtract_velocities(&mut self, velocities: usize, moment: f64, mass: f64) {
+        let count = velocities as f64;
+        self.moment_per_root += (6.0 * moment * count).sqrt();
+        self.force_per_root = self.force_per_root.hypot(3.0 * (mass * count).sqrt());
+    }
+
+    /// Moves the reference point by at most `reach`, m.
+    fn shift(&mut self, reach: f64) {
+        self.moment += reach * self.force;
+        self.moment_per_root += reach * self.force_per_root;
+    }
+
+    /// Power for the twists `angular` (rad/s) and `linear` (m/s).
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn power<T: Lanes>(&self, arm: T, root: T, angular: T, linear: T) -> T {
+        let of = T::from_f64;
+        let moment = root.mul_add(of(self.moment_per_root), arm.mul_add(of(self.arms), of(self.moment)));
+        let force = root.mul_add(of(self.force_per_root), of(self.force));
+        moment.mul_add(angular, force * linear)
+    }
+}
+
+/// A body whose twist is computed: a light body, or a body between one and the root.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LightStep {
+    /// Index of the step.
+    pub at: usize,
+    /// Sizes of the transmitted forces, for a light body on a contact path.
+    pub size: WrenchSize,
+}
+
+/// Bound of the rounding error for a contact.
+#[derive(Clone, Debug)]
+pub(super) struct ErrorBound {
+    /// True if the constants below are too large, or do not exist: the sizes of terms are computed at each configuration.
+    pub tracks_sizes: bool,
+    /// Largest [`amplification`](EnergyShare::amplification) of the bodies that affect the result, except light ones.
+    amplification: f64,
+    /// Power of the sizes of the forces for the largest twists, all bodies added, √(1/kg): with the arm in m and √(1/m̄).
+    constant: f64,
+    per_arm: f64,
+    per_root: f64,
+    /// Upper bound of the distance from the contact link's body to the body on the other side along the tree, m.
+    pub reach: f64,
+    /// Errors of the forces on both bodies before their propagation, by rotations, relative to those of a propagated force: the
+    /// larger one, and their power for the largest twists, with the arm in m.
+    contact_error: f64,
+    contact_constant: f64,
+    contact_per_arm: f64,
+    /// Parents first.
+    pub light_steps: Vec<LightStep>,
+    is_light: Vec<bool>,
+}
+
+impl ErrorBound {
+    pub fn none(steps: usize) -> Self {
+        Self {
+            tracks_sizes: true,
+            amplification: NO_BOUND,
+            constant: 0.0,
+            per_arm: 0.0,
+            per_root: 0.0,
+            reach: 0.0,
+            contact_error: 0.0,
+            contact_constant: 0.0,
+            contact_per_arm: 0.0,
+            light_steps: Vec::with_capacity(steps),
+            is_light: vec![false; steps],
+        }
+    }
+
+    /// Bound of the rounding error of 1/m̄, the `response`, in units of ε, 1/kg, without that of light bodies.
+    ///
+    /// A rounding error of an articulated inertia has the effect of an error δI of the inertia of the body itself, with
+    /// vᵀ δI v ≤ κ ε vᵀ I v for every twist v. Therefore the relative error of the mass matrix, and of 1/m̄, is at most ε times the
+    /// largest κ. An error δf of the force on a body changes 1/m̄ by 2 δf·v, where the twist v satisfies vᵀ I v ≤ 1/m̄.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn of_constants<T: Lanes>(&self, response: T, arm: T) -> EnergyError<T> {
+        let of = T::from_f64;
+        let root = response.sqrt();
+        let sizes = root.mul_add(of(self.per_root), arm.mul_add(of(self.per_arm), of(self.constant)));
+        EnergyError { of_inertias: of(self.amplification) * response, of_wrenches: sizes * root }
+    }
+
+    /// The same with the power of the computed sizes for the largest twists, √(1/kg).
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn of_power<T: Lanes>(&self, response: T, power: T) -> EnergyError<T> {
+        let of_inertias = T::from_f64(self.amplification) * response;
+        EnergyError { of_inertias, of_wrenches: power * response.sqrt() }
+    }
+
+    /// Power of the errors of the forces before their propagation for the largest twists, √(1/kg).
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn contact_power<T: Lanes>(&self, arm: T) -> T {
+        arm.mul_add(T::from_f64(self.contact_per_arm), T::from_f64(self.contact_constant))
+    }
+
+    /// Error of the response in units of ε, 1/kg, by these errors: their power for the largest twists, or their part of the `terms`
+    /// (1/kg) of the response if it is smaller.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn of_contact<T: Lanes>(&self, response: T, arm: T, terms: T) -> T {
+        let by_energy = T::from_f64(2.0) * self.contact_power(arm) * response.sqrt();
+        T::from_f64(ROUTE_ROUNDINGS) * smaller(by_energy, T::from_f64(self.contact_error) * terms)
+    }
+
+    /// Finds the bound for a contact.
+    pub fn find(
+        &mut self,
+        (steps, clusters): (&[ScheduledStep], &[MimicCluster]),
+        branches: &Branches,
+        frame: TreeNormalFrame,
+    ) {
+        let Branches { path, other, shared, .. } = branches;
+        let route = path.len() + other.len() - 2 * shared;
+        let turns = match frame {
+            TreeNormalFrame::Body => 0,
+            TreeNormalFrame::Against => route,
+            TreeNormalFrame::Root => path.len(),
+        };
+        let reach = |path: &[usize]| path[*shared..].iter().map(|&at| steps[at].step.reach).sum::<f64>();
+        let error = |turns: usize| NORMAL_ROUNDINGS / ROUTE_ROUNDINGS * turns as f64;
+        // The force on the other body is moved to it from the contact link: twice as many rotations as for a normal alone.
+        let errors = [error(turns), if other.is_empty() { 0.0 } else { error(turns + 2 * route) }];
+        self.contact_error = errors[0].max(errors[1]);
+        self.reach = reach(path) + reach(other);
+        let sides = [(path, 0.0, errors[0]), (other, self.reach, errors[1])];
+        (self.contact_constant, self.contact_per_arm) = (0.0, 0.0);
+        for (&at, reach, error) in
+            sides.iter().filter_map(|&(path, reach, error)| Some((path.last()?, reach, error)))
+        {
+            let share = &steps[at].step.share;
+            self.contact_constant += error * (reach * share.angular + share.linear);
+            self.contact_per_arm += error * share.angular;
+        }
+        self.amplification = self.find_light_bodies(steps, branches);
+        self.tracks_sizes = self.amplification >= NO_BOUND;
+        (self.constant, self.per_arm, self.per_root) = (self.contact_constant, self.contact_per_arm, 0.0);
+        if self.tracks_sizes {
+            return;
+        }
+        for (path, reach, _) in sides {
+            let mut size = WrenchSize::unit(reach);
+            let roles = [StepRole::Path, StepRole::OtherPath];
+            for &at in path.iter().rev().take_while(|&&at| roles.contains(&branches.roles[at])) {
+                let step = &steps[at].step;
+                let velocities = step.free.iter().filter(|free| **free).count();
+                size.subtract_velocities(velocities, step.moment, step.mass);
+                size.shift(step.reach);
+                self.add(at, &step.share, &size);
+                let leaves_cluster = step.cluster_joint.as_ref().filter(|joint| joint.parent.is_none());
+                if let (Some(joint), Some(parent)) = (leaves_cluster, step.parent) {
+                    let parent = &steps[steps.len() - 1 - parent].step;
+                    let freedoms = clusters[joint.cluster].freedoms;
+                    size.subtract_velocities(freedoms, parent.moment, parent.mass);
+                }
+            }
+        }
+        let relative =
+            2.0 * f64::EPSILON * (LOSS_ROUNDINGS * self.amplification + ROUTE_ROUNDINGS * self.per_root);
+        self.tracks_sizes = relative > LARGEST_ENERGY_ERROR;
+    }
+
+    /// Adds the power of the sizes of the force on a body. The twist of a light body is not known before the evaluation.
+    fn add(&mut self, at: usize, share: &EnergyShare, size: &WrenchSize) {
+        if share.is_light() {
+            // Parents first: in decreasing order.
+            if let Ok(light) = self.light_steps.binary_search_by(|light| at.cmp(&light.at)) {
+                self.light_steps[light].size.add(size);
+            }
+            return;
+        }
+        let (angular, linear) = (share.angular, share.linear);
+        self.constant += size.moment * angular + size.force * linear;
+        self.per_arm += size.arms * angular;
+        self.per_root += size.moment_per_root * angular + size.force_per_root * linear;
+    }
+
+    /// Finds the light bodies that affect the contact. Returns the largest [`amplification`](EnergyShare::amplification) of the
+    /// others. Without a bound for a light body, its twist is not computed, and the result is [`NO_BOUND`].
+    fn find_light_bodies(&mut self, steps: &[ScheduledStep], branches: &Branches) -> f64 {
+        self.light_steps.clear();
+        self.is_light.fill(false);
+        let last = steps.len() - 1;
+        let mut amplification = 0.0_f64;
+        // Children before parents.
+        for (at, placed) in steps.iter().enumerate().filter(|(at, _)| branches.roles[*at].is_eliminated()) {
+            let share = &placed.step.share;
+            self.is_light[at] |= share.is_light();
+            // The twists of clusters are not computed.
+            let in_cluster = placed.step.cluster_joint.is_some();
+            if share.amplification > LARGEST_AMPLIFICATION || (in_cluster && self.is_light[at]) {
+                self.light_steps.clear();
+                return NO_BOUND;
+            }
+            if !share.is_light() {
+                amplification = amplification.max(share.amplification);
+            }
+            if let (true, Some(parent)) = (self.is_light[at] && !placed.is_root(), placed.step.parent) {
+                self.is_light[last - parent] = true;
+            }
+        }
+        let light = (0..steps.len()).rev().filter(|&at| self.is_light[at]);
+        self.light_steps.extend(light.map(|at| LightStep { at, size: WrenchSize::default() }));
+        amplification
+    }
+}
+
+/// Parts of the error of 1/m̄, 1/kg.
+pub(super) struct EnergyError<T> {
+    /// By errors of inertias, per unit of relative error.
+    pub of_inertias: T,
+    /// Power of the sizes of the forces.
+    pub of_wrenches: T,
+}
+
+impl<T: Lanes> EnergyError<T> {
+    /// Error in units of ε, 1/kg. Twice: the body's own roundings and those of its children.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn sum(&self) -> T {
+        let of = T::from_f64;
+        of(2.0 * LOSS_ROUNDINGS).mul_add(self.of_inertias, of(2.0 * ROUTE_ROUNDINGS) * self.of_wrenches)
+    }
+}
