@@ -72,8 +72,6 @@ pub(crate) const POSED_ROWS_PER_TASK: usize = 32;
 /// Smallest pivot of the rows of a linkage, relative to the largest entry, for which the conditions determine its motion; and
 /// largest residual of conditions that do not exclude one another. Roundings are some 1e-15, regular poses above 1e-4.
 pub(crate) const UNDETERMINED_MOTION: f64 = 1e-9;
-/// Smallest closing speed of a contact, per rate of a travel, for a motion ratio: below, the contact does not close.
-pub(crate) const SMALLEST_CLOSING_SPEED: f64 = 1e-9;
 /// Least rate of the tilt of a wheel, rad/m, for an instant centre: one that is farther away than 10,000 km is at infinity.
 pub(crate) const LEAST_TILT_RATE: f64 = 1e-7;
 /// Largest number of designs that a search for coordinates evaluates: some seconds.

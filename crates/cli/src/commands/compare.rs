@@ -190,7 +190,7 @@ pub fn design_table(report: &ComparisonReport) -> Table<5> {
         most.collect::<Vec<_>>().join(", ")
     };
     if report.designs.iter().all(|design| design.reference.is_none()) {
-        let mut table = Table::new(["contact", "kg", "wheel/contact", "kg over the range", "most of it"]);
+        let mut table = Table::new(["contact", "kg", "contact/wheel", "kg over the range", "most of it"]);
         for (i, design) in report.designs.iter().enumerate() {
             let ratio = design.motion_ratio.map_or("–".into(), short_number);
             let masses = report.rows.iter().filter_map(|row| row.effective_mass[i]);

@@ -201,7 +201,7 @@ pub fn headline(report: &MassReport) -> String {
 fn estimate_text(record: &EstimateRecord) -> String {
     let links = line(&record.links.join(", ")).into_owned();
     let first = line(&record.links[0]);
-    let (Some(ratio), Some(estimate)) = (record.motion_ratio, record.estimate) else {
+    let Some(estimate) = record.estimate else {
         let none = format!("none: the speed of point A on {first} is undetermined");
         return format!("\n{}", fact_line("estimate", &none));
     };
@@ -211,14 +211,11 @@ fn estimate_text(record: &EstimateRecord) -> String {
         format!("   ({p:+.2} %)")
     });
     let mut out = format!("\n{}", fact_line("estimate m_K/l²", &format!("{} kg{off}", number(estimate))));
-    let lever = record.lever.map_or_else(|| "–".to_owned(), number);
+    let ratio = record.motion_ratio.map_or_else(|| "infinite".to_owned(), number);
     let takes =
         format!("{} kg of {links}, at {} m of {first}", number(record.mass), triple(&record.point_link));
     out += &fact_line("  takes", &takes);
-    out += &fact_line(
-        "  motion ratio",
-        &format!("{} (A over contact), {lever} (contact over A)", number(ratio)),
-    );
+    out += &fact_line("  motion ratio", &format!("{ratio}, closing of the contact per travel of A"));
     if let Some(share) = record.share_left_out {
         let percent = 100.0 * share;
         out += &fact_line(

@@ -102,19 +102,18 @@ pub fn tolerances(report: &ToleranceReport) -> String {
     out
 }
 
-/// Motion ratio with both of its definitions.
+/// Motion ratio with its definition.
 pub fn motion_ratio(ratio: &MotionRatioRecord) -> String {
-    let inverse = ratio.contact_per_wheel.map_or_else(|| "–".to_owned(), number);
     let whole = match &ratio.held {
         Some(joint) => format!("; with the joint {joint} held"),
         None if ratio.one_travel => String::new(),
         None => "; for the motion of this impact only".to_owned(),
     };
     format!(
-        "{} along {}: {} (wheel per contact), {inverse} (contact per wheel){whole}",
+        "{}, closing of the contact per travel of {} along {}{whole}",
+        ratio.contact_per_wheel.map_or_else(|| "infinite".to_owned(), number),
         ratio.link,
         triple(&ratio.direction),
-        number(ratio.wheel_per_contact)
     )
 }
 

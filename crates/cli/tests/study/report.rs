@@ -392,7 +392,7 @@ fn a_stop_has_its_symbols_charts_and_tables() {
         "<td>all at the limit</td>",
         "<td>hardpoints</td><td>0.5 mm</td>",
         "<td>stop 20 mm further out</td>",
-        "<th class=\"number\">point per contact</th>",
+        "<th class=\"number\">contact per travel of the point</th>",
         "<td class=\"name\">penetration</td>",
         "MuJoCo",
         "Rates of the hardpoints",

@@ -217,7 +217,49 @@ fn masses_and_ratios_are_those_of_the_named_contacts() {
     let patch = mass("contact_patch");
     close(value(row, "unsprung_mass"), patch["effective_mass"].as_f64().expect("a mass"), ROUNDING, "mass");
     let ratio = mass("spring")["motion_ratios"][0]["contact_per_wheel"].as_f64().expect("a ratio");
-    close(value(row, "motion_ratio_spring").abs(), ratio.abs(), ROUNDING, "ratio");
+    close(value(row, "motion_ratio_spring"), ratio, ROUNDING, "ratio");
+}
+
+/// One motion ratio, contact per wheel with its sign: in `kinematics`, `mass`, the table of contacts and `sweep`, with a rack that
+/// slides or not.
+#[test]
+fn every_command_has_the_same_motion_ratio() {
+    let folder = Scratch::new("kinematics-ratios");
+    for (template, rack) in [
+        ("double-wishbone", "true"),
+        ("macpherson-strut", "false"),
+        ("pushrod-rocker", "true"),
+        ("five-link", "true"),
+    ] {
+        let text = done(&folder, &["template", template]);
+        folder.write("car.toml", &text.replace("slides = false", &format!("slides = {rack}")));
+        let at = ["--wheel-travel", "20mm"];
+        let row = &rows(&folder, "car.toml", &at)[0];
+        let list = done(&folder, &["mass", "car.toml", "--at", "all", at[0], at[1], "--format", "json"]);
+        let list: Value = serde_json::from_str(&list).expect("JSON");
+        for contact in ["spring", "damper", "bump_stop", "rebound_stop"] {
+            let expected = value(row, &format!("motion_ratio_{contact}"));
+            let what = format!("{template} {contact}");
+            let listed = list["contacts"].as_array().expect("a list").iter().find(|c| c["name"] == contact);
+            let ratios = &listed.expect("the contact")["report"]["motion_ratios"];
+            close(ratios[0]["contact_per_wheel"].as_f64().expect("a ratio"), expected, ROUNDING, &what);
+            let words = [
+                "sweep",
+                "car.toml",
+                "--at",
+                contact,
+                "--wheel-travel",
+                "10mm:20mm:2",
+                "--output",
+                "rows.json",
+                "--force",
+            ];
+            done(&folder, &words);
+            let swept = std::fs::read_to_string(folder.path("rows.json")).expect("rows");
+            let swept: Value = serde_json::from_str(&swept).expect("JSON");
+            close(swept["rows"][1]["motion_ratio"].as_f64().expect("a ratio"), expected, ROUNDING, &what);
+        }
+    }
 }
 
 /// Support angles and frequencies: closed forms from the columns; missing data are named.

@@ -114,7 +114,7 @@ pub(super) fn add_estimate(report: &MassReport, page: &mut Page) {
     let value = |x: Option<f64>, unit: &str| x.map_or("–".to_owned(), |x| format!("{} {unit}", number(x)));
     page.facts([
         ("takes", format!("{} kg of {}", number(estimate.mass), estimate.links.join(", "))),
-        ("motion ratio", value(estimate.motion_ratio, "(A over contact)")),
+        ("motion ratio", value(estimate.motion_ratio, "(contact per travel of A)")),
         ("estimate", value(estimate.estimate, "kg")),
         ("off by", estimate.error_percent.map_or("–".to_owned(), |x| format!("{} %", short_number(x)))),
     ]);
@@ -126,10 +126,10 @@ pub(super) fn add_motion_ratios(report: &MassReport, page: &mut Page) {
         return;
     }
     page.section("Motion ratios");
-    let mut rows = vec![["point", "direction", "point per contact", "contact per point"].map(str::to_owned)];
+    let mut rows = vec![["point", "direction", "contact per travel of the point"].map(str::to_owned)];
     rows.extend(report.motion_ratios.iter().map(|ratio| {
-        let inverse = ratio.contact_per_wheel.map_or_else(|| "–".to_owned(), number);
-        [ratio.link.clone(), triple(&ratio.direction), number(ratio.wheel_per_contact), inverse]
+        let shown = ratio.contact_per_wheel.map_or_else(|| "infinite".to_owned(), number);
+        [ratio.link.clone(), triple(&ratio.direction), shown]
     }));
     page.table(&rows);
     if let Some(joint) = report.motion_ratios.iter().find_map(|ratio| ratio.held.as_ref()) {

@@ -130,6 +130,9 @@ impl From<KinematicsError> for Failure {
     }
 }
 
+/// Axes of all quantities.
+const AXES: &str = "axes of the vehicle, ISO 8855: x forward, y left, z up";
+
 /// Name of a column with its unit in tables.
 fn heading(column: &KinematicColumn) -> String {
     match column.unit.of_table().0 {
@@ -166,10 +169,16 @@ fn shown(unit: KinematicUnit, value: Option<f64>) -> String {
     }
 }
 
+/// Name of a quantity in words; a motion ratio states its two motions.
+fn named_in_words(quantity: &str) -> String {
+    let is_ratio = quantity.starts_with("motion_ratio_");
+    quantity.replace('_', " ") + if is_ratio { "/wheel" } else { "" }
+}
+
 /// Name of a quantity in words, with its unit.
 fn words(column: &KinematicColumn) -> String {
     let unit = column.unit.of_table().0;
-    let name = column.quantity.replace('_', " ");
+    let name = named_in_words(&column.quantity);
     if unit.is_empty() { name } else { format!("{name}, {unit}") }
 }
 
@@ -186,7 +195,7 @@ fn tables(report: &KinematicsReport) -> String {
             None => reasons.push((why, vec![name])),
         }
     }
-    let _ = writeln!(out, "\nderivatives along {}, per travel of the wheel", report.derivatives);
+    let _ = writeln!(out, "\nderivatives along {}, per travel of the wheel\n{AXES}", report.derivatives);
     for (why, names) in reasons {
         let _ = writeln!(out, "{}", wrap_hanging(&format!("not given: {}: {why}", names.join(", ")), 2));
     }
