@@ -1,6 +1,7 @@
 //! Import of hardpoint files: links and joints, positions, masses, refusals.
 
 mod figures;
+mod implausible;
 mod mechanics;
 mod models;
 mod refusals;

@@ -389,7 +389,13 @@ impl CornerBuilder<'_> {
                 // Slender rod: transverse moment m l²/12.
                 let across = Matrix3::identity() - direction * direction.transpose();
                 let about_com = across * (mass * along.norm_squared() / 12.0);
-                Body { mass: *mass, com: (points[0] + points[1]) / 2.0, about_com, spot: spot.clone() }
+                Body {
+                    mass: *mass,
+                    com: (points[0] + points[1]) / 2.0,
+                    about_com,
+                    spot: spot.clone(),
+                    com_spot: spot.clone(),
+                }
             }
         };
         self.add_universal_joint((&from, link), points[0], &body, direction, link_comment(comment, a));
@@ -408,6 +414,7 @@ impl CornerBuilder<'_> {
             com: high,
             about_com: Matrix3::zeros(),
             spot: spot.clone(),
+            com_spot: spot.clone(),
         });
         self.add_universal_joint((CHASSIS, link), high, &body, axis, link_comment(comment, top));
         self.corner.add_sliding_closure(&format!("{link}_slide"), [link, on], low, axis, &spot);

@@ -422,10 +422,10 @@ impl SheetReader<'_> {
         if is_rod && !self.entries.has(&com_key) && !self.entries.has(&inertia_key) {
             return Some(GivenBody::Rod(mass, spot));
         }
-        let com = match self.entries.point(self.findings, &com_key, frame) {
-            Some((com, _)) => Some(com),
+        let (com, com_spot) = match self.entries.point(self.findings, &com_key, frame) {
+            Some((com, at)) => (Some(com), at),
             None if self.entries.has(&com_key) => return None,
-            None => None,
+            None => (None, spot.clone()),
         };
         let is_mirrored = points_side == Side::Right && !template.is_central_body(key);
         // NaN: the default for a spindle is the wheel centre, which is computed later. A massless body needs no centre of mass.
@@ -462,7 +462,7 @@ impl SheetReader<'_> {
                 about_com[(row, column)] = 0.0 - about_com[(row, column)];
             }
         }
-        Some(GivenBody::Body(corner::Body { mass, com, about_com, spot }))
+        Some(GivenBody::Body(corner::Body { mass, com, about_com, spot, com_spot }))
     }
 
     /// Reads one number.
