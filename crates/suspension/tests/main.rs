@@ -2,6 +2,7 @@
 
 mod figures;
 mod implausible;
+mod keys;
 mod mechanics;
 mod models;
 mod refusals;

@@ -83,11 +83,8 @@ pub(in super::super) fn read(
     for entry in entries.unread() {
         let spot = &entry.spot;
         let known = sheet.as_ref().map(|s| catalogue::keys_of(s.template)).unwrap_or_default();
-        let near = catalogue::near_keys(&entry.key, known.iter().map(String::as_str));
-        let near = near.first().map_or_else(String::new, |n| format!("; did you mean {}?", quoted(n)));
-        let message = format!("the key {} is not known to this template{near}", quoted(&entry.key));
         if sheet.is_some() {
-            findings.error("unknown-key", spot, message);
+            findings.error("unknown-key", spot, catalogue::unknown_key_message(&entry.key, &known));
         }
     }
     sheet.filter(|_| !findings.has_errors())
@@ -506,10 +503,7 @@ impl SheetReader<'_> {
             let key = format!("{section}.on");
             let found = self.entries.text(self.findings, &key, "the name of a link");
             let (link, spot) = found.unwrap_or_else(|| (default.clone(), Spot::default()));
-            let holders: Vec<&str> = template.holders().filter(|l| !["anti_roll_bar"].contains(l)).collect();
-            if !holders.contains(&&*link) {
-                let message =
-                    format!("{} is no link that this can be on: {}", quoted(&link), holders.join(", "));
+            if let Err(message) = template.check_holder(section, &link) {
                 self.findings.error("unknown-link", &spot, message);
             }
             on.insert(&**section, (link, spot));
