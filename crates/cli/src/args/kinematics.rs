@@ -73,7 +73,10 @@ pub struct KinematicsArgs {
     /// Search the coordinate of a hardpoint, x, y or z in the axes of the sheet: rocker_back.z.
     #[arg(long, value_name = "POINT.AXIS", requires = "required", help_heading = SEARCH)]
     pub solve: Vec<UnknownCoordinate>,
-    /// Required value of a column: motion_ratio_spring=0.75, caster=4deg; as many as --solve.
+    /// Required value of a quantity: spring.motion_ratio=0.75, caster=4deg; as many as --solve.
+    ///
+    /// A quantity of a spring, damper or stop names it: bump_stop.motion_ratio, bump_stop_left.motion_ratio; the same as the column
+    /// motion_ratio_bump_stop.
     #[arg(long = "for", id = "required", value_name = "QUANTITY=VALUE", requires = "solve", help_heading = SEARCH)]
     pub required: Vec<KinematicTarget>,
     /// Largest change of each coordinate.

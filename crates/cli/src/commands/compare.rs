@@ -157,6 +157,14 @@ pub fn show(designs: &[Design], names: Names, output: &ComparisonOutput) -> Resu
     Ok(())
 }
 
+/// Writes the file of a comparison, without text and findings.
+pub fn write_output(designs: &[Design], names: Names, output: &ComparisonOutput) -> Result<(), Failure> {
+    let ComparisonOutput { output, table, figure, .. } = *output;
+    let Some(path) = output else { return Ok(()) };
+    let report = compare(designs).map_err(|error| failure(&error, names))?;
+    write_file(path, &file_bytes(&report, path, table, figure)?)
+}
+
 /// Failure of a comparison; the names of fields are flags or keys.
 pub fn failure(error: &CompareError, names: Names) -> Failure {
     match error {

@@ -15,9 +15,13 @@ use crate::thresholds::{
     SMALLEST_SEARCH_STEP, TARGET_ACCURACY,
 };
 use nalgebra::{DMatrix, DVector};
+use percuss_mechanism::near_names;
 use percuss_units::{Dimension, LengthUnit, Quantity};
 use serde::Serialize;
 use std::str::FromStr;
+
+/// Quantities of which each spring, damper and stop has its own.
+const CONTACT_QUANTITIES: [&str; 2] = ["motion_ratio", "force"];
 
 /// Coordinate of a hardpoint: `POINT.AXIS`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,7 +55,7 @@ impl UnknownCoordinate {
 /// Required value of a quantity: `QUANTITY=VALUE`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KinematicTarget {
-    /// Column of `percuss kinematics`, with the ending of the side or without.
+    /// Column of `percuss kinematics`, with the ending of the side or without; see [`column_name`].
     pub quantity: String,
     /// Value with its unit; without a unit SI, or a plain number.
     pub value: Quantity,
@@ -61,7 +65,7 @@ impl FromStr for KinematicTarget {
     type Err = String;
     fn from_str(text: &str) -> Result<Self, String> {
         let (quantity, value) =
-            text.split_once('=').ok_or("expected QUANTITY=VALUE, such as motion_ratio_spring=0.75")?;
+            text.split_once('=').ok_or("expected QUANTITY=VALUE, such as spring.motion_ratio=0.75")?;
         let parse = |dimension: Dimension| dimension.parse(value);
         // Per cent and units of stiffness have no dimension in a plain number.
         let value = Quantity::parse(value).or_else(|error| {
@@ -70,7 +74,16 @@ impl FromStr for KinematicTarget {
                 .or_else(|_| parse(Dimension::Force))
                 .map_err(|_| error)
         });
-        Ok(Self { quantity: quantity.to_owned(), value: value.map_err(|error| error.to_string())? })
+        Ok(Self { quantity: column_name(quantity.trim()), value: value.map_err(|error| error.to_string())? })
+    }
+}
+
+/// Name of a column: `CONTACT.QUANTITY`, such as `bump_stop_left.motion_ratio`, is the column `motion_ratio_bump_stop_left`; any other
+/// name stays as it is.
+pub fn column_name(text: &str) -> String {
+    match text.split_once('.') {
+        Some((contact, quantity)) => format!("{quantity}_{contact}"),
+        None => text.to_owned(),
     }
 }
 
@@ -401,6 +414,24 @@ fn nearest_crossing(tried: &[Trial]) -> Option<Trial> {
     tried.iter().filter(|t| ends.contains(&t.x[0])).min_by(|a, b| a.error().total_cmp(&b.error())).cloned()
 }
 
+/// Message about an unknown column. A quantity of which each spring, damper and stop has its own is listed with them.
+pub(crate) fn unknown_column(name: &str, names: &[String]) -> String {
+    let of_contacts: Vec<String> = names
+        .iter()
+        .filter_map(|known| known.strip_prefix(name)?.strip_prefix('_'))
+        .map(|contact| format!("{contact}.{name}"))
+        .collect();
+    if !of_contacts.is_empty() && CONTACT_QUANTITIES.contains(&name) {
+        return format!(
+            "\"{name}\" is that of a spring, damper or stop; name it: {}",
+            of_contacts.join(", ")
+        );
+    }
+    let near = near_names(name, names.iter().map(String::as_str)).into_iter().next();
+    let near = near.map_or_else(String::new, |near| format!(" (did you mean \"{near}\"?)"));
+    format!("no quantity \"{name}\"{near}; these are: {}", names.join(", "))
+}
+
 /// Value of a quantity: by its full name, or without the side (the first side).
 fn find(values: &KinematicValues, name: &str) -> Result<f64, String> {
     let full = |value: &&crate::reports::kinematics::values::KinematicValue| {
@@ -412,7 +443,7 @@ fn find(values: &KinematicValues, name: &str) -> Result<f64, String> {
         None => {
             let names: Vec<String> =
                 values.0.iter().map(|value| format!("{}{}", value.name, value.side)).collect();
-            Err(format!("no quantity \"{name}\"; these are: {}", names.join(", ")))
+            Err(unknown_column(name, &names))
         }
     }
 }
