@@ -27,7 +27,8 @@ pub fn explanation(explained: &Explanation) -> String {
     if !moves.is_empty() {
         out += &list("most per millimetre", moves);
     }
-    let mut table = Table::new(["link", "kg", "share %", "per kg", "per mm of its centre of mass (x, y, z)"]);
+    let mut table =
+        Table::new(["link", "kg", "share %", "per kg", "per mm of its centre of mass (x, y, z of the link)"]);
     for link in &explained.links {
         let com = link.per_metre_of_com.map_or_else(|| "–".to_owned(), |rates| per_millimetre(&rates));
         let share = format!("{:.2}", 100.0 * link.share);
@@ -110,10 +111,13 @@ pub fn motion_ratio(ratio: &MotionRatioRecord) -> String {
         None => "; for the motion of this impact only".to_owned(),
     };
     format!(
-        "{}, closing of the contact per travel of {} along {}{whole}",
+        "{}, closing of the contact per {}{whole}",
         ratio.contact_per_wheel.map_or_else(|| "infinite".to_owned(), number),
-        ratio.link,
-        triple(&ratio.direction),
+        if ratio.direction == [0.0, 0.0, 1.0] {
+            format!("upward travel of {}", ratio.link)
+        } else {
+            format!("travel of {} along {} (world axes)", ratio.link, triple(&ratio.direction))
+        },
     )
 }
 

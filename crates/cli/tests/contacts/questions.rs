@@ -400,7 +400,7 @@ fn motion_ratios_are_unambiguous_or_say_so() {
     let text = percuss(&format!("mass {}", sheet("double-wishbone"))).stdout;
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
-        text.contains("motion ratio 0.495695902, closing of the contact per travel of wheel_centre"),
+        text.contains("motion ratio 0.495695902, closing of the contact per upward travel of wheel_centre"),
         "{text}"
     );
 }

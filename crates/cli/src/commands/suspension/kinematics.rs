@@ -4,7 +4,7 @@ use crate::args::{KinematicsArgs, KinematicsFormat};
 use crate::files::csv;
 use crate::files::output::{check_writable, record_input, write_file};
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::report::{notes_are_shown, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::{WIDTH, width, wrap_hanging};
 use percuss_study::{
@@ -100,7 +100,9 @@ fn search_text(report: &TargetReport) -> String {
             format!("--move {point}={},{},{}", csv::number(*x), csv::number(*y), csv::number(*z))
         })
         .collect();
-    format!("{table}\n{} designs evaluated; as flags, in m:\n  {}\n", report.evaluations, moves.join("\n  "))
+    let count =
+        if notes_are_shown() { format!("{} designs evaluated; ", report.evaluations) } else { String::new() };
+    format!("{table}\n{count}as flags, in m and the axes of the sheet:\n  {}\n", moves.join("\n  "))
 }
 
 /// Result of a search as CSV.
