@@ -362,6 +362,18 @@ pub fn figure(report: &ComparisonReport, requested: &StudyFigure) -> Result<Figu
     figure_of(report, requested, &(0..report.designs.len()).collect::<Vec<_>>())
 }
 
+/// File names of the models of some designs, each once.
+fn model_names(report: &ComparisonReport, designs: &[usize]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for input in designs.iter().filter_map(|i| report.designs[*i].inputs.first()) {
+        let name = Path::new(&input.path).file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
 /// Figure of some designs.
 fn figure_of(
     report: &ComparisonReport,
@@ -414,7 +426,7 @@ fn figure_of(
             .clone()
             .unwrap_or_else(|| format!("Effective mass of {}", of_designs(report, ""))),
         x_limits: requested.x_limits.map(AxisLimits::ends),
-        subtitle: designs.iter().map(|i| report.designs[*i].name.clone()).collect::<Vec<_>>().join(", "),
+        subtitle: model_names(report, designs).join(", "),
         x_label: format!("{} ({unit})", varied.name),
         panels,
         ..Figure::default()

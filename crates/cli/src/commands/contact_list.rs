@@ -81,10 +81,13 @@ pub fn mass_table(report: &ContactListReport) -> Table<5> {
     table
 }
 
-/// Table of dampers; `None` without dampers.
+/// Kinds of contacts between parts that always touch: no damper is chosen for an impact at them.
+const ALWAYS_TOUCHING: [&str; 2] = ["spring", "damper"];
+
+/// Table of dampers of the contacts that can hit; `None` without dampers.
 pub fn damper_table(report: &ContactListReport) -> Option<Table<2>> {
     let mut dampers = Table::new(["contact", "damping, N·s/m"]);
-    for contact in &report.contacts {
+    for contact in report.contacts.iter().filter(|contact| !ALWAYS_TOUCHING.contains(&contact.kind)) {
         if let [.., Some(damping)] = numbers(contact) {
             dampers.row([contact.name.clone(), number(round_to_digits(damping, DIGITS))]);
         }

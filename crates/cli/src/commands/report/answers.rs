@@ -6,7 +6,6 @@ use crate::commands::{compare, damp, map};
 use crate::files::html::Page;
 use crate::pictures::clipping::{clip_outliers, remove_flat_panels};
 use crate::pictures::map_files;
-use crate::pictures::sweep_figure::MAX_CURVES;
 use crate::terminal::design_changes;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
@@ -35,8 +34,9 @@ pub(super) fn add_variants(compared: &ComparisonReport, study: &StudyFile, page:
     }
     // A comparison without a figure is covered by the sweep's table.
     let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
-    let is_readable = compared.designs.len() <= MAX_CURVES || !compare::has_several_contacts(compared);
-    if let Some(all) = compare::figure(compared, &figure).ok().filter(|_| is_readable) {
+    // Curves of different contacts have figures of their own.
+    let is_of_one = !compare::has_several_contacts(compared);
+    if let Some(all) = compare::figure(compared, &figure).ok().filter(|_| is_of_one) {
         let content = "Effective mass of the designs over the varied quantity";
         add_figure(all, content, page);
     }

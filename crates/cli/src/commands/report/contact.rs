@@ -126,7 +126,8 @@ pub(super) fn add_motion_ratios(report: &MassReport, page: &mut Page) {
         return;
     }
     page.section("Motion ratios");
-    let mut rows = vec![["point", "direction", "contact per travel of the point"].map(str::to_owned)];
+    let mut rows =
+        vec![["point", "direction (world axes)", "contact per travel of the point"].map(str::to_owned)];
     rows.extend(report.motion_ratios.iter().map(|ratio| {
         let shown = ratio.contact_per_wheel.map_or_else(|| "infinite".to_owned(), number);
         [ratio.link.clone(), triple(&ratio.direction), shown]

@@ -41,7 +41,9 @@ pub(super) fn text(
         mechanism::add_model(contents, &mut page);
     }
     if let Some(sweep) = &results.sweep {
-        sweep.add_to(&mut page, &file_name(&Path::new(path).with_extension("csv").to_string_lossy()));
+        let table = file_name(&Path::new(path).with_extension("csv").to_string_lossy());
+        let first = study.contacts.first().filter(|_| results.has_several_contacts());
+        sweep.add_to(&mut page, &table, first.map(|contact| contact.name.as_str()));
     }
     if let Some(compared) = &results.compared {
         answers::add_variants(compared, study, &mut page);

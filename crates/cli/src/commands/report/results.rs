@@ -102,9 +102,16 @@ impl StudyResults {
         each
     }
 
+    /// True if the study has several contacts, which are compared over the rows of its sweep.
+    pub fn has_several_contacts(&self) -> bool {
+        self.compared.as_ref().is_some_and(compare::has_several_contacts)
+    }
+
     /// Diagnostics of all results, without duplicates.
     pub fn diagnostics(&self) -> Vec<DiagnosticRecord> {
-        let sweep = self.sweep.iter().flat_map(|sweep| &sweep.end.diagnostics);
+        // The comparison has the findings of all contacts over the rows.
+        let sweep = self.sweep.iter().filter(|_| !self.has_several_contacts());
+        let sweep = sweep.flat_map(|sweep| &sweep.end.diagnostics);
         let compared = self.compared.iter().flat_map(|compared| &compared.diagnostics);
         let mapped = self.mapped.iter().flat_map(|mapped| match mapped {
             MapResult::Surfaces(answer) => &answer.report.diagnostics,
