@@ -9,6 +9,7 @@ use crate::commands::map;
 use crate::commands::mass;
 use crate::commands::mass::MassRequests;
 use crate::commands::report;
+use crate::commands::suspension::kinematics;
 use crate::commands::sweep;
 use crate::commands::sweep::SweepOutput;
 use crate::files::output::record_input;
@@ -107,6 +108,9 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     }
     if let (Some(question), Some(requested)) = (&study.question, &study.impact) {
         rigid_impact::show(&study.model, question, requested, CheckFormat::Text, strict)?;
+    }
+    if let Some(requested) = &study.kinematics {
+        kinematics::show_of_study(study, requested, strict)?;
     }
     if let Some(requested) = &study.map {
         map::show(&study.model, &requested.question, &map_output(requested, MassFormat::Text, strict)?)?;

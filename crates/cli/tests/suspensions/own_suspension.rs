@@ -181,6 +181,8 @@ fn from_an_empty_folder_to_a_report() {
             "Sensitivities",
             "The damper",
             "The mechanism at this pose",
+            "Kinematics",
+            "roll centre height (mm)",
         ] {
             assert!(page.contains(words), "{template}: {words}");
         }

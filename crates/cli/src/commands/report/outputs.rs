@@ -1,6 +1,7 @@
-//! Files that the tables of a study name: `sweep.output`, `damping.output`, `map.output`.
+//! Files that the tables of a study name: `sweep.output`, `damping.output`, `map.output`, `kinematics.output`.
 
 use crate::commands::compare::{self, ComparisonOutput};
+use crate::commands::suspension::kinematics;
 use crate::commands::sweep::{self, SweepOutput};
 use crate::commands::{damp, map};
 use crate::files::table_style::TableStyle;
@@ -13,7 +14,8 @@ pub fn files_of(study: &StudyFile) -> impl Iterator<Item = (&'static str, String
     let damping = study.damping.iter().filter_map(|d| Some(("damping.output", d.output.clone()?)));
     let map =
         study.map.iter().flat_map(|map| map.outputs.iter().map(|output| ("map.output", output.clone())));
-    sweep.chain(damping).chain(map)
+    let kinematics = study.kinematics.iter().filter_map(|k| Some(("kinematics.output", k.output.clone()?)));
+    sweep.chain(damping).chain(map).chain(kinematics)
 }
 
 /// Writes these files without text; the findings are those of the report.
@@ -24,6 +26,11 @@ pub(super) fn write(study: &StudyFile, study_path: &str) -> Result<(), Failure> 
         && (damping.stop.is_some() || study.question.is_some())
     {
         damp::write_history(&damp::study_report(study, damping)?, &damping.question, path)?;
+    }
+    if let Some(requested) = &study.kinematics
+        && let Some(path) = &requested.output
+    {
+        kinematics::write_output(&requested.report(&study.model)?, requested, path)?;
     }
     if let Some(requested) = &study.map {
         let formats = map::formats(&requested.outputs)?;

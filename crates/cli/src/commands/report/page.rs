@@ -48,6 +48,9 @@ pub(super) fn text(
     if let Some(compared) = &results.compared {
         answers::add_variants(compared, study, &mut page);
     }
+    if let Some(report) = &results.kinematics {
+        answers::add_kinematics(report, study, &mut page);
+    }
     let damper = results.mass.as_ref().and_then(|report| report.damper.as_ref()).or(results.stop.as_ref());
     if let (Some(damper), Some(damping)) = (damper, &study.damping) {
         answers::add_damper(damper, &damping.question, &mut page)?;
@@ -102,8 +105,12 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
     let of_variants = results.compared.iter().flat_map(|compared| &compared.diagnostics);
     let of_variants: Vec<&DiagnosticRecord> =
         of_variants.filter(|d| d.path.is_none() && d.severity == Severity::Note).collect();
-    let is_listed =
-        |d: &&DiagnosticRecord| d.path.is_some() || d.severity == Severity::Note && !of_variants.contains(d);
+    // The driving joints of a suspension have no influence on its results.
+    let is_of_sheet = results.mass.as_ref().is_some_and(|mass| mass.point_in_sheet.is_some());
+    let is_detail = |d: &DiagnosticRecord| is_of_sheet && d.code == "drivers-chosen";
+    let is_listed = |d: &&DiagnosticRecord| {
+        !is_detail(d) && (d.path.is_some() || d.severity == Severity::Note && !of_variants.contains(d))
+    };
     let listed: Vec<&DiagnosticRecord> = diagnostics.iter().filter(is_listed).collect();
     if !listed.is_empty() {
         page.heading("Notes, and findings about the files");

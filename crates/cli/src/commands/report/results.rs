@@ -10,9 +10,9 @@ use crate::commands::mass::MassRequests;
 use crate::terminal::failure::Failure;
 use percuss_study::{
     CheckReport, ComparisonReport, ContactListReport, DampingReport, DiagnosticRecord, DrawnMechanism,
-    ImpactReport, Input, MapAnswer, MassReport, Names, PointMapReport, SafeSpeedReport, StudyFile,
-    StudyMapQuestion, check as check_of, draw_mechanism, impact as impact_of, map as map_of, map_point,
-    mass_with_drawing,
+    ImpactReport, Input, KinematicsReport, MapAnswer, MassReport, Names, PointMapReport, SafeSpeedReport,
+    StudyFile, StudyMapQuestion, check as check_of, draw_mechanism, impact as impact_of, map as map_of,
+    map_point, mass_with_drawing,
 };
 
 /// Result of a map.
@@ -34,6 +34,7 @@ pub(super) struct StudyResults {
     pub impact: Option<ImpactReport>,
     pub sweep: Option<SweepSection>,
     pub compared: Option<ComparisonReport>,
+    pub kinematics: Option<KinematicsReport>,
     pub mapped: Option<MapResult>,
     pub speeds: Option<Vec<SafeSpeedReport>>,
 }
@@ -70,6 +71,8 @@ impl StudyResults {
                 Some(MapResult::Directions(Box::new(map_point(&study.model, requested, *count)?)))
             }
         };
+        let kinematics =
+            study.kinematics.as_ref().map(|requested| requested.report(&study.model)).transpose()?;
         let speeds =
             study.safe_speed.as_ref().map(|requested| requested.reports(&study.model)).transpose()?;
         let impact = study.question.as_ref().zip(study.impact.as_ref());
@@ -77,7 +80,19 @@ impl StudyResults {
             impact.map(|(question, requested)| impact_of(&study.model, question, requested)).transpose()?;
         let sweep = study.sweep.as_ref().map(|requested| run_sweep(study, requested)).transpose()?;
         let listed = if study.contacts.is_empty() { None } else { Some(contact_list::of_study(study)?) };
-        Ok(Self { mass, listed, mechanism, contents, stop, impact, sweep, compared, mapped, speeds })
+        Ok(Self {
+            mass,
+            listed,
+            mechanism,
+            contents,
+            stop,
+            impact,
+            sweep,
+            compared,
+            kinematics,
+            mapped,
+            speeds,
+        })
     }
 
     /// Input files of all results, without duplicates.

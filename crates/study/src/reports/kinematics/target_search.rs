@@ -6,6 +6,7 @@
 
 use crate::model::changes::Changes;
 use crate::model::loading::{Input, Model};
+use crate::reports::kinematics::column_names::{column_name, unknown_column};
 use crate::reports::kinematics::question::{KinematicsError, KinematicsQuestion};
 use crate::reports::kinematics::report::evaluate_state;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
@@ -15,13 +16,9 @@ use crate::thresholds::{
     SMALLEST_SEARCH_STEP, TARGET_ACCURACY,
 };
 use nalgebra::{DMatrix, DVector};
-use percuss_mechanism::near_names;
 use percuss_units::{Dimension, LengthUnit, Quantity};
 use serde::Serialize;
 use std::str::FromStr;
-
-/// Quantities of which each spring, damper and stop has its own.
-const CONTACT_QUANTITIES: [&str; 2] = ["motion_ratio", "force"];
 
 /// Coordinate of a hardpoint: `POINT.AXIS`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -75,15 +72,6 @@ impl FromStr for KinematicTarget {
                 .map_err(|_| error)
         });
         Ok(Self { quantity: column_name(quantity.trim()), value: value.map_err(|error| error.to_string())? })
-    }
-}
-
-/// Name of a column: `CONTACT.QUANTITY`, such as `bump_stop_left.motion_ratio`, is the column `motion_ratio_bump_stop_left`; any other
-/// name stays as it is.
-pub fn column_name(text: &str) -> String {
-    match text.split_once('.') {
-        Some((contact, quantity)) => format!("{quantity}_{contact}"),
-        None => text.to_owned(),
     }
 }
 
@@ -412,24 +400,6 @@ fn bracket(tried: &[Trial], x: f64) -> Option<[f64; 2]> {
 fn nearest_crossing(tried: &[Trial]) -> Option<Trial> {
     let ends = bracket(tried, 0.0)?;
     tried.iter().filter(|t| ends.contains(&t.x[0])).min_by(|a, b| a.error().total_cmp(&b.error())).cloned()
-}
-
-/// Message about an unknown column. A quantity of which each spring, damper and stop has its own is listed with them.
-pub(crate) fn unknown_column(name: &str, names: &[String]) -> String {
-    let of_contacts: Vec<String> = names
-        .iter()
-        .filter_map(|known| known.strip_prefix(name)?.strip_prefix('_'))
-        .map(|contact| format!("{contact}.{name}"))
-        .collect();
-    if !of_contacts.is_empty() && CONTACT_QUANTITIES.contains(&name) {
-        return format!(
-            "\"{name}\" is that of a spring, damper or stop; name it: {}",
-            of_contacts.join(", ")
-        );
-    }
-    let near = near_names(name, names.iter().map(String::as_str)).into_iter().next();
-    let near = near.map_or_else(String::new, |near| format!(" (did you mean \"{near}\"?)"));
-    format!("no quantity \"{name}\"{near}; these are: {}", names.join(", "))
 }
 
 /// Value of a quantity: by its full name, or without the side (the first side).
