@@ -364,6 +364,11 @@ fn tolerances_are_those_of_the_closed_form() {
     let again =
         json(&format!("mass {PENDULUM} --tolerance mass=2%,com=1mm --samples 20000 --seed 7 --format json"));
     assert_eq!(again["tolerance"], report["tolerance"], "the same seed");
+    // Tolerances of different quantities may be given one by one.
+    let apart = json(&format!(
+        "mass {PENDULUM} --tolerance mass=2% --tolerance com=1mm --samples 20000 --seed 7 --format json"
+    ));
+    assert_eq!(apart["tolerance"], report["tolerance"], "one by one");
     // --expect has its own tolerance.
     let both = format!("mass {PENDULUM} --expect 0.782 --tolerance 0.01 --tolerance mass=1%");
     assert_eq!(percuss(&both).code, 0);

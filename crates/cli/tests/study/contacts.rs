@@ -176,6 +176,12 @@ fn the_report_of_several_contacts_has_each_figure_and_finding_once() {
         assert_eq!(told.matches(stop).count(), 1, "{told}");
     }
     let page = std::fs::read_to_string(html).expect("a page");
+    let mut warnings: Vec<&str> = page.split("<p class=\"warning\">").skip(1).collect();
+    warnings.iter_mut().for_each(|text| *text = text.split("</p>").next().unwrap_or_default());
+    let mut bare: Vec<&str> = warnings.iter().map(|text| text.trim_start_matches("warning: ")).collect();
+    bare.iter_mut().for_each(|text| *text = text.split_once(": ").map_or(*text, |(_, message)| message));
+    bare.sort_unstable();
+    assert!(bare.windows(2).all(|pair| pair[0] != pair[1]), "{warnings:?}");
     assert!(page.contains("The sweep at bump_stop") && !page.contains("Effective mass of contacts"));
     for contact in ["bump_stop", "rebound_stop", "spring", "contact_patch"] {
         let title = format!(">Effective mass at {contact}<");

@@ -17,7 +17,9 @@ use percuss_mechanism::{
     JointDescription, JointKind, LinkDescription, MechanismBuilder,
 };
 use percuss_spatial::{Matrix3, Vector3};
-use plausibility::{CheckedPart, GivenMass, MirroredMass, check_part, check_wheel, warn_mirrored_masses};
+use plausibility::{
+    CheckedPart, GivenMass, MirroredMass, check_part, check_wheel, distance_from_box, warn_mirrored_masses,
+};
 use std::collections::HashMap;
 
 /// Root link.
@@ -560,17 +562,6 @@ impl Corner {
         }
         builder
     }
-}
-
-/// Distance (m) of a point from the axis-aligned bounding box of other points; 0 inside.
-pub(super) fn distance_from_box<'p>(
-    at: &Vector3<f64>,
-    others: impl IntoIterator<Item = &'p Vector3<f64>>,
-) -> f64 {
-    let mut others = others.into_iter();
-    let Some(first) = others.next() else { return 0.0 };
-    let (low, high) = others.fold((*first, *first), |(low, high), at| (low.inf(at), high.sup(at)));
-    (at - at.sup(&low).inf(&high)).norm()
 }
 
 /// Returns −x, and 0 for 0.

@@ -1,6 +1,5 @@
 //! Warnings about implausible masses and inertias of parts: values in another unit, or about another point.
 
-use super::distance_from_box;
 use crate::findings::{Findings, Spot};
 use crate::limits::{
     GRAMS_PER_KILOGRAM, GYRATION_RADII, LEAST_CARRIER_SIZE, LEAST_DISTANCE_TERM, LEAST_SHARE_IN_GRAMS,
@@ -222,6 +221,17 @@ pub(super) fn warn_mirrored_masses(found: &[MirroredMass], findings: &mut Findin
         );
         findings.warning("mirrored-com", &first.spot, message);
     }
+}
+
+/// Distance (m) of a point from the axis-aligned bounding box of other points; 0 inside.
+pub(super) fn distance_from_box<'p>(
+    at: &Vector3<f64>,
+    others: impl IntoIterator<Item = &'p Vector3<f64>>,
+) -> f64 {
+    let mut others = others.into_iter();
+    let Some(first) = others.next() else { return 0.0 };
+    let (low, high) = others.fold((*first, *first), |(low, high), at| (low.inf(at), high.sup(at)));
+    (at - at.sup(&low).inf(&high)).norm()
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::files::html::Page;
 use crate::terminal::explanation::named_contact;
 use crate::terminal::limits;
 use crate::terminal::text::{number, short_number, triple, upper_bound, within_uncertainty};
-use percuss_study::{ContactListReport, MassReport, StudyMass};
+use percuss_study::{ContactListReport, DiagnosticRecord, MassReport, StudyMass};
 
 /// Adds the results of all contacts of a study with several, before all sections.
 pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
@@ -32,7 +32,12 @@ pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
 }
 
 /// Adds the result before all sections: the number, its uncertainty, the contact, and the findings.
-pub(super) fn add_result(report: &MassReport, requested: &StudyMass, page: &mut Page) {
+pub(super) fn add_result(
+    report: &MassReport,
+    requested: &StudyMass,
+    findings: &[&DiagnosticRecord],
+    page: &mut Page,
+) {
     page.open_result(&format!("m̄ = {}", headline(report)));
     let mut facts = uncertainty(report);
     if let (Some(expected), Some(mass)) = (requested.expect, report.effective_mass) {
@@ -49,7 +54,7 @@ pub(super) fn add_result(report: &MassReport, requested: &StudyMass, page: &mut 
     }
     page.facts(facts);
     page.close_result();
-    add_warnings(&report.diagnostics, page);
+    add_warnings(findings.iter().copied(), page);
 }
 
 /// Uncertainty due to tolerances, and numerical error.

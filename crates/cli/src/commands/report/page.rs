@@ -23,7 +23,7 @@ pub(super) fn text(
         contact::add_contact_list(listed, &mut page);
     }
     if let Some(report) = &results.mass {
-        contact::add_result(report, &study.mass, &mut page);
+        contact::add_result(report, &study.mass, &results.unlisted(report), &mut page);
     }
     mechanism::add_mechanism(results, &mut page);
     if let Some(explorer) = &args.explorer {

@@ -122,6 +122,17 @@ impl StudyResults {
         self.compared.as_ref().is_some_and(compare::has_several_contacts)
     }
 
+    /// Findings about the result of a contact that are not in the list of several contacts, in which they begin with the name.
+    pub fn unlisted<'m>(&self, mass: &'m MassReport) -> Vec<&'m DiagnosticRecord> {
+        let listed = self.listed.iter().flat_map(|listed| &listed.diagnostics);
+        let listed: Vec<&str> = listed.map(|record| record.message.as_str()).collect();
+        let is_listed = |record: &DiagnosticRecord| {
+            let named = format!(": {}", record.message);
+            listed.iter().any(|message| *message == record.message || message.ends_with(&named))
+        };
+        mass.diagnostics.iter().filter(|record| record.path.is_some() || !is_listed(record)).collect()
+    }
+
     /// Diagnostics of all results, without duplicates.
     pub fn diagnostics(&self) -> Vec<DiagnosticRecord> {
         // The comparison has the findings of all contacts over the rows.
@@ -133,7 +144,7 @@ impl StudyResults {
             MapResult::Directions(report) => &report.diagnostics,
         });
         let speeds = self.speeds.iter().flatten().flat_map(|report| &report.diagnostics);
-        let own = self.mass.iter().flat_map(|mass| &mass.diagnostics);
+        let own = self.mass.iter().flat_map(|mass| self.unlisted(mass));
         let own = own.chain(self.listed.iter().flat_map(|listed| &listed.diagnostics));
         let own = own.chain(self.contents.iter().flat_map(|contents| &contents.diagnostics));
         let own = own.chain(self.stop.iter().flat_map(|stop| &stop.diagnostics));
