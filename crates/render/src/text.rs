@@ -26,6 +26,28 @@ pub(crate) fn fit_to_width(text: &str, font: Font, max_width: f64) -> String {
     kept
 }
 
+/// Lines of a text, broken at spaces; the last of `most` lines is shortened.
+pub(crate) fn wrap_to_width(text: &str, font: Font, max_width: f64, most: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        let longer = lines.last().map(|line| format!("{line} {word}"));
+        match (longer, lines.last_mut()) {
+            (Some(longer), Some(line)) if lines_end_here(&longer, font, max_width) => *line = longer,
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    if lines.len() > most {
+        let rest = lines.split_off(most.saturating_sub(1)).join(" ");
+        lines.push(rest);
+    }
+    lines.iter().map(|line| fit_to_width(line, font, max_width)).collect()
+}
+
+/// True if a line is within the width and the limit of characters.
+fn lines_end_here(line: &str, font: Font, max_width: f64) -> bool {
+    width(&substitute_missing(line), font) <= max_width && line.chars().count() < limits::MAX_CHARACTERS
+}
+
 /// Width of a text, in page units.
 pub(crate) fn width(text: &str, font: Font) -> f64 {
     text.chars().map(|c| advance(font.weight, c)).sum::<f64>() * font.size
@@ -90,5 +112,20 @@ mod tests {
         assert_eq!(fit_to_width("a\nb\u{0}c\u{FFFF}", font, 200.0), "a b c\u{FFFD}");
         assert!(fit_to_width(&format!("m{}", "\u{304}".repeat(100_000)), font, 200.0).chars().count() <= 241);
         assert_eq!(fit_to_width("mass", font, 0.0), "…");
+    }
+
+    #[test]
+    fn titles_are_wrapped_and_keep_all_words_up_to_the_last_line() {
+        let font = medium(13.0);
+        let text = "bump_stop_left, rebound_stop_left, spring_left, damper_left, contact_patch_left";
+        let lines = wrap_to_width(text, font, 250.0, 3);
+        assert!(
+            (2..=3).contains(&lines.len()) && lines.iter().all(|line| width(line, font) <= 250.0),
+            "{lines:?}"
+        );
+        assert_eq!(lines.join(" "), text);
+        let cut = wrap_to_width(text, font, 120.0, 2);
+        assert!(cut.len() == 2 && cut[1].ends_with('…') && width(&cut[1], font) <= 120.0, "{cut:?}");
+        assert_eq!(wrap_to_width("", font, 100.0, 3), [""; 0]);
     }
 }

@@ -72,8 +72,6 @@ pub(crate) const POSED_ROWS_PER_TASK: usize = 32;
 /// Smallest pivot of the rows of a linkage, relative to the largest entry, for which the conditions determine its motion; and
 /// largest residual of conditions that do not exclude one another. Roundings are some 1e-15, regular poses above 1e-4.
 pub(crate) const UNDETERMINED_MOTION: f64 = 1e-9;
-/// Smallest closing speed of a contact, per rate of a travel, for a motion ratio: below, the contact does not close.
-pub(crate) const SMALLEST_CLOSING_SPEED: f64 = 1e-9;
 /// Least rate of the tilt of a wheel, rad/m, for an instant centre: one that is farther away than 10,000 km is at infinity.
 pub(crate) const LEAST_TILT_RATE: f64 = 1e-7;
 /// Largest number of designs that a search for coordinates evaluates: some seconds.
@@ -231,3 +229,8 @@ pub const SLOW_IMPACT: f64 = 0.01;
 pub const IMPACT_RADIUS: f64 = 0.01;
 /// Least radius of that sphere over the greatest penetration: the centre remains outside the other geom.
 pub const LEAST_RADIUS_OVER_PENETRATION: f64 = 4.0;
+
+/// Places of the pads of stops on the rod of a damper in a drawing, as parts of its length: on the body, where both are visible beside
+/// the symbols of spring and damper.
+pub(crate) const BUMP_PAD: f64 = 0.55;
+pub(crate) const REBOUND_PAD: f64 = 0.4;

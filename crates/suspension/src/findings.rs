@@ -74,6 +74,16 @@ impl Findings {
         self.add(Severity::Note, code, spot, message);
     }
 
+    /// True if a finding with this code is about this key path.
+    pub fn has(&self, code: &str, path: &str) -> bool {
+        self.list.iter().any(|f| f.code == code && f.spot.path.as_deref() == Some(path))
+    }
+
+    /// Removes warnings and notes with these codes; another finding states their common cause.
+    pub fn remove(&mut self, codes: &[&str]) {
+        self.list.retain(|f| f.severity == Severity::Error || !codes.contains(&f.code));
+    }
+
     /// Unwraps a value computed from hardpoints. `None` is reported as degenerate geometry, unless an earlier error
     /// explains it; the result is then the default.
     pub fn unwrap_geometry<T: Default>(&mut self, value: Option<T>, spot: &Spot, defect: &str) -> T {

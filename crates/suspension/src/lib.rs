@@ -29,6 +29,7 @@ mod units;
 use chrono::{ChronoTemplate, Reader, Section};
 use corner::design::THIRD_SPRING;
 pub use corner::drawing::{Line, WheelCircle};
+use corner::plausibility::masses_in_grams;
 use corner::{Annotations, Body, CHASSIS, Corner, RACK};
 use encoding::Decoded;
 use findings::{Findings, Spot};
@@ -38,15 +39,15 @@ use percuss_formats::reading::LONGEST_NAME;
 use percuss_formats::reading::{Place, Report, cut, quoted};
 use percuss_formats::{Comments, Diagnostic, LoadError, Source};
 use percuss_mechanism::{
-    Built, ContactDescription, ContactKind, ContactNormal, Inertial, JointDescription, JointKind,
-    LinkDescription, Mechanism, MechanismBuilder, Problem, Subject,
+    Accept, Built, ContactDescription, ContactKind, ContactNormal, Inertial, JointDescription, JointKind,
+    LinkDescription, Mechanism, MechanismBuilder, Problem, Severity, Subject,
 };
 use percuss_spatial::Vector3;
 pub use percuss_units::LengthUnit;
 pub use sheet::{TemplateOptions, template_keys, template_names, template_sheet};
 pub use understood::Understood;
-use units::Frame;
 pub use units::VehicleAxes;
+use units::{FilePlaces, Frame};
 
 /// Imported mechanism with a description of its parts and the findings about its file.
 #[derive(Debug)]
@@ -121,7 +122,7 @@ fn import_sheet(
             side: sheet.side,
             rack: sheet.rack,
             wheel: sheet.wheel,
-            frame: sheet.frame,
+            places: FilePlaces { frame: sheet.frame, is_right: sheet.points_side == Side::Right },
             points: sheet.design.points.keys().map(|name| (*name).to_owned()).collect(),
             chassis: sheet.chassis.clone(),
             coordinates: coordinates(&sheet),
@@ -216,7 +217,7 @@ struct SuspensionFacts<'d> {
     side: Side,
     rack: Rack,
     wheel: Option<Wheel>,
-    frame: Frame,
+    places: FilePlaces,
     points: Vec<String>,
     /// Body of the chassis; `None` for a massless root link.
     chassis: Option<Body>,
@@ -269,7 +270,7 @@ fn read_chrono(
         side,
         rack: options.rack.unwrap_or_default(),
         wheel: options.wheel,
-        frame: reader.frame,
+        places: FilePlaces { frame: reader.frame, is_right: false },
         points: Vec::new(),
         chassis: None,
         coordinates: Vec::new(),
@@ -290,12 +291,15 @@ fn build_mechanism(
     source: &Source,
     options: &ImportOptions,
 ) -> Option<(Mechanism, Comments, Understood)> {
-    corner.check(findings, facts.frame.unit);
+    corner.check(findings, facts.places);
     if let Some(middle) = &middle {
-        let track = corner.drawing.wheels.first().map(|wheel| 2.0 * wheel.centre[1].abs());
-        middle.check_parts(track, findings);
-        middle.drawing.check_short_links(findings);
+        let track = corner.drawing.track();
+        // The parts of both sides are stated as they are.
+        let places = FilePlaces { is_right: false, ..facts.places };
+        middle.check_parts(track, &[], findings, places);
+        middle.drawing.check_short_links(findings, places);
     }
+    let in_grams = check_grams(&corner, middle.as_ref(), options.accept, findings);
     if findings.has_errors() {
         return None;
     }
@@ -327,8 +331,9 @@ fn build_mechanism(
             comments.known.push((problem.code(), name.to_owned()));
         }
         // Frames and crosses are massless by design. The spindle's moments are checked before the axle is added.
-        let known =
-            matches!(problem, Problem::Massless) || is_triangle_inequality && name.starts_with("spindle");
+        let known = matches!(problem, Problem::Massless)
+            || is_triangle_inequality && name.starts_with("spindle")
+            || is_explained(&problem, name, in_grams, findings);
         if !known {
             let spot = annotations.spots.get(name).cloned().unwrap_or_default();
             let label = if spot.has_path() { String::new() } else { format!("{subject}: ") };
@@ -339,8 +344,8 @@ fn build_mechanism(
     let understood = Understood {
         name: facts.name.to_owned(),
         template: facts.template.to_owned(),
-        unit: facts.frame.unit,
-        axes: facts.frame.axes,
+        unit: facts.places.frame.unit,
+        axes: facts.places.frame.axes,
         side: facts.side,
         wheel: facts.wheel,
         points: facts.points.clone(),
@@ -351,6 +356,42 @@ fn build_mechanism(
         ..Understood::of(&mechanism, &drawing, middle_drawing.as_ref(), facts.side)
     };
     Some((mechanism, comments, understood))
+}
+
+/// True if a finding about an inertia has the cause of an earlier one: masses in grams, or the radius of gyration of the part.
+fn is_explained(problem: &Problem, name: &str, in_grams: bool, findings: &Findings) -> bool {
+    let is_about_inertia = matches!(problem, Problem::WideInertia { .. } | Problem::DenseInertia { .. });
+    let part = name.trim_end_matches("_left").trim_end_matches("_right");
+    problem.severity() != Severity::Error
+        && is_about_inertia
+        && (in_grams
+            || findings.has("implausible-gyration", part)
+            || part == "wheel" && findings.has("implausible-wheel", "spindle"))
+}
+
+/// Reports masses in grams as one finding, in place of those about single parts; an error unless implausible inertias are accepted.
+/// Returns true if the masses look like grams.
+fn check_grams(corner: &Corner, middle: Option<&Corner>, accept: Accept, findings: &mut Findings) -> bool {
+    // Lengths in a wrong unit make parts too small for their masses.
+    if findings.has_errors() {
+        return false;
+    }
+    let mut parts = corner.masses(None);
+    parts.extend(middle.map(|middle| middle.masses(corner.drawing.track())).unwrap_or_default());
+    let Some(message) = masses_in_grams(&parts) else { return false };
+    findings.remove(&["implausible-mass", "implausible-gyration", "implausible-wheel"]);
+    let heavy = parts.iter().filter(|part| part.is_heavy());
+    let Some(first) = heavy.min_by_key(|part| part.spot.at) else { return false };
+    if accept.implausible_inertia {
+        findings.warning("masses-in-grams", &first.spot, format!("{message} (accepted)"));
+    } else {
+        let remedy = format!(
+            "write them in kg or with their unit (mass = \"{} g\"), or accept them with --accept implausible-inertia",
+            first.mass
+        );
+        findings.error("masses-in-grams", &first.spot, format!("{message}; {remedy}"));
+    }
+    true
 }
 
 /// Checks the type of the file and returns the name.
@@ -403,7 +444,7 @@ fn assemble(
     let mut annotations = Annotations::default();
     let (chassis, comment) = match &facts.chassis {
         None => (LinkDescription::massless(CHASSIS), "the vehicle's frame; its own mass is not given"),
-        Some(Body { mass, com, about_com, spot }) => {
+        Some(Body { mass, com, about_com, spot, .. }) => {
             annotations.spots.insert(CHASSIS.to_owned(), spot.clone());
             let inertial = Inertial { mass: *mass, com: *com, about_com: *about_com };
             (LinkDescription::new(CHASSIS, inertial), "the vehicle's frame, with the body's mass")

@@ -1,7 +1,9 @@
 //! Vehicle axes, with their names in files and flags, and the frame of a file.
 
 use super::findings::{Findings, Spot};
-use crate::limits::{MAX_ARM_LENGTH, MAX_VEHICLE_EXTENT, MIN_TRACK, MIN_VEHICLE_EXTENT, USUAL_TRACKS};
+use crate::limits::{
+    MAX_ARM_LENGTH, MAX_VEHICLE_EXTENT, MESSAGE_LENGTH, MIN_TRACK, MIN_VEHICLE_EXTENT, USUAL_TRACKS,
+};
 use percuss_spatial::{Matrix3, Vector3};
 use percuss_units::LengthUnit;
 
@@ -72,6 +74,43 @@ impl Frame {
     /// Converts a point to metres and to the axes of ISO 8855.
     pub fn point(self, p: Vector3<f64>) -> Vector3<f64> {
         self.axes.to_iso(p.map(|x| self.unit.to_metres(x)))
+    }
+}
+
+/// Unit, axes and side in which a file states positions, for messages about positions of the left side in ISO 8855.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct FilePlaces {
+    pub frame: Frame,
+    /// True if the file describes the right side.
+    pub is_right: bool,
+}
+
+impl FilePlaces {
+    /// Number for a length (m) in the unit of the file, to a tenth of a millimetre.
+    pub fn number(self, length: f64) -> f64 {
+        let in_unit = self.frame.unit.of_metres(length);
+        let per_tenth = self.frame.unit.of_metres(MESSAGE_LENGTH).log10().floor() as i32;
+        let scale = 10f64.powi(-per_tenth);
+        (in_unit * scale).round() / scale + 0.0
+    }
+
+    /// Length (m) with the unit of the file.
+    pub fn length(self, length: f64) -> String {
+        format!("{} {}", self.number(length), self.frame.unit.name())
+    }
+
+    /// Coordinates as the file states them, m.
+    pub fn coordinates(self, at: Vector3<f64>) -> Vector3<f64> {
+        let at = Vector3::new(at.x, if self.is_right { 0.0 - at.y } else { at.y }, at.z);
+        // The conversion of the axes is its own inverse.
+        self.frame.axes.to_iso(at)
+    }
+
+    /// Position with the unit and the axes of the file.
+    pub fn point(self, at: Vector3<f64>) -> String {
+        let [x, y, z]: [f64; 3] = self.coordinates(at).map(|x| self.number(x)).into();
+        let Frame { unit, axes } = self.frame;
+        format!("({x}, {y}, {z}) {}, axes {} ({})", unit.name(), axes.name(), axes.words())
     }
 }
 

@@ -1,6 +1,8 @@
 //! Import of hardpoint files: links and joints, positions, masses, refusals.
 
 mod figures;
+mod implausible;
+mod keys;
 mod mechanics;
 mod models;
 mod refusals;

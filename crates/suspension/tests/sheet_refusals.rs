@@ -5,7 +5,7 @@ use percuss_formats::{Diagnostic, Source};
 use percuss_mechanism::Severity;
 use percuss_suspension::{ImportOptions, LengthUnit, VehicleAxes, import};
 
-fn errors(name: &str, text: &str, options: &ImportOptions) -> Vec<Diagnostic> {
+pub fn errors(name: &str, text: &str, options: &ImportOptions) -> Vec<Diagnostic> {
     match import(&Source::from_text(name, text), options) {
         Ok(imported) => panic!("read, with {:?}", imported.diagnostics),
         Err(error) => error.diagnostics.into_iter().filter(|d| d.severity == Severity::Error).collect(),
@@ -13,7 +13,7 @@ fn errors(name: &str, text: &str, options: &ImportOptions) -> Vec<Diagnostic> {
 }
 
 #[track_caller]
-fn refused(text: &str, code: &str, words: &[&str]) {
+pub fn refused(text: &str, code: &str, words: &[&str]) {
     let found = errors("my.toml", text, &ImportOptions::default());
     let told = found.iter().find(|d| d.code == code);
     let told = told.unwrap_or_else(|| panic!("no {code}: {found:?}"));
@@ -23,7 +23,7 @@ fn refused(text: &str, code: &str, words: &[&str]) {
 }
 
 /// Example with a line replaced; the old text must occur.
-fn with(from: &str, to: &str) -> String {
+pub fn with(from: &str, to: &str) -> String {
     let text = sheet("double-wishbone");
     assert!(text.contains(from), "{from}");
     text.replacen(from, to, 1)
@@ -62,7 +62,7 @@ fn a_wrong_key_or_value_is_named_with_its_line() {
     refused(&with("lower_ball =", "lower_bal ="), "missing-key", &["points.lower_ball", "lower_bal"]);
     // Only the misspelled key is suggested, none that the template has.
     let found = errors("my.toml", &with("lower_ball =", "lower_bal ="), &ImportOptions::default());
-    assert!(found.iter().all(|d| !d.message.contains("upper_ball")), "{found:?}");
+    assert!(found.iter().all(|d| !d.message.contains("points.upper_ball")), "{found:?}");
     let found = errors("my.toml", &with("[wheel]", "[[wheel]]"), &ImportOptions::default());
     assert!(found.iter().all(|d| !d.message.contains("did you mean \"wheel\"")), "{found:?}");
     refused(&with("# yours", "# yours\ncolour = \"red\""), "unknown-key", &["colour", "my.toml:"]);

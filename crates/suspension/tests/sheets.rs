@@ -532,3 +532,48 @@ fn seats_of_both_sides_may_be_on_a_link_that_both_share() {
     assert!((left - mirrored).amax() < 1e-15, "{left} {right}");
     assert!((left - Vector3::new(-0.02, 0.48, 0.4)).amax() < 1e-15, "{left}");
 }
+
+/// A seat may be on any link, also on a rod with or without mass: half way along the rod, the mass along the same line is four times that
+/// at the outer end, because the closing speed is half as large.
+#[test]
+fn a_spring_may_be_on_a_rod() {
+    for (template, rods) in [
+        ("five-link", &["upper_front_link", "upper_back_link", "lower_front_link", "lower_back_link"][..]),
+        ("multi-link", &["lateral", "trailing_link"]),
+        ("three-link", &["upper_link", "lower_link"]),
+    ] {
+        let car = Car::example(template);
+        for rod in rods {
+            let [inner, outer] = ["chassis", "outer"].map(|end| 1e3 * car.point(&format!("{rod}_{end}")));
+            // Only the links of five-link may be left out.
+            for is_massless in [false, true].into_iter().filter(|x| !x || template == "five-link") {
+                let mass = |part: f64| {
+                    let at = inner + part * (outer - inner);
+                    let above = at + Vector3::new(40.0, -60.0, 300.0);
+                    let point = |at: Vector3<f64>| format!("[{}, {}, {}]", at.x, at.y, at.z);
+                    let (mut lines, mut section) = (Vec::new(), String::new());
+                    for line in sheet(template).lines() {
+                        if let Some(name) = line.strip_prefix('[') {
+                            section = name.trim_end_matches(']').to_owned();
+                        }
+                        if is_massless && section == *rod && !line.starts_with('#') {
+                            continue;
+                        }
+                        lines.push(match line.split(" = ").next() {
+                            Some("spring_seat") => format!("spring_seat = {}", point(at)),
+                            Some("spring_chassis_seat") => format!("spring_chassis_seat = {}", point(above)),
+                            Some("on") if section == "spring" => format!("on = \"{rod}\""),
+                            _ => line.to_owned(),
+                        });
+                    }
+                    let mechanism = built(&lines.join("\n"), &ImportOptions::default()).mechanism;
+                    at_seat(&mechanism, ["spring_seat", "spring_chassis_seat"], "")
+                };
+                let (half, whole) = (mass(0.5), mass(1.0));
+                // Roundings times the condition of the mass matrix, some 1e4.
+                let off = half / (4.0 * whole) - 1.0;
+                assert!(off.abs() < 1e-10, "{template} {rod} {is_massless}: {half} {whole}");
+            }
+        }
+    }
+}

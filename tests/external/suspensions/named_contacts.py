@@ -168,7 +168,7 @@ def compare_stop(checker, path, pose, remaining, name, entry, where):
 
 
 def compare_ratio(checker, linkage, pose, stop, wheel, listed, where):
-    """Upward speed of the wheel per closing speed of the stop, with a rack that stays and a wheel that does not spin: the same in all
+    """The motion ratio (closing of the stop per upward travel of the wheel) against the inverse `ratio` of own poses, with a rack that stays and a wheel that does not spin: the same in all
     motions of an independent suspension; a solid axle has no such ratio."""
     tally = checker.stops
     _, rows = linkage.closure(pose)
@@ -186,7 +186,7 @@ def compare_ratio(checker, linkage, pose, stop, wheel, listed, where):
         # With a massless part the motion of the impact may be undetermined: no ratio is stated.
         checker.verdict(found is None or is_single, f"{where}: motion ratio {found}; the own motions differ")
         return
-    off = abs(found["wheel_per_contact"] / ratio - 1)
+    off = abs(found["contact_per_wheel"] * ratio - 1)
     tally.ratios, tally.held = tally.ratios + 1, tally.held + (found["held"] is not None)
     tally.worst_ratio = max(tally.worst_ratio, off)
     checker.verdict(off <= RATIO, f"{where}: motion ratio {found}, {ratio} is expected ({off:.1e})")

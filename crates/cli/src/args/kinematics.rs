@@ -73,16 +73,25 @@ pub struct KinematicsArgs {
     /// Search the coordinate of a hardpoint, x, y or z in the axes of the sheet: rocker_back.z.
     #[arg(long, value_name = "POINT.AXIS", requires = "required", help_heading = SEARCH)]
     pub solve: Vec<UnknownCoordinate>,
-    /// Required value of a column: motion_ratio_spring=0.75, caster=4deg; as many as --solve.
+    /// Required value of a quantity: spring.motion_ratio=0.75, caster=4deg; as many as --solve.
+    ///
+    /// A quantity of a spring, damper or stop names it: bump_stop.motion_ratio, bump_stop_left.motion_ratio; the same as the column
+    /// motion_ratio_bump_stop.
     #[arg(long = "for", id = "required", value_name = "QUANTITY=VALUE", requires = "solve", help_heading = SEARCH)]
     pub required: Vec<KinematicTarget>,
     /// Largest change of each coordinate.
     #[arg(long, value_name = "LENGTH", default_value = "20mm", help_heading = SEARCH)]
     pub within: Length,
+    /// Quantities of the output: camber,toe,bump_stop.motion_ratio.
+    ///
+    /// A name without a side stands for both sides; a quantity of a spring, damper or stop names it. Without this flag a table has all
+    /// quantities, and a picture camber, toe, half track change, motion ratios, wheel rate and roll centre height.
+    #[arg(long, value_name = "QUANTITY,…", value_delimiter = ',', help_heading = ANSWER)]
+    pub columns: Vec<String>,
     /// Format; default: by the file's ending, or table.
     #[arg(long, value_enum, help_heading = ANSWER)]
     pub format: Option<KinematicsFormat>,
-    /// File: .txt, .csv or .json; with --solve, the changed sheet.
+    /// File: .txt, .csv, .json, .svg, .png or .pdf; with --solve, the changed sheet.
     #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: Option<String>,
     #[command(flatten)]
@@ -116,6 +125,12 @@ impl KinematicsArgs {
         Ok(question)
     }
 
+    /// True if the output is a picture.
+    pub fn is_picture(&self) -> bool {
+        let path = self.output.as_deref().filter(|_| self.solve.is_empty());
+        self.format.is_none() && path.is_some_and(is_picture)
+    }
+
     /// Format of the result, from the flag or the ending of the file.
     pub fn format(&self) -> Result<KinematicsFormat, Failure> {
         let ending =
@@ -124,9 +139,10 @@ impl KinematicsArgs {
             (Some(format), _) => Ok(format),
             (None, Some("csv")) => Ok(KinematicsFormat::Csv),
             (None, Some("json")) => Ok(KinematicsFormat::Json),
+            _ if self.is_picture() => Ok(KinematicsFormat::Table),
             (None, None | Some("txt")) => Ok(KinematicsFormat::Table),
             (None, Some(other)) => Err(Failure::bad_input(format!(
-                "--output: a file that ends in .{other} is not written; use .csv, .json or .txt, or give --format"
+                "--output: a file that ends in .{other} is not written; use .csv, .json, .txt, .svg, .png or .pdf, or give --format"
             ))),
         }
     }
@@ -171,4 +187,10 @@ impl KinematicsArgs {
             tyre_rate: positive("--tyre-rate", self.tyre_rate.map(|Stiffness(rate)| rate.value))?,
         })
     }
+}
+
+/// True if a file name has the ending of a picture.
+pub fn is_picture(path: &str) -> bool {
+    let ending = path.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
+    ending.is_some_and(|ending| ["svg", "png", "pdf"].contains(&ending.as_str()))
 }

@@ -24,7 +24,7 @@ pub use exports::{
 pub use help::short_help::{requested_command, short_help};
 pub use impact::{ExtremesArgs, ImpactArgs};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
-pub use kinematics::KinematicsArgs;
+pub use kinematics::{KinematicsArgs, is_picture};
 pub use map::MapArgs;
 pub use model::ModelArgs;
 pub use output::{CheckFormat, KinematicsFormat, MassFormat, SchemaFormat, WritingArgs};

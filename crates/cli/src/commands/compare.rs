@@ -157,6 +157,14 @@ pub fn show(designs: &[Design], names: Names, output: &ComparisonOutput) -> Resu
     Ok(())
 }
 
+/// Writes the file of a comparison, without text and findings.
+pub fn write_output(designs: &[Design], names: Names, output: &ComparisonOutput) -> Result<(), Failure> {
+    let ComparisonOutput { output, table, figure, .. } = *output;
+    let Some(path) = output else { return Ok(()) };
+    let report = compare(designs).map_err(|error| failure(&error, names))?;
+    write_file(path, &file_bytes(&report, path, table, figure)?)
+}
+
 /// Failure of a comparison; the names of fields are flags or keys.
 pub fn failure(error: &CompareError, names: Names) -> Failure {
     match error {
@@ -190,7 +198,7 @@ pub fn design_table(report: &ComparisonReport) -> Table<5> {
         most.collect::<Vec<_>>().join(", ")
     };
     if report.designs.iter().all(|design| design.reference.is_none()) {
-        let mut table = Table::new(["contact", "kg", "wheel/contact", "kg over the range", "most of it"]);
+        let mut table = Table::new(["contact", "kg", "contact/wheel", "kg over the range", "most of it"]);
         for (i, design) in report.designs.iter().enumerate() {
             let ratio = design.motion_ratio.map_or("–".into(), short_number);
             let masses = report.rows.iter().filter_map(|row| row.effective_mass[i]);
@@ -354,6 +362,18 @@ pub fn figure(report: &ComparisonReport, requested: &StudyFigure) -> Result<Figu
     figure_of(report, requested, &(0..report.designs.len()).collect::<Vec<_>>())
 }
 
+/// File names of the models of some designs, each once.
+fn model_names(report: &ComparisonReport, designs: &[usize]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for input in designs.iter().filter_map(|i| report.designs[*i].inputs.first()) {
+        let name = Path::new(&input.path).file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
 /// Figure of some designs.
 fn figure_of(
     report: &ComparisonReport,
@@ -406,7 +426,7 @@ fn figure_of(
             .clone()
             .unwrap_or_else(|| format!("Effective mass of {}", of_designs(report, ""))),
         x_limits: requested.x_limits.map(AxisLimits::ends),
-        subtitle: designs.iter().map(|i| report.designs[*i].name.clone()).collect::<Vec<_>>().join(", "),
+        subtitle: model_names(report, designs).join(", "),
         x_label: format!("{} ({unit})", varied.name),
         panels,
         ..Figure::default()

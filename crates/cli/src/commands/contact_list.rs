@@ -46,13 +46,13 @@ pub fn write(report: &ContactListReport, format: MassFormat, strict: bool) -> Re
 }
 
 /// Numbers of a contact, in the units of the table: m̄ (kg), gap (mm; as drawn for a stop that was brought to the touch), wheel
-/// travel at the pose of the result (mm), wheel travel per closing of the contact, damping coefficient (N·s/m).
+/// travel at the pose of the result (mm), closing of the contact per wheel travel, damping coefficient (N·s/m).
 fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
     let report = contact.report.as_ref();
     let named = report.and_then(|report| report.named_contact.as_ref());
     // A contact without a gap is evaluated at the pose of the question, which has its own travel.
     let travel = named.filter(|named| named.gap.is_some()).and_then(|named| named.wheel_travel.first());
-    let ratio = |report: &MassReport| Some(report.motion_ratios.first()?.wheel_per_contact);
+    let ratio = |report: &MassReport| report.motion_ratios.first()?.contact_per_wheel;
     [
         report.and_then(|report| report.effective_mass),
         named
@@ -66,7 +66,7 @@ fn numbers(contact: &ListedContact) -> [Option<f64>; 5] {
 
 /// Table of masses, gaps, wheel travels and motion ratios.
 pub fn mass_table(report: &ContactListReport) -> Table<5> {
-    let mut table = Table::new(["contact", "m̄, kg", "gap, mm", "wheel travel, mm", "wheel/contact"]);
+    let mut table = Table::new(["contact", "m̄, kg", "gap, mm", "wheel travel, mm", "contact/wheel"]);
     for contact in &report.contacts {
         let [mass, gap, travel, ratio, _] = numbers(contact);
         let shown =
@@ -81,10 +81,13 @@ pub fn mass_table(report: &ContactListReport) -> Table<5> {
     table
 }
 
-/// Table of dampers; `None` without dampers.
+/// Kinds of contacts between parts that always touch: no damper is chosen for an impact at them.
+const ALWAYS_TOUCHING: [&str; 2] = ["spring", "damper"];
+
+/// Table of dampers of the contacts that can hit; `None` without dampers.
 pub fn damper_table(report: &ContactListReport) -> Option<Table<2>> {
     let mut dampers = Table::new(["contact", "damping, N·s/m"]);
-    for contact in &report.contacts {
+    for contact in report.contacts.iter().filter(|contact| !ALWAYS_TOUCHING.contains(&contact.kind)) {
         if let [.., Some(damping)] = numbers(contact) {
             dampers.row([contact.name.clone(), number(round_to_digits(damping, DIGITS))]);
         }
@@ -117,7 +120,7 @@ pub fn explanation(report: &ContactListReport) -> String {
     } else {
         "All contacts are evaluated at the given pose: \"gap\" is the gap there, negative for a\npenetration.\n"
     };
-    out += "\"wheel/contact\" is the upward speed of the wheel per closing speed, negative for\na contact that closes while the wheel moves down.\n";
+    out += "\"contact/wheel\" is the motion ratio: the closing of the contact per upward travel\nof the wheel, negative for a contact that closes while the wheel moves down.\n";
     let has_no_ratio = |contact: &ListedContact| {
         contact.report.as_ref().and_then(|report| report.effective_mass).is_some()
             && numbers(contact)[3].is_none()

@@ -53,15 +53,57 @@ pub fn show(model: &Model, question: &StudyMapQuestion, output: &MapOutput) -> R
     }
 }
 
-/// Writes the map of the directions at a point.
-fn directions(report: &PointMapReport, output: &MapOutput) -> Result<(), Failure> {
-    write_diagnostics(&report.diagnostics, output.strict)?;
-    for (path, format) in &output.formats {
+/// Computes a map and writes its files, without text and findings.
+pub fn write_files(
+    model: &Model,
+    question: &StudyMapQuestion,
+    formats: &[(String, MapFormat)],
+    table: TableStyle,
+) -> Result<(), Failure> {
+    if formats.is_empty() {
+        return Ok(());
+    }
+    match question {
+        StudyMapQuestion::Surfaces(question) => write_surfaces(&map(model, question)?, formats, table),
+        StudyMapQuestion::Directions(question, count) => {
+            write_directions(&map_point(model, question, *count)?, formats, table)
+        }
+    }
+}
+
+/// Writes the files of a map of the directions at a point.
+fn write_directions(
+    report: &PointMapReport,
+    formats: &[(String, MapFormat)],
+    table: TableStyle,
+) -> Result<(), Failure> {
+    for (path, format) in formats {
         let mut out = Output::open(Some(path))?;
-        map_files::write_point(report, *format, output.table, &mut out)
+        map_files::write_point(report, *format, table, &mut out)
             .map_err(|error| error.failure(path, &out))?;
         out.finish()?;
     }
+    Ok(())
+}
+
+/// Writes the files of a map of surfaces.
+fn write_surfaces(
+    answer: &MapAnswer,
+    formats: &[(String, MapFormat)],
+    table: TableStyle,
+) -> Result<(), Failure> {
+    for (path, format) in formats {
+        let mut out = Output::open(Some(path))?;
+        map_files::write(answer, *format, table, &mut out).map_err(|error| error.failure(path, &out))?;
+        out.finish()?;
+    }
+    Ok(())
+}
+
+/// Writes the map of the directions at a point.
+fn directions(report: &PointMapReport, output: &MapOutput) -> Result<(), Failure> {
+    write_diagnostics(&report.diagnostics, output.strict)?;
+    write_directions(report, &output.formats, output.table)?;
     match output.format {
         MassFormat::Text => write_out(&point_text(report)),
         MassFormat::Json => write_json(report),
@@ -81,12 +123,7 @@ fn surfaces(answer: &MapAnswer, output: &MapOutput) -> Result<(), Failure> {
     for left in &answer.report.left_out {
         note(&format!("left out: {}", left.reason));
     }
-    for (path, format) in &output.formats {
-        let mut out = Output::open(Some(path))?;
-        map_files::write(answer, *format, output.table, &mut out)
-            .map_err(|error| error.failure(path, &out))?;
-        out.finish()?;
-    }
+    write_surfaces(answer, &output.formats, output.table)?;
     match output.format {
         MassFormat::Text => write_out(&text(answer)),
         MassFormat::Json => write_json(&answer.report),

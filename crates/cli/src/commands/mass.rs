@@ -7,7 +7,9 @@ use crate::terminal::escape::line;
 use crate::terminal::explanation::{explanation, motion_ratio, named_contact};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
-use crate::terminal::report::{note, with_findings, write_diagnostics, write_json, write_out};
+use crate::terminal::report::{
+    note, notes_are_shown, with_findings, write_diagnostics, write_json, write_out,
+};
 use crate::terminal::text::{bar, number, triple, upper_bound};
 use crate::terminal::wrap::{self, fact_line};
 use percuss_study::{
@@ -201,7 +203,7 @@ pub fn headline(report: &MassReport) -> String {
 fn estimate_text(record: &EstimateRecord) -> String {
     let links = line(&record.links.join(", ")).into_owned();
     let first = line(&record.links[0]);
-    let (Some(ratio), Some(estimate)) = (record.motion_ratio, record.estimate) else {
+    let Some(estimate) = record.estimate else {
         let none = format!("none: the speed of point A on {first} is undetermined");
         return format!("\n{}", fact_line("estimate", &none));
     };
@@ -211,14 +213,11 @@ fn estimate_text(record: &EstimateRecord) -> String {
         format!("   ({p:+.2} %)")
     });
     let mut out = format!("\n{}", fact_line("estimate m_K/l²", &format!("{} kg{off}", number(estimate))));
-    let lever = record.lever.map_or_else(|| "–".to_owned(), number);
+    let ratio = record.motion_ratio.map_or_else(|| "infinite".to_owned(), number);
     let takes =
         format!("{} kg of {links}, at {} m of {first}", number(record.mass), triple(&record.point_link));
     out += &fact_line("  takes", &takes);
-    out += &fact_line(
-        "  motion ratio",
-        &format!("{} (A over contact), {lever} (contact over A)", number(ratio)),
-    );
+    out += &fact_line("  motion ratio", &format!("{ratio}, closing of the contact per travel of A"));
     if let Some(share) = record.share_left_out {
         let percent = 100.0 * share;
         out += &fact_line(
@@ -241,8 +240,16 @@ pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
     facts
 }
 
-/// Method of the result, with its condition number and its error.
+/// True if the output has the details of the solution: for any model that is no suspension, and with --notes.
+fn has_solver_details(report: &MassReport) -> bool {
+    report.point_in_sheet.is_none() || notes_are_shown()
+}
+
+/// Method of the result, with its condition number and its error; for a suspension only the error.
 pub fn method(report: &MassReport) -> (&'static str, String) {
+    if !has_solver_details(report) {
+        return ("accuracy", error_suffix(report).trim_start_matches(", ").to_owned());
+    }
     let condition = report.condition.map_or_else(String::new, |c| format!(", condition {c:.1e}"));
     ("computed by", format!("{} route{condition}{}", report.route, error_suffix(report)))
 }
@@ -267,10 +274,15 @@ pub fn conditions(report: &MassReport) -> Vec<(&'static str, String)> {
     let assumed = &report.assumptions;
     let mut facts = vec![
         ("contact link", format!("{} at {} m, in the link frame", contact.link, triple(&contact.point_link))),
-        ("normal", format!("{}, out of {}", triple(&contact.normal_link), contact.link)),
+        ("normal", format!("{} in the link frame, out of {}", triple(&contact.normal_link), contact.link)),
         (
             "in the world",
-            format!("point {} m, normal {}", triple(&contact.point_world), triple(&contact.normal_world)),
+            format!(
+                "point {} m, normal {}{}",
+                triple(&contact.point_world),
+                triple(&contact.normal_world),
+                if report.point_in_sheet.is_some() { VEHICLE_AXES } else { "" }
+            ),
         ),
     ];
     facts.extend(report.point_in_sheet.map(|at| ("in the sheet", point_in_sheet_text(&at))));
@@ -289,12 +301,15 @@ pub fn conditions(report: &MassReport) -> Vec<(&'static str, String)> {
         facts.push(("locked joints", list(&assumed.locked)));
     }
     facts.extend(held_points(report));
-    if !assumed.drivers.is_empty() {
+    if !assumed.drivers.is_empty() && has_solver_details(report) {
         facts.push(("loops driven by", list(&assumed.drivers)));
     }
     facts.extend(loop_facts(report));
     facts
 }
+
+/// World axes of a model from a sheet.
+const VEHICLE_AXES: &str = ", axes of the vehicle (x forward, y left, z up)";
 
 /// The other side of the contact.
 pub fn other_side(report: &MassReport) -> String {
@@ -325,7 +340,8 @@ pub fn held_points(report: &MassReport) -> impl Iterator<Item = (&'static str, S
 /// Assembly mode, degrees of freedom, residual and branches of the loops.
 pub fn loop_facts(report: &MassReport) -> Vec<(&'static str, String)> {
     let mut facts = Vec::new();
-    if !report.assumptions.drivers.is_empty() {
+    let has_details = has_solver_details(report);
+    if !report.assumptions.drivers.is_empty() && has_details {
         let modes: Vec<&str> =
             report.assembly_modes.iter().map(|m| ["−", "singular", "+"][(m + 1) as usize]).collect();
         facts.push(("assembly mode", modes.join(" ")));
@@ -336,7 +352,7 @@ pub fn loop_facts(report: &MassReport) -> Vec<(&'static str, String)> {
         let suffix = if loops.is_empty() { String::new() } else { format!(" (in {})", loops.join("; ")) };
         facts.push(("redundant rows", format!("{}{suffix}", report.redundant_constraints)));
     }
-    if let Some(residual) = report.closure_residual {
+    if let Some(residual) = report.closure_residual.filter(|_| has_details) {
         let gap = report.rank_gap.map_or_else(String::new, |g| format!(", rank gap {g:.1e}"));
         facts.push(("loops closed to", format!("{residual:.1e} m{gap}")));
     }

@@ -9,6 +9,7 @@ use crate::commands::map;
 use crate::commands::mass;
 use crate::commands::mass::MassRequests;
 use crate::commands::report;
+use crate::commands::suspension::kinematics;
 use crate::commands::sweep;
 use crate::commands::sweep::SweepOutput;
 use crate::files::output::record_input;
@@ -77,18 +78,13 @@ fn output_files<'a>(
     study: &'a StudyFile,
     args: &'a RunArgs,
 ) -> Box<dyn Iterator<Item = (&'static str, String)> + 'a> {
-    if let Some(path) = &args.report {
-        let explorer = args.explorer.iter().map(|path| ("--explorer", path.clone()));
-        return Box::new([("--report", path.clone())].into_iter().chain(explorer));
-    }
-    if args.format.is_some() {
+    if args.format.is_some() && args.report.is_none() {
         return Box::new(std::iter::empty());
     }
-    let sweep = study.sweep.iter().filter_map(|sweep| Some(("sweep.output", sweep.output.clone()?)));
-    let damping = study.damping.iter().filter_map(|d| Some(("damping.output", d.output.clone()?)));
-    let map =
-        study.map.iter().flat_map(|map| map.outputs.iter().map(|output| ("map.output", output.clone())));
-    Box::new(sweep.chain(damping).chain(map))
+    let page = args.report.iter().flat_map(|path| report::files_of_page(study, path));
+    let page = page.map(|path| ("--report", path));
+    let explorer = args.explorer.iter().map(|path| ("--explorer", path.clone()));
+    Box::new(page.chain(explorer).chain(report::files_of(study)))
 }
 
 /// Runs the contact, then the stop, the map and the safe speed.
@@ -112,6 +108,9 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     }
     if let (Some(question), Some(requested)) = (&study.question, &study.impact) {
         rigid_impact::show(&study.model, question, requested, CheckFormat::Text, strict)?;
+    }
+    if let Some(requested) = &study.kinematics {
+        kinematics::show_of_study(study, requested, strict)?;
     }
     if let Some(requested) = &study.map {
         map::show(&study.model, &requested.question, &map_output(requested, MassFormat::Text, strict)?)?;

@@ -110,6 +110,19 @@ pub fn run_sweep(
     summary(&end)
 }
 
+/// Writes the rows of a sweep to a file, without a progress bar and without findings.
+pub fn write_rows(
+    model: &Model,
+    question: &MassQuestion,
+    source: &RowSource,
+    destination: &SweepOutput,
+) -> Result<(), Failure> {
+    let sweep = Sweep::new(model, question, source)?;
+    let sweep = if destination.gradient { sweep.with_gradient() } else { sweep };
+    let format = Format::from_output(destination.output)?;
+    write(sweep, model, format, destination, question, &ProgressBar::hidden()).map(|_| ())
+}
+
 /// Writes the rows in a format while the sweep runs.
 fn write(
     sweep: Sweep,

@@ -178,7 +178,7 @@ impl Page {
     }
 
     /// Adds a table; the first row is the header. Columns of numbers are aligned to the right.
-    pub fn table<const N: usize>(&mut self, rows: &[[String; N]]) {
+    pub fn table<R: AsRef<[String]>>(&mut self, rows: &[R]) {
         let is_number = numeric_columns(rows);
         // A short table is not split between pages.
         let class = if rows.len() <= SHORT { "data short" } else { "data" };
@@ -196,7 +196,7 @@ impl Page {
                 // A percent sign stays on the line of its number.
                 format!("<{tag}{class}>{}</{tag}>", escape_text(cell).replace(" %", "\u{a0}%"))
             };
-            let cells: String = row.iter().zip(&is_number).map(cell).collect();
+            let cells: String = row.as_ref().iter().zip(&is_number).map(cell).collect();
             let (begin, end) = if i == 0 { ("<thead>", "</thead>") } else { ("", "") };
             let _ = writeln!(out, "{begin}<tr>{cells}</tr>{end}");
         }
@@ -253,14 +253,15 @@ impl Page {
 
 /// True for each column with numbers only, apart from the header and empty cells. A percent sign may follow. The first
 /// column names the rows and is never one.
-fn numeric_columns<const N: usize>(rows: &[[String; N]]) -> [bool; N] {
+fn numeric_columns<R: AsRef<[String]>>(rows: &[R]) -> Vec<bool> {
     let is_number = |cell: &str| cell.trim_end_matches(" %").replace('−', "-").parse::<f64>().is_ok();
-    std::array::from_fn(|k| {
-        let mut cells =
-            rows.iter().skip(1).map(|row| row[k].as_str()).filter(|cell| !["", "–"].contains(cell));
+    let is_numeric = |k: usize| {
+        let cells = rows.iter().skip(1).filter_map(|row| row.as_ref().get(k)).map(String::as_str);
+        let mut cells = cells.filter(|cell| !["", "–"].contains(cell));
         let any = cells.clone().next().is_some();
         k > 0 && any && cells.all(is_number)
-    })
+    };
+    (0..rows.first().map_or(0, |row| row.as_ref().len())).map(is_numeric).collect()
 }
 
 #[cfg(test)]

@@ -3,5 +3,6 @@
 pub(crate) mod clipping;
 pub(crate) mod ellipsoid;
 pub(crate) mod import_picture;
+pub(crate) mod kinematics_figure;
 pub(crate) mod map_files;
 pub(crate) mod sweep_figure;

@@ -31,15 +31,15 @@ pub fn axis_unit(column: &VariedColumn) -> (f64, &'static str) {
 /// Legend of the estimate.
 fn estimate_name(question: &MassQuestion) -> String {
     let links = question.estimate.as_ref().map_or_else(String::new, |estimate| estimate.links.join(" + "));
-    format!("estimate: mass of {links} × (motion ratio)²")
+    format!("estimate: mass of {links} / (motion ratio)²")
 }
 
 /// Name of a motion ratio. `of`: its motion, as in [`percuss_study::SweepHeading`] or the name of the varied column.
 pub fn motion_ratio_name(of: Option<&str>) -> String {
     match of {
-        Some("estimate") => "A over contact".to_owned(),
-        Some(motion @ ("heave" | "roll")) => format!("{motion} over contact"),
-        Some(_) | None => "travel over contact".to_owned(),
+        Some("estimate") => "contact per travel of A".to_owned(),
+        Some(motion @ ("heave" | "roll")) => format!("contact per {motion}"),
+        Some(_) | None => "contact per travel".to_owned(),
     }
 }
 

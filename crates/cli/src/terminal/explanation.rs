@@ -27,7 +27,8 @@ pub fn explanation(explained: &Explanation) -> String {
     if !moves.is_empty() {
         out += &list("most per millimetre", moves);
     }
-    let mut table = Table::new(["link", "kg", "share %", "per kg", "per mm of its centre of mass (x, y, z)"]);
+    let mut table =
+        Table::new(["link", "kg", "share %", "per kg", "per mm of its centre of mass (x, y, z of the link)"]);
     for link in &explained.links {
         let com = link.per_metre_of_com.map_or_else(|| "–".to_owned(), |rates| per_millimetre(&rates));
         let share = format!("{:.2}", 100.0 * link.share);
@@ -102,19 +103,21 @@ pub fn tolerances(report: &ToleranceReport) -> String {
     out
 }
 
-/// Motion ratio with both of its definitions.
+/// Motion ratio with its definition.
 pub fn motion_ratio(ratio: &MotionRatioRecord) -> String {
-    let inverse = ratio.contact_per_wheel.map_or_else(|| "–".to_owned(), number);
     let whole = match &ratio.held {
         Some(joint) => format!("; with the joint {joint} held"),
         None if ratio.one_travel => String::new(),
         None => "; for the motion of this impact only".to_owned(),
     };
     format!(
-        "{} along {}: {} (wheel per contact), {inverse} (contact per wheel){whole}",
-        ratio.link,
-        triple(&ratio.direction),
-        number(ratio.wheel_per_contact)
+        "{}, closing of the contact per {}{whole}",
+        ratio.contact_per_wheel.map_or_else(|| "infinite".to_owned(), number),
+        if ratio.direction == [0.0, 0.0, 1.0] {
+            format!("upward travel of {}", ratio.link)
+        } else {
+            format!("travel of {} along {} (world axes)", ratio.link, triple(&ratio.direction))
+        },
     )
 }
 

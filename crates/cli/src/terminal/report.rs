@@ -18,6 +18,11 @@ pub fn show_notes(shown: bool) {
     NOTES_SHOWN.store(shown, Ordering::Relaxed);
 }
 
+/// True if all notes are shown.
+pub fn notes_are_shown() -> bool {
+    NOTES_SHOWN.load(Ordering::Relaxed)
+}
+
 /// Writes a result to stdout.
 pub fn write_out(text: &str) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();

@@ -180,7 +180,7 @@ fn the_double_wishbone_without_its_wheel_is_the_reference() {
         let report: serde_json::Value = serde_json::from_str(&outcome.stdout).expect("JSON");
         let close =
             |key: &str, figure: f64| (report["estimate"][key].as_f64().unwrap() / figure - 1.0).abs() < 1e-6;
-        assert!(close("motion_ratio", ratio) && close("estimate", kilograms), "{}", report["estimate"]);
+        assert!(close("motion_ratio", 1.0 / ratio) && close("estimate", kilograms), "{}", report["estimate"]);
     }
 }
 

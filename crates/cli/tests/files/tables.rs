@@ -82,7 +82,7 @@ fn a_figure_has_its_title_limits_series_and_names() {
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     let svg = std::fs::read_to_string(&path).unwrap();
     for words in
-        ["Our bump stop", "estimate: mass of spindle + upright × (motion ratio)²", ">−40<", ">500<", "(mm)"]
+        ["Our bump stop", "estimate: mass of spindle + upright / (motion ratio)²", ">−40<", ">500<", "(mm)"]
     {
         assert!(svg.contains(words), "{words} is not in the figure");
     }

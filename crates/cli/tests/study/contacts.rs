@@ -151,3 +151,50 @@ fn wrong_contacts_are_refused() {
         refused(&format!("run {study}"), &[words]);
     }
 }
+
+/// Report of a study with several contacts over a sweep: one figure per contact, each finding once, no damper for a spring, and the stops
+/// on the rod of the damper between its ends.
+#[test]
+fn the_report_of_several_contacts_has_each_figure_and_finding_once() {
+    let folder = Scratch::new("contacts-report");
+    let sheet = percuss("template macpherson-strut --axes adams").stdout;
+    let is_kept = |line: &&str| !line.starts_with("bump_stop") && !line.starts_with("rebound_stop");
+    let sheet: Vec<&str> = sheet.lines().filter(is_kept).collect();
+    let mut sheet = sheet.join("\n");
+    for stop in ["bump_stop", "rebound_stop"] {
+        sheet = sheet.replace(&format!("[{stop}]\non = \"upright\""), &format!("[{stop}]\non = \"damper\""));
+    }
+    folder.write("car.toml", &sheet);
+    let study = "[model]\npath = \"car.toml\"\n[contact]\nat = \"all\"\n[sweep]\nvary = \"wheel-travel=-40mm:50mm:7\"\n[damping]\n\
+                 restitution = 0.3\nstiffness = 2e5\nspeed = 0.5\n";
+    let study = folder.write("study.toml", study);
+    let html = folder.path("page.html");
+    let outcome = percuss(&format!("run {study} --report {html}"));
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let told = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    for stop in ["touch of rebound_stop", "touch of bump_stop"] {
+        assert_eq!(told.matches(stop).count(), 1, "{told}");
+    }
+    let page = std::fs::read_to_string(html).expect("a page");
+    let mut warnings: Vec<&str> = page.split("<p class=\"warning\">").skip(1).collect();
+    warnings.iter_mut().for_each(|text| *text = text.split("</p>").next().unwrap_or_default());
+    let mut bare: Vec<&str> = warnings.iter().map(|text| text.trim_start_matches("warning: ")).collect();
+    bare.iter_mut().for_each(|text| *text = text.split_once(": ").map_or(*text, |(_, message)| message));
+    bare.sort_unstable();
+    assert!(bare.windows(2).all(|pair| pair[0] != pair[1]), "{warnings:?}");
+    assert!(page.contains("The sweep at bump_stop") && !page.contains("Effective mass of contacts"));
+    for contact in ["bump_stop", "rebound_stop", "spring", "contact_patch"] {
+        let title = format!(">Effective mass at {contact}<");
+        assert_eq!(page.matches(&title).count(), 1, "{title}");
+    }
+    let dampers =
+        page.split("damping, N·s/m").nth(1).and_then(|rest| rest.split("</table>").next()).expect("a table");
+    assert!(
+        dampers.contains("rebound_stop") && !dampers.contains(">spring<") && !dampers.contains(">damper<"),
+        "{dampers}"
+    );
+    // The key of the drawing has every name once.
+    for name in ["strut_bottom on strut", "strut_bottom on upright", "strut_top"] {
+        assert!(page.contains(name), "{name}");
+    }
+}

@@ -392,7 +392,7 @@ fn a_stop_has_its_symbols_charts_and_tables() {
         "<td>all at the limit</td>",
         "<td>hardpoints</td><td>0.5 mm</td>",
         "<td>stop 20 mm further out</td>",
-        "<th class=\"number\">point per contact</th>",
+        "<th class=\"number\">contact per travel of the point</th>",
         "<td class=\"name\">penetration</td>",
         "MuJoCo",
         "Rates of the hardpoints",
@@ -474,9 +474,50 @@ fn a_warning_is_beside_its_number() {
     for warning in messages("warning") {
         assert!(summary.contains(&format!("<p class=\"warning\">warning: {warning}</p>")), "{warning}");
     }
-    // Notes are in the last section.
+    // Notes are in the last section, apart from those about the solution.
     let last = rest.rsplit("<h2 ").next().expect("a section");
     for note in messages("note") {
-        assert!(last.contains(&note) && !summary.contains(&note), "{note}");
+        let is_of_solution = note.contains("the loops are driven by");
+        assert!(last.contains(&note) != is_of_solution && !summary.contains(&note), "{note}");
     }
+}
+
+/// Files that the study names are written beside the page, and are the same as without a page.
+#[test]
+fn outputs_of_the_study_are_written_beside_the_page() {
+    let folder = Scratch::new("report-outputs");
+    let sheet = percuss("template double-wishbone").stdout;
+    folder.write("car.toml", &sheet);
+    for (name, contact, output) in [
+        ("rows", "at = \"bump_stop\"", "rows.csv"),
+        ("figure", "at = \"bump_stop\"", "travel.svg"),
+        ("contacts", "at = \"all\"", "contacts.xlsx"),
+    ] {
+        let text = format!(
+            "[model]\npath = \"car.toml\"\n[contact]\n{contact}\n[sweep]\nvary = [\"wheel-travel=-20mm:20mm:5\"]\noutput = \
+             \"{output}\"\n[damping]\nrestitution = 0.3\nstiffness = 1e6\nspeed = 0.1\noutput = \"{name}-history.csv\"\n"
+        );
+        let study = folder.write(&format!("{name}.toml"), &text);
+        let plain = percuss(&format!("run {study}"));
+        assert_eq!(plain.code, 0, "{}", plain.stderr);
+        let files = [folder.path(output), folder.path(&format!("{name}-history.csv"))];
+        let alone = files.clone().map(|file| fs::read(file).expect("written"));
+        files.iter().for_each(|file| fs::remove_file(file).expect("removed"));
+        let outcome = percuss(&format!("run {study} --report {}", folder.path(&format!("{name}-page.html"))));
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        let printed: String = outcome.stdout.split_whitespace().collect();
+        for (file, alone) in files.iter().zip(&alone) {
+            assert!(fs::read(file).is_ok_and(|bytes| bytes == *alone), "{file}");
+            assert!(printed.contains(file.as_str()), "{}", outcome.stdout);
+        }
+    }
+    // The table beside the page has a name of its own.
+    let same = folder.path("rows.html");
+    let outcome = percuss(&format!("run {} --report {same}", folder.path("rows.toml")));
+    assert_eq!(outcome.code, 2, "{}", outcome.stdout);
+    assert!(
+        outcome.stderr.contains("sweep.output") && outcome.stderr.contains("--report"),
+        "{}",
+        outcome.stderr
+    );
 }

@@ -158,7 +158,7 @@ fn assumed_pins_are_noted() {
     refused(&format!("mass {unknown} --at bump_stop"), &["upper_arm.pin"]);
 }
 
-/// The rack of a steered axle moves in an impact; the motion ratio is that with the rack held, the inverse of the slope of the gap.
+/// The rack of a steered axle moves in an impact; the motion ratio is that with the rack held, the slope of the gap.
 #[test]
 fn the_motion_ratio_of_a_steered_axle_holds_the_rack() {
     let folder = Scratch::new("steered");
@@ -178,7 +178,7 @@ fn the_motion_ratio_of_a_steered_axle_holds_the_rack() {
         assert!(!held.is_empty() && held.len() == locked.len(), "{held:?} {locked:?}");
         for (held, locked) in held.iter().zip(&locked) {
             assert_eq!((&held["held"], &locked["held"]), (&Value::from("rack"), &Value::Null));
-            let [a, b] = [held, locked].map(|ratio| number(&ratio["wheel_per_contact"]));
+            let [a, b] = [held, locked].map(|ratio| number(&ratio["contact_per_wheel"]));
             assert!((a / b - 1.0).abs() < 1e-10, "{a} {b}");
         }
         let words = |line: String| {
@@ -193,7 +193,7 @@ fn the_motion_ratio_of_a_steered_axle_holds_the_rack() {
         let stop = if build == "both" { "bump_stop_left" } else { "bump_stop" };
         let touch = json(&format!("mass {sheet} --at {stop} --format json"));
         let at = number(&touch["named_contact"]["wheel_travel"][0]["travel"]);
-        let ratio = number(&touch["motion_ratios"][0]["wheel_per_contact"]);
+        let ratio = number(&touch["motion_ratios"][0]["contact_per_wheel"]);
         let gap = |travel: f64| {
             let flags = format!("--{motion} {travel} --lock rack --format json");
             number(&json(&format!("mass {sheet} --at {stop} {flags}"))["named_contact"]["gap"])
@@ -201,6 +201,6 @@ fn the_motion_ratio_of_a_steered_axle_holds_the_rack() {
         let h = 1e-4;
         let slope = (gap(at - h) - gap(at + h)) / (2.0 * h);
         // The third derivative of the gap is below 1e2 / m², so that the difference quotient is exact to 1e-6.
-        assert!((ratio * slope - 1.0).abs() < 1e-6, "{build}: {ratio} {slope}");
+        assert!((ratio / slope - 1.0).abs() < 1e-6, "{build}: {ratio} {slope}");
     }
 }

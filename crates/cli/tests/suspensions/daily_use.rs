@@ -241,3 +241,33 @@ fn messages_name_the_place_and_the_cause() {
     assert!(cause.is_some() && cause < error, "{}", side.stderr);
     assert!(side.stderr.contains("change the sign of its y"), "{}", side.stderr);
 }
+
+/// Printed positions and normals state their axes; the summary of an import has the unit and the axes of the sheet. Details of the
+/// solution are shown with --notes.
+#[test]
+fn printed_positions_state_their_axes() {
+    let folder = Scratch::new("printed-axes");
+    folder.write(
+        "car.toml",
+        &done(&folder, &["template", "double-wishbone", "--axes", "adams", "--unit", "cm"]),
+    );
+    let words = |words: &[&str]| done(&folder, words).split_whitespace().collect::<Vec<_>>().join(" ");
+    let imported = words(&["import", "car.toml", "-o", "car.urdf"]);
+    for word in ["(0.00, -76.00, 30.00) cm, axes adams", "track 152.00 cm", "length, cm", "lower_arm 33.572"]
+    {
+        assert!(imported.contains(word), "{word} is not in {imported}");
+    }
+    let plain = words(&["mass", "car.toml", "--at", "bump_stop"]);
+    for word in [
+        "in the link frame, out of bump_stop_pad",
+        "axes of the vehicle (x forward, y left, z up)",
+        "axes adams (x backward, y right, z up)",
+        "per upward travel of wheel_centre",
+    ] {
+        assert!(plain.contains(word), "{word} is not in {plain}");
+    }
+    let detailed = words(&["mass", "car.toml", "--at", "bump_stop", "--notes"]);
+    for word in ["assembly mode", "rank gap", "loops driven by", "condition"] {
+        assert!(detailed.contains(word) && !plain.contains(word), "{word}: {plain}");
+    }
+}

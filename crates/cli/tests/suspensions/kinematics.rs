@@ -217,7 +217,49 @@ fn masses_and_ratios_are_those_of_the_named_contacts() {
     let patch = mass("contact_patch");
     close(value(row, "unsprung_mass"), patch["effective_mass"].as_f64().expect("a mass"), ROUNDING, "mass");
     let ratio = mass("spring")["motion_ratios"][0]["contact_per_wheel"].as_f64().expect("a ratio");
-    close(value(row, "motion_ratio_spring").abs(), ratio.abs(), ROUNDING, "ratio");
+    close(value(row, "motion_ratio_spring"), ratio, ROUNDING, "ratio");
+}
+
+/// One motion ratio, contact per wheel with its sign: in `kinematics`, `mass`, the table of contacts and `sweep`, with a rack that
+/// slides or not.
+#[test]
+fn every_command_has_the_same_motion_ratio() {
+    let folder = Scratch::new("kinematics-ratios");
+    for (template, rack) in [
+        ("double-wishbone", "true"),
+        ("macpherson-strut", "false"),
+        ("pushrod-rocker", "true"),
+        ("five-link", "true"),
+    ] {
+        let text = done(&folder, &["template", template]);
+        folder.write("car.toml", &text.replace("slides = false", &format!("slides = {rack}")));
+        let at = ["--wheel-travel", "20mm"];
+        let row = &rows(&folder, "car.toml", &at)[0];
+        let list = done(&folder, &["mass", "car.toml", "--at", "all", at[0], at[1], "--format", "json"]);
+        let list: Value = serde_json::from_str(&list).expect("JSON");
+        for contact in ["spring", "damper", "bump_stop", "rebound_stop"] {
+            let expected = value(row, &format!("motion_ratio_{contact}"));
+            let what = format!("{template} {contact}");
+            let listed = list["contacts"].as_array().expect("a list").iter().find(|c| c["name"] == contact);
+            let ratios = &listed.expect("the contact")["report"]["motion_ratios"];
+            close(ratios[0]["contact_per_wheel"].as_f64().expect("a ratio"), expected, ROUNDING, &what);
+            let words = [
+                "sweep",
+                "car.toml",
+                "--at",
+                contact,
+                "--wheel-travel",
+                "10mm:20mm:2",
+                "--output",
+                "rows.json",
+                "--force",
+            ];
+            done(&folder, &words);
+            let swept = std::fs::read_to_string(folder.path("rows.json")).expect("rows");
+            let swept: Value = serde_json::from_str(&swept).expect("JSON");
+            close(swept["rows"][1]["motion_ratio"].as_f64().expect("a ratio"), expected, ROUNDING, &what);
+        }
+    }
 }
 
 /// Support angles and frequencies: closed forms from the columns; missing data are named.
@@ -445,4 +487,79 @@ fn questions_without_an_answer_are_refused() {
     assert!(far.code == 0 && far.stderr.contains("cannot be reached"), "{}", far.stderr);
     let far = run(&folder, &["kinematics", "car.toml", "--wheel-travel", "2m"]);
     assert!(far.code == 1 && far.stderr.contains("cannot be reached"), "{}", far.stderr);
+}
+
+/// Selected columns are those of the whole table, in the order of the names; pictures have a panel per quantity; a study has the same
+/// columns in its table, its file and its report.
+#[test]
+fn columns_are_selected_and_drawn() {
+    let folder = Scratch::new("kinematics-columns");
+    let text = done(&folder, &["template", "double-wishbone"]);
+    folder.write("car.toml", &text.replace("build = \"left\"", "build = \"both\""));
+    let range = ["--heave", "-20mm:20mm:5"];
+    let all = rows(&folder, "car.toml", &range);
+    let columns = "toe_left,camber,bump_stop.motion_ratio";
+    let names = [
+        "toe_left",
+        "camber_left",
+        "camber_right",
+        "motion_ratio_bump_stop_left",
+        "motion_ratio_bump_stop_right",
+    ];
+    let chosen = rows(&folder, "car.toml", &[&range[..], &["--columns", columns]].concat());
+    for (row, of_all) in chosen.iter().zip(&all) {
+        let keys: Vec<&String> = row.as_object().expect("a row").keys().collect();
+        assert_eq!(keys.len(), names.len() + 2, "{keys:?}");
+        names.iter().for_each(|name| assert_eq!(row[*name], of_all[*name], "{name}"));
+    }
+    let csv = done(
+        &folder,
+        &["kinematics", "car.toml", range[0], range[1], "--columns", columns, "--format", "csv"],
+    );
+    let header = "heave_mm,toe_left_deg,camber_left_deg,camber_right_deg,motion_ratio_bump_stop_left,motion_ratio_bump_stop_right";
+    assert_eq!(csv.lines().next(), Some(header));
+    done(&folder, &["kinematics", "car.toml", range[0], range[1], "--columns", columns, "-o", "all.svg"]);
+    let drawn = std::fs::read_to_string(folder.path("all.svg")).expect("a picture");
+    for word in
+        [">toe (deg)<", ">camber (deg)<", ">motion ratio, contact/wheel<", ">bump stop left<", ">heave (mm)<"]
+    {
+        assert!(drawn.contains(word), "{word}");
+    }
+    done(&folder, &["kinematics", "car.toml", range[0], range[1], "-o", "usual.svg"]);
+    let usual = std::fs::read_to_string(folder.path("usual.svg")).expect("a picture");
+    assert!(usual.contains(">roll centre height (mm)<") && !usual.contains(">caster (deg)<"));
+    for (words, told) in [
+        ("car.toml --columns cambr", "did you mean"),
+        ("car.toml --columns motion_ratio", "spring_left.motion_ratio"),
+        ("car.toml -o one.svg", "a picture shows a range"),
+    ] {
+        let outcome = run(&folder, &[&["kinematics"], &words.split(' ').collect::<Vec<_>>()[..]].concat());
+        assert!(outcome.code == 2 && outcome.stderr.contains(told), "{words}: {}", outcome.stderr);
+    }
+    let study = |output: &str| {
+        format!(
+            "[model]\npath = \"car.toml\"\n[kinematics]\nvary = \"heave=-20mm:20mm:5\"\ncolumns = [\"toe_left\", \"camber\", \
+             \"bump_stop.motion_ratio\"]\n{output}"
+        )
+    };
+    folder.write("file.toml", &study("output = \"rows.csv\"\n"));
+    done(&folder, &["run", "file.toml"]);
+    assert_eq!(std::fs::read_to_string(folder.path("rows.csv")).expect("rows"), csv);
+    folder.write("study.toml", &study(""));
+    let printed = done(&folder, &["run", "study.toml"]);
+    assert!(printed.contains("toe left") && printed.contains("camber right"), "{printed}");
+    done(&folder, &["run", "study.toml", "--report", "page.html"]);
+    let page = std::fs::read_to_string(folder.path("page.html")).expect("a page");
+    for word in ["Kinematics</h2>", ">camber (deg)<", ">camber, deg, left<", "derivatives along heave"] {
+        assert!(page.contains(word), "{word}");
+    }
+    for (from, to, told) in [
+        ("heave=", "bounce=", "kinematics.vary"),
+        ("\"camber\"", "\"cambr\"", "did you mean"),
+        ("columns", "colums", "columns"),
+    ] {
+        folder.write("wrong.toml", &study("").replacen(from, to, 1));
+        let outcome = run(&folder, &["run", "wrong.toml"]);
+        assert!(outcome.code == 2 && outcome.stderr.contains(told), "{to}: {}", outcome.stderr);
+    }
 }

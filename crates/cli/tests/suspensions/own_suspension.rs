@@ -181,6 +181,8 @@ fn from_an_empty_folder_to_a_report() {
             "Sensitivities",
             "The damper",
             "The mechanism at this pose",
+            "Kinematics",
+            "roll centre height (mm)",
         ] {
             assert!(page.contains(words), "{template}: {words}");
         }
@@ -222,7 +224,7 @@ fn leftover_example_values_are_reported() {
             ("spring_seat = [0.0, 570.0", "spring_seat = [1350.0, 570.0"),
             ["spring_seat at", "away from the joints"],
         ),
-        (("drop_link_end = [-50.0,", "drop_link_end = [1450.0,"), ["drop_link is 1.5", "Lengths in m"]),
+        (("drop_link_end = [-50.0,", "drop_link_end = [1450.0,"), ["drop_link is 15", "Lengths in mm: "]),
     ] {
         let (from, to) = change;
         assert!(sheet.contains(from), "{from}");

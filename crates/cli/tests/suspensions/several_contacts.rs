@@ -20,7 +20,7 @@ fn several_contacts_of_a_sheet_are_each_what_mass_and_sweep_say() {
         assert_eq!((&design["reference"], &design["difference_percent"]), (&Value::Null, &Value::Null));
         let mass = json(&format!("mass {SHEET} --at {contact} --format json"));
         assert_eq!(design["effective_mass"], mass["effective_mass"]);
-        assert_eq!(design["motion_ratio"], mass["motion_ratios"][0]["wheel_per_contact"]);
+        assert_eq!(design["motion_ratio"], mass["motion_ratios"][0]["contact_per_wheel"]);
         let sweep = Sweep::read(&percuss(&format!("sweep {SHEET} --at {contact} {RANGE}")).stdout);
         for row in 0..7 {
             let compared = &report["rows"][row];
@@ -38,7 +38,7 @@ fn several_contacts_of_a_sheet_are_each_what_mass_and_sweep_say() {
     let table = Sweep::read(&std::fs::read_to_string(csv).expect("a table"));
     assert_eq!(table.number(2, "spring motion_ratio"), report["rows"][2]["motion_ratio"][1].as_f64());
     let drawn = std::fs::read_to_string(svg).expect("a figure");
-    assert!(drawn.contains("motion ratio, travel over contact") && !drawn.contains("difference"), "{drawn}");
+    assert!(drawn.contains("motion ratio, contact per travel") && !drawn.contains("difference"), "{drawn}");
     // All contacts are those that the table of mass lists, in its order.
     let listed = json(&format!("mass {SHEET} --at all --format json"));
     let all = json(&format!("compare {SHEET} --at all --format json"));
@@ -111,8 +111,8 @@ fn swept(folder: &Scratch, words: &str) -> Value {
     serde_json::from_str(&std::fs::read_to_string(path).expect("a report")).expect("JSON")
 }
 
-/// The motion ratio of a sweep over heave or roll belongs to this motion: the inverse of the ratio of `percuss kinematics`, which
-/// is per travel of the own wheel; the right wheel moves down in roll.
+/// The motion ratio of a sweep over heave or roll belongs to this motion: the ratio of `percuss kinematics`, which is per travel of
+/// the own wheel; the right wheel moves down in roll.
 #[test]
 fn motion_ratios_of_heave_and_roll_are_those_of_the_kinematics() {
     let folder = Scratch::new("ratios-of-heave");
@@ -129,7 +129,7 @@ fn motion_ratios_of_heave_and_roll_are_those_of_the_kinematics() {
                     assert_eq!(report["motion_ratio_of"], motion);
                     for row in 0..3 {
                         let per_wheel = &kinematics["rows"][row][&format!("motion_ratio_{contact}_{side}")];
-                        let expected = sign / number(per_wheel);
+                        let expected = sign * number(per_wheel);
                         let found = number(&report["rows"][row]["motion_ratio"]);
                         assert!((found / expected - 1.0).abs() < 1e-9, "{words} {row}: {found}, {expected}");
                     }
@@ -137,7 +137,6 @@ fn motion_ratios_of_heave_and_roll_are_those_of_the_kinematics() {
             }
         }
     }
-    // A contact that does not close in the motion has no ratio; a single wheel has that of the impact.
     let report = swept(&folder, &format!("sweep {SHEET} --at spring --wheel-travel 0:1mm:2"));
     assert_eq!(report["motion_ratio_of"], "wheel-travel");
     let words = "sweep models/four_bar.urdf --link coupler --point 0,0,0 --normal 0,1,0 --vary crank_hinge=0deg:1deg:2";

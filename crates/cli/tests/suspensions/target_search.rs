@@ -243,3 +243,31 @@ fn searches_that_cannot_start_are_refused() {
     refused(&format!("{sheet} --solve upper_ball.z --for caster=4deg --for camber=1deg"), &["same number"]);
     refused(&format!("{sheet} --solve upper_ball.z --for caster=4deg --heave 0:1mm:2"), &["one state"]);
 }
+
+/// A quantity of a contact names the contact: `bump_stop.motion_ratio` is the column `motion_ratio_bump_stop`, also with a side.
+#[test]
+fn a_required_value_names_its_contact() {
+    let folder = Scratch::new("search-contact");
+    let text = done(&folder, &["template", "pushrod-rocker"]);
+    folder.write("car.toml", &text.replace("build = \"left\"", "build = \"both\""));
+    let search = |required: &str| {
+        let words =
+            format!("kinematics car.toml --solve rocker_back.z --for {required} --within 10mm --format json");
+        run(&folder, &words.split(' ').collect::<Vec<_>>())
+    };
+    for side in ["", "_left"] {
+        let dotted = search(&format!("bump_stop{side}.motion_ratio=0.9"));
+        assert_eq!(dotted.code, 0, "{}", dotted.stderr);
+        assert_eq!(dotted.stdout, search(&format!("motion_ratio_bump_stop{side}=0.9")).stdout);
+    }
+    for (required, words) in [
+        ("motion_ratio=0.9", &["is that of a spring, damper or stop", "bump_stop_left.motion_ratio"][..]),
+        ("bump_stp.motion_ratio=0.9", &["did you mean", "motion_ratio_bump_stop"]),
+        ("cambr=1deg", &["did you mean \"camber"]),
+    ] {
+        let outcome = search(required);
+        assert_eq!(outcome.code, 2, "{required}");
+        let told = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        words.iter().for_each(|word| assert!(told.contains(word), "{required}: {word} is not in {told}"));
+    }
+}

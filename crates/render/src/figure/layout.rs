@@ -9,7 +9,7 @@ use crate::figure::{Figure, Panel, Series, Style};
 use crate::font::Font;
 use crate::palette::{AXIS, Colour, GRID, INK, MINOR_GRID, SOFT_INK, ZERO};
 use crate::scene::{Anchor, Item, Point, Scene, pixel_centre, solid};
-use crate::text::{fit_to_width, medium, regular, width};
+use crate::text::{fit_to_width, medium, regular, width, wrap_to_width};
 
 const WIDTH: f64 = 900.0;
 /// Margin on the left and right of the page.
@@ -72,18 +72,21 @@ impl Frame<'_> {
     }
 }
 
+/// Largest number of lines of a title and of a subtitle.
+const TITLE_LINES: usize = 3;
+
 /// Lays out a figure on one page.
 pub(crate) fn layout_figure(figure: &Figure) -> Scene {
-    let title = fit_to_width(&figure.title, TITLE, WIDTH - 2.0 * MARGIN);
-    let subtitle = fit_to_width(&figure.subtitle, SUBTITLE, WIDTH - 2.0 * MARGIN);
-    let caption = [title.as_str(), subtitle.as_str()].into_iter().filter(|s| !s.is_empty());
+    let title = wrap_to_width(&figure.title, TITLE, WIDTH - 2.0 * MARGIN, TITLE_LINES);
+    let subtitle = wrap_to_width(&figure.subtitle, SUBTITLE, WIDTH - 2.0 * MARGIN, TITLE_LINES);
+    let caption = [title.join(" "), subtitle.join(" ")].into_iter().filter(|s| !s.is_empty());
     let caption = caption.collect::<Vec<_>>().join(" — ");
     let mut scene = Scene { width: WIDTH, height: 0.0, caption, items: Vec::new() };
 
     let mut y_cursor = 16.0;
-    for (text, font, colour, line) in [(title, TITLE, INK, 24.0), (subtitle, SUBTITLE, SOFT_INK, 20.0)] {
-        if !text.is_empty() {
-            y_cursor += line;
+    for (lines, font, colour, height) in [(title, TITLE, INK, 24.0), (subtitle, SUBTITLE, SOFT_INK, 20.0)] {
+        for text in lines {
+            y_cursor += height;
             scene.text(text, (MARGIN, y_cursor), Anchor::Start, font, colour);
         }
     }

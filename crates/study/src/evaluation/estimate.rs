@@ -19,11 +19,9 @@ pub struct EstimateRecord {
     pub mass: f64,
     /// Point A, in the first link's frame, m.
     pub point_link: [f64; 3],
-    /// Speed of A (or the component along the direction, if given) per unit closing speed: the motion ratio "A
-    /// over contact", negative for a motion against the direction. Null if a massless motion leaves the speed undetermined.
+    /// Motion ratio l̄: closing speed of the contact per speed of A (or per its component along the direction, if given), negative
+    /// for a motion against the direction. Null if A does not move, or if a massless motion leaves its speed undetermined.
     pub motion_ratio: Option<f64>,
-    /// Inverse ratio l̄, the motion ratio "contact over A".
-    pub lever: Option<f64>,
     /// m_K / l̄², kg.
     pub estimate: Option<f64>,
     /// Difference from the exact value, per cent.
@@ -77,7 +75,7 @@ impl PreparedEstimate {
     /// Estimate for a contact response of the mechanism alone, without a free body on the other side.
     pub fn evaluate(&self, pose: &Pose, response: &ContactResponse) -> EstimateRecord {
         let velocity = self.links.first().and_then(|l| pose.point_velocity(response, *l, &self.point));
-        let motion_ratio = match velocity {
+        let speed = match velocity {
             Some(PointVelocity::Known(v)) => Some(match &self.direction {
                 // The velocity is in the axes of the root link, the direction in world axes.
                 Some(d) => pose.base().vector(&v).dot(d),
@@ -85,7 +83,7 @@ impl PreparedEstimate {
             }),
             Some(PointVelocity::Undetermined) | None => None,
         };
-        let estimate = motion_ratio.map(|r| self.mass * r * r);
+        let estimate = speed.map(|speed| self.mass * speed * speed);
         let exact = match response.effective_mass {
             EffectiveMass::Finite(m) => Some(m),
             EffectiveMass::Immovable | EffectiveMass::Massless => None,
@@ -96,8 +94,7 @@ impl PreparedEstimate {
             links: self.names.clone(),
             mass: self.mass,
             point_link: self.point.into(),
-            motion_ratio,
-            lever: motion_ratio.filter(|r| *r != 0.0).map(|r| 1.0 / r),
+            motion_ratio: speed.filter(|speed| *speed != 0.0).map(f64::recip),
             estimate,
             error_percent: estimate.zip(exact).map(|(e, m)| 100.0 * (e / m - 1.0)),
             share_left_out: taken.map(|t| 1.0 - t),

@@ -1,7 +1,6 @@
-//! Closing speed of a contact in a motion of several points together, such as heave or roll of a suspension.
+//! Closing speed of a contact in a motion of given points, such as wheel travel, heave or roll of a suspension.
 
 use crate::pose::determined_system::DeterminedSystem;
-use crate::thresholds::SMALLEST_CLOSING_SPEED;
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::{Contact, Pose, Travel};
 use percuss_mechanism::{JointId, LinkId};
@@ -10,7 +9,7 @@ use percuss_mechanism::{JointId, LinkId};
 ///
 /// u solves A u = 0, nᵢ · J_i u = rateᵢ, and J_h u = 0 for the points of the held joints and of the root link; the result is
 /// j u. Joints without influence on these rows, such as the spin of a wheel, do not move. `None` if the conditions do not
-/// determine the motion, or if the contact does not close. Cost: one QR factorisation of the rows.
+/// determine the motion. Cost: one QR factorisation of the rows.
 pub(crate) fn closing_speed(
     pose: &Pose,
     travels: &[(&Travel, f64)],
@@ -44,8 +43,7 @@ pub(crate) fn closing_speed(
     let matrix = DMatrix::from_fn(height, columns.len(), value);
     rates.resize(height, 0.0);
     let motion = DeterminedSystem::new(matrix)?.solve(&DVector::from_vec(rates))?;
-    let speed: f64 = columns.iter().zip(motion.iter()).map(|(column, rate)| closing[*column] * rate).sum();
-    (speed.abs() > SMALLEST_CLOSING_SPEED).then_some(speed)
+    Some(columns.iter().zip(motion.iter()).map(|(column, rate)| closing[*column] * rate).sum())
 }
 
 /// Rows of the velocity of a point of a link (m, link's frame) relative to another link.

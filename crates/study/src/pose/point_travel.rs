@@ -299,16 +299,23 @@ impl PointTravel {
         self.travel.displacement(pose)
     }
 
-    /// Speed of the point along its direction per unit closing speed of the contact; negative if the contact closes while the point
-    /// moves against its direction.
+    /// Closing speed of the contact per speed of the point along its direction; negative if the contact closes while the point
+    /// moves against its direction. Travels that are solved together and a suspension with a held rack define the motion; a
+    /// single point has the motion of the impact.
     pub fn motion_ratio(&self, pose: &Pose, contact: &Contact, response: &ContactResponse) -> Option<f64> {
         // The motion of the impact is no motion of several points together.
         if let Some((joined, ratios)) = &self.joined {
             let travels: Vec<_> = joined.travels.iter().zip(ratios.iter().copied()).collect();
-            return Some(1.0 / closing_speed(pose, &travels, &self.set, contact)?);
+            return closing_speed(pose, &travels, &self.set, contact);
+        }
+        if sliding_rack(pose.mechanism()).is_some_and(|rack| self.set.contains(&rack)) {
+            return closing_speed(pose, &[(&self.travel, 1.0)], &self.set, contact);
         }
         match pose.point_velocity(response, self.travel.link(), self.travel.point())? {
-            PointVelocity::Known(v) => Some(pose.base().vector(&v).dot(self.travel.direction()?)),
+            PointVelocity::Known(v) => {
+                let speed = pose.base().vector(&v).dot(self.travel.direction()?);
+                (speed != 0.0).then(|| speed.recip())
+            }
             PointVelocity::Undetermined => None,
         }
     }

@@ -114,16 +114,22 @@ pub fn contact_list_of(
     })
 }
 
-/// Adds the findings of the contacts to those of the model: one that all `answered` contacts share once, any other with the name of
-/// its contact.
+/// Adds the findings of the contacts to those of the model, each once: one that all `answered` contacts share as it is, any other with
+/// the names of its contacts.
 fn merge_findings(
     mut all: Vec<DiagnosticRecord>,
     found: &[(&String, DiagnosticRecord)],
     answered: usize,
 ) -> Vec<DiagnosticRecord> {
-    for (name, record) in found {
-        let is_shared = answered > 1 && found.iter().filter(|(_, other)| other == record).count() == answered;
-        let message = if is_shared { record.message.clone() } else { format!("{name}: {}", record.message) };
+    for (_, record) in found {
+        let alike = found.iter().filter(|(_, other)| other == record);
+        let names: Vec<&str> = alike.map(|(name, _)| name.as_str()).collect();
+        let is_shared = answered > 1 && names.len() == answered;
+        let message = if is_shared {
+            record.message.clone()
+        } else {
+            format!("{}: {}", names.join(", "), record.message)
+        };
         let record = DiagnosticRecord { message, ..record.clone() };
         if !all.contains(&record) {
             all.push(record);

@@ -1,4 +1,4 @@
-//! Motion ratios: speed of a wheel or of a given point per closing speed of the contact.
+//! Motion ratios: closing speed of the contact per speed of a wheel or of a given point.
 
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile};
 use crate::model::wheel_points::{sliding_rack, wheel_points};
@@ -13,7 +13,8 @@ use percuss_dynamics::{
 use percuss_mechanism::LinkId;
 use serde::Serialize;
 
-/// Motion ratio of a point relative to the contact, in the motion v*.
+/// Motion ratio of the contact relative to a point, in the motion v*: closing of the contact per travel of the point, such as
+/// spring compression per wheel travel.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MotionRatioRecord {
     /// Link of the point: `wheel_centre` or `contact_patch` if the model has these links, or the requested
@@ -23,10 +24,8 @@ pub struct MotionRatioRecord {
     pub point: [f64; 3],
     /// Direction of the speed, a unit vector in world axes.
     pub direction: [f64; 3],
-    /// Speed of the point along the direction per unit closing speed of the contact; negative for motion
-    /// against the direction.
-    pub wheel_per_contact: f64,
-    /// Inverse ratio; null if the point does not move.
+    /// Closing speed of the contact per speed of the point along the direction; negative if the contact closes while the point
+    /// moves against the direction. Null if the point does not move.
     pub contact_per_wheel: Option<f64>,
     /// True if every motion of the mechanism has this ratio; otherwise the ratio holds for the motion v* only.
     pub one_travel: bool,
@@ -36,8 +35,8 @@ pub struct MotionRatioRecord {
 
 /// Motion ratios of a result: of the requested points, and of the wheel if the ratio holds for every motion.
 ///
-/// r = d · v_P per unit closing speed in v*. Let r′ be the speed of the contact per unit speed of the point in
-/// the response of a contact at the point. r holds for every motion if r r′ = 1; r r′ is the squared cosine
+/// 1/r = d · v_P per unit closing speed in v*. Let r′ be the speed of the contact per unit speed of the point in
+/// the response of a contact at the point. r holds for every motion if r′ = r; r′/r is the squared cosine
 /// between both motions in the metric of M.
 pub(crate) fn motion_ratios(
     evaluated: &EvaluatedQuestion,
@@ -98,26 +97,25 @@ fn ratio(
     if response.singular_pose {
         return None;
     }
-    let wheel_per_contact = speed(pose, response, link, &point, &direction)?;
+    let speed_of_point = speed(pose, response, link, &point, &direction)?;
     let own = Contact {
         link,
         against: response.contact.against,
         point,
         normal: Direction::Along(direction, Frame::World),
     };
-    let inverse = pose.respond(&own).ok().filter(|own| !own.singular_pose).and_then(|own| {
+    let own_ratio = pose.respond(&own).ok().filter(|own| !own.singular_pose).and_then(|own| {
         let EffectiveMass::Finite(_) = own.effective_mass else { return None };
         let contact = &response.contact;
         speed(pose, &own, contact.link, &contact.point_link, &contact.normal_world)
     });
     let one_travel =
-        inverse.is_some_and(|inverse| (wheel_per_contact * inverse - 1.0).abs() <= INVERSE_RATIO_TOLERANCE);
+        own_ratio.is_some_and(|own| (speed_of_point * own - 1.0).abs() <= INVERSE_RATIO_TOLERANCE);
     Some(MotionRatioRecord {
         link: pose.mechanism().link(link).name().to_owned(),
         point: point.into(),
         direction: direction.into(),
-        wheel_per_contact,
-        contact_per_wheel: (wheel_per_contact != 0.0).then(|| 1.0 / wheel_per_contact),
+        contact_per_wheel: (speed_of_point != 0.0).then(|| speed_of_point.recip()),
         one_travel,
         held: None,
     })

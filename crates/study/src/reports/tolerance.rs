@@ -119,6 +119,17 @@ pub struct SampleRecord {
 }
 
 impl Tolerance {
+    /// Tolerances of both; `None` if both state the same quantity.
+    pub(crate) fn merge(self, other: Self) -> Option<Self> {
+        let both = |a: f64, b: f64| (a == 0.0 || b == 0.0).then_some(a + b);
+        Some(Self {
+            mass: both(self.mass, other.mass)?,
+            com: both(self.com, other.com)?,
+            armature: both(self.armature, other.armature)?,
+            point: both(self.point, other.point)?,
+        })
+    }
+
     /// Reads comma-separated tolerances: `mass=2%,point=0.5mm`.
     ///
     /// # Errors

@@ -21,6 +21,7 @@ use crate::study_file::keys::{StudyKeys, UnknownKey};
 use crate::study_file::tables::contact::ContactTable;
 use crate::study_file::tables::damping::DampingTable;
 use crate::study_file::tables::impact::ImpactTable;
+use crate::study_file::tables::kinematics::StudyKinematics;
 use crate::study_file::tables::map::StudyMap;
 use crate::study_file::tables::mass::StudyMass;
 use crate::study_file::tables::report::StudyReport;
@@ -61,6 +62,8 @@ pub struct StudyFile {
     pub impact: Option<ImpactQuestion>,
     /// Sweep, if requested.
     pub sweep: Option<StudySweep>,
+    /// Kinematics over a travel, if requested.
+    pub kinematics: Option<StudyKinematics>,
     /// Map of surfaces or directions, if requested.
     pub map: Option<StudyMap>,
     /// Safe speed, if requested.
@@ -327,6 +330,8 @@ impl StudyReader<'_> {
         let damping = self.damping(study, &model, &question, folder)?;
         let map = study.map.as_ref().map(|map| map.map(&question, folder)).transpose().map_err(refused)?;
         let impact = study.impact.as_ref().map(ImpactTable::question).transpose().map_err(refused)?;
+        let kinematics = study.kinematics.as_ref().map(|table| table.kinematics(folder));
+        let kinematics = kinematics.transpose().map_err(refused)?;
         let safe_speed = match &study.safe_speed {
             None => None,
             Some(text) => {
@@ -345,7 +350,7 @@ impl StudyReader<'_> {
             || sweep.is_some()
             || impact.is_some()
             || (damping.is_some() && !stops)
-            || (map.is_none() && safe_speed.is_none() && !stops);
+            || (map.is_none() && safe_speed.is_none() && kinematics.is_none() && !stops);
         let asks = match contact.missing() {
             None => !stops,
             Some(part) if of_contact => {
@@ -376,6 +381,7 @@ impl StudyReader<'_> {
             damping,
             impact,
             sweep,
+            kinematics,
             map,
             safe_speed,
             report: study.report.clone(),

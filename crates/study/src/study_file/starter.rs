@@ -318,7 +318,16 @@ impl StarterWriter<'_> {
     fn sweep(&self, out: &mut String) -> std::fmt::Result {
         let Some((_, vary)) = self.suggested_range() else { return Ok(()) };
         writeln!(out, "\n# The contact over a range. In place of output: CSV on stdout.")?;
-        writeln!(out, "# [sweep]\n# vary = {}\n# output = \"sweep.svg\"", toml_string(&vary))
+        writeln!(out, "# [sweep]\n# vary = {}\n# output = \"sweep.svg\"", toml_string(&vary))?;
+        let is_of_wheels = ["wheel-travel=", "heave="].iter().any(|motion| vary.starts_with(motion));
+        if self.model.origin.sheet.is_none() || !is_of_wheels {
+            return Ok(());
+        }
+        writeln!(
+            out,
+            "\n# Camber, toe, motion ratios over the travel.\n#   columns = [\"camber\", \"toe\"] selects some"
+        )?;
+        writeln!(out, "# [kinematics]\n# vary = {}\n# output = \"kinematics.svg\"", toml_string(&vary))
     }
 
     /// Range of a sweep, and the name of the varied joint: the wheel travel if there is a wheel (without a

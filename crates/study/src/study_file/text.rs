@@ -8,6 +8,7 @@ use crate::study_file::contacts::{ContactsSchema, contacts};
 use crate::study_file::tables::contact::{ConditionsTable, ContactTable, PoseTable, QuestionTables};
 use crate::study_file::tables::damping::DampingTable;
 use crate::study_file::tables::impact::ImpactTable;
+use crate::study_file::tables::kinematics::KinematicsTable;
 use crate::study_file::tables::map::MapTable;
 use crate::study_file::tables::mass::MassTable;
 use crate::study_file::tables::model::ModelTable;
@@ -54,6 +55,8 @@ pub(crate) struct StudyText {
     pub impact: Option<ImpactTable>,
     /// The contact over rows of positions: percuss sweep.
     pub sweep: Option<SweepTable>,
+    /// Camber, toe, motion ratios of a suspension over a travel: percuss kinematics.
+    pub kinematics: Option<KinematicsTable>,
     /// The surface of links, or all directions at a point: percuss map.
     pub map: Option<MapTable>,
     /// Safe speed of the contact if it may hit a person: percuss safe-speed.

@@ -42,7 +42,7 @@ pub struct SweepHeading {
     #[serde(skip)]
     pub contact: Option<String>,
     /// Motion of the motion ratio: `estimate` for the point of the estimate in the impact, or the name of the travel. The
-    /// ratio of one point holds for the impact; that of `heave` or `roll`, for this motion of the wheels. The key is absent
+    /// ratio of one point holds for the impact (with a sliding rack held); that of `heave` or `roll`, for this motion of the wheels. The key is absent
     /// without a motion ratio.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motion_ratio_of: Option<String>,
@@ -74,7 +74,7 @@ pub struct SweepRow {
     pub closure_residual: Option<f64>,
     /// True if the pose is singular.
     pub singular_pose: Option<bool>,
-    /// Speed per unit closing speed: of the estimate's point A, or of the travelling point along its direction.
+    /// Motion ratio: closing of the contact per travel of the estimate's point A, or of the travelling point along its direction.
     pub motion_ratio: Option<f64>,
     /// The classical estimate, kg.
     pub estimate: Option<f64>,

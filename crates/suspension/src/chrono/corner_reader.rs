@@ -163,7 +163,8 @@ impl<'t> CornerReader<'_, 't> {
             let defect = "it lies along x, or its ends coincide";
             let frame = self.reader.unwrap_geometry(frame, &section.spot, defect);
             let (com, about_com) = ((inner + outer) / 2.0, frames::rotate_inertia(&frame, &inertia));
-            let body = Body { mass, com, about_com, spot: section.spot.clone() };
+            let spot = section.spot.clone();
+            let body = Body { mass, com, about_com, com_spot: spot.clone(), spot };
             self.design.bodies.insert("tie_rod", GivenBody::Body(body));
             self.design.pins.insert("tie_rod", first_two_axes(&frame));
         }

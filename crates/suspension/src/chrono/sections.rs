@@ -30,13 +30,13 @@ impl SectionBody {
     /// Converts an inertia given in the vehicle's axes.
     pub fn into_vehicle(self) -> Body {
         let about_com = self.axes.inertia_to_iso(self.inertia);
-        Body { mass: self.mass, com: self.com, about_com, spot: self.spot }
+        Body { mass: self.mass, com: self.com, about_com, com_spot: self.spot.clone(), spot: self.spot }
     }
 
     /// Converts an inertia given in `frame`.
     pub fn in_frame(self, frame: &Matrix3<f64>) -> Body {
         let about_com = frames::rotate_inertia(frame, &self.inertia);
-        Body { mass: self.mass, com: self.com, about_com, spot: self.spot }
+        Body { mass: self.mass, com: self.com, about_com, com_spot: self.spot.clone(), spot: self.spot }
     }
 }
 
@@ -110,7 +110,13 @@ pub(in super::super) fn read_spindle<'t>(
         );
         reader.warning("right-side", &given.spot, message);
     }
-    let body = Body { mass: given.mass, com: given.com, about_com: given.inertia, spot: given.spot };
+    let body = Body {
+        mass: given.mass,
+        com: given.com,
+        about_com: given.inertia,
+        com_spot: given.spot.clone(),
+        spot: given.spot,
+    };
     let at = body.com;
     Spindle::new(reader, body, at, [camber, toe], axle, options.wheel)
 }

@@ -1,6 +1,6 @@
 //! Builds links, joints and loops of a corner from its design.
 
-use super::design::{Design, GivenBody, Part, SEATS, THIRD_SPRING, is_central};
+use super::design::{Design, GivenBody, ON_DAMPER, Part, SEATS, STOPS, THIRD_SPRING, is_central};
 use super::frames;
 use super::spindle::Spindle;
 use super::{Body, CHASSIS, Corner, RACK};
@@ -50,7 +50,14 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
         let line = frames::unit(above - at);
         let spot = design.spot(seat);
         findings.unwrap_geometry(line.map(|_| ()), &spot, "its points coincide: it has no line");
-        let (Some(line), Some((link, _))) = (line, design.on.get(section)) else { continue };
+        let (Some(line), Some((link, on))) = (line, design.on.get(section)) else { continue };
+        if link == ON_DAMPER {
+            let message = format!(
+                "a stop on the damper has no points, only a gap: remove {seat} and {chassis_seat}, or name the link that the pad is on"
+            );
+            findings.error("conflict", on, message);
+            continue;
+        }
         left.add_seats([seat, chassis_seat], link, [at, above]);
         left.set_spot(seat, spot);
         let (kind, normal, gap) = match section {
@@ -107,12 +114,32 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
     (!findings.has_errors()).then_some(Built { left, middle })
 }
 
-/// Adds the stops without points: they are on the damper, and their gap is a change of its length.
+/// Adds the stops without points: they are on the damper, and their gap is a change of its length. A stop that names another link
+/// needs its points.
 fn add_damper_stops(design: &Design, corner: &mut Corner, findings: &mut Findings) {
     let has_points =
         |name: &str| SEATS.iter().any(|(key, [seat, _])| *key == name && design.point(seat).is_some());
     let damper = ["damper", "shock"].into_iter().find(|name| has_points(name));
-    for (section, stop) in design.stops.iter().filter(|(section, _)| !has_points(section)) {
+    for section in STOPS.into_iter().filter(|section| !has_points(section)) {
+        let (link, on) = design.on.get(section).cloned().unwrap_or_default();
+        let is_on_damper = link == ON_DAMPER;
+        let Some(stop) = design.stops.get(section) else {
+            if is_on_damper {
+                let message = format!(
+                    "the key is missing; {section}.gap, the change of the damper's length, is expected"
+                );
+                findings.error("missing-key", &on, message);
+            }
+            continue;
+        };
+        if on.has_path() && !is_on_damper {
+            let message = format!(
+                "the stop has a gap and no points, and {link} says nothing about them: give {section}_pad and {section}, or \
+                 write on = \"{ON_DAMPER}\" for a stop on the rod of the damper"
+            );
+            findings.error("missing-key", &on, message);
+            continue;
+        }
         if stop.direction.is_some() {
             let message = format!(
                 "the stop has no points: it is on the damper and acts along it; remove the direction, or give {section}_pad and \
@@ -134,7 +161,7 @@ fn add_damper_stops(design: &Design, corner: &mut Corner, findings: &mut Finding
         // The bump stop limits the compression of the damper, the rebound stop the extension.
         let end = Vector3::zeros();
         let normal =
-            if *section == "bump_stop" { ContactNormal::Toward(end) } else { ContactNormal::Away(end) };
+            if section == "bump_stop" { ContactNormal::Toward(end) } else { ContactNormal::Away(end) };
         corner.add_contact((section, ContactKind::Stop), *seats, normal, Some(gap));
     }
 }
@@ -373,8 +400,10 @@ impl CornerBuilder<'_> {
         let direction = frames::unit(along);
         let given = self.design.bodies.get(link);
         let massless = GivenBody::Rod(0.0, spot.clone());
-        let given = given
-            .or_else(|| (self.design.builds_rods_as_links() && direction.is_some()).then_some(&massless));
+        let given = given.or_else(|| {
+            let is_link = self.design.builds_rods_as_links() || self.design.is_holder(link);
+            (is_link && direction.is_some()).then_some(&massless)
+        });
         if given.is_none() && (direction.is_some() || self.design.unchecked_rods) {
             let comment = massless_comment.unwrap_or("a massless rod");
             return self.corner.add_rod(link, [&from, &to], points, (&spot, comment));
@@ -389,7 +418,13 @@ impl CornerBuilder<'_> {
                 // Slender rod: transverse moment m l²/12.
                 let across = Matrix3::identity() - direction * direction.transpose();
                 let about_com = across * (mass * along.norm_squared() / 12.0);
-                Body { mass: *mass, com: (points[0] + points[1]) / 2.0, about_com, spot: spot.clone() }
+                Body {
+                    mass: *mass,
+                    com: (points[0] + points[1]) / 2.0,
+                    about_com,
+                    spot: spot.clone(),
+                    com_spot: spot.clone(),
+                }
             }
         };
         self.add_universal_joint((&from, link), points[0], &body, direction, link_comment(comment, a));
@@ -408,6 +443,7 @@ impl CornerBuilder<'_> {
             com: high,
             about_com: Matrix3::zeros(),
             spot: spot.clone(),
+            com_spot: spot.clone(),
         });
         self.add_universal_joint((CHASSIS, link), high, &body, axis, link_comment(comment, top));
         self.corner.add_sliding_closure(&format!("{link}_slide"), [link, on], low, axis, &spot);

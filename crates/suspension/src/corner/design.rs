@@ -128,6 +128,9 @@ pub(crate) struct Stop {
     pub spot: Spot,
 }
 
+/// Value of `on` for a stop on the rod of the damper.
+pub(crate) const ON_DAMPER: &str = "damper";
+
 /// Sections of stops.
 pub(crate) const STOPS: [&str; 2] = ["bump_stop", "rebound_stop"];
 
@@ -181,6 +184,11 @@ impl Design {
         };
         // A rod without length is left to the checks of the mechanism as a closure.
         self.rods_are_links || !self.unchecked_rods && !self.parts.iter().any(has_pin)
+    }
+
+    /// True if a spring, damper or stop is on this link.
+    pub fn is_holder(&self, link: &str) -> bool {
+        self.on.values().any(|(holder, _)| holder == link)
     }
 
     /// Position of a point; `None` if the file does not contain the point, or a hardpoint from which it follows.

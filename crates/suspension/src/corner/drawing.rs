@@ -4,6 +4,7 @@ use crate::findings::{Findings, Spot};
 use crate::limits::{
     MAX_ACROSS_MIDDLE_PLANE, MAX_ARM_LENGTH, MAX_LENGTH_RATIO, MIN_CENTRAL_LENGTH, MIN_REPORTED_LENGTH,
 };
+use crate::units::FilePlaces;
 use percuss_spatial::Vector3;
 
 /// Hardpoint of the centre of the wheel.
@@ -110,7 +111,7 @@ impl Drawing {
 
     /// Warns about points on the other side of the vehicle and about disproportionate lengths. Returns true after a
     /// warning.
-    pub fn check(&self, findings: &mut Findings) -> bool {
+    pub fn check(&self, findings: &mut Findings, places: FilePlaces) -> bool {
         let Some(wheel) = self.wheels.first() else { return false };
         let mut has_warned = false;
         let side = wheel.centre[1].signum();
@@ -126,18 +127,17 @@ impl Drawing {
             if is_across(point) {
                 let CheckedPoint { name, at, spot, .. } = point;
                 let message = format!(
-                    "{}: a point {} m from the middle plane is on the other side of the vehicle than the wheel ({} m from \
-                     it): change the sign of its y, or correct the point. {}",
-                    name,
-                    rounded(at.y.abs()),
-                    rounded(wheel.centre[1].abs()),
-                    self.lengths_text()
+                    "{name}: y = {} has the sign of the other side of the vehicle than the wheel (y = {}): change the sign of \
+                     its y, or correct the point. {}",
+                    places.length(places.coordinates(*at).y),
+                    places.length(places.coordinates(wheel.centre.into()).y),
+                    self.lengths_text(places)
                 );
                 findings.warning("mirrored-point", spot, message);
                 has_warned = true;
             }
         }
-        has_warned |= self.check_heights(wheel, findings);
+        has_warned |= self.check_heights(wheel, findings, places);
         let Some(median) = self.median_length() else { return has_warned };
         for arm in &self.arms {
             let is_disproportionate = arm.length > MAX_LENGTH_RATIO * median
@@ -145,10 +145,10 @@ impl Drawing {
                 && self.arms.len() > 2;
             if is_disproportionate || arm.length > MAX_ARM_LENGTH {
                 let message = format!(
-                    "{} is {} m long: is one of its points astray? {}",
+                    "{} is {} long: is one of its points astray? {}",
                     arm.name,
-                    rounded(arm.length),
-                    self.lengths_text()
+                    places.length(arm.length),
+                    self.lengths_text(places)
                 );
                 findings.warning("astray-point", &arm.spot, message);
                 has_warned = true;
@@ -158,28 +158,28 @@ impl Drawing {
     }
 
     /// Warns about very short links: a coordinate of one end probably has the wrong sign.
-    pub fn check_short_links(&self, findings: &mut Findings) {
+    pub fn check_short_links(&self, findings: &mut Findings, places: FilePlaces) {
         for arm in self.arms.iter().filter(|arm| arm.length < MIN_CENTRAL_LENGTH) {
             let message = format!(
-                "{} is only {} m long: check the signs of the coordinates of its ends",
+                "{} is only {} long: check the signs of the coordinates of its ends",
                 arm.name,
-                rounded(arm.length)
+                places.length(arm.length)
             );
             findings.warning("astray-point", &arm.spot, message);
         }
     }
 
     /// Warns about points below the ground, and about a wheel below all points. Returns true after a warning.
-    fn check_heights(&self, wheel: &WheelCircle, findings: &mut Findings) -> bool {
+    fn check_heights(&self, wheel: &WheelCircle, findings: &mut Findings, places: FilePlaces) -> bool {
         let Some(radius) = wheel.radius else { return false };
         let (ground, top) = (wheel.centre[2] - radius, wheel.centre[2] + radius);
         let others = || self.points.iter().filter(|point| point.name != WHEEL_CENTRE);
         if others().count() > 0 && others().all(|point| point.at.z > top) {
             let spot = self.points.iter().find(|point| point.name == WHEEL_CENTRE);
             let message = format!(
-                "all other points are above the top of the wheel, at {} m: change the sign of the wheel's z, or correct its centre or \
-                 radius",
-                rounded(top)
+                "all other points are above the top of the wheel, at z = {}: change the sign of the wheel's z, or correct its centre \
+                 or radius",
+                places.length(top)
             );
             findings.warning(
                 "low-wheel",
@@ -191,14 +191,20 @@ impl Drawing {
         let mut has_warned = false;
         for CheckedPoint { name, at, spot, .. } in others().filter(|point| point.at.z < ground) {
             let message = format!(
-                "{name}: a point {} m below the lowest point of the wheel, under the road: change the sign of its z, or correct the \
-                 point or the radius of the wheel",
-                rounded(ground - at.z)
+                "{name}: z = {} is {} below the lowest point of the wheel, under the road: change the sign of its z, or correct \
+                 the point or the radius of the wheel",
+                places.length(at.z),
+                places.length(ground - at.z)
             );
             findings.warning("below-ground", spot, message);
             has_warned = true;
         }
         has_warned
+    }
+
+    /// Distance of both wheel centres, m; `None` without a wheel.
+    pub fn track(&self) -> Option<f64> {
+        self.wheels.first().map(|wheel| 2.0 * wheel.centre[1].abs())
     }
 
     /// Median of the lengths of the links, m; `None` without links.
@@ -209,10 +215,11 @@ impl Drawing {
     }
 
     /// List of all lengths, for messages.
-    fn lengths_text(&self) -> String {
-        let shown = |arm: &ArmLength| format!("{} {}", arm.name, rounded(arm.length));
+    fn lengths_text(&self, places: FilePlaces) -> String {
+        let shown = |arm: &ArmLength| format!("{} {}", arm.name, places.number(arm.length));
         let list: Vec<String> = self.arms.iter().map(shown).collect();
-        if list.is_empty() { String::new() } else { format!("Lengths in m: {}", list.join(", ")) }
+        let unit = places.frame.unit.name();
+        if list.is_empty() { String::new() } else { format!("Lengths in {unit}: {}", list.join(", ")) }
     }
 
     /// Mirror image, y → −y.
@@ -229,9 +236,4 @@ impl Drawing {
         drawing.points.iter_mut().for_each(|point| point.at.y = 0.0 - point.at.y);
         drawing
     }
-}
-
-/// Rounds to 0.1 mm.
-pub(crate) fn rounded(x: f64) -> f64 {
-    (x * 1e4).round() / 1e4 + 0.0
 }

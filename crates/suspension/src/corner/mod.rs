@@ -4,21 +4,22 @@ pub(crate) mod build;
 pub(crate) mod design;
 pub(crate) mod drawing;
 pub(crate) mod frames;
-mod plausibility;
+pub(crate) mod plausibility;
 pub(crate) mod spindle;
 
 use crate::findings::{Findings, Spot};
-use crate::limits::{MAX_DISTANCE_FROM_JOINTS, MIN_PART_SIZE};
-use crate::units::check_proportions;
-use drawing::{Drawing, rounded};
+use crate::limits::{MAX_DISTANCE_FROM_JOINTS, MAX_WHEEL_MASS, MIN_PART_SIZE};
+use crate::units::{FilePlaces, check_proportions};
+use drawing::Drawing;
 use percuss_formats::Comments;
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, ContactDescription, ContactKind, ContactNormal, Inertial,
     JointDescription, JointKind, LinkDescription, MechanismBuilder,
 };
 use percuss_spatial::{Matrix3, Vector3};
-use percuss_units::LengthUnit;
-use plausibility::{CheckedPart, check_part, check_wheel};
+use plausibility::{
+    CheckedPart, GivenMass, MirroredMass, check_part, check_wheel, distance_from_box, warn_mirrored_masses,
+};
 use std::collections::HashMap;
 
 /// Root link.
@@ -43,6 +44,8 @@ pub(crate) struct Body {
     pub about_com: Matrix3<f64>,
     /// Position in the file.
     pub spot: Spot,
+    /// Position of the centre of mass in the file.
+    pub com_spot: Spot,
 }
 
 /// Links, joints and closures of the left side; [`mirrored`](Self::mirrored) creates the right side.
@@ -59,6 +62,8 @@ pub(crate) struct Corner {
     origins: HashMap<String, Vector3<f64>>,
     comments: Comments,
     spots: HashMap<String, Spot>,
+    /// Positions of the centres of mass in the file, by link.
+    com_spots: HashMap<String, Spot>,
     /// Pairs of seat frames: on the moving link, on the chassis.
     seat_pairs: Vec<[&'static str; 2]>,
     /// Links common to both sides; their names have no suffix.
@@ -78,6 +83,7 @@ impl Corner {
             origins: HashMap::from([(CHASSIS.to_owned(), Vector3::zeros())]),
             comments: Comments::default(),
             spots: HashMap::new(),
+            com_spots: HashMap::new(),
             seat_pairs: Vec::new(),
             shared: vec![CHASSIS, RACK],
             drawing: Drawing::default(),
@@ -128,6 +134,7 @@ impl Corner {
         if let Some(body) = body {
             link.inertial = Some(Inertial { mass: body.mass, com: body.com - at, about_com: body.about_com });
             self.spots.insert(name.to_owned(), body.spot.clone());
+            self.com_spots.insert(name.to_owned(), body.com_spot.clone());
         }
         self.links.push(link);
         self.origins.insert(name.to_owned(), at);
@@ -252,30 +259,74 @@ impl Corner {
     }
 
     /// Warns about implausible positions of points and centres of mass.
-    pub fn check(&self, findings: &mut Findings, unit: LengthUnit) {
+    pub fn check(&self, findings: &mut Findings, places: FilePlaces) {
         if let Some(wheel) = self.drawing.wheels.first() {
             let track = 2.0 * wheel.centre[1].abs();
             let spot = self.spots.get("spin").cloned().unwrap_or_default();
-            check_proportions(findings, track, self.drawing.median_length(), &spot, unit);
+            check_proportions(findings, track, self.drawing.median_length(), &spot, places.frame.unit);
         }
         // Lengths in a wrong unit explain all other findings.
         if findings.has_errors() {
             return;
         }
-        let has_warned = self.drawing.check(findings);
+        let has_warned = self.drawing.check(findings, places);
+        let mirrored = self.mirrored_masses();
+        warn_mirrored_masses(&mirrored, findings, places);
+        let known: Vec<&str> = mirrored.iter().map(|found| found.link).collect();
         for link in self.moving_links() {
-            self.check_link(link, has_warned, findings);
+            self.check_link(link, [has_warned, known.contains(&link)], findings, places);
         }
-        self.check_parts(None, findings);
+        self.check_parts(None, &known, findings, places);
         let radius = self.drawing.wheels.first().and_then(|wheel| wheel.radius);
         if let (Some(radius), Some(wheel)) = (radius, self.inertial("wheel")) {
-            check_wheel(wheel, radius, &self.spots.get("spin").cloned().unwrap_or_default(), findings);
+            check_wheel(
+                wheel,
+                radius,
+                &self.spots.get("spin").cloned().unwrap_or_default(),
+                findings,
+                places,
+            );
         }
     }
 
     /// Warns about implausible masses and inertias of the parts. `track`: distance between both wheels, m: size of an axle, whose
-    /// joints belong to other corners.
-    pub fn check_parts(&self, track: Option<f64>, findings: &mut Findings) {
+    /// joints belong to other corners. `known`: parts whose centre of mass has been reported, which counts for their size.
+    pub fn check_parts(
+        &self,
+        track: Option<f64>,
+        known: &[&str],
+        findings: &mut Findings,
+        places: FilePlaces,
+    ) {
+        for part in self.parts(track).into_iter().filter(|part| !known.contains(&part.name)) {
+            let spot = self.spots.get(part.name).cloned().unwrap_or_default();
+            check_part(&part, &spot, findings, places);
+        }
+    }
+
+    /// Masses of the parts and of the wheel with the largest plausible ones.
+    pub fn masses(&self, track: Option<f64>) -> Vec<GivenMass> {
+        let spot = |name: &str| self.spots.get(name).cloned().unwrap_or_default();
+        let mass = |part: CheckedPart<'_>| GivenMass {
+            part: part.name.to_owned(),
+            mass: part.inertial.mass,
+            most: part.largest_mass(),
+            spot: spot(part.name),
+        };
+        let mut masses: Vec<GivenMass> = self.parts(track).into_iter().map(mass).collect();
+        let wheel = self.inertial("wheel").filter(|wheel| wheel.mass > 0.0);
+        masses.extend(wheel.map(|wheel| GivenMass {
+            part: "wheel".to_owned(),
+            mass: wheel.mass,
+            most: MAX_WHEEL_MASS,
+            spot: spot("spin"),
+        }));
+        masses
+    }
+
+    /// Parts with a mass, apart from the wheel.
+    fn parts(&self, track: Option<f64>) -> Vec<CheckedPart<'_>> {
+        let mut parts = Vec::new();
         for link in self.moving_links().into_iter().filter(|link| *link != "wheel") {
             let Some(inertial) = self.inertial(link).filter(|inertial| inertial.mass > 0.0) else { continue };
             let com = self.origin(link) + inertial.com;
@@ -286,16 +337,12 @@ impl Corner {
             let is_axle = AXLES.contains(&link);
             let size = track.filter(|_| is_axle).unwrap_or_else(|| (most - least).norm());
             let is_rod = joints.len() == 2 && seats.is_empty();
-            let mut places = joints.iter().chain(&seats).map(|(_, at)| at);
-            let first = places.next();
-            let is_hub = first.is_none_or(|first| places.all(|at| (at - first).norm() < MIN_PART_SIZE));
-            let spot = self.spots.get(link).cloned().unwrap_or_default();
-            check_part(
-                &CheckedPart { name: link, inertial, com, size, is_hub, is_rod, is_axle },
-                &spot,
-                findings,
-            );
+            let mut others = joints.iter().chain(&seats).map(|(_, at)| at);
+            let first = others.next();
+            let is_hub = first.is_none_or(|first| others.all(|at| (at - first).norm() < MIN_PART_SIZE));
+            parts.push(CheckedPart { name: link, inertial, com, size, is_hub, is_rod, is_axle });
         }
+        parts
     }
 
     /// Links of the corner that move, in the order of their names.
@@ -339,8 +386,14 @@ impl Corner {
 
     /// Warns about points far away from all joints of the link: seats, the centre of mass, and, if the link has more
     /// than two joints, a joint far from the others. Warnings about joints are omitted if `has_warned`, because the
-    /// drawing check has reported their points.
-    fn check_link(&self, link: &str, has_warned: bool, findings: &mut Findings) {
+    /// drawing check has reported their points, and the warning about the centre of mass if `knows_com`.
+    fn check_link(
+        &self,
+        link: &str,
+        [has_warned, knows_com]: [bool; 2],
+        findings: &mut Findings,
+        places: FilePlaces,
+    ) {
         let (origin, [joints, seats]) = (self.origin(link), self.joints_and_seats(link));
         let distance_from_others = |i: usize| {
             let others = joints.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, (_, at))| at);
@@ -357,11 +410,10 @@ impl Corner {
             .map(|(_, (_, at))| *at)
             .collect();
         let mut warn = |code: &'static str, of: &str, subject: String, at: &Vector3<f64>, distance: f64| {
-            let [x, y, z] = [at.x, at.y, at.z].map(rounded);
             let message = format!(
-                "{subject} at ({x}, {y}, {z}) m (x forward, y left, z up) is {} m away from the joints of {link}: left from \
-                 another vehicle, in other axes or another unit?",
-                rounded(distance)
+                "{subject} at {} is {} away from the joints of {link}: left from another vehicle, in other axes or another unit?",
+                places.point(*at),
+                places.length(distance)
             );
             findings.warning(code, &self.spots.get(of).cloned().unwrap_or_default(), message);
         };
@@ -374,13 +426,24 @@ impl Corner {
                 warn("astray-point", name, name.to_owned(), &at, distance);
             }
         }
-        if let Some(inertial) = self.inertial(link).filter(|inertial| inertial.mass > 0.0) {
+        if let Some(inertial) = self.inertial(link).filter(|inertial| inertial.mass > 0.0 && !knows_com) {
             let at = origin + inertial.com;
             let distance = distance_from_box(&at, &near);
             if distance > MAX_DISTANCE_FROM_JOINTS {
                 warn("astray-com", link, format!("the centre of mass of {link}"), &at, distance);
             }
         }
+    }
+
+    /// Centres of mass with coordinates of the wrong sign.
+    fn mirrored_masses(&self) -> Vec<MirroredMass<'_>> {
+        let found = self.moving_links().into_iter().filter_map(|link| {
+            let inertial = self.inertial(link).filter(|inertial| inertial.mass > 0.0)?;
+            let joints = self.joints_and_seats(link)[0].iter().map(|(_, at)| *at).collect();
+            let spot = self.com_spots.get(link).cloned().unwrap_or_default();
+            MirroredMass::find(link, self.origin(link) + inertial.com, joints, spot)
+        });
+        found.collect()
     }
 
     /// Mirror image in the vehicle's middle plane, y → −y. Mirrored motions have equal joint coordinates.
@@ -499,14 +562,6 @@ impl Corner {
         }
         builder
     }
-}
-
-/// Distance (m) of a point from the axis-aligned bounding box of other points; 0 inside.
-fn distance_from_box<'p>(at: &Vector3<f64>, others: impl IntoIterator<Item = &'p Vector3<f64>>) -> f64 {
-    let mut others = others.into_iter();
-    let Some(first) = others.next() else { return 0.0 };
-    let (low, high) = others.fold((*first, *first), |(low, high), at| (low.inf(at), high.sup(at)));
-    (at - at.sup(&low).inf(&high)).norm()
 }
 
 /// Returns −x, and 0 for 0.

@@ -1,11 +1,12 @@
 //! Warnings about implausible masses and inertias of parts: values in another unit, or about another point.
 
-use super::drawing::rounded;
 use crate::findings::{Findings, Spot};
 use crate::limits::{
-    GYRATION_RADII, LEAST_CARRIER_SIZE, LEAST_DISTANCE_TERM, LIGHT_ROD, MAX_AXLE_MASS, MAX_PART_DENSITY,
-    MAX_PART_MASS, MAX_ROD_DENSITY, MIN_PART_SIZE, WHEEL_DENSITIES, WHEEL_GYRATION_RADII,
+    GRAMS_PER_KILOGRAM, GYRATION_RADII, LEAST_CARRIER_SIZE, LEAST_DISTANCE_TERM, LEAST_SHARE_IN_GRAMS,
+    LEAST_SIGN_DISTANCE, LIGHT_ROD, MAX_AXLE_MASS, MAX_PART_DENSITY, MAX_PART_MASS, MAX_ROD_DENSITY,
+    MAX_SIGN_DISTANCE_RATIO, MAX_WHEEL_MASS, MIN_PART_SIZE, WHEEL_DENSITIES, WHEEL_GYRATION_RADII,
 };
+use crate::units::{FilePlaces, Frame};
 use percuss_mechanism::Inertial;
 use percuss_spatial::{Matrix3, Vector3};
 
@@ -25,20 +26,58 @@ pub(super) struct CheckedPart<'a> {
     pub is_axle: bool,
 }
 
+impl CheckedPart<'_> {
+    /// Largest plausible mass of a part of this size, kg.
+    pub fn largest_mass(&self) -> f64 {
+        match self.is_axle {
+            true => MAX_AXLE_MASS,
+            false if self.is_rod => LIGHT_ROD.max(MAX_ROD_DENSITY * self.size.powi(3)).min(MAX_PART_MASS),
+            false if self.size < MIN_PART_SIZE => MAX_PART_MASS,
+            false => MAX_PART_MASS.min(MAX_PART_DENSITY * self.size.powi(3)),
+        }
+    }
+}
+
+/// Mass of a part, kg, with the largest plausible one.
+pub(crate) struct GivenMass {
+    pub part: String,
+    pub mass: f64,
+    pub most: f64,
+    pub spot: Spot,
+}
+
+impl GivenMass {
+    /// True if the mass is implausible in kilograms, and plausible in grams.
+    pub fn is_heavy(&self) -> bool {
+        self.mass > self.most && self.mass < GRAMS_PER_KILOGRAM * self.most
+    }
+}
+
+/// Message about masses in grams: several of them are too large, at least [`LEAST_SHARE_IN_GRAMS`] of all, and each would be plausible in
+/// grams. `None` for other masses.
+pub(crate) fn masses_in_grams(masses: &[GivenMass]) -> Option<String> {
+    let heavy: Vec<&GivenMass> = masses.iter().filter(|mass| mass.is_heavy()).collect();
+    let share = heavy.len() as f64 / masses.len().max(1) as f64;
+    if heavy.len() < 2 || share < LEAST_SHARE_IN_GRAMS {
+        return None;
+    }
+    let list: Vec<String> = heavy.iter().map(|mass| format!("{} {}", mass.part, mass.mass)).collect();
+    Some(format!(
+        "the masses look like grams, and are read as kg: {} of {} are too large for their parts ({})",
+        heavy.len(),
+        masses.len(),
+        list.join(", ")
+    ))
+}
+
 /// Warns about a mass that is too large for the size of the part, and about an inertia about the origin of the vehicle.
-pub(super) fn check_part(part: &CheckedPart, spot: &Spot, findings: &mut Findings) {
+pub(super) fn check_part(part: &CheckedPart, spot: &Spot, findings: &mut Findings, places: FilePlaces) {
     let mass = part.inertial.mass;
-    let most = match part.is_axle {
-        true => MAX_AXLE_MASS,
-        false if part.is_rod => LIGHT_ROD.max(MAX_ROD_DENSITY * part.size.powi(3)).min(MAX_PART_MASS),
-        false if part.size < MIN_PART_SIZE => MAX_PART_MASS,
-        false => MAX_PART_MASS.min(MAX_PART_DENSITY * part.size.powi(3)),
-    };
-    if mass > most {
+    if mass > part.largest_mass() {
         let message = format!(
-            "the mass of {} is {mass} kg; it is too large for a part of {} m: check its unit. A mass can state its unit, as in \"850 g\"",
+            "the mass of {} is {mass} kg; it is too large for a part of {}: check its unit. A mass can state its unit, as in \"850 g\"",
             part.name,
-            rounded(part.size)
+            places.length(part.size)
         );
         findings.warning("implausible-mass", spot, message);
     }
@@ -48,19 +87,19 @@ pub(super) fn check_part(part: &CheckedPart, spot: &Spot, findings: &mut Finding
     let is_large = gyration > *GYRATION_RADII.end() * part.size.max(LEAST_CARRIER_SIZE);
     if gyration > 0.0 && !part.is_hub && (is_small || is_large) {
         let message = format!(
-            "the radius of gyration of {} is {} m, and its joints and seats are within {} m: check the unit of its inertia",
+            "the radius of gyration of {} is {}, and its joints and seats are within {}: check the unit of its inertia",
             part.name,
-            rounded(gyration),
-            rounded(part.size)
+            places.length(gyration),
+            places.length(part.size)
         );
         findings.warning("implausible-gyration", spot, message);
     }
     if is_about_origin(part) {
-        let [x, y, z] = [part.com.x, part.com.y, part.com.z].map(rounded);
         let message = format!(
-            "the inertia of {} is probably about the origin of the vehicle: I − m (r² 1 − r rᵀ), with r = ({x}, {y}, {z}) m, is still a valid \
+            "the inertia of {} is probably about the origin of the vehicle: I − m (r² 1 − r rᵀ), with r = {}, is still a valid \
              inertia. Give the inertia about the centre of mass, which is probably this difference",
-            part.name
+            part.name,
+            places.point(part.com)
         );
         findings.warning("inertia-about-origin", spot, message);
     }
@@ -84,17 +123,24 @@ fn is_about_origin(part: &CheckedPart) -> bool {
 }
 
 /// Warns about a wheel whose mass or inertia does not fit its radius: one of them is in another unit.
-pub(super) fn check_wheel(wheel: &Inertial, radius: f64, spot: &Spot, findings: &mut Findings) {
+pub(super) fn check_wheel(
+    wheel: &Inertial,
+    radius: f64,
+    spot: &Spot,
+    findings: &mut Findings,
+    places: FilePlaces,
+) {
     let mass = wheel.mass;
-    if mass <= 0.0 {
+    // A mass that no wheel has is a finding of its own.
+    if mass <= 0.0 || mass > MAX_WHEEL_MASS {
         return;
     }
     let density = mass / radius.powi(3);
     if !WHEEL_DENSITIES.contains(&density) {
         let light = density < *WHEEL_DENSITIES.start();
         let message = format!(
-            "the wheel has {mass} kg and a radius of {:.1} mm; no wheel is so {} for its size: check the units of mass and length",
-            1e3 * radius,
+            "the wheel has {mass} kg and a radius of {}; no wheel is so {} for its size: check the units of mass and length",
+            places.length(radius),
             if light { "light" } else { "heavy" }
         );
         findings.warning("implausible-wheel", spot, message);
@@ -102,12 +148,90 @@ pub(super) fn check_wheel(wheel: &Inertial, radius: f64, spot: &Spot, findings: 
     let gyration = gyration_radius(wheel);
     if gyration > 0.0 && !WHEEL_GYRATION_RADII.contains(&(gyration / radius)) {
         let message = format!(
-            "the radius of gyration of the wheel is {:.1} mm, its radius {:.1} mm: check the unit of its inertia",
-            1e3 * gyration,
-            1e3 * radius
+            "the radius of gyration of the wheel is {}, its radius {}: check the unit of its inertia",
+            places.length(gyration),
+            places.length(radius)
         );
         findings.warning("implausible-wheel", spot, message);
     }
+}
+
+/// Signs of the coordinates, fewest changes first; those of y alone come first, because the sides of a vehicle are exchanged most often.
+const SIGN_CHANGES: [&[usize]; 4] = [&[1], &[0], &[2], &[0, 1]];
+
+/// Centre of mass far from the joints of its link and, with other signs of its coordinates, near them.
+pub(super) struct MirroredMass<'c> {
+    pub link: &'c str,
+    /// Centre of mass in the vehicle frame, m.
+    com: Vector3<f64>,
+    /// Coordinates with the wrong sign, 0 to 2 for x, y, z.
+    axes: &'static [usize],
+    spot: Spot,
+}
+
+impl<'c> MirroredMass<'c> {
+    /// Compares the distances of the centre of mass from the box of the joints with and without other signs.
+    pub fn find(link: &'c str, com: Vector3<f64>, joints: Vec<Vector3<f64>>, spot: Spot) -> Option<Self> {
+        let distance = distance_from_box(&com, &joints);
+        let with_signs = |axes: &[usize]| {
+            let mut other = com;
+            axes.iter().for_each(|axis| other[*axis] = 0.0 - other[*axis]);
+            distance_from_box(&other, &joints)
+        };
+        let is_near = |axes: &&&[usize]| with_signs(axes) < MAX_SIGN_DISTANCE_RATIO * distance;
+        let axes = SIGN_CHANGES.iter().find(is_near).filter(|_| distance > LEAST_SIGN_DISTANCE)?;
+        Some(Self { link, com, axes, spot })
+    }
+
+    /// Name of the centre of mass, unless the position in the file has it.
+    fn label(&self) -> String {
+        let name = format!("{}.com", self.link);
+        if self.spot.path.as_ref() == Some(&name) { String::new() } else { format!("{name}: ") }
+    }
+
+    /// The coordinates with the wrong sign, as the file states them.
+    fn stated(&self, places: FilePlaces) -> String {
+        let at = places.coordinates(self.com);
+        let of_axis = |axis: &usize| format!("{} = {}", ["x", "y", "z"][*axis], places.length(at[*axis]));
+        self.axes.iter().map(of_axis).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// Warns once about all centres of mass with the same coordinates of the wrong sign.
+pub(super) fn warn_mirrored_masses(found: &[MirroredMass], findings: &mut Findings, places: FilePlaces) {
+    for axes in SIGN_CHANGES {
+        let alike: Vec<&MirroredMass> = found.iter().filter(|mass| mass.axes == axes).collect();
+        let Some((first, others)) = alike.split_first() else { continue };
+        let likewise: Vec<String> =
+            others.iter().map(|mass| format!("{}.com ({})", mass.link, mass.stated(places))).collect();
+        let likewise =
+            if likewise.is_empty() { String::new() } else { format!("; likewise {}", likewise.join(", ")) };
+        let defect = match axes {
+            [1] => "has the sign of the other side of the vehicle than the joints of the part",
+            [_] => "has another sign than the joints of the part",
+            _ => "have other signs than the joints of the part, as in other axes",
+        };
+        let Frame { axes: file_axes, .. } = places.frame;
+        let message = format!(
+            "{}{} {defect} (axes {}: {}): change the sign{likewise}",
+            first.label(),
+            first.stated(places),
+            file_axes.name(),
+            file_axes.words()
+        );
+        findings.warning("mirrored-com", &first.spot, message);
+    }
+}
+
+/// Distance (m) of a point from the axis-aligned bounding box of other points; 0 inside.
+pub(super) fn distance_from_box<'p>(
+    at: &Vector3<f64>,
+    others: impl IntoIterator<Item = &'p Vector3<f64>>,
+) -> f64 {
+    let mut others = others.into_iter();
+    let Some(first) = others.next() else { return 0.0 };
+    let (low, high) = others.fold((*first, *first), |(low, high), at| (low.inf(at), high.sup(at)));
+    (at - at.sup(&low).inf(&high)).norm()
 }
 
 #[cfg(test)]
@@ -126,7 +250,7 @@ mod tests {
             is_axle: false,
         };
         let mut findings = Findings::default();
-        check_part(&part, &Spot::default(), &mut findings);
+        check_part(&part, &Spot::default(), &mut findings, FilePlaces::default());
         findings.finish(&[("car.toml", "")]).into_iter().map(|found| found.code).collect()
     }
 

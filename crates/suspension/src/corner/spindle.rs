@@ -75,7 +75,8 @@ impl Spindle {
         corner.drawing.wheels.push(WheelCircle { centre: at.into(), axis: self.axis.into(), radius });
         let Some((wheel, frame)) = &self.wheel else { return };
         let about_com = frames::rotate_inertia(frame, &Matrix3::from_diagonal(&wheel.inertia.into()));
-        let body = Body { mass: wheel.mass, com: at, about_com, spot: Spot::default() };
+        let body =
+            Body { mass: wheel.mass, com: at, about_com, spot: Spot::default(), com_spot: Spot::default() };
         corner.add_link("wheel", at, Some(&body), "the wheel, as given on import");
         let joint = ("wheel_fixed", JointKind::Fixed);
         corner.add_joint(joint, ["spindle", "wheel"], Vector3::x(), spot, "the wheel's bolts");

@@ -54,9 +54,13 @@ fn spindle(sheet: &Sheet, findings: &mut Findings) -> Spindle {
         Some(GivenBody::Body(body)) => {
             Body { com: if body.com.x.is_nan() { at } else { body.com }, ..body.clone() }
         }
-        Some(GivenBody::Rod(..)) | None => {
-            Body { mass: 0.0, com: at, about_com: Matrix3::zeros(), spot: spot.clone() }
-        }
+        Some(GivenBody::Rod(..)) | None => Body {
+            mass: 0.0,
+            com: at,
+            about_com: Matrix3::zeros(),
+            spot: spot.clone(),
+            com_spot: spot.clone(),
+        },
     };
     if sheet.template.middle {
         if at.y != 0.0 {

@@ -5,6 +5,7 @@ use super::template::{Keys, Template};
 use crate::corner;
 use crate::corner::design::{Part, SEATS, STOPS, is_central};
 use crate::limits::MAX_SHEET_KEYS;
+use percuss_formats::reading::quoted;
 use percuss_mechanism::near_names;
 use std::sync::LazyLock;
 
@@ -125,6 +126,39 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
     }
     debug_assert!(keys.len() < MAX_SHEET_KEYS);
     keys
+}
+
+/// Message about an unknown key: the nearest key, and the known keys of its section, or the sections if the section is unknown; the
+/// nearest come first.
+pub(super) fn unknown_key_message(key: &str, known: &[String]) -> String {
+    let near = near_keys(key, known.iter().map(String::as_str));
+    let section = split(key).0;
+    let rank = |of: &str, near: &[&str]| near.iter().position(|other| *other == of).unwrap_or(near.len());
+    let of_section = known.iter().map(|other| split(other)).filter(|(other, _)| *other == section);
+    let mut of_section: Vec<&str> = of_section.map(|(_, last)| last).collect();
+    let list = if of_section.is_empty() {
+        let mut sections: Vec<&str> = known.iter().map(|other| split(other).0).collect();
+        sections.retain(|section| !section.is_empty());
+        sections.dedup();
+        let nearest = near_names(section, sections.iter().copied());
+        let nearest: Vec<&str> = nearest.iter().map(String::as_str).collect();
+        sections.sort_by_key(|section| rank(section, &nearest));
+        let mut listed: Vec<&str> = Vec::new();
+        for section in sections {
+            if !listed.contains(&section) {
+                listed.push(section);
+            }
+        }
+        format!("the sections are {}", listed.join(", "))
+    } else {
+        let nearest = near.iter().map(|near| split(near)).filter(|(other, _)| *other == section);
+        let nearest: Vec<&str> = nearest.map(|(_, last)| last).collect();
+        of_section.sort_by_key(|last| rank(last, &nearest));
+        let place = if section.is_empty() { "the head".to_owned() } else { format!("[{section}]") };
+        format!("the keys of {place} are {}", of_section.join(", "))
+    };
+    let hint = near.first().map_or_else(String::new, |near| format!("; did you mean {}?", quoted(near)));
+    format!("the key {} is not known to this template{hint} ({list})", quoted(key))
 }
 
 /// Keys that are similar to a key, the most similar first: keys of the same section by the part after the section, otherwise keys whose

@@ -83,11 +83,8 @@ pub(in super::super) fn read(
     for entry in entries.unread() {
         let spot = &entry.spot;
         let known = sheet.as_ref().map(|s| catalogue::keys_of(s.template)).unwrap_or_default();
-        let near = catalogue::near_keys(&entry.key, known.iter().map(String::as_str));
-        let near = near.first().map_or_else(String::new, |n| format!("; did you mean {}?", quoted(n)));
-        let message = format!("the key {} is not known to this template{near}", quoted(&entry.key));
         if sheet.is_some() {
-            findings.error("unknown-key", spot, message);
+            findings.error("unknown-key", spot, catalogue::unknown_key_message(&entry.key, &known));
         }
     }
     sheet.filter(|_| !findings.has_errors())
@@ -422,10 +419,10 @@ impl SheetReader<'_> {
         if is_rod && !self.entries.has(&com_key) && !self.entries.has(&inertia_key) {
             return Some(GivenBody::Rod(mass, spot));
         }
-        let com = match self.entries.point(self.findings, &com_key, frame) {
-            Some((com, _)) => Some(com),
+        let (com, com_spot) = match self.entries.point(self.findings, &com_key, frame) {
+            Some((com, at)) => (Some(com), at),
             None if self.entries.has(&com_key) => return None,
-            None => None,
+            None => (None, spot.clone()),
         };
         let is_mirrored = points_side == Side::Right && !template.is_central_body(key);
         // NaN: the default for a spindle is the wheel centre, which is computed later. A massless body needs no centre of mass.
@@ -462,7 +459,7 @@ impl SheetReader<'_> {
                 about_com[(row, column)] = 0.0 - about_com[(row, column)];
             }
         }
-        Some(GivenBody::Body(corner::Body { mass, com, about_com, spot }))
+        Some(GivenBody::Body(corner::Body { mass, com, about_com, spot, com_spot }))
     }
 
     /// Reads one number.
@@ -506,10 +503,7 @@ impl SheetReader<'_> {
             let key = format!("{section}.on");
             let found = self.entries.text(self.findings, &key, "the name of a link");
             let (link, spot) = found.unwrap_or_else(|| (default.clone(), Spot::default()));
-            let holders: Vec<&str> = template.holders().filter(|l| !["anti_roll_bar"].contains(l)).collect();
-            if !holders.contains(&&*link) {
-                let message =
-                    format!("{} is no link that this can be on: {}", quoted(&link), holders.join(", "));
+            if let Err(message) = template.check_holder(section, &link) {
                 self.findings.error("unknown-link", &spot, message);
             }
             on.insert(&**section, (link, spot));

@@ -1,7 +1,9 @@
 //! Template of a sheet, as read from its data file in `templates`.
 
-use crate::corner::design::{DerivedPoint, Part};
+use crate::corner::design::{DerivedPoint, ON_DAMPER, Part, STOPS};
 use crate::options::Side;
+use percuss_formats::reading::quoted;
+use percuss_mechanism::near_names;
 use percuss_spatial::Matrix3;
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -131,8 +133,40 @@ impl Template {
         self.point("tie_rod_inner").is_some()
     }
 
-    /// Links to which springs and similar parts can be attached.
-    pub fn holders(&self) -> impl Iterator<Item = &str> {
+    /// Links to which a section can be attached. A pushrod is built before the other rods, so that it is on none of them; the rods that
+    /// both sides share have no frame of one side.
+    pub fn holders_of(&self, section: &str) -> impl Iterator<Item = &str> {
+        let is_pushrod = section == "pushrod";
+        let is_rod = move |key: &str| {
+            !is_pushrod
+                && !self.is_central_body(key)
+                && self.parts.iter().any(|part| matches!(part, Part::Rod { link, .. } if link == key))
+        };
+        let bodies = self.bodies.iter().map(|(key, _)| &**key);
+        bodies.filter(move |key| is_rod(key) || self.solid_holders().any(|holder| holder == *key))
+    }
+
+    /// Checks the link that a section is on; the error lists the possible links.
+    pub fn check_holder(&self, section: &str, link: &str) -> Result<(), String> {
+        let mut holders: Vec<&str> = self.holders_of(section).collect();
+        if STOPS.contains(&section) {
+            holders.push(ON_DAMPER);
+        }
+        if holders.contains(&link) {
+            return Ok(());
+        }
+        let near = near_names(link, holders.iter().copied()).into_iter().next();
+        let near = near.map_or_else(String::new, |near| format!(" (did you mean {}?)", quoted(&near)));
+        Err(format!(
+            "{} is no link on which the {} of this template can be{near}: {}",
+            quoted(link),
+            section.replace('_', " "),
+            holders.join(", ")
+        ))
+    }
+
+    /// Links other than rods between two points.
+    fn solid_holders(&self) -> impl Iterator<Item = &str> {
         let is_holder = |(key, body): &&(String, ExampleBody)| {
             let is_made = |part: &Part| match part {
                 Part::Rod { .. } | Part::Wheel { .. } => false,

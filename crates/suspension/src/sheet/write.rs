@@ -4,7 +4,7 @@ use super::catalogue::HEAD;
 use super::catalogue::{description_of, keys, templates, universal_links};
 use super::template::{Shape, Template, symmetric_matrix};
 use crate::corner::CHASSIS;
-use crate::corner::design::{Part, THIRD_SPRING};
+use crate::corner::design::{Part, STOPS, THIRD_SPRING};
 use crate::units::VehicleAxes;
 use percuss_spatial::Vector3;
 use percuss_units::LengthUnit;
@@ -196,7 +196,7 @@ impl SheetWriter<'_> {
 
     /// Writes the links to which springs, dampers and stops are attached, the gaps of stops, and the rack.
     fn write_attachments(&mut self, template: &Template) {
-        let holders: Vec<&str> = template.holders().filter(|l| *l != "anti_roll_bar").collect();
+        let holders: Vec<&str> = template.holders_of("spring").collect();
         self.write_line("");
         self.write_line(&format!("# Which link each is on: {}.", holders.join(", ")));
         let is_body = |section: &str| template.bodies.iter().any(|(key, _)| key == section);
@@ -208,7 +208,7 @@ impl SheetWriter<'_> {
             self.write_key("gap", &gap, "at the design position; default: the distance of its points");
         }
         self.write_line("# A stop also has the key direction = [x, y, z], from the pad to the stop; default: the line of its points.");
-        self.write_line("# A stop with a gap and without points is on the damper: the gap is then a change of the damper's length.");
+        self.write_line("# A stop on the rod of the damper has on = \"damper\", a gap (a change of the damper's length) and no points.");
         if template.has_rack() {
             self.write_line("");
             self.write_line("# The rack holds the tie rods' inner ends: fixed to the chassis, or sliding along y to steer.");
@@ -288,12 +288,17 @@ pub fn template_keys() -> String {
     row("wheel.camber`, `.toe", "with a unit: `\"-1 deg\"`; positive: top outward, toe-in", "all");
     for section in ["spring", "third_spring", "damper", "bump_stop", "rebound_stop", "drop_link", "pushrod"] {
         let with = of(&|t| t.on.iter().any(|(key, _)| key == section));
-        row(&format!("{section}.on"), "the link that it is on", &with);
+        let meaning = if STOPS.contains(&section) {
+            "the link that its pad is on, or `\"damper\"` for a stop on the rod of the damper"
+        } else {
+            "the link that it is on: any link of the template"
+        };
+        row(&format!("{section}.on"), meaning, &with);
     }
     row(
         "bump_stop.gap`, `rebound_stop.gap",
-        "the gap at the design position; without it, the distance of pad and stop along the direction. A stop with a gap and \
-         without points is on the damper",
+        "the gap at the design position; without it, the distance of pad and stop along the direction. For a stop on the \
+         damper (a gap, no points), the change of the damper's length",
         "all",
     );
     row(

@@ -356,7 +356,7 @@ fn component(value: Option<f64>, size: f64) -> String {
 
 /// Explanation of the table of reactions.
 pub fn legend(report: &ImpactReport) -> String {
-    let mut legend = "Action of the parent on the child, along two transverse axes and the axis of the joint (--format json \
+    let mut legend = "Rates of a ball joint are the angular velocity of its child in the axes of the child. Action of the parent on the child, along two transverse axes and the axis of the joint (--format json \
                       has the axes). Joints without any reaction are left out.\n"
         .to_owned();
     let mut open: Vec<&str> =

@@ -2,18 +2,19 @@
 
 use super::findings::add_warnings;
 use crate::commands::impacts::{rigid_impact, safe_speed, simultaneous};
+use crate::commands::suspension::kinematics;
 use crate::commands::{compare, damp, map};
 use crate::files::html::Page;
 use crate::pictures::clipping::{clip_outliers, remove_flat_panels};
+use crate::pictures::kinematics_figure::kinematics_figure;
 use crate::pictures::map_files;
-use crate::pictures::sweep_figure::MAX_CURVES;
 use crate::terminal::design_changes;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use percuss_render::Figure;
 use percuss_study::{
-    ComparisonReport, DampingQuestion, DampingReport, ImpactReport, MapAnswer, PointMapReport,
-    SafeSpeedReport, StudyError, StudyFile, impact_history,
+    ComparisonReport, DampingQuestion, DampingReport, ImpactReport, KinematicsReport, MapAnswer,
+    PointMapReport, SafeSpeedReport, StudyError, StudyFile, impact_history,
 };
 
 /// Section of the variants.
@@ -35,8 +36,9 @@ pub(super) fn add_variants(compared: &ComparisonReport, study: &StudyFile, page:
     }
     // A comparison without a figure is covered by the sweep's table.
     let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
-    let is_readable = compared.designs.len() <= MAX_CURVES || !compare::has_several_contacts(compared);
-    if let Some(all) = compare::figure(compared, &figure).ok().filter(|_| is_readable) {
+    // Curves of different contacts have figures of their own.
+    let is_of_one = !compare::has_several_contacts(compared);
+    if let Some(all) = compare::figure(compared, &figure).ok().filter(|_| is_of_one) {
         let content = "Effective mass of the designs over the varied quantity";
         add_figure(all, content, page);
     }
@@ -93,6 +95,46 @@ fn add_figure(mut figure: Figure, content: &str, page: &mut Page) {
     } else {
         page.picture(&figure.to_svg(), content, &caption);
     }
+}
+
+/// Number of panels of a figure of a page.
+const PANELS_PER_FIGURE: usize = 2;
+
+/// Section of the kinematics over a travel: a figure, and a table of evenly distributed rows.
+pub(super) fn add_kinematics(report: &KinematicsReport, study: &StudyFile, page: &mut Page) {
+    page.section("Kinematics");
+    let is_selected = study.kinematics.as_ref().is_some_and(|requested| !requested.columns.is_empty());
+    match kinematics_figure(report, is_selected) {
+        Ok(figure) => {
+            // Two panels fill the width of a page.
+            for panels in figure.panels.chunks(PANELS_PER_FIGURE) {
+                let labels: Vec<&str> = panels.iter().map(|panel| panel.y_label.as_str()).collect();
+                let title = labels.join(", ");
+                let part = Figure { panels: panels.to_vec(), title, ..figure.clone() };
+                add_figure(part, "Kinematics over the travel", page);
+            }
+        }
+        Err(_) => page
+            .paragraph("soft", "No figure: a figure has one to eight quantities with values over a range."),
+    }
+    for problem in report.rows.iter().filter_map(|row| row.problem.as_ref()).take(1) {
+        page.warning(&format!("some rows have no result; the first: {problem}"));
+    }
+    if is_selected {
+        let rows = kinematics::table_rows(report);
+        let last = rows.len() - 1;
+        let steps = last.saturating_sub(1).clamp(1, limits::SWEEP_ROWS_SHOWN - 1);
+        let chosen = (0..=steps).map(|i| 1 + (i * (last - 1) + steps / 2) / steps);
+        let chosen = [0].into_iter().chain(chosen);
+        page.table(&chosen.filter_map(|i| rows.get(i).cloned()).collect::<Vec<_>>());
+    }
+    page.paragraph(
+        "soft",
+        &format!(
+            "Axes of the vehicle, ISO 8855; derivatives along {}, per travel of the wheel; definitions: docs/howto/KINEMATICS.md.",
+            report.derivatives
+        ),
+    );
 }
 
 /// Section of a damper, with the history of the impact.

@@ -30,10 +30,6 @@ pub(super) fn facts(report: &MassReport, contact: &SheetPoint) -> Vec<(&'static 
         }
     }
     facts.extend(held_points(report));
-    if !assumed.drivers.is_empty() {
-        let drivers: Vec<String> = assumed.drivers.iter().map(|name| words(name)).collect();
-        facts.push(("loops driven by", drivers.join(", ")));
-    }
     facts.extend(loop_facts(report));
     facts.push(method(report));
     facts

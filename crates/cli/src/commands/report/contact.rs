@@ -8,7 +8,7 @@ use crate::files::html::Page;
 use crate::terminal::explanation::named_contact;
 use crate::terminal::limits;
 use crate::terminal::text::{number, short_number, triple, upper_bound, within_uncertainty};
-use percuss_study::{ContactListReport, MassReport, StudyMass};
+use percuss_study::{ContactListReport, DiagnosticRecord, MassReport, StudyMass};
 
 /// Adds the results of all contacts of a study with several, before all sections.
 pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
@@ -32,7 +32,12 @@ pub(super) fn add_contact_list(listed: &ContactListReport, page: &mut Page) {
 }
 
 /// Adds the result before all sections: the number, its uncertainty, the contact, and the findings.
-pub(super) fn add_result(report: &MassReport, requested: &StudyMass, page: &mut Page) {
+pub(super) fn add_result(
+    report: &MassReport,
+    requested: &StudyMass,
+    findings: &[&DiagnosticRecord],
+    page: &mut Page,
+) {
     page.open_result(&format!("m̄ = {}", headline(report)));
     let mut facts = uncertainty(report);
     if let (Some(expected), Some(mass)) = (requested.expect, report.effective_mass) {
@@ -49,7 +54,7 @@ pub(super) fn add_result(report: &MassReport, requested: &StudyMass, page: &mut 
     }
     page.facts(facts);
     page.close_result();
-    add_warnings(&report.diagnostics, page);
+    add_warnings(findings.iter().copied(), page);
 }
 
 /// Uncertainty due to tolerances, and numerical error.
@@ -114,7 +119,7 @@ pub(super) fn add_estimate(report: &MassReport, page: &mut Page) {
     let value = |x: Option<f64>, unit: &str| x.map_or("–".to_owned(), |x| format!("{} {unit}", number(x)));
     page.facts([
         ("takes", format!("{} kg of {}", number(estimate.mass), estimate.links.join(", "))),
-        ("motion ratio", value(estimate.motion_ratio, "(A over contact)")),
+        ("motion ratio", value(estimate.motion_ratio, "(contact per travel of A)")),
         ("estimate", value(estimate.estimate, "kg")),
         ("off by", estimate.error_percent.map_or("–".to_owned(), |x| format!("{} %", short_number(x)))),
     ]);
@@ -126,10 +131,11 @@ pub(super) fn add_motion_ratios(report: &MassReport, page: &mut Page) {
         return;
     }
     page.section("Motion ratios");
-    let mut rows = vec![["point", "direction", "point per contact", "contact per point"].map(str::to_owned)];
+    let mut rows =
+        vec![["point", "direction (world axes)", "contact per travel of the point"].map(str::to_owned)];
     rows.extend(report.motion_ratios.iter().map(|ratio| {
-        let inverse = ratio.contact_per_wheel.map_or_else(|| "–".to_owned(), number);
-        [ratio.link.clone(), triple(&ratio.direction), number(ratio.wheel_per_contact), inverse]
+        let shown = ratio.contact_per_wheel.map_or_else(|| "infinite".to_owned(), number);
+        [ratio.link.clone(), triple(&ratio.direction), shown]
     }));
     page.table(&rows);
     if let Some(joint) = report.motion_ratios.iter().find_map(|ratio| ratio.held.as_ref()) {

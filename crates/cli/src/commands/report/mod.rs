@@ -7,6 +7,7 @@ mod conditions;
 mod contact;
 mod findings;
 mod mechanism;
+mod outputs;
 mod page;
 mod results;
 mod sensitivity;
@@ -19,14 +20,27 @@ use crate::files::output::{check_writable, record_input, write_file};
 use crate::terminal::escape;
 use crate::terminal::failure::Failure;
 use crate::terminal::report::{write_diagnostics, write_out};
+pub use outputs::files_of;
 use percuss_study::{RowSource, StudyFile, StudySweep};
 use results::StudyResults;
 use std::path::Path;
 
+/// File beside a page, with the same name and another ending.
+fn accompanying_file(path: &str, ending: &str) -> String {
+    Path::new(path).with_extension(ending).to_string_lossy().into_owned()
+}
+
+/// The page with its JSON, and the table of a sweep.
+pub fn files_of_page(study: &StudyFile, path: &str) -> Vec<String> {
+    let mut files = vec![path.to_owned(), accompanying_file(path, "json")];
+    if study.sweep.is_some() {
+        files.push(accompanying_file(path, "csv"));
+    }
+    files
+}
+
 /// Writes the report of a study.
 pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failure> {
-    let accompanying_file =
-        |ending: &str| Path::new(path).with_extension(ending).to_string_lossy().into_owned();
     let is_html = Path::new(path).extension().is_some_and(|e| e.eq_ignore_ascii_case("html"));
     if !is_html {
         return Err(Failure::bad_input(format!("--report {path}: its name must end in .html")));
@@ -36,11 +50,9 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
         record_input(&file.path);
     }
     // The checks precede the computation.
-    let mut files = vec![path.to_owned(), accompanying_file("json")];
-    if study.sweep.is_some() {
-        files.push(accompanying_file("csv"));
-    }
+    let mut files = files_of_page(study, path);
     files.extend(args.explorer.clone());
+    files.extend(files_of(study).map(|(_, file)| file));
     files.iter().try_for_each(|file| check_writable(file))?;
     // The page refuses a study before the computation.
     let explorer = match &args.explorer {
@@ -54,10 +66,11 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
     write_diagnostics(&diagnostics, args.strict)?;
     let page = page::text(&answers, study, args, path, &inputs)?;
     let json = answers.json()?;
-    write_file(&accompanying_file("json"), json.as_bytes())?;
+    write_file(&accompanying_file(path, "json"), json.as_bytes())?;
     if let Some(sweep) = &answers.sweep {
-        write_file(&accompanying_file("csv"), sweep.csv.as_bytes())?;
+        write_file(&accompanying_file(path, "csv"), sweep.csv.as_bytes())?;
     }
+    outputs::write(study, &args.study)?;
     if let (Some(path), Some(text)) = (&args.explorer, &explorer) {
         write_file(path, text.as_bytes())?;
     }

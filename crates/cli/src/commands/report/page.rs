@@ -23,7 +23,7 @@ pub(super) fn text(
         contact::add_contact_list(listed, &mut page);
     }
     if let Some(report) = &results.mass {
-        contact::add_result(report, &study.mass, &mut page);
+        contact::add_result(report, &study.mass, &results.unlisted(report), &mut page);
     }
     mechanism::add_mechanism(results, &mut page);
     if let Some(explorer) = &args.explorer {
@@ -41,10 +41,15 @@ pub(super) fn text(
         mechanism::add_model(contents, &mut page);
     }
     if let Some(sweep) = &results.sweep {
-        sweep.add_to(&mut page, &file_name(&Path::new(path).with_extension("csv").to_string_lossy()));
+        let table = file_name(&Path::new(path).with_extension("csv").to_string_lossy());
+        let first = study.contacts.first().filter(|_| results.has_several_contacts());
+        sweep.add_to(&mut page, &table, first.map(|contact| contact.name.as_str()));
     }
     if let Some(compared) = &results.compared {
         answers::add_variants(compared, study, &mut page);
+    }
+    if let Some(report) = &results.kinematics {
+        answers::add_kinematics(report, study, &mut page);
     }
     let damper = results.mass.as_ref().and_then(|report| report.damper.as_ref()).or(results.stop.as_ref());
     if let (Some(damper), Some(damping)) = (damper, &study.damping) {
@@ -100,8 +105,12 @@ fn add_basis(results: &StudyResults, args: &RunArgs, path: &str, inputs: &[Input
     let of_variants = results.compared.iter().flat_map(|compared| &compared.diagnostics);
     let of_variants: Vec<&DiagnosticRecord> =
         of_variants.filter(|d| d.path.is_none() && d.severity == Severity::Note).collect();
-    let is_listed =
-        |d: &&DiagnosticRecord| d.path.is_some() || d.severity == Severity::Note && !of_variants.contains(d);
+    // The driving joints of a suspension have no influence on its results.
+    let is_of_sheet = results.mass.as_ref().is_some_and(|mass| mass.point_in_sheet.is_some());
+    let is_detail = |d: &DiagnosticRecord| is_of_sheet && d.code == "drivers-chosen";
+    let is_listed = |d: &&DiagnosticRecord| {
+        !is_detail(d) && (d.path.is_some() || d.severity == Severity::Note && !of_variants.contains(d))
+    };
     let listed: Vec<&DiagnosticRecord> = diagnostics.iter().filter(is_listed).collect();
     if !listed.is_empty() {
         page.heading("Notes, and findings about the files");

@@ -10,9 +10,9 @@ use crate::commands::mass::MassRequests;
 use crate::terminal::failure::Failure;
 use percuss_study::{
     CheckReport, ComparisonReport, ContactListReport, DampingReport, DiagnosticRecord, DrawnMechanism,
-    ImpactReport, Input, MapAnswer, MassReport, Names, PointMapReport, SafeSpeedReport, StudyFile,
-    StudyMapQuestion, check as check_of, draw_mechanism, impact as impact_of, map as map_of, map_point,
-    mass_with_drawing,
+    ImpactReport, Input, KinematicsReport, MapAnswer, MassReport, Names, PointMapReport, SafeSpeedReport,
+    StudyFile, StudyMapQuestion, check as check_of, draw_mechanism, impact as impact_of, map as map_of,
+    map_point, mass_with_drawing,
 };
 
 /// Result of a map.
@@ -34,6 +34,7 @@ pub(super) struct StudyResults {
     pub impact: Option<ImpactReport>,
     pub sweep: Option<SweepSection>,
     pub compared: Option<ComparisonReport>,
+    pub kinematics: Option<KinematicsReport>,
     pub mapped: Option<MapResult>,
     pub speeds: Option<Vec<SafeSpeedReport>>,
 }
@@ -70,6 +71,8 @@ impl StudyResults {
                 Some(MapResult::Directions(Box::new(map_point(&study.model, requested, *count)?)))
             }
         };
+        let kinematics =
+            study.kinematics.as_ref().map(|requested| requested.report(&study.model)).transpose()?;
         let speeds =
             study.safe_speed.as_ref().map(|requested| requested.reports(&study.model)).transpose()?;
         let impact = study.question.as_ref().zip(study.impact.as_ref());
@@ -77,7 +80,19 @@ impl StudyResults {
             impact.map(|(question, requested)| impact_of(&study.model, question, requested)).transpose()?;
         let sweep = study.sweep.as_ref().map(|requested| run_sweep(study, requested)).transpose()?;
         let listed = if study.contacts.is_empty() { None } else { Some(contact_list::of_study(study)?) };
-        Ok(Self { mass, listed, mechanism, contents, stop, impact, sweep, compared, mapped, speeds })
+        Ok(Self {
+            mass,
+            listed,
+            mechanism,
+            contents,
+            stop,
+            impact,
+            sweep,
+            compared,
+            kinematics,
+            mapped,
+            speeds,
+        })
     }
 
     /// Input files of all results, without duplicates.
@@ -102,16 +117,34 @@ impl StudyResults {
         each
     }
 
+    /// True if the study has several contacts, which are compared over the rows of its sweep.
+    pub fn has_several_contacts(&self) -> bool {
+        self.compared.as_ref().is_some_and(compare::has_several_contacts)
+    }
+
+    /// Findings about the result of a contact that are not in the list of several contacts, in which they begin with the name.
+    pub fn unlisted<'m>(&self, mass: &'m MassReport) -> Vec<&'m DiagnosticRecord> {
+        let listed = self.listed.iter().flat_map(|listed| &listed.diagnostics);
+        let listed: Vec<&str> = listed.map(|record| record.message.as_str()).collect();
+        let is_listed = |record: &DiagnosticRecord| {
+            let named = format!(": {}", record.message);
+            listed.iter().any(|message| *message == record.message || message.ends_with(&named))
+        };
+        mass.diagnostics.iter().filter(|record| record.path.is_some() || !is_listed(record)).collect()
+    }
+
     /// Diagnostics of all results, without duplicates.
     pub fn diagnostics(&self) -> Vec<DiagnosticRecord> {
-        let sweep = self.sweep.iter().flat_map(|sweep| &sweep.end.diagnostics);
+        // The comparison has the findings of all contacts over the rows.
+        let sweep = self.sweep.iter().filter(|_| !self.has_several_contacts());
+        let sweep = sweep.flat_map(|sweep| &sweep.end.diagnostics);
         let compared = self.compared.iter().flat_map(|compared| &compared.diagnostics);
         let mapped = self.mapped.iter().flat_map(|mapped| match mapped {
             MapResult::Surfaces(answer) => &answer.report.diagnostics,
             MapResult::Directions(report) => &report.diagnostics,
         });
         let speeds = self.speeds.iter().flatten().flat_map(|report| &report.diagnostics);
-        let own = self.mass.iter().flat_map(|mass| &mass.diagnostics);
+        let own = self.mass.iter().flat_map(|mass| self.unlisted(mass));
         let own = own.chain(self.listed.iter().flat_map(|listed| &listed.diagnostics));
         let own = own.chain(self.contents.iter().flat_map(|contents| &contents.diagnostics));
         let own = own.chain(self.stop.iter().flat_map(|stop| &stop.diagnostics));

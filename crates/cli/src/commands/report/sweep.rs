@@ -103,14 +103,23 @@ pub(super) fn run_sweep(study: &StudyFile, requested: &StudySweep) -> Result<Swe
 }
 
 impl SweepSection {
-    /// Adds the section of the sweep; `table` is the name of the CSV file.
-    pub fn add_to(&self, page: &mut Page, table: &str) {
-        page.section("The sweep");
+    /// Adds the section of the sweep; `table` is the name of the CSV file. `first`: name of the first of several contacts, whose
+    /// figure and warnings are in the section of the contacts.
+    pub fn add_to(&self, page: &mut Page, table: &str, first: Option<&str>) {
+        match first {
+            Some(contact) => page.section(&format!("The sweep at {contact}")),
+            None => page.section("The sweep"),
+        }
         match &self.picture {
+            _ if first.is_some() => {
+                page.paragraph("soft", "The figures of all contacts are in the next section.")
+            }
             Ok((svg, clipped)) => page.picture(svg, "Effective mass over the varied quantity", clipped),
             Err(why) => page.paragraph("soft", why),
         }
-        add_warnings(&self.end.diagnostics, page);
+        if first.is_none() {
+            add_warnings(&self.end.diagnostics, page);
+        }
         if let Some(error) = self.end.first_error.as_ref().filter(|_| self.end.rows_without_result > 0) {
             page.warning(&format!(
                 "{} rows have no result; the first: {error}",

@@ -1,15 +1,17 @@
 //! Command `percuss kinematics`.
 
-use crate::args::{KinematicsArgs, KinematicsFormat};
+use crate::args::{KinematicsArgs, KinematicsFormat, is_picture};
 use crate::files::csv;
 use crate::files::output::{check_writable, record_input, write_file};
+use crate::pictures::clipping::note_clipping;
+use crate::pictures::kinematics_figure::kinematics_figure;
 use crate::terminal::failure::Failure;
-use crate::terminal::report::{write_diagnostics, write_json, write_out};
+use crate::terminal::report::{notes_are_shown, write_diagnostics, write_json, write_out};
 use crate::terminal::text::{Table, number};
 use crate::terminal::wrap::{WIDTH, width, wrap_hanging};
 use percuss_study::{
-    KinematicColumn, KinematicUnit, KinematicsError, KinematicsQuestion, KinematicsReport, Model,
-    TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
+    KinematicColumn, KinematicUnit, KinematicsError, KinematicsQuestion, KinematicsReport, Model, StudyFile,
+    StudyKinematics, TargetReport, TargetSearch, changed_sheet, kinematics, search_targets,
 };
 use std::fmt::Write;
 
@@ -24,17 +26,75 @@ pub fn run(args: &KinematicsArgs) -> Result<(), Failure> {
     if let Some(search) = args.search()? {
         return show_search(args, &model, &question, &search);
     }
-    let report = kinematics(&model, &question)?;
+    let report = kinematics(&model, &question)?.with_columns(&args.columns)?;
     write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
-    let text = match args.format()? {
-        KinematicsFormat::Table => tables(&report),
-        KinematicsFormat::Csv => rows_as_csv(&report),
-        KinematicsFormat::Json => serde_json::to_string_pretty(&report).unwrap_or_default() + "\n",
-    };
     match &args.output {
-        Some(path) => write_file(path, text.as_bytes())?,
-        None => write_out(&text)?,
+        Some(path) if args.is_picture() => write_picture(&report, !args.columns.is_empty(), path)?,
+        Some(path) => write_file(path, text_of(&report, args.format()?).as_bytes())?,
+        None => write_out(&text_of(&report, args.format()?))?,
     }
+    check_rows(&report)
+}
+
+/// Report as text in a format.
+fn text_of(report: &KinematicsReport, format: KinematicsFormat) -> String {
+    match format {
+        KinematicsFormat::Table => tables(report),
+        KinematicsFormat::Csv => rows_as_csv(report),
+        KinematicsFormat::Json => serde_json::to_string_pretty(report).unwrap_or_default() + "\n",
+    }
+}
+
+/// Writes the figure of a report; `selected`: true if the columns were selected.
+fn write_picture(report: &KinematicsReport, selected: bool, path: &str) -> Result<(), Failure> {
+    let mut figure = kinematics_figure(report, selected)?;
+    note_clipping(&mut figure);
+    let ending = path.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
+    let bytes = match ending.as_str() {
+        "png" => figure.to_png(2.0)?,
+        "pdf" => figure.to_pdf()?,
+        _ => figure.to_svg().into_bytes(),
+    };
+    write_file(path, &bytes)
+}
+
+/// Shows the kinematics of a study: the table on stdout, or the file that the study names.
+pub fn show_of_study(study: &StudyFile, requested: &StudyKinematics, strict: bool) -> Result<(), Failure> {
+    let report = requested.report(&study.model)?;
+    match &requested.output {
+        Some(path) => write_output(&report, requested, path)?,
+        None => {
+            write_diagnostics(&report.diagnostics, strict)?;
+            write_out(&tables(&report))?;
+        }
+    }
+    check_rows(&report)
+}
+
+/// Writes the file that a study names.
+pub fn write_output(
+    report: &KinematicsReport,
+    requested: &StudyKinematics,
+    path: &str,
+) -> Result<(), Failure> {
+    report.inputs.iter().for_each(|input| record_input(&input.path));
+    let ending = path.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
+    let format = match ending.as_str() {
+        _ if is_picture(path) => return write_picture(report, !requested.columns.is_empty(), path),
+        "csv" => KinematicsFormat::Csv,
+        "json" => KinematicsFormat::Json,
+        "txt" => KinematicsFormat::Table,
+        _ => {
+            return Err(Failure::bad_input(format!(
+                "kinematics.output {path}: its name must end in .csv, .json, .txt, .svg, .png or .pdf"
+            )));
+        }
+    };
+    write_file(path, text_of(report, format).as_bytes())
+}
+
+/// Warns about rows without a result; exit code 1 if no row has one.
+fn check_rows(report: &KinematicsReport) -> Result<(), Failure> {
     match report.rows.iter().find_map(|row| row.problem.as_ref()) {
         Some(problem) if report.rows.iter().all(|row| row.problem.is_some()) => {
             Err(Failure::NoAnswer(problem.clone()))
@@ -100,7 +160,9 @@ fn search_text(report: &TargetReport) -> String {
             format!("--move {point}={},{},{}", csv::number(*x), csv::number(*y), csv::number(*z))
         })
         .collect();
-    format!("{table}\n{} designs evaluated; as flags, in m:\n  {}\n", report.evaluations, moves.join("\n  "))
+    let count =
+        if notes_are_shown() { format!("{} designs evaluated; ", report.evaluations) } else { String::new() };
+    format!("{table}\n{count}as flags, in m and the axes of the sheet:\n  {}\n", moves.join("\n  "))
 }
 
 /// Result of a search as CSV.
@@ -128,6 +190,28 @@ impl From<KinematicsError> for Failure {
             other => Failure::bad_input(other.to_string()),
         }
     }
+}
+
+/// Axes of all quantities.
+const AXES: &str = "axes of the vehicle, ISO 8855: x forward, y left, z up";
+
+/// Columns and rows of a report in the units of tables, as text: the variable first; quantities without values are left out.
+pub fn table_rows(report: &KinematicsReport) -> Vec<Vec<String>> {
+    let given: Vec<usize> =
+        (0..report.columns.len()).filter(|i| report.columns[*i].missing.is_none()).collect();
+    let head = |i: &usize| {
+        let column = &report.columns[*i];
+        let side = if column.side.is_empty() { String::new() } else { format!(", {}", column.side) };
+        words(column) + &side
+    };
+    let first = format!("{} (mm)", report.variable.unwrap_or_default());
+    let mut rows = vec![[first].into_iter().chain(given.iter().map(head)).collect::<Vec<_>>()];
+    for row in &report.rows {
+        let value = |i: &usize| shown(report.columns[*i].unit, row.values.get(*i).copied().flatten());
+        let variable = shown(KinematicUnit::Length, row.variable);
+        rows.push([variable].into_iter().chain(given.iter().map(value)).collect());
+    }
+    rows
 }
 
 /// Name of a column with its unit in tables.
@@ -166,10 +250,16 @@ fn shown(unit: KinematicUnit, value: Option<f64>) -> String {
     }
 }
 
+/// Name of a quantity in words; a motion ratio states its two motions.
+fn named_in_words(quantity: &str) -> String {
+    let is_ratio = quantity.starts_with("motion_ratio_");
+    quantity.replace('_', " ") + if is_ratio { "/wheel" } else { "" }
+}
+
 /// Name of a quantity in words, with its unit.
 fn words(column: &KinematicColumn) -> String {
     let unit = column.unit.of_table().0;
-    let name = column.quantity.replace('_', " ");
+    let name = named_in_words(&column.quantity);
     if unit.is_empty() { name } else { format!("{name}, {unit}") }
 }
 
@@ -186,7 +276,7 @@ fn tables(report: &KinematicsReport) -> String {
             None => reasons.push((why, vec![name])),
         }
     }
-    let _ = writeln!(out, "\nderivatives along {}, per travel of the wheel", report.derivatives);
+    let _ = writeln!(out, "\nderivatives along {}, per travel of the wheel\n{AXES}", report.derivatives);
     for (why, names) in reasons {
         let _ = writeln!(out, "{}", wrap_hanging(&format!("not given: {}: {why}", names.join(", ")), 2));
     }

@@ -39,7 +39,7 @@ export interface MassReport {
     touching: string[]; wheel_travel: { link: string; travel: number }[];
   } | null;
   branch_limits: (number | null)[];
-  motion_ratios: { link: string; wheel_per_contact: number; contact_per_wheel: number | null; one_travel: boolean }[];
+  motion_ratios: { link: string; contact_per_wheel: number | null; one_travel: boolean }[];
   diagnostics: Finding[];
 }
 export interface Posed { report: MassReport; frames: number[]; velocities: (Triple | null)[] }

@@ -143,12 +143,11 @@ export function Ratios() {
       <table class="plain"><tbody>
         {ratios.map((r) => (
           <tr key={r.link}>
-            <th scope="row">{r.link}</th><td class="n">{fixed(r.wheel_per_contact, 4)}</td>
-            <td class="n soft">{r.contact_per_wheel === null ? '' : `1/${fixed(r.contact_per_wheel, 4)}`}</td>
+            <th scope="row">{r.link}</th><td class="n">{r.contact_per_wheel === null ? 'infinite' : fixed(r.contact_per_wheel, 4)}</td>
           </tr>
         ))}
       </tbody></table>
-      <p class="soft">Upward speed of the point per closing speed of the contact{ratios.some((r) => !r.one_travel) ? ', in the motion of the impact' : ''}.</p>
+      <p class="soft">Closing of the contact per upward travel of the point{ratios.some((r) => !r.one_travel) ? ', in the motion of the impact' : ''}.</p>
     </section>
   );
 }

@@ -110,10 +110,9 @@ class EstimateRecord(Record):
     point_link: list[float]
     """Point A, in the first link's frame, m."""
     motion_ratio: float | None
-    """Speed of A (or the component along the direction, if given) per unit closing speed: the motion ratio "A over contact",
-    negative for a motion against the direction. None if a massless motion leaves the speed undetermined."""
-    lever: float | None
-    """Inverse ratio l̄, the motion ratio "contact over A"."""
+    """Motion ratio l̄: closing speed of the contact per speed of A (or per its component along the direction, if given),
+    negative for a motion against the direction. None if A does not move, or if a massless motion leaves its speed
+    undetermined."""
     estimate: float | None
     """m_K / l̄², kg."""
     error_percent: float | None
@@ -123,7 +122,8 @@ class EstimateRecord(Record):
 
 
 class MotionRatioRecord(Record):
-    """Motion ratio of a point relative to the contact, in the motion v*."""
+    """Motion ratio of the contact relative to a point, in the motion v*: closing of the contact per travel of the point, such
+    as spring compression per wheel travel."""
 
     link: str
     """Link of the point: "wheel_centre" or "contact_patch" if the model has these links, or the requested link."""
@@ -131,10 +131,9 @@ class MotionRatioRecord(Record):
     """The point in the link's frame, m."""
     direction: list[float]
     """Direction of the speed, a unit vector in world axes."""
-    wheel_per_contact: float
-    """Speed of the point along the direction per unit closing speed of the contact; negative for motion against the direction."""
     contact_per_wheel: float | None
-    """Inverse ratio; None if the point does not move."""
+    """Closing speed of the contact per speed of the point along the direction; negative if the contact closes while the point
+    moves against the direction. None if the point does not move."""
     one_travel: bool
     """True if every motion of the mechanism has this ratio; otherwise the ratio holds for the motion v* only."""
     held: str | None

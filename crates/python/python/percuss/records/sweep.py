@@ -37,7 +37,8 @@ class SweepRow(Record):
     singular_pose: bool | None
     """True if the pose is singular."""
     motion_ratio: float | None
-    """Speed per unit closing speed: of the estimate's point A, or of the travelling point along its direction."""
+    """Motion ratio: closing of the contact per travel of the estimate's point A, or of the travelling point along its
+    direction."""
     estimate: float | None
     """The classical estimate, kg."""
     estimate_error_percent: float | None
@@ -75,8 +76,8 @@ class SweepReport(Record):
     """Contact link."""
     motion_ratio_of: str | None
     """Motion of the motion ratio: "estimate" for the point of the estimate in the impact, or the name of the travel. The ratio
-    of one point holds for the impact; that of "heave" or "roll", for this motion of the wheels. The key is absent without a
-    motion ratio."""
+    of one point holds for the impact (with a sliding rack held); that of "heave" or "roll", for this motion of the wheels.
+    The key is absent without a motion ratio."""
     rows: list[SweepRow]
     """All rows."""
     diagnostics: list[DiagnosticRecord]
@@ -118,7 +119,7 @@ class DesignRecord(Record):
     effective_mass_error: float | None
     """Error bound of m̄, kg."""
     motion_ratio: float | None
-    """Speed of the wheel per unit closing speed of the contact; None if the motions of the mechanism differ in it."""
+    """Motion ratio: closing of the contact per upward travel of the wheel; None if the motions of the mechanism differ in it."""
     difference_percent: float | None
     """Difference from m̄ of the reference, per cent of the reference."""
     difference_range_percent: list[float] | None
@@ -143,7 +144,7 @@ class ComparisonRow(Record):
     difference_percent: list[float | None]
     """Difference of each design from its reference, per cent."""
     motion_ratio: list[float | None]
-    """Speed of the varied travel per unit closing speed of the contact of each design; None without a travel."""
+    """Motion ratio of each design: closing of the contact per varied travel; None without a travel."""
 
 
 class ComparisonReport(Record):

@@ -68,7 +68,7 @@ pub struct DesignRecord {
     pub effective_mass: Option<f64>,
     /// Error bound of m̄, kg.
     pub effective_mass_error: Option<f64>,
-    /// Speed of the wheel per unit closing speed of the contact; null if the motions of the mechanism differ in it.
+    /// Motion ratio: closing of the contact per upward travel of the wheel; null if the motions of the mechanism differ in it.
     pub motion_ratio: Option<f64>,
     /// Difference from m̄ of the reference, per cent of the reference.
     pub difference_percent: Option<f64>,
@@ -93,7 +93,7 @@ pub struct ComparisonRow {
     pub effective_mass: Vec<Option<f64>>,
     /// Difference of each design from its reference, per cent.
     pub difference_percent: Vec<Option<f64>>,
-    /// Speed of the varied travel per unit closing speed of the contact of each design; null without a travel.
+    /// Motion ratio of each design: closing of the contact per varied travel; null without a travel.
     pub motion_ratio: Vec<Option<f64>>,
 }
 
@@ -221,7 +221,7 @@ fn record(design: &Design, diagnostics: &mut DesignFindings) -> Result<DesignRec
             record.status = Some(report.status);
             record.effective_mass = report.effective_mass;
             record.effective_mass_error = report.effective_mass_error;
-            record.motion_ratio = report.motion_ratios.first().map(|ratio| ratio.wheel_per_contact);
+            record.motion_ratio = report.motion_ratios.first().and_then(|ratio| ratio.contact_per_wheel);
             let shares = report.bodies.into_iter().filter_map(|body| Some((body.link, body.share?)));
             record.most = shares.filter(|(_, share)| *share > 0.0).collect();
             record.most.sort_by(|a, b| b.1.total_cmp(&a.1));

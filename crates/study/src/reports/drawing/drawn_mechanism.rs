@@ -10,7 +10,7 @@ use crate::reports::drawing::link_lines::{
     centre_of_mass, characteristic_points, hardpoint_name, link_lines,
 };
 use crate::reports::drawing::shape_reader::ShapeReader;
-use crate::thresholds::TOUCH_TOLERANCE;
+use crate::thresholds::{BUMP_PAD, REBOUND_PAD, TOUCH_TOLERANCE};
 use percuss_dynamics::{ContactResponse, Gap, PointVelocity, Pose};
 use percuss_mechanism::{ContactKind, ContactNormal, JointKind, LinkId, Mechanism, NamedContact};
 use percuss_spatial::Vector3;
@@ -179,14 +179,15 @@ fn named_points(model: &Model, pose: &Pose) -> Vec<DrawnPoint> {
             [(_, a, _), (_, b, _)] => (a - b).norm() <= TOUCH_TOLERANCE * mechanism.characteristic_length(),
             _ => true,
         };
-        let name = |link: &str| match is_one {
-            true => closure.name().to_owned(),
-            false => format!("{} on {link}", closure.name()),
+        // The ends of a slide leave the common point of the drawing: each has the name of its link.
+        let name = |link: &str, hardpoint: &Option<String>| {
+            let name = hardpoint.as_deref().unwrap_or(closure.name());
+            let is_shared = ends.iter().filter(|(_, _, other)| other == hardpoint).count() > 1;
+            if is_one || !is_shared { name.to_owned() } else { format!("{name} on {link}") }
         };
-        let points = ends.iter().map(|(link, at, hardpoint)| DrawnPoint {
-            name: hardpoint.clone().unwrap_or_else(|| name(link)),
-            at: (*at).into(),
-        });
+        let points = ends
+            .iter()
+            .map(|(link, at, hardpoint)| DrawnPoint { name: name(link, hardpoint), at: (*at).into() });
         points.take(if is_one { 1 } else { 2 }).collect::<Vec<_>>()
     };
     let all = joints.chain(mechanism.closures().iter().flat_map(of_loop));
@@ -213,12 +214,44 @@ fn merge_points(points: impl Iterator<Item = DrawnPoint>, tolerance: f64) -> Vec
     merged
 }
 
+/// Element of a stop on the rod of a damper, whose ends are `ends`: pad on the rod at a part of the length from the contact point, face at
+/// the distance of the gap. `None` if the ends coincide.
+fn stop_on_rod(
+    name: &str,
+    normal: &ContactNormal,
+    ends: [Vector3<f64>; 2],
+    gap: f64,
+) -> Option<DrawnElement> {
+    let along = (ends[1] - ends[0]).try_normalize(0.0)?;
+    let (part, normal) = match normal {
+        ContactNormal::Away(_) => (REBOUND_PAD, -along),
+        ContactNormal::Toward(_) | ContactNormal::Fixed(_) => (BUMP_PAD, along),
+    };
+    let pad = ends[0] + part * (ends[1] - ends[0]);
+    Some(DrawnElement {
+        name: name.to_owned(),
+        kind: ContactKind::Stop,
+        ends: [pad.into(), (pad + normal * gap).into()],
+        normal: normal.into(),
+        gap: Some(gap),
+    })
+}
+
 /// Element of a named contact; `None` if its ends coincide and it has no direction.
 fn element(mechanism: &Mechanism, pose: &Pose, contact: &NamedContact) -> Option<DrawnElement> {
     let other = pose.link(contact.against().unwrap_or(mechanism.root()));
     let point = pose.link(contact.link()).point(contact.point());
     let gap = Gap::new(pose, contact).map(|gap| gap.at(pose));
+    let is_stop = contact.kind() == ContactKind::Stop;
     let (end, normal) = match contact.normal() {
+        ContactNormal::Toward(seat) | ContactNormal::Away(seat) if is_stop => {
+            return stop_on_rod(
+                contact.name(),
+                contact.normal(),
+                [point, other.point(seat)],
+                gap.unwrap_or_default(),
+            );
+        }
         ContactNormal::Fixed(direction) => {
             let normal = other.vector(direction);
             (point + normal * gap.unwrap_or_default(), normal)
@@ -272,5 +305,21 @@ mod tests {
         let merged = merge_points(all.into_iter(), 1e-9);
         let names: Vec<&str> = merged.iter().map(|point| point.name.as_str()).collect();
         assert_eq!(names, ["rod_first_pin, second_pin", "é_a, ü_a"]);
+    }
+
+    #[test]
+    fn stops_on_a_rod_are_drawn_between_its_ends() {
+        let end = Vector3::new(0.0, 0.0, 0.4);
+        for (normal, part, sign) in [
+            (ContactNormal::Toward(Vector3::zeros()), BUMP_PAD, 1.0),
+            (ContactNormal::Away(Vector3::zeros()), REBOUND_PAD, -1.0),
+        ] {
+            let drawn = stop_on_rod("stop", &normal, [Vector3::zeros(), end], 0.03).expect("a stop");
+            assert_eq!(drawn.ends[0], [0.0, 0.0, part * 0.4]);
+            assert_eq!(drawn.ends[1], [0.0, 0.0, part * 0.4 + sign * 0.03]);
+            assert_eq!((drawn.normal, drawn.gap), ([0.0, 0.0, sign], Some(0.03)));
+        }
+        let normal = ContactNormal::Toward(Vector3::zeros());
+        assert_eq!(stop_on_rod("stop", &normal, [end, end], 0.03), None);
     }
 }

@@ -97,7 +97,11 @@ pub(super) fn hardpoint_name(
             (design_point_in_link(&model.mechanism, link, world) - point).norm() <= tolerance
         })
     };
-    let (name, _) = origin.kinematics.coordinates.iter().find(is_here)?;
+    // Of several hardpoints at one place, the part has that with its own name.
+    let stem = part.split('_').next().unwrap_or(part);
+    let mut here = origin.kinematics.coordinates.iter().filter(is_here).map(|(name, _)| name);
+    let first = here.clone().next()?;
+    let name = here.find(|name| name.starts_with(stem)).unwrap_or(first);
     Some(format!("{name}{side}"))
 }
 

@@ -1,6 +1,7 @@
 //! Kinematics of a suspension over its travel: angles of the wheels, steering axis, roll centre, motion ratios, wheel rates.
 
 pub(crate) mod changed_sheet;
+pub(crate) mod column_names;
 pub(crate) mod force_element;
 pub(crate) mod linkage_motion;
 pub(crate) mod movable;

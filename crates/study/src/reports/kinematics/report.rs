@@ -4,6 +4,7 @@ use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::field::Names;
 use crate::question::travel::moved::WheelMotion;
+use crate::reports::kinematics::column_names::{column_name, unknown_column};
 use crate::reports::kinematics::linkage_motion::Linkage;
 use crate::reports::kinematics::question::{KinematicVariable, KinematicsError, KinematicsQuestion};
 use crate::reports::kinematics::row_values::RowEvaluation;
@@ -83,6 +84,40 @@ pub struct KinematicsReport {
     pub rows: Vec<KinematicsRow>,
     /// Warnings and notes.
     pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+impl KinematicsReport {
+    /// Report with the named columns alone, in their order; a name without a side stands for both sides, `CONTACT.QUANTITY` for the
+    /// column of a contact ([`column_name`]). Without names, all columns stay.
+    ///
+    /// # Errors
+    /// [`KinematicsError::Search`]: an unknown name, with the nearest.
+    pub fn with_columns(mut self, names: &[String]) -> Result<Self, KinematicsError> {
+        if names.is_empty() || self.columns.is_empty() {
+            return Ok(self);
+        }
+        let mut chosen: Vec<usize> = Vec::new();
+        for text in names {
+            let name = column_name(text.trim());
+            let is_named = |column: &KinematicColumn| column.name() == name || column.quantity == name;
+            let found: Vec<usize> = (0..self.columns.len())
+                .filter(|i| is_named(&self.columns[*i]) && !chosen.contains(i))
+                .collect();
+            if found.is_empty() && !self.columns.iter().any(is_named) {
+                let known: Vec<String> = self.columns.iter().map(KinematicColumn::name).collect();
+                let why = format!("columns: {}", unknown_column(&name, &known));
+                return Err(KinematicsError::Search { why });
+            }
+            chosen.extend(found);
+        }
+        let columns: Arc<[KinematicColumn]> = chosen.iter().map(|i| self.columns[*i].clone()).collect();
+        for row in &mut self.rows {
+            row.values = chosen.iter().map(|i| row.values.get(*i).copied().flatten()).collect();
+            row.columns = Arc::clone(&columns);
+        }
+        self.columns = columns.to_vec();
+        Ok(self)
+    }
 }
 
 /// True if the derivatives are those of roll: the variable of the rows is roll.

@@ -6,6 +6,7 @@
 
 use crate::model::changes::Changes;
 use crate::model::loading::{Input, Model};
+use crate::reports::kinematics::column_names::{column_name, unknown_column};
 use crate::reports::kinematics::question::{KinematicsError, KinematicsQuestion};
 use crate::reports::kinematics::report::evaluate_state;
 use crate::reports::kinematics::suspension_kinematics::SuspensionKinematics;
@@ -51,7 +52,7 @@ impl UnknownCoordinate {
 /// Required value of a quantity: `QUANTITY=VALUE`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KinematicTarget {
-    /// Column of `percuss kinematics`, with the ending of the side or without.
+    /// Column of `percuss kinematics`, with the ending of the side or without; see [`column_name`].
     pub quantity: String,
     /// Value with its unit; without a unit SI, or a plain number.
     pub value: Quantity,
@@ -61,7 +62,7 @@ impl FromStr for KinematicTarget {
     type Err = String;
     fn from_str(text: &str) -> Result<Self, String> {
         let (quantity, value) =
-            text.split_once('=').ok_or("expected QUANTITY=VALUE, such as motion_ratio_spring=0.75")?;
+            text.split_once('=').ok_or("expected QUANTITY=VALUE, such as spring.motion_ratio=0.75")?;
         let parse = |dimension: Dimension| dimension.parse(value);
         // Per cent and units of stiffness have no dimension in a plain number.
         let value = Quantity::parse(value).or_else(|error| {
@@ -70,7 +71,7 @@ impl FromStr for KinematicTarget {
                 .or_else(|_| parse(Dimension::Force))
                 .map_err(|_| error)
         });
-        Ok(Self { quantity: quantity.to_owned(), value: value.map_err(|error| error.to_string())? })
+        Ok(Self { quantity: column_name(quantity.trim()), value: value.map_err(|error| error.to_string())? })
     }
 }
 
@@ -412,7 +413,7 @@ fn find(values: &KinematicValues, name: &str) -> Result<f64, String> {
         None => {
             let names: Vec<String> =
                 values.0.iter().map(|value| format!("{}{}", value.name, value.side)).collect();
-            Err(format!("no quantity \"{name}\"; these are: {}", names.join(", ")))
+            Err(unknown_column(name, &names))
         }
     }
 }

@@ -108,10 +108,14 @@ impl MassTable {
                 GivenTolerance::OfExpected(relative) => {
                     study_mass.expect_tolerance.replace(*relative).is_some()
                 }
-                GivenTolerance::OfParts(parts) => study_mass.tolerance.replace(*parts).is_some(),
+                GivenTolerance::OfParts(parts) => {
+                    let merged = study_mass.tolerance.unwrap_or_default().merge(*parts);
+                    study_mass.tolerance = merged.or(study_mass.tolerance);
+                    merged.is_none()
+                }
             };
             if twice {
-                let why = "given twice for the same quantity; write mass=2%,point=0.5mm as one";
+                let why = "given twice for the same quantity; write each once, such as mass=2%,point=0.5mm";
                 return refuse("mass.tolerance", why);
             }
         }

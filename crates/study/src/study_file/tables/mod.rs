@@ -6,6 +6,7 @@ pub(crate) mod damping;
 #[cfg(feature = "flags")]
 pub mod headings;
 pub(crate) mod impact;
+pub(crate) mod kinematics;
 pub(crate) mod map;
 pub(crate) mod mass;
 pub(crate) mod model;

@@ -1,0 +1,78 @@
+//! Picture of kinematics over a travel: a panel per quantity, one for all motion ratios and one for all forces.
+
+use crate::terminal::failure::Failure;
+use percuss_render::{Figure, Panel, Series, Style};
+use percuss_study::{KinematicColumn, KinematicsReport};
+use std::path::Path;
+
+/// Quantities of the figure if none are selected.
+const USUAL: [&str; 6] =
+    ["camber", "toe", "half_track_change", "motion_ratio_", "wheel_rate", "roll_centre_height"];
+/// Quantities of springs, dampers and stops, which share a panel.
+const SHARED: [&str; 2] = ["motion_ratio_", "force_"];
+/// Largest number of panels of one figure: a page in height.
+const MOST_PANELS: usize = 8;
+
+/// Title of the panel of a column, and the name of its curve.
+fn panel_and_curve(column: &KinematicColumn) -> (String, String) {
+    let unit = column.unit.of_table().0;
+    let side = if column.side.is_empty() { String::new() } else { format!(" {}", column.side) };
+    let shared = SHARED.iter().find_map(|start| Some((*start, column.quantity.strip_prefix(start)?)));
+    let (name, curve) = match shared {
+        Some((start, contact)) => {
+            (start.trim_end_matches('_').replace('_', " "), contact.replace('_', " ") + &side)
+        }
+        None => (column.quantity.replace('_', " "), format!("{}{side}", column.quantity.replace('_', " "))),
+    };
+    let label = match (name.as_str(), unit) {
+        ("motion ratio", _) => "motion ratio, contact/wheel".to_owned(),
+        (_, "") => name,
+        (_, unit) => format!("{name} ({unit})"),
+    };
+    (label, curve)
+}
+
+/// Figure of a report over a range; `selected`: true if the user selected the columns.
+pub fn kinematics_figure(report: &KinematicsReport, selected: bool) -> Result<Figure, Failure> {
+    let Some(variable) = report.variable else {
+        return Err(Failure::bad_input(
+            "--output: a picture shows a range; give --wheel-travel, --heave, --roll or --steer FROM:TO:COUNT",
+        ));
+    };
+    let is_usual = |column: &KinematicColumn| {
+        USUAL.iter().any(|usual| {
+            column.quantity == *usual || usual.ends_with('_') && column.quantity.starts_with(usual)
+        })
+    };
+    let mut panels: Vec<Panel> = Vec::new();
+    for (i, column) in report.columns.iter().enumerate() {
+        if column.missing.is_some() || !(selected || is_usual(column)) {
+            continue;
+        }
+        let (y_label, name) = panel_and_curve(column);
+        let factor = column.unit.of_table().1;
+        let point = |row: &percuss_study::KinematicsRow| {
+            (1e3 * row.variable.unwrap_or_default(), row.values.get(i).copied().flatten().map(|y| factor * y))
+        };
+        let style = if column.side == "right" { Style::Dashed } else { Style::Line };
+        let series = Series { name, style, points: report.rows.iter().map(point).collect() };
+        match panels.iter_mut().find(|panel| panel.y_label == y_label) {
+            Some(panel) => panel.series.push(series),
+            None => panels.push(Panel { y_label, series: vec![series], ..Panel::default() }),
+        }
+    }
+    if panels.is_empty() || panels.len() > MOST_PANELS {
+        return Err(Failure::bad_input(format!(
+            "--output: {} quantities with values; a picture has 1 to {MOST_PANELS}: select them by --columns",
+            panels.len()
+        )));
+    }
+    let file = report.inputs.first().and_then(|input| Path::new(&input.path).file_name());
+    Ok(Figure {
+        title: "Kinematics".to_owned(),
+        subtitle: file.map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
+        x_label: format!("{variable} (mm)"),
+        panels,
+        ..Figure::default()
+    })
+}
