@@ -3,7 +3,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use percuss_benches::{CpuTime, criterion, double_wishbone, subjects};
 use percuss_dynamics::{Contact, Pose};
-use percuss_impact::{JointRates, RigidImpact, TimeConditions, impact_in_time};
+use percuss_impact::{JointRates, ReactionMap, RigidImpact, TimeConditions, impact_in_time};
 use std::hint::black_box;
 
 /// Penetration of the contact in time at 1 m/s, m.
@@ -17,6 +17,16 @@ fn measure(criterion: &mut Criterion<CpuTime>, name: &str, pose: &Pose, contact:
         bencher.iter(|| {
             let response = black_box(pose).respond(contact).expect("a contact");
             black_box(RigidImpact::new(pose, &response, 1.0, 0.3, None))
+        });
+    });
+    criterion.bench_function(&format!("{name}/respond"), |bencher| {
+        bencher.iter(|| black_box(black_box(pose).respond(contact)));
+    });
+    let map = ReactionMap::new(pose);
+    criterion.bench_function(&format!("{name}/impact_with_map"), |bencher| {
+        bencher.iter(|| {
+            let response = black_box(pose).respond(contact).expect("a contact");
+            black_box(RigidImpact::with_reaction_map(pose, &map, &response, 1.0, 0.3, None))
         });
     });
     let mass = response.effective_mass.kilograms().expect("a mass");

@@ -1,7 +1,7 @@
 //! Errors of an impact.
 
 use crate::mobility::delassus::DelassusError;
-use crate::reactions::unit_impulse::ReactionError;
+use crate::reactions::reaction_map::ReactionError;
 
 /// Error of an impact.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

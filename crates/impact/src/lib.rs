@@ -20,6 +20,7 @@ mod group_rows;
 mod mobility;
 mod motion;
 mod percussion;
+mod pivoted_qr;
 mod ranges;
 mod reactions;
 mod rigid_impact;
@@ -45,7 +46,8 @@ pub use ranges::reflected::{
 };
 pub use ranges::reflected_range::{RangeError, ReflectedRange, ReflectedSample, reflected_inertia_over};
 pub use reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
-pub use reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};
+pub use reactions::reaction_map::{ReactionError, ReactionMap};
+pub use reactions::unit_impulse::reactions_to_unit_impulse;
 pub use rigid_impact::{RigidImpact, closing_speed, greatest_closing_speed};
 pub use several::energetic::ContactStiffness;
 pub use several::laws::{

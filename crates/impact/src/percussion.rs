@@ -1,6 +1,6 @@
 //! Centre of percussion: the contact point with the least reaction at a joint.
 
-use crate::reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};
+use crate::reactions::reaction_map::{ReactionError, ReactionMap};
 use crate::tolerances::NO_INFLUENCE;
 use nalgebra::{Matrix2, Vector2, Vector3};
 use percuss_dynamics::{Contact, Direction, Frame, Pose, ResponseError};
@@ -142,13 +142,14 @@ impl AffineReaction {
         // The normal stays fixed while the point moves, also for normals along a line.
         let normal = pose.locate(contact).map_err(ResponseError::from)?.normal_link;
         let size = pose.mechanism().characteristic_length();
+        let map = ReactionMap::new(pose);
         let at = |displacement: Vector3<f64>| {
             let moved = Contact {
                 point: contact.point + displacement,
                 normal: Direction::Along(normal, Frame::Link),
                 ..*contact
             };
-            impulse_at_joint(pose, &moved, joint)
+            impulse_at_joint(pose, &map, &moved, joint)
         };
         let first = at(Vector3::zeros())?;
         let mut is_open = first.is_open;
@@ -195,8 +196,13 @@ struct JointImpulse {
 }
 
 /// Impulse at a joint.
-fn impulse_at_joint(pose: &Pose, contact: &Contact, joint: JointId) -> Result<JointImpulse, PercussionError> {
-    let mut reactions = reactions_to_unit_impulse(pose, &pose.respond(contact)?)?;
+fn impulse_at_joint(
+    pose: &Pose,
+    map: &ReactionMap,
+    contact: &Contact,
+    joint: JointId,
+) -> Result<JointImpulse, PercussionError> {
+    let mut reactions = map.reactions(&pose.respond(contact)?, 1.0)?;
     let reaction = reactions.joints.swap_remove(joint.index()).reaction;
     let values = reaction.force.map(|component| component.value());
     if values.iter().all(Option::is_none) {

@@ -5,7 +5,7 @@ use crate::friction::impulse::{Friction, FrictionLaw, frictional_impulse};
 use crate::motion::joint_rates::JointRates;
 use crate::motion::undetermined::undetermined_joints;
 use crate::reactions::reaction::Reactions;
-use crate::reactions::unit_impulse::{ReactionError, reactions_to_unit_impulse};
+use crate::reactions::reaction_map::{ReactionError, ReactionMap};
 use percuss_dynamics::{ContactResponse, EffectiveMass, LocatedContact, Pose};
 use percuss_mechanism::JointId;
 
@@ -55,6 +55,21 @@ impl RigidImpact {
         restitution: f64,
         before: Option<JointRates>,
     ) -> Result<Self, ImpactError> {
+        Self::with_reaction_map(pose, &ReactionMap::new(pose), response, closing_speed, restitution, before)
+    }
+
+    /// Impact as by [`new`](Self::new), with the reaction map of the pose: for several contacts or speeds at one pose.
+    ///
+    /// # Errors
+    /// [`ImpactError`]: as for [`new`](Self::new).
+    pub fn with_reaction_map(
+        pose: &Pose,
+        map: &ReactionMap,
+        response: &ContactResponse,
+        closing_speed: f64,
+        restitution: f64,
+        before: Option<JointRates>,
+    ) -> Result<Self, ImpactError> {
         if !(0.0..=1.0).contains(&restitution) {
             return Err(ImpactError::Restitution { got: restitution });
         }
@@ -66,12 +81,11 @@ impl RigidImpact {
             EffectiveMass::Immovable => return Err(ImpactError::Immovable),
             EffectiveMass::Massless => return Err(ReactionError::Massless.into()),
         };
-        let reactions = reactions_to_unit_impulse(pose, response)?;
         let impulse = (1.0 + restitution) * mass * closing_speed;
-        let star = JointRates { joints: response.joint_velocities.clone(), base: response.base_velocity };
-        let rest = JointRates::at_rest(pose.mechanism());
-        let before = before.unwrap_or_else(|| rest.plus_scaled(&star, closing_speed));
-        let after = before.plus_scaled(&star, -(1.0 + restitution) * closing_speed);
+        let reactions = map.reactions(response, impulse)?;
+        let (star, base) = (&response.joint_velocities, response.base_velocity);
+        let before = before.unwrap_or_else(|| JointRates::scaled(star, base, closing_speed));
+        let after = before.plus_scaled_motion(star, base, -(1.0 + restitution) * closing_speed);
         Ok(Self {
             restitution,
             closing_speed,
@@ -81,7 +95,7 @@ impl RigidImpact {
             after,
             undetermined: undetermined_joints(pose, response),
             friction: None,
-            reactions: reactions.scaled(impulse),
+            reactions,
         })
     }
 }
@@ -100,14 +114,15 @@ impl RigidImpact {
         friction: FrictionLaw,
         before: Option<JointRates>,
     ) -> Result<Self, ImpactError> {
-        let smooth = Self::new(pose, response, closing_speed, restitution, before)?;
+        let map = ReactionMap::new(pose);
+        let smooth = Self::with_reaction_map(pose, &map, response, closing_speed, restitution, before)?;
         let found = frictional_impulse(pose, response, closing_speed, restitution, friction, &smooth.before)?;
         Ok(Self {
             impulse: found.normal,
             energy_loss: found.energy_loss,
             after: smooth.before.plus_scaled(&found.change, 1.0),
             friction: Some(found.friction),
-            reactions: reactions_to_unit_impulse(pose, &found.response)?.scaled(found.total),
+            reactions: map.reactions(&found.response, found.total)?,
             ..smooth
         })
     }

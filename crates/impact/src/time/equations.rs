@@ -9,11 +9,10 @@
 //! Source: Featherstone 2008, §3.2 and §8.
 
 use crate::group_rows::GroupRows;
-use crate::mobility::semidefinite::SemidefiniteSolver;
+use crate::mobility::semidefinite::{SemidefiniteSolver, unit_diagonal_scale};
 use crate::motion::driver_rates::{kernel, lengths};
 use crate::motion::joint_rates::JointRates;
-use crate::reactions::link_loads::LinkLoads;
-use crate::reactions::unit_impulse::generalised_loads;
+use crate::reactions::reaction_map::ReactionMap;
 use crate::tolerances::MASSLESS_ENERGY;
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::{LocatedContact, Pose};
@@ -30,8 +29,9 @@ pub(crate) fn accelerations(
     let n = u.len();
     let rates = rates_of(pose, u);
     let still = JointRates::at_rest(pose.mechanism());
-    let loads = LinkLoads::of_motion(pose, contact, force, &rates, &still, gravity);
-    let forces = generalised_loads(pose, loads, still);
+    let map = ReactionMap::new(pose);
+    let loads = map.tree().motion_loads(pose, contact, force, &rates, &still, gravity);
+    let forces = map.generalised_loads(&loads, &still.joints, 1.0);
     let lengths = lengths(pose, &pose.coordinate_joints());
     let bias = pose.constraint_bias(&rates.joints, &rates.base).ok()?;
     let groups: Vec<GroupRows> = pose.constraint_groups().into_iter().map(GroupRows::new).collect();
@@ -59,7 +59,7 @@ pub(crate) fn rates_of(pose: &Pose, u: &[f64]) -> JointRates {
 /// Solution of K a = b for a symmetric positive semi-definite K; of least norm if a motion has no mass.
 fn solve(matrix: DMatrix<f64>, right: DVector<f64>) -> DVector<f64> {
     let d = right.len();
-    let scale: Vec<f64> = (0..d).map(|k| matrix[(k, k)].max(f64::MIN_POSITIVE).sqrt().recip()).collect();
+    let scale = unit_diagonal_scale(matrix.diagonal().as_slice());
     let even = DMatrix::from_fn(d, d, |r, c| scale[r] * scale[c] * 0.5 * (matrix[(r, c)] + matrix[(c, r)]));
     let scaled = DVector::from_fn(d, |k, _| scale[k] * right[k]);
     let solution = match even.clone().cholesky() {

@@ -4,9 +4,8 @@ use crate::error::ImpactError;
 use crate::extrapolation::{controlled_step, step};
 use crate::motion::driver_rates::lengths;
 use crate::motion::joint_rates::JointRates;
-use crate::reactions::link_loads::LinkLoads;
 use crate::reactions::reaction::Reactions;
-use crate::reactions::unit_impulse::reactions_to_loads;
+use crate::reactions::reaction_map::ReactionMap;
 use crate::time::equations::{accelerations, rates_of};
 use crate::tolerances::{
     CONTACT_ENDS, END_ITERATIONS, LARGEST_TIME_STEP, MOST_DOUBLINGS, MOST_TIME_STEPS, TIME_STEP_ERROR,
@@ -343,7 +342,8 @@ impl<'a> Motion<'a> {
         let change = accelerations(pose, &at.contact, &at.rates, at.force, &gravity).unwrap_or_default();
         let change =
             if change.is_empty() { JointRates::at_rest(pose.mechanism()) } else { rates_of(pose, &change) };
-        let loads = LinkLoads::of_motion(pose, &at.contact, at.force, &rates, &change, &gravity);
+        let map = ReactionMap::new(pose);
+        let loads = map.tree().motion_loads(pose, &at.contact, at.force, &rates, &change, &gravity);
         ImpactSample {
             time: time * self.depth / self.speed,
             penetration: at.penetration,
@@ -351,7 +351,7 @@ impl<'a> Motion<'a> {
             force: at.force,
             effective_mass: finite_mass(pose, self.contact),
             loop_gap: pose.loops().map_or(0.0, |loops| loops.residual),
-            reactions: reactions_to_loads(pose, loads, change),
+            reactions: map.reactions_to_loads(loads, &change.joints, 1.0, 1.0),
             positions: pose.positions().to_vec(),
             base: *pose.base(),
             rates,
