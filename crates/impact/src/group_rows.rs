@@ -1,6 +1,6 @@
 //! Multipliers of a group of constraints: one solution, and the combinations that redundancy leaves open.
 
-use crate::pivoted_qr::PivotedQr;
+use crate::numerics::pivoted_qr::PivotedQr;
 use crate::tolerances::{INVOLVED, MOST_OPEN, OPEN_COMPONENT, OPEN_PER_FLOOR};
 use faer::Mat;
 use percuss_dynamics::ConstraintGroup;

@@ -14,13 +14,12 @@
 //! laws of compliant contacts.
 
 mod error;
-mod extrapolation;
 mod friction;
 mod group_rows;
 mod mobility;
 mod motion;
+mod numerics;
 mod percussion;
-mod pivoted_qr;
 mod ranges;
 mod reactions;
 mod rigid_impact;

@@ -1,9 +1,10 @@
 //! Impact in time against a compliant contact.
 
 use crate::error::ImpactError;
-use crate::extrapolation::{controlled_step, step};
 use crate::motion::driver_rates::lengths;
 use crate::motion::joint_rates::JointRates;
+use crate::numerics::extrapolation::step;
+use crate::numerics::multistep::MultistepIntegrator;
 use crate::reactions::reaction::Reactions;
 use crate::reactions::reaction_map::ReactionMap;
 use crate::time::equations::{accelerations, rates_of};
@@ -260,28 +261,27 @@ impl<'a> Motion<'a> {
         let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
         let lost = || ImpactError::LostContact;
         let (mut y, mut time) = (self.initial.clone(), 0.0);
-        let mut at = self.instant(&y).ok_or_else(lost)?;
-        let mut samples = vec![self.sample(time, &at)];
+        let at = self.instant(&y).ok_or_else(lost)?;
+        let mut rate = vec![0.0; y.len()];
+        f(&y, &mut rate);
+        let mut samples = vec![self.sample(time, &at, &rate)];
         let mut deepest: Option<(f64, Option<f64>)> = None;
-        let mut h = LARGEST_TIME_STEP;
+        let mut integrator = MultistepIntegrator::new(rate, LARGEST_TIME_STEP, TIME_STEP_ERROR);
         for _ in 0..MOST_TIME_STEPS {
-            let (mut next, mut taken, proposal) =
-                controlled_step(&f, &y, h.min(LARGEST_TIME_STEP), TIME_STEP_ERROR);
-            let mut then = self.instant(&next).filter(|at| at.closing.is_finite()).ok_or_else(lost)?;
+            let (next, taken) = integrator.advance(&f, &y);
+            let then = self.instant(&next).filter(|at| at.closing.is_finite()).ok_or_else(lost)?;
             if deepest.is_none() && then.closing <= 0.0 {
                 let (_, turn, _) =
                     self.locate_end(&y, taken, &|at| at.closing / self.speed).ok_or_else(lost)?;
                 deepest = Some((turn.penetration, finite_mass(&turn.pose, self.contact)));
             }
-            let ends = then.closing < 0.0 && self.remaining(&then) <= 0.0;
-            if ends {
-                (next, then, taken) =
+            if then.closing < 0.0 && self.remaining(&then) <= 0.0 {
+                let (end, at, taken) =
                     self.locate_end(&y, taken, &|at| self.remaining(at)).ok_or_else(lost)?;
-            }
-            time += taken;
-            (y, at, h) = (next, then, proposal);
-            samples.push(self.sample(time, &at));
-            if ends {
+                time += taken;
+                let mut rate = vec![0.0; y.len()];
+                f(&end, &mut rate);
+                samples.push(self.sample(time, &at, &rate));
                 let (max_penetration, mass) = deepest.unwrap_or((at.penetration, None));
                 return Ok(ImpactInTime {
                     restitution: -at.closing / self.speed,
@@ -292,6 +292,9 @@ impl<'a> Motion<'a> {
                     samples,
                 });
             }
+            time += taken;
+            y = next;
+            samples.push(self.sample(time, &then, integrator.rate()));
         }
         Err(ImpactError::EndlessContact { time: time * self.depth / self.speed })
     }
@@ -304,25 +307,28 @@ impl<'a> Motion<'a> {
         value: &dyn Fn(&Instant) -> f64,
     ) -> Option<(Vec<f64>, Instant, f64)> {
         let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
-        let state = |h: f64| {
-            let next = step(&f, y, h, TIME_STEP_ERROR).0;
-            self.instant(&next).map(|at| (next, at, h))
+        // The steps start at the last state above zero, so that they become short.
+        let state = |from: &[f64], start: f64, end: f64| {
+            let next = step(&f, from, end - start, TIME_STEP_ERROR).0;
+            self.instant(&next).map(|at| (next, at, end))
         };
         let (mut low, mut high) = (0.0, h);
-        let (mut above, mut below) = (value(&self.instant(y)?), value(&state(h)?.1));
-        let mut found = state(h)?;
+        let mut from = y.to_vec();
+        let mut found = state(y, 0.0, h)?;
+        let (mut above, mut below) = (value(&self.instant(y)?), value(&found.1));
         let mut side = 0;
         for _ in 0..END_ITERATIONS {
             if above - below == 0.0 || high - low <= CONTACT_ENDS * h {
                 break;
             }
             let middle = low + (high - low) * (above / (above - below)).clamp(0.0, 1.0);
-            found = state(middle)?;
+            found = state(&from, low, middle)?;
             let v = value(&found.1);
             if v.abs() <= CONTACT_ENDS {
                 break;
             }
             if v > 0.0 {
+                from.copy_from_slice(&found.0);
                 (low, above) = (middle, v);
                 below *= if side == 1 { 0.5 } else { 1.0 };
                 side = 1;
@@ -335,13 +341,16 @@ impl<'a> Motion<'a> {
         Some(found)
     }
 
-    fn sample(&self, time: f64, at: &Instant) -> ImpactSample {
+    /// Sample at a time, with the rates of the scaled state.
+    fn sample(&self, time: f64, at: &Instant, rate: &[f64]) -> ImpactSample {
         let pose = &at.pose;
         let rates = rates_of(pose, &at.rates);
         let gravity = self.gravity(pose);
-        let change = accelerations(pose, &at.contact, &at.rates, at.force, &gravity).unwrap_or_default();
-        let change =
-            if change.is_empty() { JointRates::at_rest(pose.mechanism()) } else { rates_of(pose, &change) };
+        let unit = self.rate * self.speed / self.depth;
+        let first = self.start.positions().len() + BASE;
+        let change: Vec<f64> =
+            rate[first..].iter().zip(&self.lengths).map(|(scaled, length)| scaled * unit / length).collect();
+        let change = rates_of(pose, &change);
         let map = ReactionMap::new(pose);
         let loads = map.tree().motion_loads(pose, &at.contact, at.force, &rates, &change, &gravity);
         ImpactSample {
