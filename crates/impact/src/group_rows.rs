@@ -74,22 +74,6 @@ impl GroupRows {
         (multipliers, residual)
     }
 
-    /// Rates x with A x = `right`, of which as many as possible are zero: (coordinate of the model, rate).
-    pub fn particular_rates(&self, right: &[f64]) -> Vec<(usize, f64)> {
-        let (group, rank) = (&self.group, self.group.rank);
-        let mut y: Vec<f64> =
-            (0..rank).map(|k| self.qr.q_column(k).iter().zip(right).map(|(q, x)| q * x).sum()).collect();
-        for k in (0..rank).rev() {
-            let known: f64 = (k + 1..rank).map(|i| self.qr.r(k, i) * y[i]).sum();
-            y[k] = (y[k] - known) / self.qr.r(k, k);
-        }
-        let rate = |(k, y): (usize, f64)| {
-            let at = self.qr.order()[k];
-            (group.coordinates[at], y / group.lengths[at])
-        };
-        y.into_iter().enumerate().map(rate).collect()
-    }
-
     /// Projection of a linear function of the multipliers on ker Aᵀ: Z Zᵀ s.
     fn open_part(&self, sensitivity: &[f64]) -> Vec<f64> {
         let open = self.group.rank..self.rows();

@@ -4,7 +4,7 @@
 ///
 /// Library decompositions are blocked for large matrices and take several microseconds for matrices of a few rows. Cost: O(rows ·
 /// columns · min(rows, columns)). Source: Golub and Van Loan 2013, §5.4.2.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct PivotedQr {
     rows: usize,
     /// Q, column by column.
@@ -12,37 +12,50 @@ pub(crate) struct PivotedQr {
     /// R, column by column.
     r: Vec<f64>,
     order: Vec<usize>,
+    /// Vector of the last reflection.
+    reflector: Vec<f64>,
 }
 
 impl PivotedQr {
     /// Decomposes the matrix with the entries `entry(row, column)`. A zero matrix gives Q = 1 and R = 0.
     pub fn new(rows: usize, columns: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
-        let mut r = Vec::with_capacity(rows * columns);
+        let mut of = Self::default();
+        of.decompose(rows, columns, entry);
+        of
+    }
+
+    /// Decomposes another matrix in the same memory.
+    pub fn decompose(&mut self, rows: usize, columns: usize, entry: impl Fn(usize, usize) -> f64) {
+        self.rows = rows;
+        self.r.clear();
         for c in 0..columns {
-            r.extend((0..rows).map(|i| entry(i, c)));
+            self.r.extend((0..rows).map(|i| entry(i, c)));
         }
-        let mut q = vec![0.0; rows * rows];
-        (0..rows).for_each(|i| q[i * (rows + 1)] = 1.0);
-        let mut of = Self { rows, q, r, order: (0..columns).collect() };
-        let mut reflector = vec![0.0; rows];
+        self.q.clear();
+        self.q.resize(rows * rows, 0.0);
+        (0..rows).for_each(|i| self.q[i * (rows + 1)] = 1.0);
+        self.order.clear();
+        self.order.extend(0..columns);
+        let mut reflector = std::mem::take(&mut self.reflector);
+        reflector.resize(rows, 0.0);
         for k in 0..rows.min(columns) {
-            let norm = of.pivot(k, columns);
+            let norm = self.pivot(k, columns);
             if norm == 0.0 {
                 break;
             }
             let tail = &mut reflector[k..];
-            tail.copy_from_slice(&of.r[k * rows + k..(k + 1) * rows]);
+            tail.copy_from_slice(&self.r[k * rows + k..(k + 1) * rows]);
             let diagonal = if tail[0] > 0.0 { -norm } else { norm };
             tail[0] -= diagonal;
             let factor = 2.0 / tail.iter().map(|x| x * x).sum::<f64>();
-            for column in of.r[k * rows..].chunks_exact_mut(rows) {
+            for column in self.r[k * rows..].chunks_exact_mut(rows) {
                 reflect(&mut column[k..], tail, factor);
             }
-            of.r[k * rows + k] = diagonal;
-            of.r[k * rows + k + 1..(k + 1) * rows].fill(0.0);
-            of.reflect_rows_of_q(k, tail, factor);
+            self.r[k * rows + k] = diagonal;
+            self.r[k * rows + k + 1..(k + 1) * rows].fill(0.0);
+            self.reflect_rows_of_q(k, tail, factor);
         }
-        of
+        self.reflector = reflector;
     }
 
     /// Swaps the column of the largest norm below row `k` into position `k`. Returns the norm.

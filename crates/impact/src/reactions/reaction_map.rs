@@ -2,11 +2,11 @@
 
 use crate::group_rows::GroupRows;
 use crate::reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
-use crate::reactions::tree_frames::TreeFrames;
+use crate::reactions::tree_frames::{TreeFrames, axes_along};
 use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{ConstraintSource, ContactResponse, EffectiveMass, Pose};
 use percuss_mechanism::{ClosureKind, LinkId};
-use percuss_spatial::{Transform, Twist, Wrench, plane_basis};
+use percuss_spatial::{Transform, Twist, Wrench};
 use std::sync::Arc;
 
 /// Error of reactions to a unit impulse.
@@ -35,13 +35,8 @@ pub enum ReactionError {
 #[derive(Clone, Debug)]
 pub struct ReactionMap {
     tree: TreeFrames,
-    /// For each joint: its first coordinate and its multiplier as a mimic; `None` for a locked joint.
-    coordinates: Vec<Option<(usize, f64)>>,
-    /// Armature of the velocities of all joints.
-    armature: Vec<f64>,
     /// For each coordinate: true if a group constrains it.
     bound: Vec<bool>,
-    is_floating: bool,
     groups: Vec<GroupRows>,
     /// For each link: groups whose rows load its parent joint, with the wrench on the link at each unit multiplier, in
     /// the link's axes at its origin.
@@ -77,48 +72,40 @@ struct ConstraintLayout {
 impl ReactionMap {
     /// Prepares the reactions at a pose.
     pub fn new(pose: &Pose) -> Self {
-        let tree = TreeFrames::new(pose);
-        let mechanism = pose.mechanism();
-        let of_coordinates = pose.coordinate_joints();
-        let mut first = vec![None; mechanism.joints().len()];
-        for (c, &(joint, k)) in of_coordinates.iter().enumerate() {
-            if let (Some(joint), 0) = (joint, k) {
-                first[joint.index()] = Some(c);
-            }
-        }
-        let coordinate = |joint| {
-            let mimic = mechanism.joint(joint).mimic();
-            let (master, multiplier) = mimic.map_or((joint, 1.0), |m| (m.master, m.multiplier));
-            first[master.index()].filter(|_| !pose.is_locked(joint)).map(|c| (c, multiplier))
-        };
-        let coordinates = mechanism.joint_ids().map(coordinate).collect();
-        let mut armature = vec![0.0; tree.column_count()];
-        for joint in mechanism.joint_ids() {
-            let own = &mut armature[tree.first_column(joint)..];
-            own.iter_mut().zip(pose.armature(joint)).for_each(|(to, from)| *to = *from);
-        }
-        let groups: Vec<GroupRows> = pose.constraint_groups().into_iter().map(GroupRows::new).collect();
-        let mut bound = vec![false; of_coordinates.len()];
-        groups.iter().flat_map(GroupRows::coordinates).for_each(|&c| bound[c] = true);
-        let links = mechanism.links().len();
         let mut map = Self {
-            tree,
-            coordinates,
-            armature,
-            bound,
-            // The first coordinates of a floating base belong to no joint.
-            is_floating: of_coordinates.first().is_some_and(|(joint, _)| joint.is_none()),
-            groups,
-            sensitivities: vec![Vec::new(); links],
+            tree: TreeFrames::new(pose),
+            bound: Vec::new(),
+            groups: Vec::new(),
+            sensitivities: vec![Vec::new(); pose.mechanism().links().len()],
             ground: None,
             joints: Vec::new(),
             open_drives: Vec::new(),
             closures: Vec::new(),
             holds: Vec::new(),
         };
-        map.collect_sensitivities();
-        map.lay_out();
+        map.prepare(pose);
         map
+    }
+
+    /// Moves the map to another pose of the same system, and reuses its memory.
+    ///
+    /// # Panics
+    /// If the pose belongs to another mechanism.
+    pub fn update(&mut self, pose: &Pose) {
+        assert!(Arc::ptr_eq(pose.mechanism(), &self.tree.mechanism), "the pose belongs to another mechanism");
+        self.tree.update(pose);
+        self.prepare(pose);
+    }
+
+    fn prepare(&mut self, pose: &Pose) {
+        self.groups.clear();
+        self.groups.extend(pose.constraint_groups().into_iter().map(GroupRows::new));
+        self.bound.clear();
+        self.bound.resize(self.tree.coordinate_count, false);
+        self.groups.iter().flat_map(GroupRows::coordinates).for_each(|&c| self.bound[c] = true);
+        self.sensitivities.iter_mut().for_each(Vec::clear);
+        self.collect_sensitivities();
+        self.lay_out();
     }
 
     /// Reactions to a unit impulse (1 N·s) at the contact of a response at this pose, times `scale`.
@@ -138,20 +125,20 @@ impl ReactionMap {
             EffectiveMass::Immovable => 0.0,
             EffectiveMass::Massless => return Err(ReactionError::Massless),
         };
-        let loads = self.tree.impulse_loads(&response.contact, joints, base, factor);
-        Ok(self.reactions_to_loads(loads, joints, factor, scale))
+        let change: Vec<f64> = joints.iter().flatten().map(|rate| factor * rate).collect();
+        let loads = self.tree.impulse_loads(&response.contact, &change, base * factor);
+        Ok(self.reactions_to_loads(loads, &change, scale))
     }
 
-    /// Reactions, times `scale`, to the loads of the links in a motion, with the accelerations (or changes of the velocities)
-    /// `factor` · `change` of the joints.
+    /// Reactions, times `scale`, to the loads of the links in a motion, with the accelerations (or changes of the velocities) of all
+    /// joints.
     pub(crate) fn reactions_to_loads(
         &self,
         mut loads: Vec<Wrench<f64>>,
-        change: &[Vec<f64>],
-        factor: f64,
+        change: &[f64],
         scale: f64,
     ) -> Reactions {
-        let forces = self.generalised_loads(&loads, change, factor);
+        let forces = self.tree.generalised_loads(&loads, change);
         let mut residual: f64 = 0.0;
         let mut multipliers = Vec::with_capacity(self.groups.len());
         for group in &self.groups {
@@ -175,7 +162,7 @@ impl ReactionMap {
             let child = self.tree.mechanism.joint(joint).child().index();
             let first = self.tree.first_column(joint);
             let drive = |(k, column): (usize, &Twist<f64>)| {
-                let gear = self.armature[first + k] * factor * change[joint.index()][k];
+                let gear = self.tree.armature[first + k] * change[first + k];
                 let sum = loads[child].power(column) + gear;
                 let constraint = component(scale * sum, self.open_drives[first + k]);
                 DriveImpulse { gear: scale * gear, constraint }
@@ -201,33 +188,6 @@ impl ReactionMap {
             residual,
         }
     }
-    /// Generalised forces of loads over the coordinates, with the gears: M Δq̇ + jᵀ for the loads of an impulse, and
-    /// h + jᵀF − Q + M u̇ for those of a motion. The joints would have to transmit them along their free motions without the
-    /// constraints.
-    pub(crate) fn generalised_loads(
-        &self,
-        loads: &[Wrench<f64>],
-        change: &[Vec<f64>],
-        factor: f64,
-    ) -> Vec<f64> {
-        let mechanism = &self.tree.mechanism;
-        let mut forces = vec![0.0; self.bound.len()];
-        if self.is_floating {
-            let root = &loads[mechanism.root().index()];
-            forces.iter_mut().zip(root.moment.iter().chain(&root.force)).for_each(|(to, from)| *to = *from);
-        }
-        for joint in mechanism.joint_ids() {
-            let Some((c, multiplier)) = self.coordinates[joint.index()] else { continue };
-            let load = &loads[mechanism.joint(joint).child().index()];
-            let first = self.tree.first_column(joint);
-            for (k, column) in self.tree.columns(joint).iter().enumerate() {
-                let gear = self.armature[first + k] * factor * change[joint.index()][k];
-                forces[c + k] += multiplier * (load.power(column) + gear);
-            }
-        }
-        forces
-    }
-
     /// Frames and motion subspaces of the tree.
     pub(crate) fn tree(&self) -> &TreeFrames {
         &self.tree
@@ -268,13 +228,13 @@ impl ReactionMap {
     /// Frames and open components of all reactions.
     fn lay_out(&mut self) {
         let mechanism = Arc::clone(&self.tree.mechanism);
-        self.ground = (!self.is_floating).then(|| self.tree_layout(mechanism.root(), &Matrix3::identity()));
+        self.ground =
+            (!self.tree.is_floating).then(|| self.tree_layout(mechanism.root(), &Matrix3::identity()));
+        self.joints.clear();
+        self.open_drives.clear();
         for joint in mechanism.joint_ids() {
-            let declared = mechanism.joint(joint);
-            let axes =
-                if declared.kind().has_axis() { axes_along(declared.axis()) } else { Matrix3::identity() };
-            let child = declared.child();
-            self.joints.push(self.tree_layout(child, &axes));
+            let child = mechanism.joint(joint).child();
+            self.joints.push(self.tree_layout(child, &self.tree.axes[joint.index()]));
             for column in self.tree.columns(joint) {
                 let unit = (column.angular.norm_squared() == 0.0).then_some(1.0);
                 let is_open = self.is_open(child, |w| w.power(column), unit, &mut Vec::new());
@@ -303,7 +263,12 @@ impl ReactionMap {
     /// Layout of the wrench on a link from its parent joint, or from the ground, along axes fixed in the link.
     fn tree_layout(&self, link: LinkId, axes: &Matrix3<f64>) -> ReactionLayout {
         let mut loops = Vec::new();
-        let open = open_components(axes, |part, unit| self.is_open(link, part, unit, &mut loops));
+        let is_redundant = |&(number, _): &(usize, Vec<_>)| self.groups[number].is_redundant();
+        let open = if self.sensitivities[link.index()].iter().any(is_redundant) {
+            open_components(axes, |part, unit| self.is_open(link, part, unit, &mut loops))
+        } else {
+            [false; 6]
+        };
         let frame = &self.tree.frames[link.index()];
         let frame = Transform::new(frame.rotation * axes, frame.translation);
         ReactionLayout { frame, axes: *axes, open, loops: self.loop_names(loops) }
@@ -315,7 +280,11 @@ impl ReactionMap {
         let action = &rows.group().constraints[index];
         let axes = self.constraint_axes(number, index);
         let mut loops = Vec::new();
+        let is_redundant = rows.is_redundant();
         let open = open_components(&axes, |part, unit| {
+            if !is_redundant {
+                return false;
+            }
             let mut function = vec![0.0; rows.group().rows.nrows()];
             for (row, wrench) in action.wrenches.iter().enumerate() {
                 function[action.first + row] = part(wrench);
@@ -412,14 +381,4 @@ fn open_components(
             is_open(&|w| w.moment.dot(&axis), None)
         }
     })
-}
-
-/// Two transverse directions and the axis, as columns. A zero vector gives the unit matrix.
-fn axes_along(axis: &Vector3<f64>) -> Matrix3<f64> {
-    if axis.norm() == 0.0 {
-        return Matrix3::identity();
-    }
-    let axis = axis.normalize();
-    let (e1, e2) = plane_basis(&axis);
-    Matrix3::from_columns(&[e1, e2, axis])
 }

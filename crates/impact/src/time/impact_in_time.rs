@@ -7,16 +7,17 @@ use crate::numerics::extrapolation::step;
 use crate::numerics::multistep::MultistepIntegrator;
 use crate::reactions::reaction::Reactions;
 use crate::reactions::reaction_map::ReactionMap;
-use crate::time::equations::{accelerations, rates_of};
+use crate::time::equations::{MotionEquations, rates_of};
 use crate::tolerances::{
     CONTACT_ENDS, END_ITERATIONS, LARGEST_TIME_STEP, MOST_DOUBLINGS, MOST_TIME_STEPS, TIME_STEP_ERROR,
     WORK_INTERVALS,
 };
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    ConstraintAction, ConstraintSource, Contact, EffectiveMass, LocatedContact, Pose, interruption,
+    ConstraintAction, ConstraintSource, Contact, EffectiveMass, LocatedContact, Pose, Workspace, interruption,
 };
 use percuss_spatial::{Transform, quaternion_product, rotation_from_quaternion};
+use std::cell::RefCell;
 
 /// Numbers that describe the motion of a base: position and quaternion w, x, y, z.
 const BASE: usize = 7;
@@ -156,11 +157,12 @@ struct Motion<'a> {
     lengths: Vec<f64>,
     /// State at the touch.
     initial: Vec<f64>,
+    /// Pose and equations of the last evaluation.
+    evaluation: RefCell<(Pose, MotionEquations)>,
 }
 
-/// Values at one state.
+/// Values at one state, at the pose of the state.
 struct Instant {
-    pose: Pose,
     contact: LocatedContact,
     rates: Vec<f64>,
     penetration: f64,
@@ -187,7 +189,8 @@ impl<'a> Motion<'a> {
         let mut initial = vec![0.0; start.positions().len() + BASE];
         initial.extend(u.iter().zip(&lengths).map(|(u, length)| u * length / rate));
         initial.extend([0.0, if conditions.other_mass.is_some() { (speed - own) / speed } else { 0.0 }]);
-        Self { start, contact, force, conditions, speed, depth, rate, lengths, initial }
+        let evaluation = RefCell::new((start.clone(), MotionEquations::new(start)));
+        Self { start, contact, force, conditions, speed, depth, rate, lengths, initial, evaluation }
     }
 
     /// Displacement of positions, rad or m, per unit of a scaled position.
@@ -195,20 +198,21 @@ impl<'a> Motion<'a> {
         self.depth * self.rate / self.speed
     }
 
-    fn instant(&self, y: &[f64]) -> Option<Instant> {
+    /// Values at a state; moves `pose` there.
+    fn instant(&self, y: &[f64], pose: &mut Pose) -> Option<Instant> {
         interruption::check();
         let (positions, rest) = y.split_at(self.start.positions().len());
         let (base, rest) = rest.split_at(BASE);
         let (rates, rest) = rest.split_at(self.lengths.len());
         let size = self.displacement();
         let q: Vec<f64> = self.start.positions().iter().zip(positions).map(|(q, x)| q + size * x).collect();
-        let pose = self.start.at_positions(&q, *self.start.base() * base_motion(base, size)).ok()?;
+        pose.move_to(&q, *self.start.base() * base_motion(base, size)).ok()?;
         let contact = pose.locate(self.contact).ok()?;
         let rates: Vec<f64> = rates.iter().zip(&self.lengths).map(|(x, l)| x * self.rate / l).collect();
         let own: f64 = pose.contact_row(&contact).iter().zip(&rates).map(|(j, u)| j * u).sum();
         let (penetration, closing) = (self.depth * rest[0], own + self.speed * rest[1]);
         let force = (self.force)(penetration, closing);
-        Some(Instant { pose, contact, rates, penetration, closing, force })
+        Some(Instant { contact, rates, penetration, closing, force })
     }
 
     /// Gravity in root axes.
@@ -224,17 +228,18 @@ impl<'a> Motion<'a> {
     }
 
     fn try_derivative(&self, y: &[f64], out: &mut [f64]) -> Option<()> {
-        let at = self.instant(y)?;
+        let mut evaluation = self.evaluation.borrow_mut();
+        let (pose, equations) = &mut *evaluation;
+        let at = self.instant(y, pose)?;
         let time = self.depth / self.speed;
-        let change = accelerations(&at.pose, &at.contact, &at.rates, at.force, &self.gravity(&at.pose))?;
+        let change = equations.accelerations(pose, &at.contact, &at.rates, at.force, &self.gravity(pose))?;
         let (n, m) = (self.start.positions().len(), self.lengths.len());
-        let rates = rates_of(&at.pose, &at.rates);
         let size = self.displacement();
-        let of_positions = at.pose.position_rates(&rates.joints).ok()?;
+        let (of_positions, twist) = equations.position_rates(pose, &at.rates)?;
         out[..n].iter_mut().zip(&of_positions).for_each(|(out, rate)| *out = rate * time / size);
         let base = &y[n..n + BASE];
-        let spin = rates.base.angular * 0.5;
-        let slide = base_motion(base, size).vector(&rates.base.linear);
+        let spin = twist.angular * 0.5;
+        let slide = base_motion(base, size).vector(&twist.linear);
         let quaternion = [1.0 + size * base[3], size * base[4], size * base[5], size * base[6]];
         let turn = quaternion_product(quaternion, [0.0, spin.x, spin.y, spin.z]);
         for (out, rate) in out[n..n + BASE].iter_mut().zip(slide.iter().chain(&turn)) {
@@ -261,61 +266,67 @@ impl<'a> Motion<'a> {
         let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
         let lost = || ImpactError::LostContact;
         let (mut y, mut time) = (self.initial.clone(), 0.0);
-        let at = self.instant(&y).ok_or_else(lost)?;
+        let mut sampler = Sampler::new(self);
         let mut rate = vec![0.0; y.len()];
         f(&y, &mut rate);
-        let mut samples = vec![self.sample(time, &at, &rate)];
+        let at = self.instant(&y, &mut sampler.pose).ok_or_else(lost)?;
+        sampler.add(self, time, &at, &rate);
         let mut deepest: Option<(f64, Option<f64>)> = None;
         let mut integrator = MultistepIntegrator::new(rate, LARGEST_TIME_STEP, TIME_STEP_ERROR);
         for _ in 0..MOST_TIME_STEPS {
             let (next, taken) = integrator.advance(&f, &y);
-            let then = self.instant(&next).filter(|at| at.closing.is_finite()).ok_or_else(lost)?;
+            let then = self.instant(&next, &mut sampler.pose).filter(|at| at.closing.is_finite());
+            let then = then.ok_or_else(lost)?;
             if deepest.is_none() && then.closing <= 0.0 {
-                let (_, turn, _) =
-                    self.locate_end(&y, taken, &|at| at.closing / self.speed).ok_or_else(lost)?;
-                deepest = Some((turn.penetration, finite_mass(&turn.pose, self.contact)));
+                let closing = |at: &Instant| at.closing / self.speed;
+                let pose = &mut sampler.pose.clone();
+                let (_, turn, _) = self.locate_end(&y, taken, &closing, pose).ok_or_else(lost)?;
+                deepest = Some((turn.penetration, finite_mass(pose, self.contact)));
             }
             if then.closing < 0.0 && self.remaining(&then) <= 0.0 {
+                let remaining = |at: &Instant| self.remaining(at);
                 let (end, at, taken) =
-                    self.locate_end(&y, taken, &|at| self.remaining(at)).ok_or_else(lost)?;
+                    self.locate_end(&y, taken, &remaining, &mut sampler.pose).ok_or_else(lost)?;
                 time += taken;
                 let mut rate = vec![0.0; y.len()];
                 f(&end, &mut rate);
-                samples.push(self.sample(time, &at, &rate));
+                sampler.add(self, time, &at, &rate);
                 let (max_penetration, mass) = deepest.unwrap_or((at.penetration, None));
                 return Ok(ImpactInTime {
                     restitution: -at.closing / self.speed,
                     duration: time * self.depth / self.speed,
                     max_penetration,
-                    peak_force: peak(&samples),
+                    peak_force: peak(&sampler.samples),
                     mass_at_max_penetration: mass,
-                    samples,
+                    samples: sampler.samples,
                 });
             }
             time += taken;
             y = next;
-            samples.push(self.sample(time, &then, integrator.rate()));
+            sampler.add(self, time, &then, integrator.rate());
         }
         Err(ImpactError::EndlessContact { time: time * self.depth / self.speed })
     }
 
-    /// State at which `value` falls to zero within a step of length `h` from `y`, by the Illinois method.
+    /// State at which `value` falls to zero within a step of length `h` from `y`, by the Illinois method. Moves `pose` there.
     fn locate_end(
         &self,
         y: &[f64],
         h: f64,
         value: &dyn Fn(&Instant) -> f64,
+        pose: &mut Pose,
     ) -> Option<(Vec<f64>, Instant, f64)> {
         let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
+        let mut above = value(&self.instant(y, pose)?);
         // The steps start at the last state above zero, so that they become short.
-        let state = |from: &[f64], start: f64, end: f64| {
+        let mut state = |from: &[f64], start: f64, end: f64| {
             let next = step(&f, from, end - start, TIME_STEP_ERROR).0;
-            self.instant(&next).map(|at| (next, at, end))
+            self.instant(&next, pose).map(|at| (next, at, end))
         };
         let (mut low, mut high) = (0.0, h);
         let mut from = y.to_vec();
         let mut found = state(y, 0.0, h)?;
-        let (mut above, mut below) = (value(&self.instant(y)?), value(&found.1));
+        let mut below = value(&found.1);
         let mut side = 0;
         for _ in 0..END_ITERATIONS {
             if above - below == 0.0 || high - low <= CONTACT_ENDS * h {
@@ -340,30 +351,65 @@ impl<'a> Motion<'a> {
         }
         Some(found)
     }
+}
 
-    /// Sample at a time, with the rates of the scaled state.
-    fn sample(&self, time: f64, at: &Instant, rate: &[f64]) -> ImpactSample {
-        let pose = &at.pose;
-        let rates = rates_of(pose, &at.rates);
-        let gravity = self.gravity(pose);
-        let unit = self.rate * self.speed / self.depth;
-        let first = self.start.positions().len() + BASE;
-        let change: Vec<f64> =
-            rate[first..].iter().zip(&self.lengths).map(|(scaled, length)| scaled * unit / length).collect();
-        let change = rates_of(pose, &change);
-        let map = ReactionMap::new(pose);
-        let loads = map.tree().motion_loads(pose, &at.contact, at.force, &rates, &change, &gravity);
-        ImpactSample {
-            time: time * self.depth / self.speed,
+/// Samples of an impact, with the memory of their computation.
+struct Sampler {
+    /// Pose of the sample.
+    pose: Pose,
+    map: ReactionMap,
+    masses: Workspace,
+    samples: Vec<ImpactSample>,
+}
+
+impl Sampler {
+    fn new(motion: &Motion) -> Self {
+        let pose = motion.start.clone();
+        let (map, masses) = (ReactionMap::new(&pose), pose.assembly().workspace());
+        Self { pose, map, masses, samples: Vec::new() }
+    }
+
+    /// Adds the state of the pose at a time, with the rates of the scaled state.
+    fn add(&mut self, motion: &Motion, time: f64, at: &Instant, rate: &[f64]) {
+        let pose = &self.pose;
+        let gravity = motion.gravity(pose);
+        let unit = motion.rate * motion.speed / motion.depth;
+        let first = motion.start.positions().len() + BASE;
+        let scaled = rate[first..].iter().zip(&motion.lengths);
+        let change: Vec<f64> = scaled.map(|(scaled, length)| scaled * unit / length).collect();
+        self.map.update(pose);
+        let tree = self.map.tree();
+        let (mut velocities, mut accelerations) = (Vec::new(), Vec::new());
+        tree.joint_velocities(&at.rates, &mut velocities);
+        tree.joint_velocities(&change, &mut accelerations);
+        let rates = (&velocities[..], tree.base_twist(&at.rates));
+        let changes = (&accelerations[..], tree.base_twist(&change));
+        let loads = tree.motion_loads(pose, &at.contact, at.force, rates, changes, &gravity);
+        let reactions = self.map.reactions_to_loads(loads, &accelerations, 1.0);
+        let effective_mass = self.effective_mass(motion.contact);
+        let pose = &self.pose;
+        self.samples.push(ImpactSample {
+            time: time * motion.depth / motion.speed,
             penetration: at.penetration,
             rate: at.closing,
             force: at.force,
-            effective_mass: finite_mass(pose, self.contact),
+            effective_mass,
             loop_gap: pose.loops().map_or(0.0, |loops| loops.residual),
-            reactions: map.reactions_to_loads(loads, &change.joints, 1.0, 1.0),
+            reactions,
             positions: pose.positions().to_vec(),
             base: *pose.base(),
-            rates,
+            rates: rates_of(pose, &at.rates),
+        });
+    }
+
+    /// m̄ at the pose; `None` if it is not finite.
+    fn effective_mass(&mut self, contact: &Contact) -> Option<f64> {
+        let masses = &mut self.masses;
+        let is_set =
+            masses.set_positions(self.pose.positions()).is_ok() && masses.set_base(self.pose.base()).is_ok();
+        match masses.effective_mass(contact) {
+            Ok(mass) if is_set => mass.kilograms(),
+            _ => finite_mass(&self.pose, contact),
         }
     }
 }
