@@ -33,6 +33,33 @@ const CORRECTOR: [f64; ORDER] = [
 /// Error of the corrector per difference of both results: 33953/(1070017 + 33953), the ratio of the error constants.
 const ERROR_PER_DIFFERENCE: f64 = 33_953.0 / (1_070_017.0 + 33_953.0);
 
+/// Outcome of a step of both formulas.
+enum AdamsStep {
+    Taken(Vec<f64>),
+    Ends,
+    Refused,
+}
+
+/// Integrals from 0 to `end` of the polynomials of Lagrange through `newest`, `newest` − 1, …, `newest` − 7.
+fn lagrange_integrals(end: f64, newest: f64) -> [f64; ORDER] {
+    std::array::from_fn(|i| {
+        // Coefficients of Π (x − node), divided by the value at the own node.
+        let mut polynomial = [0.0; ORDER];
+        polynomial[0] = 1.0;
+        let mut scale = 1.0;
+        for (degree, j) in (0..ORDER).filter(|j| *j != i).enumerate() {
+            let node = newest - j as f64;
+            for k in (0..=degree + 1).rev() {
+                let lower = if k > 0 { polynomial[k - 1] } else { 0.0 };
+                polynomial[k] = lower - node * polynomial[k];
+            }
+            scale *= j as f64 - i as f64;
+        }
+        let powers = polynomial.iter().enumerate().rev();
+        powers.fold(0.0, |sum, (k, c)| sum * end + c / (k as f64 + 1.0)) * end / scale
+    })
+}
+
 /// Integrator of y′ = f(y) with steps of at most `largest`.
 ///
 /// Extrapolation takes the first steps, and all steps near a force that is not smooth. Once eight rates at the distance `largest` are
@@ -56,10 +83,19 @@ impl MultistepIntegrator {
         self.rates.front().map_or(&[], Vec::as_slice)
     }
 
-    /// Next state, and the length of the step.
-    pub fn advance(&mut self, f: &impl Fn(&[f64], &mut [f64]), y: &[f64]) -> (Vec<f64>, f64) {
-        if let Some(next) = self.adams_step(f, y) {
-            return (next, self.largest);
+    /// Next state, and the length of the step. `ends`: true if the last state at which f was evaluated is beyond the end of the
+    /// integration; a step of both formulas then returns no state, so that f is not used beyond its end. See
+    /// [`state_before`](Self::state_before).
+    pub fn advance(
+        &mut self,
+        f: &impl Fn(&[f64], &mut [f64]),
+        y: &[f64],
+        ends: &impl Fn() -> bool,
+    ) -> (Option<Vec<f64>>, f64) {
+        match self.adams_step(f, y, ends) {
+            AdamsStep::Taken(next) => return (Some(next), self.largest),
+            AdamsStep::Ends => return (None, self.largest),
+            AdamsStep::Refused => {}
         }
         let h = self.proposal.min(self.largest);
         let (next, taken, proposal) = controlled_step(f, y, h, self.tolerance);
@@ -68,13 +104,41 @@ impl MultistepIntegrator {
             self.rates.clear();
         }
         self.push_rate(f, &next);
-        (next, taken)
+        (Some(next), taken)
     }
 
-    /// State after a step of both formulas; `None` with too few rates or above the tolerance.
-    fn adams_step(&mut self, f: &impl Fn(&[f64], &mut [f64]), y: &[f64]) -> Option<Vec<f64>> {
+    /// True if the rates at the last eight states have equal distances, as [`state_after`](Self::state_after) and
+    /// [`state_before`](Self::state_before) need.
+    pub fn is_dense(&self) -> bool {
+        self.rates.len() == ORDER
+    }
+
+    /// State at the distance `h` after the last state `y`, by the polynomial through the rates of the last states.
+    pub fn state_after(&self, y: &[f64], h: f64) -> Vec<f64> {
+        self.integrated(y, h, 0.0)
+    }
+
+    /// State at the distance `h` after `y`, the state before the last one.
+    pub fn state_before(&self, y: &[f64], h: f64) -> Vec<f64> {
+        self.integrated(y, h, 1.0)
+    }
+
+    /// y + ∫ of the polynomial through the rates over a length `h`; the newest rate is at `newest` steps from y.
+    fn integrated(&self, y: &[f64], h: f64, newest: f64) -> Vec<f64> {
+        let weights = lagrange_integrals(h / self.largest, newest);
+        let sum = |i: usize| weights.iter().zip(&self.rates).map(|(w, rate)| w * rate[i]).sum::<f64>();
+        y.iter().enumerate().map(|(i, y)| y + self.largest * sum(i)).collect()
+    }
+
+    /// Step of both formulas; refused with too few rates or above the tolerance.
+    fn adams_step(
+        &mut self,
+        f: &impl Fn(&[f64], &mut [f64]),
+        y: &[f64],
+        ends: &impl Fn() -> bool,
+    ) -> AdamsStep {
         if self.rates.len() < ORDER {
-            return None;
+            return AdamsStep::Refused;
         }
         let weighted = |weights: &[f64], i: usize| -> f64 {
             weights.iter().zip(&self.rates).map(|(w, rate)| w * rate[i]).sum()
@@ -83,6 +147,9 @@ impl MultistepIntegrator {
             y.iter().enumerate().map(|(i, y)| y + self.largest * weighted(&PREDICTOR, i)).collect();
         let mut rate = vec![0.0; y.len()];
         f(&predicted, &mut rate);
+        if ends() {
+            return AdamsStep::Ends;
+        }
         let corrected = |(i, y): (usize, &f64)| {
             y + self.largest * (CORRECTOR[0] * rate[i] + weighted(&CORRECTOR[1..], i))
         };
@@ -90,10 +157,10 @@ impl MultistepIntegrator {
         let error = |(a, b): (&f64, &f64)| ERROR_PER_DIFFERENCE * (a - b).abs() / (1.0 + a.abs());
         // A rate that is not finite gives no step.
         if !next.iter().zip(&predicted).map(error).all(|error| error <= self.tolerance) {
-            return None;
+            return AdamsStep::Refused;
         }
         self.push_rate(f, &next);
-        Some(next)
+        AdamsStep::Taken(next)
     }
 
     fn push_rate(&mut self, f: &impl Fn(&[f64], &mut [f64]), y: &[f64]) {
@@ -120,10 +187,19 @@ mod tests {
         let mut integrator = MultistepIntegrator::new(vec![1.0, 0.0], 0.03, 1e-12);
         let (mut y, mut t, mut steps) = (vec![0.0, 1.0], 0.0_f64, 0);
         while t < 20.0 {
-            let (next, taken) = integrator.advance(&f, &y);
-            (y, t, steps) = (next, t + taken, steps + 1);
+            let (next, taken) = integrator.advance(&f, &y, &|| false);
+            (y, t, steps) = (next.expect("a state"), t + taken, steps + 1);
         }
         assert!((y[0] - t.sin()).abs() < 1e-12 && (y[1] - t.cos()).abs() < 1e-12, "{y:?}");
+        // The polynomials give the states between the last two, and beyond the last one.
+        let (next, h) = integrator.advance(&f, &y, &|| false);
+        let next = next.expect("a state");
+        for part in [0.0, 0.3, 0.9] {
+            let (before, after) =
+                (integrator.state_before(&y, part * h), integrator.state_after(&next, part * h));
+            assert!((before[0] - (t + part * h).sin()).abs() < 1e-12, "{part}: {before:?}");
+            assert!((after[1] - (t + h + part * h).cos()).abs() < 1e-12, "{part}: {after:?}");
+        }
         assert!(count.get() < 2 * steps + 200, "{} for {steps}", count.get());
     }
 
@@ -137,8 +213,8 @@ mod tests {
         let mut integrator = MultistepIntegrator::new(vec![1.0, 0.0], 0.03, 1e-12);
         let (mut y, mut t) = (vec![0.0, 0.0], 0.0_f64);
         while t < 1.0 {
-            let (next, taken) = integrator.advance(&f, &y);
-            (y, t) = (next, t + taken);
+            let (next, taken) = integrator.advance(&f, &y, &|| false);
+            (y, t) = (next.expect("a state"), t + taken);
         }
         assert!((y[1] - 0.5 * (t - 0.5).powi(2)).abs() < 1e-10, "{y:?} {t}");
     }

@@ -17,7 +17,7 @@ use percuss_dynamics::{
     ConstraintAction, ConstraintSource, Contact, EffectiveMass, LocatedContact, Pose, Workspace, interruption,
 };
 use percuss_spatial::{Transform, quaternion_product, rotation_from_quaternion};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 /// Numbers that describe the motion of a base: position and quaternion w, x, y, z.
 const BASE: usize = 7;
@@ -159,6 +159,8 @@ struct Motion<'a> {
     initial: Vec<f64>,
     /// Pose and equations of the last evaluation.
     evaluation: RefCell<(Pose, MotionEquations)>,
+    /// True if the last evaluation is beyond the end of the contact.
+    is_over: Cell<bool>,
 }
 
 /// Values at one state, at the pose of the state.
@@ -190,7 +192,19 @@ impl<'a> Motion<'a> {
         initial.extend(u.iter().zip(&lengths).map(|(u, length)| u * length / rate));
         initial.extend([0.0, if conditions.other_mass.is_some() { (speed - own) / speed } else { 0.0 }]);
         let evaluation = RefCell::new((start.clone(), MotionEquations::new(start)));
-        Self { start, contact, force, conditions, speed, depth, rate, lengths, initial, evaluation }
+        Self {
+            start,
+            contact,
+            force,
+            conditions,
+            speed,
+            depth,
+            rate,
+            lengths,
+            initial,
+            evaluation,
+            is_over: Cell::new(false),
+        }
     }
 
     /// Displacement of positions, rad or m, per unit of a scaled position.
@@ -231,6 +245,7 @@ impl<'a> Motion<'a> {
         let mut evaluation = self.evaluation.borrow_mut();
         let (pose, equations) = &mut *evaluation;
         let at = self.instant(y, pose)?;
+        self.is_over.set(self.is_end(&at));
         let time = self.depth / self.speed;
         let change = equations.accelerations(pose, &at.contact, &at.rates, at.force, &self.gravity(pose))?;
         let (n, m) = (self.start.positions().len(), self.lengths.len());
@@ -274,32 +289,36 @@ impl<'a> Motion<'a> {
         let mut deepest: Option<(f64, Option<f64>)> = None;
         let mut integrator = MultistepIntegrator::new(rate, LARGEST_TIME_STEP, TIME_STEP_ERROR);
         for _ in 0..MOST_TIME_STEPS {
-            let (next, taken) = integrator.advance(&f, &y);
+            let (next, taken) = integrator.advance(&f, &y, &|| self.is_over.get());
+            let Some(next) = next else {
+                // The contact ends within the step after y. The polynomial of the rates is checked by one step.
+                let single = |h: f64| step(&f, &y, h, TIME_STEP_ERROR).0;
+                let dense = |h: f64| integrator.state_after(&y, h);
+                let locate = |states: &dyn Fn(f64) -> Vec<f64>, pose: &mut Pose| {
+                    self.locate(&y, taken, states, &|at| self.remaining(at), pose).ok_or_else(lost)
+                };
+                let mut end = locate(&dense, &mut sampler.pose)?;
+                let is_exact = are_close(&end.0, &single(end.2));
+                if !is_exact {
+                    end = locate(&single, &mut sampler.pose)?;
+                }
+                if deepest.is_none() {
+                    let states: &dyn Fn(f64) -> Vec<f64> = if is_exact { &dense } else { &single };
+                    deepest = self.turning_point(&y, taken, states);
+                }
+                return self.finish(sampler, time, end, deepest);
+            };
             let then = self.instant(&next, &mut sampler.pose).filter(|at| at.closing.is_finite());
             let then = then.ok_or_else(lost)?;
+            let single = |h: f64| step(&f, &y, h, TIME_STEP_ERROR).0;
+            let dense = |h: f64| integrator.state_before(&y, h);
+            let states: &dyn Fn(f64) -> Vec<f64> = if integrator.is_dense() { &dense } else { &single };
             if deepest.is_none() && then.closing <= 0.0 {
-                let closing = |at: &Instant| at.closing / self.speed;
-                let pose = &mut sampler.pose.clone();
-                let (_, turn, _) = self.locate_end(&y, taken, &closing, pose).ok_or_else(lost)?;
-                deepest = Some((turn.penetration, finite_mass(pose, self.contact)));
+                deepest = Some(self.turning_point(&y, taken, states).ok_or_else(lost)?);
             }
-            if then.closing < 0.0 && self.remaining(&then) <= 0.0 {
-                let remaining = |at: &Instant| self.remaining(at);
-                let (end, at, taken) =
-                    self.locate_end(&y, taken, &remaining, &mut sampler.pose).ok_or_else(lost)?;
-                time += taken;
-                let mut rate = vec![0.0; y.len()];
-                f(&end, &mut rate);
-                sampler.add(self, time, &at, &rate);
-                let (max_penetration, mass) = deepest.unwrap_or((at.penetration, None));
-                return Ok(ImpactInTime {
-                    restitution: -at.closing / self.speed,
-                    duration: time * self.depth / self.speed,
-                    max_penetration,
-                    peak_force: peak(&sampler.samples),
-                    mass_at_max_penetration: mass,
-                    samples: sampler.samples,
-                });
+            if self.is_end(&then) {
+                let end = self.locate(&y, taken, &single, &|at| self.remaining(at), &mut sampler.pose);
+                return self.finish(sampler, time, end.ok_or_else(lost)?, deepest);
             }
             time += taken;
             y = next;
@@ -308,24 +327,63 @@ impl<'a> Motion<'a> {
         Err(ImpactError::EndlessContact { time: time * self.depth / self.speed })
     }
 
-    /// State at which `value` falls to zero within a step of length `h` from `y`, by the Illinois method. Moves `pose` there.
-    fn locate_end(
+    /// True beyond the end of the contact.
+    fn is_end(&self, at: &Instant) -> bool {
+        at.closing < 0.0 && self.remaining(at) <= 0.0
+    }
+
+    /// Result at the end of the contact, which is after the last sample by the length of `end`.
+    fn finish(
+        &self,
+        mut sampler: Sampler,
+        time: f64,
+        (end, at, taken): (Vec<f64>, Instant, f64),
+        deepest: Option<(f64, Option<f64>)>,
+    ) -> Result<ImpactInTime, ImpactError> {
+        let time = time + taken;
+        let mut rate = vec![0.0; end.len()];
+        self.derivative(&end, &mut rate);
+        sampler.add(self, time, &at, &rate);
+        let (max_penetration, mass) = deepest.unwrap_or((at.penetration, None));
+        Ok(ImpactInTime {
+            restitution: -at.closing / self.speed,
+            duration: time * self.depth / self.speed,
+            max_penetration,
+            peak_force: peak(&sampler.samples),
+            mass_at_max_penetration: mass,
+            samples: sampler.samples,
+        })
+    }
+
+    /// Largest penetration, and m̄ there, within a step of length `h` from `y`.
+    fn turning_point(
         &self,
         y: &[f64],
         h: f64,
+        states: &dyn Fn(f64) -> Vec<f64>,
+    ) -> Option<(f64, Option<f64>)> {
+        let mut pose = self.start.clone();
+        let (_, turn, _) = self.locate(y, h, states, &|at| at.closing / self.speed, &mut pose)?;
+        Some((turn.penetration, finite_mass(&pose, self.contact)))
+    }
+
+    /// State at which `value` falls to zero within a step of length `h` from `y`, by the Illinois method. `states`: states after y. Moves
+    /// `pose` there.
+    fn locate(
+        &self,
+        y: &[f64],
+        h: f64,
+        states: &dyn Fn(f64) -> Vec<f64>,
         value: &dyn Fn(&Instant) -> f64,
         pose: &mut Pose,
     ) -> Option<(Vec<f64>, Instant, f64)> {
-        let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
         let mut above = value(&self.instant(y, pose)?);
-        // The steps start at the last state above zero, so that they become short.
-        let mut state = |from: &[f64], start: f64, end: f64| {
-            let next = step(&f, from, end - start, TIME_STEP_ERROR).0;
-            self.instant(&next, pose).map(|at| (next, at, end))
+        let mut state = |h: f64| {
+            let next = states(h);
+            self.instant(&next, pose).map(|at| (next, at, h))
         };
         let (mut low, mut high) = (0.0, h);
-        let mut from = y.to_vec();
-        let mut found = state(y, 0.0, h)?;
+        let mut found = state(h)?;
         let mut below = value(&found.1);
         let mut side = 0;
         for _ in 0..END_ITERATIONS {
@@ -333,13 +391,12 @@ impl<'a> Motion<'a> {
                 break;
             }
             let middle = low + (high - low) * (above / (above - below)).clamp(0.0, 1.0);
-            found = state(&from, low, middle)?;
+            found = state(middle)?;
             let v = value(&found.1);
             if v.abs() <= CONTACT_ENDS {
                 break;
             }
             if v > 0.0 {
-                from.copy_from_slice(&found.0);
                 (low, above) = (middle, v);
                 below *= if side == 1 { 0.5 } else { 1.0 };
                 side = 1;
@@ -351,6 +408,11 @@ impl<'a> Motion<'a> {
         }
         Some(found)
     }
+}
+
+/// True if two scaled states agree within the error of a step.
+fn are_close(a: &[f64], b: &[f64]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= TIME_STEP_ERROR * (1.0 + b.abs()))
 }
 
 /// Samples of an impact, with the memory of their computation.
