@@ -3,7 +3,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use percuss_benches::{CpuTime, criterion, double_wishbone, subjects};
 use percuss_dynamics::{Contact, Pose};
-use percuss_impact::{JointRates, ReactionMap, RigidImpact, TimeConditions, impact_in_time};
+use percuss_impact::{ImpactWorkspace, JointRates, RigidImpact, TimeConditions, impact_in_time};
 use std::hint::black_box;
 
 /// Penetration of the contact in time at 1 m/s, m.
@@ -19,14 +19,16 @@ fn measure(criterion: &mut Criterion<CpuTime>, name: &str, pose: &Pose, contact:
             black_box(RigidImpact::new(pose, &response, 1.0, 0.3, None))
         });
     });
-    criterion.bench_function(&format!("{name}/respond"), |bencher| {
-        bencher.iter(|| black_box(black_box(pose).respond(contact)));
+    let mut workspace = ImpactWorkspace::new(pose);
+    let again = workspace.impact(contact, 1.0, 0.3).expect("an impact");
+    assert!((again.impulse / rigid.impulse - 1.0).abs() < 1e-9);
+    criterion.bench_function(&format!("{name}/impact_in_workspace"), |bencher| {
+        bencher.iter(|| black_box(workspace.impact(black_box(contact), 1.0, 0.3)));
     });
-    let map = ReactionMap::new(pose);
-    criterion.bench_function(&format!("{name}/impact_with_map"), |bencher| {
+    criterion.bench_function(&format!("{name}/impact_at_new_pose"), |bencher| {
         bencher.iter(|| {
-            let response = black_box(pose).respond(contact).expect("a contact");
-            black_box(RigidImpact::with_reaction_map(pose, &map, &response, 1.0, 0.3, None))
+            workspace.move_to(black_box(pose));
+            black_box(workspace.impact(contact, 1.0, 0.3))
         });
     });
     let mass = response.effective_mass.kilograms().expect("a mass");

@@ -2,9 +2,10 @@
 
 use crate::mobility::delassus::DelassusError;
 use crate::reactions::reaction_map::ReactionError;
+use percuss_dynamics::ResponseError;
 
 /// Error of an impact.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ImpactError {
     /// The coefficient of restitution is outside its range.
@@ -90,6 +91,9 @@ pub enum ImpactError {
     /// The mobility of the contacts cannot be computed.
     #[error(transparent)]
     Mobility(#[from] DelassusError),
+    /// The contact is invalid.
+    #[error(transparent)]
+    Response(#[from] ResponseError),
     /// The reactions cannot be computed.
     #[error(transparent)]
     Reactions(#[from] ReactionError),

@@ -22,7 +22,7 @@ mod numerics;
 mod percussion;
 mod ranges;
 mod reactions;
-mod rigid_impact;
+mod rigid;
 mod several;
 mod time;
 mod tolerances;
@@ -47,7 +47,8 @@ pub use ranges::reflected_range::{RangeError, ReflectedRange, ReflectedSample, r
 pub use reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
 pub use reactions::reaction_map::{ReactionError, ReactionMap};
 pub use reactions::unit_impulse::reactions_to_unit_impulse;
-pub use rigid_impact::{RigidImpact, closing_speed, greatest_closing_speed};
+pub use rigid::impact::{RigidImpact, closing_speed, greatest_closing_speed};
+pub use rigid::workspace::ImpactWorkspace;
 pub use several::energetic::ContactStiffness;
 pub use several::laws::{
     SimultaneousImpact, SimultaneousLaw, simultaneous_impact, simultaneous_impact_of_matrix,

@@ -4,7 +4,8 @@ use crate::cases::all;
 use nalgebra::{DVector, Vector3};
 use percuss_dynamics::{Contact, Direction, EffectiveMass, Frame, Remark};
 use percuss_impact::{
-    Reaction, RigidImpact, closing_speed, held_point_mass, reactions_to_unit_impulse, reflected_inertia,
+    ImpactWorkspace, Reaction, RigidImpact, closing_speed, held_point_mass, reactions_to_unit_impulse,
+    reflected_inertia,
 };
 use percuss_mechanism::JointKind;
 use percuss_oracle::maximal::{Outcome, Question, effective_mass};
@@ -260,4 +261,48 @@ fn undetermined_rates_are_named() {
         named += usize::from(!impact.undetermined.is_empty());
     }
     println!("{named} with undetermined rates");
+}
+
+/// A workspace has the results of single impacts, at every pose of every system.
+#[test]
+fn workspaces_agree_with_single_impacts() {
+    let mut count = 0;
+    for case in all(48) {
+        let pose = &case.pose;
+        let response = pose.respond(&case.contact).expect("a contact");
+        let single = RigidImpact::new(pose, &response, 0.7, 0.4, None);
+        let workspace = ImpactWorkspace::new(pose).impact(&case.contact, 0.7, 0.4);
+        let (single, workspace) = match (single, workspace) {
+            (Ok(single), Ok(workspace)) => (single, workspace),
+            (Err(a), Err(b)) => {
+                assert_eq!(a, b, "{}", case.name);
+                continue;
+            }
+            (a, b) => panic!("{}: {a:?} {b:?}", case.name),
+        };
+        // The stated error of m̄, kg, bounds the difference of two routes.
+        let mass = response.effective_mass.kilograms().expect("a mass");
+        let error =
+            response.error.and_then(|error| error.known()).map_or(0.0, |error| error / mass).max(BALANCED);
+        assert!((workspace.impulse / single.impulse - 1.0).abs() < error, "{}", case.name);
+        let fast = single.after.joints.iter().flatten().fold(1.0, |most: f64, v| most.max(v.abs()));
+        for (a, b) in single.after.joints.iter().flatten().zip(workspace.after.joints.iter().flatten()) {
+            assert!((a - b).abs() < 1e-9 * fast, "{}: {a} {b}", case.name);
+        }
+        let size = case.mechanism.characteristic_length().max(1.0);
+        for (a, b) in single.reactions.joints.iter().zip(&workspace.reactions.joints) {
+            let pairs = a.reaction.force.iter().zip(&b.reaction.force);
+            for (a, b) in pairs.chain(a.reaction.moment.iter().zip(&b.reaction.moment)) {
+                match (a.value(), b.value()) {
+                    (Some(a), Some(b)) => {
+                        let scale = single.impulse * size * fast;
+                        assert!((a - b).abs() < 1e-9 * scale, "{}: {a} {b}", case.name);
+                    }
+                    (a, b) => assert_eq!(a, b, "{}", case.name),
+                }
+            }
+        }
+        count += 1;
+    }
+    assert!(count > 150, "{count}");
 }

@@ -4,7 +4,7 @@ use crate::group_rows::GroupRows;
 use crate::reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
 use crate::reactions::tree_frames::{TreeFrames, axes_along};
 use nalgebra::{Matrix3, Vector3};
-use percuss_dynamics::{ConstraintSource, ContactResponse, EffectiveMass, Pose};
+use percuss_dynamics::{ConstraintSource, ContactResponse, EffectiveMass, LocatedContact, Pose};
 use percuss_mechanism::{ClosureKind, LinkId};
 use percuss_spatial::{Transform, Twist, Wrench};
 use std::sync::Arc;
@@ -120,13 +120,27 @@ impl ReactionMap {
         if joints.len() != self.joints.len() {
             return Err(ReactionError::ForeignResponse);
         }
-        let factor = match response.effective_mass {
+        let star = joints.iter().flatten().copied();
+        self.reactions_of_motion(&response.contact, response.effective_mass, star, base, scale)
+    }
+
+    /// Reactions as by [`reactions`](Self::reactions), for a contact with the effective mass and the motion v*: velocities of all joints
+    /// and twist of the root.
+    pub(crate) fn reactions_of_motion(
+        &self,
+        contact: &LocatedContact,
+        mass: EffectiveMass,
+        star: impl Iterator<Item = f64>,
+        base: Twist<f64>,
+        scale: f64,
+    ) -> Result<Reactions, ReactionError> {
+        let factor = match mass {
             EffectiveMass::Finite(mass) => -1.0 / mass,
             EffectiveMass::Immovable => 0.0,
             EffectiveMass::Massless => return Err(ReactionError::Massless),
         };
-        let change: Vec<f64> = joints.iter().flatten().map(|rate| factor * rate).collect();
-        let loads = self.tree.impulse_loads(&response.contact, &change, base * factor);
+        let change: Vec<f64> = star.map(|rate| factor * rate).collect();
+        let loads = self.tree.impulse_loads(contact, &change, base * factor);
         Ok(self.reactions_to_loads(loads, &change, scale))
     }
 

@@ -70,17 +70,7 @@ impl RigidImpact {
         restitution: f64,
         before: Option<JointRates>,
     ) -> Result<Self, ImpactError> {
-        if !(0.0..=1.0).contains(&restitution) {
-            return Err(ImpactError::Restitution { got: restitution });
-        }
-        if !(closing_speed.is_finite() && closing_speed > 0.0) {
-            return Err(ImpactError::ClosingSpeed { got: closing_speed });
-        }
-        let mass = match response.effective_mass {
-            EffectiveMass::Finite(mass) => mass,
-            EffectiveMass::Immovable => return Err(ImpactError::Immovable),
-            EffectiveMass::Massless => return Err(ReactionError::Massless.into()),
-        };
+        let mass = checked_mass(response.effective_mass, closing_speed, restitution)?;
         let impulse = (1.0 + restitution) * mass * closing_speed;
         let reactions = map.reactions(response, impulse)?;
         let (star, base) = (&response.joint_velocities, response.base_velocity);
@@ -125,6 +115,25 @@ impl RigidImpact {
             reactions: map.reactions(&found.response, found.total)?,
             ..smooth
         })
+    }
+}
+
+/// Mass of a contact with an impact; refuses values out of range.
+pub(crate) fn checked_mass(
+    mass: EffectiveMass,
+    closing_speed: f64,
+    restitution: f64,
+) -> Result<f64, ImpactError> {
+    if !(0.0..=1.0).contains(&restitution) {
+        return Err(ImpactError::Restitution { got: restitution });
+    }
+    if !(closing_speed.is_finite() && closing_speed > 0.0) {
+        return Err(ImpactError::ClosingSpeed { got: closing_speed });
+    }
+    match mass {
+        EffectiveMass::Finite(mass) => Ok(mass),
+        EffectiveMass::Immovable => Err(ImpactError::Immovable),
+        EffectiveMass::Massless => Err(ReactionError::Massless.into()),
     }
 }
 
