@@ -35,10 +35,12 @@ pub use mobility::delassus::{Delassus, DelassusError};
 pub use motion::driver_rates::{DriverRate, RatesError, rates_from_drivers};
 pub use motion::joint_rates::JointRates;
 pub use percussion::{
-    PercussionCentre, PercussionError, centre_of_percussion, centre_of_percussion_in_plane,
+    PercussionCentre, PercussionError, WorstReaction, centre_of_percussion, centre_of_percussion_in_plane,
+    worst_reaction_within,
 };
 pub use ranges::extremes::{
-    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, SearchedContact, extreme_effective_mass,
+    ExtremeKind, ExtremeMass, ExtremesError, JointRange, NormalRange, SearchedContact, SearchedQuantity,
+    extreme_effective_mass, extreme_quantity,
 };
 pub use ranges::reflected::{
     ReflectedError, ReflectedInertia, driving_joints, held_point_mass, reflected_inertia,
@@ -47,7 +49,9 @@ pub use ranges::reflected_range::{RangeError, ReflectedRange, ReflectedSample, r
 pub use reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
 pub use reactions::reaction_map::{ReactionError, ReactionMap};
 pub use reactions::unit_impulse::reactions_to_unit_impulse;
-pub use rigid::impact::{RigidImpact, closing_speed, greatest_closing_speed};
+pub use rigid::impact::{
+    RigidImpact, closing_speed, greatest_closing_speed, greatest_closing_speed_of_gears,
+};
 pub use rigid::workspace::ImpactWorkspace;
 pub use several::energetic::ContactStiffness;
 pub use several::laws::{

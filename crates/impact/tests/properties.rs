@@ -2,13 +2,14 @@
 
 use crate::cases::all;
 use nalgebra::{DVector, Vector3};
-use percuss_dynamics::{Contact, Direction, EffectiveMass, Frame, Remark};
+use percuss_dynamics::{Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Remark, System};
 use percuss_impact::{
     ImpactWorkspace, Reaction, RigidImpact, closing_speed, held_point_mass, reactions_to_unit_impulse,
     reflected_inertia,
 };
 use percuss_mechanism::JointKind;
 use percuss_oracle::maximal::{Outcome, Question, effective_mass};
+use std::sync::Arc;
 
 /// Limit of balances relative to their terms: rounding 1e-16 times the condition of mass matrix and loops, up to 1e4 here.
 const BALANCED: f64 = 1e-11;
@@ -305,4 +306,48 @@ fn workspaces_agree_with_single_impacts() {
         count += 1;
     }
     assert!(count > 150, "{count}");
+}
+
+/// A rotor on a joint, and a lock of the joint, cannot make a contact lighter: locked ≥ with a rotor ≥ free, with random linkages and
+/// trees.
+#[test]
+fn locks_and_rotors_make_contacts_heavier() {
+    let (mut compared, mut heavier) = (0, 0);
+    for case in all(160) {
+        let mechanism = &case.mechanism;
+        let movable = |id: &percuss_mechanism::JointId| {
+            let joint = mechanism.joint(*id);
+            joint.kind().dofs() == 1 && joint.mimic().is_none()
+        };
+        let Some(joint) = mechanism.joint_ids().find(movable) else { continue };
+        let name = mechanism.joint(joint).name();
+        let mass = |conditions: Conditions| {
+            let system = System::new(Arc::clone(mechanism), &conditions).ok()?;
+            let positions: Vec<f64> = case.pose.positions().to_vec();
+            let configuration = Configuration::from_positions(mechanism, &positions).ok()?;
+            let pose = system.pose(&configuration).ok()?;
+            let is_clear =
+                pose.rank().clear && pose.constraint_groups().iter().all(|g| g.least_singular_value > 1e-4);
+            let response = pose.respond(&case.contact).ok().filter(|_| is_clear)?;
+            match response.effective_mass {
+                EffectiveMass::Finite(mass) => Some(mass),
+                EffectiveMass::Immovable => Some(f64::INFINITY),
+                EffectiveMass::Massless => Some(0.0),
+            }
+        };
+        let own = mechanism.joint(joint).armature().first().copied().unwrap_or(0.0);
+        let (Some(free), Some(rotor), Some(locked)) = (
+            mass(Conditions::new()),
+            mass(Conditions::new().armature(name, [own + 0.3])),
+            mass(Conditions::new().lock(name)),
+        ) else {
+            continue;
+        };
+        assert!(rotor >= free * (1.0 - 1e-9), "{}: {rotor} {free}", case.name);
+        assert!(locked >= rotor * (1.0 - 1e-9), "{}: {locked} {rotor}", case.name);
+        compared += 1;
+        heavier += usize::from(locked > 1.01 * rotor && rotor > 1.001 * free);
+    }
+    println!("{compared} compared, {heavier} heavier");
+    assert!(compared > 300 && heavier > 60, "{compared} {heavier}");
 }

@@ -21,7 +21,7 @@ const SAME_SPEED: f64 = 1e-5;
 /// Result of a rigid impact.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct percuss_impact {
+pub struct percuss_rigid_impact {
     /// Impulse between the two sides, (1+e) m̄ c, N·s.
     pub impulse: f64,
     /// Lost kinetic energy, ½ m̄ (1−e²) c², J.
@@ -57,7 +57,7 @@ pub unsafe extern "C" fn percuss_pose_impact(
     count: usize,
     reactions: *mut f64,
     reaction_count: usize,
-    impact: *mut percuss_impact,
+    impact: *mut percuss_rigid_impact,
 ) -> percuss_status {
     guard_call(|| {
         let posed = object_of(pose)?;
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn percuss_pose_impact(
             let to = output_slice(reactions, reaction_count, "reactions")?;
             to.iter_mut().zip(numbers).for_each(|(to, value)| *to = value);
         }
-        *argument_mut(impact, "impact")? = percuss_impact {
+        *argument_mut(impact, "impact")? = percuss_rigid_impact {
             impulse: found.impulse,
             energy_loss: found.energy_loss,
             residual: found.reactions.residual,

@@ -105,7 +105,7 @@ static void the_pendulum(void)
   OK(percuss_response_base_velocity(response, twist));
   CHECK(twist[0] == 0.0 && twist[5] == 0.0);
   /* m = 0.78125 kg, c = 2 m/s, e = 0.5: p = 1.5 m c, loss 0.75 m c²/2; the hinge turns back with half its rate. */
-  percuss_impact impact;
+  percuss_rigid_impact impact;
   double before = -2.0 / 0.8, after, reaction[6];
   OK(percuss_pose_impact(pose, &contact, 2.0, 0.5, NULL, &after, 1, reaction, 6, &impact));
   CHECK(near_to(impact.impulse, 1.5 * 0.78125 * 2.0, 1e-14) && impact.residual < 1e-13);
@@ -335,7 +335,7 @@ static void laws(void)
   for (size_t i = 0; i < COUNT(steps); i++) {
     for (law = PERCUSS_LAW_KELVIN_VOIGT; law <= PERCUSS_LAW_HUNT_CROSSLEY; law++) {
       percuss_damper damper;
-      percuss_impact impact;
+      percuss_rigid_impact impact;
       double e;
       OK(percuss_law_damper(law, &spring, steps[i], 0.4, PERCUSS_FORCE_VANISHES, &damper));
       OK(percuss_damper_restitution(&damper, &spring, 0.4, &e));

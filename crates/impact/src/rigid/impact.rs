@@ -158,3 +158,21 @@ pub fn greatest_closing_speed(
     };
     limits.iter().filter_map(speed).min_by(|(a, _), (b, _)| a.total_cmp(b))
 }
+
+/// Greatest closing speed, m/s, at which the impulse in no gear exceeds its limit, min limit / ((1+e) armature |v*|), with the joint
+/// that limits it. `None` if the impact changes the rate of no limited rotor.
+///
+/// `limits`: joint, velocity index within the joint, and largest permitted impulse between rotor and joint, N·m·s or N·s. Source: Walker
+/// 1994, for impulses in place of rates.
+pub fn greatest_closing_speed_of_gears(
+    pose: &Pose,
+    response: &ContactResponse,
+    restitution: f64,
+    limits: &[(JointId, usize, f64)],
+) -> Option<(f64, JointId)> {
+    let armature = |joint, k: usize| pose.armature(joint).get(k).copied().unwrap_or(0.0);
+    // A limit of the rate for each limit of an impulse. A joint without armature has no gear.
+    let with_gear = limits.iter().filter(|&&(joint, k, _)| armature(joint, k) > 0.0);
+    let rates: Vec<_> = with_gear.map(|&(joint, k, limit)| (joint, k, limit / armature(joint, k))).collect();
+    greatest_closing_speed(response, restitution, &rates)
+}
