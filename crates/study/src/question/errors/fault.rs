@@ -130,6 +130,24 @@ pub enum Fault {
         /// Given limit.
         value: f64,
     },
+    /// Wrong number of limits of a joint.
+    #[error("joint \"{joint}\": {got} limits are given; expected {expected}")]
+    LimitCount {
+        /// Joint.
+        joint: String,
+        /// Number of given limits.
+        got: usize,
+        /// Number of velocities of the joint.
+        expected: usize,
+    },
+    /// Limits of gears at joints without a rotor.
+    #[error(
+        "joint \"{joint}\" has no armature, so its gear receives no impulse; give --armature {joint}=VALUE"
+    )]
+    NoGear {
+        /// Joint.
+        joint: String,
+    },
     /// Joint without motion.
     #[error("joint \"{joint}\" is fixed; expected a joint that moves")]
     NoMotion {
