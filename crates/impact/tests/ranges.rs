@@ -281,6 +281,31 @@ fn extremes_of_a_bearing_are_those_of_a_scan() {
         assert!(beyond <= 1e-9 * of_scan, "{found:?} {of_scan}");
         assert!((impulse(found.positions[0]) / value - 1.0).abs() < 1e-9);
     }
+    // A hinge can be left without impulse: the smallest value is zero, where |R| has a corner. All starts find it.
+    let arm = arm(3.0, 2.0);
+    let planar = System::new(Arc::clone(&arm), &Conditions::new()).expect("a system");
+    let tip = Contact {
+        link: arm.find_link("outer").expect("the outer link"),
+        against: None,
+        point: Vector3::x(),
+        normal: Direction::Along(Vector3::y(), Frame::World),
+    };
+    let of =
+        |name: &str, lower, upper| JointRange { joint: arm.find_joint(name).expect("a joint"), lower, upper };
+    let wide = [of("shoulder", -1.2, 1.2), of("elbow", 0.3, 2.8)];
+    let quantity = SearchedQuantity::BearingImpulse { joint: wide[0].joint };
+    let found = extreme_quantity(
+        &planar,
+        &planar.configuration(),
+        (&tip).into(),
+        quantity,
+        &wide,
+        ExtremeKind::Least,
+        16,
+    );
+    let found = found.expect("an extreme");
+    assert!(found.effective_mass.kilograms().expect("a finite impulse") < 1e-6, "{found:?}");
+    assert!(found.agreeing * 100 >= found.starts * 95 && found.residual < 1e-3, "{found:?}");
     let quantity = SearchedQuantity::BearingImpulse { joint: bearing };
     let any = SearchedContact { normals: NormalRange::Any, ..(&contact).into() };
     let start = system.configuration();

@@ -155,7 +155,8 @@ pub struct ExtremeMass {
     /// Joints at a limit, true for the upper one.
     pub active_limits: Vec<(JointId, bool)>,
     /// Optimality: largest component of the projected gradient of m̄, times its range, relative to m̄; 0 at an exact
-    /// stationary point of the constrained problem. Zero for an immovable contact.
+    /// stationary point of the constrained problem. Zero for an immovable contact. For an impulse of zero: relative to the largest
+    /// squared impulse of the starts.
     pub residual: f64,
     /// Number of starts.
     pub starts: usize,
@@ -235,20 +236,24 @@ pub fn extreme_quantity(
         return Err(ExtremesError::NoAxis);
     }
     let search = Search { system, configuration, contact, wheel, quantity, ranges, normals, extreme };
-    let mut found: Vec<Point> = Vec::new();
+    let (mut found, mut largest): (Vec<Point>, f64) = (Vec::new(), 0.0);
     for start in 0..starts.max(1) {
         let unit: Vec<f64> = (0..ranges.len()).map(|k| halton(start + 1, PRIMES[k % PRIMES.len()])).collect();
-        found.extend(search.run(unit)?);
+        if let Some((point, at_start)) = search.run(unit)? {
+            largest = largest.max(at_start).max(point.inverse_mass);
+            found.push(point);
+        }
     }
     let best = found.iter().min_by(|a, b| a.value.total_cmp(&b.value)).ok_or(ExtremesError::NoStart)?.clone();
-    let largest = found.iter().map(|point| point.inverse_mass).fold(0.0, f64::max);
     let largest = largest.max(search.typical()?);
     let is_immovable =
         search.is_reciprocal() && extreme == ExtremeKind::Most && best.inverse_mass <= IMMOVABLE * largest;
-    let same = |point: &&Point| {
-        (point.inverse_mass - best.inverse_mass).abs()
-            <= SAME_VALUE * best.inverse_mass.max(IMMOVABLE * largest)
-    };
+    // A square that is rounding of zero has no relative accuracy: the residual is then relative to the largest square.
+    let vanishes = !search.is_reciprocal() && best.inverse_mass <= IMMOVABLE * largest;
+    let size = best.inverse_mass.max(IMMOVABLE * largest);
+    let close =
+        if search.is_reciprocal() { SAME_VALUE * size } else { (SAME_VALUE * size).max(IMMOVABLE * largest) };
+    let same = |point: &&Point| (point.inverse_mass - best.inverse_mass).abs() <= close;
     let at_limit = |k: usize| match best.unit[k] {
         x if x <= AT_LIMIT => Some((ranges[k].joint, false)),
         x if x >= 1.0 - AT_LIMIT => Some((ranges[k].joint, true)),
@@ -259,12 +264,12 @@ pub fn extreme_quantity(
             EffectiveMass::Immovable
         } else {
             let value = best.inverse_mass;
-            EffectiveMass::Finite(if search.is_reciprocal() { 1.0 / value } else { value })
+            EffectiveMass::Finite(if search.is_reciprocal() { 1.0 / value } else { value.sqrt() })
         },
         positions: search.positions(&best.unit),
         normal_world: best.normal_world,
         active_limits: (0..ranges.len()).filter_map(at_limit).collect(),
-        residual: if is_immovable { 0.0 } else { best.residual() / best.inverse_mass },
+        residual: if is_immovable { 0.0 } else { best.residual() / if vanishes { largest } else { size } },
         starts: starts.max(1),
         agreeing: found.iter().filter(same).count(),
     })
@@ -297,7 +302,7 @@ fn halton(mut index: usize, base: usize) -> f64 {
 struct Point {
     /// Positions as parts of their ranges.
     unit: Vec<f64>,
-    /// 1/m̄, 1/kg; for a bearing the impulse itself, kg.
+    /// 1/m̄, 1/kg; for a bearing the square of the impulse, kg².
     inverse_mass: f64,
     /// Function to be minimised: plus or minus this number.
     value: f64,
@@ -345,7 +350,8 @@ impl Search<'_> {
         !matches!(self.quantity, SearchedQuantity::BearingImpulse { .. })
     }
 
-    /// Reciprocal value of an inertia, or value of a bearing impulse, at a pose; `None` if it is not finite.
+    /// Reciprocal value of an inertia, or square of a bearing impulse, at a pose; `None` if it is not finite. The square is smooth where
+    /// the impulse vanishes.
     fn measure(&self, pose: &Pose) -> Option<f64> {
         match self.quantity {
             SearchedQuantity::EffectiveMass => {
@@ -361,7 +367,7 @@ impl Search<'_> {
                 let reactions = ReactionMap::new(pose).reactions(&response, mass).ok()?;
                 let force = reactions.joints[joint.index()].reaction.force;
                 let known: Vec<f64> = force.iter().filter_map(|component| component.value()).collect();
-                (!known.is_empty()).then(|| known.iter().map(|x| x * x).sum::<f64>().sqrt())
+                (!known.is_empty()).then(|| known.iter().map(|x| x * x).sum())
             }
         }
     }
@@ -481,8 +487,8 @@ impl Search<'_> {
         Ok(Some((Point { unit, inverse_mass, value, gradient: derivatives, normal_world }, pose)))
     }
 
-    /// Local search from one start; `None` if the start has no finite mass.
-    fn run(&self, unit: Vec<f64>) -> Result<Option<Point>, ExtremesError> {
+    /// Local search from one start: its end, and the number at the start; `None` if the start has no finite value.
+    fn run(&self, unit: Vec<f64>) -> Result<Option<(Point, f64)>, ExtremesError> {
         let n = unit.len();
         let Some((mut at, mut pose)) = self.point(unit, None)? else { return Ok(None) };
         let scale = at.inverse_mass;
@@ -538,7 +544,7 @@ impl Search<'_> {
                 break;
             }
         }
-        Ok(Some(at))
+        Ok(Some((at, scale)))
     }
 }
 
