@@ -58,4 +58,4 @@ pub use several::laws::{
     SimultaneousImpact, SimultaneousLaw, simultaneous_impact, simultaneous_impact_of_matrix,
 };
 pub use several::sticking::{StickingContact, StickingImpact, sticking_impact};
-pub use time::impact_in_time::{ImpactInTime, ImpactSample, TimeConditions, impact_in_time};
+pub use time::impact_in_time::{ImpactInTime, ImpactSample, JointSpring, TimeConditions, impact_in_time};

@@ -335,7 +335,7 @@ static void laws(void)
   for (size_t i = 0; i < COUNT(steps); i++) {
     for (law = PERCUSS_LAW_KELVIN_VOIGT; law <= PERCUSS_LAW_HUNT_CROSSLEY; law++) {
       percuss_damper damper;
-      percuss_rigid_impact impact;
+      percuss_impact impact;
       double e;
       OK(percuss_law_damper(law, &spring, steps[i], 0.4, PERCUSS_FORCE_VANISHES, &damper));
       OK(percuss_damper_restitution(&damper, &spring, 0.4, &e));

@@ -403,6 +403,32 @@ fn a_centre_of_percussion_names_open_components() {
     assert!(percuss(&command).stdout.contains("determinate components only"));
 }
 
+/// A spring of the joint makes the impact in time shorter, and the equation of one freedom is not compared.
+#[test]
+fn joint_springs_act_in_time() {
+    let door = "impact models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 1,0,0 --restitution 0.5 \
+                --speed 1 --stiffness 1e5 --in-time";
+    let duration = |more: &str| {
+        let report = json(&format!("{door} {more} --format json"));
+        (
+            report["in_time"]["duration"].as_f64().expect("a duration"),
+            report["in_time"]["one_freedom"].is_null(),
+        )
+    };
+    let (free, (sprung, is_left_out)) = (duration("").0, duration("--joint-spring hinge=1e4"));
+    // The spring adds k₂/l² to the stiffness of the contact, here 40 %.
+    let ratio = sprung / free;
+    assert!(is_left_out && (0.82..0.88).contains(&ratio), "{ratio}");
+    for (more, words) in [
+        ("--joint-spring hinge=-1", "expected finite numbers"),
+        ("--joint-spring hinge=1,2,3,4", "K,D,FREE"),
+        ("--joint-spring nope=1", "--joint-spring"),
+    ] {
+        let outcome = percuss(&format!("{door} {more}"));
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}: {}", outcome.stderr);
+    }
+}
+
 /// Limits of rates and gears: the limit that is reached first is named, and an impact with this speed reaches it.
 #[test]
 fn the_first_limit_is_named() {

@@ -2,7 +2,7 @@
 
 use crate::group_rows::GroupRows;
 use crate::reactions::reaction::{Component, DriveImpulse, JointReaction, Reaction, Reactions};
-use crate::reactions::tree_frames::{TreeFrames, axes_along};
+use crate::reactions::tree_frames::{SpringAtJoint, TreeFrames, axes_along};
 use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{ConstraintSource, ContactResponse, EffectiveMass, LocatedContact, Pose};
 use percuss_mechanism::{ClosureKind, LinkId};
@@ -177,7 +177,7 @@ impl ReactionMap {
             let first = self.tree.first_column(joint);
             let drive = |(k, column): (usize, &Twist<f64>)| {
                 let gear = self.tree.armature[first + k] * change[first + k];
-                let sum = loads[child].power(column) + gear;
+                let sum = loads[child].power(column) + gear + self.tree.applied(joint, k);
                 let constraint = component(scale * sum, self.open_drives[first + k]);
                 DriveImpulse { gear: scale * gear, constraint }
             };
@@ -202,6 +202,11 @@ impl ReactionMap {
             residual,
         }
     }
+    /// Sets the forces of springs and dampers at the pose of the map.
+    pub(crate) fn apply_springs(&mut self, pose: &Pose, springs: &[SpringAtJoint], velocities: &[f64]) {
+        self.tree.apply_springs(pose, springs, velocities);
+    }
+
     /// Frames and motion subspaces of the tree.
     pub(crate) fn tree(&self) -> &TreeFrames {
         &self.tree

@@ -22,6 +22,8 @@ pub(crate) struct TreeFrames {
     coordinates: Vec<Option<(usize, f64)>>,
     /// Armature of the velocities of all joints.
     pub armature: Vec<f64>,
+    /// Force or moment of springs and dampers against the velocities of all joints.
+    applied: Vec<f64>,
     /// X_pc of each joint: child link in the parent link.
     steps: Vec<Transform<f64>>,
     /// Motion subspaces of all joints one after another, in the axes of the children.
@@ -60,6 +62,7 @@ impl TreeFrames {
             is_floating: of_coordinates.first().is_some_and(|(joint, _)| joint.is_none()),
             coordinate_count: of_coordinates.len(),
             coordinates: mechanism.joint_ids().map(coordinate).collect(),
+            applied: vec![0.0; armature.len()],
             armature,
             steps: Vec::new(),
             columns: Vec::new(),
@@ -81,6 +84,21 @@ impl TreeFrames {
         for joint in mechanism.joint_ids() {
             pose.add_motion_subspace(joint, &mut self.columns);
         }
+    }
+
+    /// Sets the forces of springs and dampers at a pose with the velocities of all joints.
+    pub fn apply_springs(&mut self, pose: &Pose, springs: &[SpringAtJoint], velocities: &[f64]) {
+        self.applied.fill(0.0);
+        for spring in springs {
+            let first = self.first_column(spring.joint);
+            let elongation = pose.joint(spring.joint)[0] - spring.free_position;
+            self.applied[first] += spring.stiffness * elongation + spring.damping * velocities[first];
+        }
+    }
+
+    /// Force or moment of springs and dampers against velocity `k` of a joint.
+    pub fn applied(&self, joint: JointId, k: usize) -> f64 {
+        self.applied[self.first_column(joint) + k]
     }
 
     /// Velocities of all joints one after another, from the rates of the coordinates.
@@ -123,7 +141,7 @@ impl TreeFrames {
             let first = self.first_column(joint);
             for (k, column) in self.columns(joint).iter().enumerate() {
                 let gear = self.armature[first + k] * change[first + k];
-                forces[c + k] += multiplier * (load.power(column) + gear);
+                forces[c + k] += multiplier * (load.power(column) + gear + self.applied[first + k]);
             }
         }
         forces
@@ -244,6 +262,18 @@ impl TreeFrames {
         };
         std::iter::successors(link, parent)
     }
+}
+
+/// Spring and damper of a joint with one velocity.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SpringAtJoint {
+    pub joint: JointId,
+    /// N·m/rad or N/m.
+    pub stiffness: f64,
+    /// N·m·s/rad or N·s/m.
+    pub damping: f64,
+    /// Position without force, rad or m.
+    pub free_position: f64,
 }
 
 /// Two transverse directions and the axis, as columns. A zero vector gives the unit matrix.

@@ -13,7 +13,7 @@ use crate::mobility::semidefinite::{SemidefiniteSolver, unit_diagonal_scale};
 use crate::motion::driver_rates::{kernel, lengths};
 use crate::motion::joint_rates::JointRates;
 use crate::numerics::pivoted_qr::PivotedQr;
-use crate::reactions::tree_frames::TreeFrames;
+use crate::reactions::tree_frames::{SpringAtJoint, TreeFrames};
 use crate::tolerances::MASSLESS_ENERGY;
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::{ConstraintGroup, LocatedContact, Pose};
@@ -32,6 +32,7 @@ pub(crate) struct MotionEquations {
     /// Velocities and bias accelerations of all joints.
     velocities: Vec<f64>,
     bias: Vec<f64>,
+    springs: Vec<SpringAtJoint>,
 }
 
 /// Rows of a group of constraints.
@@ -43,8 +44,8 @@ struct EquationGroup {
 }
 
 impl MotionEquations {
-    /// Equations for the system of a pose.
-    pub fn new(pose: &Pose) -> Self {
+    /// Equations for the system of a pose, with springs and dampers of joints.
+    pub fn new(pose: &Pose, springs: Vec<SpringAtJoint>) -> Self {
         let of_group = |group: ConstraintGroup| EquationGroup {
             coordinates: group.coordinates,
             lengths: group.lengths,
@@ -62,6 +63,7 @@ impl MotionEquations {
             basis: Vec::new(),
             velocities: Vec::new(),
             bias: Vec::new(),
+            springs,
         }
     }
 
@@ -78,6 +80,7 @@ impl MotionEquations {
         let n = u.len();
         self.tree.update(pose);
         self.tree.joint_velocities(u, &mut self.velocities);
+        self.tree.apply_springs(pose, &self.springs, &self.velocities);
         let base = self.tree.base_twist(u);
         let mut accelerations = vec![0.0; n];
         self.solve_constraints(pose, &base, &mut accelerations)?;

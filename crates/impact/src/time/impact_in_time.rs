@@ -7,6 +7,7 @@ use crate::numerics::extrapolation::step;
 use crate::numerics::multistep::MultistepIntegrator;
 use crate::reactions::reaction::Reactions;
 use crate::reactions::reaction_map::ReactionMap;
+use crate::reactions::tree_frames::SpringAtJoint;
 use crate::time::equations::{MotionEquations, rates_of};
 use crate::tolerances::{
     CONTACT_ENDS, END_ITERATIONS, LARGEST_TIME_STEP, MOST_DOUBLINGS, MOST_TIME_STEPS, TIME_STEP_ERROR,
@@ -16,14 +17,28 @@ use nalgebra::Vector3;
 use percuss_dynamics::{
     ConstraintAction, ConstraintSource, Contact, EffectiveMass, LocatedContact, Pose, Workspace, interruption,
 };
+use percuss_mechanism::JointId;
 use percuss_spatial::{Transform, quaternion_product, rotation_from_quaternion};
 use std::cell::{Cell, RefCell};
 
 /// Numbers that describe the motion of a base: position and quaternion w, x, y, z.
 const BASE: usize = 7;
 
+/// Spring and damper of a joint with one velocity during an impact in time: the force or moment −k (q − q₀) − d q̇ on the joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointSpring {
+    /// The joint.
+    pub joint: JointId,
+    /// Stiffness k, N·m/rad or N/m.
+    pub stiffness: f64,
+    /// Damping d, N·m·s/rad or N·s/m.
+    pub damping: f64,
+    /// Position without force q₀, rad or m; `None`: that at the touch, so that the spring has only the change of its force.
+    pub free_position: Option<f64>,
+}
+
 /// Conditions of an impact in time.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct TimeConditions {
     /// Gravity in world axes, m/s².
     pub gravity: Vector3<f64>,
@@ -31,6 +46,8 @@ pub struct TimeConditions {
     pub other_mass: Option<f64>,
     /// True if the contact ends when its force vanishes; false if it ends when the gap closes, with a pull before.
     pub ends_without_force: bool,
+    /// Springs and dampers of joints.
+    pub springs: Vec<JointSpring>,
 }
 
 /// State of an impact at one time.
@@ -99,6 +116,7 @@ pub fn impact_in_time(
         return Err(ImpactError::ClosingSpeed { got: closing_speed });
     }
     refuse_grounded_base(pose)?;
+    let springs = springs_at_joints(pose, &conditions.springs)?;
     let mass = match pose.respond(contact).map(|response| response.effective_mass) {
         Ok(EffectiveMass::Finite(mass)) => mass,
         Ok(EffectiveMass::Massless) => return Err(crate::ReactionError::Massless.into()),
@@ -106,7 +124,26 @@ pub fn impact_in_time(
     };
     let mass = conditions.other_mass.map_or(mass, |other| mass * other / (mass + other));
     let depth = stopping_depth(force, 0.5 * mass * closing_speed * closing_speed)?;
-    Motion::new(pose, contact, closing_speed, before, force, conditions, depth).run()
+    Motion::new(pose, contact, closing_speed, before, force, conditions, depth, springs).run()
+}
+
+/// Springs with their free positions; refuses values out of range and joints without exactly one velocity.
+fn springs_at_joints(pose: &Pose, springs: &[JointSpring]) -> Result<Vec<SpringAtJoint>, ImpactError> {
+    let at_joint = |spring: &JointSpring| {
+        let JointSpring { joint, stiffness, damping, free_position } = *spring;
+        let declared = pose.mechanism().joint(joint);
+        if declared.kind().dofs() != 1 {
+            return Err(ImpactError::SpringJoint { joint: declared.name().to_owned() });
+        }
+        let free_position = free_position.unwrap_or_else(|| pose.joint(joint)[0]);
+        let is_valid = |x: f64| x.is_finite() && x >= 0.0;
+        if !(is_valid(stiffness) && is_valid(damping) && free_position.is_finite()) {
+            let joint = declared.name().to_owned();
+            return Err(ImpactError::Spring { joint, stiffness, damping, free_position });
+        }
+        Ok(SpringAtJoint { joint, stiffness, damping, free_position })
+    };
+    springs.iter().map(at_joint).collect()
 }
 
 /// Refuses constraints between a floating base and the ground: poses keep the ground at the root link.
@@ -161,6 +198,7 @@ struct Motion<'a> {
     evaluation: RefCell<(Pose, MotionEquations)>,
     /// True if the last evaluation is beyond the end of the contact.
     is_over: Cell<bool>,
+    springs: Vec<SpringAtJoint>,
 }
 
 /// Values at one state, at the pose of the state.
@@ -173,6 +211,7 @@ struct Instant {
 }
 
 impl<'a> Motion<'a> {
+    #[allow(clippy::too_many_arguments, reason = "parts of one question")]
     fn new(
         start: &'a Pose,
         contact: &'a Contact,
@@ -181,6 +220,7 @@ impl<'a> Motion<'a> {
         force: &'a dyn Fn(f64, f64) -> f64,
         conditions: &'a TimeConditions,
         depth: f64,
+        springs: Vec<SpringAtJoint>,
     ) -> Self {
         let lengths = lengths(start, &start.coordinate_joints());
         let u = before.coordinates(start);
@@ -191,7 +231,7 @@ impl<'a> Motion<'a> {
         let mut initial = vec![0.0; start.positions().len() + BASE];
         initial.extend(u.iter().zip(&lengths).map(|(u, length)| u * length / rate));
         initial.extend([0.0, if conditions.other_mass.is_some() { (speed - own) / speed } else { 0.0 }]);
-        let evaluation = RefCell::new((start.clone(), MotionEquations::new(start)));
+        let evaluation = RefCell::new((start.clone(), MotionEquations::new(start, springs.clone())));
         Self {
             start,
             contact,
@@ -204,6 +244,7 @@ impl<'a> Motion<'a> {
             initial,
             evaluation,
             is_over: Cell::new(false),
+            springs,
         }
     }
 
@@ -444,6 +485,8 @@ impl Sampler {
         let (mut velocities, mut accelerations) = (Vec::new(), Vec::new());
         tree.joint_velocities(&at.rates, &mut velocities);
         tree.joint_velocities(&change, &mut accelerations);
+        self.map.apply_springs(pose, &motion.springs, &velocities);
+        let tree = self.map.tree();
         let rates = (&velocities[..], tree.base_twist(&at.rates));
         let changes = (&accelerations[..], tree.base_twist(&change));
         let loads = tree.motion_loads(pose, &at.contact, at.force, rates, changes, &gravity);

@@ -109,6 +109,7 @@ class _Impact:
     law: Damping | None
     in_time: bool
     gravity: Sequence[float] | None
+    joint_springs: Mapping[str, float | Sequence[float]]
     rate_limits: Mapping[str, Position]
     gear_limits: Mapping[str, float | Sequence[float]]
     point_error: float | None
@@ -374,6 +375,7 @@ def impact(
     also_restitution: Sequence[float] = (),
     gear_limit: Mapping[str, float | Sequence[float]] | None = None,
     point_error: float | None = None,
+    joint_spring: Mapping[str, float | Sequence[float]] | None = None,
 ) -> records.ImpactReport:
     """Rigid impact at a contact: impulse, rates of all joints before and after, energy loss, and the reactions in all
     joints, closures and held points. speed: closing speed, m/s; without rates, the motion of least energy with this
@@ -388,7 +390,8 @@ def impact(
     their forces, for the energetic law; also_restitution: their restitutions. sticking: adds the plastic impact with sticking
     points. in_time: adds the impact in time with the contact law, gravity in m/s² and world axes. gear_limit: largest impulses in
     gears, N·m·s or N·s, for the greatest closing speed. point_error: largest displacement of the contact point (m), for the worst
-    impulse at the joints of percussion. As ``percuss impact``."""
+    impulse at the joints of percussion. joint_spring: stiffness of joints during the impact in time, or stiffness, damping and the
+    position without force. As ``percuss impact``."""
     if in_time and stiffness is None:
         raise ValueError("in_time: the impact in time requires stiffness, that of the contact")
     if in_time and friction is not None:
@@ -396,7 +399,7 @@ def impact(
     damping = None if stiffness is None else Damping(restitution, stiffness, exponent, law=law)
     asked = _Impact(
         restitution, speed, friction, restitution_law, also, also_restitution, sticking, stiffness_ratio, contact_exponent,
-        rates or {}, base_twist, damping, in_time, gravity, rate_limit or {}, gear_limit or {}, point_error, reflected,
+        rates or {}, base_twist, damping, in_time, gravity, joint_spring or {}, rate_limit or {}, gear_limit or {}, point_error, reflected,
         percussion,
     )
     return records.ImpactReport.of(json.loads(_percuss.impact(model, contact, _asked(conditions), asked)))

@@ -29,6 +29,7 @@ pub struct Impact<'py> {
     law: Option<Damping>,
     in_time: bool,
     gravity: Option<[f64; 3]>,
+    joint_springs: Bound<'py, PyDict>,
     rate_limits: Bound<'py, PyDict>,
     gear_limits: Bound<'py, PyDict>,
     point_error: Option<f64>,
@@ -50,11 +51,11 @@ fn rates(given: &Bound<'_, PyDict>, what: &str) -> PyResult<Vec<(String, GivenRa
     given.iter().map(one).collect()
 }
 
-/// Impulses by joint, one for each velocity.
-fn impulses(given: &Bound<'_, PyDict>) -> PyResult<Vec<(String, Vec<f64>)>> {
+/// Numbers by joint.
+fn numbers(given: &Bound<'_, PyDict>, what: &str) -> PyResult<Vec<(String, Vec<f64>)>> {
     let one = |(joint, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
         let joint: String = joint.extract()?;
-        let values = list(&value, &format!("gear_limit of \"{joint}\""))?;
+        let values = list(&value, &format!("{what} of \"{joint}\""))?;
         Ok((joint, values))
     };
     given.iter().map(one).collect()
@@ -93,8 +94,9 @@ impl Impact<'_> {
             law: self.law.as_ref().map(Damping::question).transpose()?,
             in_time: self.in_time,
             gravity: self.gravity,
+            joint_springs: numbers(&self.joint_springs, "joint_spring")?,
             rate_limits: rates(&self.rate_limits, "rate_limit")?,
-            gear_limits: impulses(&self.gear_limits)?,
+            gear_limits: numbers(&self.gear_limits, "gear_limit")?,
             point_error: self.point_error,
             reflected: self.reflected.clone(),
             percussion: self.percussion.iter().map(percussion).collect::<PyResult<_>>()?,

@@ -101,6 +101,8 @@ pub enum Field {
     BaseTwist,
     /// Largest jump of a joint rate.
     RateLimit,
+    /// Spring of a joint during an impact in time.
+    JointSpring,
     /// Largest impulse in a gear.
     GearLimit,
     /// Largest displacement of the contact point.
@@ -161,6 +163,7 @@ impl Field {
             Field::Rates => ("--rates", "impact.rates"),
             Field::BaseTwist => ("--base-twist", "impact.base_twist"),
             Field::RateLimit => ("--rate-limit", "impact.rate_limit"),
+            Field::JointSpring => ("--joint-spring", "impact.joint_spring"),
             Field::GearLimit => ("--gear-limit", "impact.gear_limit"),
             Field::PointError => ("--point-error", "impact.point_error"),
             Field::Quantity => ("--quantity", "quantity"),

@@ -140,6 +140,14 @@ pub enum Fault {
         /// Number of velocities of the joint.
         expected: usize,
     },
+    /// Wrong number of values of a spring.
+    #[error("joint \"{joint}\": {got} numbers are given; expected K, K,D or K,D,FREE")]
+    SpringCount {
+        /// Joint.
+        joint: String,
+        /// Number of given values.
+        got: usize,
+    },
     /// Limits of gears at joints without a rotor.
     #[error(
         "joint \"{joint}\" has no armature, so its gear receives no impulse; give --armature {joint}=VALUE"
