@@ -58,4 +58,6 @@ pub use several::laws::{
     SimultaneousImpact, SimultaneousLaw, simultaneous_impact, simultaneous_impact_of_matrix,
 };
 pub use several::sticking::{StickingContact, StickingImpact, sticking_impact};
-pub use time::impact_in_time::{ImpactInTime, ImpactSample, JointSpring, TimeConditions, impact_in_time};
+pub use time::impact_in_time::{
+    ImpactInTime, ImpactSample, JointSpring, TimeConditions, impact_in_time, peak_over_time,
+};

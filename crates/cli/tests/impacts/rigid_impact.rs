@@ -416,9 +416,10 @@ fn joint_springs_act_in_time() {
         )
     };
     let (free, (sprung, is_left_out)) = (duration("").0, duration("--joint-spring hinge=1e4"));
-    // The spring adds k₂/l² to the stiffness of the contact, here 40 %.
+    // The spring adds k₂/l² to the stiffness of the contact, here 40 %: half a period of 1/√1.4 = 0.845. The damper of the contact, which is
+    // that without the spring, shortens it by some per cent.
     let ratio = sprung / free;
-    assert!(is_left_out && (0.82..0.88).contains(&ratio), "{ratio}");
+    assert!(is_left_out && (0.79..0.845).contains(&ratio), "{ratio}");
     for (more, words) in [
         ("--joint-spring hinge=-1", "expected finite numbers"),
         ("--joint-spring hinge=1,2,3,4", "K,D,FREE"),

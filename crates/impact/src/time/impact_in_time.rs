@@ -390,7 +390,7 @@ impl<'a> Motion<'a> {
             restitution: -at.closing / self.speed,
             duration: time * self.depth / self.speed,
             max_penetration,
-            peak_force: peak(&sampler.samples),
+            peak_force: sampler.peak_force(),
             mass_at_max_penetration: mass,
             samples: sampler.samples,
         })
@@ -507,6 +507,13 @@ impl Sampler {
         });
     }
 
+    /// Largest force of the contact.
+    fn peak_force(&self) -> f64 {
+        let times: Vec<f64> = self.samples.iter().map(|sample| sample.time).collect();
+        let forces: Vec<f64> = self.samples.iter().map(|sample| sample.force).collect();
+        peak_over_time(&times, &forces).map_or(0.0, |(force, _)| force)
+    }
+
     /// m̄ at the pose; `None` if it is not finite.
     fn effective_mass(&mut self, contact: &Contact) -> Option<f64> {
         let masses = &mut self.masses;
@@ -533,17 +540,21 @@ fn base_motion(scaled: &[f64], size: f64) -> Transform<f64> {
     Transform::new(rotation_from_quaternion(q), slide)
 }
 
-/// Largest force: vertex of the parabola through the largest sample and its neighbours.
-fn peak(samples: &[ImpactSample]) -> f64 {
-    let best = (0..samples.len()).max_by(|&a, &b| samples[a].force.total_cmp(&samples[b].force)).unwrap_or(0);
-    let largest = samples[best].force;
-    if best == 0 || best + 1 >= samples.len() {
-        return largest;
+/// Largest value of a smooth quantity over time, with its time: vertex of the parabola through the largest sample and its neighbours.
+/// `None` without samples.
+///
+/// # Panics
+/// If there are fewer times than values.
+pub fn peak_over_time(times: &[f64], values: &[f64]) -> Option<(f64, f64)> {
+    let best = (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))?;
+    let (time, largest) = (times[best], values[best]);
+    if best == 0 || best + 1 >= values.len() {
+        return Some((largest, time));
     }
-    let point = |k: usize| (samples[k].time - samples[best].time, samples[k].force - largest);
+    let point = |k: usize| (times[k] - time, values[k] - largest);
     let ((a, fa), (b, fb)) = (point(best - 1), point(best + 1));
     // f = s t + c t² through both neighbours.
     let c = (fa / a - fb / b) / (a - b);
     let s = fa / a - c * a;
-    if c < 0.0 { largest - s * s / (4.0 * c) } else { largest }
+    Some(if c < 0.0 { (largest - s * s / (4.0 * c), time - s / (2.0 * c)) } else { (largest, time) })
 }

@@ -13,7 +13,9 @@ use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
 use crate::thresholds::STROKES;
 use percuss_contact::{Damper, Separation, VaryingMassImpact};
 use percuss_dynamics::Pose;
-use percuss_impact::{ImpactInTime, JointSpring, RigidImpact, TimeConditions, impact_in_time};
+use percuss_impact::{
+    ImpactInTime, JointSpring, RigidImpact, TimeConditions, impact_in_time, peak_over_time,
+};
 use percuss_spatial::Vector3;
 use serde::Serialize;
 
@@ -192,12 +194,13 @@ fn bearings(
     let mut bearings: Vec<BearingForceRecord> = estimates.iter().map(start).collect();
     for sample in &found.samples {
         for (bearing, record) in bearings.iter_mut().zip(records(pose, &sample.reactions, held, None)) {
-            let force = size(&record);
-            bearing.force.push(force);
-            if force > bearing.peak_force {
-                (bearing.peak_force, bearing.peak_time) = (force, sample.time);
-            }
+            bearing.force.push(size(&record));
         }
+    }
+    let times: Vec<f64> = found.samples.iter().map(|sample| sample.time).collect();
+    for bearing in &mut bearings {
+        let peak = peak_over_time(&times, &bearing.force);
+        (bearing.peak_force, bearing.peak_time) = peak.filter(|(force, _)| *force > 0.0).unwrap_or_default();
     }
     bearings
 }
