@@ -98,12 +98,12 @@ pub struct ImpactInTime {
 /// difference of both speeds. `force`: F over penetration (m) and closing speed (m/s), N. Trees and loops, redundant constraints,
 /// fixed and floating bases; m̄, normal and contact row follow the pose. Without friction.
 ///
-/// The accelerations have a closed form at each pose; the loops are followed by the integration (extrapolated midpoint rule, error
-/// 1e-12 per step, relative to the penetration and the largest rate) without a correction, so that
-/// [`loop_gap`](ImpactSample::loop_gap) shows its error. Source: Featherstone 2008, §8; Hairer, Nørsett and Wanner 1993, §II.9.
+/// The accelerations have a closed form at each pose; the loops are followed by the integration (predictor and corrector of order 10 with
+/// starting steps by extrapolation, error 1e-12 per step, relative to the penetration and the largest rate) without a correction, so that
+/// [`loop_gap`](ImpactSample::loop_gap) shows its error. Source: Featherstone 2008, §8; Hairer, Nørsett and Wanner 1993, §II.9 and §III.1.
 ///
 /// # Errors
-/// [`ImpactError`]: a closing speed out of range; a contact that does not end; a pose without a contact.
+/// [`ImpactError`]: a closing speed out of range; a contact that does not end; a pose without a contact; an invalid spring.
 pub fn impact_in_time(
     pose: &Pose,
     contact: &Contact,
