@@ -351,3 +351,28 @@ fn locks_and_rotors_make_contacts_heavier() {
     println!("{compared} compared, {heavier} heavier");
     assert!(compared > 300 && heavier > 60, "{compared} {heavier}");
 }
+
+/// A pose that moves in place and back has its first results, and a refused move changes nothing.
+#[test]
+fn poses_move_in_place() {
+    let mut compared = 0;
+    for case in all(24) {
+        let mass = |pose: &Pose| pose.respond(&case.contact).expect("a contact").effective_mass;
+        let (start, base) = (case.pose.positions().to_vec(), *case.pose.base());
+        let other: Vec<f64> = start.iter().map(|q| q + 0.1).collect();
+        let mut moved = case.pose.clone();
+        moved.move_to(&other, base).expect("positions");
+        let there = case.pose.at_positions(&other, base).expect("positions");
+        assert_eq!(moved.positions(), there.positions(), "{}", case.name);
+        assert!(moved.move_to(&other[1..], base).is_err() || other.is_empty(), "{}", case.name);
+        assert_eq!(moved.positions(), there.positions(), "{}", case.name);
+        moved.move_to(&start, base).expect("positions");
+        assert_eq!(moved.rank().rank, case.pose.rank().rank, "{}", case.name);
+        if let (EffectiveMass::Finite(a), EffectiveMass::Finite(b)) = (mass(&case.pose), mass(&moved)) {
+            // Both are within their stated errors; a quaternion is normalised again.
+            assert!((a / b - 1.0).abs() < 1e-9, "{}: {a} {b}", case.name);
+            compared += 1;
+        }
+    }
+    assert!(compared > 50, "{compared}");
+}
