@@ -2,7 +2,9 @@
 
 use crate::cases::all;
 use nalgebra::{DVector, Vector3};
-use percuss_dynamics::{Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Remark, System};
+use percuss_dynamics::{
+    Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Pose, Remark, System,
+};
 use percuss_impact::{
     ImpactWorkspace, Reaction, RigidImpact, closing_speed, held_point_mass, reactions_to_unit_impulse,
     reflected_inertia,
